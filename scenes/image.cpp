@@ -1,0 +1,170 @@
+#include "scenes/image.h"
+
+#include <OpenImageIO/imageio.h>
+
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+
+#include "scenes/atomic_file.h"
+#include "scenes/input_error.h"
+
+namespace photonproof {
+namespace {
+
+constexpr std::int64_t kMaxPixels = std::int64_t{1} << 28;
+using Channels = std::array<int, 3>;
+
+std::string first_line(std::string message) {
+  if (const auto end = message.find('\n'); end != std::string::npos) message.resize(end);
+  return message.empty() ? "unknown reason" : message;
+}
+
+/// The channels named prefix+R, prefix+G, prefix+B, if all are there.
+std::optional<Channels> find_rgb(const OIIO::ImageSpec& spec, const std::string& prefix) {
+  const Channels found = {spec.channelindex(prefix + "R"), spec.channelindex(prefix + "G"),
+                          spec.channelindex(prefix + "B")};
+  if (found[0] < 0 || found[1] < 0 || found[2] < 0) return std::nullopt;
+  return found;
+}
+
+/// The colour of an image: R,G,B; else the first layer "<layer>.R/G/B"; else grey from Y or from an only channel.
+std::optional<Channels> find_colour(const OIIO::ImageSpec& spec) {
+  if (const auto plain = find_rgb(spec, "")) return plain;
+  for (const std::string& name : spec.channelnames) {
+    const auto dot = name.rfind('.');
+    if (dot == std::string::npos || name.substr(0, dot) == "variance") continue;
+    if (const auto layer = find_rgb(spec, name.substr(0, dot + 1))) return layer;
+  }
+  const int luminance = spec.channelindex("Y");
+  if (luminance >= 0 && spec.channelindex("RY") < 0) return Channels{luminance, luminance, luminance};
+  if (spec.nchannels == 1 && spec.alpha_channel < 0 && spec.z_channel < 0) return Channels{0, 0, 0};
+  return std::nullopt;
+}
+
+float decode_srgb(float v) { return v <= 0.04045f ? v / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f); }
+
+float encode_srgb(float v) { return v <= 0.0031308f ? v * 12.92f : 1.055f * std::pow(v, 1 / 2.4f) - 0.055f; }
+
+Image pick(const std::vector<float>& data, const OIIO::ImageSpec& spec, const Channels& channels) {
+  Image image(spec.width, spec.height);
+  const auto stride = static_cast<std::size_t>(spec.nchannels);
+  for (std::size_t p = 0; p < image.pixels(); ++p)
+    for (std::size_t c = 0; c < 3; ++c) image.rgb[3 * p + c] = data[p * stride + static_cast<std::size_t>(channels[c])];
+  return image;
+}
+
+/// False for what describes the file rather than the rendering in it.
+bool is_metadata(const std::string& name) {
+  return name.rfind("oiio:", 0) != 0 && name != "compression" && name != "DateTime";
+}
+
+void check_supported(const std::string& path, const OIIO::ImageSpec& spec) {
+  if (spec.deep || spec.depth > 1) throw InputError(path, "is a deep or volume image, expected a flat one");
+  if (spec.width <= 0 || spec.height <= 0) throw InputError(path, "image has no pixels");
+  if (static_cast<std::int64_t>(spec.width) * spec.height > kMaxPixels)
+    throw InputError(path, "image is " + std::to_string(spec.width) + "x" + std::to_string(spec.height) +
+                               ", the limit is 2^28 pixels");
+  const bool samples_ok =
+      spec.format.is_floating_point() || spec.format == OIIO::TypeUInt8 || spec.format == OIIO::TypeUInt16;
+  if (!samples_ok)
+    throw InputError(path, std::string("samples are ") + spec.format.c_str() + ", expected float or 8- or 16-bit");
+}
+
+/// Writes interleaved `data` with the named OpenImageIO format; throws on every failure OpenImageIO reports.
+void write_with(const char* format, const std::string& target, const std::string& temporary,
+                const OIIO::ImageSpec& spec, OIIO::TypeDesc type, const void* data) {
+  const std::unique_ptr<OIIO::ImageOutput> out = OIIO::ImageOutput::create(format);
+  if (!out) throw InputError(target, "cannot be written: " + first_line(OIIO::geterror()));
+  // close() reports what the operating system could not flush, such as a full disk.
+  if (out->open(temporary, spec) && out->write_image(type, data) && out->close()) return;
+  std::string reason = first_line(out->geterror());
+  if (const auto at = reason.find(temporary); at != std::string::npos) reason.replace(at, temporary.size(), target);
+  throw InputError(target, "cannot be written: " + reason);
+}
+
+void check_size(const std::string& path, const Image& image) {
+  const bool whole =
+      image.width > 0 && image.height > 0 &&
+      image.rgb.size() == 3 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+  if (!whole) throw InputError(path, "cannot be written: the image has no pixels or too few for its size");
+}
+
+}  // namespace
+
+Rendering read_rendering(const std::string& path) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(path, ignored)) throw InputError(path, "no such file");
+  if (!std::filesystem::is_regular_file(path, ignored)) throw InputError(path, "not a regular file");
+  OIIO::ImageSpec wanted;
+  wanted.attribute("oiio:UnassociatedAlpha", 1);  // alpha is ignored, so it must not have scaled the colour either
+  const std::unique_ptr<OIIO::ImageInput> in = OIIO::ImageInput::open(path, &wanted);
+  if (!in) throw InputError(path, "cannot be read as an image: " + first_line(OIIO::geterror()));
+  const OIIO::ImageSpec spec = in->spec();
+  check_supported(path, spec);
+  const auto colour = find_colour(spec);
+  if (!colour) throw InputError(path, "image has no colour: expected channels R, G, B or a single grey one");
+
+  std::vector<float> data(static_cast<std::size_t>(spec.nchannels) * static_cast<std::size_t>(spec.width) *
+                          static_cast<std::size_t>(spec.height));
+  if (!in->read_image(0, 0, 0, spec.nchannels, OIIO::TypeFloat, data.data()))
+    throw InputError(path, "cannot be read, truncated or damaged: " + first_line(in->geterror()));
+
+  Rendering rendering;
+  rendering.mean = pick(data, spec, *colour);
+  if (!spec.format.is_floating_point())
+    for (float& v : rendering.mean.rgb) v = decode_srgb(v);
+  if (const auto variance = find_rgb(spec, "variance.")) rendering.variance = pick(data, spec, *variance);
+  for (const auto& attribute : spec.extra_attribs)
+    if (attribute.type() == OIIO::TypeString && is_metadata(attribute.name().string()))
+      rendering.metadata[attribute.name().string()] = attribute.get_string();
+  return rendering;
+}
+
+void write_exr(const std::string& path, const Rendering& rendering) {
+  check_size(path, rendering.mean);
+  const bool has_variance = rendering.variance.has_value();
+  if (has_variance) {
+    check_size(path, *rendering.variance);
+    if (rendering.variance->width != rendering.mean.width || rendering.variance->height != rendering.mean.height)
+      throw InputError(path, "cannot be written: mean and variance differ in size");
+  }
+  const int channels = has_variance ? 6 : 3;
+  OIIO::ImageSpec spec(rendering.mean.width, rendering.mean.height, channels, OIIO::TypeFloat);
+  spec.channelnames = {"R", "G", "B"};
+  if (has_variance) spec.channelnames.insert(spec.channelnames.end(), {"variance.R", "variance.G", "variance.B"});
+  for (const auto& [name, value] : rendering.metadata) spec.attribute(name, value);
+  spec.attribute("compression", "zip");
+  spec.attribute("DateTime", "");  // else OpenImageIO writes the current time, and equal renderings differ in bytes
+
+  std::vector<float> data;
+  data.reserve(rendering.mean.pixels() * static_cast<std::size_t>(channels));
+  for (std::size_t p = 0; p < rendering.mean.pixels(); ++p) {
+    const auto at = static_cast<std::ptrdiff_t>(3 * p);
+    data.insert(data.end(), rendering.mean.rgb.begin() + at, rendering.mean.rgb.begin() + at + 3);
+    if (has_variance)
+      data.insert(data.end(), rendering.variance->rgb.begin() + at, rendering.variance->rgb.begin() + at + 3);
+  }
+  replace_atomically(path, [&](const std::filesystem::path& temporary) {
+    write_with("openexr", path, temporary.string(), spec, OIIO::TypeFloat, data.data());
+  });
+}
+
+void write_png(const std::string& path, const Image& image, double exposure) {
+  check_size(path, image);
+  OIIO::ImageSpec spec(image.width, image.height, 3, OIIO::TypeUInt8);
+  spec.attribute("oiio:ColorSpace", "sRGB");
+  const auto scale = static_cast<float>(std::exp2(exposure));
+  std::vector<std::uint8_t> data(image.rgb.size());
+  for (std::size_t i = 0; i < data.size(); ++i) {
+    const float v = image.rgb[i] * scale;
+    const float clamped = v > 0 ? std::min(v, 1.0f) : 0.0f;  // NaN shows as black
+    data[i] = static_cast<std::uint8_t>(std::lround(255 * encode_srgb(clamped)));
+  }
+  replace_atomically(path, [&](const std::filesystem::path& temporary) {
+    write_with("png", path, temporary.string(), spec, OIIO::TypeUInt8, data.data());
+  });
+}
+
+}  // namespace photonproof

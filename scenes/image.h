@@ -1,0 +1,48 @@
+// Images in memory and on disk (through OpenImageIO). Linear Rec.709 RGB, row 0 on top, interleaved floats.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace photonproof {
+
+struct Image {
+  int width = 0;
+  int height = 0;
+  std::vector<float> rgb;  ///< size 3 * width * height
+
+  Image() = default;
+  Image(int w, int h) : width(w), height(h), rgb(3 * static_cast<std::size_t>(w) * static_cast<std::size_t>(h)) {}
+  std::size_t pixels() const { return rgb.size() / 3; }
+  float* pixel(int x, int y) {
+    return &rgb[3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x))];
+  }
+  const float* pixel(int x, int y) const { return const_cast<Image*>(this)->pixel(x, y); }
+};
+
+/// A rendering: pixel means and, where at least two independent estimates were made, the variance of each mean.
+struct Rendering {
+  Image mean;
+  std::optional<Image> variance;
+  std::map<std::string, std::string> metadata;  ///< string attributes stored in the EXR header
+};
+
+/// Reads any format OpenImageIO knows as linear RGB: EXR and other float formats as they are, 8- and 16-bit formats
+/// decoded from sRGB. One-channel images become grey; alpha and layers other than the first are ignored, except that
+/// channels variance.R/G/B fill Rendering::variance. Throws InputError when the file is missing, not an image, larger
+/// than 2^28 pixels, or has no colour.
+Rendering read_rendering(const std::string& path);
+inline Image read_image(const std::string& path) { return read_rendering(path).mean; }
+
+/// 32-bit float EXR, channels R,G,B and variance.R,G,B; written beside the target and renamed, so that a file under
+/// the final name is always whole. Throws InputError when it cannot be written.
+void write_exr(const std::string& path, const Rendering& rendering);
+
+/// 8-bit sRGB PNG of 2^exposure * image, clamped to [0,1]; the same atomic rename.
+void write_png(const std::string& path, const Image& image, double exposure = 0);
+
+}  // namespace photonproof

@@ -1,0 +1,23 @@
+// Reads the Mitsuba 3 subset into a SceneDescription. Files are untrusted: see Limits.
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "scenes/description.h"
+
+namespace photonproof {
+
+struct ParseOptions {
+  std::map<std::string, std::string> defines;  ///< -D name=value; every one must be used
+  bool allow_outside = false;                  ///< let includes leave the scene's folder
+};
+
+/// Throws InputError with file:line:col on anything outside the subset.
+SceneDescription parse_scene_file(const std::string& path, const ParseOptions& options = {});
+
+/// The same for text already in memory; `name` stands for the file in messages, includes resolve against its folder.
+SceneDescription parse_scene_text(std::string_view text, const std::string& name, const ParseOptions& options = {});
+
+}  // namespace photonproof
