@@ -1,0 +1,332 @@
+// fork and exec with three pipes: output, errors, and one that closes on a successful exec and carries errno otherwise.
+// Everything between fork and exec is async-signal-safe, since the caller may run threads.
+
+#include "reference/process.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <system_error>
+#include <utility>
+
+#include "reference/process_memory.h"
+
+namespace photonproof {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr std::chrono::milliseconds tick{20};
+constexpr std::chrono::seconds grace_after_interrupt{2};
+constexpr std::size_t tail_bytes = std::size_t{1} << 20;
+// A sample costs some 10 us for each process of the machine; waiting 50 times that long keeps it under 2 % of a core.
+constexpr int sampling_restraint = 50;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+// A number as a person writes it: "10", "0.5".
+std::string number(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.6g", value);
+  return text.data();
+}
+
+std::string mebibytes(std::uint64_t bytes) { return number(static_cast<double>(bytes) / (1 << 20)) + " MiB"; }
+
+class Descriptor {
+ public:
+  explicit Descriptor(int value = -1) : value_(value) {}
+  Descriptor(Descriptor&& other) noexcept : value_(std::exchange(other.value_, -1)) {}
+  Descriptor& operator=(Descriptor&& other) noexcept {
+    std::swap(value_, other.value_);
+    return *this;
+  }
+  ~Descriptor() { reset(); }
+  int get() const { return value_; }
+  void reset() {
+    if (value_ >= 0) close(value_);
+    value_ = -1;
+  }
+
+ private:
+  int value_;
+};
+
+[[noreturn]] void fail(const char* what) { throw std::system_error(errno, std::generic_category(), what); }
+
+// Moves a descriptor out of 0..2, which pipe() hands out when the caller itself runs with closed standard streams.
+Descriptor above_standard(int descriptor) {
+  const Descriptor original(descriptor);
+  Descriptor moved(fcntl(descriptor, F_DUPFD_CLOEXEC, 3));
+  if (moved.get() < 0) fail("cannot duplicate a file descriptor");
+  return moved;
+}
+
+struct Pipe {
+  Descriptor read_end, write_end;
+  Pipe() {
+    std::array<int, 2> ends{};
+    if (pipe2(ends.data(), O_CLOEXEC) != 0) fail("cannot make a pipe");
+    read_end = above_standard(ends[0]);
+    write_end = above_standard(ends[1]);
+  }
+};
+
+// Keeps the last tail_bytes of what one pipe carries.
+class Stream {
+ public:
+  Stream(Descriptor descriptor, std::string& tail) : descriptor_(std::move(descriptor)), tail_(tail) {
+    fcntl(descriptor_.get(), F_SETFL, O_NONBLOCK);
+  }
+  bool open() const { return descriptor_.get() >= 0; }
+  int descriptor() const { return descriptor_.get(); }  // poll ignores a negative one
+
+  // Takes what is there now, at most a tail's worth so that an endless writer cannot keep us from looking at the
+  // limits, and closes at the end of file.
+  void drain(const std::function<void(std::string_view)>& watcher) {
+    std::array<char, 65536> buffer;
+    for (std::size_t taken = 0; open() && taken < tail_bytes;) {
+      const ssize_t length = read(descriptor_.get(), buffer.data(), buffer.size());
+      if (length < 0 && errno == EINTR) continue;
+      if (length < 0 && errno == EAGAIN) return;
+      if (length <= 0) {
+        descriptor_.reset();
+        return;
+      }
+      const std::string_view chunk(buffer.data(), static_cast<std::size_t>(length));
+      taken += chunk.size();
+      tail_.append(chunk);
+      if (tail_.size() > 2 * tail_bytes) trim();
+      if (watcher) watcher(chunk);
+    }
+  }
+  void trim() {
+    if (tail_.size() > tail_bytes) tail_.erase(0, tail_.size() - tail_bytes);
+  }
+
+ private:
+  Descriptor descriptor_;
+  std::string& tail_;
+};
+
+// The child's side of fork. Never returns; only async-signal-safe calls.
+[[noreturn]] void become(char* const* argv, const char* folder, pid_t parent, int input, int out, int err,
+                         int failure) {
+  const auto give_up = [failure] {
+    const int code = errno;
+    [[maybe_unused]] const ssize_t written = write(failure, &code, sizeof code);
+    _exit(127);
+  };
+  setpgid(0, 0);
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) _exit(127);  // it died before prctl
+  sigset_t none;
+  sigemptyset(&none);
+  sigprocmask(SIG_SETMASK, &none, nullptr);
+  for (const int signal_number : {SIGINT, SIGTERM, SIGQUIT, SIGHUP, SIGPIPE}) signal(signal_number, SIG_DFL);
+  if (dup2(input, STDIN_FILENO) < 0 || dup2(out, STDOUT_FILENO) < 0 || dup2(err, STDERR_FILENO) < 0) give_up();
+  if (folder[0] != '\0' && chdir(folder) != 0) give_up();
+  execvp(argv[0], argv);
+  give_up();
+  _exit(127);
+}
+
+struct Child {
+  pid_t pid = 0;
+  int start_error = 0;  // errno of the failed exec, 0 when it runs
+  Descriptor out, err;
+};
+
+Child start(const std::vector<std::string>& argv, const std::string& folder) {
+  std::vector<char*> pointers;
+  for (const std::string& argument : argv) pointers.push_back(const_cast<char*>(argument.c_str()));
+  pointers.push_back(nullptr);
+  Pipe out, err, failure;
+  const Descriptor input = above_standard(open("/dev/null", O_RDONLY | O_CLOEXEC));
+  const pid_t self = getpid();
+  const pid_t pid = fork();
+  if (pid < 0) fail("cannot start a process");
+  if (pid == 0)
+    become(pointers.data(), folder.c_str(), self, input.get(), out.write_end.get(), err.write_end.get(),
+           failure.write_end.get());
+  setpgid(pid, pid);  // also here: the group must exist before anything is sent to it
+  failure.write_end.reset();
+  Child child;
+  child.pid = pid;
+  while (read(failure.read_end.get(), &child.start_error, sizeof child.start_error) < 0 && errno == EINTR) {
+  }
+  child.out = std::move(out.read_end);
+  child.err = std::move(err.read_end);
+  return child;
+}
+
+bool has_ended(pid_t pid) {
+  siginfo_t info{};
+  // WNOWAIT leaves it a zombie, so that its number and its group stay ours until the group is killed.
+  return waitid(P_PID, static_cast<id_t>(pid), &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == pid;
+}
+
+double cpu_seconds(const rusage& usage) {
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+// Watches a started child until it has ended, by itself or by one of the limits.
+class Watch {
+ public:
+  using End = ProcessOutcome::End;
+  Watch(pid_t pid, const ProcessOptions& options, Clock::time_point started)
+      : pid_(pid), options_(options), started_(started), next_sample_(started) {}
+
+  void check(ProcessOutcome& outcome) {
+    if (killed_) return;
+    const auto now = Clock::now();
+    if (outcome.end == End::interrupted) {
+      if (now >= patience_ends_) kill_group();
+      return;
+    }
+    if (options_.interrupt != nullptr && *options_.interrupt) {
+      outcome.end = End::interrupted;
+      patience_ends_ = now + grace_after_interrupt;
+      kill(-pid_, SIGINT);
+    } else if (options_.wall_limit_seconds && seconds_since(started_) >= *options_.wall_limit_seconds) {
+      outcome.end = End::timed_out;
+      outcome.cause = number(*options_.wall_limit_seconds) + " s";
+      kill_group();
+    } else if (now >= next_sample_) {
+      check_memory(outcome);
+    }
+  }
+  std::uint64_t sampled_peak() const { return sampled_peak_; }
+
+ private:
+  void check_memory(ProcessOutcome& outcome) {
+    const auto before = Clock::now();
+    const MemorySample sample = sample_memory(pid_);
+    sampled_peak_ = std::max(sampled_peak_, sample.largest_peak_bytes);
+    const auto after = Clock::now();
+    next_sample_ = after + std::max<Clock::duration>(tick, sampling_restraint * (after - before));
+    if (options_.memory_limit_bytes && sample.resident_bytes > *options_.memory_limit_bytes) {
+      outcome.end = End::out_of_memory;
+      outcome.cause = mebibytes(*options_.memory_limit_bytes);
+      kill_group();
+    }
+  }
+  void kill_group() {
+    kill(-pid_, SIGKILL);
+    killed_ = true;
+  }
+
+  pid_t pid_;
+  const ProcessOptions& options_;
+  Clock::time_point started_, next_sample_, patience_ends_{};
+  bool killed_ = false;
+  std::uint64_t sampled_peak_ = 0;
+};
+
+// ru_maxrss starts from what the caller held at fork (exec carries it over), so it tells the child's own peak only
+// where it is above that; below, the samples do.
+std::uint64_t peak_bytes(const rusage& usage, std::uint64_t inherited, std::uint64_t sampled) {
+  const std::uint64_t counted = static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
+  return counted > inherited || sampled == 0 ? std::max(counted, sampled) : sampled;
+}
+
+void set_natural_end(ProcessOutcome& outcome, int status) {
+  if (outcome.end != ProcessOutcome::End::not_started) return;  // a limit or the interrupt ended it
+  if (WIFSIGNALED(status)) {
+    outcome.end = ProcessOutcome::End::signalled;
+    outcome.signal = WTERMSIG(status);
+  } else {
+    outcome.end = ProcessOutcome::End::exited;
+    outcome.exit_code = WEXITSTATUS(status);
+  }
+}
+
+}  // namespace
+
+ProcessOutcome run_process(const std::vector<std::string>& argv, const ProcessOptions& options) {
+  ProcessOutcome outcome;
+  if (options.interrupt != nullptr && *options.interrupt) {
+    outcome.end = ProcessOutcome::End::interrupted;
+    return outcome;
+  }
+  const std::string folder = options.working_folder.string();
+  const std::uint64_t inherited = own_peak_bytes();
+  const auto started = Clock::now();
+  Child child = start(argv, folder);
+  int status = 0;
+  rusage usage{};
+  if (child.start_error != 0) {
+    while (waitpid(child.pid, &status, 0) < 0 && errno == EINTR) {
+    }
+    std::error_code ignored;
+    const bool bad_folder = !folder.empty() && !std::filesystem::is_directory(folder, ignored);
+    outcome.cause = "'" + (bad_folder ? folder : argv[0]) + "': " + std::generic_category().message(child.start_error);
+    return outcome;
+  }
+
+  Stream out(std::move(child.out), outcome.standard_output);
+  Stream err(std::move(child.err), outcome.standard_error);
+  Watch watch(child.pid, options, started);
+  while (!has_ended(child.pid)) {
+    std::array<pollfd, 2> waiting{pollfd{out.descriptor(), POLLIN, 0}, pollfd{err.descriptor(), POLLIN, 0}};
+    // With both pipes closed the end is near, so look again soon: the wall time should not be rounded up to a tick.
+    const int patience = out.open() || err.open() ? static_cast<int>(tick.count()) : 1;
+    poll(waiting.data(), waiting.size(), patience);
+    out.drain({});
+    err.drain(options.on_stderr);
+    watch.check(outcome);
+  }
+  outcome.wall_seconds = seconds_since(started);
+  kill(-child.pid, SIGKILL);
+  while (wait4(child.pid, &status, 0, &usage) < 0 && errno == EINTR) {
+  }
+  out.drain({});
+  err.drain(options.on_stderr);
+  out.trim();
+  err.trim();
+  set_natural_end(outcome, status);
+  outcome.cpu_seconds = cpu_seconds(usage);
+  outcome.peak_bytes = peak_bytes(usage, inherited, watch.sampled_peak());
+  // One that came and went between two samples used too much all the same.
+  if (outcome.end == ProcessOutcome::End::exited && options.memory_limit_bytes &&
+      outcome.peak_bytes > *options.memory_limit_bytes) {
+    outcome.end = ProcessOutcome::End::out_of_memory;
+    outcome.cause = mebibytes(*options.memory_limit_bytes);
+  }
+  return outcome;
+}
+
+std::string ProcessOutcome::sentence() const {
+  switch (end) {
+    case End::exited:
+      return "exited with " + std::to_string(exit_code);
+    case End::signalled: {
+      const char* name = sigabbrev_np(signal);
+      return "killed by " + (name != nullptr ? std::string("SIG") + name : "signal " + std::to_string(signal));
+    }
+    case End::timed_out:
+      return "killed after " + cause + " (limit)";
+    case End::out_of_memory:
+      return "used more than " + cause + " of memory (limit)";
+    case End::interrupted:
+      return "interrupted";
+    case End::not_started:
+      break;
+  }
+  return "could not be started: " + cause;
+}
+
+}  // namespace photonproof

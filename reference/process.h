@@ -1,0 +1,45 @@
+// Runs one child process to its end, bounded in time and memory, and says what it cost. Used for POV-Ray and by the
+// benchmark for every engine.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace photonproof {
+
+struct ProcessOptions {
+  std::optional<double> wall_limit_seconds{};         ///< the whole process group is killed past it
+  std::optional<std::uint64_t> memory_limit_bytes{};  ///< resident set of the group, sampled; killed past it
+  const std::atomic<bool>* interrupt = nullptr;       ///< when it turns true the group gets SIGINT, after 2 s SIGKILL
+  std::filesystem::path working_folder{};             ///< empty: the caller's
+  std::function<void(std::string_view)> on_stderr{};  ///< sees each chunk as it arrives (progress); may be empty
+};
+
+struct ProcessOutcome {
+  enum class End { exited, signalled, timed_out, out_of_memory, interrupted, not_started } end = End::not_started;
+  int exit_code = 0;  ///< when `exited`
+  int signal = 0;     ///< when `signalled`
+  double wall_seconds = 0;
+  double cpu_seconds = 0;  ///< user + system, of the child and the children it waited for
+  std::uint64_t peak_bytes =
+      0;                        ///< largest resident set of one process: its own, not what it inherited from the caller
+  std::string standard_output;  ///< the last 1 MiB
+  std::string standard_error;   ///< the last 1 MiB
+  std::string cause;            ///< the limit that was passed, or why it was not started; empty otherwise
+  bool ok() const { return end == End::exited && exit_code == 0; }
+  std::string sentence() const;  ///< "exited with 3", "killed by SIGSEGV", "killed after 10 s (limit)" ...
+};
+
+/// No shell: argv[0] is looked up on PATH. Standard input is /dev/null. The child leads a process group of its own;
+/// whatever is left of that group when the child ends is killed, and the child is killed when the caller dies.
+/// Limits and the interrupt are looked at every 20 ms. Never throws for what the child does; throws std::system_error
+/// when the system has no more processes or file descriptors. Precondition: argv is not empty.
+ProcessOutcome run_process(const std::vector<std::string>& argv, const ProcessOptions& options = {});
+
+}  // namespace photonproof
