@@ -1,0 +1,34 @@
+// Image metrics as METRICS in README defines them: linear Rec.709 images, `reference` first, N = pixels x channels.
+// A metric is one file (metric_*.cpp) and one row of the table in metrics.cpp.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "harness/results.h"
+#include "scenes/image.h"
+
+namespace photonproof {
+
+struct MetricOptions {
+  /// Stops applied before the display encoding of psnr, ssim and flip (scale by 2^exposure, clamp to [0,1], sRGB).
+  double exposure = 0;
+};
+
+/// A failure that no metric may hide: sizes differ or a value is not finite. The sentence says where.
+struct ImageDefect {
+  enum class Kind { size_mismatch, non_finite } kind;
+  std::string sentence;
+};
+/// Empty when the pair can be compared.
+std::vector<ImageDefect> find_defects(const Image& reference, const Image& test);
+
+/// Every metric of the table, in its order. Precondition: find_defects is empty.
+std::vector<MetricValue> compute_metrics(const Image& reference, const Image& test, const MetricOptions& options);
+
+/// Per-pixel maps behind the heat maps: LDR-FLIP in [0,1], and relative squared error (x-r)^2/(r^2+0.01) averaged over
+/// channels. Row-major, one float a pixel.
+std::vector<float> flip_map(const Image& reference, const Image& test, const MetricOptions& options);
+std::vector<float> relmse_map(const Image& reference, const Image& test);
+
+}  // namespace photonproof

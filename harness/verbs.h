@@ -1,0 +1,18 @@
+// One row a verb of the program. Each verb is a file verb_<name>.cpp with its options and its callback.
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace photonproof {
+
+/// Adds the subcommand to `program`; its callback leaves the process's exit code in `exit_code`.
+void add_render_verb(CLI::App& program, int& exit_code);
+void add_export_verb(CLI::App& program, int& exit_code);
+void add_povray_verb(CLI::App& program, int& exit_code);
+void add_compare_verb(CLI::App& program, int& exit_code);
+void add_bench_verb(CLI::App& program, int& exit_code);
+void add_report_verb(CLI::App& program, int& exit_code);
+
+}  // namespace photonproof

@@ -1,0 +1,39 @@
+#include "renderer/film.h"
+
+#include <algorithm>
+
+namespace photonproof {
+
+Film::Film(int width, int height)
+    : width_(width), height_(height), pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
+
+Rendering Film::develop() const {
+  Rendering rendering;
+  rendering.mean = Image(width_, height_);
+  const bool has_variance =
+      std::all_of(pixels_.begin(), pixels_.end(), [](const Pixel& p) { return p.estimates >= 2; });
+  if (has_variance) rendering.variance = Image(width_, height_);
+  const auto store = [](float* out, const RgbD& v) {
+    out[0] = static_cast<float>(v.x);
+    out[1] = static_cast<float>(v.y);
+    out[2] = static_cast<float>(v.z);
+  };
+  for (std::size_t i = 0; i < pixels_.size(); ++i) {
+    const Pixel& p = pixels_[i];
+    if (p.weight == 0) continue;
+    const RgbD mean = p.sum / p.weight;
+    store(&rendering.mean.rgb[3 * i], mean);
+    if (!has_variance) continue;
+    const RgbD spread = p.sum_of_squares / p.weight - mean * mean;
+    const RgbD clamped{std::max(0.0, spread.x), std::max(0.0, spread.y), std::max(0.0, spread.z)};
+    store(&rendering.variance->rgb[3 * i], clamped / (p.estimates - 1));
+  }
+  return rendering;
+}
+
+std::size_t Film::unsampled_pixels() const {
+  return static_cast<std::size_t>(
+      std::count_if(pixels_.begin(), pixels_.end(), [](const Pixel& p) { return p.estimates == 0; }));
+}
+
+}  // namespace photonproof

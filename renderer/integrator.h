@@ -1,0 +1,60 @@
+// What every integrator takes and gives back, and the table of them. An integrator is one file and one row.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "renderer/film.h"
+#include "renderer/scene.h"
+
+namespace photonproof {
+
+/// What ends a render. Without any, the scene file's sample count does.
+struct RenderBudget {
+  std::optional<std::int64_t> spp;      ///< camera samples a pixel
+  std::optional<std::int64_t> photons;  ///< emitted over the whole render, for each map the scene needs
+  std::optional<double> seconds;        ///< wall time of the render, photon passes included
+};
+
+struct RenderJob {
+  RenderBudget budget;
+  std::uint64_t seed = 0;
+  int threads = 0;  ///< 0: every core
+  int grid = 0;     ///< k > 0: samples on the centres of a k x k grid in the pixel, as POV-Ray's are; 0: random
+  int sample_count = 4;  ///< of the scene file
+  const std::atomic<bool>* interrupt = nullptr;
+  std::function<void(double fraction, const std::string& phase)> progress;  ///< from one thread at a time; may be empty
+
+  bool interrupted() const { return interrupt != nullptr && interrupt->load(std::memory_order_relaxed); }
+};
+
+struct RenderStats {
+  std::map<std::string, double> phases;  ///< seconds of wall time by phase
+  std::map<std::string, double> counts;  ///< rays by kind, photons emitted and stored, passes, samples a pixel, radii
+  std::vector<std::string> skipped;      ///< "what: why"
+  bool interrupted = false;
+};
+
+/// Renders into the film until the budget or an interrupt ends it. Deterministic for a given number of samples and
+/// photons: neither threads nor time enter the estimates.
+struct Integrator {
+  const char* name;
+  const char* summary;
+  void (*render)(const Scene&, const IntegratorDescription&, const RenderJob&, Film&, RenderStats&);
+};
+
+const std::vector<Integrator>& integrators();
+/// Null when there is none of that name.
+const Integrator* find_integrator(const std::string& name);
+/// The name of the integrator a scene file asks for.
+std::string integrator_name(const IntegratorDescription& description);
+/// The same request for another integrator: path depth, roulette depth and hidden emitters are kept, what the scene file
+/// does not say takes its default. `name` must be in the table.
+IntegratorDescription with_integrator(const IntegratorDescription& description, const std::string& name);
+
+}  // namespace photonproof

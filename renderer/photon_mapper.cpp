@@ -1,0 +1,228 @@
+// Photon mapping (Jensen 1996, 2001) with fixed-radius density estimation at the first diffuse hit of a camera path:
+//   L = Le + direct (next-event estimation) + rho/pi (sum of caustic fluxes / A_c + sum of global fluxes / A_g)
+// where A is the area of the look-up disc clipped to its surface. The render is cut into passes, each with photons and
+// camera samples of its own: the mean is the same, look-ups are cheaper, and the passes' spread gives an honest variance
+// that includes the photons' noise (not the bias of the radius).
+
+#include "renderer/photon_mapper.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "renderer/camera_samples.h"
+#include "renderer/direct_light.h"
+#include "renderer/disc_area.h"
+#include "renderer/parallel.h"
+#include "renderer/pass_schedule.h"
+#include "renderer/photon_radius.h"
+#include "renderer/photon_tracing.h"
+#include "renderer/roulette.h"
+#include "renderer/scene_facts.h"
+
+namespace photonproof {
+namespace {
+
+constexpr std::int64_t photons_per_sample = 50'000;  // with a time budget: emitted for each camera sample a pixel
+constexpr std::uint64_t pilot_photons = 20'000;
+
+/// One of the two maps, with what it takes to refill it every pass.
+struct MapState {
+  PhotonKind kind;
+  Stream stream;
+  const char* name;
+  double photons_in_disc;  ///< the automatic radius aims at this many over the whole render
+  bool wanted = false;
+  std::int64_t total = 0;  ///< photons to emit over the whole render
+  float radius = 0;
+  std::uint64_t emitted = 0;
+  std::uint64_t stored = 0;
+  PhotonMap map{};
+};
+
+struct Maps {
+  MapState global{PhotonKind::global, Stream::global_photon, "global", 50};
+  MapState caustic{PhotonKind::caustic, Stream::caustic_photon, "caustic", 20};
+};
+
+/// Irradiance at a diffuse hit from one map, W m^-2; `max_edges` bounds the light subpath's length.
+Rgb irradiance(const MapState& state, const Scene& scene, const Hit& hit, int max_edges) {
+  if (!state.wanted || state.map.empty()) return Rgb(0.0f);
+  Rgb flux(0.0f);
+  state.map.for_each_within(hit.p_world, state.radius, [&](std::size_t i) {
+    if (state.map.surface(i) == hit.surface && state.map.edges(i) <= max_edges) flux += state.map.flux(i);
+  });
+  if (max_component(flux) <= 0) return flux;
+  const float area = std::visit([&](const auto& g) { return disc_area(g, hit.p_world, state.radius); },
+                                scene.surfaces[hit.surface].geometry);
+  return flux / area;
+}
+
+Rgb trace_camera_path(const Scene& scene, const PhotonMapperDescription& settings, const Maps& maps, Ray ray,
+                      Sampler& sampler, RayCounts& counts) {
+  const Tracer& tracer = scene.tracer();
+  Rgb radiance(0.0f);
+  Rgb throughput(1.0f);
+  float refraction_scale = 1;
+  for (int depth = 1;; ++depth) {
+    const Hit hit = tracer.intersect(ray);
+    if (!hit.valid()) break;
+    if (!(depth == 1 && settings.hide_emitters)) radiance += throughput * emitted_towards(scene, hit, ray.direction);
+    if (settings.max_depth >= 0 && depth >= settings.max_depth) break;
+
+    const Bsdf& bsdf = scene.bsdf_of(hit);
+    const Frame frame(hit.normal);
+    const Vec3f wo_local = frame.to_local(-ray.direction);
+    if (const auto* diffuse = std::get_if<DiffuseBsdf>(&bsdf)) {
+      if (wo_local.z <= 0) break;
+      const int max_edges = settings.max_depth >= 0 ? settings.max_depth - depth : std::numeric_limits<int>::max();
+      const Rgb from_photons = irradiance(maps.caustic, scene, hit, max_edges) +
+                               irradiance(maps.global, scene, hit, max_edges);
+      radiance += throughput * (diffuse->reflectance * from_photons * (1 / pi));
+      if (!scene.lights.empty())
+        radiance += throughput * estimate_direct(scene, hit, bsdf, frame, wo_local, false, sampler, counts);
+      break;
+    }
+    const float u_lobe = sampler.next();
+    const auto next = sample(bsdf, wo_local, u_lobe, sampler.next2(), TransportMode::radiance);
+    if (!next) break;
+    throughput *= next->weight;
+    refraction_scale *= next->eta * next->eta;
+    if (!(max_component(throughput) > 0)) break;
+    if (depth >= settings.rr_depth && !survives_roulette(throughput, refraction_scale, sampler)) break;
+    const Vec3f direction = normalize(frame.to_world(next->wi_local));
+    ray = {tracer.offset(hit.p_world, hit.normal, direction), direction};
+    ++counts.bounce;
+  }
+  return radiance;
+}
+
+/// Decides which maps the scene needs, and says why one is not made.
+void plan_maps(const Scene& scene, const PhotonMapperDescription& settings, const RenderBudget& budget, Maps& maps,
+               RenderStats& stats) {
+  const SceneFacts facts = analyse(scene);
+  maps.global.total = budget.photons.value_or(settings.global_photons);
+  maps.caustic.total = budget.photons.value_or(settings.caustic_photons);
+  // The shortest path through a map has two edges of the light's and one of the camera's.
+  const bool deep_enough = settings.max_depth < 0 || settings.max_depth >= 3;
+  const auto decide = [&](MapState& state, bool possible, const char* why_not) {
+    const char* reason = !deep_enough ? "paths of max_depth edges are too short for it"
+                         : !possible  ? why_not
+                         : scene.lights.empty() ? "no light"
+                         : state.total <= 0 ? "no photons asked for"
+                                            : nullptr;
+    state.wanted = reason == nullptr;
+    if (reason != nullptr) stats.skipped.push_back(std::string(state.name) + " photon map: " + reason);
+  };
+  decide(maps.global, facts.diffuse_interreflection,
+         facts.any_diffuse ? "no two diffuse surfaces see each other" : "no diffuse surface reflects");
+  decide(maps.caustic, facts.any_specular && facts.any_diffuse,
+         facts.any_specular ? "no diffuse surface reflects" : "no specular surface");
+}
+
+/// A map without a radius gets one from the pilot; a map whose pilot stores nothing is small enough for any radius.
+void choose_radii(const Scene& scene, const PhotonMapperDescription& settings, const RenderJob& job, Maps& maps,
+                  const Threads& threads, RayTotals& totals) {
+  maps.global.radius = static_cast<float>(settings.global_radius);
+  maps.caustic.radius = static_cast<float>(settings.caustic_radius);
+  for (MapState* state : {&maps.global, &maps.caustic}) {
+    if (!state->wanted || state->radius > 0) continue;
+    const PhotonRun pilot{state->kind, Stream::pilot, job.seed, 0, pilot_photons, -1};
+    state->radius = choose_radius(scene, pilot, static_cast<std::uint64_t>(state->total), state->photons_in_disc,
+                                  threads, totals);
+    if (state->radius <= 0) state->radius = 4 * std::max(median_pixel_footprint(scene), 1e-6f);
+  }
+}
+
+void refill(MapState& state, const Scene& scene, const PhotonMapperDescription& settings, const RenderJob& job,
+            std::uint64_t count, const Threads& threads, RayTotals& totals, RenderStats& stats) {
+  if (!state.wanted) return;
+  std::vector<Photon> photons;
+  {
+    const PhaseTimer phase(stats.phases[std::string("photons_") + state.name]);
+    const int max_edges = settings.max_depth >= 0 ? settings.max_depth - 1 : -1;
+    photons = trace_photons(scene, {state.kind, state.stream, job.seed, state.emitted, count, max_edges}, threads,
+                            totals);
+  }
+  const PhaseTimer phase(stats.phases["build"]);
+  state.map = PhotonMap(photons, state.radius);
+  state.emitted += count;
+  state.stored += photons.size();
+}
+
+void store_counts(const MapState& state, RenderStats& stats) {
+  if (!state.wanted) return;
+  const std::string name = state.name;
+  stats.counts["photons_emitted_" + name] = static_cast<double>(state.emitted);
+  stats.counts["photons_stored_" + name] = static_cast<double>(state.stored);
+  stats.counts["radius_" + name] = state.radius;
+}
+
+/// Photons of a map for the pass that takes samples [first, last) of `spp`; at least one, so that a pass has a map.
+std::uint64_t photons_for_pass(const MapState& state, std::int64_t first, std::int64_t last, std::int64_t spp) {
+  const auto until = [&](std::int64_t s) {
+    return static_cast<std::int64_t>(static_cast<double>(state.total) * static_cast<double>(s) /
+                                     static_cast<double>(spp));
+  };
+  return static_cast<std::uint64_t>(std::max<std::int64_t>(1, until(last) - until(first)));
+}
+
+}  // namespace
+
+void render_photon_mapper(const Scene& scene, const IntegratorDescription& description, const RenderJob& job,
+                          Film& film, RenderStats& stats) {
+  const auto settings = std::get<PhotonMapperDescription>(description.method);
+  const Threads threads(job.threads);
+  RayTotals totals;
+  Maps maps;
+  plan_maps(scene, settings, job.budget, maps, stats);
+  {
+    const PhaseTimer phase(stats.phases["pilot"]);
+    choose_radii(scene, settings, job, maps, threads, totals);
+  }
+
+  const std::int64_t spp = job.budget.spp.value_or(job.sample_count);
+  // Sixteen passes give a usable variance; with a time budget every pass is one sample, so that the image depends on the
+  // number of passes alone.
+  const std::int64_t longest = job.budget.seconds ? 1 : std::max<std::int64_t>(1, spp / 16);
+  PassSchedule schedule(spp, job.budget.seconds, longest);
+  std::int64_t passes = 0;
+  for (std::int64_t samples = schedule.next(); samples > 0; samples = schedule.next(), ++passes) {
+    const std::int64_t last = schedule.samples_done();
+    const std::int64_t first = last - samples;
+    for (MapState* state : {&maps.global, &maps.caustic}) {
+      const std::uint64_t count = job.budget.seconds ? static_cast<std::uint64_t>(photons_per_sample * samples)
+                                                     : photons_for_pass(*state, first, last, spp);
+      refill(*state, scene, settings, job, count, threads, totals, stats);
+    }
+    const PhaseTimer phase(stats.phases["render"]);
+    for_each_tile(threads, scene.width, scene.height, [&](const Tile& tile) {
+      if (first > 0 && job.interrupted()) return;
+      RayCounts counts;
+      for (int y = tile.y0; y < tile.y1; ++y) {
+        for (int x = tile.x0; x < tile.x1; ++x) {
+          RgbD sum(0.0);
+          for (std::int64_t s = first; s < last; ++s) {
+            Sampler sampler(job.seed, Stream::camera, pixel_index(scene, x, y), static_cast<std::uint64_t>(s));
+            const Ray ray = camera_ray(scene, x, y, s, job.grid, sampler);
+            ++counts.camera;
+            sum += RgbD(trace_camera_path(scene, settings, maps, ray, sampler, counts));
+          }
+          film.add(x, y, sum / static_cast<double>(samples), static_cast<double>(samples));
+        }
+      }
+      totals.add(counts);
+    });
+    if (job.progress) job.progress(schedule.fraction(), "photon mapping");
+    if (job.interrupted()) {
+      stats.interrupted = true;
+      ++passes;
+      break;
+    }
+  }
+  totals.store(stats);
+  for (const MapState* state : {&maps.global, &maps.caustic}) store_counts(*state, stats);
+  stats.counts["samples_per_pixel"] = static_cast<double>(schedule.samples_done());
+  stats.counts["passes"] = static_cast<double>(passes);
+}
+
+}  // namespace photonproof

@@ -1,0 +1,11 @@
+// The `photonmapper` integrator: global and caustic photon maps of fixed radius.
+#pragma once
+
+#include "renderer/integrator.h"
+
+namespace photonproof {
+
+void render_photon_mapper(const Scene& scene, const IntegratorDescription& description, const RenderJob& job,
+                          Film& film, RenderStats& stats);
+
+}  // namespace photonproof

@@ -1,0 +1,16 @@
+// Chooses the look-up radius of a photon map from a small pilot run.
+#pragma once
+
+#include "renderer/photon_tracing.h"
+
+namespace photonproof {
+
+/// The radius whose disc holds `photons_in_disc` photons at the median photon of a run of `total` emitted paths, kept
+/// between 1.5 and 20 pixel footprints. 0 when the pilot stores nothing to measure.
+float choose_radius(const Scene& scene, PhotonRun pilot, std::uint64_t total, double photons_in_disc,
+                    const Threads& threads, RayTotals& totals);
+
+/// World size of a pixel at the median first hit of the image's centre column and row; 0 when nothing is hit.
+float median_pixel_footprint(const Scene& scene);
+
+}  // namespace photonproof

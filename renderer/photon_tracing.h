@@ -1,0 +1,34 @@
+// Emits photons and follows them (Jensen 2001, "Realistic Image Synthesis Using Photon Mapping", chapters 5 and 7.2).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "renderer/parallel.h"
+#include "renderer/photon_map.h"
+#include "renderer/ray_counts.h"
+#include "renderer/sampler.h"
+#include "renderer/scene.h"
+
+namespace photonproof {
+
+/// Which paths a map holds; together with direct light by next-event estimation they are all of them, each once.
+enum class PhotonKind {
+  global,   ///< landed on a diffuse surface after at least one diffuse bounce
+  caustic,  ///< landed on its first diffuse surface after at least one specular bounce
+};
+
+struct PhotonRun {
+  PhotonKind kind = PhotonKind::global;
+  Stream stream = Stream::global_photon;
+  std::uint64_t seed = 0;
+  std::uint64_t first = 0;  ///< index of the first path of this run
+  std::uint64_t count = 0;  ///< paths; each carries 1/count of the lights' flux
+  int max_edges = -1;       ///< longest light subpath, edges; -1 is unlimited
+};
+
+/// The stored photons in the order of their paths, whatever the threads did: paths are traced in chunks of fixed size
+/// whose results are joined in order.
+std::vector<Photon> trace_photons(const Scene& scene, const PhotonRun& run, const Threads& threads, RayTotals& totals);
+
+}  // namespace photonproof

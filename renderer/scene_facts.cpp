@@ -1,0 +1,61 @@
+#include "renderer/scene_facts.h"
+
+#include <algorithm>
+#include <array>
+
+namespace photonproof {
+namespace {
+
+bool reflects_diffusely(const Scene& scene, const Surface& surface) {
+  const auto* diffuse = std::get_if<DiffuseBsdf>(&scene.bsdfs[surface.bsdf]);
+  return diffuse != nullptr && max_component(diffuse->reflectance) > 0;
+}
+
+/// Whether some point of `other` lies in front of the quad. Corners decide for a quad, the nearest point for a sphere.
+bool has_part_in_front(const Quad& quad, const Surface& other) {
+  const auto height = [&](const Vec3f& p) { return dot(quad.normal, p - quad.corner); };
+  if (const auto* sphere = std::get_if<Sphere>(&other.geometry)) return height(sphere->center) + sphere->radius > 0;
+  const auto& q = std::get<Quad>(other.geometry);
+  const std::array<Vec3f, 4> corners{q.corner, q.corner + q.edge_u, q.corner + q.edge_v, q.corner + q.edge_u + q.edge_v};
+  const float extent = std::max(length(q.corner - quad.corner), length(q.edge_u) + length(q.edge_v));
+  return std::any_of(corners.begin(), corners.end(), [&](const Vec3f& p) { return height(p) > 1e-6f * extent; });
+}
+
+bool faces(const Surface& surface, const Surface& other) {
+  const auto* quad = std::get_if<Quad>(&surface.geometry);
+  return quad == nullptr || has_part_in_front(*quad, other);
+}
+
+bool sees_itself(const Surface& surface) {
+  const auto* sphere = std::get_if<Sphere>(&surface.geometry);
+  return sphere != nullptr && sphere->inward;
+}
+
+bool can_interreflect(const std::vector<const Surface*>& diffuse) {
+  constexpr std::size_t pairs_worth_testing = 1000;  // beyond, the answer is hardly ever no
+  if (diffuse.size() > pairs_worth_testing) return true;
+  for (std::size_t i = 0; i < diffuse.size(); ++i) {
+    if (sees_itself(*diffuse[i])) return true;
+    for (std::size_t j = 0; j < i; ++j)
+      if (faces(*diffuse[i], *diffuse[j]) && faces(*diffuse[j], *diffuse[i])) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+SceneFacts analyse(const Scene& scene) {
+  SceneFacts facts;
+  std::vector<const Surface*> diffuse;
+  for (const Surface& surface : scene.surfaces) {
+    if (is_delta(scene.bsdfs[surface.bsdf])) facts.any_specular = true;
+    if (reflects_diffusely(scene, surface)) diffuse.push_back(&surface);
+    if (surface.light != no_index) facts.any_light_surface = true;
+  }
+  facts.any_diffuse = !diffuse.empty();
+  // By way of a mirror even one plane sees itself.
+  facts.diffuse_interreflection = facts.any_diffuse && (facts.any_specular || can_interreflect(diffuse));
+  return facts;
+}
+
+}  // namespace photonproof

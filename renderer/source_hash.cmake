@@ -1,0 +1,10 @@
+# Writes source_hash.h: the version and a short hash over the contents of SOURCES, in order of their names.
+list(SORT SOURCES)
+set(all "")
+foreach(source IN LISTS SOURCES)
+  file(SHA256 ${source} hash)
+  string(APPEND all ${hash})
+endforeach()
+string(SHA256 hash "${all}")
+string(SUBSTRING ${hash} 0 12 hash)
+file(WRITE ${OUT} "#define PHOTONPROOF_VERSION \"${VERSION}\"\n#define PHOTONPROOF_SOURCE_HASH \"${hash}\"\n")

@@ -1,0 +1,36 @@
+// The primitives rays meet: parallelograms (rectangles, faces of cubes) and spheres, each as itself.
+#pragma once
+
+#include <cstdint>
+#include <variant>
+
+#include "renderer/ray.h"
+#include "scenes/vec.h"
+
+namespace photonproof {
+
+/// corner + u edge_u + v edge_v for u, v in [0,1]; `normal` = edge_u x edge_v, normalised, flipped where the file says.
+struct Quad {
+  Vec3f corner, edge_u, edge_v;
+  Vec3f normal;
+  float area;
+};
+
+struct Sphere {
+  Vec3f center;
+  float radius;
+  bool inward;  ///< the normal points to the centre
+  Vec3f normal_at(const Vec3f& p) const {
+    const Vec3f n = (p - center) / radius;
+    return inward ? -n : n;
+  }
+  float area() const { return 4 * 3.14159265358979f * radius * radius; }
+};
+
+struct Surface {
+  std::variant<Quad, Sphere> geometry;
+  std::uint32_t bsdf = 0;
+  std::uint32_t light = no_index;  ///< index into Scene::lights where it emits
+};
+
+}  // namespace photonproof

@@ -1,0 +1,29 @@
+// Wall time of phases.
+#pragma once
+
+#include <chrono>
+
+namespace photonproof {
+
+class Timer {
+ public:
+  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// Adds the scope's duration to a phase.
+class PhaseTimer {
+ public:
+  explicit PhaseTimer(double& total) : total_(total) {}
+  ~PhaseTimer() { total_ += timer_.seconds(); }
+  PhaseTimer(const PhaseTimer&) = delete;
+  PhaseTimer& operator=(const PhaseTimer&) = delete;
+
+ private:
+  double& total_;
+  Timer timer_;
+};
+
+}  // namespace photonproof

@@ -1,0 +1,11 @@
+#include "renderer/version.h"
+
+#include "source_hash.h"
+
+namespace photonproof {
+
+std::string version_line() {
+  return std::string("photonproof ") + PHOTONPROOF_VERSION + " (" + PHOTONPROOF_SOURCE_HASH + ")";
+}
+
+}  // namespace photonproof
