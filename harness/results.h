@@ -1,5 +1,6 @@
 // The record of a benchmark run: one Result a cell, with the suite, host and versions it was made with. results.json is
-// this record; the schema beside it (results.schema.json) is its contract. Everything after it (reports, gates) is a view.
+// this record; the schema beside it (results.schema.json) is its contract. Everything after it (reports, gates) is a
+// view.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +23,8 @@ Status status_from_string(const std::string& name);
 struct Budget {
   std::string kind;
   double amount = 0;
-  std::string label() const;  ///< "spp=64"
+  std::string amount_text() const;  ///< "64", "0.5": exact, and whole numbers without an exponent
+  std::string label() const;        ///< "spp=64"
   friend bool operator==(const Budget&, const Budget&) = default;
 };
 
@@ -43,18 +45,19 @@ struct MetricValue {
 
 struct Result {
   Cell cell;
-  std::string key;  ///< content hash of everything that decides the outcome (scene, engine, version, budget, seed, limits)
+  std::string
+      key;  ///< content hash of everything that decides the outcome (scene, engine, version, budget, seed, limits)
   Status status = Status::ok;
-  std::string detail;                       ///< why, when not ok: one sentence
-  std::optional<double> wall_seconds;       ///< of the child process
-  std::optional<double> cpu_seconds;        ///< user + system, of the child and its children
-  std::optional<std::uint64_t> peak_bytes;  ///< peak resident set
-  std::vector<MetricValue> metrics;         ///< against the scene's reference; empty for the reference itself
-  std::string image;                        ///< EXR, relative to results.json; empty when there is none
+  std::string detail;                           ///< why, when not ok: one sentence
+  std::optional<double> wall_seconds;           ///< of the child process
+  std::optional<double> cpu_seconds;            ///< user + system, of the child and its children
+  std::optional<std::uint64_t> peak_bytes;      ///< peak resident set
+  std::vector<MetricValue> metrics;             ///< against the scene's reference; empty for the reference itself
+  std::string image;                            ///< EXR, relative to results.json; empty when there is none
   std::map<std::string, std::string> pictures;  ///< PNGs relative to results.json by role: "image", "flip", "error"
-  std::map<std::string, double> phases;         ///< seconds by phase as the engine reports them ("render", "photons" ...)
-  std::map<std::string, double> counts;         ///< rays, photons ... as the engine reports them
-  std::vector<std::string> skipped;             ///< passes the engine skipped, with the reason
+  std::map<std::string, double> phases;  ///< seconds by phase as the engine reports them ("render", "photons" ...)
+  std::map<std::string, double> counts;  ///< rays, photons ... as the engine reports them
+  std::vector<std::string> skipped;      ///< passes the engine skipped, with the reason
   std::string engine_version;
   std::string command;               ///< how to repeat it, as one would type it
   std::vector<std::string> caveats;  ///< e.g. "host was busy (load 3.1)"
@@ -94,9 +97,14 @@ struct Results {
   const Result* find(const std::string& cell_label) const;
 };
 
-/// Validated against the schema first; throws InputError naming file and JSON pointer.
+/// Validated against the schema first; throws InputError naming file and JSON pointer, also when two results are of the
+/// same cell.
 Results read_results(const std::string& path);
-/// Atomic: written beside and renamed. Validates what it writes.
+/// Atomic: written beside and renamed. Validates what it writes; a number that is not finite is a std::logic_error.
 void write_results(const std::string& path, const Results& results);
+
+/// One result alone, as a cell's folder keeps it; the same checks.
+Result read_result(const std::string& path);
+void write_result(const std::string& path, const Result& result);
 
 }  // namespace photonproof

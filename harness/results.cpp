@@ -1,0 +1,119 @@
+#include "harness/results.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <utility>
+
+#include "harness/results_json.h"
+#include "harness/results_schema.h"
+#include "scenes/atomic_file.h"
+#include "scenes/input_error.h"
+
+namespace photonproof {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t max_file_bytes = std::size_t{1} << 28;
+
+constexpr std::array<std::pair<Status, const char*>, 5> status_names{{{Status::ok, "ok"},
+                                                                      {Status::timeout, "timeout"},
+                                                                      {Status::crash, "crash"},
+                                                                      {Status::bad_image, "bad_image"},
+                                                                      {Status::unsupported, "unsupported"}}};
+
+json parse(const std::string& path) {
+  const std::string text = read_file(path, max_file_bytes);
+  try {
+    return json::parse(text);
+  } catch (const json::parse_error& error) {
+    // nlohmann counts the byte that it choked on from 1.
+    const std::size_t at = std::min(text.size(), error.byte == 0 ? 0 : error.byte - 1);
+    const std::size_t line_start = at == 0 ? 0 : text.rfind('\n', at - 1) + 1;  // npos + 1 is 0
+    const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
+    throw InputError(path, static_cast<int>(line), static_cast<int>(at - line_start) + 1,
+                     at == text.size() ? "not valid JSON: the file ends in the middle" : "not valid JSON");
+  } catch (const json::out_of_range&) {
+    throw InputError(path, "not valid JSON: a number is too large for a double");
+  }
+}
+
+// The version first: a file of another version may break the schema in any way.
+json read_validated(const std::string& path, ResultsDocument kind) {
+  json document = parse(path);
+  const auto version = document.is_object() ? document.find("schema_version") : document.end();
+  if (version == document.end() || !version->is_number_integer())
+    throw InputError(path, "not a results file: it has no schema_version");
+  if (*version != results_schema_version)
+    throw InputError(path, "has schema_version " + version->dump() + "; this program reads " +
+                               std::to_string(results_schema_version));
+  validate_results(document, kind, path);
+  return document;
+}
+
+void write_validated(const std::string& path, const json& document, ResultsDocument kind) {
+  validate_results(document, kind, path);
+  // An engine may print anything: bytes that are not UTF-8 become U+FFFD.
+  write_file_atomically(path, document.dump(1, ' ', false, json::error_handler_t::replace) + "\n");
+}
+
+}  // namespace
+
+std::string to_string(Status status) {
+  for (const auto& [value, name] : status_names)
+    if (value == status) return name;
+  return {};
+}
+
+Status status_from_string(const std::string& name) {
+  for (const auto& [value, known] : status_names)
+    if (name == known) return value;
+  throw InputError(name, "not a status; expected ok, timeout, crash, bad_image or unsupported");
+}
+
+std::string Budget::amount_text() const {
+  // Whole numbers in full (1000000, not 1e+06): engines take them as integers. 2^53 is where doubles stop counting.
+  if (amount == std::floor(amount) && std::abs(amount) < 0x1p53) return std::to_string(static_cast<long long>(amount));
+  std::array<char, 32> text{};
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), amount).ptr};
+}
+
+std::string Budget::label() const { return kind + "=" + amount_text(); }
+
+std::string Cell::label() const {
+  return scene + "/" + engine + "/" + budget.label() + "/seed=" + std::to_string(seed);
+}
+
+const Result* Results::find(const std::string& cell_label) const {
+  const auto found = std::find_if(results.begin(), results.end(),
+                                  [&](const Result& result) { return result.cell.label() == cell_label; });
+  return found == results.end() ? nullptr : &*found;
+}
+
+Results read_results(const std::string& path) {
+  Results results = results_from_json(read_validated(path, ResultsDocument::run));
+  std::set<std::string> labels;
+  for (const Result& result : results.results)
+    if (!labels.insert(result.cell.label()).second)
+      throw InputError(path, "has two results for '" + result.cell.label() + "'");
+  return results;
+}
+
+void write_results(const std::string& path, const Results& results) {
+  write_validated(path, results_to_json(results), ResultsDocument::run);
+}
+
+Result read_result(const std::string& path) {
+  return result_from_json(read_validated(path, ResultsDocument::single_result).at("result"));
+}
+
+void write_result(const std::string& path, const Result& result) {
+  write_validated(path, {{"schema_version", results_schema_version}, {"result", result_to_json(result)}},
+                  ResultsDocument::single_result);
+}
+
+}  // namespace photonproof

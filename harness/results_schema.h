@@ -1,0 +1,15 @@
+// The contract of results.json (harness/results.schema.json, carried inside the program) applied to a document.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+namespace photonproof {
+
+/// What the file holds: a whole run, or one result {"schema_version": 1, "result": ...} as a cell's folder keeps it.
+enum class ResultsDocument { run, single_result };
+
+/// Throws InputError "<file>#<JSON pointer>" at the first place that breaks the schema, with the value found there.
+void validate_results(const nlohmann::json& document, ResultsDocument kind, const std::string& file);
+
+}  // namespace photonproof
