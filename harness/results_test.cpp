@@ -145,11 +145,15 @@ TEST_F(ResultsFile, round_trip_keeps_every_field) {
 TEST_F(ResultsFile, single_result_round_trips_too) {
   write_result(path_, full_result());
   expect_same(read_result(path_), full_result());
-  EXPECT_EQ(error_on_read(), path_ +
-                                 "#: error: not by the schema of results, version 1: Object contains a property "
-                                 "that could not be validated using 'properties' or 'additionalProperties' "
-                                 "constraints: 'result'. Found: "
-                                 "{\"result\":{\"caveats\":[\"host was busy (load 3.1)\"],\"cell\"...");
+}
+
+TEST_F(ResultsFile, single_result_is_not_taken_for_a_run) {
+  write_result(path_, full_result());
+  EXPECT_EQ(error_on_read(),
+            path_ +
+                "#: error: not by the schema of results, version 1: Object contains a property that could not be "
+                "validated using 'properties' or 'additionalProperties' constraints: 'result'. "
+                "Found: {\"result\":{\"caveats\":[\"host was busy (load 3.1)\"],\"cell\":...");
 }
 
 TEST_F(ResultsFile, every_status_has_a_name_that_reads_back) {
