@@ -20,8 +20,7 @@ struct Vec3 {
   constexpr Vec3(T x_, T y_, T z_) : x(x_), y(y_), z(z_) {}
   constexpr explicit Vec3(T all) : x(all), y(all), z(all) {}
   template <class U>
-  constexpr explicit Vec3(const Vec3<U>& v)
-      : x(static_cast<T>(v.x)), y(static_cast<T>(v.y)), z(static_cast<T>(v.z)) {}
+  constexpr explicit Vec3(const Vec3<U>& v) : x(static_cast<T>(v.x)), y(static_cast<T>(v.y)), z(static_cast<T>(v.z)) {}
 
   constexpr Vec3& operator+=(const Vec3& b) { return *this = *this + b; }
   constexpr Vec3& operator-=(const Vec3& b) { return *this = *this - b; }

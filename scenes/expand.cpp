@@ -1,0 +1,201 @@
+#include "scenes/expand.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+#include "scenes/atomic_file.h"
+#include "scenes/edit_distance.h"
+#include "scenes/text_numbers.h"
+
+namespace photonproof::scene_xml {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Value {
+  std::string text;
+  bool from_command_line = false;
+  bool used = false;
+};
+
+class Expander {
+ public:
+  Expander(Sources& sources, const ParseOptions& options) : sources_(sources), options_(options) {
+    for (const auto& [name, text] : options.defines) values_[name] = {text, true, false};
+  }
+
+  Element run(int file) {
+    std::error_code ignored;
+    const fs::path folder = fs::path(sources_.name(file)).parent_path();
+    root_folder_ = fs::weakly_canonical(folder.empty() ? fs::path(".") : folder, ignored);
+    open_files_.push_back(fs::weakly_canonical(sources_.name(file), ignored));
+    Element root = read_root(file);
+    expand_children(root, 1);
+    check_defines();
+    return root;
+  }
+
+ private:
+  Element read_root(int file) {
+    Element root = parse_xml(sources_, file, elements_);
+    if (root.tag != "scene")
+      sources_.fail(root.at, "the root element is <" + root.tag + ">, expected <scene version=\"3.0.0\">");
+    for (Attribute& attribute : root.attributes) substitute(attribute);
+    check_attributes(sources_, root, {"version"});
+    check_version(require(sources_, root, "version"));
+    return root;
+  }
+
+  void check_version(const Attribute& version) const {
+    const std::string& text = version.value;
+    const bool digits_and_dots = text.find_first_not_of("0123456789.") == std::string::npos;
+    const bool shaped = digits_and_dots && text.find("..") == std::string::npos && text.size() >= 3 &&
+                        text.size() <= 20 && text[1] == '.' && text.back() != '.' &&
+                        std::count(text.begin(), text.end(), '.') <= 2;
+    if (!shaped || (text[0] != '2' && text[0] != '3'))
+      fail_at(sources_, version, "version " + in_quotes(text) + " is not supported, expected 2.x or 3.x");
+  }
+
+  void expand_children(Element& parent, int depth) {
+    if (depth > kMaxNesting)
+      sources_.fail(parent.at, "elements are nested more than " + std::to_string(kMaxNesting) + " deep");
+    std::vector<Element> expanded;
+    for (Element& child : parent.children) {
+      for (Attribute& attribute : child.attributes) substitute(attribute);
+      if (child.tag == "default") {
+        define_default(child);
+      } else if (child.tag == "include") {
+        std::vector<Element> included = include(child, depth);
+        std::move(included.begin(), included.end(), std::back_inserter(expanded));
+      } else {
+        expand_children(child, depth + 1);
+        expanded.push_back(std::move(child));
+      }
+    }
+    parent.children = std::move(expanded);
+  }
+
+  void check_leaf(const Element& element) const {
+    if (!element.children.empty())
+      sources_.fail(element.children.front().at, "<" + element.tag + "> cannot contain elements");
+  }
+
+  void define_default(const Element& element) {
+    check_attributes(sources_, element, {"name", "value"});
+    check_leaf(element);
+    const Attribute& name = require(sources_, element, "name");
+    const Attribute& value = require(sources_, element, "value");
+    const bool plain = !name.value.empty() && std::all_of(name.value.begin(), name.value.end(), is_name_byte);
+    if (!plain) fail_at(sources_, name, in_quotes(name.value) + " is not a name, expected letters, digits and _");
+    values_.try_emplace(name.value, Value{value.value, false, false});  // the first one counts, -D before all
+  }
+
+  static bool is_name_byte(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
+
+  /// Replaces `$name` by its value and `\$` by a dollar sign.
+  void substitute(Attribute& attribute) {
+    const std::string source = attribute.value;
+    if (source.find('$') == std::string::npos) return;
+    std::string result;
+    for (std::size_t i = 0; i < source.size();) {
+      if (source[i] == '\\' && i + 1 < source.size() && source[i + 1] == '$') {
+        result += '$';
+        i += 2;
+      } else if (source[i] == '$') {
+        const auto begin = source.begin() + static_cast<std::ptrdiff_t>(i) + 1;
+        const std::string name(begin, std::find_if_not(begin, source.end(), is_name_byte));
+        result += value_of(name, attribute);
+        i += 1 + name.size();
+      } else {
+        result += source[i++];
+      }
+      if (substituted_bytes_ + result.size() > kMaxSubstitutedBytes)
+        sources_.fail(attribute.at, "the scene's values grow past " + std::to_string(kMaxSubstitutedBytes) +
+                                        " bytes when their $names are replaced");
+    }
+    substituted_bytes_ += result.size();
+    attribute.raw = source;
+    attribute.value = std::move(result);
+  }
+
+  const std::string& value_of(const std::string& name, const Attribute& attribute) {
+    const auto found = values_.find(name);
+    if (found == values_.end())
+      sources_.fail(attribute.at, in_quotes("$" + name) + " is not defined" + did_you_mean(name, names()) +
+                                      ", expected a <default> before it or -D " + name + "=...");
+    found->second.used = true;
+    return found->second.text;
+  }
+
+  std::vector<std::string> names(bool of_command_line_too = true) const {
+    std::vector<std::string> result;
+    for (const auto& [name, value] : values_)
+      if (of_command_line_too || !value.from_command_line) result.push_back(name);
+    return result;
+  }
+
+  void check_defines() const {
+    for (const auto& [name, value] : values_)
+      if (value.from_command_line && !value.used)
+        throw InputError("-D " + name, "the scene has no '$" + name + "'" + did_you_mean(name, names(false)));
+  }
+
+  std::vector<Element> include(const Element& element, int depth) {
+    check_attributes(sources_, element, {"filename"});
+    check_leaf(element);
+    const Attribute& filename = require(sources_, element, "filename");
+    if (++includes_ > kMaxIncludes)
+      sources_.fail(element.at, "more than " + std::to_string(kMaxIncludes) + " includes");
+    const fs::path shown = fs::path(sources_.name(filename.at.file)).parent_path() / filename.value;
+    const fs::path path = resolve(shown, filename);
+    if (std::find(open_files_.begin(), open_files_.end(), path) != open_files_.end())
+      fail_at(sources_, filename, in_quotes(filename.value) + " includes itself");
+    const int file = sources_.add(shown.string(), read_included(path, filename));
+    open_files_.push_back(path);
+    Element root = read_root(file);
+    expand_children(root, depth + 1);
+    open_files_.pop_back();
+    return std::move(root.children);
+  }
+
+  /// The real path, symbolic links followed; refuses what leaves the scene's folder.
+  fs::path resolve(const fs::path& shown, const Attribute& filename) const {
+    std::error_code error;
+    if (filename.value.empty() || filename.value.find('\0') != std::string::npos)
+      fail_at(sources_, filename, "expected a file name");
+    const fs::path path = fs::weakly_canonical(shown, error);
+    if (error) fail_at(sources_, filename, "cannot include " + in_quotes(filename.value) + ": " + error.message());
+    const fs::path relative = path.lexically_relative(root_folder_);
+    if (!options_.allow_outside && (relative.empty() || *relative.begin() == ".."))
+      fail_at(sources_, filename,
+              in_quotes(filename.value) + " lies outside the scene's folder (--allow-outside permits it)");
+    if (!fs::exists(path, error)) fail_at(sources_, filename, "no such file: " + in_quotes(filename.value));
+    return path;
+  }
+
+  std::string read_included(const fs::path& path, const Attribute& filename) const {
+    try {
+      return read_file(path, kMaxFileBytes);
+    } catch (const InputError& error) {
+      fail_at(sources_, filename, "cannot include " + error.summary());
+    }
+  }
+
+  Sources& sources_;
+  const ParseOptions& options_;
+  std::map<std::string, Value> values_;
+  fs::path root_folder_;
+  std::vector<fs::path> open_files_;
+  std::size_t includes_ = 0;
+  std::size_t elements_ = 0;
+  std::size_t substituted_bytes_ = 0;
+};
+
+}  // namespace
+
+Element expand_scene(Sources& sources, int file, const ParseOptions& options) {
+  return Expander(sources, options).run(file);
+}
+
+}  // namespace photonproof::scene_xml
