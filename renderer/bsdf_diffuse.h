@@ -11,9 +11,7 @@ namespace photonproof {
 struct DiffuseBsdf {
   Rgb reflectance;
 
-  Rgb eval(const Vec3f& wo, const Vec3f& wi) const {
-    return wo.z > 0 && wi.z > 0 ? reflectance * (1 / pi) : Rgb(0.0f);
-  }
+  Rgb eval(const Vec3f& wo, const Vec3f& wi) const { return wo.z > 0 && wi.z > 0 ? reflectance * (1 / pi) : Rgb(0.0f); }
   float pdf(const Vec3f& wo, const Vec3f& wi) const { return wo.z > 0 ? cosine_hemisphere_pdf(wi.z) : 0; }
 
   std::optional<BsdfSample> sample(const Vec3f& wo, float, const Vec2<float>& u, TransportMode) const {

@@ -11,10 +11,10 @@ enum class TransportMode { radiance, importance };
 
 struct BsdfSample {
   Vec3f wi_local;
-  Rgb weight;       ///< f cos / pdf
-  float pdf = 0;    ///< per solid angle; of a delta sample: the probability of the lobe
+  Rgb weight;     ///< f cos / pdf
+  float pdf = 0;  ///< per solid angle; of a delta sample: the probability of the lobe
   bool delta = false;
-  float eta = 1;    ///< ior of the side entered / ior of the side left; 1 unless refracted
+  float eta = 1;  ///< ior of the side entered / ior of the side left; 1 unless refracted
 };
 
 }  // namespace photonproof

@@ -14,9 +14,7 @@ class Camera {
   /// `x`, `y` in pixels from the image's top left corner. Throughput is 1: the film averages radiance.
   Ray ray(float x, float y) const;
   /// World height of a pixel at the depth of `p_world`.
-  float footprint_at(const Vec3f& p_world) const {
-    return 2 * tan_y_ / height_ * dot(p_world - origin_, forward_);
-  }
+  float footprint_at(const Vec3f& p_world) const { return 2 * tan_y_ / height_ * dot(p_world - origin_, forward_); }
 
  private:
   Vec3f origin_, right_, up_, forward_;

@@ -19,8 +19,8 @@ inline float direct_light_pdf(const Scene& scene, std::uint32_t light, const Vec
   return scene.light_probability(light) * pdf(scene.lights[light], p_from, hit.p_world, hit.normal);
 }
 
-/// Radiance reflected towards wo from one sample of one light. With `weighted` the sample carries its MIS weight against
-/// BSDF sampling; otherwise it stands alone. Counts the shadow ray, which is skipped where either cosine is 0.
+/// Radiance reflected towards wo from one sample of one light. With `weighted` the sample carries its MIS weight
+/// against BSDF sampling; otherwise it stands alone. Counts the shadow ray, which is skipped where either cosine is 0.
 inline Rgb estimate_direct(const Scene& scene, const Hit& hit, const Bsdf& bsdf, const Frame& frame,
                            const Vec3f& wo_local, bool weighted, Sampler& sampler, RayCounts& counts) {
   const Scene::LightChoice choice = scene.choose_light(sampler.next());

@@ -1,5 +1,5 @@
-// Accumulates estimates a pixel: weighted mean and the variance of that mean. Double sums, one writer a pixel at a time,
-// added in a fixed order, so that the image does not depend on threads.
+// Accumulates estimates a pixel: weighted mean and the variance of that mean. Double sums, one writer a pixel at a
+// time, added in a fixed order, so that the image does not depend on threads.
 #pragma once
 
 #include <vector>

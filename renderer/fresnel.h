@@ -9,8 +9,8 @@
 namespace photonproof {
 
 struct DielectricFresnel {
-  float reflectance;    ///< 1 at total internal reflection
-  float cos_transmit;   ///< cosine of the refracted ray to the far side's normal, >= 0; 0 at total reflection
+  float reflectance;   ///< 1 at total internal reflection
+  float cos_transmit;  ///< cosine of the refracted ray to the far side's normal, >= 0; 0 at total reflection
 };
 
 /// `cos_incident` >= 0; `eta` = ior of the far side / ior of the side the ray comes from.

@@ -24,8 +24,8 @@ struct RenderBudget {
 struct RenderJob {
   RenderBudget budget;
   std::uint64_t seed = 0;
-  int threads = 0;  ///< 0: every core
-  int grid = 0;     ///< k > 0: samples on the centres of a k x k grid in the pixel, as POV-Ray's are; 0: random
+  int threads = 0;       ///< 0: every core
+  int grid = 0;          ///< k > 0: samples on the centres of a k x k grid in the pixel, as POV-Ray's are; 0: random
   int sample_count = 4;  ///< of the scene file
   const std::atomic<bool>* interrupt = nullptr;
   std::function<void(double fraction, const std::string& phase)> progress;  ///< from one thread at a time; may be empty
@@ -53,8 +53,8 @@ const std::vector<Integrator>& integrators();
 const Integrator* find_integrator(const std::string& name);
 /// The name of the integrator a scene file asks for.
 std::string integrator_name(const IntegratorDescription& description);
-/// The same request for another integrator: path depth, roulette depth and hidden emitters are kept, what the scene file
-/// does not say takes its default. `name` must be in the table.
+/// The same request for another integrator: path depth, roulette depth and hidden emitters are kept, what the scene
+/// file does not say takes its default. `name` must be in the table.
 IntegratorDescription with_integrator(const IntegratorDescription& description, const std::string& name);
 
 }  // namespace photonproof

@@ -7,17 +7,17 @@ namespace photonproof {
 
 struct LightSample {
   Vec3f p_light;
-  Vec3f normal_light;    ///< unit; zero for a point light
-  Vec3f wi_world;        ///< unit, from the shaded point to the light
-  Rgb radiance{0.0f};    ///< arriving along wi; for a point light: irradiance at normal incidence
-  float pdf = 0;         ///< per solid angle at the shaded point; 1 for a point light; 0 when the light faces away
+  Vec3f normal_light;  ///< unit; zero for a point light
+  Vec3f wi_world;      ///< unit, from the shaded point to the light
+  Rgb radiance{0.0f};  ///< arriving along wi; for a point light: irradiance at normal incidence
+  float pdf = 0;       ///< per solid angle at the shaded point; 1 for a point light; 0 when the light faces away
 };
 
 struct Emission {
   Vec3f p_world;
-  Vec3f normal;          ///< unit; zero for a point light
-  Vec3f direction;       ///< unit
-  Rgb flux{0.0f};        ///< W: total flux of the light as this sample stands for it
+  Vec3f normal;     ///< unit; zero for a point light
+  Vec3f direction;  ///< unit
+  Rgb flux{0.0f};   ///< W: total flux of the light as this sample stands for it
 };
 
 /// Density per solid angle at `p` of a density `pdf_area` per area at `p_light`; 0 when seen edge-on or from behind.

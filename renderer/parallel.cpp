@@ -14,7 +14,8 @@ void Threads::for_each(std::size_t n, const std::function<void(std::size_t)>& bo
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(count_));
   tbb::task_arena arena(count_);
   arena.execute([&] {
-    tbb::parallel_for(std::size_t{0}, n, [&](std::size_t i) { body(i); }, tbb::simple_partitioner());
+    tbb::parallel_for(
+        std::size_t{0}, n, [&](std::size_t i) { body(i); }, tbb::simple_partitioner());
   });
 }
 

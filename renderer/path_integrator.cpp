@@ -45,8 +45,8 @@ Rgb trace_path(const Scene& scene, const PathPlan& plan, Ray ray, Sampler& sampl
     const Frame frame(hit.normal);
     const Vec3f wo_local = frame.to_local(-ray.direction);
     if (!is_delta(bsdf) && !scene.lights.empty())
-      radiance += throughput *
-                  estimate_direct(scene, hit, bsdf, frame, wo_local, plan.lights_can_be_hit, sampler, counts);
+      radiance +=
+          throughput * estimate_direct(scene, hit, bsdf, frame, wo_local, plan.lights_can_be_hit, sampler, counts);
 
     const float u_lobe = sampler.next();
     const auto next = sample(bsdf, wo_local, u_lobe, sampler.next2(), TransportMode::radiance);

@@ -1,8 +1,8 @@
 // Photon mapping (Jensen 1996, 2001) with fixed-radius density estimation at the first diffuse hit of a camera path:
 //   L = Le + direct (next-event estimation) + rho/pi (sum of caustic fluxes / A_c + sum of global fluxes / A_g)
 // where A is the area of the look-up disc clipped to its surface. The render is cut into passes, each with photons and
-// camera samples of its own: the mean is the same, look-ups are cheaper, and the passes' spread gives an honest variance
-// that includes the photons' noise (not the bias of the radius).
+// camera samples of its own: the mean is the same, look-ups are cheaper, and the passes' spread gives an honest
+// variance that includes the photons' noise (not the bias of the radius).
 
 #include "renderer/photon_mapper.h"
 
@@ -75,8 +75,8 @@ Rgb trace_camera_path(const Scene& scene, const PhotonMapperDescription& setting
     if (const auto* diffuse = std::get_if<DiffuseBsdf>(&bsdf)) {
       if (wo_local.z <= 0) break;
       const int max_edges = settings.max_depth >= 0 ? settings.max_depth - depth : std::numeric_limits<int>::max();
-      const Rgb from_photons = irradiance(maps.caustic, scene, hit, max_edges) +
-                               irradiance(maps.global, scene, hit, max_edges);
+      const Rgb from_photons =
+          irradiance(maps.caustic, scene, hit, max_edges) + irradiance(maps.global, scene, hit, max_edges);
       radiance += throughput * (diffuse->reflectance * from_photons * (1 / pi));
       if (!scene.lights.empty())
         radiance += throughput * estimate_direct(scene, hit, bsdf, frame, wo_local, false, sampler, counts);
@@ -105,11 +105,11 @@ void plan_maps(const Scene& scene, const PhotonMapperDescription& settings, cons
   // The shortest path through a map has two edges of the light's and one of the camera's.
   const bool deep_enough = settings.max_depth < 0 || settings.max_depth >= 3;
   const auto decide = [&](MapState& state, bool possible, const char* why_not) {
-    const char* reason = !deep_enough ? "paths of max_depth edges are too short for it"
-                         : !possible  ? why_not
+    const char* reason = !deep_enough           ? "paths of max_depth edges are too short for it"
+                         : !possible            ? why_not
                          : scene.lights.empty() ? "no light"
-                         : state.total <= 0 ? "no photons asked for"
-                                            : nullptr;
+                         : state.total <= 0     ? "no photons asked for"
+                                                : nullptr;
     state.wanted = reason == nullptr;
     if (reason != nullptr) stats.skipped.push_back(std::string(state.name) + " photon map: " + reason);
   };
@@ -127,8 +127,8 @@ void choose_radii(const Scene& scene, const PhotonMapperDescription& settings, c
   for (MapState* state : {&maps.global, &maps.caustic}) {
     if (!state->wanted || state->radius > 0) continue;
     const PhotonRun pilot{state->kind, Stream::pilot, job.seed, 0, pilot_photons, -1};
-    state->radius = choose_radius(scene, pilot, static_cast<std::uint64_t>(state->total), state->photons_in_disc,
-                                  threads, totals);
+    state->radius =
+        choose_radius(scene, pilot, static_cast<std::uint64_t>(state->total), state->photons_in_disc, threads, totals);
     if (state->radius <= 0) state->radius = 4 * std::max(median_pixel_footprint(scene), 1e-6f);
   }
 }
@@ -140,8 +140,8 @@ void refill(MapState& state, const Scene& scene, const PhotonMapperDescription& 
   {
     const PhaseTimer phase(stats.phases[std::string("photons_") + state.name]);
     const int max_edges = settings.max_depth >= 0 ? settings.max_depth - 1 : -1;
-    photons = trace_photons(scene, {state.kind, state.stream, job.seed, state.emitted, count, max_edges}, threads,
-                            totals);
+    photons =
+        trace_photons(scene, {state.kind, state.stream, job.seed, state.emitted, count, max_edges}, threads, totals);
   }
   const PhaseTimer phase(stats.phases["build"]);
   state.map = PhotonMap(photons, state.radius);
@@ -181,8 +181,8 @@ void render_photon_mapper(const Scene& scene, const IntegratorDescription& descr
   }
 
   const std::int64_t spp = job.budget.spp.value_or(job.sample_count);
-  // Sixteen passes give a usable variance; with a time budget every pass is one sample, so that the image depends on the
-  // number of passes alone.
+  // Sixteen passes give a usable variance; with a time budget every pass is one sample, so that the image depends on
+  // the number of passes alone.
   const std::int64_t longest = job.budget.seconds ? 1 : std::max<std::int64_t>(1, spp / 16);
   PassSchedule schedule(spp, job.budget.seconds, longest);
   std::int64_t passes = 0;

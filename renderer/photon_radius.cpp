@@ -42,15 +42,14 @@ float choose_radius(const Scene& scene, PhotonRun pilot, std::uint64_t total, do
   for (std::size_t i = 0; i < photons.size(); i += stride) {
     to_others.clear();
     for (const Photon& other : photons)
-      if (other.surface == photons[i].surface)
-        to_others.push_back(length_squared(other.p_world - photons[i].p_world));
+      if (other.surface == photons[i].surface) to_others.push_back(length_squared(other.p_world - photons[i].p_world));
     if (to_others.size() <= neighbour) continue;
     std::nth_element(to_others.begin(), to_others.begin() + neighbour, to_others.end());  // [0] is the probe itself
     distances.push_back(std::sqrt(to_others[neighbour]));
   }
   if (distances.empty()) return 0;
-  const double scale = photons_in_disc / static_cast<double>(neighbour) * static_cast<double>(pilot.count) /
-                       static_cast<double>(total);
+  const double scale =
+      photons_in_disc / static_cast<double>(neighbour) * static_cast<double>(pilot.count) / static_cast<double>(total);
   const auto radius = static_cast<float>(median(distances) * std::sqrt(scale));
   const float footprint = median_pixel_footprint(scene);
   return footprint > 0 ? std::clamp(radius, 1.5f * footprint, 20 * footprint) : radius;

@@ -101,8 +101,8 @@ void Scene::add_quad(const ShapeDescription& shape, const Transform& face_to_wor
 
 Scene::LightChoice Scene::choose_light(float u) const {
   const auto it = std::upper_bound(light_cdf_.begin(), light_cdf_.end(), u);
-  std::uint32_t index = static_cast<std::uint32_t>(std::min<std::ptrdiff_t>(
-      it - light_cdf_.begin(), static_cast<std::ptrdiff_t>(lights.size()) - 1));
+  std::uint32_t index = static_cast<std::uint32_t>(
+      std::min<std::ptrdiff_t>(it - light_cdf_.begin(), static_cast<std::ptrdiff_t>(lights.size()) - 1));
   while (index > 0 && light_probability_[index] == 0) --index;  // u above the rounded sum, last lights dark
   return {index, light_probability_[index]};
 }

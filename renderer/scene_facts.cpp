@@ -16,7 +16,8 @@ bool has_part_in_front(const Quad& quad, const Surface& other) {
   const auto height = [&](const Vec3f& p) { return dot(quad.normal, p - quad.corner); };
   if (const auto* sphere = std::get_if<Sphere>(&other.geometry)) return height(sphere->center) + sphere->radius > 0;
   const auto& q = std::get<Quad>(other.geometry);
-  const std::array<Vec3f, 4> corners{q.corner, q.corner + q.edge_u, q.corner + q.edge_v, q.corner + q.edge_u + q.edge_v};
+  const std::array<Vec3f, 4> corners{q.corner, q.corner + q.edge_u, q.corner + q.edge_v,
+                                     q.corner + q.edge_u + q.edge_v};
   const float extent = std::max(length(q.corner - quad.corner), length(q.edge_u) + length(q.edge_v));
   return std::any_of(corners.begin(), corners.end(), [&](const Vec3f& p) { return height(p) > 1e-6f * extent; });
 }

@@ -6,13 +6,14 @@
 namespace photonproof {
 
 struct SceneFacts {
-  bool any_specular = false;           ///< a surface with a delta BSDF: caustics are possible
-  bool any_diffuse = false;            ///< a surface that reflects diffusely with albedo above 0
+  bool any_specular = false;             ///< a surface with a delta BSDF: caustics are possible
+  bool any_diffuse = false;              ///< a surface that reflects diffusely with albedo above 0
   bool diffuse_interreflection = false;  ///< light can go from a diffuse surface to a diffuse surface
-  bool any_light_surface = false;      ///< a ray can hit a light
+  bool any_light_surface = false;        ///< a ray can hit a light
 };
 
-/// Never says that something is absent when it is there: where the geometry is not simple enough to decide, it is present.
+/// Never says that something is absent when it is there: where the geometry is not simple enough to decide, it is
+/// present.
 SceneFacts analyse(const Scene& scene);
 
 }  // namespace photonproof

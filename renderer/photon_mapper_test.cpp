@@ -1,0 +1,95 @@
+// The photon mapper against closed forms and against the path tracer.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "renderer/test_scenes.h"
+
+namespace photonproof {
+namespace {
+
+using test::job_with;
+using test::render;
+
+TEST(photon_mapper, furnace_mean_and_blocks_are_two) {
+  const auto out = render(test::furnace(0.5, 1, 32), "photonmapper", job_with(16, 2'000'000));
+  EXPECT_NEAR(test::image_mean(out.image.mean), 2.0, 0.005 * 2);
+  for (int y = 0; y < 32; y += 8)
+    for (int x = 0; x < 32; x += 8)
+      EXPECT_NEAR(test::block_mean(out.image.mean, x, y, 8, 8), 2.0, 0.02 * 2) << x << ", " << y;
+}
+
+TEST(photon_mapper, depth_counts_camera_and_light_edges_together) {
+  // As for the path tracer: emission, one and two bounces, 1 + 0.5 + 0.25 = 1.75.
+  SceneDescription scene = test::furnace(0.5, 1, 16);
+  scene.integrator.method = PathDescription{3, 24, false};
+  const auto out = render(scene, "photonmapper", job_with(16, 1'000'000));
+  EXPECT_NEAR(test::image_mean(out.image.mean), 1.75, 0.005 * 1.75);
+}
+
+TEST(photon_mapper, a_single_plane_needs_no_map) {
+  const auto out = render(test::floor_under_point_light(16), "photonmapper", job_with(4));
+  ASSERT_EQ(out.stats.skipped.size(), 2u);
+  EXPECT_EQ(out.stats.skipped[0], "global photon map: no two diffuse surfaces see each other");
+  EXPECT_EQ(out.stats.skipped[1], "caustic photon map: no specular surface");
+  EXPECT_EQ(out.stats.counts.at("rays_photon"), 0);
+}
+
+TEST(photon_mapper, skipping_the_maps_of_a_plane_changes_nothing) {
+  // With a second plane far away that faces the first the maps cannot be skipped, yet add less than its solid angle:
+  // E of the far plane is I/d^2 = 1e-8, so the images differ by rounding alone.
+  const SceneDescription alone = test::floor_under_point_light(16);
+  SceneDescription together = alone;
+  test::add_shape(together, RectangleDescription{},
+                  Transform::translate({0, 1e4, 0}) * Transform::rotate({1, 0, 0}, 90), {0});
+  const auto a = render(alone, "photonmapper", job_with(4));
+  const auto b = render(together, "photonmapper", job_with(4));
+  EXPECT_GT(b.stats.counts.at("rays_photon"), 0);
+  for (std::size_t i = 0; i < a.image.mean.rgb.size(); ++i)
+    EXPECT_NEAR(a.image.mean.rgb[i], b.image.mean.rgb[i], 1e-5f * a.image.mean.rgb[i]);
+}
+
+/// The room with the lamp unseen: its few bright pixels would carry most of the mean's noise.
+SceneDescription room_without_lamp_pixels(bool with_balls) {
+  SceneDescription scene = test::room(32, with_balls);
+  scene.integrator.method = PathDescription{-1, 5, true};
+  return scene;
+}
+
+TEST(photon_mapper, diffuse_room_has_the_path_tracers_mean) {
+  const SceneDescription scene = room_without_lamp_pixels(false);
+  const double path = test::image_mean(render(scene, "path", job_with(256)).image.mean);
+  const double photons = test::image_mean(render(scene, "photonmapper", job_with(32, 1'000'000)).image.mean);
+  EXPECT_NEAR(photons, path, 0.005 * path);
+}
+
+TEST(photon_mapper, room_with_glass_and_mirror_has_the_path_tracers_mean) {
+  const SceneDescription scene = room_without_lamp_pixels(true);
+  const double path = test::image_mean(render(scene, "path", job_with(1024)).image.mean);
+  const double photons = test::image_mean(render(scene, "photonmapper", job_with(32, 1'000'000)).image.mean);
+  EXPECT_NEAR(photons, path, 0.015 * path);
+}
+
+TEST(photon_mapper, same_seed_gives_the_same_bits_at_1_2_and_7_threads) {
+  const SceneDescription scene = test::room(40, true);
+  RenderJob job = job_with(8, 30'000);
+  job.threads = 1;
+  const auto one = render(scene, "photonmapper", job);
+  for (const int threads : {2, 7}) {
+    job.threads = threads;
+    const auto many = render(scene, "photonmapper", job);
+    EXPECT_EQ(one.image.mean.rgb, many.image.mean.rgb) << threads;
+    EXPECT_EQ(one.image.variance->rgb, many.image.variance->rgb) << threads;
+  }
+}
+
+TEST(photon_mapper, emits_the_photons_asked_for) {
+  const auto out = render(test::room(16, true), "photonmapper", job_with(7, 100'003));
+  EXPECT_EQ(out.stats.counts.at("photons_emitted_global"), 100'003);
+  EXPECT_EQ(out.stats.counts.at("photons_emitted_caustic"), 100'003);
+  EXPECT_GT(out.stats.counts.at("photons_stored_caustic"), 0);
+}
+
+}  // namespace
+}  // namespace photonproof

@@ -1,0 +1,112 @@
+// Small scenes built by hand for the tests, so that they need no file and no parser.
+#pragma once
+
+#include <memory>
+
+#include "renderer/integrator.h"
+
+namespace photonproof::test {
+
+inline BsdfIndex add_bsdf(SceneDescription& scene, const decltype(BsdfDescription::model)& model) {
+  scene.bsdfs.push_back({{}, "", model});
+  return {static_cast<std::uint32_t>(scene.bsdfs.size() - 1)};
+}
+
+inline ShapeDescription& add_shape(SceneDescription& scene, const decltype(ShapeDescription::geometry)& geometry,
+                                   const Transform& to_world, BsdfIndex bsdf) {
+  ShapeDescription shape;
+  shape.geometry = geometry;
+  shape.to_world = to_world;
+  shape.bsdf = bsdf;
+  scene.shapes.push_back(shape);
+  return scene.shapes.back();
+}
+
+inline void set_camera(SceneDescription& scene, const Transform& to_world, double fov_degrees, int size) {
+  PerspectiveDescription camera;
+  camera.fov_degrees = fov_degrees;
+  scene.sensor.camera = camera;
+  scene.sensor.to_world = to_world;
+  scene.sensor.film.width = scene.sensor.film.height = size;
+}
+
+/// A closed sphere of albedo rho that emits e from every point: the radiance is e / (1 - rho) everywhere.
+inline SceneDescription furnace(double albedo, double emission, int size) {
+  SceneDescription scene;
+  const BsdfIndex wall = add_bsdf(scene, DiffuseDescription{RgbD(albedo)});
+  ShapeDescription& sphere = add_shape(scene, SphereDescription{}, {}, wall);
+  sphere.flip_normals = true;
+  sphere.radiance = RgbD(emission);
+  set_camera(scene, Transform::look_at({0.2, 0.1, -0.3}, {0.4, -0.2, 1}, {0, 1, 0}), 90, size);
+  scene.integrator.method = PathDescription{-1, 24, false};
+  return scene;
+}
+
+/// A floor of albedo 0.5 at y = 0 under a point light of intensity 1 at (0, 2, 0), seen from above.
+inline SceneDescription floor_under_point_light(int size) {
+  SceneDescription scene;
+  const BsdfIndex grey = add_bsdf(scene, DiffuseDescription{});
+  add_shape(scene, RectangleDescription{}, Transform::rotate({1, 0, 0}, -90) * Transform::scale(Vec3d(4)), grey);
+  scene.emitters.push_back({{}, "", PointLightDescription{{0, 2, 0}, RgbD(1)}});
+  set_camera(scene, Transform::look_at({0, 5, 0}, {0, 0, 0}, {0, 0, 1}), 40, size);
+  return scene;
+}
+
+/// A room [-1,1]^3 with coloured walls, a square lamp under its ceiling, a glass and a mirror ball.
+inline SceneDescription room(int size, bool with_balls) {
+  SceneDescription scene;
+  const BsdfIndex white = add_bsdf(scene, DiffuseDescription{RgbD(0.7)});
+  const BsdfIndex red = add_bsdf(scene, DiffuseDescription{{0.6, 0.1, 0.1}});
+  const Transform inward = Transform::translate({0, 0, -1});  // then turned to each side
+  add_shape(scene, RectangleDescription{}, inward, white);
+  add_shape(scene, RectangleDescription{}, Transform::rotate({1, 0, 0}, -90) * inward, white);
+  add_shape(scene, RectangleDescription{}, Transform::rotate({1, 0, 0}, 90) * inward, white);
+  add_shape(scene, RectangleDescription{}, Transform::rotate({0, 1, 0}, 90) * inward, red);
+  add_shape(scene, RectangleDescription{}, Transform::rotate({0, 1, 0}, -90) * inward, white);
+  ShapeDescription& lamp =
+      add_shape(scene, RectangleDescription{},
+                Transform::translate({0, 0.99, 0}) * Transform::rotate({1, 0, 0}, 90) * Transform::scale(Vec3d(0.25)),
+                add_bsdf(scene, DiffuseDescription{RgbD(0)}));
+  lamp.radiance = RgbD(10);
+  if (with_balls) {
+    add_shape(scene, SphereDescription{{0.4, -0.6, 0.2}, 0.35}, {}, add_bsdf(scene, DielectricDescription{1.5, 1.0}));
+    add_shape(scene, SphereDescription{{-0.4, -0.6, -0.3}, 0.35}, {}, add_bsdf(scene, ConductorDescription{}));
+  }
+  set_camera(scene, Transform::look_at({0, 0, 3.9}, {0, 0, 0}, {0, 1, 0}), 36, size);
+  return scene;
+}
+
+struct Rendered {
+  Rendering image;
+  RenderStats stats;
+};
+
+inline Rendered render(const SceneDescription& description, const char* integrator, const RenderJob& job) {
+  const FilmDescription size = description.sensor.film;
+  const Scene scene(description, size.width, size.height);
+  Film film(size.width, size.height);
+  Rendered out;
+  find_integrator(integrator)->render(scene, with_integrator(description.integrator, integrator), job, film, out.stats);
+  out.image = film.develop();
+  return out;
+}
+
+inline RenderJob job_with(std::int64_t spp, std::int64_t photons = 100'000, std::uint64_t seed = 1) {
+  RenderJob job;
+  job.budget.spp = spp;
+  job.budget.photons = photons;
+  job.seed = seed;
+  return job;
+}
+
+/// Mean over a block of pixels and all channels.
+inline double block_mean(const Image& image, int x0, int y0, int width, int height) {
+  double sum = 0;
+  for (int y = y0; y < y0 + height; ++y)
+    for (int x = x0; x < x0 + width; ++x)
+      for (int c = 0; c < 3; ++c) sum += double{image.pixel(x, y)[c]};
+  return sum / (3.0 * width * height);
+}
+inline double image_mean(const Image& image) { return block_mean(image, 0, 0, image.width, image.height); }
+
+}  // namespace photonproof::test
