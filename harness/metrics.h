@@ -23,11 +23,17 @@ struct ImageDefect {
 /// Empty when the pair can be compared.
 std::vector<ImageDefect> find_defects(const Image& reference, const Image& test);
 
-/// Every metric of the table, in its order. Precondition: find_defects is empty.
+/// Every metric of the table that has a finite value, in its order. Left out are psnr of images that are equal once
+/// encoded (infinite), ssim where a side is under 11 pixels, and bias where the reference's mean is 0.
+/// Precondition: find_defects is empty.
 std::vector<MetricValue> compute_metrics(const Image& reference, const Image& test, const MetricOptions& options);
 
+/// The same on a context (metric_context.h) that other work on the pair, such as heat maps, can share.
+class MetricContext;
+std::vector<MetricValue> compute_metrics(const MetricContext& context);
+
 /// Per-pixel maps behind the heat maps: LDR-FLIP in [0,1], and relative squared error (x-r)^2/(r^2+0.01) averaged over
-/// channels. Row-major, one float a pixel.
+/// channels. Row-major, one float a pixel. Precondition: find_defects is empty.
 std::vector<float> flip_map(const Image& reference, const Image& test, const MetricOptions& options);
 std::vector<float> relmse_map(const Image& reference, const Image& test);
 

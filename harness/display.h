@@ -1,0 +1,22 @@
+// From linear radiance to what a display shows: the encoding behind psnr, ssim and flip. The exposure is pinned by the
+// caller; an automatic one would make two scores incomparable.
+#pragma once
+
+#include <vector>
+
+#include "scenes/image.h"
+
+namespace photonproof {
+
+/// The sRGB transfer function and its inverse (IEC 61966-2-1), both from [0,1] to [0,1].
+double encode_srgb(double linear);
+double decode_srgb(double encoded);
+
+/// min(1, max(0, 2^exposure * v)) of every value: still linear, interleaved RGB as in Image. Precondition: 2^exposure
+/// and the image are finite.
+std::vector<double> expose(const Image& image, double exposure);
+
+/// encode_srgb of every value.
+std::vector<double> encode_srgb(const std::vector<double>& linear);
+
+}  // namespace photonproof

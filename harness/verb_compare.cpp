@@ -1,0 +1,179 @@
+// photonproof compare REF TEST: every metric of a pair of images, bounds on them, heat maps.
+// Exit codes are those of OpenImageIO's idiff: 0 ok, 1 a --warn bound broken, 2 a --fail bound broken or a value that
+// is not finite, 3 sizes differ, 4 a file cannot be read or written. (2 is also the program's code for wrong usage.)
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "harness/heatmap.h"
+#include "harness/metric_bounds.h"
+#include "harness/metric_context.h"
+#include "harness/verbs.h"
+#include "scenes/input_error.h"
+#include "scenes/text_numbers.h"
+
+namespace photonproof {
+namespace {
+
+enum class Verdict { ok, warn, fail, size_mismatch, file_error };  // in the order of the exit codes
+
+const char* name_of(Verdict verdict) {
+  constexpr const char* names[] = {"ok", "warn", "fail", "size_mismatch", "file_error"};
+  return names[static_cast<int>(verdict)];
+}
+
+struct CompareOptions {
+  std::string reference, test;
+  MetricOptions metrics;
+  std::vector<std::string> warn, fail;  // "metric=bound"
+  std::string heatmap_folder;           // empty: none
+  bool json = false;
+};
+
+/// A reason for a verdict other than ok.
+struct Finding {
+  Verdict verdict;
+  std::string sentence;
+};
+
+struct Comparison {
+  int width = 0, height = 0;  // of the reference; 0 when it could not be read
+  std::vector<Measurement> measurements;
+  std::vector<Finding> findings;
+  HeatmapFiles heatmaps;  // empty paths when there are none
+
+  Verdict verdict() const {
+    Verdict worst = Verdict::ok;
+    for (const Finding& finding : findings) worst = std::max(worst, finding.verdict);
+    return worst;
+  }
+};
+
+std::vector<MetricBound> parse_bounds(const std::string& option, const std::vector<std::string>& texts) {
+  std::vector<MetricBound> bounds;
+  for (const std::string& text : texts) bounds.push_back(parse_bound(option, text));
+  return bounds;
+}
+
+void check_bounds(const std::vector<MetricBound>& bounds, Verdict verdict, Comparison& comparison) {
+  for (const MetricBound& bound : bounds)
+    if (auto reason = broken_bound(bound, comparison.measurements))
+      comparison.findings.push_back({verdict, std::move(*reason)});
+}
+
+/// Throws InputError when a file cannot be read or written.
+void compare_files(const CompareOptions& options, const std::vector<MetricBound>& warn,
+                   const std::vector<MetricBound>& fail, Comparison& comparison) {
+  const Image reference = read_image(options.reference);
+  const Image test = read_image(options.test);
+  comparison.width = reference.width;
+  comparison.height = reference.height;
+  for (const ImageDefect& defect : find_defects(reference, test))
+    comparison.findings.push_back(
+        {defect.kind == ImageDefect::Kind::size_mismatch ? Verdict::size_mismatch : Verdict::fail, defect.sentence});
+  if (!comparison.findings.empty()) return;
+
+  const MetricContext context(reference, test, options.metrics);
+  comparison.measurements = measure(context);
+  check_bounds(warn, Verdict::warn, comparison);
+  check_bounds(fail, Verdict::fail, comparison);
+  if (!options.heatmap_folder.empty())
+    comparison.heatmaps =
+        write_heatmaps(context, options.heatmap_folder, std::filesystem::path(options.test).stem().string());
+}
+
+void print_text(const CompareOptions& options, const Comparison& comparison) {
+  if (comparison.width > 0)
+    std::printf("reference %s, test %s, %d x %d pixels\n", options.reference.c_str(), options.test.c_str(),
+                comparison.width, comparison.height);
+  for (const Measurement& measured : comparison.measurements) {
+    const std::string value = measured.value ? format_number(*measured.value) : "-";
+    std::string notes = measured.parameters;
+    if (!measured.value) notes += std::string(notes.empty() ? "" : "; ") + "undefined: " + measured.row->undefined_when;
+    std::printf("%-24s%-24s%s\n", measured.row->name, value.c_str(), notes.c_str());
+  }
+  if (!comparison.heatmaps.flip.empty())
+    std::printf("%s: %s\n%s: %s\n", comparison.heatmaps.flip.c_str(), flip_scale_caption,
+                comparison.heatmaps.error.c_str(), error_scale_caption);
+  for (const Finding& finding : comparison.findings)
+    if (finding.verdict != Verdict::file_error)  // those are on standard error
+      std::printf("%s: %s\n", name_of(finding.verdict), finding.sentence.c_str());
+  std::printf("verdict: %s\n", name_of(comparison.verdict()));
+}
+
+void print_json(const CompareOptions& options, const Comparison& comparison) {
+  using nlohmann::json;
+  json metrics = json::array();
+  for (const Measurement& measured : comparison.measurements) {
+    json entry = {{"name", measured.row->name}, {"value", nullptr}, {"parameters", measured.parameters}};
+    if (!measured.value)
+      entry["undefined"] = measured.row->undefined_when;
+    else if (std::isinf(*measured.value))
+      entry["undefined"] = "infinite: the images are equal once encoded";
+    else
+      entry["value"] = *measured.value;
+    metrics.push_back(std::move(entry));
+  }
+  json findings = json::array();
+  for (const Finding& finding : comparison.findings)
+    findings.push_back({{"verdict", name_of(finding.verdict)}, {"sentence", finding.sentence}});
+  json record = {{"schema_version", 1},
+                 {"reference", options.reference},
+                 {"test", options.test},
+                 {"width", comparison.width},
+                 {"height", comparison.height},
+                 {"exposure", options.metrics.exposure},
+                 {"verdict", name_of(comparison.verdict())},
+                 {"findings", std::move(findings)},
+                 {"metrics", std::move(metrics)}};
+  if (!comparison.heatmaps.flip.empty())
+    record["heatmaps"] = {{"flip", comparison.heatmaps.flip.string()}, {"error", comparison.heatmaps.error.string()}};
+  std::printf("%s\n", record.dump(2, ' ', false, json::error_handler_t::replace).c_str());
+}
+
+/// The exit code. Throws InputError on a bound that cannot be read.
+int run_compare(const CompareOptions& options) {
+  const std::vector<MetricBound> warn = parse_bounds("--warn", options.warn);
+  const std::vector<MetricBound> fail = parse_bounds("--fail", options.fail);
+  Comparison comparison;
+  try {
+    compare_files(options, warn, fail, comparison);
+  } catch (const InputError& error) {
+    comparison.findings.push_back({Verdict::file_error, error.summary()});
+    std::fprintf(stderr, "%s\n", error.summary().c_str());
+  }
+  options.json ? print_json(options, comparison) : print_text(options, comparison);
+  return static_cast<int>(comparison.verdict());
+}
+
+}  // namespace
+
+void add_compare_verb(CLI::App& program, int& exit_code) {
+  auto options = std::make_shared<CompareOptions>();
+  CLI::App* verb = program.add_subcommand("compare", "measure how far a test image is from its reference");
+  verb->add_option("REF", options->reference, "reference image (linear EXR, or 8/16-bit sRGB)")->required();
+  verb->add_option("TEST", options->test, "test image of the same size")->required();
+  verb->add_option("--exposure", options->metrics.exposure,
+                   "stops applied before psnr, ssim and flip encode for display")
+      ->check(CLI::Range(-64.0, 64.0))
+      ->capture_default_str();
+  verb->add_option("--warn", options->warn, "metric=bound; exit with 1 when broken (a minimum for psnr and ssim)")
+      ->take_all()
+      ->allow_extra_args(false);
+  verb->add_option("--fail", options->fail, "metric=bound; exit with 2 when broken")
+      ->take_all()
+      ->allow_extra_args(false);
+  verb->add_option("--heatmaps", options->heatmap_folder, "write <test>-flip.png and <test>-error.png there");
+  verb->add_flag("--json", options->json, "print one JSON object instead of lines");
+  std::string names;
+  for (const MetricRow& row : metric_rows()) names += (names.empty() ? "" : ", ") + std::string(row.name);
+  verb->footer("Metrics: " + names +
+               ".\nExit codes: 0 ok, 1 warning, 2 failure (a bound, or a value that is not finite), 3 sizes differ, "
+               "4 file error.\nWithout bounds nothing fails: the numbers are only printed.");
+  verb->callback([options, &exit_code] { exit_code = run_compare(*options); });
+}
+
+}  // namespace photonproof
