@@ -1,0 +1,54 @@
+#include "harness/scene_options.h"
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+
+#include "scenes/parser.h"
+
+namespace photonproof {
+namespace {
+
+/// "WxH" to a film size; throws InputError on anything else.
+void apply_size(const std::string& size, FilmDescription& film) {
+  const char* end = size.data() + size.size();
+  int width = 0;
+  int height = 0;
+  const auto [after_width, width_error] = std::from_chars(size.data(), end, width);
+  const bool has_x = width_error == std::errc{} && after_width != end && *after_width == 'x';
+  const auto [after_height, height_error] = std::from_chars(has_x ? after_width + 1 : end, end, height);
+  constexpr int largest = 65536;
+  if (!has_x || height_error != std::errc{} || after_height != end || width < 1 || height < 1 || width > largest ||
+      height > largest || std::int64_t{width} * height > (std::int64_t{1} << 28))
+    throw InputError("--size",
+                     "'" + size + "' is not a size, expected WIDTHxHEIGHT, e.g. 256x256 (at most 2^28 pixels)");
+  film.width = width;
+  film.height = height;
+}
+
+}  // namespace
+
+void add_scene_options(CLI::App& verb, SceneOptions& options) {
+  verb.add_option("SCENE", options.path, "scene XML")->required();
+  verb.add_option("-D,--define", options.defines, "name=value for the scene's $name")
+      ->take_all()
+      ->allow_extra_args(false);
+  verb.add_option("--size", options.size, "WIDTHxHEIGHT instead of the film's own");
+  verb.add_flag("--allow-outside", options.allow_outside, "let the scene include files outside its folder");
+}
+
+SceneDescription load_scene(const SceneOptions& options) {
+  ParseOptions parse;
+  parse.allow_outside = options.allow_outside;
+  for (const std::string& define : options.defines) {
+    const std::size_t equals = define.find('=');
+    if (equals == std::string::npos || equals == 0)
+      throw InputError("-D", "'" + define + "' is not a definition, expected name=value");
+    if (!parse.defines.emplace(define.substr(0, equals), define.substr(equals + 1)).second)
+      throw InputError("-D", "'" + define.substr(0, equals) + "' is defined twice");
+  }
+  SceneDescription scene = parse_scene_file(options.path, parse);
+  if (!options.size.empty()) apply_size(options.size, scene.sensor.film);
+  return scene;
+}
+
+}  // namespace photonproof

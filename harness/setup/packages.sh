@@ -1,0 +1,51 @@
+# Sourced by ./run and ./check: installs the Debian packages that are missing, and says which.
+
+# What the program needs to be built and to run.
+build_packages="g++ cmake ninja-build pkg-config libembree-dev libopenimageio-dev libtbb-dev libpugixml-dev
+  libtomlplusplus-dev nlohmann-json3-dev libvalijson-dev libcli11-dev libfmt-dev libboost-dev libkainjow-mustache-dev
+  gnuplot-nox povray"
+# What the tests need on top.
+check_packages="libgtest-dev libboost-math-dev clang-format chromium"
+
+# install_packages NAME...: quick when nothing is missing; without root and sudo it lists what is missing and goes on,
+# since the libraries may be there by other means.
+install_packages() {
+  if ! command -v apt-get >/dev/null; then
+    echo "setup: no apt here; needed are the equivalents of: $*"
+    return 0
+  fi
+  local missing=() package
+  for package in "$@"; do
+    dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || missing+=("$package")
+  done
+  [ ${#missing[@]} -eq 0 ] && return 0
+
+  local as_root=()
+  if [ "$(id -u)" -ne 0 ]; then
+    if ! command -v sudo >/dev/null; then
+      echo "setup: not installed, and no root to install them: ${missing[*]}"
+      return 0
+    fi
+    as_root=(sudo)
+  fi
+  echo "setup: installing ${missing[*]}"
+  local log
+  log=$(mktemp)
+  export DEBIAN_FRONTEND=noninteractive
+  if ! { "${as_root[@]}" apt-get update && install_known "${missing[@]}"; } >"$log" 2>&1 </dev/null; then
+    tail -n 15 "$log" >&2
+    echo "setup: apt could not install them, see $log" >&2
+    return 1
+  fi
+  rm -f "$log"
+}
+
+# Packages the distribution does not have are left out (Ubuntu has no chromium package, for one); the configure step
+# says what it then does without.
+install_known() {
+  local known=() package
+  for package in "$@"; do
+    if [ -n "$(apt-cache madison "$package")" ]; then known+=("$package"); else echo "no package $package here"; fi
+  done
+  "${as_root[@]}" apt-get install -y --no-install-recommends "${known[@]}"
+}

@@ -1,0 +1,147 @@
+// photonproof render: a scene file to an EXR and a stats JSON beside it.
+
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "harness/interrupt.h"
+#include "harness/scene_options.h"
+#include "harness/verbs.h"
+#include "renderer/integrator.h"
+#include "renderer/timer.h"
+#include "renderer/version.h"
+#include "scenes/atomic_file.h"
+
+namespace photonproof {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct RenderArguments {
+  SceneOptions scene;
+  std::string output;
+  std::string stats_path;
+  std::string integrator;
+  std::optional<std::int64_t> spp, photons;
+  std::optional<double> seconds;
+  std::uint64_t seed = 0;
+  int threads = 0;
+  int grid = 0;
+  bool json = false;
+  bool quiet = false;
+};
+
+/// A line that rewrites itself on a terminal; nothing elsewhere.
+void show_progress(double fraction, const std::string& phase) {
+  std::fprintf(stderr, "\r%3.0f %% %s ", 100 * fraction, phase.c_str());
+  if (fraction >= 1) std::fputs("\r\033[K", stderr);
+  std::fflush(stderr);
+}
+
+std::string default_stats_path(const std::string& output) {
+  return fs::path(output).replace_extension(".stats.json").string();
+}
+
+nlohmann::ordered_json stats_json(const RenderArguments& arguments, const Scene& scene, const std::string& integrator,
+                                  const RenderStats& stats, int threads) {
+  return {{"schema_version", 1},
+          {"engine", "photonproof " + integrator},
+          {"version", version_line()},
+          {"scene", arguments.scene.path},
+          {"width", scene.width},
+          {"height", scene.height},
+          {"seed", arguments.seed},
+          {"threads", threads},
+          {"interrupted", stats.interrupted},
+          {"phases", stats.phases},
+          {"counts", stats.counts},
+          {"skipped", stats.skipped}};
+}
+
+int run_render(const RenderArguments& arguments) {
+  RenderStats stats;
+  Timer load_timer;
+  SceneDescription description = load_scene(arguments.scene);
+  stats.phases["load"] = load_timer.seconds();
+  const std::string name =
+      arguments.integrator.empty() ? integrator_name(description.integrator) : arguments.integrator;
+  const IntegratorDescription method = with_integrator(description.integrator, name);
+
+  const Timer compile_timer;
+  const FilmDescription film_size = description.sensor.film;
+  const Scene scene(description, film_size.width, film_size.height);
+  stats.phases["compile"] = compile_timer.seconds();
+
+  RenderJob job;
+  job.budget = {arguments.spp, arguments.photons, arguments.seconds};
+  job.seed = arguments.seed;
+  job.threads = arguments.threads;
+  job.grid = arguments.grid;
+  job.sample_count = description.sensor.sample_count;
+  job.interrupt = &interrupt_flag();
+  if (!arguments.quiet && isatty(STDERR_FILENO) != 0) job.progress = show_progress;
+
+  Film film(scene.width, scene.height);
+  find_integrator(name)->render(scene, method, job, film, stats);
+
+  const Timer write_timer;
+  Rendering rendering = film.develop();
+  rendering.metadata["photonproof:version"] = version_line();
+  rendering.metadata["photonproof:command"] =
+      arguments.scene.path + " --integrator " + name + " --seed " + std::to_string(arguments.seed) + " --spp " +
+      std::to_string(static_cast<std::int64_t>(stats.counts["samples_per_pixel"]));
+  write_exr(arguments.output, rendering);
+  stats.phases["write"] = write_timer.seconds();
+
+  const std::string stats_path =
+      arguments.stats_path.empty() ? default_stats_path(arguments.output) : arguments.stats_path;
+  const nlohmann::ordered_json json = stats_json(arguments, scene, name, stats, Threads(arguments.threads).count());
+  write_file_atomically(stats_path, json.dump(2) + "\n");
+
+  if (arguments.json) {
+    std::printf("%s\n", json.dump(2).c_str());
+  } else {
+    std::printf("%s: %s, %dx%d, %.0f samples a pixel, %.2f s\n", arguments.output.c_str(), name.c_str(), scene.width,
+                scene.height, stats.counts["samples_per_pixel"], load_timer.seconds());
+    for (const std::string& skip : stats.skipped) std::printf("skipped %s\n", skip.c_str());
+  }
+  if (!stats.interrupted) return 0;
+  std::fprintf(stderr, "interrupted: wrote what there was, %.0f samples a pixel at most%s\n",
+               stats.counts["samples_per_pixel"],
+               film.unsampled_pixels() > 0 ? ", some pixels have none and are black" : "");
+  return 130;
+}
+
+}  // namespace
+
+void add_render_verb(CLI::App& program, int& exit_code) {
+  auto arguments = std::make_shared<RenderArguments>();
+  CLI::App* verb =
+      program.add_subcommand("render", "Render a scene to an EXR with per-pixel variance and a stats JSON");
+  add_scene_options(*verb, arguments->scene);
+  verb->add_option("-o,--output", arguments->output, "EXR to write")->required();
+  verb->add_option("--stats", arguments->stats_path, "stats JSON to write (default: beside the EXR, .stats.json)");
+  std::vector<std::string> names;
+  for (const Integrator& row : integrators()) names.emplace_back(row.name);
+  verb->add_option("--integrator", arguments->integrator, "instead of the scene's own")->check(CLI::IsMember(names));
+  verb->add_option("--spp", arguments->spp, "samples a pixel (default: the scene's)")
+      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 32));
+  verb->add_option("--photons", arguments->photons, "photons emitted for each map over the whole render")
+      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 40));
+  verb->add_option("--seconds", arguments->seconds, "wall time to render for, instead of --spp")
+      ->check(CLI::Range(1e-3, 1e7))
+      ->excludes("--spp");
+  verb->add_option("--seed", arguments->seed, "of the random numbers: same seed, same bits");
+  verb->add_option("--threads", arguments->threads, "worker threads (default: every core)")->check(CLI::Range(0, 1024));
+  verb->add_option("--grid", arguments->grid, "samples on the centres of a KxK grid in each pixel")
+      ->check(CLI::Range(0, 1024));
+  verb->add_flag("--json", arguments->json, "print the stats as JSON");
+  verb->add_flag("--quiet", arguments->quiet, "no progress line");
+  verb->callback([arguments, &exit_code] { exit_code = run_render(*arguments); });
+}
+
+}  // namespace photonproof
