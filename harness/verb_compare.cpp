@@ -3,9 +3,11 @@
 // is not finite, 3 sizes differ, 4 a file cannot be read or written. (2 is also the program's code for wrong usage.)
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "harness/heatmap.h"
@@ -90,10 +92,11 @@ void print_text(const CompareOptions& options, const Comparison& comparison) {
     std::printf("reference %s, test %s, %d x %d pixels\n", options.reference.c_str(), options.test.c_str(),
                 comparison.width, comparison.height);
   for (const Measurement& measured : comparison.measurements) {
-    const std::string value = measured.value ? format_number(*measured.value) : "-";
+    std::array<char, 32> value{'-'};
+    if (measured.value) std::snprintf(value.data(), value.size(), "%.8g", *measured.value);
     std::string notes = measured.parameters;
     if (!measured.value) notes += std::string(notes.empty() ? "" : "; ") + "undefined: " + measured.row->undefined_when;
-    std::printf("%-24s%-24s%s\n", measured.row->name, value.c_str(), notes.c_str());
+    std::printf("%-24s%-16s%s\n", measured.row->name, value.data(), notes.c_str());
   }
   if (!comparison.heatmaps.flip.empty())
     std::printf("%s: %s\n%s: %s\n", comparison.heatmaps.flip.c_str(), flip_scale_caption,
@@ -105,7 +108,7 @@ void print_text(const CompareOptions& options, const Comparison& comparison) {
 }
 
 void print_json(const CompareOptions& options, const Comparison& comparison) {
-  using nlohmann::json;
+  using json = nlohmann::ordered_json;
   json metrics = json::array();
   for (const Measurement& measured : comparison.measurements) {
     json entry = {{"name", measured.row->name}, {"value", nullptr}, {"parameters", measured.parameters}};
@@ -149,24 +152,37 @@ int run_compare(const CompareOptions& options) {
   return static_cast<int>(comparison.verdict());
 }
 
+/// CLI11's convention: empty when `text` is good. (Its own range check lets NaN pass.)
+std::string check_exposure(const std::string& text) {
+  const Parsed<double> stops = parse_number(text);
+  if (!stops.value) return stops.problem;
+  return std::abs(*stops.value) <= 64 ? std::string() : text + " is not from -64 to 64";
+}
+
 }  // namespace
 
 void add_compare_verb(CLI::App& program, int& exit_code) {
   auto options = std::make_shared<CompareOptions>();
   CLI::App* verb = program.add_subcommand("compare", "measure how far a test image is from its reference");
-  verb->add_option("REF", options->reference, "reference image (linear EXR, or 8/16-bit sRGB)")->required();
-  verb->add_option("TEST", options->test, "test image of the same size")->required();
+  verb->add_option("REF", options->reference, "reference image: linear EXR, or sRGB of 8 or 16 bits")
+      ->required()
+      ->type_name("");
+  verb->add_option("TEST", options->test, "test image of the same size")->required()->type_name("");
   verb->add_option("--exposure", options->metrics.exposure,
-                   "stops applied before psnr, ssim and flip encode for display")
-      ->check(CLI::Range(-64.0, 64.0))
+                   "stops applied before psnr, ssim and flip encode for display, -64 to 64")
+      ->check(check_exposure)
+      ->type_name("STOPS")
       ->capture_default_str();
-  verb->add_option("--warn", options->warn, "metric=bound; exit with 1 when broken (a minimum for psnr and ssim)")
+  verb->add_option("--warn", options->warn, "exit with 1 when broken; a minimum for psnr and ssim; may be repeated")
+      ->type_name("METRIC=BOUND")
       ->take_all()
       ->allow_extra_args(false);
-  verb->add_option("--fail", options->fail, "metric=bound; exit with 2 when broken")
+  verb->add_option("--fail", options->fail, "exit with 2 when broken; may be repeated")
+      ->type_name("METRIC=BOUND")
       ->take_all()
       ->allow_extra_args(false);
-  verb->add_option("--heatmaps", options->heatmap_folder, "write <test>-flip.png and <test>-error.png there");
+  verb->add_option("--heatmaps", options->heatmap_folder, "write <test>-flip.png and <test>-error.png there")
+      ->type_name("FOLDER");
   verb->add_flag("--json", options->json, "print one JSON object instead of lines");
   std::string names;
   for (const MetricRow& row : metric_rows()) names += (names.empty() ? "" : ", ") + std::string(row.name);

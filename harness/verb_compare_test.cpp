@@ -1,0 +1,164 @@
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "harness/metric_test_images.h"
+#include "harness/verbs.h"
+#include "scenes/atomic_file.h"
+#include "scenes/input_error.h"
+
+namespace photonproof {
+namespace {
+
+namespace fs = std::filesystem;
+
+class CompareVerb : public testing::Test {
+ protected:
+  const fs::path folder = fs::path(testing::TempDir()) / ("compare_verb_test_" + std::to_string(getpid()));
+
+  void SetUp() override { fs::create_directories(folder); }
+  void TearDown() override { fs::remove_all(folder); }
+
+  std::string write(const std::string& name, const Image& image) {
+    write_exr((folder / name).string(), {image, std::nullopt, {}});
+    return (folder / name).string();
+  }
+
+  /// A reference of all ones and a test a quarter darker: mse 0.0625, bias -0.25.
+  std::string reference() { return write("reference.exr", constant_image(12, 14, 1, 1, 1)); }
+  std::string darker() { return write("darker.exr", constant_image(12, 14, 0.75f, 0.75f, 0.75f)); }
+
+  struct Run {
+    int exit_code;
+    std::string out, err;
+  };
+  /// `compare` with these arguments; what it throws (wrong usage) passes through.
+  Run compare(std::vector<std::string> arguments) {
+    CLI::App program;
+    Run run{-1, {}, {}};
+    add_compare_verb(program, run.exit_code);
+    arguments.insert(arguments.begin(), "compare");
+    std::reverse(arguments.begin(), arguments.end());  // CLI11 takes a vector last argument first
+    testing::internal::CaptureStdout();
+    testing::internal::CaptureStderr();
+    try {
+      program.parse(arguments);
+    } catch (...) {
+      testing::internal::GetCapturedStdout();
+      testing::internal::GetCapturedStderr();
+      throw;
+    }
+    run.out = testing::internal::GetCapturedStdout();
+    run.err = testing::internal::GetCapturedStderr();
+    return run;
+  }
+};
+
+TEST_F(CompareVerb, prints_a_metric_a_line_with_its_parameters) {
+  const Run run = compare({reference(), darker(), "--exposure", "-1"});
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_NE(run.out.find("darker.exr, 12 x 14 pixels\n"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("\nmse                     0.0625          \n"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("\nbias                    -0.25           \n"), std::string::npos) << run.out;
+  // 0.25^2/(1 + 0.01)
+  EXPECT_NE(run.out.find("\nrelmse                  0.061881188     epsilon=0.01\n"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("exposure=-1, pixels_per_degree=67.0206\n"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("\nverdict: ok\n"), std::string::npos) << run.out;
+}
+
+TEST_F(CompareVerb, exit_code_is_that_of_the_worst_broken_bound) {
+  const std::string ref = reference();
+  const std::string test = darker();
+  EXPECT_EQ(compare({ref, test, "--warn", "mse=0.1", "--fail", "mse=0.1"}).exit_code, 0);
+  EXPECT_EQ(compare({"--warn", "mse=0.01", ref, test, "--fail", "mse=0.1"}).exit_code, 1);
+  const Run run = compare({ref, test, "--fail", "mse=0.01", "--warn", "mse=0.001", "--warn", "bias=0.1"});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.out.find("\nwarn: mse 0.0625 is over its maximum 0.001\n"
+                         "warn: bias -0.25 is in absolute value over its maximum 0.1\n"
+                         "fail: mse 0.0625 is over its maximum 0.01\nverdict: fail\n"),
+            std::string::npos)
+      << run.out;
+}
+
+TEST_F(CompareVerb, value_that_is_not_finite_fails_with_its_place) {
+  Image image = constant_image(12, 14, 1, 1, 1);
+  image.pixel(3, 7)[2] = std::numeric_limits<float>::quiet_NaN();
+  const Run run = compare({reference(), write("nan.exr", image)});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.out.find("\nfail: pixel (3, 7) of the test image is NaN in B; 1 non-finite in all\n"),
+            std::string::npos)
+      << run.out;
+  EXPECT_EQ(run.out.find("mse"), std::string::npos) << "no metric may run";
+}
+
+TEST_F(CompareVerb, sizes_that_differ_give_three) {
+  const Run run = compare({reference(), write("wide.exr", constant_image(14, 12, 1, 1, 1)), "--fail", "mse=1"});
+  EXPECT_EQ(run.exit_code, 3);
+  EXPECT_NE(run.out.find("size_mismatch: the test image is 14x12 pixels, the reference image 12x14\n"),
+            std::string::npos)
+      << run.out;
+}
+
+TEST_F(CompareVerb, missing_or_damaged_file_gives_four) {
+  const std::string missing = (folder / "missing.exr").string();
+  const Run run = compare({reference(), missing});
+  EXPECT_EQ(run.exit_code, 4);
+  EXPECT_EQ(run.err, missing + ": error: no such file\n");
+
+  const std::string whole = read_file(reference());
+  write_file_atomically(folder / "cut.exr", whole.substr(0, whole.size() / 2));
+  EXPECT_EQ(compare({reference(), (folder / "cut.exr").string()}).exit_code, 4);
+  write_file_atomically(folder / "text.exr", "no image");
+  EXPECT_EQ(compare({(folder / "text.exr").string(), reference()}).exit_code, 4);
+}
+
+TEST_F(CompareVerb, heatmaps_that_cannot_be_written_give_four) {
+  write_file_atomically(folder / "file", "");
+  EXPECT_EQ(compare({reference(), darker(), "--heatmaps", (folder / "file").string()}).exit_code, 4);
+}
+
+TEST_F(CompareVerb, writes_heatmaps_named_after_the_test_image) {
+  EXPECT_EQ(compare({reference(), darker(), "--heatmaps", (folder / "maps").string()}).exit_code, 0);
+  EXPECT_EQ(read_image((folder / "maps" / "darker-flip.png").string()).width, 12);
+  EXPECT_EQ(read_image((folder / "maps" / "darker-error.png").string()).height, 14);
+}
+
+TEST_F(CompareVerb, json_holds_every_metric_and_says_which_have_no_number) {
+  const std::string ref = write("small.exr", constant_image(8, 8, 1, 1, 1));
+  const Run run = compare({ref, ref, "--json", "--fail", "ssim=0.9"});
+  EXPECT_EQ(run.exit_code, 2);
+  const auto record = nlohmann::json::parse(run.out);
+  EXPECT_EQ(record.at("verdict"), "fail");
+  EXPECT_EQ(record.at("width"), 8);
+  EXPECT_EQ(record.at("findings").at(0).at("sentence"),
+            "ssim has no value here (a side is under 11 pixels), so its bound is not kept");
+  std::map<std::string, nlohmann::json> metrics;
+  for (const auto& metric : record.at("metrics")) metrics[metric.at("name")] = metric;
+  EXPECT_EQ(metrics.at("mse").at("value"), 0);
+  EXPECT_TRUE(metrics.at("psnr").at("value").is_null());
+  EXPECT_EQ(metrics.at("psnr").at("undefined"), "infinite: the images are equal once encoded");
+  EXPECT_TRUE(metrics.at("ssim").at("value").is_null());
+  EXPECT_EQ(metrics.at("ssim").at("undefined"), "a side is under 11 pixels");
+}
+
+TEST_F(CompareVerb, json_reports_file_errors_too) {
+  const Run run = compare({reference(), (folder / "missing.exr").string(), "--json"});
+  EXPECT_EQ(run.exit_code, 4);
+  const auto record = nlohmann::json::parse(run.out);
+  EXPECT_EQ(record.at("verdict"), "file_error");
+  EXPECT_EQ(record.at("metrics").size(), 0u);
+}
+
+TEST_F(CompareVerb, wrong_usage_is_refused_before_any_file_is_read) {
+  EXPECT_THROW(compare({"missing.exr", "missing.exr", "--fail", "ssmi=1"}), InputError);
+  EXPECT_THROW(compare({"missing.exr"}), CLI::ParseError);
+  EXPECT_THROW(compare({"missing.exr", "missing.exr", "--exposure", "nan"}), CLI::ParseError);
+  EXPECT_THROW(compare({"missing.exr", "missing.exr", "--exposure", "65"}), CLI::ParseError);
+}
+
+}  // namespace
+}  // namespace photonproof
