@@ -12,6 +12,7 @@
 #include "harness/scene_options.h"
 #include "harness/verbs.h"
 #include "renderer/integrator.h"
+#include "renderer/parallel.h"
 #include "renderer/timer.h"
 #include "renderer/version.h"
 #include "scenes/atomic_file.h"
