@@ -7,7 +7,7 @@
 
 namespace photonproof {
 
-/// Levenshtein distance in bytes (insert, delete, replace: 1 each).
+/// Optimal string alignment distance in bytes: insertions, deletions, replacements and swaps of neighbours, 1 each.
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
 /// " (did you mean 'x'?)" for the candidate nearest to `name` when it is near enough to be a typing error (a third of

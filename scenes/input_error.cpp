@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "scenes/utf8.h"
+
 namespace photonproof {
 namespace {
 
@@ -10,6 +12,14 @@ std::string one_line(const std::string& file, int line, int column, const std::s
 }
 
 bool continues_a_character(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
+
+/// The line with what would garble a terminal or a JSON record replaced by question marks.
+std::string printable(std::string line) {
+  for (char& c : line)
+    if (static_cast<unsigned char>(c) < 32 && c != '\t') c = '?';
+  for (auto bad = find_invalid_utf8(line); bad != std::string::npos; bad = find_invalid_utf8(line)) line[bad] = '?';
+  return line;
+}
 
 /// The source line (of a long one the part around the column) with a caret below `column`, a byte counted from 1.
 std::string with_excerpt(const std::string& summary, int column, const std::string& source_line) {
@@ -24,7 +34,8 @@ std::string with_excerpt(const std::string& summary, int column, const std::stri
   std::string caret(cut_before.size(), ' ');
   for (std::size_t i = begin; i < at; ++i)
     if (!continues_a_character(source_line[i])) caret += source_line[i] == '\t' ? '\t' : ' ';
-  return summary + "\n  " + cut_before + source_line.substr(begin, end - begin) + cut_after + "\n  " + caret + "^";
+  return summary + "\n  " + cut_before + printable(source_line.substr(begin, end - begin)) + cut_after + "\n  " +
+         caret + "^";
 }
 
 }  // namespace

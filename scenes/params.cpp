@@ -119,6 +119,12 @@ double Params::number(const std::string& name, double fallback) {
   return *parsed.value;
 }
 
+double Params::positive(const std::string& name, double fallback) {
+  const double value = number(name, fallback);
+  expect(static_cast<float>(value) > 0, name, "is " + format_number(value) + ", expected more than 0");
+  return value;
+}
+
 std::string Params::string(const std::string& name, const std::string& fallback) {
   const Element* element = read(name);
   return element ? require(sources_, *element, "value").value : fallback;

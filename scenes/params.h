@@ -39,6 +39,8 @@ class Params {
   std::int64_t integer(const std::string& name, std::int64_t fallback, std::int64_t low, std::int64_t high);
   /// Any finite number; callers state their range with expect().
   double number(const std::string& name, double fallback);
+  /// A number above 0, also after rounding to float.
+  double positive(const std::string& name, double fallback);
   std::string string(const std::string& name, const std::string& fallback);
   /// <rgb>, a constant <spectrum> or <float>; components from `low` to `high`.
   RgbD colour(const std::string& name, const RgbD& fallback, double low, double high);

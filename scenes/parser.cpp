@@ -77,7 +77,7 @@ class SceneReader {
       integrator_ = read_integrator(sources_, child);
     } else {
       const std::vector<std::string> known = {"bsdf", "shape", "emitter", "sensor", "integrator", "default", "include"};
-      sources_.fail(child.at, "<scene> cannot contain <" + child.tag + ">" + did_you_mean(child.tag, known) +
+      sources_.fail(child.at, "<" + child.tag + "> is not supported in <scene>" + did_you_mean(child.tag, known) +
                                   ", expected " + join_or(known));
     }
   }

@@ -13,7 +13,7 @@ void check_nested(const Sources& sources, const Element& object, const std::vect
     if (std::find(nested.begin(), nested.end(), child.tag) == nested.end()) {
       std::vector<std::string> expected = {"parameters"};
       for (const std::string& tag : nested) expected.push_back("<" + tag + ">");
-      sources.fail(child.at, title_of(sources, object) + " cannot contain <" + child.tag + ">" +
+      sources.fail(child.at, "<" + child.tag + "> is not supported in " + title_of(sources, object) +
                                  did_you_mean(child.tag, nested) + ", expected " + join_or(expected));
     }
     if (std::find(seen.begin(), seen.end(), child.tag) != seen.end())

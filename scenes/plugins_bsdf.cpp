@@ -47,9 +47,7 @@ constexpr std::array<std::pair<const char*, double>, 23> kNamedIors = {
 
 double read_ior(Params& params, const std::string& name, double fallback) {
   if (params.tag(name) != "string") {
-    const double ior = params.number(name, fallback);
-    params.expect(ior > 0, name, "is " + format_number(ior) + ", expected more than 0");
-    return ior;
+    return params.positive(name, fallback);
   }
   const std::string material = params.string(name, "");
   std::vector<std::string> names;

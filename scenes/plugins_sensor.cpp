@@ -55,9 +55,8 @@ Camera build_perspective(Params& params) {
   params.expect(camera.fov_degrees > 0 && camera.fov_degrees < 180, name,
                 "makes the field of view " + format_number(camera.fov_degrees) +
                     " degrees, expected more than 0 and less than 180");
-  camera.near_clip = params.number("near_clip", camera.near_clip);
+  camera.near_clip = params.positive("near_clip", camera.near_clip);
   camera.far_clip = params.number("far_clip", camera.far_clip);
-  params.expect(camera.near_clip > 0, "near_clip", "is " + format_number(camera.near_clip) + ", expected more than 0");
   params.expect(
       camera.far_clip > camera.near_clip, "far_clip",
       "is " + format_number(camera.far_clip) + ", expected more than near_clip, " + format_number(camera.near_clip));
@@ -129,7 +128,8 @@ FilmDescription read_film(const Sources& sources, const Element& sensor) {
       "expected <rfilter type=\"box\"/> (without one Mitsuba's filter is gaussian, not supported)";
   const Element* element = find_nested(sensor, "film");
   if (!element)
-    sources.fail(sensor.at, "the sensor has no <film>, expected an hdrfilm whose filter is named: " + filter);
+    sources.fail(sensor.at,
+                 "the sensor has no <film>, expected <film type=\"hdrfilm\"> that names its filter, " + filter);
   const Film film = build_plugin(sources, *element, film_table());
   const Element* rfilter = find_nested(*element, "rfilter");
   if (!rfilter) sources.fail(element->at, "the film names no reconstruction filter, " + filter);

@@ -22,8 +22,7 @@ bool perpendicular(const Vec3d& a, const Vec3d& b) {
 Geometry build_sphere(Params& params) {
   SphereDescription sphere;
   sphere.center = params.point("center", sphere.center);
-  sphere.radius = params.number("radius", sphere.radius);
-  params.expect(sphere.radius > 0, "radius", "is " + format_number(sphere.radius) + ", expected more than 0");
+  sphere.radius = params.positive("radius", sphere.radius);
   const auto axes = axes_of(params.transform("to_world"));
   const double size = length(axes[0]);
   const bool uniform = std::abs(length(axes[1]) / size - 1) <= kShearTolerance &&

@@ -34,12 +34,9 @@ Parsed<double> parse_number(std::string_view text) {
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   const bool whole = end == digits.data() + digits.size();
   if (!starts_like_a_number(digits) || error == std::errc::invalid_argument || !whole)
-    return {std::nullopt, in_quotes(text) + " is not a finite decimal number"};
-  const double magnitude = std::abs(value);
-  const bool fits = magnitude == 0 || (magnitude >= double{std::numeric_limits<float>::min()} &&
-                                       magnitude <= double{std::numeric_limits<float>::max()});
-  if (error == std::errc::result_out_of_range || !fits)
-    return {std::nullopt, in_quotes(text) + " is out of range: expected 0 or a magnitude from 1.2e-38 to 3.4e38"};
+    return {std::nullopt, "is " + in_quotes(text) + ", which is not a finite decimal number"};
+  if (error == std::errc::result_out_of_range || std::abs(value) > double{std::numeric_limits<float>::max()})
+    return {std::nullopt, "is " + in_quotes(text) + ", which is out of range, expected a magnitude of at most 3.4e38"};
   return {value, {}};
 }
 
@@ -49,8 +46,9 @@ Parsed<std::int64_t> parse_integer(std::string_view text) {
   std::int64_t value = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   if (error == std::errc::invalid_argument || end != digits.data() + digits.size())
-    return {std::nullopt, in_quotes(text) + " is not a decimal integer"};
-  if (error == std::errc::result_out_of_range) return {std::nullopt, in_quotes(text) + " does not fit 64 bits"};
+    return {std::nullopt, "is " + in_quotes(text) + ", which is not a decimal integer"};
+  if (error == std::errc::result_out_of_range)
+    return {std::nullopt, "is " + in_quotes(text) + ", which does not fit 64 bits"};
   return {value, {}};
 }
 

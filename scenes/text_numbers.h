@@ -9,15 +9,15 @@
 
 namespace photonproof {
 
-/// A value, or a problem in words ("'x' is not a number") when there is none.
+/// A value, or a problem in words ("is 'x', which is not a number") when there is none.
 template <class T>
 struct Parsed {
   std::optional<T> value;
   std::string problem;
 };
 
-/// A finite decimal number with optional sign, exponent and surrounding white space; no hexadecimal, inf or nan. Its
-/// magnitude must be 0 or within float's normal range, since the renderer computes in float.
+/// A finite decimal number with optional sign, exponent and surrounding white space; no hexadecimal, inf or nan. It
+/// must fit a float, since the renderer computes in float.
 Parsed<double> parse_number(std::string_view text);
 
 /// A decimal integer of 64 bits with optional sign and surrounding white space.

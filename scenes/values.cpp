@@ -154,12 +154,12 @@ Transform transform_of(const Sources& sources, const Element& element) {
     if (row == table.end()) {
       std::vector<std::string> tags;
       for (const Operation& operation : table) tags.push_back(operation.tag);
-      sources.fail(child.at, "<transform> cannot contain <" + child.tag + ">" + did_you_mean(child.tag, tags) +
+      sources.fail(child.at, "<" + child.tag + "> is not supported in <transform>" + did_you_mean(child.tag, tags) +
                                  ", expected " + join_or(tags));
     }
     check_leaf(sources, child);
     total = row->read(sources, child) * total;
-    if (!std::all_of(total.m.begin(), total.m.end(), [](double v) { return std::isfinite(v); }))
+    if (!std::all_of(total.m.begin(), total.m.end(), [](double v) { return std::isfinite(static_cast<float>(v)); }))
       sources.fail(child.at, "the transform overflows");
   }
   return total;

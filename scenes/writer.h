@@ -7,6 +7,9 @@
 
 namespace photonproof {
 
+/// The whole scene in one file. A BSDF with an id stands in the scene, one without in each shape that uses it, so the
+/// table of BSDFs reads back the same when it is as the parser makes it: those with an id first, each other one used
+/// by exactly one shape, in the shapes' order.
 std::string write_scene(const SceneDescription& scene);
 
 }  // namespace photonproof

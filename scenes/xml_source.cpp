@@ -83,8 +83,11 @@ class TreeBuilder {
   }
 
   [[noreturn]] void fail_at_node(const pugi::xml_node& node, const std::string& message) const {
-    const auto offset = node.offset_debug();
-    sources_.fail(at(offset < 0 ? 0 : static_cast<std::size_t>(offset)), message);
+    const std::string& text = sources_.text(file_);
+    const auto offset = static_cast<std::size_t>(std::max<std::ptrdiff_t>(node.offset_debug(), 0));
+    const bool is_text = node.type() == pugi::node_pcdata || node.type() == pugi::node_cdata;
+    const std::size_t start = is_text ? text.find_first_not_of(" \t\r\n", offset) : text.rfind('<', offset);
+    sources_.fail(at(std::min(start, text.size())), message);
   }
 
  private:
@@ -186,7 +189,7 @@ Element parse_xml(const Sources& sources, int file, std::size_t& elements) {
   const auto result = document.load_buffer(text.data(), text.size(), flags, pugi::encoding_utf8);
   if (!result) {
     const auto offset = static_cast<std::size_t>(std::max<std::ptrdiff_t>(result.offset, 0));
-    const bool at_end = text.find_first_not_of(" \t\r\n", offset) == std::string::npos;
+    const bool at_end = text.find('>', offset) == std::string::npos;
     sources.fail({file, offset}, at_end ? "the file ends in the middle of an element (truncated?)"
                                         : "not well-formed XML: " + lower_first(result.description()));
   }

@@ -1,0 +1,54 @@
+#include "scenes/same_scene.h"
+
+#include <algorithm>
+
+namespace photonproof {
+namespace {
+
+std::string difference(const BsdfDescription& a, const BsdfDescription& b) {
+  if (a.id != b.id) return ".id";
+  return a.model == b.model ? "" : ".model";
+}
+
+std::string difference(const ShapeDescription& a, const ShapeDescription& b) {
+  if (a.id != b.id) return ".id";
+  if (a.geometry != b.geometry) return ".geometry";
+  if (a.to_world != b.to_world) return ".to_world";
+  if (a.flip_normals != b.flip_normals) return ".flip_normals";
+  if (a.bsdf != b.bsdf) return ".bsdf";
+  return a.radiance == b.radiance ? "" : ".radiance";
+}
+
+std::string difference(const EmitterDescription& a, const EmitterDescription& b) {
+  if (a.id != b.id) return ".id";
+  return a.light == b.light ? "" : ".light";
+}
+
+std::string difference(const SensorDescription& a, const SensorDescription& b) {
+  if (a.id != b.id) return ".id";
+  if (a.camera != b.camera) return ".camera";
+  if (a.to_world != b.to_world) return ".to_world";
+  if (a.film != b.film) return ".film";
+  return a.sample_count == b.sample_count ? "" : ".sample_count";
+}
+
+template <class Entity>
+std::string difference(const std::string& name, const std::vector<Entity>& a, const std::vector<Entity>& b) {
+  if (a.size() != b.size()) return name + ".size()";
+  for (std::size_t i = 0; i < a.size(); ++i)
+    if (const std::string inner = difference(a[i], b[i]); !inner.empty())
+      return name + "[" + std::to_string(i) + "]" + inner;
+  return {};
+}
+
+}  // namespace
+
+std::string first_difference(const SceneDescription& a, const SceneDescription& b) {
+  for (const std::string& found : {difference("bsdfs", a.bsdfs, b.bsdfs), difference("shapes", a.shapes, b.shapes),
+                                   difference("emitters", a.emitters, b.emitters)})
+    if (!found.empty()) return found;
+  if (const std::string inner = difference(a.sensor, b.sensor); !inner.empty()) return "sensor" + inner;
+  return a.integrator.method == b.integrator.method ? "" : "integrator.method";
+}
+
+}  // namespace photonproof

@@ -1,0 +1,14 @@
+// Whether two descriptions say the same, for the tests of the writer and of the parser. Source positions and file names
+// are no part of what a scene says.
+#pragma once
+
+#include <string>
+
+#include "scenes/description.h"
+
+namespace photonproof {
+
+/// Empty when the scenes are the same, else the first thing that differs ("shapes[2].to_world").
+std::string first_difference(const SceneDescription& a, const SceneDescription& b);
+
+}  // namespace photonproof
