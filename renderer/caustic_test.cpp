@@ -1,0 +1,63 @@
+// The caustic of cornell-spheres, isolated: the photon mapper's flux on the floor against a converged path tracing.
+
+#include <gtest/gtest.h>
+
+#include "renderer/test_scenes.h"
+#include "scenes/parser.h"
+
+namespace photonproof {
+namespace {
+
+/// cornell-spheres with every wall but the floor black: what reaches the floor beyond direct light is the caustic
+/// alone.
+SceneDescription floor_and_balls() {
+  SceneDescription scene = parse_scene_file(PHOTONPROOF_SOURCE_DIR "/scenes/library/cornell-spheres/scene.xml");
+  scene.sensor.film.width = scene.sensor.film.height = 96;
+  const BsdfIndex black = test::add_bsdf(scene, DiffuseDescription{RgbD(0)});
+  for (ShapeDescription& shape : scene.shapes) {
+    const bool wall = std::holds_alternative<RectangleDescription>(shape.geometry);
+    if (wall && shape.to_world.point({0, 0, 0}).y > -0.99) shape.bsdf = black;
+  }
+  return scene;
+}
+
+/// Pixels that see nothing but the floor: its four corners do.
+std::vector<std::size_t> floor_pixels(const Scene& scene) {
+  const auto on_floor = [&](int x, int y) {
+    const Hit hit = scene.tracer().intersect(scene.camera.ray(static_cast<float>(x), static_cast<float>(y)));
+    return hit.valid() && hit.p_world.y < -0.9999f;
+  };
+  std::vector<std::size_t> pixels;
+  for (int y = 0; y < scene.height; ++y)
+    for (int x = 0; x < scene.width; ++x)
+      if (on_floor(x, y) && on_floor(x + 1, y) && on_floor(x, y + 1) && on_floor(x + 1, y + 1))
+        pixels.push_back(static_cast<std::size_t>(y) * static_cast<std::size_t>(scene.width) +
+                         static_cast<std::size_t>(x));
+  return pixels;
+}
+
+double floor_sum(const SceneDescription& description, const std::vector<std::size_t>& pixels, const char* integrator,
+                 int max_depth, std::int64_t spp) {
+  SceneDescription cut = description;
+  cut.integrator.method = PathDescription{max_depth, 8, false};
+  const Image image = test::render(cut, integrator, test::job_with(spp, 2'000'000)).image.mean;
+  double sum = 0;
+  for (const std::size_t i : pixels) sum += double{image.rgb[3 * i]} + image.rgb[3 * i + 1] + image.rgb[3 * i + 2];
+  return sum;
+}
+
+TEST(caustic, flux_on_the_floor_of_cornell_spheres_agrees_with_path_tracing) {
+  const SceneDescription scene = floor_and_balls();
+  const auto pixels = floor_pixels(Scene(scene, 96, 96));
+  ASSERT_GT(pixels.size(), 500u);
+  // Two edges are direct light alone; the same direct estimator and random numbers leave the caustic as the difference.
+  const double path = floor_sum(scene, pixels, "path", 17, 512) - floor_sum(scene, pixels, "path", 2, 512);
+  const double photons =
+      floor_sum(scene, pixels, "photonmapper", 17, 64) - floor_sum(scene, pixels, "photonmapper", 2, 64);
+  std::printf("caustic flux on the floor: photon mapper / path = %.4f\n", photons / path);
+  EXPECT_GT(path, 0);
+  EXPECT_NEAR(photons / path, 1.0, 0.03);
+}
+
+}  // namespace
+}  // namespace photonproof
