@@ -12,8 +12,9 @@ inline Ray camera_ray(const Scene& scene, int x, int y, std::int64_t sample, int
   Vec2<float> in_pixel = sampler.next2();
   if (grid > 0) {
     const auto cell = static_cast<int>(sample % (std::int64_t{grid} * grid));
-    in_pixel = {(static_cast<float>(cell % grid) + 0.5f) / static_cast<float>(grid),
-                (static_cast<float>(cell / grid) + 0.5f) / static_cast<float>(grid)};
+    const int row = cell / grid;
+    in_pixel = {(static_cast<float>(cell - row * grid) + 0.5f) / static_cast<float>(grid),
+                (static_cast<float>(row) + 0.5f) / static_cast<float>(grid)};
   }
   return scene.camera.ray(static_cast<float>(x) + in_pixel.x, static_cast<float>(y) + in_pixel.y);
 }

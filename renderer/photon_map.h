@@ -13,9 +13,9 @@ namespace photonproof {
 
 struct Photon {
   Vec3f p_world;
-  Rgb flux;               ///< W
-  std::uint32_t surface;  ///< where it landed: index into Scene::surfaces
-  std::int32_t edges;     ///< path edges from the light to here
+  Rgb flux;                   ///< W
+  std::uint32_t surface = 0;  ///< where it landed: index into Scene::surfaces
+  std::int32_t edges = 0;     ///< path edges from the light to here
 };
 
 class PhotonMap {

@@ -18,12 +18,15 @@ float median(std::vector<float>& values) {
 float median_pixel_footprint(const Scene& scene) {
   constexpr int lattice = 16;
   std::vector<float> footprints;
-  for (int i = 0; i < lattice * lattice; ++i) {
-    const float x = (static_cast<float>(i % lattice) + 0.5f) / lattice * static_cast<float>(scene.width);
-    const float y = (static_cast<float>(i / lattice) + 0.5f) / lattice * static_cast<float>(scene.height);
-    const Ray ray = scene.camera.ray(x, y);
-    const Hit hit = scene.tracer().intersect(ray);
-    if (hit.valid()) footprints.push_back(scene.camera.footprint_at(hit.p_world));
+  const float step_x = static_cast<float>(scene.width) / lattice;
+  const float step_y = static_cast<float>(scene.height) / lattice;
+  for (int row = 0; row < lattice; ++row) {
+    for (int column = 0; column < lattice; ++column) {
+      const Ray ray =
+          scene.camera.ray((static_cast<float>(column) + 0.5f) * step_x, (static_cast<float>(row) + 0.5f) * step_y);
+      const Hit hit = scene.tracer().intersect(ray);
+      if (hit.valid()) footprints.push_back(scene.camera.footprint_at(hit.p_world));
+    }
   }
   return footprints.empty() ? 0 : median(footprints);
 }

@@ -10,7 +10,7 @@ namespace photonproof {
 float choose_radius(const Scene& scene, PhotonRun pilot, std::uint64_t total, double photons_in_disc,
                     const Threads& threads, RayTotals& totals);
 
-/// World size of a pixel at the median first hit of the image's centre column and row; 0 when nothing is hit.
+/// World size of a pixel at the median first hit of a lattice of camera rays; 0 when nothing is hit.
 float median_pixel_footprint(const Scene& scene);
 
 }  // namespace photonproof

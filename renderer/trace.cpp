@@ -75,20 +75,18 @@ void sphere_occluded(const RTCOccludedFunctionNArguments* args) {
 }
 
 RTCRay to_embree(const Ray& ray) {
-  RTCRay r;
-  r.org_x = ray.origin.x;
-  r.org_y = ray.origin.y;
-  r.org_z = ray.origin.z;
-  r.tnear = ray.t_near;
-  r.dir_x = ray.direction.x;
-  r.dir_y = ray.direction.y;
-  r.dir_z = ray.direction.z;
-  r.time = 0;
-  r.tfar = ray.t_far;
-  r.mask = 0xFFFFFFFFu;
-  r.id = 0;
-  r.flags = 0;
-  return r;
+  return {.org_x = ray.origin.x,
+          .org_y = ray.origin.y,
+          .org_z = ray.origin.z,
+          .tnear = ray.t_near,
+          .dir_x = ray.direction.x,
+          .dir_y = ray.direction.y,
+          .dir_z = ray.direction.z,
+          .time = 0,
+          .tfar = ray.t_far,
+          .mask = 0xFFFFFFFFu,
+          .id = 0,
+          .flags = 0};
 }
 
 // Debian's Embree does not ignore invalid rays, so they are filtered here.
@@ -186,13 +184,12 @@ Tracer::~Tracer() = default;
 Hit Tracer::intersect(const Ray& ray) const {
   Hit hit;
   if (!is_traceable(ray)) return hit;
-  RTCRayHit query;
-  query.ray = to_embree(ray);
+  RTCRayHit query{.ray = to_embree(ray), .hit = {}};
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
 #ifdef PHOTONPROOF_EMBREE4
   rtcIntersect1(impl_->scene, &query, nullptr);
 #else
-  RTCIntersectContext context;
+  RTCIntersectContext context{};
   rtcInitIntersectContext(&context);
   rtcIntersect1(impl_->scene, &context, &query);
 #endif
@@ -219,7 +216,7 @@ bool Tracer::occluded(const Ray& ray) const {
 #ifdef PHOTONPROOF_EMBREE4
   rtcOccluded1(impl_->scene, &query, nullptr);
 #else
-  RTCIntersectContext context;
+  RTCIntersectContext context{};
   rtcInitIntersectContext(&context);
   rtcOccluded1(impl_->scene, &context, &query);
 #endif
