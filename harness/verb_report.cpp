@@ -1,0 +1,79 @@
+// photonproof report RESULTS.json: writes any of the report formats from a record, without running anything.
+// Exit codes are the program's: 0 done, 2 bad input or usage.
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "harness/results.h"
+#include "harness/verbs.h"
+#include "reports/formats.h"
+#include "scenes/input_error.h"
+
+namespace photonproof {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ReportOptions {
+  std::string results;
+  std::vector<std::string> formats;
+  std::string output;
+  bool json = false;
+};
+
+/// The folder of a file named on the command line; "results.json" alone is in the current one.
+fs::path folder_of(const std::string& file) {
+  const fs::path folder = fs::path(file).parent_path();
+  return folder.empty() ? fs::path(".") : folder;
+}
+
+void write_reports(const ReportOptions& options) {
+  std::vector<const ReportFormat*> formats;
+  for (const std::string& name : options.formats) formats.push_back(&report_format(name));
+  if (formats.empty()) formats.push_back(&report_formats().front());
+  if (!options.output.empty() && formats.size() > 1) {
+    throw InputError("--output", "names one file, but more than one format is asked for");
+  }
+  const Results results = read_results(options.results);
+  const fs::path folder = folder_of(options.results);
+  nlohmann::json written = nlohmann::json::array();
+  for (const ReportFormat* format : formats) {
+    const fs::path out =
+        options.output.empty() ? folder / ("report" + std::string(format->extension)) : fs::path(options.output);
+    format->write(results, folder, out);
+    if (options.json) {
+      written.push_back({{"format", format->name}, {"file", out.string()}});
+    } else {
+      std::printf("%s\n", out.string().c_str());
+    }
+  }
+  if (options.json) std::printf("%s\n", nlohmann::json{{"written", written}}.dump(2).c_str());
+}
+
+}  // namespace
+
+void add_report_verb(CLI::App& program, int& exit_code) {
+  CLI::App* verb = program.add_subcommand("report", "write reports from the record of a benchmark run");
+  const auto options = std::make_shared<ReportOptions>();
+  std::string known;
+  for (const ReportFormat& format : report_formats()) {
+    known += (known.empty() ? "" : ", ") + std::string(format.name);
+  }
+  verb->add_option("results", options->results, "results.json of a run; pictures are found beside it")->required();
+  verb->add_option("--format", options->formats, "one or more of " + known + " (the first unless given)")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  verb->add_option("-o,--output", options->output, "the file to write (report.html, report.md beside the record)");
+  verb->add_flag("--json", options->json, "print what was written as JSON");
+  verb->callback([options, &exit_code] {
+    write_reports(*options);
+    exit_code = 0;
+  });
+}
+
+}  // namespace photonproof

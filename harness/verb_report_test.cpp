@@ -1,0 +1,110 @@
+#include <gtest/gtest.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "harness/results.h"
+#include "harness/verbs.h"
+#include "scenes/atomic_file.h"
+#include "scenes/input_error.h"
+
+namespace photonproof {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ReportVerb : public testing::Test {
+ protected:
+  ReportVerb() : folder(fs::path(testing::TempDir()) / ("report-verb-" + std::string(test_name()))) {
+    fs::remove_all(folder);
+    fs::create_directory(folder);
+    Results results;
+    results.suite = "tiny";
+    results.created = "2026-02-03T04:05:06Z";
+    results.host = {"Some CPU", "Debian 12", "Linux 6.1", 2, std::uint64_t{8} << 30};
+    write_results((folder / "results.json").string(), results);
+  }
+  ~ReportVerb() override { fs::remove_all(folder); }
+
+  static const char* test_name() { return testing::UnitTest::GetInstance()->current_test_info()->name(); }
+
+  /// What the verb prints; throws as it does.
+  std::string run(std::vector<std::string> arguments) {
+    CLI::App program;
+    int exit_code = -1;
+    add_report_verb(program, exit_code);
+    arguments.insert(arguments.begin(), "report");
+    std::reverse(arguments.begin(), arguments.end());  // CLI11 takes a vector last argument first
+    testing::internal::CaptureStdout();
+    try {
+      program.parse(arguments);
+    } catch (...) {
+      testing::internal::GetCapturedStdout();
+      throw;
+    }
+    EXPECT_EQ(exit_code, 0);
+    return testing::internal::GetCapturedStdout();
+  }
+
+  std::string path(const char* name) const { return (folder / name).string(); }
+
+  fs::path folder;
+};
+
+TEST_F(ReportVerb, writes_html_beside_the_record_unless_told_otherwise) {
+  EXPECT_EQ(run({path("results.json")}), path("report.html") + "\n");
+  EXPECT_NE(read_file(path("report.html")).find("<title>tiny"), std::string::npos);
+}
+
+TEST_F(ReportVerb, writes_several_formats) {
+  const std::string both = path("report.html") + "\n" + path("report.md") + "\n";
+  EXPECT_EQ(run({"--format", "html", "--format", "markdown", path("results.json")}), both);
+  EXPECT_EQ(run({"--format", "html,markdown", path("results.json")}), both);
+  EXPECT_EQ(read_file(path("report.md")).rfind("# tiny\n", 0), 0u);
+}
+
+TEST_F(ReportVerb, writes_where_it_is_told) {
+  EXPECT_EQ(run({path("results.json"), "--format", "markdown", "-o", path("other.txt")}), path("other.txt") + "\n");
+  EXPECT_TRUE(fs::exists(folder / "other.txt"));
+  EXPECT_FALSE(fs::exists(folder / "report.md"));
+}
+
+TEST_F(ReportVerb, says_what_it_wrote_as_json) {
+  const auto json = nlohmann::json::parse(run({path("results.json"), "--json"}));
+  EXPECT_EQ(json, (nlohmann::json{{"written", {{{"format", "html"}, {"file", path("report.html")}}}}}));
+}
+
+/// The summary of the InputError that `action` throws.
+template <class Action>
+std::string complaint(Action action) {
+  try {
+    action();
+  } catch (const InputError& error) {
+    return error.summary();
+  }
+  return "no error";
+}
+
+TEST_F(ReportVerb, one_file_cannot_hold_two_formats) {
+  EXPECT_EQ(complaint([&] {
+              run({path("results.json"), "--format", "html,markdown", "-o", path("x")});
+            }),
+            "--output: error: names one file, but more than one format is asked for");
+  EXPECT_FALSE(fs::exists(folder / "x"));
+}
+
+TEST_F(ReportVerb, an_unknown_format_is_refused_before_anything_is_written) {
+  EXPECT_EQ(complaint([&] {
+              run({path("results.json"), "--format", "html,pdf"});
+            }),
+            "pdf: error: no such report format; there are html, markdown");
+  EXPECT_FALSE(fs::exists(folder / "report.html"));
+}
+
+TEST_F(ReportVerb, a_missing_record_is_an_input_error) {
+  EXPECT_NE(complaint([&] { run({path("none.json")}); }).find("none.json"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace photonproof

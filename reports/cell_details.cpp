@@ -1,0 +1,62 @@
+#include "reports/cell_details.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "reports/metric_columns.h"
+#include "reports/numbers.h"
+
+namespace photonproof::reports {
+namespace {
+
+void append(std::string& list, const std::string& item) { list += (list.empty() ? "" : ", ") + item; }
+
+void add(std::vector<Detail>& details, const char* term, const std::string& text) {
+  if (!text.empty()) details.push_back({term, {text}});
+}
+
+bool has_column(const std::string& metric) {
+  return std::ranges::any_of(metric_columns(), [&](const MetricColumn& column) { return column.metric == metric; });
+}
+
+}  // namespace
+
+std::vector<Detail> cell_details(const Result& result) {
+  std::string phases, counts, metrics;
+  for (const auto& [phase, seconds] : result.phases) append(phases, phase + " " + significant(seconds) + " s");
+  for (const auto& [what, count] : result.counts) append(counts, what + " " + grouped(count));
+  for (const MetricValue& value : result.metrics) {
+    if (!has_column(value.name)) append(metrics, value.name + " " + format_metric(value.name, value.value));
+  }
+  std::vector<Detail> details;
+  if (!result.skipped.empty()) details.push_back({"skipped", result.skipped});
+  add(details, "phases", phases);
+  add(details, "counts", counts);
+  add(details, "metrics", metrics);
+  add(details, "version", result.engine_version);
+  add(details, "image", result.image);
+  return details;
+}
+
+std::vector<std::string> cell_remarks(const Result& result) {
+  std::vector<std::string> remarks;
+  if (result.status != Status::ok) {
+    remarks.push_back(result.detail.empty() ? "The record gives no reason." : result.detail);
+  }
+  remarks.insert(remarks.end(), result.caveats.begin(), result.caveats.end());
+  return remarks;
+}
+
+std::string state_text(const EngineOutcome& outcome) {
+  const std::size_t total = outcome.cells.size();
+  if (total == 0) return "not run";
+  if (outcome.finished == total) return fmt::format("{} ok", total);
+  const auto failed = [](const Result* cell) { return cell->status != Status::ok; };
+  const Status first = (*std::ranges::find_if(outcome.cells, failed))->status;
+  const bool alike =
+      std::ranges::all_of(outcome.cells, [&](const Result* cell) { return !failed(cell) || cell->status == first; });
+  return fmt::format("{} of {} {}", total - outcome.finished, total, alike ? to_string(first) : "not ok");
+}
+
+}  // namespace photonproof::reports

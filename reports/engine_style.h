@@ -1,0 +1,19 @@
+// How an engine looks wherever it appears on a page: one colour and one marker, in plots and beside its name.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+namespace photonproof::reports {
+
+struct EngineStyle {
+  const char* color;      ///< "#rrggbb"
+  int gnuplot_point;      ///< gnuplot's point type
+  const char* svg_shape;  ///< the same marker as SVG in a 12 x 12 box, filled with currentColor
+};
+
+/// The style of the n-th engine of a record. Colours repeat after seven engines, markers after five, so that the first
+/// 35 differ in one or the other.
+EngineStyle engine_style(std::size_t index);
+
+}  // namespace photonproof::reports

@@ -1,0 +1,32 @@
+#include "reports/environment.h"
+
+#include <fmt/format.h>
+
+#include "reports/numbers.h"
+
+namespace photonproof::reports {
+namespace {
+
+void append(std::string& list, const std::string& item) {
+  if (!item.empty()) list += (list.empty() ? "" : ", ") + item;
+}
+
+}  // namespace
+
+std::string host_text(const Host& host) {
+  std::string text;
+  append(text, host.cpu);
+  if (host.cores > 0) append(text, fmt::format("{} core{}", host.cores, host.cores == 1 ? "" : "s"));
+  if (host.memory_bytes > 0) append(text, gibibytes(host.memory_bytes) + " GiB");
+  append(text, host.os);
+  append(text, host.kernel);
+  return text.empty() ? undefined_number : text;
+}
+
+std::string versions_text(const std::map<std::string, std::string>& versions) {
+  std::string text;
+  for (const auto& [name, version] : versions) append(text, name + " " + version);
+  return text.empty() ? undefined_number : text;
+}
+
+}  // namespace photonproof::reports

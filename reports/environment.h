@@ -1,0 +1,17 @@
+// Where a run was made, in a line each.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "harness/results.h"
+
+namespace photonproof::reports {
+
+/// "Some CPU, 2 cores, 7.7 GiB, Debian 12, Linux 6.1"; what the record does not know is left out.
+std::string host_text(const Host& host);
+
+/// "embree 3.13.5, oneTBB 2021.8.0", or the dash.
+std::string versions_text(const std::map<std::string, std::string>& versions);
+
+}  // namespace photonproof::reports

@@ -1,0 +1,24 @@
+// The report formats. A format is a file with a writer and a row of the table in formats.cpp.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string_view>
+
+#include "harness/results.h"
+
+namespace photonproof {
+
+struct ReportFormat {
+  std::string_view name;       ///< as given to --format
+  std::string_view extension;  ///< with the dot
+  /// Writes `out` as a whole; pictures named by the record are relative to `results_folder`. Throws InputError.
+  void (*write)(const Results& results, const std::filesystem::path& results_folder, const std::filesystem::path& out);
+};
+
+std::span<const ReportFormat> report_formats();
+
+/// Throws InputError naming the formats there are.
+const ReportFormat& report_format(std::string_view name);
+
+}  // namespace photonproof

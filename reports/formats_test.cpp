@@ -1,0 +1,32 @@
+#include "reports/formats.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "scenes/input_error.h"
+
+namespace photonproof {
+namespace {
+
+TEST(Formats, names_and_extensions_are_unique) {
+  std::set<std::string_view> names, extensions;
+  for (const ReportFormat& format : report_formats()) {
+    EXPECT_TRUE(names.insert(format.name).second) << format.name;
+    EXPECT_TRUE(extensions.insert(format.extension).second) << format.extension;
+    EXPECT_EQ(&report_format(format.name), &format);
+  }
+  EXPECT_EQ(report_format("html").extension, ".html");
+}
+
+TEST(Formats, an_unknown_one_names_those_there_are) {
+  try {
+    report_format("pdf");
+    FAIL() << "no error";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.summary(), "pdf: error: no such report format; there are html, markdown");
+  }
+}
+
+}  // namespace
+}  // namespace photonproof

@@ -1,0 +1,41 @@
+// Pieces of a record as the values the page templates name (reports/templates/*.mustache). Every string of the record
+// goes through printable() here; the templates escape it.
+#pragma once
+
+#include <kainjow/mustache.hpp>
+#include <string>
+#include <vector>
+
+#include "reports/picture.h"
+#include "reports/view.h"
+
+namespace photonproof::reports {
+
+/// {color, shape, name, title, version}: an engine and what swatch_svg.mustache needs.
+kainjow::mustache::data engine_data(const View& view, std::size_t engine);
+
+/// A list of {metric, parameters}.
+kainjow::mustache::data parameters_data(const std::vector<MetricParameters>& parameters);
+
+/// {status, class, detail} are set: what ended a cell.
+void set_status(kainjow::mustache::data& object, const Result& result);
+
+/// {scene, engine, budget, seed} are set.
+void set_cell(kainjow::mustache::data& object, const Cell& cell);
+
+/// What picture_img.mustache needs is set.
+void set_picture(kainjow::mustache::data& object, const EmbeddedPicture& picture, const std::string& alt);
+
+/// The file of a picture's role, empty when the cell has none.
+std::string picture_file(const Result& result, const std::string& role);
+
+/// A metric of the cell as its column shows it, or the dash.
+std::string metric_text(const Result& result, const std::string& name);
+
+/// Three significant digits, or the dash.
+std::string seconds_text(const std::optional<double>& seconds);
+
+/// The text, or false when it is empty, so that a template's section is left out.
+kainjow::mustache::data text_or_false(const std::string& text);
+
+}  // namespace photonproof::reports

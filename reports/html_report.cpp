@@ -1,0 +1,97 @@
+#include "reports/html_report.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "reports/environment.h"
+#include "reports/html_data.h"
+#include "reports/html_scene.h"
+#include "reports/metric_columns.h"
+#include "reports/templates.h"
+#include "reports/text.h"
+#include "scenes/atomic_file.h"
+
+namespace photonproof {
+using namespace reports;
+
+namespace {
+
+using kainjow::mustache::data;
+
+void set_header(data& page, const Results& results, const View& view) {
+  page.set("suite", printable(results.suite));
+  page.set("totals", totals_text(results));
+  page.set("created", printable(time_text(results.created)));
+  page.set("host", printable(host_text(results.host)));
+  page.set("versions", printable(versions_text(results.versions)));
+  page.set("command", printable(results.command));
+  data engines(data::type::list);
+  for (std::size_t i = 0; i < view.engines.size(); ++i) engines.push_back(engine_data(view, i));
+  page.set("engines", engines);
+  data compared(data::type::list);
+  for (const std::size_t engine : view.compared) compared.push_back(engine_data(view, engine));
+  page.set("compared", compared);
+}
+
+void set_failures(data& page, const View& view) {
+  data failures(data::type::list);
+  for (const Failure& failure : view.failures) {
+    data item;
+    set_cell(item, failure.cells.front()->cell);
+    set_status(item, *failure.cells.front());
+    item.set("cells", printable(failed_cells_text(failure)));
+    failures.push_back(item);
+  }
+  page.set("has_failures", !view.failures.empty());
+  page.set("failures", failures);
+}
+
+void set_columns(data& page, const View& view) {
+  data columns(data::type::list);
+  std::vector<MetricParameters> others = view.parameters;
+  for (const MetricColumn& column : metric_columns()) {
+    data item;
+    item.set("title", column.title);
+    item.set("meaning", column.meaning);
+    const auto own = std::ranges::find(others, column.metric, &MetricParameters::metric);
+    item.set("fixed_parameters", own == others.end() ? data(false) : data(printable(own->parameters)));
+    if (own != others.end()) others.erase(own);
+    columns.push_back(item);
+  }
+  page.set("columns", columns);
+  page.set("other_parameters", parameters_data(others));
+}
+
+void set_templates(data& page) {
+  const auto partial = [](std::string_view text) {
+    return data(kainjow::mustache::partial([text] { return std::string(text); }));
+  };
+  page.set("style", std::string(templates::style));
+  page.set("swatch_svg", partial(templates::swatch_svg));
+  page.set("thumbnail_img", partial(templates::thumbnail_img));
+  page.set("picture_img", partial(templates::picture_img));
+  page.set("scene_section", partial(templates::scene_section));
+}
+
+}  // namespace
+
+void write_html_report(const Results& results, const std::filesystem::path& results_folder,
+                       const std::filesystem::path& out) {
+  const View view = arrange(results);
+  data page, scenes(data::type::list);
+  set_header(page, results, view);
+  set_failures(page, view);
+  set_columns(page, view);
+  set_templates(page);
+  for (std::size_t i = 0; i < view.scenes.size(); ++i) {
+    scenes.push_back(scene_data(view, view.scenes[i], results_folder, "scene-" + std::to_string(i + 1)));
+  }
+  page.set("has_scenes", !view.scenes.empty());
+  page.set("scenes", scenes);
+  kainjow::mustache::mustache layout{std::string(templates::page)};
+  const std::string html = layout.render(page);
+  if (!layout.is_valid()) throw std::logic_error("page template: " + layout.error_message());
+  write_file_atomically(out, html);
+}
+
+}  // namespace photonproof

@@ -1,0 +1,13 @@
+// The rows of a scene's table of measurements as template values.
+#pragma once
+
+#include <kainjow/mustache.hpp>
+
+#include "reports/view.h"
+
+namespace photonproof::reports {
+
+/// One row a cell, the reference first, each with its remarks and details.
+kainjow::mustache::data rows_data(const View& view, const SceneView& scene);
+
+}  // namespace photonproof::reports

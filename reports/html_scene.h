@@ -1,0 +1,16 @@
+// One scene as template values: its row of the summary, its pictures, its plot and its measurements.
+#pragma once
+
+#include <filesystem>
+#include <kainjow/mustache.hpp>
+#include <string>
+
+#include "reports/view.h"
+
+namespace photonproof::reports {
+
+/// Pictures are read from `folder`; `id` names the scene's anchor and prefixes ids within its plot.
+kainjow::mustache::data scene_data(const View& view, const SceneView& scene, const std::filesystem::path& folder,
+                                   const std::string& id);
+
+}  // namespace photonproof::reports

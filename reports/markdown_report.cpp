@@ -1,0 +1,242 @@
+#include "reports/markdown_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "reports/cell_details.h"
+#include "reports/environment.h"
+#include "reports/metric_columns.h"
+#include "reports/numbers.h"
+#include "reports/text.h"
+#include "reports/view.h"
+#include "scenes/atomic_file.h"
+
+namespace photonproof {
+using namespace reports;
+
+namespace {
+
+namespace fs = std::filesystem;
+using Row = std::vector<std::string>;
+
+/// Cells are Markdown already. `numbers_from` is the first right-aligned column.
+std::string table(const Row& header, const std::vector<Row>& rows, std::size_t numbers_from) {
+  const auto line = [](const Row& cells) {
+    std::string text = "|";
+    for (const std::string& cell : cells) text += " " + cell + " |";
+    return text + "\n";
+  };
+  Row rule;
+  for (std::size_t i = 0; i < header.size(); ++i) rule.push_back(i < numbers_from ? ":--" : "--:");
+  std::string text = line(header) + line(rule);
+  for (const Row& row : rows) text += line(row);
+  return text + "\n";
+}
+
+/// A code block whose fence no run of backticks inside it can end.
+std::string code_block(const std::string& code) {
+  std::size_t longest = 0, run = 0;
+  for (const char c : code) {
+    run = c == '`' ? run + 1 : 0;
+    longest = std::max(longest, run);
+  }
+  const std::string fence(std::max<std::size_t>(3, longest + 1), '`');
+  return fence + "sh\n" + printable(code) + "\n" + fence + "\n\n";
+}
+
+std::string seconds(const std::optional<double>& value) {
+  return or_dash(value, [](double v) { return significant(v); });
+}
+
+std::string value_of(const Result& result, const std::string& name) {
+  return or_dash(metric(result, name), [&](double v) { return format_metric(name, v); });
+}
+
+std::string cell_name(const Cell& cell) {
+  return markdown_text(fmt::format("{}, {}, seed {}", cell.engine, budget_text(cell.budget), cell.seed));
+}
+
+class Writer {
+ public:
+  Writer(const Results& results, const fs::path& results_folder, const fs::path& out)
+      : results_(results), view_(arrange(results)) {
+    const fs::path from = fs::absolute(out).lexically_normal().parent_path();
+    prefix_ = fs::absolute(results_folder).lexically_normal().lexically_relative(from);
+  }
+
+  std::string write() const {
+    std::string text = header() + summary() + failures();
+    for (const SceneView& scene : view_.scenes) text += scene_section(scene);
+    return text + notes();
+  }
+
+ private:
+  std::string header() const {
+    std::string text =
+        "# " + markdown_text(results_.suite) + "\n\nphotonproof report: " + totals_text(results_) + ".\n\n";
+    text += "* Made: " + markdown_text(time_text(results_.created)) + "\n";
+    text += "* Host: " + markdown_text(host_text(results_.host)) + "\n";
+    text += "* Versions: " + markdown_text(versions_text(results_.versions)) + "\n\n";
+    text += "Repeat with\n\n" + code_block(results_.command);
+    std::vector<Row> rows;
+    for (const EngineRecord& engine : view_.engines) {
+      rows.push_back({markdown_text(engine.name), markdown_text(engine.title), markdown_text(engine.version)});
+    }
+    return text + table({"Engine", "What it is", "Version"}, rows, 3);
+  }
+
+  std::string summary() const {
+    Row head{"Scene", "Reference"};
+    for (const std::size_t engine : view_.compared) head.push_back(markdown_text(view_.engines[engine].name));
+    std::vector<Row> rows;
+    for (const SceneView& scene : view_.scenes) {
+      Row& row = rows.emplace_back(Row{markdown_text(scene.record.name)});
+      row.push_back(scene.reference
+                        ? markdown_text(scene.reference->cell.engine + ", " + budget_text(scene.reference->cell.budget))
+                        : "none");
+      for (const EngineOutcome& outcome : scene.engines) {
+        const std::string shown =
+            outcome.shown ? fmt::format("relMSE {}, SSIM {}, {} s; ", value_of(*outcome.shown, "relmse"),
+                                        value_of(*outcome.shown, "ssim"), seconds(outcome.shown->wall_seconds))
+                          : "";
+        row.push_back(shown + state_text(outcome));
+      }
+    }
+    return "## Summary\n\nErrors are measured against the reference of each scene. A cell shows the largest budget its "
+           "engine finished, first seed.\n\n" +
+           table(head, rows, head.size());
+  }
+
+  std::string failures() const {
+    if (view_.failures.empty()) return {};
+    std::string text = "## What did not finish\n\n";
+    for (const Failure& failure : view_.failures) {
+      const Result& first = *failure.cells.front();
+      text += fmt::format("* {}: {}, {}, {}: {}\n", to_string(first.status), markdown_text(first.cell.scene),
+                          markdown_text(first.cell.engine), markdown_text(failed_cells_text(failure)),
+                          markdown_text(first.detail));
+    }
+    return text + "\n";
+  }
+
+  std::string scene_section(const SceneView& scene) const {
+    std::string text = "## Scene " + markdown_text(scene.record.name) + "\n\n";
+    if (!scene.record.purpose.empty()) text += "Purpose: " + markdown_text(scene.record.purpose) + "\n\n";
+    if (scene.record.width > 0) text += fmt::format("{} × {} pixels, ", scene.record.width, scene.record.height);
+    text += "all pictures at " + exposure_text(scene.record.exposure) + ".\n\n";
+    if (!scene.reference_problem.empty()) text += "**" + markdown_text(scene.reference_problem) + "**\n\n";
+    return text + gallery(scene) + measurements(scene) + details(scene);
+  }
+
+  std::string picture(const Result& result, const std::string& role, const std::string& alt) const {
+    const auto found = result.pictures.find(role);
+    if (found == result.pictures.end()) return undefined_number;
+    return "![" + markdown_text(alt) + "](" + url_path((prefix_ / found->second).lexically_normal().generic_string()) +
+           ")";
+  }
+
+  std::string gallery(const SceneView& scene) const {
+    Row head{""}, images{"image"}, flips{"FLIP"}, errors{"relative error"}, captions{""};
+    if (scene.reference) {
+      head.push_back("reference");
+      images.push_back(picture(*scene.reference, "image", "reference of " + scene.record.name));
+      flips.push_back("");
+      errors.push_back("");
+      captions.push_back(markdown_text(scene.reference->cell.engine + ", " + budget_text(scene.reference->cell.budget) +
+                                       ", " + seconds(scene.reference->wall_seconds) + " s"));
+    }
+    for (const EngineOutcome& outcome : scene.engines) {
+      if (!outcome.shown) continue;
+      const Result& shown = *outcome.shown;
+      const std::string what = scene.record.name + " by " + shown.cell.engine;
+      head.push_back(markdown_text(shown.cell.engine));
+      images.push_back(picture(shown, "image", what));
+      flips.push_back(picture(shown, "flip", "FLIP map of " + what));
+      errors.push_back(picture(shown, "error", "relative error map of " + what));
+      captions.push_back(markdown_text(budget_text(shown.cell.budget) + ", " + seconds(shown.wall_seconds) + " s"));
+    }
+    if (head.size() == 1) return {};
+    return table(head, {images, captions, flips, errors}, head.size());
+  }
+
+  std::string measurements(const SceneView& scene) const {
+    Row head{"Engine", "Status", "Budget", "Seed"};
+    for (const MetricColumn& column : metric_columns()) head.push_back(column.title);
+    head.insert(head.end(), {"wall s", "CPU s", "peak MB"});
+    std::vector<Row> rows;
+    std::string remarks;
+    const auto add = [&](const Result& result, const char* suffix) {
+      const Cell& cell = result.cell;
+      Row& row = rows.emplace_back(Row{markdown_text(cell.engine) + suffix, to_string(result.status),
+                                       markdown_text(budget_text(cell.budget)), std::to_string(cell.seed)});
+      for (const MetricColumn& column : metric_columns()) row.push_back(value_of(result, column.metric));
+      row.push_back(seconds(result.wall_seconds));
+      row.push_back(seconds(result.cpu_seconds));
+      row.push_back(or_dash(result.peak_bytes, megabytes));
+      for (const std::string& remark : cell_remarks(result)) {
+        remarks += "* " + cell_name(cell) + ": " + markdown_text(remark) + "\n";
+      }
+    };
+    if (scene.reference) add(*scene.reference, " (reference)");
+    for (const EngineOutcome& outcome : scene.engines) {
+      for (const Result* cell : outcome.cells) add(*cell, "");
+    }
+    if (rows.empty()) return "Nothing was measured.\n\n";
+    for (const MetricParameters& entry : scene.parameters) {
+      remarks += "* " + markdown_text(entry.metric) + " is computed with " + markdown_text(entry.parameters) + "\n";
+    }
+    return table(head, rows, 2) + (remarks.empty() ? "" : remarks + "\n");
+  }
+
+  std::string details(const SceneView& scene) const {
+    std::string text;
+    const auto add = [&](const Result& result) {
+      text += "* " + cell_name(result.cell) + "\n";
+      for (const Detail& detail : cell_details(result)) {
+        for (const std::string& line : detail.texts) {
+          text += "    * " + detail.term + ": " + markdown_text(line) + "\n";
+        }
+      }
+      if (!result.command.empty()) text += "    * command: " + markdown_text(result.command) + "\n";
+    };
+    if (scene.reference) add(*scene.reference);
+    for (const EngineOutcome& outcome : scene.engines) {
+      for (const Result* cell : outcome.cells) add(*cell);
+    }
+    if (text.empty()) return {};
+    return "<details><summary>Phases, counts, skipped passes and commands</summary>\n\n" + text + "\n</details>\n\n";
+  }
+
+  std::string notes() const {
+    std::string text = "## Reading the numbers\n\n";
+    std::vector<MetricParameters> others = view_.parameters;
+    for (const MetricColumn& column : metric_columns()) {
+      text += std::string("* ") + column.title + ": " + column.meaning;
+      const auto own = std::ranges::find(others, column.metric, &MetricParameters::metric);
+      if (own != others.end()) {
+        text += " (" + markdown_text(own->parameters) + ")";
+        others.erase(own);
+      }
+      text += "\n";
+    }
+    for (const MetricParameters& entry : others) {
+      text += "* " + markdown_text(entry.metric) + ": " + markdown_text(entry.parameters) + "\n";
+    }
+    return text +
+           "* wall s and CPU s are of the engine's process with everything it starts, peak MB its largest resident "
+           "memory in 10⁶ bytes\n* – is not defined or not measured\n";
+  }
+
+  const Results& results_;
+  View view_;
+  fs::path prefix_;  ///< from the report's folder to the results
+};
+
+}  // namespace
+
+void write_markdown_report(const Results& results, const fs::path& results_folder, const fs::path& out) {
+  write_file_atomically(out, Writer(results, results_folder, out).write());
+}
+
+}  // namespace photonproof

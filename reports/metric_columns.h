@@ -1,0 +1,21 @@
+// The metrics a table shows, in its order: one row a column. Other metrics of a cell are listed under the details.
+#pragma once
+
+#include <span>
+#include <string>
+
+namespace photonproof::reports {
+
+struct MetricColumn {
+  const char* metric;   ///< its name in results.json
+  const char* title;    ///< of the column
+  const char* meaning;  ///< one sentence for the page's notes
+  std::string (*format)(double);
+};
+
+std::span<const MetricColumn> metric_columns();
+
+/// A metric's number as its column shows it; three significant digits when it has none.
+std::string format_metric(const std::string& metric, double value);
+
+}  // namespace photonproof::reports

@@ -1,0 +1,22 @@
+// PNGs of a results folder as data URIs, so that a page needs no other file.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace photonproof::reports {
+
+struct EmbeddedPicture {
+  std::string uri;            ///< "data:image/png;base64,..."; empty when there is a problem
+  int width = 0, height = 0;  ///< pixels
+  std::string problem;        ///< one sentence, empty on success
+};
+
+/// `relative` comes from results.json and is not trusted: it must name a PNG inside `folder`, of at most 4096 pixels a
+/// side. A picture that cannot be shown is a problem to print, not an error.
+EmbeddedPicture embed_picture(const std::filesystem::path& folder, const std::string& relative);
+
+/// The same, reduced by a whole factor (area average of linear light) until no side is longer than `longest_side`.
+EmbeddedPicture embed_thumbnail(const std::filesystem::path& folder, const std::string& relative, int longest_side);
+
+}  // namespace photonproof::reports

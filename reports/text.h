@@ -1,0 +1,23 @@
+// Untrusted text (names, reasons, commands from results.json) made safe to show, and byte encodings a page needs.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace photonproof::reports {
+
+/// Valid UTF-8 on one line: a malformed byte and a bidirectional control become U+FFFD, any other control character
+/// (line breaks and tabs among them) a space. Markup is not escaped: that is the template's part.
+std::string printable(std::string_view text);
+
+/// `printable` with every character escaped that Markdown (CommonMark and GitHub's tables, maths and raw HTML) would
+/// read as markup inside a line or a table cell. Not safe as the first characters of a line.
+std::string markdown_text(std::string_view text);
+
+/// A relative path as a URL: everything but RFC 3986's unreserved characters and '/' is percent-encoded.
+std::string url_path(std::string_view path);
+
+/// RFC 4648 base64 with padding.
+std::string base64(std::string_view bytes);
+
+}  // namespace photonproof::reports

@@ -1,0 +1,74 @@
+// results.json arranged for a reader: by scene, then engine, then budget and seed. Both report formats print this. It
+// selects and sorts; it computes no number.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "harness/results.h"
+
+namespace photonproof::reports {
+
+/// What one engine did on one scene.
+struct EngineOutcome {
+  std::size_t engine = 0;            ///< index into View::engines
+  std::vector<const Result*> cells;  ///< by budget, then seed; without the reference
+  std::size_t finished = 0;          ///< how many of them are ok
+  /// The finished cell of the largest budget and its first seed: the one pictures and the summary show. Budgets of
+  /// several kinds have no order among them; then it is the kind the record names last.
+  const Result* shown = nullptr;
+};
+
+/// A metric and the parameters it was computed with.
+struct MetricParameters {
+  std::string metric;
+  std::string parameters;
+  friend bool operator==(const MetricParameters&, const MetricParameters&) = default;
+};
+
+struct SceneView {
+  SceneRecord record;
+  const Result* reference = nullptr;         ///< null when there is no finished one
+  std::string reference_problem;             ///< why not, one sentence
+  std::vector<EngineOutcome> engines;        ///< one for each of View::compared
+  std::vector<MetricParameters> parameters;  ///< those that are not the same for the whole page
+};
+
+/// Cells of one engine on one scene that ended in the same way for the same reason.
+struct Failure {
+  std::vector<const Result*> cells;  ///< at least one
+};
+
+struct View {
+  std::vector<EngineRecord> engines;
+  std::vector<std::size_t> compared;  ///< the engines to compare: all but those that only made references
+  std::vector<SceneView> scenes;
+  std::vector<MetricParameters> parameters;  ///< those that hold for every number of the page
+  std::vector<Failure> failures;             ///< all cells that are not ok, references included, in the page's order
+};
+
+/// The view points into `results`, which must outlive it. Scenes and engines that only cells name are kept, after the
+/// listed ones: nothing measured is left out.
+View arrange(const Results& results);
+
+/// The value of a metric, if the cell has it.
+std::optional<double> metric(const Result& result, const std::string& name);
+
+/// "64 spp", "1 000 000 photons", "10 seconds", "quality 3".
+std::string budget_text(const Budget& budget);
+
+/// "quality 4, seed 1", or "4 cells, first quality 1, seed 1".
+std::string failed_cells_text(const Failure& failure);
+
+/// "exposure +1.5 EV" as every picture of the scene is shown.
+std::string exposure_text(double stops);
+
+/// ISO 8601 UTC as "2026-11-21 02:45:35 UTC"; anything else as it is.
+std::string time_text(const std::string& created);
+
+/// "9 cells: 8 finished, 1 did not", over the whole record.
+std::string totals_text(const Results& results);
+
+}  // namespace photonproof::reports
