@@ -107,12 +107,16 @@ void write_results(const std::string& path, const Results& results) {
   write_validated(path, results_to_json(results), ResultsDocument::run);
 }
 
-Result read_result(const std::string& path) {
-  return result_from_json(read_validated(path, ResultsDocument::single_result).at("result"));
+KeptResult read_result(const std::string& path) {
+  const json document = read_validated(path, ResultsDocument::single_result);
+  return {result_from_json(document.at("result")), document.at("comparison_key")};
 }
 
-void write_result(const std::string& path, const Result& result) {
-  write_validated(path, {{"schema_version", results_schema_version}, {"result", result_to_json(result)}},
+void write_result(const std::string& path, const KeptResult& kept) {
+  write_validated(path,
+                  {{"schema_version", results_schema_version},
+                   {"comparison_key", kept.comparison_key},
+                   {"result", result_to_json(kept.result)}},
                   ResultsDocument::single_result);
 }
 

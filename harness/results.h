@@ -103,8 +103,13 @@ Results read_results(const std::string& path);
 /// Atomic: written beside and renamed. Validates what it writes; a number that is not finite is a std::logic_error.
 void write_results(const std::string& path, const Results& results);
 
-/// One result alone, as a cell's folder keeps it; the same checks.
-Result read_result(const std::string& path);
-void write_result(const std::string& path, const Result& result);
+/// One result alone, as a cell's folder keeps it; its paths are relative to the run's results.json.
+struct KeptResult {
+  Result result;
+  std::string comparison_key;  ///< content hash of what the metrics and pictures were made with; empty before they are
+};
+/// The same checks as for a whole run.
+KeptResult read_result(const std::string& path);
+void write_result(const std::string& path, const KeptResult& kept);
 
 }  // namespace photonproof

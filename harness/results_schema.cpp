@@ -22,8 +22,10 @@ json schema_document(ResultsDocument kind) {
   json schema = json::parse(results_schema_text);
   if (kind == ResultsDocument::run) return schema;
   const json version = schema["properties"]["schema_version"];
-  schema["properties"] = {{"schema_version", version}, {"result", {{"$ref", "#/definitions/result"}}}};
-  schema["required"] = {"schema_version", "result"};
+  schema["properties"] = {{"schema_version", version},
+                          {"comparison_key", {{"type", "string"}}},
+                          {"result", {{"$ref", "#/definitions/result"}}}};
+  schema["required"] = {"schema_version", "comparison_key", "result"};
   return schema;
 }
 

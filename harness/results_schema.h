@@ -6,7 +6,8 @@
 
 namespace photonproof {
 
-/// What the file holds: a whole run, or one result {"schema_version": 1, "result": ...} as a cell's folder keeps it.
+/// What the file holds: a whole run, or one result {"schema_version": 1, "comparison_key": ..., "result": ...} as a
+/// cell's folder keeps it.
 enum class ResultsDocument { run, single_result };
 
 /// Throws InputError "<file>#<JSON pointer>" at the first place that breaks the schema, with the value found there.

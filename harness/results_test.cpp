@@ -143,17 +143,18 @@ TEST_F(ResultsFile, round_trip_keeps_every_field) {
 }
 
 TEST_F(ResultsFile, single_result_round_trips_too) {
-  write_result(path_, full_result());
-  expect_same(read_result(path_), full_result());
+  write_result(path_, {full_result(), "beef"});
+  expect_same(read_result(path_).result, full_result());
+  EXPECT_EQ(read_result(path_).comparison_key, "beef");
 }
 
 TEST_F(ResultsFile, single_result_is_not_taken_for_a_run) {
-  write_result(path_, full_result());
+  write_result(path_, {full_result(), "beef"});
   EXPECT_EQ(error_on_read(),
             path_ +
                 "#: error: not by the schema of results, version 1: Object contains a property that could not be "
-                "validated using 'properties' or 'additionalProperties' constraints: 'result'. "
-                "Found: {\"result\":{\"caveats\":[\"host was busy (load 3.1)\"],\"cell\":...");
+                "validated using 'properties' or 'additionalProperties' constraints: 'comparison_key'. "
+                "Found: {\"comparison_key\":\"beef\",\"result\":{\"caveats\":[\"host was b...");
 }
 
 TEST_F(ResultsFile, every_status_has_a_name_that_reads_back) {
@@ -197,8 +198,8 @@ TEST_F(ResultsFile, what_breaks_the_schema_is_not_written) {
 TEST_F(ResultsFile, text_that_is_not_utf8_is_repaired) {
   Result result = failed_result();
   result.detail = "printed \xff garbage";
-  write_result(path_, result);
-  EXPECT_EQ(read_result(path_).detail, "printed \xEF\xBF\xBD garbage");
+  write_result(path_, {result, ""});
+  EXPECT_EQ(read_result(path_).result.detail, "printed \xEF\xBF\xBD garbage");
 }
 
 TEST_F(ResultsFile, wrong_type_is_named_by_its_pointer) {

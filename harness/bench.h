@@ -1,0 +1,46 @@
+// Runs a suite: every cell a process of its own, finished ones kept by content, results.json rewritten after each.
+#pragma once
+
+#include <atomic>
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "harness/suite.h"
+
+namespace photonproof {
+
+struct BenchOptions {
+  std::filesystem::path results_folder;         ///< made when it is missing
+  std::filesystem::path program;                ///< this program, for {photonproof}
+  std::string command;                          ///< how the run is repeated, for the record
+  std::map<std::string, std::string> versions;  ///< of libraries, for the record
+  std::string comparison_version;               ///< changes whenever metrics or pictures might
+  bool fresh = false;                           ///< measure finished cells again, beside their old results
+  bool retry = false;                           ///< measure timed-out, crashed and bad-image cells again
+  std::string only;                             ///< run only cells whose label contains it, and their references
+  const std::atomic<bool>* interrupt = nullptr;
+};
+
+/// Hears of the cells as they run; `number` counts from 1 to `total`.
+class BenchObserver {
+ public:
+  virtual ~BenchObserver() = default;
+  virtual void starts(std::size_t number, std::size_t total, const Cell& cell) = 0;
+  virtual void ended(std::size_t number, std::size_t total, const Result& result) = 0;
+};
+
+struct BenchSummary {
+  std::filesystem::path results_file;
+  std::size_t measured = 0;  ///< cells that ran now
+  std::size_t kept = 0;      ///< whose result was there already
+  std::size_t missing = 0;   ///< without a result: interrupted, or not among `only`
+  std::map<Status, std::size_t> by_status;
+  bool interrupted = false;
+};
+
+/// Throws InputError when the suite's scenes or their expect.toml cannot be read, or another run holds the folder. What
+/// an engine does is a result, never an error.
+BenchSummary run_bench(const Suite& suite, const BenchOptions& options, BenchObserver& observer);
+
+}  // namespace photonproof

@@ -1,0 +1,139 @@
+#include "harness/bench_plan.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "harness/cells.h"
+#include "harness/engine_command.h"
+#include "reference/process.h"
+#include "scenes/atomic_file.h"
+#include "scenes/expect.h"
+#include "scenes/parser.h"
+
+namespace photonproof {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double version_seconds = 20;
+
+struct EngineVersion {
+  std::string line;
+  std::optional<std::string> problem;  ///< why the engine cannot be used
+};
+
+std::string first_line(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  return first == std::string::npos ? std::string{} : text.substr(first, text.find_first_of("\r\n", first) - first);
+}
+
+EngineVersion ask_version(const Engine& engine, const Suite& suite, const fs::path& program) {
+  EngineVersion version;
+  for (const auto& command : engine.version_commands) {
+    CommandValues values;
+    values.photonproof = program;
+    values.suite = suite.folder;
+    const std::vector<std::string> argv = fill_command(command, values);
+    ProcessOptions options;
+    options.wall_limit_seconds = version_seconds;
+    const ProcessOutcome outcome = run_process(argv, options);
+    if (!outcome.ok()) {
+      version.problem = "the engine cannot tell its version: '" + shell_line(argv) + "' " + outcome.sentence();
+      return version;
+    }
+    // Some programs print it on standard error.
+    std::string line = first_line(outcome.standard_output);
+    if (line.empty()) line = first_line(outcome.standard_error);
+    version.line += (version.line.empty() ? "" : " + ") + line;
+  }
+  return version;
+}
+
+SceneRecord describe_scene(const SuiteScene& scene, const std::optional<Expect>& expect) {
+  SceneRecord record;
+  record.name = scene.name;
+  record.path = scene.given_path;
+  record.purpose = expect ? expect->purpose : "";
+  record.width = scene.width;
+  record.height = scene.height;
+  record.exposure = scene.exposure.value_or(expect ? expect->exposure : 0);
+  record.reference_label = scene.reference.label();
+  return record;
+}
+
+// A scene of somebody's own may do without, where the suite says its exposure.
+std::optional<Expect> read_expectations(const SuiteScene& scene) {
+  const std::string path = expect_path_of(scene.path.string());
+  if (scene.exposure && !fs::exists(path)) return std::nullopt;
+  return read_expect(path);
+}
+
+// The scene file and every file it includes, which parsing finds.
+std::string scene_content(const SuiteScene& scene) {
+  std::vector<std::pair<std::string, std::string>> files;
+  for (const std::string& file : parse_scene_file(scene.path.string()).files) files.emplace_back("", read_file(file));
+  return content_key(files);
+}
+
+std::string joined(const std::vector<std::string>& texts) {
+  std::string all;
+  for (const std::string& text : texts) all += std::to_string(text.size()) + ":" + text;
+  return all;
+}
+
+}  // namespace
+
+int threads_of(const Suite& suite, const Host& host) {
+  return suite.limits.threads > 0 ? suite.limits.threads : std::max(1, host.cores);
+}
+
+PlannedCell& BenchPlan::find(const std::string& label) {
+  return *std::find_if(cells.begin(), cells.end(),
+                       [&](const PlannedCell& planned) { return planned.cell.label() == label; });
+}
+
+BenchPlan plan_bench(const Suite& suite, const fs::path& program, const Host& host, const CellStore& store) {
+  BenchPlan plan;
+  for (const SuiteScene& scene : suite.scenes) plan.cells.push_back({scene.reference, true, {}, {}, {}});
+  for (const Cell& cell : suite.cells) plan.cells.push_back({cell, false, {}, {}, {}});
+
+  std::map<std::string, EngineVersion> versions;
+  for (const Engine& engine : suite.engines) {
+    const bool used = std::any_of(plan.cells.begin(), plan.cells.end(),
+                                  [&](const PlannedCell& planned) { return planned.cell.engine == engine.name; });
+    if (!used) continue;
+    const EngineVersion& version = versions[engine.name] = ask_version(engine, suite, program);
+    plan.engines.push_back({engine.name, engine.title, version.line});
+  }
+  std::map<std::string, std::string> contents;
+  std::map<std::string, std::optional<Expect>> expectations;
+  for (const SuiteScene& scene : suite.scenes) {
+    contents[scene.name] = scene_content(scene);
+    const std::optional<Expect>& expect = expectations[scene.name] = read_expectations(scene);
+    plan.scenes.push_back(describe_scene(scene, expect));
+  }
+
+  for (PlannedCell& planned : plan.cells) {
+    const Cell& cell = planned.cell;
+    const Engine& engine = suite.engine(cell.engine);
+    const SuiteScene& scene = suite.scene(cell.scene);
+    planned.key = content_key({{"scene", contents[cell.scene]},
+                               {"engine", joined(engine.command)},
+                               {"version", versions[cell.engine].line},
+                               {"budget", cell.budget.label()},
+                               {"seed", std::to_string(cell.seed)},
+                               {"size", std::to_string(scene.width) + "x" + std::to_string(scene.height)},
+                               {"seconds", std::to_string(suite.limits.seconds)},
+                               {"memory_mb", std::to_string(suite.limits.memory_mb)},
+                               {"threads", std::to_string(threads_of(suite, host))},
+                               {"host", host.cpu + "/" + std::to_string(host.cores)}});
+    planned.unsupported = versions[cell.engine].problem;
+    if (const auto& expect = expectations[cell.scene]; expect && expect->unsupported.count(cell.engine) != 0)
+      planned.unsupported = expect->unsupported.at(cell.engine);
+    if (!planned.unsupported) planned.found = store.latest(planned.key);
+  }
+  return plan;
+}
+
+}  // namespace photonproof

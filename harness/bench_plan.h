@@ -1,0 +1,39 @@
+// What a run consists of before anything is measured: every cell with its command, its key and what is known already.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "harness/cell_store.h"
+#include "harness/suite.h"
+
+namespace photonproof {
+
+struct PlannedCell {
+  Cell cell;
+  bool is_reference = false;
+  std::string key;
+  std::optional<std::string> unsupported;  ///< why the engine cannot render the scene, known without trying
+  std::optional<CellStore::Found> found;   ///< its latest result
+};
+
+struct BenchPlan {
+  std::vector<SceneRecord> scenes;
+  std::vector<EngineRecord> engines;  ///< those that a cell uses
+  std::vector<PlannedCell> cells;     ///< references first, then the suite's order
+
+  PlannedCell& find(const std::string& label);  ///< precondition: it exists
+};
+
+/// Asks the engines for their versions, reads the scenes and their expectations, and looks up what `store` holds.
+/// `program` is this program; `host` decides keys too, since a timing holds for one machine. Throws InputError for a
+/// scene or expect.toml that cannot be read.
+BenchPlan plan_bench(const Suite& suite, const std::filesystem::path& program, const Host& host,
+                     const CellStore& store);
+
+/// The engine's threads: the suite's limit or the host's cores.
+int threads_of(const Suite& suite, const Host& host);
+
+}  // namespace photonproof

@@ -1,0 +1,45 @@
+#include "harness/compare_cell.h"
+
+#include "harness/heatmap.h"
+#include "harness/metric_context.h"
+#include "scenes/image.h"
+
+namespace photonproof {
+namespace {
+
+constexpr const char* not_compared = "not compared: ";
+
+// Why there is nothing to compare with; empty when there is.
+std::string reference_problem(const Result* reference) {
+  if (reference == nullptr) return "the reference has not been rendered yet";
+  if (reference->status == Status::ok) return {};
+  return "the reference " + reference->cell.label() + " ended as " + to_string(reference->status) + " (" +
+         reference->detail + ")";
+}
+
+}  // namespace
+
+void compare_cell(const Comparison& comparison, Result& result) {
+  std::erase_if(result.caveats, [](const std::string& caveat) { return caveat.starts_with(not_compared); });
+  result.metrics.clear();
+  result.pictures.clear();
+  const Image image = read_image((comparison.results_folder / result.image).string());
+  const std::string picture = comparison.cell_folder + "/image.png";
+  write_png((comparison.results_folder / picture).string(), image, comparison.exposure);
+  result.pictures["image"] = picture;
+
+  const std::string problem = reference_problem(comparison.reference);
+  if (!problem.empty()) {
+    result.caveats.push_back(not_compared + problem);
+    return;
+  }
+  if (comparison.reference->cell.label() == result.cell.label()) return;
+  const Image reference = read_image((comparison.results_folder / comparison.reference->image).string());
+  const MetricContext context(reference, image, {.exposure = comparison.exposure});
+  result.metrics = compute_metrics(context);
+  const HeatmapFiles maps = write_heatmaps(context, comparison.results_folder / comparison.cell_folder, "map");
+  result.pictures["flip"] = comparison.cell_folder + "/" + maps.flip.filename().string();
+  result.pictures["error"] = comparison.cell_folder + "/" + maps.error.filename().string();
+}
+
+}  // namespace photonproof

@@ -1,0 +1,22 @@
+// Sets a measured cell beside its scene's reference: metrics, and the pictures that reports show.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "harness/results.h"
+
+namespace photonproof {
+
+struct Comparison {
+  std::filesystem::path results_folder;
+  std::string cell_folder;            ///< of the cell, relative to results_folder; receives the pictures
+  const Result* reference = nullptr;  ///< null where there is none yet; the cell's own result for the reference itself
+  double exposure = 0;                ///< stops
+};
+
+/// Replaces `result`'s metrics, pictures and the caveat that says why there are none. The reference itself gets its
+/// picture and no metrics. Precondition: result.status is ok and its image is readable.
+void compare_cell(const Comparison& comparison, Result& result);
+
+}  // namespace photonproof

@@ -1,0 +1,118 @@
+#include "harness/engine_command.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace photonproof {
+namespace {
+
+constexpr const char* budget_placeholder = "{budget}";
+
+struct Placeholder {
+  const char* name;
+  bool in_version_commands;
+  std::string (*text)(const CommandValues&);
+};
+
+constexpr std::array<Placeholder, 10> placeholders{{
+    {"photonproof", true, [](const CommandValues& v) { return v.photonproof.string(); }},
+    {"suite", true, [](const CommandValues& v) { return v.suite.string(); }},
+    {"scene", false, [](const CommandValues& v) { return v.scene.string(); }},
+    {"output", false, [](const CommandValues& v) { return v.output.string(); }},
+    {"stats", false, [](const CommandValues& v) { return v.stats.string(); }},
+    {"width", false, [](const CommandValues& v) { return std::to_string(v.width); }},
+    {"height", false, [](const CommandValues& v) { return std::to_string(v.height); }},
+    {"threads", false, [](const CommandValues& v) { return std::to_string(v.threads); }},
+    {"seed", false, [](const CommandValues& v) { return std::to_string(v.seed); }},
+    {"amount", false, [](const CommandValues& v) { return v.budget.amount_text(); }},
+}};
+
+const Placeholder* find_placeholder(std::string_view name, CommandUse use) {
+  for (const Placeholder& placeholder : placeholders)
+    if (placeholder.name == name && (use == CommandUse::render || placeholder.in_version_commands)) return &placeholder;
+  return nullptr;
+}
+
+std::string known_placeholders(CommandUse use) {
+  std::string names = use == CommandUse::render ? budget_placeholder : "";
+  for (const Placeholder& placeholder : placeholders)
+    if (find_placeholder(placeholder.name, use) != nullptr)
+      names += (names.empty() ? "{" : " {") + std::string(placeholder.name) + "}";
+  return names;
+}
+
+std::optional<std::string> argument_problem(const std::string& argument, CommandUse use) {
+  if (argument == budget_placeholder && use == CommandUse::render) return std::nullopt;
+  for (std::size_t open = argument.find('{'); open != std::string::npos; open = argument.find('{', open + 1)) {
+    const std::size_t close = argument.find('}', open);
+    const std::string name = close == std::string::npos ? std::string{} : argument.substr(open + 1, close - open - 1);
+    if (name == "budget" && use == CommandUse::render)
+      return "{budget} becomes two arguments and must stand alone, not in '" + argument + "'";
+    if (find_placeholder(name, use) == nullptr)
+      return "'" + argument + "' has an unknown placeholder; known: " + known_placeholders(use);
+  }
+  return std::nullopt;
+}
+
+bool mentions(const std::vector<std::string>& command, const char* placeholder) {
+  return std::any_of(command.begin(), command.end(), [placeholder](const std::string& argument) {
+    return argument.find(placeholder) != std::string::npos;
+  });
+}
+
+std::string filled(const std::string& argument, const CommandValues& values) {
+  std::string text;
+  std::size_t at = 0;
+  for (std::size_t open = argument.find('{'); open != std::string::npos; open = argument.find('{', at)) {
+    const std::size_t close = argument.find('}', open);
+    text += argument.substr(at, open - at);
+    text += find_placeholder(std::string_view(argument).substr(open + 1, close - open - 1), CommandUse::render)
+                ->text(values);
+    at = close + 1;
+  }
+  return text + argument.substr(at);
+}
+
+}  // namespace
+
+std::optional<std::string> command_problem(const std::vector<std::string>& command, CommandUse use) {
+  if (command.empty()) return "a command needs at least a program";
+  for (const std::string& argument : command)
+    if (auto problem = argument_problem(argument, use)) return problem;
+  if (use == CommandUse::version) return std::nullopt;
+  for (const char* needed : {"{scene}", "{output}"})
+    if (!mentions(command, needed)) return "the command does not mention " + std::string(needed);
+  return std::nullopt;
+}
+
+std::vector<std::string> fill_command(const std::vector<std::string>& command, const CommandValues& values) {
+  std::vector<std::string> arguments;
+  for (const std::string& argument : command) {
+    if (argument == budget_placeholder) {
+      arguments.push_back("--" + values.budget.kind);
+      arguments.push_back(values.budget.amount_text());
+    } else {
+      arguments.push_back(filled(argument, values));
+    }
+  }
+  return arguments;
+}
+
+std::string shell_line(const std::vector<std::string>& arguments) {
+  constexpr const char* plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./:=,+@%^-";
+  std::string line;
+  for (const std::string& argument : arguments) {
+    if (!line.empty()) line += ' ';
+    if (!argument.empty() && argument.find_first_not_of(plain) == std::string::npos) {
+      line += argument;
+      continue;
+    }
+    line += '\'';
+    for (const char c : argument) line += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    line += '\'';
+  }
+  return line;
+}
+
+}  // namespace photonproof

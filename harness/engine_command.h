@@ -1,0 +1,37 @@
+// From an engine's command template to the arguments of one process, and to the line a person would type.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "harness/results.h"
+
+namespace photonproof {
+
+/// What the placeholders of a template stand for. A version command knows {photonproof} and {suite} only.
+struct CommandValues {
+  std::filesystem::path photonproof;  ///< this program
+  std::filesystem::path suite;        ///< the suite's folder
+  std::filesystem::path scene, output, stats;
+  int width = 0, height = 0;  ///< pixels
+  int threads = 0;
+  std::uint64_t seed = 0;
+  Budget budget;
+};
+
+enum class CommandUse { render, version };
+
+/// Why the template cannot be used: it is empty, has an unknown placeholder or a brace that opens none, {budget} is
+/// only part of an argument, or one that renders lacks {scene} or {output}. Empty when it can.
+std::optional<std::string> command_problem(const std::vector<std::string>& command, CommandUse use);
+
+/// The arguments. Precondition: command_problem is empty.
+std::vector<std::string> fill_command(const std::vector<std::string>& command, const CommandValues& values);
+
+/// The arguments as one line for a POSIX shell, quoted where needed.
+std::string shell_line(const std::vector<std::string>& arguments);
+
+}  // namespace photonproof

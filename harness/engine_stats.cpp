@@ -1,0 +1,71 @@
+#include "harness/engine_stats.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "scenes/atomic_file.h"
+#include "scenes/input_error.h"
+
+namespace photonproof {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t max_bytes = std::size_t{1} << 24;
+
+void read_numbers(const json& stats, const char* key, bool may_be_negative, std::map<std::string, double>& numbers,
+                  std::optional<std::string>& problem) {
+  const auto found = stats.find(key);
+  if (found == stats.end()) return;
+  if (!found->is_object()) {
+    problem = "'" + std::string(key) + "' is not an object";
+    return;
+  }
+  for (const auto& [name, value] : found->items()) {
+    const double number = value.is_number() ? value.get<double>() : std::nan("");
+    if (std::isfinite(number) && (may_be_negative || number >= 0))
+      numbers[name] = number;
+    else
+      problem = "'" + std::string(key) + "' has no usable number for '" + name + "'";
+  }
+}
+
+void read_skipped(const json& stats, EngineStats& out) {
+  const auto found = stats.find("skipped");
+  if (found == stats.end()) return;
+  if (!found->is_array()) {
+    out.problem = "'skipped' is not an array";
+    return;
+  }
+  for (const json& entry : *found) {
+    if (entry.is_string())
+      out.skipped.push_back(entry.get<std::string>());
+    else
+      out.problem = "'skipped' holds something that is not a string";
+  }
+}
+
+}  // namespace
+
+EngineStats read_engine_stats(const std::filesystem::path& file) {
+  EngineStats out;
+  std::error_code error;
+  if (!std::filesystem::exists(file, error)) return out;
+  try {
+    const json stats = json::parse(read_file(file, max_bytes));
+    if (!stats.is_object() || stats.value("schema_version", json()) != 1) {
+      out.problem = "it does not say \"schema_version\": 1";
+      return out;
+    }
+    read_numbers(stats, "phases", false, out.phases, out.problem);
+    read_numbers(stats, "counts", true, out.counts, out.problem);
+    read_skipped(stats, out);
+  } catch (const json::exception&) {
+    out.problem = "it is not valid JSON";
+  } catch (const InputError& unreadable) {
+    out.problem = unreadable.summary();
+  }
+  return out;
+}
+
+}  // namespace photonproof

@@ -1,0 +1,36 @@
+// What can render a scene, as data: a program with its command line, behind a process boundary. Our own integrators,
+// POV-Ray and a student's program are rows of the same table (engines.toml; a suite may add its own).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "harness/toml_table.h"
+
+namespace photonproof {
+
+/// How far an engine's image may be believed: its expectation is right, it has a known error that shrinks with the
+/// budget, or we know nothing about it.
+enum class Trust { unbiased, biased, external };
+
+struct Engine {
+  std::string name;
+  std::string title;
+  std::vector<std::string> command;  ///< template, see harness/engine_command.h
+  /// Each prints a version as its first line; empty when the engine has none to tell.
+  std::vector<std::vector<std::string>> version_commands;
+  std::vector<std::string> budget_kinds;  ///< what {budget} may be: "spp", "photons", ...
+  Trust trust = Trust::external;
+  std::string image_extension = "exr";  ///< of the file it writes at {output}
+
+  bool accepts(const std::string& budget_kind) const;
+};
+
+/// The rows this program carries.
+std::vector<Engine> builtin_engines();
+
+/// The [[engine]] rows of a document. Throws InputError with the place on unknown keys, wrong types, unknown
+/// placeholders and names that occur twice, among themselves or in `existing`.
+std::vector<Engine> engines_from_toml(const TomlTable& document, const std::vector<Engine>& existing);
+
+}  // namespace photonproof

@@ -1,0 +1,20 @@
+// The machine a measurement was made on, and how busy it was with other things meanwhile.
+#pragma once
+
+#include <optional>
+
+#include "harness/results.h"
+
+namespace photonproof {
+
+/// From /proc/cpuinfo, os-release and uname; what cannot be found out is "unknown" or 0.
+Host describe_host();
+
+/// Processor time that the whole machine has used since it started, in seconds over all cores, including what a
+/// hypervisor withheld. Empty where /proc/stat does not say. Counted in steps of 10 ms.
+std::optional<double> machine_busy_seconds();
+
+/// Processor time this process has used itself (children not counted), in seconds.
+double own_cpu_seconds();
+
+}  // namespace photonproof

@@ -1,0 +1,127 @@
+#include "harness/run_cell.h"
+
+#include <fmt/format.h>
+
+#include "harness/engine_command.h"
+#include "harness/engine_stats.h"
+#include "harness/host.h"
+#include "harness/metrics.h"
+#include "reference/process.h"
+#include "scenes/atomic_file.h"
+#include "scenes/image.h"
+#include "scenes/input_error.h"
+
+namespace photonproof {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Below this a difference of two clocks that tick every 10 ms says nothing.
+constexpr double least_seconds_for_caveats = 0.2;
+// Others may take this share of the machine before a timing is doubted.
+constexpr double tolerated_share_of_others = 0.1;
+
+// The last line that is not blank, at most 300 bytes of it.
+std::string last_line(const std::string& text) {
+  const std::size_t last = text.find_last_not_of(" \t\r\n");
+  if (last == std::string::npos) return {};
+  const std::size_t before = text.find_last_of("\r\n", last);
+  const std::size_t first = before == std::string::npos ? 0 : before + 1;
+  const std::string line = text.substr(first, last - first + 1);
+  return line.size() <= 300 ? line : "..." + line.substr(line.size() - 297);
+}
+
+std::string sentence_with_last_words(const ProcessOutcome& outcome) {
+  const std::string words = last_line(outcome.standard_error);
+  return outcome.sentence() + (words.empty() ? "" : ": " + words);
+}
+
+// Why the image is no result; empty when it is one.
+std::optional<std::string> image_problem(const CellRun& run) {
+  std::error_code ignored;
+  if (!fs::exists(run.image, ignored)) return "wrote no image";
+  try {
+    const Image image = read_image(run.image.string());
+    if (image.width != run.width || image.height != run.height)
+      return fmt::format("wrote {}x{} pixels instead of {}x{}", image.width, image.height, run.width, run.height);
+    const std::vector<ImageDefect> defects = find_defects(Image(run.width, run.height), image);
+    if (!defects.empty()) return defects.front().sentence;
+  } catch (const InputError& unreadable) {
+    return "wrote an image that cannot be read: " + unreadable.summary();
+  }
+  return std::nullopt;
+}
+
+void set_status(const CellRun& run, const ProcessOutcome& outcome, Result& result) {
+  using End = ProcessOutcome::End;
+  if (outcome.ok()) {
+    if (const auto problem = image_problem(run)) {
+      result.status = Status::bad_image;
+      result.detail = *problem;
+    }
+  } else if (outcome.end == End::timed_out) {
+    result.status = Status::timeout;
+    result.detail = outcome.sentence();
+  } else if (outcome.end == End::exited && outcome.exit_code == unsupported_exit_code) {
+    result.status = Status::unsupported;
+    result.detail = last_line(outcome.standard_error);
+    if (result.detail.empty()) result.detail = "the engine says so by its exit code and gives no reason";
+  } else {
+    result.status = Status::crash;
+    result.detail = sentence_with_last_words(outcome);
+  }
+}
+
+void add_timing_caveats(const ProcessOutcome& outcome, std::optional<double> busy_before, double own_before, int cores,
+                        Result& result) {
+  if (outcome.wall_seconds < least_seconds_for_caveats) return;
+  if (outcome.cpu_seconds < 0.5 * outcome.wall_seconds)
+    result.caveats.push_back(fmt::format("waited more than it computed (CPU {:.2g} s of {:.2g} s wall)",
+                                         outcome.cpu_seconds, outcome.wall_seconds));
+  const std::optional<double> busy_after = machine_busy_seconds();
+  if (!busy_before || !busy_after) return;
+  const double others = *busy_after - *busy_before - outcome.cpu_seconds - (own_cpu_seconds() - own_before);
+  if (others > tolerated_share_of_others * outcome.wall_seconds * cores)
+    result.caveats.push_back(
+        fmt::format("host was busy: others used {:.2g} of {} cores meanwhile", others / outcome.wall_seconds, cores));
+}
+
+void keep_output(const fs::path& file, const std::string& text) {
+  if (!text.empty()) write_file_atomically(file, text);
+}
+
+}  // namespace
+
+std::optional<Result> run_cell(const CellRun& run) {
+  ProcessOptions options;
+  options.wall_limit_seconds = run.limits.seconds;
+  options.memory_limit_bytes = run.limits.memory_mb << 20;
+  options.interrupt = run.interrupt;
+
+  const int cores = describe_host().cores;
+  const double own_before = own_cpu_seconds();
+  const std::optional<double> busy_before = machine_busy_seconds();
+  const ProcessOutcome outcome = run_process(run.argv, options);
+  if (outcome.end == ProcessOutcome::End::interrupted) return std::nullopt;
+
+  Result result;
+  result.cell = run.cell;
+  result.command = shell_line(run.argv);
+  if (outcome.end != ProcessOutcome::End::not_started) {
+    result.wall_seconds = outcome.wall_seconds;
+    result.cpu_seconds = outcome.cpu_seconds;
+    result.peak_bytes = outcome.peak_bytes;
+  }
+  add_timing_caveats(outcome, busy_before, own_before, cores, result);
+  keep_output(run.output_folder / "stdout.txt", outcome.standard_output);
+  keep_output(run.output_folder / "stderr.txt", outcome.standard_error);
+  set_status(run, outcome, result);
+  EngineStats stats = read_engine_stats(run.stats);
+  result.phases = std::move(stats.phases);
+  result.counts = std::move(stats.counts);
+  result.skipped = std::move(stats.skipped);
+  if (stats.problem) result.caveats.push_back("its stats cannot all be used: " + *stats.problem);
+  return result;
+}
+
+}  // namespace photonproof

@@ -1,0 +1,34 @@
+// Measures one cell: starts the engine, waits within the limits, and says what came of it.
+#pragma once
+
+#include <atomic>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "harness/results.h"
+#include "harness/suite.h"
+
+namespace photonproof {
+
+struct CellRun {
+  Cell cell;
+  std::vector<std::string> argv;
+  std::filesystem::path image;          ///< where the engine is told to write; does not exist yet
+  std::filesystem::path stats;          ///< where it may write its stats JSON
+  std::filesystem::path output_folder;  ///< receives stdout.txt and stderr.txt where the engine printed something
+  int width = 0, height = 0;            ///< pixels the image must have
+  Limits limits;
+  const std::atomic<bool>* interrupt = nullptr;
+};
+
+/// The exit code by which an engine says that it cannot render this scene; the last line on standard error says why.
+inline constexpr int unsupported_exit_code = 3;
+
+/// A result without key, image path and metrics; empty when the interrupt ended it. Its status is `timeout` past the
+/// wall limit; `crash` past the memory limit, by a signal, an exit code or a failed start; `bad_image` when the image
+/// is missing, unreadable, of another size or not finite everywhere.
+std::optional<Result> run_cell(const CellRun& run);
+
+}  // namespace photonproof

@@ -1,0 +1,175 @@
+#include "harness/suite.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <set>
+
+#include "scenes/atomic_file.h"
+
+namespace photonproof {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t max_suite_bytes = std::size_t{1} << 24;
+constexpr std::int64_t max_side = 1 << 14;  // 2^28 pixels, as scenes/image.h reads
+
+template <class Items>
+std::string names_of(const Items& items) {
+  std::string names;
+  for (const auto& item : items) names += (names.empty() ? "" : ", ") + item.name;
+  return names.empty() ? "none" : names;
+}
+
+template <class Items>
+auto* find_named(Items& items, const std::string& name) {
+  const auto found = std::find_if(items.begin(), items.end(), [&](const auto& item) { return item.name == name; });
+  return found == items.end() ? nullptr : &*found;
+}
+
+int bounded_integer(const TomlTable& table, const std::string& key, std::int64_t least, std::int64_t most) {
+  const std::int64_t value = table.integer(key);
+  if (value < least || value > most)
+    throw table.error(key, "'" + key + "' must lie between " + std::to_string(least) + " and " + std::to_string(most));
+  return static_cast<int>(value);
+}
+
+std::string file_name(const TomlTable& table, const std::string& key) {
+  const std::string name = table.string(key);
+  if (name.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_.-") !=
+          std::string::npos ||
+      name.front() == '.')
+    throw table.error(key, "'" + key + "' may hold letters, digits, '_', '.' and '-' and not start with '.'");
+  return name;
+}
+
+Limits limits_from_toml(const TomlTable& document) {
+  Limits limits;
+  if (!document.has("limits")) return limits;
+  const TomlTable table = document.table("limits");
+  if (table.has("seconds")) limits.seconds = table.number("seconds");
+  if (limits.seconds <= 0) throw table.error("seconds", "'seconds' must be positive");
+  if (table.has("memory_mb"))
+    limits.memory_mb = static_cast<std::uint64_t>(bounded_integer(table, "memory_mb", 1, 1 << 30));
+  if (table.has("threads")) limits.threads = bounded_integer(table, "threads", 1, 1024);
+  table.expect_no_other_keys();
+  return limits;
+}
+
+const Engine& known_engine(const TomlTable& table, const std::vector<Engine>& engines) {
+  const std::string name = table.string("engine");
+  const Engine* engine = find_named(engines, name);
+  if (engine == nullptr) throw table.error("engine", "unknown engine '" + name + "'; known: " + names_of(engines));
+  return *engine;
+}
+
+// The problem with a budget for an engine, empty when there is none.
+std::optional<std::string> budget_problem(const std::string& text, const Engine& engine) {
+  const std::optional<Budget> budget = budget_from_text(text);
+  if (!budget) return "a budget is written \"kind=amount\" with a positive amount, not '" + text + "'";
+  if (engine.accepts(budget->kind)) return std::nullopt;
+  std::string kinds;
+  for (const std::string& kind : engine.budget_kinds) kinds += (kinds.empty() ? "" : ", ") + kind;
+  return "engine '" + engine.name + "' takes budgets of " + kinds + "; not '" + budget->kind + "'";
+}
+
+Cell reference_from_toml(const TomlTable& scene, const std::string& scene_name, const std::vector<Engine>& engines) {
+  const TomlTable table = scene.table("reference");
+  const Engine& engine = known_engine(table, engines);
+  const std::string budget = table.string("budget");
+  if (const auto problem = budget_problem(budget, engine)) throw table.error("budget", *problem);
+  const std::int64_t seed = table.integer("seed");
+  if (seed < 0) throw table.error("seed", "'seed' must not be negative");
+  table.expect_no_other_keys();
+  return {scene_name, engine.name, *budget_from_text(budget), static_cast<std::uint64_t>(seed)};
+}
+
+SuiteScene scene_from_toml(const TomlTable& table, const Suite& suite) {
+  SuiteScene scene;
+  scene.name = file_name(table, "name");
+  if (find_named(suite.scenes, scene.name) != nullptr)
+    throw table.error("name", "there is a scene '" + scene.name + "' already");
+  scene.given_path = table.string("path");
+  scene.path = (suite.folder / scene.given_path).lexically_normal();
+  if (!fs::is_regular_file(scene.path)) throw table.error("path", "no such file: " + scene.path.string());
+  scene.width = bounded_integer(table, "width", 1, max_side);
+  scene.height = bounded_integer(table, "height", 1, max_side);
+  if (table.has("exposure")) scene.exposure = table.number("exposure");
+  scene.reference = reference_from_toml(table, scene.name, suite.engines);
+  table.expect_no_other_keys();
+  return scene;
+}
+
+std::vector<std::string> scenes_of_run(const TomlTable& run, const Suite& suite) {
+  std::vector<std::string> names;
+  if (!run.has("scenes")) {
+    for (const SuiteScene& scene : suite.scenes) names.push_back(scene.name);
+    return names;
+  }
+  names = run.strings("scenes");
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (find_named(suite.scenes, names[i]) == nullptr)
+      throw run.error("scenes", i, "unknown scene '" + names[i] + "'; known: " + names_of(suite.scenes));
+  return names;
+}
+
+void add_run(const TomlTable& run, Suite& suite, std::set<std::string>& labels) {
+  const Engine& engine = known_engine(run, suite.engines);
+  const std::vector<std::string> budgets = run.strings("budgets");
+  for (std::size_t i = 0; i < budgets.size(); ++i)
+    if (const auto problem = budget_problem(budgets[i], engine)) throw run.error("budgets", i, *problem);
+  const std::vector<std::int64_t> seeds = run.integers("seeds");
+  for (std::size_t i = 0; i < seeds.size(); ++i)
+    if (seeds[i] < 0) throw run.error("seeds", i, "a seed must not be negative");
+  const std::vector<std::string> scenes = scenes_of_run(run, suite);
+  run.expect_no_other_keys();
+  for (const std::string& scene : scenes)
+    for (const std::string& budget : budgets)
+      for (const std::int64_t seed : seeds) {
+        const Cell cell{scene, engine.name, *budget_from_text(budget), static_cast<std::uint64_t>(seed)};
+        if (cell.label() == suite.scene(scene).reference.label())
+          throw run.error("the cell " + cell.label() + " is the scene's reference; it would be compared with itself");
+        if (!labels.insert(cell.label()).second) throw run.error("the cell " + cell.label() + " occurs twice");
+        suite.cells.push_back(cell);
+      }
+}
+
+}  // namespace
+
+const Engine& Suite::engine(const std::string& engine_name) const { return *find_named(engines, engine_name); }
+
+const SuiteScene& Suite::scene(const std::string& scene_name) const { return *find_named(scenes, scene_name); }
+
+std::optional<Budget> budget_from_text(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos || equals == 0) return std::nullopt;
+  Budget budget;
+  budget.kind = text.substr(0, equals);
+  if (budget.kind.find_first_not_of("abcdefghijklmnopqrstuvwxyz-_") != std::string::npos) return std::nullopt;
+  const char* end = text.data() + text.size();
+  const auto [stopped, error] = std::from_chars(text.data() + equals + 1, end, budget.amount);
+  if (error != std::errc{} || stopped != end || !std::isfinite(budget.amount) || budget.amount <= 0)
+    return std::nullopt;
+  return budget;
+}
+
+Suite read_suite(const fs::path& file) {
+  const TomlTable document = TomlTable::parse(read_file(file, max_suite_bytes), file.string());
+  Suite suite;
+  suite.file = file;
+  suite.folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  suite.name = file_name(document, "name");
+  suite.title = document.string("title");
+  suite.limits = limits_from_toml(document);
+  suite.engines = builtin_engines();
+  for (Engine& engine : engines_from_toml(document, suite.engines)) suite.engines.push_back(std::move(engine));
+  for (const TomlTable& table : document.tables("scene")) suite.scenes.push_back(scene_from_toml(table, suite));
+  std::set<std::string> labels;
+  for (const TomlTable& run : document.tables("run")) add_run(run, suite, labels);
+  document.expect_no_other_keys();
+  if (suite.scenes.empty()) throw document.error("the suite has no [[scene]]");
+  return suite;
+}
+
+}  // namespace photonproof

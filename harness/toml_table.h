@@ -1,0 +1,50 @@
+// Strict reading of TOML: every key is asked for by its type, and one that nobody asked for is an error with its place.
+// Keeps the toml++ header, which is slow to compile, in one source file.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scenes/input_error.h"
+
+namespace photonproof {
+
+/// A view of one table of a parsed document; copies see the same table and remember together what was asked for.
+/// Every reading function throws InputError with file:line:col when the key is missing (unless optional) or its value
+/// has another type.
+class TomlTable {
+ public:
+  /// `file` stands for the text in messages. Throws InputError on a syntax error.
+  static TomlTable parse(std::string_view text, const std::string& file);
+
+  std::string string(const std::string& key) const;  ///< not empty
+  std::int64_t integer(const std::string& key) const;
+  double number(const std::string& key) const;  ///< integer or float, finite
+  std::vector<std::string> strings(const std::string& key) const;
+  std::vector<std::int64_t> integers(const std::string& key) const;
+  std::vector<std::vector<std::string>> string_lists(const std::string& key) const;
+  TomlTable table(const std::string& key) const;
+
+  bool has(const std::string& key) const;
+  /// An array of tables; empty when the key is absent.
+  std::vector<TomlTable> tables(const std::string& key) const;
+
+  /// Throws for the first key that none of the above was asked for, naming those that were.
+  void expect_no_other_keys() const;
+
+  /// An error at the value of `key`, at element `index` of the array that is its value, or at the table itself.
+  InputError error(const std::string& key, const std::string& message) const;
+  InputError error(const std::string& key, std::size_t index, const std::string& message) const;
+  InputError error(const std::string& message) const;
+
+ private:
+  struct View;
+  explicit TomlTable(std::shared_ptr<View> view) : view_(std::move(view)) {}
+  std::shared_ptr<View> view_;
+};
+
+}  // namespace photonproof

@@ -1,0 +1,168 @@
+// photonproof bench: runs a suite and writes its results and reports.
+
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "harness/bench.h"
+#include "harness/engine_command.h"
+#include "harness/interrupt.h"
+#include "harness/verbs.h"
+#include "harness/versions.h"
+#include "reports/html_report.h"
+#include "reports/markdown_report.h"
+#include "scenes/input_error.h"
+
+namespace photonproof {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct BenchArguments {
+  std::string suite;
+  std::string output;
+  bool fresh = false;
+  bool retry = false;
+  std::string only;
+  bool json = false;
+  bool report = true;
+};
+
+std::string ending_of(const Result& result) {
+  if (result.status != Status::ok) return to_string(result.status) + ": " + result.detail;
+  char text[64];
+  std::snprintf(text, sizeof text, "ok %.2f s", result.wall_seconds.value_or(0));
+  std::string ending = text;
+  for (const MetricValue& metric : result.metrics) {
+    if (metric.name != "relmse") continue;
+    std::snprintf(text, sizeof text, " relmse %.2g", metric.value);
+    ending += text;
+  }
+  return ending;
+}
+
+// On standard error: one line a finished cell, or on a terminal a line that rewrites itself and stays for failures.
+class ProgressLines : public BenchObserver {
+ public:
+  void starts(std::size_t number, std::size_t total, const Cell& cell) override {
+    if (!terminal_) return;
+    std::fprintf(stderr, "\r\033[K[%zu/%zu] %s", number, total, cell.label().c_str());
+    std::fflush(stderr);
+  }
+  void ended(std::size_t number, std::size_t total, const Result& result) override {
+    const bool stays = !terminal_ || result.status != Status::ok;
+    std::fprintf(stderr, "%s[%zu/%zu] %s %s%s", terminal_ ? "\r\033[K" : "", number, total, result.cell.label().c_str(),
+                 ending_of(result).c_str(), stays ? "\n" : "");
+    std::fflush(stderr);
+  }
+  void done() const {
+    if (terminal_) std::fputs("\r\033[K", stderr);
+  }
+
+ private:
+  bool terminal_ = isatty(STDERR_FILENO) != 0;
+};
+
+// Metrics and pictures may change with any rebuild; which build this is, the program file's time says.
+std::string build_identity(const fs::path& program) {
+  std::error_code ignored;
+  return program_versions().at("photonproof") + " " +
+         std::to_string(fs::last_write_time(program, ignored).time_since_epoch().count());
+}
+
+std::size_t failures(const BenchSummary& summary) {
+  std::size_t count = 0;
+  for (const auto& [status, number] : summary.by_status)
+    if (status != Status::ok && status != Status::unsupported) count += number;
+  return count;
+}
+
+std::vector<fs::path> write_reports(const fs::path& results_file) {
+  const Results results = read_results(results_file.string());
+  const fs::path folder = results_file.parent_path();
+  const fs::path html = folder / "report.html", markdown = folder / "report.md";
+  write_html_report(results, folder, html);
+  write_markdown_report(results, folder, markdown);
+  return {html, markdown};
+}
+
+void print_json(const BenchSummary& summary, const std::vector<fs::path>& reports) {
+  nlohmann::ordered_json json = {{"results", summary.results_file.string()},
+                                 {"reports", nlohmann::json::array()},
+                                 {"measured", summary.measured},
+                                 {"kept", summary.kept},
+                                 {"missing", summary.missing},
+                                 {"interrupted", summary.interrupted},
+                                 {"status", nlohmann::json::object()}};
+  for (const fs::path& report : reports) json["reports"].push_back(report.string());
+  for (const auto& [status, number] : summary.by_status) json["status"][to_string(status)] = number;
+  std::printf("%s\n", json.dump(2).c_str());
+}
+
+void print_text(const Suite& suite, const BenchSummary& summary, const std::vector<fs::path>& reports) {
+  std::printf("%s: %zu cells measured, %zu kept from before", suite.name.c_str(), summary.measured, summary.kept);
+  if (summary.missing > 0) std::printf(", %zu not run", summary.missing);
+  const char* separator = "; ";
+  for (const auto& [status, number] : summary.by_status) {
+    std::printf("%s%zu %s", separator, number, to_string(status).c_str());
+    separator = ", ";
+  }
+  std::printf("\n");
+  if (summary.measured == 0 && !summary.interrupted)
+    std::printf("nothing to run: every cell asked for has its result (--fresh measures again, --retry what failed)\n");
+  if (summary.interrupted) std::printf("interrupted: kept what was finished; the same command goes on from here\n");
+  std::printf("results: %s\n", summary.results_file.c_str());
+  for (const fs::path& report : reports) std::printf("report: %s\n", report.c_str());
+}
+
+int run(const BenchArguments& arguments) {
+  const std::atomic<bool>& interrupt = interrupt_flag();
+  const Suite suite = read_suite(arguments.suite);
+  BenchOptions options;
+  options.results_folder = arguments.output.empty() ? fs::path("out") / suite.name : fs::path(arguments.output);
+  options.program = fs::read_symlink("/proc/self/exe");
+  options.command = shell_line({"photonproof", "bench", arguments.suite, "-o", options.results_folder.string()});
+  options.versions = program_versions();
+  options.comparison_version = build_identity(options.program);
+  options.fresh = arguments.fresh;
+  options.retry = arguments.retry;
+  options.only = arguments.only;
+  options.interrupt = &interrupt;
+
+  ProgressLines progress;
+  const BenchSummary summary = run_bench(suite, options, progress);
+  progress.done();
+  const std::vector<fs::path> reports =
+      arguments.report ? write_reports(summary.results_file) : std::vector<fs::path>{};
+  if (arguments.json)
+    print_json(summary, reports);
+  else
+    print_text(suite, summary, reports);
+  if (summary.interrupted) return 130;
+  return failures(summary) > 0 ? 1 : 0;
+}
+
+}  // namespace
+
+void add_bench_verb(CLI::App& program, int& exit_code) {
+  auto arguments = std::make_shared<BenchArguments>();
+  CLI::App* verb = program.add_subcommand(
+      "bench",
+      "Run a suite: every scene, engine, budget and seed in a process of its own; finished cells are kept.\n"
+      "Exit codes: 0 done, 1 done but a cell timed out, crashed or wrote a bad image, 2 bad input, 130 interrupted");
+  verb->add_option("suite", arguments->suite, "suite (TOML)")->required();
+  verb->add_option("-o,--output", arguments->output, "results folder (default: out/<name of the suite>)");
+  verb->add_flag("--fresh", arguments->fresh,
+                 "measure finished cells again; their old results stay beside the new ones");
+  verb->add_flag("--retry", arguments->retry, "measure cells again that timed out, crashed or wrote a bad image");
+  verb->add_option("--only", arguments->only, "run only cells whose label contains this, e.g. cornell/path");
+  verb->add_flag("--json", arguments->json, "print the summary as JSON");
+  verb->add_flag("--report,!--no-report", arguments->report, "write report.html and report.md (default)");
+  verb->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+}
+
+}  // namespace photonproof

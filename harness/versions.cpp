@@ -1,0 +1,23 @@
+#include "harness/versions.h"
+
+#include <OpenImageIO/oiioversion.h>
+#include <oneapi/tbb/version.h>
+#if __has_include(<embree4/rtcore_config.h>)
+#include <embree4/rtcore_config.h>
+#else
+#include <embree3/rtcore_config.h>
+#endif
+
+#include "renderer/version.h"
+
+namespace photonproof {
+
+std::map<std::string, std::string> program_versions() {
+  return {{"photonproof", version_line()},
+          {"compiler", "g++ or clang " __VERSION__},
+          {"embree", RTC_VERSION_STRING},
+          {"oneTBB", TBB_VERSION_STRING},
+          {"OpenImageIO", OIIO_VERSION_STRING}};
+}
+
+}  // namespace photonproof
