@@ -7,6 +7,7 @@
 #include "scenes/atomic_file.h"
 #include "scenes/edit_distance.h"
 #include "scenes/text_numbers.h"
+#include "scenes/utf8.h"
 
 namespace photonproof::scene_xml {
 namespace {
@@ -22,7 +23,11 @@ struct Value {
 class Expander {
  public:
   Expander(Sources& sources, const ParseOptions& options) : sources_(sources), options_(options) {
-    for (const auto& [name, text] : options.defines) values_[name] = {text, true, false};
+    for (const auto& [name, text] : options.defines) {
+      if (find_invalid_utf8(text) != std::string::npos || std::any_of(text.begin(), text.end(), is_control_character))
+        throw InputError("-D " + printable(name), "the value " + in_quotes(text) + " is not printable UTF-8 text");
+      values_[name] = {text, true, false};
+    }
   }
 
   Element run(int file) {
@@ -138,7 +143,8 @@ class Expander {
   void check_defines() const {
     for (const auto& [name, value] : values_)
       if (value.from_command_line && !value.used)
-        throw InputError("-D " + name, "the scene has no '$" + name + "'" + did_you_mean(name, names(false)));
+        throw InputError("-D " + printable(name),
+                         "the scene has no " + in_quotes("$" + name) + did_you_mean(name, names(false)));
   }
 
   std::vector<Element> include(const Element& element, int depth) {

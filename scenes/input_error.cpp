@@ -13,14 +13,6 @@ std::string one_line(const std::string& file, int line, int column, const std::s
 
 bool continues_a_character(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
 
-/// The line with what would garble a terminal or a JSON record replaced by question marks.
-std::string printable(std::string line) {
-  for (char& c : line)
-    if (static_cast<unsigned char>(c) < 32 && c != '\t') c = '?';
-  for (auto bad = find_invalid_utf8(line); bad != std::string::npos; bad = find_invalid_utf8(line)) line[bad] = '?';
-  return line;
-}
-
 /// The source line (of a long one the part around the column) with a caret below `column`, a byte counted from 1.
 std::string with_excerpt(const std::string& summary, int column, const std::string& source_line) {
   if (source_line.empty()) return summary;

@@ -6,6 +6,8 @@
 #include <limits>
 #include <system_error>
 
+#include "scenes/utf8.h"
+
 namespace photonproof {
 namespace {
 
@@ -71,15 +73,12 @@ std::vector<std::string_view> split_list(std::string_view text) {
 
 std::string in_quotes(std::string_view text) {
   constexpr std::size_t kLongest = 60;
-  std::string shown;
-  for (const char c : text.substr(0, kLongest)) shown += static_cast<unsigned char>(c) < 32 ? '?' : c;
-  // A cut must not leave half of a UTF-8 sequence behind.
-  if (text.size() > kLongest) {
-    while (!shown.empty() && (static_cast<unsigned char>(shown.back()) & 0xC0) == 0x80) shown.pop_back();
-    if (!shown.empty() && (static_cast<unsigned char>(shown.back()) & 0x80) != 0) shown.pop_back();
-    shown += "...";
-  }
-  return "'" + shown + "'";
+  if (text.size() <= kLongest) return "'" + printable(std::string(text)) + "'";
+  std::string_view start = text.substr(0, kLongest);
+  // The cut may have left a part of a character behind, of at most three bytes.
+  if (const auto bad = find_invalid_utf8(start); bad != std::string_view::npos && bad + 3 >= kLongest)
+    start = start.substr(0, bad);
+  return "'" + printable(std::string(start)) + "...'";
 }
 
 }  // namespace photonproof

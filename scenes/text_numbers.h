@@ -29,7 +29,7 @@ std::string format_number(double value);
 /// Parts between white space and commas, Mitsuba's list syntax; empty parts are dropped.
 std::vector<std::string_view> split_list(std::string_view text);
 
-/// `text` for a message: at most 60 bytes, quoted, control characters replaced by '?'.
+/// `text` for a message: at most 60 bytes, quoted and printable.
 std::string in_quotes(std::string_view text);
 
 }  // namespace photonproof

@@ -36,4 +36,14 @@ std::size_t find_invalid_utf8(std::string_view text) {
   return std::string_view::npos;
 }
 
+std::string printable(std::string text) {
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t length = sequence_length(std::string_view(text).substr(at));
+    const bool breaks = length == 0 || (static_cast<unsigned char>(text[at]) < 32 && text[at] != '\t');
+    if (breaks) text[at] = '?';
+    at += breaks ? 1 : length;
+  }
+  return text;
+}
+
 }  // namespace photonproof

@@ -128,9 +128,9 @@ void check_text(const Sources& sources, int file) {
     sources.fail({file, bad}, "not a valid UTF-8 character");
   std::size_t tags = 0, attributes = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto c = static_cast<unsigned char>(text[i]);
-    if (c < 32 && c != '\t' && c != '\n' && c != '\r')
-      sources.fail({file, i}, "control character " + std::to_string(c) + ", expected text");
+    const char c = text[i];
+    if (is_control_character(c))
+      sources.fail({file, i}, "control character " + std::to_string(int{c}) + ", expected text");
     if (c == '<' && i + 1 < text.size() && text[i + 1] != '/') ++tags;
     if (c == '=') ++attributes;
     if (tags > kMaxElements + 100 || attributes > 8 * kMaxElements)

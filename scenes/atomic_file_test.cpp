@@ -1,0 +1,64 @@
+#include "scenes/atomic_file.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+
+#include "scenes/input_error.h"
+
+namespace photonproof {
+namespace {
+
+namespace fs = std::filesystem;
+
+class atomic_file : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::temp_directory_path() / ("photonproof_atomic_file_test_" + std::to_string(getpid()));
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+  std::size_t count_files() const {
+    return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
+  }
+  fs::path folder_;
+};
+
+TEST_F(atomic_file, holds_exactly_the_bytes_written) {
+  const std::string bytes("a\0\r\n\xFF", 5);
+  write_file_atomically(folder_ / "a.bin", bytes);
+  EXPECT_EQ(read_file(folder_ / "a.bin"), bytes);
+  write_file_atomically(folder_ / "a.bin", "");
+  EXPECT_EQ(read_file(folder_ / "a.bin"), "");
+  EXPECT_EQ(count_files(), 1u);
+}
+
+TEST_F(atomic_file, keeps_the_old_content_when_the_producer_fails) {
+  write_file_atomically(folder_ / "a.txt", "old");
+  const auto produce = [](const fs::path& temporary) {
+    EXPECT_EQ(temporary.extension(), ".txt");
+    std::ofstream(temporary) << "half of the new";
+    throw std::runtime_error("interrupted");
+  };
+  EXPECT_THROW(replace_atomically(folder_ / "a.txt", produce), std::runtime_error);
+  EXPECT_EQ(read_file(folder_ / "a.txt"), "old");
+  EXPECT_EQ(count_files(), 1u);
+}
+
+TEST_F(atomic_file, that_was_never_produced_is_an_error) {
+  EXPECT_THROW(replace_atomically(folder_ / "a.txt", [](const fs::path&) {}), InputError);
+  EXPECT_EQ(count_files(), 0u);
+}
+
+TEST_F(atomic_file, reads_no_more_than_its_limit) {
+  write_file_atomically(folder_ / "a.txt", "12345");
+  EXPECT_EQ(read_file(folder_ / "a.txt", 5), "12345");
+  EXPECT_THROW(read_file(folder_ / "a.txt", 4), InputError);
+  EXPECT_THROW(read_file(folder_), InputError);
+  EXPECT_THROW(read_file(folder_ / "missing"), InputError);
+}
+
+}  // namespace
+}  // namespace photonproof

@@ -1,0 +1,108 @@
+#include "scenes/expect.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "scenes/input_error.h"
+
+namespace photonproof {
+namespace {
+
+namespace fs = std::filesystem;
+
+class expect_toml : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    path_ = (fs::temp_directory_path() / ("expect_test_" + std::to_string(getpid()) + ".toml")).string();
+  }
+  void TearDown() override { fs::remove(path_); }
+  Expect read(const std::string& text) const {
+    std::ofstream(path_) << text;
+    return read_expect(path_);
+  }
+  /// The error's text without the file's name.
+  std::string message(const std::string& text) const {
+    try {
+      read(text);
+      return "no error";
+    } catch (const InputError& error) {
+      return std::string(error.what()).substr(path_.size());
+    }
+  }
+  std::string path_;
+};
+
+const std::string kLeast = "purpose = \"Show it.\"\nexposure = 1\n";
+
+TEST_F(expect_toml, needs_a_purpose_and_an_exposure_only) {
+  const Expect expect = read(kLeast);
+  EXPECT_EQ(expect.purpose, "Show it.");
+  EXPECT_EQ(expect.exposure, 1);
+  EXPECT_FALSE(expect.analytic.has_value());
+  EXPECT_TRUE(expect.unsupported.empty());
+  EXPECT_TRUE(expect.tolerances.empty());
+}
+
+TEST_F(expect_toml, is_read_whole) {
+  const Expect expect =
+      read(kLeast +
+           "[analytic]\nformula = \"L = 2\"\nmean = [2, 2.5, 3]\n"
+           "[unsupported]\npovray = \"no such lens\"\n"
+           "[[tolerance]]\nengine = \"povray\"\nmetric = \"bias\"\nvalue = 0.02\nreason = \"caustics\"\n");
+  ASSERT_TRUE(expect.analytic.has_value());
+  EXPECT_EQ(expect.analytic->formula, "L = 2");
+  EXPECT_EQ(*expect.analytic->mean, RgbD(2, 2.5, 3));
+  EXPECT_EQ(expect.unsupported, (std::map<std::string, std::string>{{"povray", "no such lens"}}));
+  ASSERT_EQ(expect.tolerances.size(), 1u);
+  EXPECT_EQ(expect.tolerances[0].engine, "povray");
+  EXPECT_EQ(expect.tolerances[0].metric, "bias");
+  EXPECT_EQ(expect.tolerances[0].value, 0.02);
+  EXPECT_EQ(expect.tolerances[0].reason, "caustics");
+}
+
+TEST_F(expect_toml, is_refused_with_the_place_and_what_was_expected) {
+  EXPECT_EQ(message("exposure = 0\n"), ":1:1: error: expect.toml needs the key 'purpose'\n  exposure = 0\n  ^");
+  EXPECT_EQ(message("purpose = \"x\"\n"), ":1:1: error: expect.toml needs the key 'exposure'\n  purpose = \"x\"\n  ^");
+  EXPECT_EQ(message("purpose = 3\nexposure = 0\n"),
+            ":1:11: error: 'purpose' must be a text that is not empty\n  purpose = 3\n            ^");
+  EXPECT_EQ(message("purpose = \"x\"\nexposure = \"0\"\n"),
+            ":2:12: error: 'exposure' must be a finite number\n  exposure = \"0\"\n             ^");
+  EXPECT_EQ(message("purpose = \"x\"\nexposure = nan\n"),
+            ":2:12: error: 'exposure' must be a finite number\n  exposure = nan\n             ^");
+  EXPECT_EQ(message(kLeast + "exposures = 2\n"),
+            ":3:1: error: expect.toml has no key 'exposures' (did you mean 'exposure'?), expected purpose, exposure, "
+            "analytic, unsupported or tolerance\n  exposures = 2\n  ^");
+  EXPECT_EQ(message(kLeast + "[analytic]\nmean = [1, 1, 1]\n"),
+            ":3:1: error: [analytic] needs the key 'formula'\n  [analytic]\n  ^");
+  EXPECT_EQ(message(kLeast + "[analytic]\nformula = \"x\"\nmean = [1, 1]\n"),
+            ":5:8: error: 'mean' must be a list of three numbers\n  mean = [1, 1]\n         ^");
+  EXPECT_EQ(message(kLeast + "[tolerance]\nvalue = 1\n"),
+            ":3:1: error: [[tolerance]] must be a list of tables\n  [tolerance]\n  ^");
+  EXPECT_EQ(message(kLeast + "[[tolerance]]\nengine = \"e\"\nmetric = \"m\"\nvalue = 0\nreason = \"r\"\n"),
+            ":3:1: error: 'value' must be more than 0\n  [[tolerance]]\n  ^");
+  EXPECT_EQ(message(kLeast + "[unsupported]\npovray = true\n"),
+            ":4:10: error: 'povray' must be a text that is not empty\n  povray = true\n           ^");
+}
+
+TEST_F(expect_toml, that_is_no_toml_is_refused_with_its_place) {
+  EXPECT_EQ(message("purpose = \"x\"\nexposure 0\n").rfind(":2:", 0), 0u) << message("purpose = \"x\"\nexposure 0\n");
+}
+
+TEST_F(expect_toml, that_is_missing_is_refused_by_name) {
+  try {
+    read_expect("/nowhere/expect.toml");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(), "/nowhere/expect.toml: error: no such file");
+  }
+}
+
+TEST(expect_path_of, is_beside_the_scene) {
+  EXPECT_EQ(expect_path_of("a/b/scene.xml"), "a/b/expect.toml");
+  EXPECT_EQ(expect_path_of("scene.xml"), "expect.toml");
+}
+
+}  // namespace
+}  // namespace photonproof
