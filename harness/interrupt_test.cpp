@@ -16,12 +16,18 @@ void exit_with_flag_after(int signal_number) {
   std::_Exit(flag ? 42 : 2);
 }
 
-TEST(Interrupt, first_signal_raises_the_flag_and_the_program_goes_on) {
+class Interrupt : public testing::Test {
+ protected:
+  // The image library runs threads; forking without an exec beside them is not safe.
+  void SetUp() override { GTEST_FLAG_SET(death_test_style, "threadsafe"); }
+};
+
+TEST_F(Interrupt, first_signal_raises_the_flag_and_the_program_goes_on) {
   EXPECT_EXIT(exit_with_flag_after(SIGINT), testing::ExitedWithCode(42), "");
   EXPECT_EXIT(exit_with_flag_after(SIGTERM), testing::ExitedWithCode(42), "");
 }
 
-TEST(Interrupt, second_signal_ends_the_program) {
+TEST_F(Interrupt, second_signal_ends_the_program) {
   EXPECT_EXIT(
       {
         interrupt_flag();

@@ -1,0 +1,230 @@
+#include "harness/bench.h"
+
+#include "harness/test_suite.h"
+
+namespace photonproof {
+namespace {
+
+class Silent : public BenchObserver {
+ public:
+  void starts(std::size_t, std::size_t, const Cell&) override {}
+  void ended(std::size_t number, std::size_t total, const Result& result) override {
+    seen += std::to_string(number) + "/" + std::to_string(total) + " " + result.cell.engine + "\n";
+    if (after_each) after_each();
+  }
+  std::string seen;
+  std::function<void()> after_each;
+};
+
+class BenchRun : public FakeSuiteTest {
+ protected:
+  void SetUp() override {
+    FakeSuiteTest::SetUp();
+    options_.results_folder = folder_ / "out";
+    options_.program = "/bin/true";
+    options_.command = "bench fake";
+    options_.versions = {{"test", "1"}};
+    options_.comparison_version = "1";
+    options_.interrupt = &interrupt_;
+  }
+  BenchSummary run(const std::string& text) {
+    put("suite.toml", text);
+    return run_bench(read_suite(folder_ / "suite.toml"), options_, observer_);
+  }
+  Results results() const { return read_results((folder_ / "out" / "results.json").string()); }
+  Result result_of(const std::string& engine) const {
+    for (const Result& result : results().results)
+      if (result.cell.engine == engine) return result;
+    throw std::out_of_range(engine);
+  }
+  static double metric(const Result& result, const std::string& name) {
+    for (const MetricValue& value : result.metrics)
+      if (value.name == name) return value.value;
+    throw std::out_of_range(name);
+  }
+  void forget_log() const { std::filesystem::remove(folder_ / "log"); }
+
+  BenchOptions options_;
+  Silent observer_;
+  std::atomic<bool> interrupt_ = false;
+};
+
+TEST_F(BenchRun, reference_runs_first_and_the_others_are_compared_with_it) {
+  const BenchSummary summary = run(suite_text("grey", {"brighter"}));
+  EXPECT_EQ(started(), "grey\nbrighter\n");
+  EXPECT_EQ(observer_.seen, "1/2 grey\n2/2 brighter\n");
+  EXPECT_EQ(summary.measured, 2u);
+  EXPECT_EQ(summary.kept, 0u);
+  EXPECT_EQ(summary.missing, 0u);
+  EXPECT_FALSE(summary.interrupted);
+  EXPECT_EQ(summary.by_status.at(Status::ok), 2u);
+
+  const Results record = results();
+  EXPECT_EQ(record.suite, "fake");
+  EXPECT_EQ(record.command, "bench fake");
+  EXPECT_EQ(record.versions, options_.versions);
+  ASSERT_EQ(record.scenes.size(), 1u);
+  EXPECT_EQ(record.scenes[0].purpose, "to be measured");
+  EXPECT_EQ(record.scenes[0].exposure, 0.5);
+  EXPECT_EQ(record.scenes[0].reference_label, "scene/grey/spp=1000/seed=0");
+  ASSERT_EQ(record.engines.size(), 2u);  // those in use only
+  EXPECT_EQ(record.engines[0].version, "fake 1");
+
+  const Result reference = result_of("grey"), other = result_of("brighter");
+  EXPECT_TRUE(reference.metrics.empty());
+  EXPECT_EQ(reference.pictures.size(), 1u);
+  // Everywhere 0.6 against 0.5: mse (0.1)^2.
+  EXPECT_NEAR(metric(other, "mse"), 0.01, 1e-6);
+  for (const char* role : {"image", "flip", "error"}) EXPECT_TRUE(has("out/" + other.pictures.at(role))) << role;
+  EXPECT_TRUE(has("out/" + other.image));
+  EXPECT_EQ(other.engine_version, "fake 1");
+}
+
+TEST_F(BenchRun, second_run_measures_nothing_and_changes_no_byte) {
+  const std::string text = suite_text("grey", {"brighter", "fails"});
+  run(text);
+  const std::string before = get("out/results.json");
+  forget_log();
+  const BenchSummary summary = run(text);
+  EXPECT_EQ(started(), "");
+  EXPECT_EQ(summary.measured, 0u);
+  EXPECT_EQ(summary.kept, 3u);
+  EXPECT_EQ(get("out/results.json"), before);
+}
+
+TEST_F(BenchRun, every_failure_is_a_result_and_the_run_goes_on) {
+  const BenchSummary summary = run(suite_text(
+      "grey", {"hangs", "segfaults", "fails", "refuses", "silent", "half", "small", "nan", "garbage", "brighter"},
+      "seconds = 1"));
+  EXPECT_EQ(summary.by_status, (std::map<Status, std::size_t>{{Status::ok, 2},
+                                                              {Status::timeout, 1},
+                                                              {Status::crash, 2},
+                                                              {Status::bad_image, 5},
+                                                              {Status::unsupported, 1}}));
+  EXPECT_EQ(result_of("small").detail, "wrote 4x4 pixels instead of 16x12");
+  EXPECT_TRUE(result_of("small").metrics.empty());
+  EXPECT_TRUE(result_of("nan").metrics.empty());
+  EXPECT_FALSE(result_of("brighter").metrics.empty());
+}
+
+TEST_F(BenchRun, retry_measures_failures_again_and_only_those) {
+  const std::string text = suite_text("grey", {"brighter", "fails", "refuses"});
+  run(text);
+  forget_log();
+  options_.retry = true;
+  EXPECT_EQ(run(text).measured, 1u);
+  EXPECT_EQ(started(), "fails\n");
+}
+
+TEST_F(BenchRun, fresh_measures_all_again_and_destroys_nothing) {
+  const std::string text = suite_text("grey", {"brighter"});
+  run(text);
+  const std::string old_record = get("out/results.json");
+  const Result old_result = result_of("brighter");
+  options_.fresh = true;
+  EXPECT_EQ(run(text).measured, 2u);
+  EXPECT_EQ(get("out/results-1.json"), old_record);
+  EXPECT_TRUE(has("out/" + old_result.image));
+  EXPECT_NE(result_of("brighter").image, old_result.image);
+  EXPECT_EQ(result_of("brighter").key, old_result.key);
+}
+
+TEST_F(BenchRun, only_runs_what_matches_and_the_reference_it_needs) {
+  options_.only = "brighter";
+  const std::string text = suite_text("grey", {"brighter", "fails"});
+  const BenchSummary summary = run(text);
+  EXPECT_EQ(started(), "grey\nbrighter\n");
+  EXPECT_EQ(summary.missing, 1u);
+  EXPECT_EQ(results().results.size(), 2u);
+}
+
+TEST_F(BenchRun, changed_scene_version_or_limit_is_measured_again) {
+  const std::string text = suite_text("grey", {});
+  run(text);
+  EXPECT_EQ(run(text).measured, 0u);
+  put("scene.xml", std::string(scene_text) + "<!-- changed -->");
+  EXPECT_EQ(run(text).measured, 1u);
+  EXPECT_EQ(run(suite_text("grey", {}, "seconds = 21")).measured, 1u);
+  suite_text("grey", {});  // writes the version file, so change it afterwards
+  put("version", "fake 2\n");
+  EXPECT_EQ(run(text).measured, 1u);
+  put("version", "fake 1\n");
+  EXPECT_EQ(run(text).measured, 0u);  // the old one is still there
+}
+
+TEST_F(BenchRun, changed_exposure_compares_again_without_measuring) {
+  const std::string text = suite_text("grey", {"brighter"});
+  run(text);
+  const double before = metric(result_of("brighter"), "psnr");
+  put("expect.toml", "purpose = 'to be measured'\nexposure = 0.0\n");
+  EXPECT_EQ(run(text).measured, 0u);
+  EXPECT_NE(metric(result_of("brighter"), "psnr"), before);
+}
+
+TEST_F(BenchRun, failed_reference_leaves_a_caveat_instead_of_metrics) {
+  run(suite_text("fails", {"grey"}));
+  const Result result = result_of("grey");
+  EXPECT_EQ(result.status, Status::ok);
+  EXPECT_TRUE(result.metrics.empty());
+  EXPECT_NE(std::find(result.caveats.begin(), result.caveats.end(),
+                      "not compared: the reference scene/fails/spp=1000/seed=0 ended as crash (exited with 5: out of "
+                      "ideas)"),
+            result.caveats.end());
+}
+
+TEST_F(BenchRun, scene_that_expects_an_engine_to_fail_is_not_tried_on_it) {
+  put("expect.toml", "purpose = 'x'\nexposure = 0.0\n[unsupported]\nbrighter = 'too bright'\n");
+  const BenchSummary summary = run(suite_text("grey", {"brighter"}));
+  EXPECT_EQ(started(), "grey\n");
+  EXPECT_EQ(summary.by_status.at(Status::unsupported), 1u);
+  EXPECT_EQ(result_of("brighter").detail, "too bright");
+}
+
+TEST_F(BenchRun, engine_that_cannot_tell_its_version_is_unsupported) {
+  std::string text = suite_text("grey", {"brighter"});
+  const std::string row = "name = 'brighter'";
+  const auto at = text.find("[['cat', '{suite}/version']]", text.find(row));
+  text.replace(at, 28, "[['no-such-program']]");
+  run(text);
+  EXPECT_EQ(result_of("brighter").status, Status::unsupported);
+  EXPECT_EQ(
+      result_of("brighter").detail,
+      "the engine cannot tell its version: 'no-such-program' could not be started: 'no-such-program': No such file "
+      "or directory");
+}
+
+TEST_F(BenchRun, interrupt_keeps_what_is_finished_and_the_next_run_goes_on) {
+  const std::string text = suite_text("grey", {"brighter", "sleeps"});
+  observer_.after_each = [this] { interrupt_ = observer_.seen.find("brighter") != std::string::npos; };
+  const BenchSummary summary = run(text);
+  EXPECT_TRUE(summary.interrupted);
+  EXPECT_EQ(summary.missing, 1u);
+  EXPECT_EQ(results().results.size(), 2u);
+  interrupt_ = false;
+  observer_.after_each = {};
+  forget_log();
+  EXPECT_EQ(run(text).measured, 1u);
+  EXPECT_EQ(started(), "sleeps\n");
+  EXPECT_EQ(results().results.size(), 3u);
+}
+
+TEST_F(BenchRun, second_run_in_the_same_folder_is_refused) {
+  observer_.after_each = [this] {
+    Silent other;
+    BenchOptions same = options_;
+    EXPECT_TRUE(input_error_of([&] {
+                  run_bench(read_suite(folder_ / "suite.toml"), same, other);
+                }).starts_with(options_.results_folder.string() + ": error: another run is writing here"));
+  };
+  run(suite_text("grey", {}));
+  EXPECT_EQ(observer_.seen, "1/1 grey\n");
+}
+
+TEST_F(BenchRun, broken_scene_is_an_input_error_before_anything_runs) {
+  put("scene.xml", "<scene");
+  EXPECT_NE(input_error_of([&] { run(suite_text("grey", {})); }), "no error");
+  EXPECT_EQ(started(), "");
+}
+
+}  // namespace
+}  // namespace photonproof

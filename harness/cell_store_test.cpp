@@ -1,0 +1,91 @@
+#include "harness/cell_store.h"
+
+#include "harness/test_folder.h"
+
+namespace photonproof {
+namespace {
+
+class Store : public FolderTest {
+ protected:
+  static KeptResult result(const std::string& detail) {
+    KeptResult kept;
+    kept.result.cell = {"s", "e", {"spp", 1}, 1};
+    kept.result.key = "key";
+    kept.result.status = Status::crash;
+    kept.result.detail = detail;
+    kept.comparison_key = "compared";
+    return kept;
+  }
+  std::string latest_detail() const {
+    const auto found = CellStore(folder_).latest("key");
+    return found ? found->kept.result.detail : "none";
+  }
+};
+
+TEST_F(Store, unknown_key_has_no_result) { EXPECT_EQ(latest_detail(), "none"); }
+
+TEST_F(Store, kept_result_is_found_again) {
+  const CellStore store(folder_);
+  const std::string name = store.make_folder("key");
+  EXPECT_EQ(name, "cells/key-1");
+  EXPECT_EQ(latest_detail(), "none");  // not before its record is there
+  store.keep(name, result("first"));
+  EXPECT_EQ(latest_detail(), "first");
+  EXPECT_EQ(store.latest("key")->cell_folder, "cells/key-1");
+}
+
+TEST_F(Store, second_measurement_stands_beside_the_first) {
+  const CellStore store(folder_);
+  store.keep(store.make_folder("key"), result("first"));
+  const std::string second = store.make_folder("key");
+  EXPECT_EQ(second, "cells/key-2");
+  EXPECT_EQ(latest_detail(), "first");
+  store.keep(second, result("second"));
+  EXPECT_EQ(latest_detail(), "second");
+  EXPECT_TRUE(has("cells/key-1/cell.json"));
+}
+
+TEST_F(Store, folder_of_an_interrupted_cell_is_emptied_and_used_again) {
+  const CellStore store(folder_);
+  const std::string name = store.make_folder("key");
+  put(name + "/image.exr", "half");
+  EXPECT_EQ(store.make_folder("key"), name);
+  EXPECT_FALSE(has(name + "/image.exr"));
+}
+
+TEST_F(Store, damaged_record_does_not_count_and_is_not_touched) {
+  const CellStore store(folder_);
+  store.keep(store.make_folder("key"), result("first"));
+  store.keep(store.make_folder("key"), result("second"));
+  put("cells/key-2/cell.json", "{\"schema_");
+  EXPECT_EQ(latest_detail(), "first");
+  EXPECT_EQ(store.make_folder("key"), "cells/key-3");
+  EXPECT_EQ(get("cells/key-2/cell.json"), "{\"schema_");
+}
+
+TEST_F(Store, result_whose_image_is_gone_does_not_count) {
+  const CellStore store(folder_);
+  const std::string name = store.make_folder("key");
+  KeptResult kept = result("with image");
+  kept.result.image = name + "/image.exr";
+  put(name + "/image.exr", "x");
+  store.keep(name, kept);
+  EXPECT_EQ(latest_detail(), "with image");
+  std::filesystem::remove(folder_ / name / "image.exr");
+  EXPECT_EQ(latest_detail(), "none");
+}
+
+TEST_F(Store, result_whose_pictures_are_gone_has_to_be_compared_again) {
+  const CellStore store(folder_);
+  const std::string name = store.make_folder("key");
+  KeptResult kept = result("with picture");
+  kept.result.pictures["image"] = name + "/image.png";
+  put(name + "/image.png", "x");
+  store.keep(name, kept);
+  EXPECT_EQ(store.latest("key")->kept.comparison_key, "compared");
+  std::filesystem::remove(folder_ / name / "image.png");
+  EXPECT_EQ(store.latest("key")->kept.comparison_key, "");
+}
+
+}  // namespace
+}  // namespace photonproof

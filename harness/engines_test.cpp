@@ -1,0 +1,125 @@
+#include "harness/engines.h"
+
+#include "harness/engine_command.h"
+#include "harness/test_folder.h"
+
+namespace photonproof {
+namespace {
+
+const Engine& builtin(const std::vector<Engine>& engines, const std::string& name) {
+  for (const Engine& engine : engines)
+    if (engine.name == name) return engine;
+  throw std::out_of_range(name);
+}
+
+CommandValues example_values() {
+  return {.photonproof = "bin/photonproof",
+          .suite = "suites",
+          .scene = "my scene.xml",
+          .output = "o/image.exr",
+          .stats = "o/stats.json",
+          .width = 64,
+          .height = 48,
+          .threads = 2,
+          .seed = 7,
+          .budget = {"spp", 16}};
+}
+
+std::string error_for(const std::string& row) {
+  return input_error_of(
+      [&] { engines_from_toml(TomlTable::parse("[[engine]]\n" + row, "s.toml"), builtin_engines()); });
+}
+
+constexpr const char* good_row =
+    "name = 'mine'\ntitle = 'Mine'\ncommand = ['./mine', '{scene}', '{output}']\nbudgets = ['spp']\ntrust = "
+    "'external'\n";
+
+TEST(Engines, builtin_rows_are_our_two_integrators_and_povray) {
+  const std::vector<Engine> engines = builtin_engines();
+  ASSERT_EQ(engines.size(), 3u);
+  EXPECT_EQ(builtin(engines, "path").trust, Trust::unbiased);
+  EXPECT_EQ(builtin(engines, "photonmapper").trust, Trust::biased);
+  EXPECT_EQ(builtin(engines, "povray").trust, Trust::biased);
+  EXPECT_TRUE(builtin(engines, "path").accepts("spp"));
+  EXPECT_FALSE(builtin(engines, "path").accepts("photons"));
+  EXPECT_TRUE(builtin(engines, "photonmapper").accepts("photons"));
+  EXPECT_TRUE(builtin(engines, "povray").accepts("quality"));
+}
+
+TEST(Engines, command_of_the_path_tracer_is_as_one_would_type_it) {
+  EXPECT_EQ(shell_line(fill_command(builtin(builtin_engines(), "path").command, example_values())),
+            "bin/photonproof render 'my scene.xml' --integrator path -o o/image.exr --stats o/stats.json --size 64x48 "
+            "--seed 7 --threads 2 --spp 16");
+}
+
+TEST(Engines, budget_amounts_are_written_in_full) {
+  CommandValues values = example_values();
+  values.budget = {"photons", 1e7};
+  EXPECT_EQ(fill_command({"{budget}", "n={amount}"}, values),
+            (std::vector<std::string>{"--photons", "10000000", "n=10000000"}));
+}
+
+TEST(Engines, shell_line_quotes_what_a_shell_would_change) {
+  EXPECT_EQ(shell_line({"a", "", "b c", "it's", "$HOME", "x=1"}), "a '' 'b c' 'it'\\''s' '$HOME' x=1");
+}
+
+TEST(Engines, row_of_a_suite_is_read) {
+  const TomlTable document = TomlTable::parse(
+      "[[engine]]\n" + std::string(good_row) + "image = 'png'\nversions = [['{suite}/mine', '-v']]", "s.toml");
+  const std::vector<Engine> engines = engines_from_toml(document, builtin_engines());
+  ASSERT_EQ(engines.size(), 1u);
+  EXPECT_EQ(engines[0].name, "mine");
+  EXPECT_EQ(engines[0].trust, Trust::external);
+  EXPECT_EQ(engines[0].image_extension, "png");
+  EXPECT_EQ(fill_command(engines[0].version_commands.at(0), example_values()),
+            (std::vector<std::string>{"suites/mine", "-v"}));
+  EXPECT_EQ(fill_command(engines[0].command, example_values()),
+            (std::vector<std::string>{"./mine", "my scene.xml", "o/image.exr"}));
+}
+
+TEST(Engines, name_that_is_taken_is_refused) {
+  EXPECT_EQ(error_for("name = 'path'\n" + std::string(good_row).substr(std::string("name = 'mine'\n").size())),
+            "s.toml:2:8: error: there is an engine 'path' already\n  name = 'path'\n         ^");
+}
+
+TEST(Engines, name_that_cannot_be_a_file_name_is_refused) {
+  EXPECT_TRUE(error_for("name = '../x'\n")
+                  .starts_with("s.toml:2:8: error: 'name' may hold letters, digits, '_', '.' and '-'; not '../x'"));
+}
+
+TEST(Engines, unknown_trust_is_refused) {
+  std::string row = good_row;
+  row.replace(row.find("external"), 8, "blind");
+  EXPECT_TRUE(
+      error_for(row).starts_with("s.toml:6:9: error: 'trust' is one of unbiased, biased, external; not 'blind'"))
+      << error_for(row);
+}
+
+TEST(Engines, unknown_key_of_a_row_is_refused) {
+  EXPECT_TRUE(error_for(std::string(good_row) + "colour = 1").starts_with("s.toml:7:1: error: unknown key 'colour'"));
+}
+
+TEST(Engines, commands_that_cannot_work_are_refused) {
+  const auto problem = [](const std::vector<std::string>& command) {
+    return command_problem(command, CommandUse::render).value_or("fine");
+  };
+  EXPECT_EQ(problem({"x", "{scene}", "{output}"}), "fine");
+  EXPECT_EQ(problem({}), "a command needs at least a program");
+  EXPECT_EQ(problem({"x", "{scene}"}), "the command does not mention {output}");
+  EXPECT_EQ(problem({"x", "{output}"}), "the command does not mention {scene}");
+  EXPECT_EQ(
+      problem({"x", "{scne}"}),
+      "'{scne}' has an unknown placeholder; known: {budget} {photonproof} {suite} {scene} {output} {stats} {width} "
+      "{height} {threads} {seed} {amount}");
+  EXPECT_EQ(problem({"x", "{scene"}).substr(0, 35), "'{scene' has an unknown placeholder");
+  EXPECT_EQ(problem({"x", "-b{budget}"}), "{budget} becomes two arguments and must stand alone, not in '-b{budget}'");
+}
+
+TEST(Engines, version_commands_know_no_scene) {
+  EXPECT_EQ(command_problem({"x", "{scene}"}, CommandUse::version).value_or("fine"),
+            "'{scene}' has an unknown placeholder; known: {photonproof} {suite}");
+  EXPECT_FALSE(command_problem({"{photonproof}", "--version"}, CommandUse::version).has_value());
+}
+
+}  // namespace
+}  // namespace photonproof

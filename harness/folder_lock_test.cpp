@@ -1,0 +1,38 @@
+#include "harness/folder_lock.h"
+
+#include "harness/test_folder.h"
+#include "reference/process.h"
+
+namespace photonproof {
+namespace {
+
+using Lock = FolderTest;
+
+TEST_F(Lock, folder_is_made_and_locked_once) {
+  const std::filesystem::path folder = folder_ / "a" / "b";
+  const FolderLock lock(folder);
+  EXPECT_TRUE(std::filesystem::is_directory(folder));
+  EXPECT_EQ(input_error_of([&] { FolderLock second(folder); }),
+            folder.string() + ": error: another run is writing here (process " + std::to_string(getpid()) +
+                "); wait for it or choose another folder with -o");
+}
+
+TEST_F(Lock, lock_ends_with_its_holder) {
+  { const FolderLock lock(folder_); }
+  EXPECT_EQ(input_error_of([&] { FolderLock second(folder_); }), "no error");
+}
+
+TEST_F(Lock, child_processes_do_not_inherit_it) {
+  const FolderLock lock(folder_);
+  EXPECT_EQ(run_process({"sh", "-c", "ls -l /proc/$$/fd | grep -c '[.]lock'"}).standard_output, "0\n");
+}
+
+TEST_F(Lock, folder_that_cannot_be_made_is_an_input_error) {
+  put("file", "");
+  EXPECT_TRUE(input_error_of([&] {
+                FolderLock lock(folder_ / "file" / "x");
+              }).starts_with((folder_ / "file" / "x").string() + ": error: cannot be made: "));
+}
+
+}  // namespace
+}  // namespace photonproof

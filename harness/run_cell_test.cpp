@@ -1,0 +1,120 @@
+#include "harness/run_cell.h"
+
+#include "harness/test_suite.h"
+
+namespace photonproof {
+namespace {
+
+class RunCell : public FakeSuiteTest {
+ protected:
+  std::optional<Result> run(const std::string& behaviour) const {
+    CellRun cell;
+    cell.cell = {"scene", behaviour, {"spp", 1}, 1};
+    cell.image = folder_ / "image.exr";
+    cell.stats = folder_ / "stats.json";
+    cell.output_folder = folder_;
+    cell.argv = {"sh", folder_ / "engine.sh", behaviour, folder_, cell.image, cell.stats, "scene.xml", "1"};
+    cell.width = width;
+    cell.height = height;
+    cell.limits = limits_;
+    cell.interrupt = &interrupt_;
+    return run_cell(cell);
+  }
+  std::string ending(const std::string& behaviour) const {
+    const std::optional<Result> result = run(behaviour);
+    return result ? to_string(result->status) + "|" + result->detail : "interrupted";
+  }
+
+  Limits limits_{.seconds = 20, .memory_mb = 2048, .threads = 1};
+  std::atomic<bool> interrupt_ = false;
+};
+
+TEST_F(RunCell, good_image_is_ok_with_its_cost_and_stats) {
+  const std::optional<Result> result = run("grey");
+  ASSERT_TRUE(result.has_value());
+  EXPECT_EQ(result->status, Status::ok);
+  EXPECT_EQ(result->detail, "");
+  EXPECT_GT(result->wall_seconds.value(), 0);
+  EXPECT_GT(result->peak_bytes.value(), 0u);
+  EXPECT_TRUE(result->cpu_seconds.has_value());
+  EXPECT_EQ(result->phases, (std::map<std::string, double>{{"copy", 0.25}}));
+  EXPECT_EQ(result->command.substr(0, 3), "sh ");
+}
+
+TEST_F(RunCell, hanging_engine_is_a_timeout) {
+  limits_.seconds = 0.3;
+  EXPECT_EQ(ending("hangs"), "timeout|killed after 0.3 s (limit)");
+}
+
+TEST_F(RunCell, greedy_engine_is_a_crash) {
+  limits_.memory_mb = 64;
+  EXPECT_EQ(ending("hog"), "crash|used more than 64 MiB of memory (limit)");
+}
+
+TEST_F(RunCell, dying_engine_is_a_crash) { EXPECT_EQ(ending("segfaults"), "crash|killed by SIGSEGV"); }
+
+TEST_F(RunCell, failing_engine_is_a_crash_with_its_last_words) {
+  EXPECT_EQ(ending("fails"), "crash|exited with 5: out of ideas");
+  EXPECT_EQ(get("stderr.txt"), "first words\nout of ideas\n");
+  EXPECT_FALSE(has("stdout.txt"));
+}
+
+TEST_F(RunCell, refusal_is_unsupported_with_its_reason) { EXPECT_EQ(ending("refuses"), "unsupported|no mirrors here"); }
+
+TEST_F(RunCell, engine_that_cannot_be_started_is_a_crash_without_a_cost) {
+  CellRun cell;
+  cell.argv = {"no-such-engine"};
+  cell.output_folder = folder_;
+  const std::optional<Result> result = run_cell(cell);
+  ASSERT_TRUE(result.has_value());
+  EXPECT_EQ(result->status, Status::crash);
+  EXPECT_EQ(result->detail, "could not be started: 'no-such-engine': No such file or directory");
+  EXPECT_FALSE(result->wall_seconds.has_value());
+  EXPECT_FALSE(result->peak_bytes.has_value());
+}
+
+TEST_F(RunCell, no_image_is_a_bad_image) { EXPECT_EQ(ending("silent"), "bad_image|wrote no image"); }
+
+TEST_F(RunCell, other_size_is_a_bad_image) {
+  EXPECT_EQ(ending("small"), "bad_image|wrote 4x4 pixels instead of 16x12");
+}
+
+TEST_F(RunCell, value_that_is_not_finite_is_a_bad_image) {
+  // 16 x 12 pixels of three channels are 576 values.
+  EXPECT_EQ(ending("nan"), "bad_image|pixel (0, 0) of the test image is NaN in R; 576 non-finite in all");
+}
+
+TEST_F(RunCell, half_an_image_is_a_bad_image) {
+  EXPECT_TRUE(ending("half").starts_with("bad_image|wrote an image that cannot be read: ")) << ending("half");
+}
+
+TEST_F(RunCell, garbage_is_a_bad_image) {
+  EXPECT_TRUE(ending("garbage").starts_with("bad_image|wrote an image that cannot be read: ")) << ending("garbage");
+}
+
+TEST_F(RunCell, broken_stats_are_a_caveat_only) {
+  const std::optional<Result> result = run("bad_stats");
+  ASSERT_TRUE(result.has_value());
+  EXPECT_EQ(result->status, Status::ok);
+  EXPECT_NE(
+      std::find(result->caveats.begin(), result->caveats.end(), "its stats cannot all be used: it is not valid JSON"),
+      result->caveats.end());
+}
+
+TEST_F(RunCell, sleeping_engine_gets_a_caveat_about_its_timing) {
+  // It sleeps half a second and copies a file: far less than half of its wall time is CPU time.
+  const std::optional<Result> result = run("sleeps");
+  ASSERT_TRUE(result.has_value());
+  const auto waited = [](const std::string& caveat) {
+    return caveat.starts_with("waited more than it computed (CPU ");
+  };
+  EXPECT_EQ(std::count_if(result->caveats.begin(), result->caveats.end(), waited), 1);
+}
+
+TEST_F(RunCell, interrupted_cell_has_no_result) {
+  interrupt_ = true;
+  EXPECT_EQ(ending("grey"), "interrupted");
+}
+
+}  // namespace
+}  // namespace photonproof

@@ -1,0 +1,134 @@
+#include "harness/suite.h"
+
+#include "harness/test_folder.h"
+
+namespace photonproof {
+namespace {
+
+constexpr const char* head = "name = 'tiny'\ntitle = 'Tiny'\n";
+constexpr const char* scenes =
+    "[[scene]]\nname = 'a'\npath = 'a.xml'\nwidth = 8\nheight = 6\nexposure = 1\n"
+    "reference = {engine = 'path', budget = 'spp=64', seed = 9}\n"
+    "[[scene]]\nname = 'b'\npath = 'b.xml'\nwidth = 8\nheight = 6\n"
+    "reference = {engine = 'path', budget = 'spp=64', seed = 9}\n";
+
+class SuiteFile : public FolderTest {
+ protected:
+  void SetUp() override {
+    FolderTest::SetUp();
+    put("a.xml", "");
+    put("b.xml", "");
+  }
+  Suite read(const std::string& text) const {
+    put("s.toml", text);
+    return read_suite(folder_ / "s.toml");
+  }
+  // The first line of the error, without the folder.
+  std::string error(const std::string& text) const {
+    std::string message = input_error_of([&] { read(text); });
+    message.resize(std::min(message.size(), message.find('\n')));
+    const std::string prefix = folder_.string() + "/";
+    for (auto at = message.find(prefix); at != std::string::npos; at = message.find(prefix))
+      message.erase(at, prefix.size());
+    return message;
+  }
+};
+
+TEST_F(SuiteFile, runs_expand_to_cells_in_order) {
+  const Suite suite = read(std::string(head) + "[limits]\nseconds = 5\nmemory_mb = 100\nthreads = 3\n" + scenes +
+                           "[[run]]\nengine = 'path'\nbudgets = ['spp=1', 'spp=2']\nseeds = [1, 2]\nscenes = ['b']\n"
+                           "[[run]]\nengine = 'povray'\nbudgets = ['quality=1']\nseeds = [1]\n");
+  EXPECT_EQ(suite.name, "tiny");
+  EXPECT_EQ(suite.title, "Tiny");
+  EXPECT_EQ(suite.limits.seconds, 5);
+  EXPECT_EQ(suite.limits.memory_mb, 100u);
+  EXPECT_EQ(suite.limits.threads, 3);
+  ASSERT_EQ(suite.scenes.size(), 2u);
+  EXPECT_EQ(suite.scenes[0].path, folder_ / "a.xml");
+  EXPECT_EQ(suite.scenes[0].given_path, "a.xml");
+  EXPECT_EQ(suite.scenes[0].exposure, 1.0);
+  EXPECT_FALSE(suite.scenes[1].exposure.has_value());
+  EXPECT_EQ(suite.scenes[0].reference.label(), "a/path/spp=64/seed=9");
+  std::vector<std::string> labels;
+  for (const Cell& cell : suite.cells) labels.push_back(cell.label());
+  EXPECT_EQ(labels, (std::vector<std::string>{"b/path/spp=1/seed=1", "b/path/spp=1/seed=2", "b/path/spp=2/seed=1",
+                                              "b/path/spp=2/seed=2", "a/povray/quality=1/seed=1",
+                                              "b/povray/quality=1/seed=1"}));
+}
+
+TEST_F(SuiteFile, own_engine_can_be_used) {
+  const Suite suite = read(std::string(head) + scenes +
+                           "[[engine]]\nname = 'mine'\ntitle = 'Mine'\ncommand = ['x', '{scene}', '{output}']\n"
+                           "budgets = ['run']\ntrust = 'external'\n"
+                           "[[run]]\nengine = 'mine'\nbudgets = ['run=1']\nseeds = [0]\n");
+  EXPECT_EQ(suite.engine("mine").title, "Mine");
+  EXPECT_EQ(suite.cells.size(), 2u);
+}
+
+TEST_F(SuiteFile, the_suites_we_ship_are_valid) {
+  const std::filesystem::path folder = PHOTONPROOF_SOURCE_DIR "/harness/suites";
+  int count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    EXPECT_EQ(input_error_of([&] { EXPECT_EQ(read_suite(entry.path()).name, entry.path().stem()); }), "no error");
+    ++count;
+  }
+  EXPECT_GE(count, 1);
+}
+
+TEST_F(SuiteFile, mistakes_are_named_with_their_place) {
+  const std::string run = "[[run]]\nengine = 'path'\nbudgets = ['spp=1']\nseeds = [1]\n";
+  // Lines: head 1-2, scene a 3-9, scene b 10-15, the run from 16 on.
+  const std::string good = std::string(head) + scenes + run;
+  const auto with = [&](const std::string& from, const std::string& to) {
+    std::string text = good;
+    text.replace(text.find(from), from.size(), to);
+    return error(text);
+  };
+  EXPECT_EQ(error(good), "no error");
+  EXPECT_EQ(with("title = 'Tiny'\n", ""), "s.toml:1:1: error: 'title' is missing");
+  EXPECT_EQ(with("'tiny'", "'../up'"),
+            "s.toml:1:8: error: 'name' may hold letters, digits, '_', '.' and '-' and not start with '.'");
+  EXPECT_EQ(with("[[run]]", "sets = 1\n[[run]]"),
+            "s.toml:16:1: error: unknown key 'sets'; known here: exposure, height, "
+            "name, path, reference, width");
+  EXPECT_EQ(with("[[scene]]", "[limits]\nsecs = 1\n[[scene]]"),
+            "s.toml:4:1: error: unknown key 'secs'; known here: memory_mb, seconds, threads");
+  EXPECT_EQ(with("[[scene]]", "[limits]\nseconds = 0\n[[scene]]"), "s.toml:4:11: error: 'seconds' must be positive");
+  EXPECT_EQ(with("a.xml", "c.xml"), "s.toml:5:8: error: no such file: c.xml");
+  EXPECT_EQ(with("width = 8", "width = 0"), "s.toml:6:9: error: 'width' must lie between 1 and 16384");
+  EXPECT_EQ(with("width = 8", "width = 'x'"), "s.toml:6:9: error: 'width' must be an integer, not a string");
+  EXPECT_EQ(with("'spp=64'", "'spp=0'"),
+            "s.toml:9:40: error: a budget is written \"kind=amount\" with a positive amount, not 'spp=0'");
+  EXPECT_EQ(with("name = 'b'", "name = 'a'"), "s.toml:11:8: error: there is a scene 'a' already");
+  EXPECT_EQ(with("engine = 'path'\nbudgets", "engine = 'pth'\nbudgets"),
+            "s.toml:17:10: error: unknown engine 'pth'; known: path, photonmapper, povray");
+  EXPECT_EQ(with("['spp=1']", "['spp=1', 'photons=2']"),
+            "s.toml:18:21: error: engine 'path' takes budgets of spp, seconds; not 'photons'");
+  EXPECT_EQ(with("seeds = [1]", "seeds = [1, -2]"), "s.toml:19:13: error: a seed must not be negative");
+  EXPECT_EQ(with("seeds = [1]", "seeds = [1]\nscenes = ['a', 'z']"),
+            "s.toml:20:16: error: unknown scene 'z'; known: a, b");
+  EXPECT_EQ(with("seeds = [1]", "seeds = [1, 1]"), "s.toml:16:1: error: the cell a/path/spp=1/seed=1 occurs twice");
+  EXPECT_EQ(error(good + run), "s.toml:20:1: error: the cell a/path/spp=1/seed=1 occurs twice");
+  EXPECT_EQ(with("['spp=1']\nseeds = [1]", "['spp=64']\nseeds = [9]"),
+            "s.toml:16:1: error: the cell a/path/spp=64/seed=9 is the scene's reference; it would be compared with "
+            "itself");
+  EXPECT_EQ(error(head), "s.toml:1:1: error: the suite has no [[scene]]");
+  EXPECT_EQ(with("[[run]]", "[[rnu]]"),
+            "s.toml:16:3: error: unknown key 'rnu'; known here: engine, limits, name, run, scene, title");
+}
+
+TEST_F(SuiteFile, missing_suite_is_named) {
+  EXPECT_EQ(input_error_of([&] { read_suite(folder_ / "none.toml"); }),
+            (folder_ / "none.toml").string() + ": error: no such file");
+}
+
+TEST(BudgetText, only_kind_and_positive_amount_is_a_budget) {
+  EXPECT_EQ(budget_from_text("seconds=0.5"), (Budget{"seconds", 0.5}));
+  EXPECT_EQ(budget_from_text("photons=1e6"), (Budget{"photons", 1e6}));
+  for (const char* text :
+       {"", "spp", "spp=", "=4", "spp=-1", "spp=0", "spp=4x", "spp= 4", "SPP=4", "spp=inf", "spp=nan"})
+    EXPECT_FALSE(budget_from_text(text).has_value()) << text;
+}
+
+}  // namespace
+}  // namespace photonproof

@@ -1,0 +1,78 @@
+// A suite whose engines are a shell script: each engine is one way to behave, named by what it does.
+#pragma once
+
+#include <limits>
+
+#include "harness/test_folder.h"
+#include "scenes/image.h"
+
+namespace photonproof {
+
+class FakeSuiteTest : public FolderTest {
+ protected:
+  static constexpr int width = 16, height = 12;
+
+  void SetUp() override {
+    FolderTest::SetUp();
+    put("scene.xml", scene_text);
+    put("expect.toml", "purpose = 'to be measured'\nexposure = 0.5\n");
+    put("engine.sh", script);
+    write_grey("grey.exr", width, height, 0.5f);
+    write_grey("brighter.exr", width, height, 0.6f);
+    write_grey("small.exr", 4, 4, 0.5f);
+    write_grey("nan.exr", width, height, std::numeric_limits<float>::quiet_NaN());
+  }
+
+  void write_grey(const std::string& name, int w, int h, float value) const {
+    Rendering rendering;
+    rendering.mean = Image(w, h);
+    for (float& channel : rendering.mean.rgb) channel = value;
+    write_exr((folder_ / name).string(), rendering);
+  }
+
+  /// One scene, whose reference is by `reference`, and one cell for each of `engines`.
+  std::string suite_text(const std::string& reference, const std::vector<std::string>& engines,
+                         const std::string& limits = "seconds = 20") const {
+    std::string text = "name = 'fake'\ntitle = 'Fake'\n[limits]\nthreads = 1\n" + limits +
+                       "\n[[scene]]\nname = 'scene'\npath = 'scene.xml'\nwidth = " + std::to_string(width) +
+                       "\nheight = " + std::to_string(height) + "\nreference = {engine = '" + reference +
+                       "', budget = 'spp=1000', seed = 0}\n";
+    for (const char* engine : {"grey", "brighter", "hangs", "segfaults", "fails", "refuses", "silent", "half", "small",
+                               "nan", "garbage", "hog", "bad_stats", "sleeps"})
+      text += "[[engine]]\nname = '" + std::string(engine) +
+              "'\ntitle = 'fake'\ncommand = ['sh', '{suite}/engine.sh', '" + engine +
+              "', '{suite}', '{output}', '{stats}', '{scene}', '{seed}']\nversions = [['cat', " +
+              "'{suite}/version']]\nbudgets = ['spp']\ntrust = 'external'\n";
+    put("version", "fake 1\n");
+    for (const std::string& engine : engines)
+      text += "[[run]]\nengine = '" + engine + "'\nbudgets = ['spp=1']\nseeds = [1]\n";
+    return text;
+  }
+
+  /// Engines that the script was started as, in order.
+  std::string started() const { return has("log") ? get("log") : ""; }
+
+  static constexpr const char* script = R"script(
+echo "$1" >> "$2/log"
+case $1 in
+  grey|brighter|small|nan) cp "$2/$1.exr" "$3"; echo '{"schema_version": 1, "phases": {"copy": 0.25}}' > "$4" ;;
+  hangs) sleep 60 ;;
+  segfaults) kill -SEGV $$ ;;
+  fails) echo 'first words' >&2; echo 'out of ideas' >&2; exit 5 ;;
+  refuses) echo 'no mirrors here' >&2; exit 3 ;;
+  silent) exit 0 ;;
+  half) head -c 300 "$2/grey.exr" > "$3" ;;
+  garbage) echo 'this is no image' > "$3" ;;
+  hog) tail -n 1 /dev/zero ;;
+  bad_stats) cp "$2/grey.exr" "$3"; echo '{"schema' > "$4" ;;
+  sleeps) echo $$ > "$2/pid"; sleep 0.5; cp "$2/grey.exr" "$3" ;;
+esac
+)script";
+  static constexpr const char* scene_text = R"xml(<scene version="3.0.0">
+  <sensor type="perspective"><film type="hdrfilm"><rfilter type="box"/></film></sensor>
+  <shape type="sphere"><emitter type="area"><rgb name="radiance" value="1"/></emitter></shape>
+</scene>
+)xml";
+};
+
+}  // namespace photonproof
