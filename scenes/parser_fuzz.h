@@ -1,0 +1,17 @@
+// What the parser's fuzzer checks of one input; also run over the stored corpus by an ordinary test.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace photonproof {
+
+/// Empty when `text` is refused with a proper message, or is a scene that survives writing and reading; else what went
+/// wrong.
+std::string check_parser(std::string_view text);
+
+}  // namespace photonproof
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
