@@ -39,13 +39,15 @@ std::vector<Detail> cell_details(const Result& result) {
   return details;
 }
 
-std::vector<std::string> cell_remarks(const Result& result) {
-  std::vector<std::string> remarks;
-  if (result.status != Status::ok) {
-    remarks.push_back(result.detail.empty() ? "The record gives no reason." : result.detail);
-  }
-  remarks.insert(remarks.end(), result.caveats.begin(), result.caveats.end());
-  return remarks;
+std::string reason_text(const Result& result) {
+  if (result.status == Status::ok) return {};
+  return result.detail.empty() ? "The record gives no reason." : result.detail;
+}
+
+std::string caveats_text(const Result& result) {
+  std::string text;
+  for (const std::string& caveat : result.caveats) text += (text.empty() ? "" : "; ") + caveat;
+  return text;
 }
 
 std::string state_text(const EngineOutcome& outcome) {

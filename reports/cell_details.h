@@ -17,8 +17,11 @@ struct Detail {
 /// any. Texts come from the record and are not escaped.
 std::vector<Detail> cell_details(const Result& result);
 
-/// The remarks that belong right below a cell's row: the reason when it is not ok, and its caveats.
-std::vector<std::string> cell_remarks(const Result& result);
+/// Why the cell is not ok; empty when it is.
+std::string reason_text(const Result& result);
+
+/// The caveats on a cell's numbers in one line; empty when there are none.
+std::string caveats_text(const Result& result);
 
 /// How an engine's cells on one scene ended, in few words: "6 ok", "2 of 6 timeout", "3 of 6 not ok", "not run".
 std::string state_text(const EngineOutcome& outcome);

@@ -59,7 +59,8 @@ void set_columns(data& page, const View& view) {
     columns.push_back(item);
   }
   page.set("columns", columns);
-  page.set("other_parameters", parameters_data(others));
+  page.set("has_other_parameters", !others.empty());
+  page.set("other_parameters", parameters_data(merged(others)));
 }
 
 void set_templates(data& page) {

@@ -119,6 +119,14 @@ TEST(HtmlReport, undefined_metrics_are_dashes) {
   EXPECT_EQ(count(html_of(results), "<td class=\"number\">–</td>"), 6u + 6u + 6u + 7u);  // the timeout lacks memory too
 }
 
+TEST(HtmlReport, parameters_of_metrics_without_a_column_are_said_too) {
+  Results results = sample_results();
+  results.results[1].metrics.push_back({"flip_max", 0.5, "pixels_per_degree=67"});
+  results.results[1].metrics.push_back({"flip_least", 0.5, "pixels_per_degree=67"});
+  EXPECT_EQ(
+      count(html_of(results), "<dd>flip_max, flip_least <span class=\"quiet\">(pixels_per_degree=67)</span></dd>"), 1u);
+}
+
 TEST(HtmlReport, says_when_gnuplot_is_missing) {
   const std::string path = std::getenv("PATH");
   setenv("PATH", "/nonexistent", 1);

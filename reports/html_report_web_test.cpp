@@ -56,6 +56,9 @@ class HtmlReportInBrowser : public testing::Test {
     for (Result& result : results.results) {
       if (result.cell.scene == "hole") result.cell.scene = results.scenes[1].name;
     }
+    results.engines[0].version = std::string(200, 'v');
+    results.engines[1].title = "a title of many words " + std::string(100, 't');
+    results.command = results.host.cpu = std::string(300, 'c');
     write_html_report(results, folder.path(), page);
   }
 

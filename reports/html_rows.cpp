@@ -42,7 +42,8 @@ data row_data(const View& view, std::size_t engine, const Result& result, bool f
   row.set("cpu", seconds_text(result.cpu_seconds));
   row.set("peak", or_dash(result.peak_bytes, megabytes));
   row.set("first", first);
-  row.set("notes", texts_data(cell_remarks(result)));
+  row.set("reason", text_or_false(reason_text(result)));
+  row.set("caveats", text_or_false(caveats_text(result)));
   row.set("width_of_table", std::to_string(7 + metric_columns().size()));
   row.set("details", details_data(result));
   row.set("has_command", !result.command.empty());

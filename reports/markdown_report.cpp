@@ -174,8 +174,8 @@ class Writer {
       row.push_back(seconds(result.wall_seconds));
       row.push_back(seconds(result.cpu_seconds));
       row.push_back(or_dash(result.peak_bytes, megabytes));
-      for (const std::string& remark : cell_remarks(result)) {
-        remarks += "* " + cell_name(cell) + ": " + markdown_text(remark) + "\n";
+      for (const std::string& remark : {reason_text(result), caveats_text(result)}) {
+        if (!remark.empty()) remarks += "* " + cell_name(cell) + ": " + markdown_text(remark) + "\n";
       }
     };
     if (scene.reference) add(*scene.reference, " (reference)");
@@ -220,7 +220,7 @@ class Writer {
       }
       text += "\n";
     }
-    for (const MetricParameters& entry : others) {
+    for (const MetricParameters& entry : merged(others)) {
       text += "* " + markdown_text(entry.metric) + ": " + markdown_text(entry.parameters) + "\n";
     }
     return text +

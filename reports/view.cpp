@@ -79,7 +79,10 @@ void collect_parameters(View& view) {
   const auto varies = [&](const MetricParameters& entry) {
     return std::count_if(all.begin(), all.end(), [&](const auto& other) { return other.metric == entry.metric; }) > 1;
   };
-  for (SceneView& scene : view.scenes) std::erase_if(scene.parameters, [&](const auto& e) { return !varies(e); });
+  for (SceneView& scene : view.scenes) {
+    std::erase_if(scene.parameters, [&](const auto& e) { return !varies(e); });
+    scene.parameters = merged(scene.parameters);
+  }
   std::copy_if(all.begin(), all.end(), std::back_inserter(view.parameters), [&](const auto& e) { return !varies(e); });
 }
 
@@ -141,6 +144,19 @@ View arrange(const Results& results) {
   collect_parameters(view);
   collect_failures(results, view);
   return view;
+}
+
+std::vector<MetricParameters> merged(const std::vector<MetricParameters>& parameters) {
+  std::vector<MetricParameters> out;
+  for (const MetricParameters& entry : parameters) {
+    const auto same = std::ranges::find(out, entry.parameters, &MetricParameters::parameters);
+    if (same == out.end()) {
+      out.push_back(entry);
+    } else {
+      same->metric += ", " + entry.metric;
+    }
+  }
+  return out;
 }
 
 std::optional<double> metric(const Result& result, const std::string& name) {

@@ -33,7 +33,7 @@ struct SceneView {
   const Result* reference = nullptr;         ///< null when there is no finished one
   std::string reference_problem;             ///< why not, one sentence
   std::vector<EngineOutcome> engines;        ///< one for each of View::compared
-  std::vector<MetricParameters> parameters;  ///< those that are not the same for the whole page
+  std::vector<MetricParameters> parameters;  ///< those that are not the same for the whole page, merged
 };
 
 /// Cells of one engine on one scene that ended in the same way for the same reason.
@@ -52,6 +52,9 @@ struct View {
 /// The view points into `results`, which must outlive it. Scenes and engines that only cells name are kept, after the
 /// listed ones: nothing measured is left out.
 View arrange(const Results& results);
+
+/// Metrics of equal parameters as one entry, named "a, b".
+std::vector<MetricParameters> merged(const std::vector<MetricParameters>& parameters);
 
 /// The value of a metric, if the cell has it.
 std::optional<double> metric(const Result& result, const std::string& name);
