@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "reports/metric_columns.h"
 #include "reports/numbers.h"
@@ -16,6 +17,9 @@ void add(std::vector<Detail>& details, const char* term, const std::string& text
   if (!text.empty()) details.push_back({term, {text}});
 }
 
+/// Counts are exact; what an engine reports among them that is no whole number (a radius) is rounded.
+std::string count_text(double value) { return value == std::floor(value) ? grouped(value) : significant(value, 4); }
+
 bool has_column(const std::string& metric) {
   return std::ranges::any_of(metric_columns(), [&](const MetricColumn& column) { return column.metric == metric; });
 }
@@ -25,7 +29,7 @@ bool has_column(const std::string& metric) {
 std::vector<Detail> cell_details(const Result& result) {
   std::string phases, counts, metrics;
   for (const auto& [phase, seconds] : result.phases) append(phases, phase + " " + significant(seconds) + " s");
-  for (const auto& [what, count] : result.counts) append(counts, what + " " + grouped(count));
+  for (const auto& [what, count] : result.counts) append(counts, what + " " + count_text(count));
   for (const MetricValue& value : result.metrics) {
     if (!has_column(value.name)) append(metrics, value.name + " " + format_metric(value.name, value.value));
   }
