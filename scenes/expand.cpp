@@ -24,8 +24,10 @@ class Expander {
  public:
   Expander(Sources& sources, const ParseOptions& options) : sources_(sources), options_(options) {
     for (const auto& [name, text] : options.defines) {
+      if (!is_name(name))
+        throw InputError("-D " + printable(name), in_quotes(name) + " is not a name, expected letters, digits and _");
       if (find_invalid_utf8(text) != std::string::npos || std::any_of(text.begin(), text.end(), is_control_character))
-        throw InputError("-D " + printable(name), "the value " + in_quotes(text) + " is not printable UTF-8 text");
+        throw InputError("-D " + name, "the value " + in_quotes(text) + " is not printable UTF-8 text");
       values_[name] = {text, true, false};
     }
   }
@@ -91,9 +93,13 @@ class Expander {
     check_leaf(element);
     const Attribute& name = require(sources_, element, "name");
     const Attribute& value = require(sources_, element, "value");
-    const bool plain = !name.value.empty() && std::all_of(name.value.begin(), name.value.end(), is_name_byte);
-    if (!plain) fail_at(sources_, name, in_quotes(name.value) + " is not a name, expected letters, digits and _");
+    if (!is_name(name.value))
+      fail_at(sources_, name, in_quotes(name.value) + " is not a name, expected letters, digits and _");
     values_.try_emplace(name.value, Value{value.value, false, false});  // the first one counts, -D before all
+  }
+
+  static bool is_name(const std::string& text) {
+    return !text.empty() && std::all_of(text.begin(), text.end(), is_name_byte);
   }
 
   static bool is_name_byte(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
@@ -143,8 +149,7 @@ class Expander {
   void check_defines() const {
     for (const auto& [name, value] : values_)
       if (value.from_command_line && !value.used)
-        throw InputError("-D " + printable(name),
-                         "the scene has no " + in_quotes("$" + name) + did_you_mean(name, names(false)));
+        throw InputError("-D " + name, "the scene has no " + in_quotes("$" + name) + did_you_mean(name, names(false)));
   }
 
   std::vector<Element> include(const Element& element, int depth) {
@@ -170,7 +175,7 @@ class Expander {
     std::error_code error;
     if (filename.value.empty() || filename.value.find('\0') != std::string::npos)
       fail_at(sources_, filename, "expected a file name");
-    const fs::path path = fs::weakly_canonical(shown, error);
+    fs::path path = fs::weakly_canonical(shown, error);
     if (error) fail_at(sources_, filename, "cannot include " + in_quotes(filename.value) + ": " + error.message());
     const fs::path relative = path.lexically_relative(root_folder_);
     if (!options_.allow_outside && (relative.empty() || *relative.begin() == ".."))

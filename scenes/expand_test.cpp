@@ -63,7 +63,10 @@ TEST(names, given_on_the_command_line_must_be_used) {
   EXPECT_EQ(message_of_text(text, {{{"size", "2"}}, false}), "-D size: error: the scene has no '$size'");
 }
 
-TEST(names, given_on_the_command_line_must_be_printable) {
+TEST(names, given_on_the_command_line_must_be_names_with_printable_values) {
+  EXPECT_EQ(message_of_text("", {{{"a\xFF", "1"}}, false}),
+            "-D a?: error: 'a?' is not a name, expected letters, digits and _");
+  EXPECT_EQ(message_of_text("", {{{"", "1"}}, false}), "-D : error: '' is not a name, expected letters, digits and _");
   EXPECT_EQ(message_of_text("", {{{"a", "gr\xFCn"}}, false}),
             "-D a: error: the value 'gr?n' is not printable UTF-8 text");
   EXPECT_EQ(message_of_text("", {{{"a", "\x1B[31m"}}, false}),

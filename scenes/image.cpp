@@ -74,7 +74,7 @@ void check_supported(const std::string& path, const OIIO::ImageSpec& spec) {
 
 /// Writes interleaved `data` with the named OpenImageIO format; throws on every failure OpenImageIO reports.
 void write_with(const char* format, const std::string& target, const std::string& temporary,
-                const OIIO::ImageSpec& spec, OIIO::TypeDesc type, const void* data) {
+                const OIIO::ImageSpec& spec, const OIIO::TypeDesc& type, const void* data) {
   const std::unique_ptr<OIIO::ImageOutput> out = OIIO::ImageOutput::create(format);
   if (!out) throw InputError(target, "cannot be written: " + first_line(OIIO::geterror()));
   // close() reports what the operating system could not flush, such as a full disk.

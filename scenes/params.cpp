@@ -24,6 +24,7 @@ const std::vector<std::string>& tags_of(ParamType type) {
 
 std::string in_brackets(const std::vector<std::string>& tags) {
   std::vector<std::string> shown;
+  shown.reserve(tags.size());
   for (const std::string& tag : tags) shown.push_back("<" + tag + ">");
   return join_or(shown);
 }
@@ -52,6 +53,7 @@ void Params::add(const Element& parameter, const std::vector<ParamSpec>& specs) 
   const auto spec = std::find_if(specs.begin(), specs.end(), [&](const ParamSpec& s) { return s.name == name.value; });
   if (spec == specs.end()) {
     std::vector<std::string> names;
+    names.reserve(specs.size());
     for (const ParamSpec& known : specs) names.push_back(known.name);
     fail_at(sources_, name,
             title_ + " has no parameter " + in_quotes(name.value) + did_you_mean(name.value, names) + ", expected " +

@@ -106,6 +106,7 @@ std::vector<double> numbers_of(const Sources& sources, const Attribute& attribut
                 (parts.size() == 1 ? " value" : " values") + ", expected " + join_or(expected));
   }
   std::vector<double> values;
+  values.reserve(parts.size());
   for (const std::string_view part : parts) values.push_back(parse_in(sources, attribute, part));
   return values;
 }
@@ -153,6 +154,7 @@ Transform transform_of(const Sources& sources, const Element& element) {
     const auto row = std::find_if(table.begin(), table.end(), [&](const Operation& o) { return o.tag == child.tag; });
     if (row == table.end()) {
       std::vector<std::string> tags;
+      tags.reserve(table.size());
       for (const Operation& operation : table) tags.push_back(operation.tag);
       sources.fail(child.at, "<" + child.tag + "> is not supported in <transform>" + did_you_mean(child.tag, tags) +
                                  ", expected " + join_or(tags));
