@@ -15,7 +15,7 @@ namespace {
 /// Colours the values; `position(value)` is where a value lies on the scale, clamped to [0,1] here.
 template <class Position>
 Image colour(int width, int height, const std::vector<float>& values, const Position& position) {
-  std::array<std::array<float, 3>, 256> linear;
+  std::array<std::array<float, 3>, 256> linear{};
   for (std::size_t i = 0; i < linear.size(); ++i)
     for (std::size_t c = 0; c < 3; ++c)
       linear[i][c] = static_cast<float>(decode_srgb((magma_colours[i] >> (16 - 8 * c) & 0xff) / 255.0));
@@ -47,7 +47,7 @@ HeatmapFiles write_heatmaps(const MetricContext& context, const std::filesystem:
   std::filesystem::create_directories(folder, error);
   if (error) throw InputError(folder.string(), "folder cannot be made: " + error.message());
   const Image& size = context.reference();
-  const HeatmapFiles files{folder / (stem + "-flip.png"), folder / (stem + "-error.png")};
+  HeatmapFiles files{folder / (stem + "-flip.png"), folder / (stem + "-error.png")};
   write_png(files.flip.string(), flip_heatmap(size.width, size.height, context.flip_map()));
   write_png(files.error.string(),
             error_heatmap(size.width, size.height, relmse_map(context.reference(), context.test())));

@@ -63,7 +63,7 @@ TEST(MetricBounds, unknown_metric_names_the_nearest) {
 
 TEST(MetricBounds, malformed_bounds_say_what_was_expected) {
   EXPECT_EQ(refusal("ssim"), "--fail: error: expected metric=bound, for example ssim=0.95, got 'ssim'");
-  EXPECT_EQ(refusal("ssim=high"), "--fail: error: the bound of ssim 'high' is not a finite decimal number");
+  EXPECT_EQ(refusal("ssim=high"), "--fail: error: the bound of ssim is 'high', which is not a finite decimal number");
   EXPECT_NE(refusal("ssim=nan"), "accepted");
   EXPECT_EQ(refusal("ssim="), "--fail: error: the bound of ssim is empty, expected a number");
   EXPECT_NE(refusal("ssim=0.9x"), "accepted");

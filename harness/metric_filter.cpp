@@ -45,9 +45,10 @@ Plane filter_columns(const Plane& plane, const Kernel& kernel) {
   Plane result(plane.width, plane.height);
   for (int y = 0; y < plane.height; ++y) {
     double* out = result.values.data() + static_cast<std::size_t>(y) * width;
-    for (int k = -radius; k <= radius; ++k) {
-      const double weight = kernel[static_cast<std::size_t>(k + radius)];
-      const double* in = plane.values.data() + static_cast<std::size_t>(std::clamp(y + k, 0, plane.height - 1)) * width;
+    for (std::size_t k = 0; k < kernel.size(); ++k) {
+      const double weight = kernel[k];
+      const int source = std::clamp(y + static_cast<int>(k) - radius, 0, plane.height - 1);
+      const double* in = plane.values.data() + static_cast<std::size_t>(source) * width;
       for (std::size_t x = 0; x < width; ++x) out[x] += weight * in[x];
     }
   }

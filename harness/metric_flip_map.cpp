@@ -156,10 +156,10 @@ struct FeatureKernels {
     const double sigma = 0.5 * kFeatureWidth * flip_pixels_per_degree;
     const int radius = static_cast<int>(std::ceil(3 * sigma));
     across = gaussian_kernel(sigma, radius);
-    for (int x = -radius; x <= radius; ++x) {
-      const double gauss = across[static_cast<std::size_t>(x + radius)];
-      edge.push_back(-x * gauss);
-      point.push_back((x * x / (sigma * sigma) - 1) * gauss);
+    for (std::size_t k = 0; k < across.size(); ++k) {
+      const double x = static_cast<double>(k) - radius;
+      edge.push_back(-x * across[k]);
+      point.push_back((x * x / (sigma * sigma) - 1) * across[k]);
     }
     scale_signs(edge);
     scale_signs(point);

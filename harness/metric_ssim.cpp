@@ -14,8 +14,8 @@ namespace photonproof {
 namespace {
 
 constexpr double kSigma = 1.5;
-constexpr int kRadius = 5;  // int(3.5 sigma + 0.5): scikit-image's truncation
-constexpr int kWindow = 2 * kRadius + 1;
+constexpr int kRadius = 5;   // int(3.5 sigma + 0.5): scikit-image's truncation
+constexpr int kWindow = 11;  // 2 kRadius + 1
 constexpr double kC1 = 0.01 * 0.01;
 constexpr double kC2 = 0.03 * 0.03;
 
@@ -39,8 +39,8 @@ double channel_ssim(const MetricContext& context, std::size_t channel) {
   const Plane mean_xx = window_means(size, [&](std::size_t i) { return x(i) * x(i); });
   const Plane mean_rx = window_means(size, [&](std::size_t i) { return r(i) * x(i); });
 
-  const auto inner_width = static_cast<std::size_t>(size.width - kWindow + 1);
-  const auto inner_height = static_cast<std::size_t>(size.height - kWindow + 1);
+  const auto inner_width = static_cast<std::size_t>(size.width) - (kWindow - 1);
+  const auto inner_height = static_cast<std::size_t>(size.height) - (kWindow - 1);
   return chunked_mean(inner_width * inner_height, [&](std::size_t inner) {
     const std::size_t y = inner / inner_width + kRadius;
     const std::size_t i = y * static_cast<std::size_t>(size.width) + inner % inner_width + kRadius;

@@ -66,6 +66,7 @@ const MetricRow* find_metric(const std::string& name) {
 
 std::vector<Measurement> measure(const MetricContext& context) {
   std::vector<Measurement> measurements;
+  measurements.reserve(kRows.size());
   for (const MetricRow& row : kRows)
     measurements.push_back(
         {&row, row.value(context), row.parameters ? row.parameters(context.options()) : std::string()});

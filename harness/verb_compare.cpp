@@ -56,6 +56,7 @@ struct Comparison {
 
 std::vector<MetricBound> parse_bounds(const std::string& option, const std::vector<std::string>& texts) {
   std::vector<MetricBound> bounds;
+  bounds.reserve(texts.size());
   for (const std::string& text : texts) bounds.push_back(parse_bound(option, text));
   return bounds;
 }
