@@ -1,0 +1,30 @@
+#include "harness/povray_arguments.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+
+#include "reference/unrepresentable.h"
+
+namespace photonproof {
+
+void add_povray_arguments(CLI::App& verb, PovrayArguments& arguments, const std::string& output_help) {
+  add_scene_options(verb, arguments.scene);
+  verb.add_option("-o,--output", arguments.output, output_help)->required();
+  verb.add_option("--grid", arguments.options.grid, "average KxK samples a pixel (default: the quality's)")
+      ->check(CLI::Range(1, 64));
+  verb.add_option("--quality", arguments.options.quality,
+                  "1 seconds, 2 tens of seconds, 3 for comparisons that claim agreement")
+      ->check(CLI::Range(1, 3));
+  verb.add_option("--seed", arguments.options.seed, "of the places of light samples: same seed, same bits");
+}
+
+int refusing_with_3(const std::function<int()>& run) {
+  try {
+    return run();
+  } catch (const Unrepresentable& refusal) {
+    std::fprintf(stderr, "%s\n", refusal.summary().c_str());
+    return 3;
+  }
+}
+
+}  // namespace photonproof

@@ -1,0 +1,24 @@
+// What the two verbs that turn a scene into POV-Ray's language have in common.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "harness/scene_options.h"
+#include "reference/povray_options.h"
+
+namespace photonproof {
+
+struct PovrayArguments {
+  SceneOptions scene;
+  std::string output;
+  PovrayOptions options;
+};
+
+/// The scene's options, -o, --grid, --quality, --seed.
+void add_povray_arguments(CLI::App& verb, PovrayArguments& arguments, const std::string& output_help);
+
+/// The exit code of `run`, or 3 with the reason on stderr's last line when the scene is not representable.
+int refusing_with_3(const std::function<int()>& run);
+
+}  // namespace photonproof

@@ -1,0 +1,36 @@
+// photonproof export: a scene file to POV-Ray's scene description language, or a refusal.
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+
+#include "harness/povray_arguments.h"
+#include "harness/verbs.h"
+#include "reference/povray_export.h"
+#include "scenes/atomic_file.h"
+
+namespace photonproof {
+namespace {
+
+int run_export(const PovrayArguments& arguments) {
+  const PovrayExport scene = export_povray(load_scene(arguments.scene), arguments.options);
+  write_file_atomically(arguments.output, scene.sdl);
+  std::printf("%s: %dx%d; render with: povray +I%s +Oscene.exr +FE +W%d +H%d -D -P -A +WT1\n", arguments.output.c_str(),
+              scene.width, scene.height, arguments.output.c_str(), scene.width * scene.grid, scene.height * scene.grid);
+  std::printf("then average %dx%d pixels and divide by %g\n", scene.grid, scene.grid, scene.exposure);
+  for (const std::string& skip : scene.skipped) std::printf("skipped %s\n", skip.c_str());
+  for (const std::string& loss : scene.losses) std::printf("loss: %s\n", loss.c_str());
+  return 0;
+}
+
+}  // namespace
+
+void add_export_verb(CLI::App& program, int& exit_code) {
+  auto arguments = std::make_shared<PovrayArguments>();
+  CLI::App* verb = program.add_subcommand(
+      "export", "Write a scene as POV-Ray SDL with every conversion explained; exit 3 when it is not representable");
+  add_povray_arguments(*verb, *arguments, "SDL to write");
+  verb->callback([arguments, &exit_code] { exit_code = refusing_with_3([&] { return run_export(*arguments); }); });
+}
+
+}  // namespace photonproof

@@ -1,0 +1,109 @@
+// photonproof povray: a scene file rendered by POV-Ray to an EXR, and a stats JSON in the form of the render verb's.
+
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "harness/interrupt.h"
+#include "harness/povray_arguments.h"
+#include "harness/verbs.h"
+#include "reference/povray_engine.h"
+#include "scenes/atomic_file.h"
+
+namespace photonproof {
+namespace {
+
+struct PovrayVerbArguments : PovrayArguments {
+  std::string stats_path;
+  bool json = false;
+  bool quiet = false;
+};
+
+void show_progress(double fraction, const std::string& phase) {
+  std::fprintf(stderr, "\r%3.0f %% %s ", 100 * fraction, phase.c_str());
+  if (fraction >= 1) std::fputs("\r\033[K", stderr);
+  std::fflush(stderr);
+}
+
+nlohmann::ordered_json stats_json(const PovrayVerbArguments& arguments, const PovrayExport& scene,
+                                  const PovrayRun& run) {
+  return {{"schema_version", 1},
+          {"engine", "povray"},
+          {"version", run.version},
+          {"scene", arguments.scene.path},
+          {"width", scene.width},
+          {"height", scene.height},
+          {"seed", arguments.options.seed},
+          {"threads", 1},
+          {"quality", arguments.options.quality},
+          {"grid", scene.grid},
+          {"exposure", scene.exposure},
+          {"interrupted", false},
+          {"wall_seconds", run.wall_seconds},
+          {"cpu_seconds", run.cpu_seconds},
+          {"peak_bytes", run.peak_bytes},
+          {"phases", run.statistics.phases},
+          {"cpu_phases", run.statistics.cpu_phases},
+          {"counts", run.statistics.counts},
+          {"skipped", scene.skipped},
+          {"losses", scene.losses},
+          {"defects", run.defects}};
+}
+
+int run_povray(const PovrayVerbArguments& arguments) {
+  const PovrayExport scene = export_povray(load_scene(arguments.scene), arguments.options);
+  PovrayRunOptions options;
+  options.interrupt = &interrupt_flag();
+  if (!arguments.quiet && isatty(STDERR_FILENO) != 0) options.progress = show_progress;
+  const PovrayRun run = render_povray(scene, options);
+
+  write_exr(arguments.output, run.rendering);
+  const std::string stats_path = arguments.stats_path.empty()
+                                     ? std::filesystem::path(arguments.output).replace_extension(".stats.json").string()
+                                     : arguments.stats_path;
+  const nlohmann::ordered_json json = stats_json(arguments, scene, run);
+  write_file_atomically(stats_path, json.dump(2) + "\n");
+
+  if (arguments.json) {
+    std::printf("%s\n", json.dump(2).c_str());
+  } else {
+    std::printf("%s: %s, %dx%d, quality %d, %.2f s\n", arguments.output.c_str(), run.version.c_str(), scene.width,
+                scene.height, arguments.options.quality, run.wall_seconds);
+    for (const std::string& skip : scene.skipped) std::printf("skipped %s\n", skip.c_str());
+    for (const std::string& loss : scene.losses) std::printf("loss: %s\n", loss.c_str());
+  }
+  for (const std::string& defect : run.defects)
+    std::fprintf(stderr, "%s: %s\n", arguments.output.c_str(), defect.c_str());
+  return 0;
+}
+
+/// A verb that was stopped wrote nothing; a limit or a failure of POV-Ray is not the scene's fault and goes up to main.
+int run_interruptibly(const PovrayVerbArguments& arguments) {
+  try {
+    return run_povray(arguments);
+  } catch (const PovrayFailure& failure) {
+    if (failure.kind != PovrayFailure::Kind::interrupted) throw;
+    std::fprintf(stderr, "interrupted: nothing was written\n");
+    return 130;
+  }
+}
+
+}  // namespace
+
+void add_povray_verb(CLI::App& program, int& exit_code) {
+  auto arguments = std::make_shared<PovrayVerbArguments>();
+  CLI::App* verb = program.add_subcommand(
+      "povray", "Render a scene with POV-Ray to an EXR and a stats JSON; exit 3 when it is not representable");
+  add_povray_arguments(*verb, *arguments, "EXR to write");
+  verb->add_option("--stats", arguments->stats_path, "stats JSON to write (default: beside the EXR, .stats.json)");
+  verb->add_flag("--json", arguments->json, "print the stats as JSON");
+  verb->add_flag("--quiet", arguments->quiet, "no progress line");
+  verb->callback(
+      [arguments, &exit_code] { exit_code = refusing_with_3([&] { return run_interruptibly(*arguments); }); });
+}
+
+}  // namespace photonproof

@@ -1,0 +1,54 @@
+#include "reference/closed_forms.h"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "reference/convex_clip.h"
+
+namespace photonproof {
+
+double irradiance_of_point(double intensity, const Vec3d& light, const SurfacePoint& at) {
+  const Vec3d to_light = light - at.position;
+  const double d2 = length_squared(to_light);
+  return intensity * std::max(0.0, dot(at.normal, to_light)) / (d2 * std::sqrt(d2));
+}
+
+double irradiance_of_polygon(double radiance, std::span<const Vec3d> vertices, const SurfacePoint& at) {
+  const Vec3d face = cross(vertices[1] - vertices[0], vertices[2] - vertices[0]);
+  if (dot(face, at.position - vertices[0]) <= 0) return 0;
+  const std::array<HalfSpace, 1> above{{{-at.normal, -dot(at.normal, at.position)}}};
+  const std::vector<Vec3d> visible = clip_polygon({vertices.begin(), vertices.end()}, above);
+  double sum = 0;
+  for (std::size_t i = 0; i < visible.size(); ++i) {
+    const Vec3d a = visible[i] - at.position;
+    const Vec3d b = visible[(i + 1) % visible.size()] - at.position;
+    const Vec3d normal = cross(a, b);
+    const double sine = length(normal);
+    if (sine > 0) sum += std::atan2(sine, dot(a, b)) * dot(at.normal, normal) / sine;
+  }
+  // Counter-clockwise from the point's side is clockwise around it, which the formula counts negative.
+  return 0.5 * radiance * std::abs(sum);
+}
+
+double irradiance_of_rectangle_corner(double radiance, double a, double b, double h) {
+  const double A = a / h, B = b / h;
+  const double along_a = std::sqrt(1 + A * A), along_b = std::sqrt(1 + B * B);
+  return 0.5 * radiance * (A / along_a * std::atan(B / along_a) + B / along_b * std::atan(A / along_b));
+}
+
+double irradiance_of_sphere(double radiance, const Vec3d& center, double radius, const SurfacePoint& at) {
+  const Vec3d to_light = center - at.position;
+  const double d2 = length_squared(to_light);
+  return std::numbers::pi * radiance * radius * radius / d2 * dot(at.normal, to_light) / std::sqrt(d2);
+}
+
+double furnace(double emission, double albedo) { return emission / (1 - albedo); }
+
+double furnace(double emission, double albedo, int bounces) {
+  double sum = 0;
+  for (int k = bounces; k >= 0; --k) sum = sum * albedo + 1;
+  return emission * sum;
+}
+
+}  // namespace photonproof

@@ -1,0 +1,27 @@
+// Small computational geometry behind the export's proofs: what of a flat polygon lies inside a convex region, and how
+// far a point is from a polygon's parallelogram.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "scenes/vec.h"
+
+namespace photonproof {
+
+/// The half-space dot(normal, p) <= offset.
+struct HalfSpace {
+  Vec3d normal;
+  double offset = 0;
+};
+
+/// The part of a convex polygon inside every half-space (Sutherland and Hodgman 1974); empty when there is none.
+std::vector<Vec3d> clip_polygon(std::vector<Vec3d> polygon, std::span<const HalfSpace> region);
+
+/// Of a planar polygon, any winding; 0 for fewer than three vertices.
+double polygon_area(std::span<const Vec3d> polygon);
+
+/// Smallest distance from `p` to the parallelogram corner + s u + t v, s and t in [0,1].
+double distance_to_parallelogram(const Vec3d& p, const Vec3d& corner, const Vec3d& edge_u, const Vec3d& edge_v);
+
+}  // namespace photonproof

@@ -1,0 +1,157 @@
+#include "reference/povray_camera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "reference/convex_clip.h"
+#include "reference/sdl_text.h"
+#include "reference/unrepresentable.h"
+#include "scenes/text_numbers.h"
+
+namespace photonproof {
+namespace {
+
+/// The pyramid of view between two distances along `forward`.
+std::vector<HalfSpace> frustum(const PovCamera& camera, double nearest, double farthest) {
+  const auto through_eye = [&](const Vec3d& n) { return HalfSpace{n, dot(n, camera.origin)}; };
+  const double at_eye = dot(camera.forward, camera.origin);
+  return {through_eye(camera.right - camera.forward * camera.tan_x),
+          through_eye(-camera.right - camera.forward * camera.tan_x),
+          through_eye(camera.up - camera.forward * camera.tan_y),
+          through_eye(-camera.up - camera.forward * camera.tan_y),
+          {-camera.forward, -(at_eye + nearest)},
+          {camera.forward, at_eye + farthest}};
+}
+
+/// Whether some of the face, and not only an edge of it, is in the region.
+bool meets(const PovParallelogram& face, const std::vector<HalfSpace>& region) {
+  const auto vertices = face.vertices();
+  return polygon_area(clip_polygon({vertices.begin(), vertices.end()}, region)) > 1e-12 * face.area();
+}
+
+/// Conservative: false only when the sphere's surface is provably outside the frustum between the two distances.
+bool may_meet(const PovSphere& sphere, const PovCamera& camera, double nearest, double farthest) {
+  for (const HalfSpace& half : frustum(camera, nearest, farthest))
+    if (dot(half.normal, sphere.center) - half.offset >= sphere.radius * length(half.normal)) return false;
+  // Or the whole piece of the frustum is inside the ball: it is the convex hull of its corners.
+  double reach = 0;
+  for (const double distance : {nearest, farthest})
+    for (const double x : {-1.0, 1.0})
+      for (const double y : {-1.0, 1.0}) {
+        const Vec3d corner =
+            camera.origin +
+            (camera.forward + camera.right * (x * camera.tan_x) + camera.up * (y * camera.tan_y)) * distance;
+        reach = std::max(reach, length(corner - sphere.center));
+      }
+  return reach >= sphere.radius;
+}
+
+bool may_meet(const PovSurface& surface, const PovCamera& camera, double nearest, double farthest) {
+  if (const auto* sphere = std::get_if<PovSphere>(&surface.geometry))
+    return may_meet(*sphere, camera, nearest, farthest);
+  const std::vector<HalfSpace> region = frustum(camera, nearest, farthest);
+  if (const auto* face = std::get_if<PovParallelogram>(&surface.geometry)) return meets(*face, region);
+  const auto faces = std::get<PovBox>(surface.geometry).faces();
+  return std::any_of(faces.begin(), faces.end(), [&](const PovParallelogram& face) { return meets(face, region); });
+}
+
+/// Whether every surface and light is on the front side of the face's plane, so that only the camera looks at its back.
+bool nothing_behind(const PovParallelogram& plane, const PovScene& scene) {
+  const Vec3d n = plane.normal();
+  const double touch = 1e-6 * scene.radius;
+  const auto in_front = [&](const Vec3d& p, double reach) { return dot(n, p - plane.corner) - reach >= -touch; };
+  const auto face_in_front = [&](const PovParallelogram& face) {
+    const auto vertices = face.vertices();
+    return std::all_of(vertices.begin(), vertices.end(), [&](const Vec3d& v) { return in_front(v, 0); });
+  };
+  for (const PovSurface& surface : scene.surfaces) {
+    bool clear = true;
+    if (const auto* sphere = std::get_if<PovSphere>(&surface.geometry)) {
+      clear = in_front(sphere->center, sphere->radius);
+    } else if (const auto* face = std::get_if<PovParallelogram>(&surface.geometry)) {
+      clear = face_in_front(*face);
+    } else {
+      const auto faces = std::get<PovBox>(surface.geometry).faces();
+      clear = std::all_of(faces.begin(), faces.end(), face_in_front);
+    }
+    if (!clear) return false;
+  }
+  const auto& emitters = scene.description->emitters;
+  return std::all_of(emitters.begin(), emitters.end(), [&](const EmitterDescription& emitter) {
+    return in_front(std::get<PointLightDescription>(emitter.light).position, 0);
+  });
+}
+
+bool can_be_clear_from_behind(const PovSurface& surface, const PovCamera& camera, const PovScene& scene,
+                              double farthest) {
+  const auto* face = std::get_if<PovParallelogram>(&surface.geometry);
+  if (!face || is_specular(surface)) return false;
+  const bool camera_behind = dot(face->normal(), camera.origin - face->corner) < 0;
+  return camera_behind && !may_meet(surface, camera, camera.near_clip, farthest) && nothing_behind(*face, scene);
+}
+
+}  // namespace
+
+PovCamera lower_camera(const SceneDescription& scene, int width, int height) {
+  const SensorDescription& sensor = scene.sensor;
+  const auto& perspective = std::get<PerspectiveDescription>(sensor.camera);
+  PovCamera camera;
+  camera.origin = sensor.to_world.point({0, 0, 0});
+  camera.forward = normalize(sensor.to_world.vector({0, 0, 1}));
+  camera.right = normalize(sensor.to_world.vector({-1, 0, 0}));
+  camera.up = normalize(sensor.to_world.vector({0, 1, 0}));
+  camera.near_clip = perspective.near_clip;
+  camera.far_clip = perspective.far_clip;
+  const double skew = std::max({std::abs(dot(camera.forward, camera.right)), std::abs(dot(camera.forward, camera.up)),
+                                std::abs(dot(camera.right, camera.up))});
+  if (!(skew < 1e-9)) throw Unrepresentable(scene.where(sensor.loc), "a camera whose axes are not perpendicular");
+
+  const double tangent = std::tan(perspective.fov_degrees * std::numbers::pi / 360);
+  const double diagonal = std::hypot(width, height);
+  double per_pixel = tangent / width;  // of half the image, per pixel of it
+  switch (perspective.fov_axis) {
+    case FovAxis::x:
+      break;
+    case FovAxis::y:
+      per_pixel = tangent / height;
+      break;
+    case FovAxis::diagonal:
+      per_pixel = tangent / diagonal;
+      break;
+    case FovAxis::smaller:
+      per_pixel = tangent / std::min(width, height);
+      break;
+    case FovAxis::larger:
+      per_pixel = tangent / std::max(width, height);
+      break;
+  }
+  camera.tan_x = per_pixel * width;
+  camera.tan_y = per_pixel * height;
+  return camera;
+}
+
+std::string camera_sdl(const PovCamera& camera, double scale) {
+  return "camera{perspective location " + sdl_vector(camera.origin * scale) + " direction " +
+         sdl_vector(camera.forward) + " right " + sdl_vector(camera.right * (2 * camera.tan_x)) + " up " +
+         sdl_vector(camera.up * (2 * camera.tan_y)) + "}";
+}
+
+void apply_clip_planes(const PovCamera& camera, PovScene& scene) {
+  const SceneDescription& description = *scene.description;
+  const double end = length(scene.center - camera.origin) + 2 * scene.radius;  // beyond everything
+  for (PovSurface& surface : scene.surfaces) {
+    if (camera.far_clip < end && may_meet(surface, camera, camera.far_clip, end))
+      throw Unrepresentable(description.where(surface.shape->loc),
+                            "part of this surface lies beyond the camera's far_clip of " + rounded(camera.far_clip) +
+                                ", and POV-Ray has no clip planes");
+    if (!may_meet(surface, camera, 0, camera.near_clip)) continue;
+    if (!can_be_clear_from_behind(surface, camera, scene, end))
+      throw Unrepresentable(description.where(surface.shape->loc),
+                            "part of this surface lies before the camera's near_clip of " + rounded(camera.near_clip) +
+                                ", POV-Ray has no clip planes, and it cannot be left out without changing the light");
+    surface.clear_back = true;
+  }
+}
+
+}  // namespace photonproof

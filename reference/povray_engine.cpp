@@ -1,0 +1,133 @@
+#include "reference/povray_engine.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <system_error>
+
+#include "reference/process.h"
+#include "scenes/atomic_file.h"
+
+namespace photonproof {
+namespace {
+
+namespace fs = std::filesystem;
+
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string pattern = (fs::temp_directory_path() / "photonproof-povray-XXXXXX").string();
+    if (!mkdtemp(pattern.data()))
+      throw std::system_error(errno, std::generic_category(),
+                              "cannot make a temporary folder in " + fs::temp_directory_path().string());
+    path_ = pattern;
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+std::string joined(const std::vector<std::string>& argv) {
+  std::string line;
+  for (const std::string& word : argv) line += (line.empty() ? "" : " ") + word;
+  return line;
+}
+
+[[noreturn]] void report_failure(const ProcessOutcome& outcome, const std::string& program) {
+  using End = ProcessOutcome::End;
+  if (outcome.end == End::not_started)
+    throw InputError(program, "POV-Ray cannot be run (" + outcome.cause + "); on Debian: apt install povray");
+  if (outcome.end == End::interrupted) throw PovrayFailure(PovrayFailure::Kind::interrupted, "POV-Ray was interrupted");
+  if (outcome.end == End::timed_out || outcome.end == End::out_of_memory)
+    throw PovrayFailure(PovrayFailure::Kind::limit, "POV-Ray was " + outcome.sentence());
+  const std::string said = povray_errors(outcome.standard_error);
+  throw PovrayFailure(PovrayFailure::Kind::failed, "POV-Ray " + outcome.sentence() + (said.empty() ? "" : ": " + said));
+}
+
+std::vector<std::string> find_non_finite(const Image& image) {
+  std::size_t bad = 0, first = 0;
+  for (std::size_t i = 0; i < image.rgb.size(); ++i) {
+    if (std::isfinite(image.rgb[i])) continue;
+    if (bad++ == 0) first = i / 3;
+  }
+  if (bad == 0) return {};
+  const auto width = static_cast<std::size_t>(image.width);
+  return {std::to_string(bad) + " values are not finite, the first in pixel (" + std::to_string(first % width) + ", " +
+          std::to_string(first / width) + "): brighter than half floats reach"};
+}
+
+}  // namespace
+
+Image box_downsample(const Image& image, int grid, double gain) {
+  Image result(image.width / grid, image.height / grid);
+  const double weight = gain / (static_cast<double>(grid) * grid);
+  for (int y = 0; y < result.height; ++y)
+    for (int x = 0; x < result.width; ++x) {
+      RgbD sum(0.0);
+      for (int j = 0; j < grid; ++j)
+        for (int i = 0; i < grid; ++i) {
+          const float* p = image.pixel(x * grid + i, y * grid + j);
+          sum += RgbD(p[0], p[1], p[2]);
+        }
+      float* out = result.pixel(x, y);
+      out[0] = static_cast<float>(sum.x * weight);
+      out[1] = static_cast<float>(sum.y * weight);
+      out[2] = static_cast<float>(sum.z * weight);
+    }
+  return result;
+}
+
+PovrayRun render_povray(const PovrayExport& scene, const PovrayRunOptions& options) {
+  const TemporaryFolder folder;
+  write_file_atomically(folder.path() / "scene.pov", scene.sdl);
+
+  // +FE linear half floats; -D no window; -P no pause; -A one ray in each pixel's centre; +WT1 one thread.
+  const std::vector<std::string> argv{options.program,
+                                      "+Iscene.pov",
+                                      "+Oscene.exr",
+                                      "+FE",
+                                      "+W" + std::to_string(scene.width * scene.grid),
+                                      "+H" + std::to_string(scene.height * scene.grid),
+                                      "-D",
+                                      "-P",
+                                      "+V",
+                                      "-A",
+                                      "+WT1",
+                                      "+GSstatistics.txt"};
+  ProcessOptions process;
+  process.wall_limit_seconds = options.wall_limit_seconds;
+  process.memory_limit_bytes = options.memory_limit_bytes;
+  process.interrupt = options.interrupt;
+  process.working_folder = folder.path();
+  std::string banner;  // the outcome keeps the end of a long console, the version is at its start
+  process.on_stderr = [&](std::string_view chunk) {
+    if (banner.size() < 4096) banner += chunk;
+    if (!options.progress) return;
+    if (const auto done = povray_progress(chunk)) options.progress(*done, "POV-Ray");
+  };
+  const ProcessOutcome outcome = run_process(argv, process);
+  if (!outcome.ok()) report_failure(outcome, options.program);
+
+  PovrayRun run;
+  run.version = "POV-Ray " + povray_version(banner);
+  run.command = joined(argv);
+  run.statistics = parse_povray_statistics(read_file(folder.path() / "statistics.txt"));
+  run.wall_seconds = outcome.wall_seconds;
+  run.cpu_seconds = outcome.cpu_seconds;
+  run.peak_bytes = outcome.peak_bytes;
+  run.rendering.mean =
+      box_downsample(read_image((folder.path() / "scene.exr").string()), scene.grid, 1 / scene.exposure);
+  run.rendering.metadata["photonproof:version"] = run.version;
+  run.rendering.metadata["photonproof:command"] = run.command;
+  run.defects = find_non_finite(run.rendering.mean);
+  return run;
+}
+
+}  // namespace photonproof

@@ -1,0 +1,51 @@
+// Runs POV-Ray on an exported scene, in a process and a temporary folder of its own.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "reference/povray_export.h"
+#include "reference/povray_statistics.h"
+#include "scenes/image.h"
+
+namespace photonproof {
+
+struct PovrayRunOptions {
+  std::optional<double> wall_limit_seconds{};
+  std::optional<std::uint64_t> memory_limit_bytes{};
+  const std::atomic<bool>* interrupt = nullptr;
+  /// Share of pixels done and what is being done; called from the calling thread.
+  std::function<void(double, const std::string&)> progress{};
+  std::string program = "povray";
+};
+
+struct PovrayRun {
+  Rendering rendering;  ///< in the scene's radiance; no variance: POV-Ray makes one deterministic estimate
+  std::string version;  ///< "POV-Ray 3.7.0.10.unofficial"
+  std::string command;  ///< as one would type it
+  PovrayStatistics statistics;
+  double wall_seconds = 0;
+  double cpu_seconds = 0;
+  std::uint64_t peak_bytes = 0;
+  std::vector<std::string> defects;  ///< of the image: values that are not finite
+};
+
+/// POV-Ray ran and did not finish with an image: its own message, or the limit that ended it.
+class PovrayFailure : public std::runtime_error {
+ public:
+  enum class Kind { failed, limit, interrupted };
+  PovrayFailure(Kind what_kind, const std::string& message) : std::runtime_error(message), kind(what_kind) {}
+  Kind kind;
+};
+
+/// One thread, so that the same scene gives the same bits. Throws InputError when POV-Ray is not installed,
+/// PovrayFailure when it does not finish. The temporary folder is gone in every case.
+PovrayRun render_povray(const PovrayExport& scene, const PovrayRunOptions& options = {});
+
+/// The mean of each grid x grid block of pixels, times `gain`. Precondition: grid divides the size.
+Image box_downsample(const Image& image, int grid, double gain);
+
+}  // namespace photonproof

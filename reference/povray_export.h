@@ -1,0 +1,26 @@
+// Lowers a scene to POV-Ray 3.7 scene description language. Everything that is written is meant to be physically equal
+// to the scene; what cannot be is refused, and what is lost by POV-Ray's methods is declared with its size.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "reference/povray_options.h"
+#include "scenes/description.h"
+
+namespace photonproof {
+
+struct PovrayExport {
+  std::string sdl;
+  int width = 0, height = 0;              ///< of the final image
+  int grid = 1;                           ///< POV-Ray renders grid x width by grid x height
+  double exposure = 1;                    ///< POV-Ray's pixels are the scene's radiance times this power of two
+  std::vector<std::string> explanations;  ///< every conversion; the comments of `sdl`
+  std::vector<std::string> skipped;       ///< passes POV-Ray need not run, with the reason
+  std::vector<std::string> losses;        ///< what the image lacks, with its size
+};
+
+/// Throws Unrepresentable with the place of what POV-Ray cannot express, InputError for a bad option.
+PovrayExport export_povray(const SceneDescription& scene, const PovrayOptions& options);
+
+}  // namespace photonproof

@@ -1,0 +1,114 @@
+#include "reference/povray_geometry.h"
+
+#include "reference/povray_materials.h"
+#include "scenes/text_numbers.h"
+
+namespace photonproof {
+namespace {
+
+// A ray through the common edge of two exactly adjoining polygons can miss both; walls that reach this far past their
+// edges (as a fraction of their size) leave no gap, and change no picture at double precision's 1e-16.
+constexpr double kOverlap = 1e-6;
+
+/// The opening of an object: its type and coordinates.
+std::string shape_sdl(const PovParallelogram& face, double scale) {
+  const Vec3d u = face.edge_u * (scale * kOverlap);
+  const Vec3d v = face.edge_v * (scale * kOverlap);
+  const Vec3d c = face.corner * scale - u - v;
+  const Vec3d to_u = face.edge_u * scale + u * 2.0;
+  const Vec3d to_v = face.edge_v * scale + v * 2.0;
+  // Counter-clockwise seen from the front: POV-Ray takes the other side for the interior.
+  return "polygon{5, " + sdl_vector(c) + "," + sdl_vector(c + to_u) + "," + sdl_vector(c + to_u + to_v) + "," +
+         sdl_vector(c + to_v) + "," + sdl_vector(c);
+}
+
+std::string shape_sdl(const PovSphere& sphere, double scale) {
+  return "sphere{" + sdl_vector(sphere.center * scale) + ", " + format_number(sphere.radius * scale) +
+         (sphere.inward ? " inverse" : "");
+}
+
+std::string shape_sdl(const PovBox& box, double scale) {
+  // POV-Ray multiplies row vectors: the rows of its matrix are the images of the axes.
+  std::string matrix;
+  for (const Vec3d& axis : {Vec3d{1, 0, 0}, Vec3d{0, 1, 0}, Vec3d{0, 0, 1}}) {
+    const Vec3d image = box.to_world.vector(axis) * scale;
+    matrix += format_number(image.x) + "," + format_number(image.y) + "," + format_number(image.z) + ", ";
+  }
+  const Vec3d origin = box.to_world.point({0, 0, 0}) * scale;
+  matrix += format_number(origin.x) + "," + format_number(origin.y) + "," + format_number(origin.z);
+  return std::string("box{-1, 1") + (box.inward ? " inverse" : "") + " matrix<" + matrix + ">";
+}
+
+std::string kind(const PovSurface& surface) {
+  if (std::holds_alternative<PovSphere>(surface.geometry)) return "sphere";
+  if (std::holds_alternative<PovBox>(surface.geometry)) return "cube as a box";
+  if (std::holds_alternative<RectangleDescription>(surface.shape->geometry)) return "rectangle as a polygon";
+  return "side of a cube as a polygon";
+}
+
+/// Texture of a light's front that shows both what it emits and what it reflects. POV-Ray multiplies emission by the
+/// pigment, so it is divided by it here; a channel that reflects nothing gets a pigment too small to be seen.
+std::string emitter_texture(const RgbD& reflectance, const RgbD& radiance) {
+  const bool black = max_component(reflectance) <= 0;
+  const double least = 1e-9;
+  const RgbD pigment =
+      black ? RgbD(1.0)
+            : RgbD{std::max(reflectance.x, least), std::max(reflectance.y, least), std::max(reflectance.z, least)};
+  return "texture{pigment{" + sdl_rgb(pigment) + "} finish{ambient 0 diffuse " + (black ? "0" : "1/Brightness") +
+         " emission " + sdl_rgb(radiance / pigment) + "}}";
+}
+
+std::string photon_target(const PovSurface& surface) {
+  const bool glass = std::holds_alternative<DielectricDescription>(surface.bsdf->model);
+  return std::string(" photons{target reflection on refraction ") + (glass ? "on" : "off") + " collect off}";
+}
+
+void write_emitter(const PovSurface& surface, const std::string& shape, const std::string& back, const PovPlan& plan,
+                   SdlWriter& out) {
+  const RgbD reflectance = std::get<DiffuseDescription>(surface.bsdf->model).reflectance;
+  const RgbD radiance = *surface.shape->radiance * plan.exposure;
+  const std::string object = shape + " " + emitter_texture(reflectance, radiance) + back;
+  if (surface.emission == PovSurface::Emission::radiosity) {
+    out.explain("  emits inwards: radiosity's rays find it, so it needs no light_source");
+    out.line(object + "}");
+    return;
+  }
+  out.explain("  emits: this body is what is seen of the light; its light_sources are what lights");
+  out.line(object + (plan.radiosity ? " no_radiosity}" : "}"));
+  if (plan.radiosity && max_component(reflectance) > 0) {
+    out.explain(
+        "  and reflects: radiosity's rays, from which the body is hidden lest its light count twice, find this");
+    out.line(shape + " texture{pigment{" + sdl_rgb(reflectance) +
+             "} finish{ambient 0 diffuse 1/Brightness emission 0}}" + back + " no_image no_reflection no_shadow}");
+  }
+}
+
+}  // namespace
+
+void write_surfaces(const PovScene& scene, const PovPlan& plan, SdlWriter& out) {
+  for (const PovSurface& surface : scene.surfaces) {
+    out.explain("shape '" + surface.shape->id + "' of " + scene.description->where(surface.shape->loc) + ": " +
+                kind(surface));
+    const std::string shape =
+        std::visit([&](const auto& geometry) { return shape_sdl(geometry, plan.scale); }, surface.geometry);
+    if (surface.clear_back)
+      out.explain("  clear from behind, where only the camera is: the near clip plane cuts it out of the picture");
+    const std::string back =
+        surface.clear_back ? " interior_texture{Clear} interior{ior 1}" : " interior_texture{Black}";
+    if (surface.emission != PovSurface::Emission::none) {
+      write_emitter(surface, shape, back, plan, out);
+      continue;
+    }
+    const std::string number = std::to_string(bsdf_number(scene, surface));
+    std::string object = shape + " texture{Bsdf_" + number + "}";
+    if (std::holds_alternative<DielectricDescription>(surface.bsdf->model)) {
+      object += " interior{Interior_" + number + "}";
+    } else {
+      object += back;
+    }
+    if (plan.photons && is_specular(surface)) object += photon_target(surface);
+    out.line(object + "}");
+  }
+}
+
+}  // namespace photonproof

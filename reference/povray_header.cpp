@@ -1,0 +1,47 @@
+#include "reference/povray_header.h"
+
+#include "scenes/text_numbers.h"
+
+namespace photonproof {
+namespace {
+
+std::string radiosity_sdl(const PovPlan& plan) {
+  const PovrayPreset& preset = plan.preset;
+  return "  radiosity{count " + std::to_string(preset.radiosity_count) + ",20000 nearest_count " +
+         std::to_string(preset.nearest_count) + " error_bound " + format_number(preset.error_bound) +
+         " low_error_factor 0.8 recursion_limit " + std::to_string(plan.recursion_limit) +
+         " gray_threshold 0 brightness Brightness adc_bailout 1e-6 minimum_reuse 0.005 maximum_reuse " +
+         format_number(preset.maximum_reuse) + " pretrace_start 0.08 pretrace_end " +
+         format_number(preset.pretrace_end) + " normal off media off}";
+}
+
+std::string photons_sdl(const PovScene& scene, const PovPlan& plan) {
+  return "  photons{count " + std::to_string(plan.preset.photons) + " radius " +
+         format_number(plan.preset.photon_radius * scene.radius * plan.scale) +
+         " gather 1,20000 expand_thresholds 0,0 autostop 0 jitter 1 max_trace_level 12 adc_bailout 1e-4}";
+}
+
+}  // namespace
+
+void write_header(const PovScene& scene, const PovPlan& plan, SdlWriter& out) {
+  const auto& files = scene.description->files;
+  out.explain("exported by photonproof from " + (files.empty() ? std::string("a scene") : files.front()) +
+              "; render with: povray +FE -A +WT1");
+  out.explain("lengths are the scene's times " + rounded(plan.scale) +
+              ", far above POV-Ray's absolute tolerances of 1e-3 and 1e-4");
+  out.explain("radiances are the scene's times " + rounded(plan.exposure) + ", near 1, where half floats are precise");
+  for (const std::string& text : plan.skipped) out.explain("skipped " + text);
+  for (const std::string& text : plan.losses) out.explain("loss: " + text);
+  out.line("#version 3.7;");
+  if (plan.radiosity)
+    out.explain("Brightness leaves radiances as they are and keeps POV-Ray's radiosity precise in deep bounces");
+  out.line("#declare Brightness = " + format_number(plan.brightness) + ";");
+  out.line("global_settings{assumed_gamma 1.0 max_trace_level 20 adc_bailout 0");
+  if (plan.radiosity) out.line(radiosity_sdl(plan));
+  if (plan.photons) out.line(photons_sdl(scene, plan));
+  out.line("}");
+  out.line("background{rgb 0}");
+  out.line("#default{finish{ambient 0 diffuse 1/Brightness emission 0}}");
+}
+
+}  // namespace photonproof

@@ -1,0 +1,197 @@
+#include "reference/povray_plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "reference/sdl_text.h"
+#include "reference/unrepresentable.h"
+
+namespace photonproof {
+namespace {
+
+constexpr int kMostBounces = 20;  // POV-Ray 3.7's limit for recursion_limit
+
+/// The corners of what is flat, and how far anything reaches around them.
+struct Extent {
+  std::vector<Vec3d> points;
+  double reach = 0;
+};
+Extent extent(const PovSurface& surface) {
+  if (const auto* sphere = std::get_if<PovSphere>(&surface.geometry)) return {{sphere->center}, sphere->radius};
+  Extent result;
+  if (const auto* face = std::get_if<PovParallelogram>(&surface.geometry)) {
+    for (const Vec3d& v : face->vertices()) result.points.push_back(v);
+  } else {
+    for (const PovParallelogram& side : std::get<PovBox>(surface.geometry).faces())
+      for (const Vec3d& v : side.vertices()) result.points.push_back(v);
+  }
+  return result;
+}
+
+/// Whether any of `to` is in front of `from`. Where `from` is curved the answer is yes.
+bool any_in_front(const PovSurface& from, const PovSurface& to) {
+  const auto* face = std::get_if<PovParallelogram>(&from.geometry);
+  if (!face) return true;
+  const Vec3d n = face->normal();
+  const Extent other = extent(to);
+  const double touch = 1e-9 * std::sqrt(face->area());
+  return std::any_of(other.points.begin(), other.points.end(),
+                     [&](const Vec3d& p) { return dot(n, p - face->corner) + other.reach > touch; });
+}
+
+bool sees_itself(const PovSurface& surface) {
+  const auto* sphere = std::get_if<PovSphere>(&surface.geometry);
+  return sphere && sphere->inward;
+}
+
+int max_depth(const SceneDescription& scene) {
+  return std::visit([](const auto& method) { return method.max_depth; }, scene.integrator.method);
+}
+
+struct Facts {
+  bool diffuse = false, specular = false;
+  bool spots = false;        ///< lights written as points
+  bool surrounding = false;  ///< lights left to radiosity
+  bool indirect = false;   ///< light can go from diffuse surface to diffuse surface, or comes from a surrounding light
+  double albedo = 0;       ///< largest of any diffuse surface
+  double mean_albedo = 0;  ///< of the diffuse surfaces by area, in the channel where it is largest
+};
+
+Facts find_facts(const PovScene& scene) {
+  Facts facts;
+  facts.spots = !scene.description->emitters.empty();
+  RgbD albedo_area(0.0);
+  double diffuse_area = 0;
+  for (const PovSurface& surface : scene.surfaces) {
+    facts.specular |= is_specular(surface);
+    facts.spots |= surface.emission == PovSurface::Emission::spots;
+    facts.surrounding |= surface.emission == PovSurface::Emission::radiosity;
+    if (!is_diffuse(surface)) continue;
+    facts.diffuse = true;
+    const RgbD albedo = std::get<DiffuseDescription>(surface.bsdf->model).reflectance;
+    facts.albedo = std::max(facts.albedo, max_component(albedo));
+    albedo_area += albedo * area(surface);
+    diffuse_area += area(surface);
+  }
+  if (diffuse_area > 0) facts.mean_albedo = max_component(albedo_area) / diffuse_area;
+  for (const PovSurface& from : scene.surfaces) {
+    if (!is_diffuse(from)) continue;
+    for (const PovSurface& to : scene.surfaces) {
+      const bool relays = is_diffuse(to) || is_specular(to) || to.emission == PovSurface::Emission::radiosity;
+      facts.indirect |= relays && may_see(from, to);
+    }
+  }
+  return facts;
+}
+
+/// The power of two nearest to `x` on a logarithmic scale: multiplying by it rounds nothing.
+double power_of_two(double x) { return std::exp2(std::round(std::log2(x))); }
+
+/// Half floats keep 11 bits between 6e-5 and 65504. The mean radiance is put near 1 with an estimate that is good to an
+/// order of magnitude: all flux spread evenly over all diffuse surfaces, bounced at the largest albedo.
+double choose_exposure(const PovScene& scene, const Facts& facts) {
+  double flux = 0, diffuse_area = 0, brightest = 0, surrounding = 0;
+  for (const PovSurface& surface : scene.surfaces) {
+    if (is_diffuse(surface)) diffuse_area += area(surface);
+    if (surface.emission == PovSurface::Emission::none) continue;
+    const double radiance = max_component(*surface.shape->radiance);
+    brightest = std::max(brightest, radiance);
+    if (surface.emission == PovSurface::Emission::radiosity) surrounding = std::max(surrounding, radiance);
+    if (surface.emission == PovSurface::Emission::spots) flux += std::numbers::pi * radiance * area(surface);
+  }
+  for (const EmitterDescription& emitter : scene.description->emitters)
+    flux += 4 * std::numbers::pi * max_component(std::get<PointLightDescription>(emitter.light).intensity);
+  const double albedo = std::min(facts.albedo, 0.95);
+  double radiance = surrounding / (1 - albedo);
+  if (diffuse_area > 0) radiance += albedo / (1 - albedo) * flux / (std::numbers::pi * diffuse_area);
+  if (!(radiance > 0)) radiance = brightest;
+  if (!(radiance > 0) || !std::isfinite(radiance)) return 1;
+  const double highest = 16384;  // for what is seen directly; a quarter of the largest half float
+  return power_of_two(brightest > 0 ? std::min(1 / radiance, highest / brightest) : 1 / radiance);
+}
+
+/// Bounces after which about `fraction` of the light is missing in a closed room: albedo^(n+1) <= fraction.
+int bounces_for(double albedo, double fraction) {
+  if (albedo <= 0) return 1;
+  if (albedo >= 1) return kMostBounces;
+  return std::clamp(static_cast<int>(std::ceil(std::log(fraction) / std::log(albedo))) - 1, 1, kMostBounces);
+}
+
+/// The loss declared: what the mean albedo makes it in a closed room, and the bound that no scene passes.
+std::string truncation_loss(const Facts& facts, int bounces) {
+  const double about = std::pow(facts.mean_albedo, bounces + 1);
+  const double most = std::pow(std::min(facts.albedo, 1.0), bounces + 1);
+  const std::string start = "radiosity ends after " + std::to_string(bounces) + " bounces: ";
+  if (facts.mean_albedo == facts.albedo)
+    return start + rounded(100 * most) + " % of the light is missing at most (albedo to the power bounces + 1)";
+  return start + "about " + rounded(100 * about) + " % of the light is missing, never more than " +
+         rounded(100 * most) + " % (mean and largest albedo to the power bounces + 1)";
+}
+
+void plan_radiosity(PovPlan& plan, const Facts& facts, int depth) {
+  // Edges before the first bounce: surface to light and eye to surface, or eye to surface for light radiosity finds.
+  const int edges = facts.surrounding ? 1 : 2;
+  if (!facts.spots && !facts.surrounding) {
+    plan.skipped.emplace_back("radiosity: there is no light");
+  } else if (!facts.indirect) {
+    plan.skipped.emplace_back("radiosity: no two diffuse surfaces see each other");
+  } else if (depth >= 0 && depth <= edges) {
+    plan.skipped.emplace_back("radiosity: max_depth " + std::to_string(depth) + " allows no bounce");
+  } else {
+    plan.radiosity = true;
+    plan.brightness = 64;
+    plan.recursion_limit = bounces_for(facts.mean_albedo, plan.preset.truncation);
+    if (depth >= 0 && depth - edges <= plan.recursion_limit) {
+      plan.recursion_limit = depth - edges;
+      return;  // ends where the scene asks for it
+    }
+    plan.losses.push_back(truncation_loss(facts, plan.recursion_limit));
+  }
+}
+
+}  // namespace
+
+bool may_see(const PovSurface& from, const PovSurface& to) {
+  if (&from == &to) return sees_itself(from);
+  return any_in_front(from, to) && any_in_front(to, from);
+}
+
+PovPlan make_plan(const PovScene& scene, const PovrayOptions& options) {
+  PovPlan plan;
+  plan.preset = povray_preset(options.quality);
+  if (options.grid > 0) plan.preset.grid = options.grid;
+  const Facts facts = find_facts(scene);
+  plan.scale = power_of_two(64 / scene.radius);
+  plan.exposure = choose_exposure(scene, facts);
+
+  const SceneDescription& description = *scene.description;
+  const int depth = max_depth(description);
+  if (depth >= 0 && facts.spots && facts.surrounding)
+    throw Unrepresentable(description.where(description.integrator.loc),
+                          "max_depth in a scene lit both by a light around it and by others: POV-Ray counts their "
+                          "bounces differently");
+  if (depth >= 2 && depth < 4 && facts.specular)
+    throw Unrepresentable(description.where(description.integrator.loc),
+                          "max_depth " + std::to_string(depth) +
+                              " with mirrors or glass: POV-Ray does not count specular bounces as part of a path");
+  plan.point_lights = facts.spots && depth != 0 && depth != 1;
+  plan_radiosity(plan, facts, depth);
+
+  if (!facts.specular) {
+    plan.skipped.emplace_back("photons: nothing is specular");
+  } else if (!plan.point_lights) {
+    plan.skipped.emplace_back("photons: no light is small; radiosity's rays find the light through specular surfaces");
+  } else if (!facts.diffuse) {
+    plan.skipped.emplace_back("photons: no diffuse surface to receive them");
+  } else {
+    plan.photons = true;
+    plan.losses.emplace_back(
+        "caustics are a density of photons over a disc: blurred by its radius, and 0.5 to 1.5 % low in flux");
+  }
+  if (depth >= 0 && facts.specular)
+    plan.losses.push_back("max_depth " + std::to_string(depth) + " is applied to diffuse bounces only");
+  return plan;
+}
+
+}  // namespace photonproof

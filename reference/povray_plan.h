@@ -1,0 +1,36 @@
+// Which of POV-Ray's passes a scene needs, how deep they go, and what is lost by them: decided from the scene alone, so
+// that it can be read and tested without running anything.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "reference/povray_options.h"
+#include "reference/povray_scene.h"
+
+namespace photonproof {
+
+struct PovPlan {
+  PovrayPreset preset;
+  double scale = 1;          ///< POV-Ray's lengths are the scene's times this (a power of two)
+  double exposure = 1;       ///< POV-Ray's radiances are the scene's times this (a power of two)
+  bool point_lights = true;  ///< false when max_depth ends paths before they reach a light by way of a surface
+  bool radiosity = false;
+  int recursion_limit = 0;  ///< bounces radiosity adds
+  /// POV-Ray widens its error bound for rays of little weight, and takes a bounce to halve the weight unless
+  /// `brightness` says otherwise. With diffuse 1/b and lights times b it changes nothing else, and halves the error at
+  /// equal cost.
+  double brightness = 1;
+  bool photons = false;
+  std::vector<std::string> skipped;  ///< passes left out, with the reason
+  std::vector<std::string> losses;   ///< what the image lacks, with its size
+};
+
+/// Throws Unrepresentable when max_depth asks for something POV-Ray cannot cut at.
+PovPlan make_plan(const PovScene& scene, const PovrayOptions& options);
+
+/// Whether light can go from the front of one surface to the front of another, or of the same, in a straight line.
+/// Never false when it can.
+bool may_see(const PovSurface& from, const PovSurface& to);
+
+}  // namespace photonproof

@@ -1,0 +1,161 @@
+#include "reference/povray_scene.h"
+
+#include <algorithm>
+#include <limits>
+#include <numbers>
+
+#include "reference/povray_overlap.h"
+#include "reference/unrepresentable.h"
+
+namespace photonproof {
+namespace {
+
+PovParallelogram flipped(const PovParallelogram& p) { return {p.corner, p.edge_v, p.edge_u}; }
+
+/// The image of [-1,1]^2 under `t`. A mirrored transform turns the winding but not Mitsuba's normal (inverse
+/// transpose).
+PovParallelogram parallelogram(const Transform& t, bool flip) {
+  const PovParallelogram p{t.point({-1, -1, 0}), t.vector({2, 0, 0}), t.vector({0, 2, 0})};
+  return flip != (t.determinant() < 0) ? flipped(p) : p;
+}
+
+void check_bsdf(const SceneDescription& scene, const BsdfDescription& bsdf) {
+  if (const auto* conductor = std::get_if<ConductorDescription>(&bsdf.model); conductor && conductor->ior)
+    throw Unrepresentable(scene.where(bsdf.loc),
+                          "a conductor with a complex index of refraction: POV-Ray's Fresnel reflection is the "
+                          "dielectrics'; material 'none' with specular_reflectance can be written");
+  if (const auto* glass = std::get_if<DielectricDescription>(&bsdf.model);
+      glass && !(glass->specular_reflectance == RgbD(1.0)))
+    throw Unrepresentable(
+        scene.where(bsdf.loc),
+        "a dielectric with specular_reflectance other than 1: POV-Ray's conserve_energy would transmit "
+        "what the surface does not reflect");
+}
+
+void check_shape(const SceneDescription& scene, const PovSurface& surface) {
+  const std::string where = scene.where(surface.shape->loc);
+  const bool glass = std::holds_alternative<DielectricDescription>(surface.bsdf->model);
+  if (glass && std::holds_alternative<PovParallelogram>(surface.geometry))
+    throw Unrepresentable(where,
+                          "an open surface of dielectric: POV-Ray's index of refraction belongs to a closed body");
+  if (surface.emission != PovSurface::Emission::none &&
+      !std::holds_alternative<DiffuseDescription>(surface.bsdf->model))
+    throw Unrepresentable(where, "an area light on a specular surface; its bsdf must be diffuse");
+}
+
+void add_surface(PovScene& scene, PovSurface surface,
+                 const std::variant<PovParallelogram, PovSphere, PovBox>& geometry) {
+  surface.geometry = geometry;
+  check_shape(*scene.description, surface);
+  scene.surfaces.push_back(surface);
+}
+
+void lower_shape(PovScene& scene, const ShapeDescription& shape) {
+  PovSurface surface;
+  surface.shape = &shape;
+  surface.bsdf = &scene.description->bsdfs[shape.bsdf.value];
+  const bool emits = shape.radiance && max_component(*shape.radiance) > 0;
+  if (emits) surface.emission = PovSurface::Emission::spots;
+  const bool closed = !std::holds_alternative<RectangleDescription>(shape.geometry);
+  if (emits && closed && shape.flip_normals) surface.emission = PovSurface::Emission::radiosity;
+
+  if (const auto* sphere = std::get_if<SphereDescription>(&shape.geometry)) {
+    const double scale = std::cbrt(std::abs(shape.to_world.determinant()));
+    add_surface(scene, surface,
+                PovSphere{shape.to_world.point(sphere->center), sphere->radius * scale, shape.flip_normals});
+  } else if (!closed) {
+    add_surface(scene, surface, parallelogram(shape.to_world, shape.flip_normals));
+  } else {
+    const PovBox box{shape.to_world, shape.flip_normals};
+    const bool glass = std::holds_alternative<DielectricDescription>(surface.bsdf->model);
+    if (glass || (!emits && !shape.flip_normals)) {
+      add_surface(scene, surface, box);
+    } else {
+      for (const PovParallelogram& face : box.faces()) add_surface(scene, surface, face);
+    }
+  }
+}
+
+/// A ball around the centre of the axis-aligned box of everything.
+void bound(PovScene& scene) {
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  Vec3d low(inf), high(-inf);
+  const auto add = [&](const Vec3d& p, double reach) {
+    low = {std::min(low.x, p.x - reach), std::min(low.y, p.y - reach), std::min(low.z, p.z - reach)};
+    high = {std::max(high.x, p.x + reach), std::max(high.y, p.y + reach), std::max(high.z, p.z + reach)};
+  };
+  for (const PovSurface& surface : scene.surfaces) {
+    if (const auto* sphere = std::get_if<PovSphere>(&surface.geometry)) {
+      add(sphere->center, sphere->radius);
+    } else if (const auto* face = std::get_if<PovParallelogram>(&surface.geometry)) {
+      for (const Vec3d& v : face->vertices()) add(v, 0);
+    } else {
+      for (const PovParallelogram& side : std::get<PovBox>(surface.geometry).faces())
+        for (const Vec3d& v : side.vertices()) add(v, 0);
+    }
+  }
+  for (const EmitterDescription& emitter : scene.description->emitters)
+    add(std::get<PointLightDescription>(emitter.light).position, 0);
+  if (low.x > high.x) return;
+  scene.center = (low + high) * 0.5;
+  const double radius = length(high - low) * 0.5;
+  if (radius > 0) scene.radius = radius;
+}
+
+bool hides_emitters(const IntegratorDescription& integrator) {
+  return std::visit([](const auto& method) { return method.hide_emitters; }, integrator.method);
+}
+
+}  // namespace
+
+std::array<Vec3d, 4> PovParallelogram::vertices() const {
+  return {corner, corner + edge_u, corner + edge_u + edge_v, corner + edge_v};
+}
+Vec3d PovParallelogram::normal() const { return normalize(cross(edge_u, edge_v)); }
+double PovParallelogram::area() const { return length(cross(edge_u, edge_v)); }
+
+std::array<PovParallelogram, 6> PovBox::faces() const {
+  const Vec3d x = to_world.vector({1, 0, 0});
+  const Vec3d y = to_world.vector({0, 1, 0});
+  const Vec3d z = to_world.vector({0, 0, 1});
+  const Vec3d c = to_world.point({0, 0, 0});
+  // Seen from outside, each winds counter-clockwise as long as (x, y, z) is right-handed.
+  const auto face = [&](const Vec3d& n, const Vec3d& u, const Vec3d& v) {
+    const PovParallelogram p{c + n - u - v, u * 2.0, v * 2.0};
+    return inward != (to_world.determinant() < 0) ? flipped(p) : p;
+  };
+  return {face(x, y, z), face(-x, z, y), face(y, z, x), face(-y, x, z), face(z, x, y), face(-z, y, x)};
+}
+
+double area(const PovSurface& surface) {
+  if (const auto* sphere = std::get_if<PovSphere>(&surface.geometry))
+    return 4 * std::numbers::pi * sphere->radius * sphere->radius;
+  if (const auto* face = std::get_if<PovParallelogram>(&surface.geometry)) return face->area();
+  double sum = 0;
+  for (const PovParallelogram& side : std::get<PovBox>(surface.geometry).faces()) sum += side.area();
+  return sum;
+}
+
+bool is_diffuse(const PovSurface& surface) {
+  const auto* diffuse = std::get_if<DiffuseDescription>(&surface.bsdf->model);
+  return diffuse && max_component(diffuse->reflectance) > 0;
+}
+
+bool is_specular(const PovSurface& surface) { return !std::holds_alternative<DiffuseDescription>(surface.bsdf->model); }
+
+PovScene lower_scene(const SceneDescription& description) {
+  PovScene scene;
+  scene.description = &description;
+  for (const ShapeDescription& shape : description.shapes) {
+    check_bsdf(description, description.bsdfs[shape.bsdf.value]);
+    lower_shape(scene, shape);
+    if (shape.radiance && hides_emitters(description.integrator))
+      throw Unrepresentable(description.where(description.integrator.loc),
+                            "hide_emitters: POV-Ray cannot hide a light from the camera and show it in glass");
+  }
+  bound(scene);
+  refuse_overlaps_with_glass(scene);
+  return scene;
+}
+
+}  // namespace photonproof
