@@ -39,6 +39,7 @@ const Plugin<Result>& find_plugin(const Sources& sources, const Element& object,
       return plugin;
     }
   std::vector<std::string> names;
+  names.reserve(table.size());
   for (const Plugin<Result>& plugin : table) names.push_back(plugin.type);
   fail_at(sources, type,
           object.tag + " " + in_quotes(type.value) + " is not supported" + did_you_mean(type.value, names) +

@@ -35,10 +35,13 @@ std::string difference(const SensorDescription& a, const SensorDescription& b) {
 template <class Entity>
 std::string difference(const std::string& name, const std::vector<Entity>& a, const std::vector<Entity>& b) {
   if (a.size() != b.size()) return name + ".size()";
-  for (std::size_t i = 0; i < a.size(); ++i)
-    if (const std::string inner = difference(a[i], b[i]); !inner.empty())
-      return name + "[" + std::to_string(i) + "]" + inner;
-  return {};
+  std::string inner;
+  std::size_t i = 0;
+  while (i < a.size() && inner.empty()) {
+    inner = difference(a[i], b[i]);
+    ++i;
+  }
+  return inner.empty() ? "" : name + "[" + std::to_string(i - 1) + "]" + inner;
 }
 
 }  // namespace
