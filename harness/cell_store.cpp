@@ -39,7 +39,7 @@ std::optional<CellStore::Found> CellStore::latest(const std::string& key) const 
 std::string CellStore::make_folder(const std::string& key) const {
   const int n = last_number(folder_, key);
   const bool is_leftover = n > 0 && !fs::exists(folder_ / folder_name(key, n) / "cell.json");
-  const std::string name = folder_name(key, is_leftover ? n : n + 1);
+  std::string name = folder_name(key, is_leftover ? n : n + 1);
   std::error_code error;
   if (is_leftover) fs::remove_all(folder_ / name, error);
   if (!error) fs::create_directories(folder_ / name, error);

@@ -11,7 +11,8 @@ std::string content_key(const std::vector<std::pair<std::string, std::string>>& 
   std::string content;
   for (const auto& [name, text] : parts) {
     // Lengths first, so that no text can pose as the next part.
-    content += std::to_string(name.size()) + ":" + name + std::to_string(text.size()) + ":" + text;
+    for (const std::string& piece : {name, text})
+      content.append(std::to_string(piece.size())).append(":").append(piece);
   }
   std::string key = to_string(boost::uuids::name_generator_sha1(boost::uuids::ns::oid())(content));
   std::erase(key, '-');

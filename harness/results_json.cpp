@@ -16,7 +16,7 @@ double finite(double value, const std::string& what) {
 
 json numbers_to_json(const std::map<std::string, double>& numbers, const std::string& what) {
   json object = json::object();
-  for (const auto& [name, value] : numbers) object[name] = finite(value, what + " '" + name + "'");
+  for (const auto& [name, value] : numbers) object[name] = finite(value, what);
   return object;
 }
 

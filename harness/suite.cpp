@@ -36,7 +36,7 @@ int bounded_integer(const TomlTable& table, const std::string& key, std::int64_t
 }
 
 std::string file_name(const TomlTable& table, const std::string& key) {
-  const std::string name = table.string(key);
+  std::string name = table.string(key);
   if (name.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_.-") !=
           std::string::npos ||
       name.front() == '.')

@@ -51,7 +51,7 @@ std::string type_name(const toml::node& node) {
 
 struct TomlTable::View {
   std::shared_ptr<const Document> document;
-  const toml::table* table;
+  const toml::table* table = nullptr;
   std::set<std::string> asked{};
 
   const toml::node& node(const std::string& key) {

@@ -94,7 +94,7 @@ class Stream {
   // Takes what is there now, at most a tail's worth so that an endless writer cannot keep us from looking at the
   // limits, and closes at the end of file.
   void drain(const std::function<void(std::string_view)>& watcher) {
-    std::array<char, 65536> buffer;
+    std::array<char, 65536> buffer{};
     for (std::size_t taken = 0; open() && taken < tail_bytes;) {
       const ssize_t length = read(descriptor_.get(), buffer.data(), buffer.size());
       if (length < 0 && errno == EINTR) continue;
@@ -149,6 +149,7 @@ struct Child {
 
 Child start(const std::vector<std::string>& argv, const std::string& folder) {
   std::vector<char*> pointers;
+  pointers.reserve(argv.size() + 1);
   for (const std::string& argument : argv) pointers.push_back(const_cast<char*>(argument.c_str()));
   pointers.push_back(nullptr);
   Pipe out, err, failure;
