@@ -29,6 +29,7 @@ class BenchVerb : public FakeSuiteTest {
     if (pid == 0) {
       std::vector<std::string> words = argv();
       std::vector<char*> pointers;
+      pointers.reserve(words.size() + 1);
       for (std::string& word : words) pointers.push_back(word.data());
       pointers.push_back(nullptr);
       freopen("/dev/null", "w", stdout);
