@@ -51,7 +51,7 @@ TEST(caustic, flux_on_the_floor_of_cornell_spheres_agrees_with_path_tracing) {
   const auto pixels = floor_pixels(Scene(scene, 96, 96));
   ASSERT_GT(pixels.size(), 500u);
   // Two edges are direct light alone; the same direct estimator and random numbers leave the caustic as the difference.
-  const double path = floor_sum(scene, pixels, "path", 17, 512) - floor_sum(scene, pixels, "path", 2, 512);
+  const double path = floor_sum(scene, pixels, "path", 17, 1024) - floor_sum(scene, pixels, "path", 2, 1024);
   const double photons =
       floor_sum(scene, pixels, "photonmapper", 17, 64) - floor_sum(scene, pixels, "photonmapper", 2, 64);
   std::printf("caustic flux on the floor: photon mapper / path = %.4f\n", photons / path);

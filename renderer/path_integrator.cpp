@@ -7,10 +7,10 @@
 #include <cmath>
 
 #include "renderer/camera_samples.h"
+#include "renderer/camera_walk.h"
 #include "renderer/direct_light.h"
 #include "renderer/parallel.h"
 #include "renderer/pass_schedule.h"
-#include "renderer/roulette.h"
 
 namespace photonproof {
 namespace {
@@ -20,47 +20,37 @@ struct PathPlan {
   bool lights_can_be_hit = true;  ///< some light has a surface, so that BSDF samples find it and MIS is needed
 };
 
-Rgb trace_path(const Scene& scene, const PathPlan& plan, Ray ray, Sampler& sampler, RayCounts& counts) {
+Rgb trace_path(const Scene& scene, const PathPlan& plan, const Ray& ray, Sampler& sampler, RayCounts& counts) {
   const PathDescription& settings = plan.settings;
-  const Tracer& tracer = scene.tracer();
+  CameraWalk walk{ray};
   Rgb radiance(0.0f);
-  Rgb throughput(1.0f);
-  float refraction_scale = 1;  // undoes the squared index ratios in the throughput, for roulette
-  bool after_delta = true;     // the camera counts: nothing else could have sampled what the first ray finds
+  bool after_delta = true;  // the camera counts: nothing else could have sampled what the first ray finds
   float bsdf_pdf = 0;
   Vec3f p_before = ray.origin;
 
   for (int depth = 1;; ++depth) {
-    const Hit hit = tracer.intersect(ray);
+    const Hit hit = scene.tracer().intersect(walk.ray);
     if (!hit.valid()) break;
-    const Rgb emitted = emitted_towards(scene, hit, ray.direction);
+    const Rgb emitted = emitted_towards(scene, hit, walk.ray.direction);
     if (max_component(emitted) > 0 && !(depth == 1 && settings.hide_emitters)) {
       const std::uint32_t light = scene.surfaces[hit.surface].light;
       const float weight = after_delta ? 1 : mis_weight(bsdf_pdf, direct_light_pdf(scene, light, p_before, hit));
-      radiance += throughput * emitted * weight;
+      radiance += walk.throughput * emitted * weight;
     }
     if (settings.max_depth >= 0 && depth >= settings.max_depth) break;
 
     const Bsdf& bsdf = scene.bsdf_of(hit);
     const Frame frame(hit.normal);
-    const Vec3f wo_local = frame.to_local(-ray.direction);
+    const Vec3f wo_local = frame.to_local(-walk.ray.direction);
     if (!is_delta(bsdf) && !scene.lights.empty())
       radiance +=
-          throughput * estimate_direct(scene, hit, bsdf, frame, wo_local, plan.lights_can_be_hit, sampler, counts);
+          walk.throughput * estimate_direct(scene, hit, bsdf, frame, wo_local, plan.lights_can_be_hit, sampler, counts);
 
-    const float u_lobe = sampler.next();
-    const auto next = sample(bsdf, wo_local, u_lobe, sampler.next2(), TransportMode::radiance);
+    const auto next = walk.scatter(scene, hit, frame, wo_local, depth >= settings.rr_depth, sampler);
     if (!next) break;
-    throughput *= next->weight;
-    refraction_scale *= next->eta * next->eta;
-    if (!(max_component(throughput) > 0)) break;
-    if (depth >= settings.rr_depth && !survives_roulette(throughput, refraction_scale, sampler)) break;
-
     after_delta = next->delta;
     bsdf_pdf = next->pdf;
     p_before = hit.p_world;
-    const Vec3f direction = normalize(frame.to_world(next->wi_local));
-    ray = {tracer.offset(hit.p_world, hit.normal, direction), direction};
     ++counts.bounce;
   }
   return radiance;

@@ -10,13 +10,13 @@
 #include <cmath>
 
 #include "renderer/camera_samples.h"
+#include "renderer/camera_walk.h"
 #include "renderer/direct_light.h"
 #include "renderer/disc_area.h"
 #include "renderer/parallel.h"
 #include "renderer/pass_schedule.h"
 #include "renderer/photon_radius.h"
 #include "renderer/photon_tracing.h"
-#include "renderer/roulette.h"
 #include "renderer/scene_facts.h"
 
 namespace photonproof {
@@ -60,40 +60,31 @@ Rgb irradiance(const MapState& state, const Scene& scene, const Hit& hit, int ma
   return flux / area;
 }
 
-Rgb trace_camera_path(const Scene& scene, const PhotonMapperDescription& settings, const Maps& maps, Ray ray,
+Rgb trace_camera_path(const Scene& scene, const PhotonMapperDescription& settings, const Maps& maps, const Ray& ray,
                       Sampler& sampler, RayCounts& counts) {
-  const Tracer& tracer = scene.tracer();
+  CameraWalk walk{ray};
   Rgb radiance(0.0f);
-  Rgb throughput(1.0f);
-  float refraction_scale = 1;
   for (int depth = 1;; ++depth) {
-    const Hit hit = tracer.intersect(ray);
+    const Hit hit = scene.tracer().intersect(walk.ray);
     if (!hit.valid()) break;
-    if (!(depth == 1 && settings.hide_emitters)) radiance += throughput * emitted_towards(scene, hit, ray.direction);
+    if (!(depth == 1 && settings.hide_emitters))
+      radiance += walk.throughput * emitted_towards(scene, hit, walk.ray.direction);
     if (settings.max_depth >= 0 && depth >= settings.max_depth) break;
 
     const Bsdf& bsdf = scene.bsdf_of(hit);
     const Frame frame(hit.normal);
-    const Vec3f wo_local = frame.to_local(-ray.direction);
+    const Vec3f wo_local = frame.to_local(-walk.ray.direction);
     if (const auto* diffuse = std::get_if<DiffuseBsdf>(&bsdf)) {
       if (wo_local.z <= 0) break;
       const int max_edges = settings.max_depth >= 0 ? settings.max_depth - depth : std::numeric_limits<int>::max();
       const Rgb from_photons =
           irradiance(maps.caustic, scene, hit, max_edges) + irradiance(maps.global, scene, hit, max_edges);
-      radiance += throughput * (diffuse->reflectance * from_photons * (1 / pi));
+      radiance += walk.throughput * (diffuse->reflectance * from_photons * (1 / pi));
       if (!scene.lights.empty())
-        radiance += throughput * estimate_direct(scene, hit, bsdf, frame, wo_local, false, sampler, counts);
+        radiance += walk.throughput * estimate_direct(scene, hit, bsdf, frame, wo_local, false, sampler, counts);
       break;
     }
-    const float u_lobe = sampler.next();
-    const auto next = sample(bsdf, wo_local, u_lobe, sampler.next2(), TransportMode::radiance);
-    if (!next) break;
-    throughput *= next->weight;
-    refraction_scale *= next->eta * next->eta;
-    if (!(max_component(throughput) > 0)) break;
-    if (depth >= settings.rr_depth && !survives_roulette(throughput, refraction_scale, sampler)) break;
-    const Vec3f direction = normalize(frame.to_world(next->wi_local));
-    ray = {tracer.offset(hit.p_world, hit.normal, direction), direction};
+    if (!walk.scatter(scene, hit, frame, wo_local, depth >= settings.rr_depth, sampler)) break;
     ++counts.bounce;
   }
   return radiance;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "renderer/direct_light.h"
+#include "renderer/camera_walk.h"
 
 namespace photonproof {
 namespace {
@@ -53,8 +53,7 @@ void trace_photon(const Scene& scene, const PhotonRun& run, std::uint64_t index,
     const float u_lobe = sampler.next();
     const auto next = sample(bsdf, wo_local, u_lobe, sampler.next2(), TransportMode::importance);
     if (!next || !survives_absorption(next->weight, edges, flux, sampler)) return;
-    const Vec3f direction = normalize(frame.to_world(next->wi_local));
-    ray = {tracer.offset(hit.p_world, hit.normal, direction), direction};
+    ray = scattered_ray(scene, hit, frame, next->wi_local);
   }
 }
 
