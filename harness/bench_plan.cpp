@@ -104,7 +104,7 @@ BenchPlan plan_bench(const Suite& suite, const fs::path& program, const Host& ho
                                   [&](const PlannedCell& planned) { return planned.cell.engine == engine.name; });
     if (!used) continue;
     const EngineVersion& version = versions[engine.name] = ask_version(engine, suite, program);
-    plan.engines.push_back({engine.name, engine.title, version.line});
+    plan.engines.push_back({engine.name, engine.title, version.line, to_string(engine.trust)});
   }
   std::map<std::string, std::string> contents;
   std::map<std::string, std::optional<Expect>> expectations;

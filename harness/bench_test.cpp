@@ -69,6 +69,7 @@ TEST_F(BenchRun, reference_runs_first_and_the_others_are_compared_with_it) {
   EXPECT_EQ(record.scenes[0].reference_label, "scene/grey/spp=1000/seed=0");
   ASSERT_EQ(record.engines.size(), 2u);  // those in use only
   EXPECT_EQ(record.engines[0].version, "fake 1");
+  EXPECT_EQ(record.engines[0].trust, "external");
 
   const Result reference = result_of("grey"), other = result_of("brighter");
   EXPECT_TRUE(reference.metrics.empty());

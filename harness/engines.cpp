@@ -10,9 +10,8 @@ namespace {
 
 Trust trust_from_toml(const TomlTable& row) {
   const std::string name = row.string("trust");
-  if (name == "unbiased") return Trust::unbiased;
-  if (name == "biased") return Trust::biased;
-  if (name == "external") return Trust::external;
+  for (const Trust trust : {Trust::unbiased, Trust::biased, Trust::external})
+    if (name == to_string(trust)) return trust;
   throw row.error("trust", "'trust' is one of unbiased, biased, external; not '" + name + "'");
 }
 
@@ -41,6 +40,18 @@ Engine engine_from_toml(const TomlTable& row) {
 }
 
 }  // namespace
+
+std::string to_string(Trust trust) {
+  switch (trust) {
+    case Trust::unbiased:
+      return "unbiased";
+    case Trust::biased:
+      return "biased";
+    case Trust::external:
+      break;
+  }
+  return "external";
+}
 
 bool Engine::accepts(const std::string& budget_kind) const {
   return std::find(budget_kinds.begin(), budget_kinds.end(), budget_kind) != budget_kinds.end();

@@ -12,6 +12,7 @@ namespace photonproof {
 /// How far an engine's image may be believed: its expectation is right, it has a known error that shrinks with the
 /// budget, or we know nothing about it.
 enum class Trust { unbiased, biased, external };
+std::string to_string(Trust trust);
 
 struct Engine {
   std::string name;

@@ -53,6 +53,12 @@ SceneRecord scene_from_json(const json& j) {
           j.at("height"), j.at("exposure"), j.at("reference_label")};
 }
 
+json engine_to_json(const EngineRecord& engine) {
+  json j = {{"name", engine.name}, {"title", engine.title}, {"version", engine.version}};
+  if (!engine.trust.empty()) j["trust"] = engine.trust;
+  return j;
+}
+
 json host_to_json(const Host& host) {
   return {{"cpu", host.cpu},
           {"os", host.os},
@@ -117,8 +123,7 @@ Result result_from_json(const json& j) {
 json results_to_json(const Results& results) {
   json scenes = json::array(), engines = json::array(), rows = json::array();
   for (const SceneRecord& scene : results.scenes) scenes.push_back(scene_to_json(scene));
-  for (const EngineRecord& engine : results.engines)
-    engines.push_back({{"name", engine.name}, {"title", engine.title}, {"version", engine.version}});
+  for (const EngineRecord& engine : results.engines) engines.push_back(engine_to_json(engine));
   for (const Result& result : results.results) rows.push_back(result_to_json(result));
   return {{"schema_version", results_schema_version},
           {"suite", results.suite},
@@ -140,7 +145,8 @@ Results results_from_json(const json& j) {
   results.versions = j.at("versions").get<std::map<std::string, std::string>>();
   for (const json& scene : j.at("scenes")) results.scenes.push_back(scene_from_json(scene));
   for (const json& engine : j.at("engines"))
-    results.engines.push_back({engine.at("name"), engine.at("title"), engine.at("version")});
+    results.engines.push_back(
+        {engine.at("name"), engine.at("title"), engine.at("version"), engine.value("trust", std::string())});
   for (const json& result : j.at("results")) results.results.push_back(result_from_json(result));
   return results;
 }

@@ -82,7 +82,7 @@ Results example() {
   results.host = {"Some CPU", "Debian 12", "6.1", 2, std::uint64_t{8} << 30};
   results.versions = {{"embree", "3.13.5"}};
   results.scenes = {{"cornell", "scenes/cornell/scene.xml", "the box", 128, 96, -0.5, "cornell/path/spp=64/seed=7"}};
-  results.engines = {{"path", "path tracer", "0.1.0"}, {"povray", "POV-Ray", "3.7"}};
+  results.engines = {{"path", "path tracer", "0.1.0", "unbiased"}, {"povray", "POV-Ray", "3.7"}};
   results.results = {full_result(), failed_result()};
   return results;
 }
@@ -136,6 +136,8 @@ TEST_F(ResultsFile, round_trip_keeps_every_field) {
   EXPECT_EQ(read.engines[1].name, "povray");
   EXPECT_EQ(read.engines[1].title, "POV-Ray");
   EXPECT_EQ(read.engines[1].version, "3.7");
+  EXPECT_EQ(read.engines[0].trust, "unbiased");
+  EXPECT_EQ(read.engines[1].trust, "");
   ASSERT_EQ(read.results.size(), 2u);
   expect_same(read.results[0], written.results[0]);
   expect_same(read.results[1], written.results[1]);
