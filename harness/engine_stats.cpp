@@ -30,18 +30,19 @@ void read_numbers(const json& stats, const char* key, bool may_be_negative, std:
   }
 }
 
-void read_skipped(const json& stats, EngineStats& out) {
-  const auto found = stats.find("skipped");
+void read_texts(const json& stats, const char* key, std::vector<std::string>& texts,
+                std::optional<std::string>& problem) {
+  const auto found = stats.find(key);
   if (found == stats.end()) return;
   if (!found->is_array()) {
-    out.problem = "'skipped' is not an array";
+    problem = "'" + std::string(key) + "' is not an array";
     return;
   }
   for (const json& entry : *found) {
     if (entry.is_string())
-      out.skipped.push_back(entry.get<std::string>());
+      texts.push_back(entry.get<std::string>());
     else
-      out.problem = "'skipped' holds something that is not a string";
+      problem = "'" + std::string(key) + "' holds something that is not a string";
   }
 }
 
@@ -59,7 +60,8 @@ EngineStats read_engine_stats(const std::filesystem::path& file) {
     }
     read_numbers(stats, "phases", false, out.phases, out.problem);
     read_numbers(stats, "counts", true, out.counts, out.problem);
-    read_skipped(stats, out);
+    read_texts(stats, "skipped", out.skipped, out.problem);
+    read_texts(stats, "losses", out.losses, out.problem);
   } catch (const json::exception&) {
     out.problem = "it is not valid JSON";
   } catch (const InputError& unreadable) {

@@ -1,4 +1,6 @@
-// What an engine says about its own run: the stats JSON it may write at {stats}.
+// What an engine says about its own run: the stats JSON it may write at {stats}. Keys that are not below are ignored:
+//   {"schema_version": 1, "phases": {"render": 1.5}, "counts": {"rays": 1e9},
+//    "skipped": ["caustic photon map: no specular surface"], "losses": ["radiosity ends after 12 bounces: ..."]}
 #pragma once
 
 #include <filesystem>
@@ -13,6 +15,7 @@ struct EngineStats {
   std::map<std::string, double> phases;  ///< seconds by phase
   std::map<std::string, double> counts;  ///< rays, photons ...
   std::vector<std::string> skipped;      ///< "pass: reason"
+  std::vector<std::string> losses;       ///< known errors of this image, as the engine declares them
   std::optional<std::string> problem;    ///< why (part of) the file could not be used, one sentence
 };
 

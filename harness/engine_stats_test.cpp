@@ -15,10 +15,11 @@ class StatsFile : public FolderTest {
 
 TEST_F(StatsFile, everything_known_is_taken_and_the_rest_ignored) {
   const EngineStats stats = read(R"({"schema_version": 1, "engine": "x", "phases": {"render": 1.5},
-      "counts": {"rays": 1e9, "bias": -1}, "skipped": ["caustics: none"], "more": [1]})");
+      "counts": {"rays": 1e9, "bias": -1}, "skipped": ["caustics: none"], "losses": ["blurred"], "more": [1]})");
   EXPECT_EQ(stats.phases, (std::map<std::string, double>{{"render", 1.5}}));
   EXPECT_EQ(stats.counts, (std::map<std::string, double>{{"bias", -1}, {"rays", 1e9}}));
   EXPECT_EQ(stats.skipped, (std::vector<std::string>{"caustics: none"}));
+  EXPECT_EQ(stats.losses, (std::vector<std::string>{"blurred"}));
   EXPECT_FALSE(stats.problem.has_value());
 }
 

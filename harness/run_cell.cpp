@@ -120,6 +120,7 @@ std::optional<Result> run_cell(const CellRun& run) {
   result.phases = std::move(stats.phases);
   result.counts = std::move(stats.counts);
   result.skipped = std::move(stats.skipped);
+  for (const std::string& loss : stats.losses) result.caveats.push_back("declared by the engine: " + loss);
   if (stats.problem) result.caveats.push_back("its stats cannot all be used: " + *stats.problem);
   return result;
 }

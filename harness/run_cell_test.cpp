@@ -38,6 +38,7 @@ TEST_F(RunCell, good_image_is_ok_with_its_cost_and_stats) {
   EXPECT_GT(result->peak_bytes.value(), 0u);
   EXPECT_TRUE(result->cpu_seconds.has_value());
   EXPECT_EQ(result->phases, (std::map<std::string, double>{{"copy", 0.25}}));
+  EXPECT_EQ(std::count(result->caveats.begin(), result->caveats.end(), "declared by the engine: it only copies"), 1);
   EXPECT_EQ(result->command.substr(0, 3), "sh ");
 }
 
