@@ -2,6 +2,7 @@
 // be read: what a plugin leaves unread has no effect, and is an error rather than a silent surprise.
 #pragma once
 
+#include <cstdint>
 #include <initializer_list>
 #include <limits>
 #include <map>

@@ -1,4 +1,4 @@
-# Sourced by ./run and ./check: installs the Debian packages that are missing, and says which.
+# Sourced by ./run and ./check: installs the Debian packages that are missing, and says which; quiet builds.
 
 # What the program needs to be built and to run.
 build_packages="g++ cmake ninja-build pkg-config libembree-dev libopenimageio-dev libtbb-dev libpugixml-dev
@@ -48,4 +48,16 @@ install_known() {
     if [ -n "$(apt-cache madison "$package")" ]; then known+=("$package"); else echo "no package $package here"; fi
   done
   "${as_root[@]}" apt-get install -y --no-install-recommends "${known[@]}"
+}
+
+# quietly LOG COMMAND...: one line of a command that succeeds, all of one that fails.
+quietly() {
+  local log=$1
+  shift
+  mkdir -p "$(dirname "$log")"
+  if ! "$@" >"$log" 2>&1; then
+    cat "$log" >&2
+    return 1
+  fi
+  tail -n 1 "$log"
 }
