@@ -1,13 +1,11 @@
 // photonproof povray: a scene file rendered by POV-Ray to an EXR, and a stats JSON in the form of the render verb's.
 
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "harness/engine_output.h"
 #include "harness/interrupt.h"
 #include "harness/povray_arguments.h"
 #include "harness/verbs.h"
@@ -22,12 +20,6 @@ struct PovrayVerbArguments : PovrayArguments {
   bool json = false;
   bool quiet = false;
 };
-
-void show_progress(double fraction, const std::string& phase) {
-  std::fprintf(stderr, "\r%3.0f %% %s ", 100 * fraction, phase.c_str());
-  if (fraction >= 1) std::fputs("\r\033[K", stderr);
-  std::fflush(stderr);
-}
 
 nlohmann::ordered_json stats_json(const PovrayVerbArguments& arguments, const PovrayExport& scene,
                                   const PovrayRun& run) {
@@ -55,16 +47,14 @@ nlohmann::ordered_json stats_json(const PovrayVerbArguments& arguments, const Po
 }
 
 int run_povray(const PovrayVerbArguments& arguments) {
+  const std::string stats_path = checked_stats_path(arguments.stats_path, arguments.output, arguments.scene.path);
   const PovrayExport scene = export_povray(load_scene(arguments.scene), arguments.options);
   PovrayRunOptions options;
   options.interrupt = &interrupt_flag();
-  if (!arguments.quiet && isatty(STDERR_FILENO) != 0) options.progress = show_progress;
+  options.progress = progress_line(arguments.quiet);
   const PovrayRun run = render_povray(scene, options);
 
   write_exr(arguments.output, run.rendering);
-  const std::string stats_path = arguments.stats_path.empty()
-                                     ? std::filesystem::path(arguments.output).replace_extension(".stats.json").string()
-                                     : arguments.stats_path;
   const nlohmann::ordered_json json = stats_json(arguments, scene, run);
   write_file_atomically(stats_path, json.dump(2) + "\n");
 

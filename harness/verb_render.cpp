@@ -1,13 +1,11 @@
 // photonproof render: a scene file to an EXR and a stats JSON beside it.
 
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "harness/engine_output.h"
 #include "harness/interrupt.h"
 #include "harness/scene_options.h"
 #include "harness/verbs.h"
@@ -19,8 +17,6 @@
 
 namespace photonproof {
 namespace {
-
-namespace fs = std::filesystem;
 
 struct RenderArguments {
   SceneOptions scene;
@@ -35,17 +31,6 @@ struct RenderArguments {
   bool json = false;
   bool quiet = false;
 };
-
-/// A line that rewrites itself on a terminal; nothing elsewhere.
-void show_progress(double fraction, const std::string& phase) {
-  std::fprintf(stderr, "\r%3.0f %% %s ", 100 * fraction, phase.c_str());
-  if (fraction >= 1) std::fputs("\r\033[K", stderr);
-  std::fflush(stderr);
-}
-
-std::string default_stats_path(const std::string& output) {
-  return fs::path(output).replace_extension(".stats.json").string();
-}
 
 nlohmann::ordered_json stats_json(const RenderArguments& arguments, const Scene& scene, const std::string& integrator,
                                   const RenderStats& stats, int threads) {
@@ -64,8 +49,9 @@ nlohmann::ordered_json stats_json(const RenderArguments& arguments, const Scene&
 }
 
 int run_render(const RenderArguments& arguments) {
+  const std::string stats_path = checked_stats_path(arguments.stats_path, arguments.output, arguments.scene.path);
   RenderStats stats;
-  Timer load_timer;
+  const Timer load_timer;
   SceneDescription description = load_scene(arguments.scene);
   stats.phases["load"] = load_timer.seconds();
   const std::string name =
@@ -84,7 +70,7 @@ int run_render(const RenderArguments& arguments) {
   job.grid = arguments.grid;
   job.sample_count = description.sensor.sample_count;
   job.interrupt = &interrupt_flag();
-  if (!arguments.quiet && isatty(STDERR_FILENO) != 0) job.progress = show_progress;
+  job.progress = progress_line(arguments.quiet);
 
   Film film(scene.width, scene.height);
   find_integrator(name)->render(scene, method, job, film, stats);
@@ -98,8 +84,6 @@ int run_render(const RenderArguments& arguments) {
   write_exr(arguments.output, rendering);
   stats.phases["write"] = write_timer.seconds();
 
-  const std::string stats_path =
-      arguments.stats_path.empty() ? default_stats_path(arguments.output) : arguments.stats_path;
   const nlohmann::ordered_json json = stats_json(arguments, scene, name, stats, Threads(arguments.threads).count());
   write_file_atomically(stats_path, json.dump(2) + "\n");
 

@@ -1,0 +1,46 @@
+#include "harness/engine_output.h"
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <filesystem>
+
+#include "scenes/input_error.h"
+
+namespace photonproof {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool same_file(const fs::path& a, const fs::path& b) { return fs::weakly_canonical(a) == fs::weakly_canonical(b); }
+
+void check_writable(const fs::path& file) {
+  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  if (!fs::is_directory(folder)) throw InputError(file.string(), "folder '" + folder.string() + "' does not exist");
+  if (fs::is_directory(file)) throw InputError(file.string(), "is a folder, expected a file name");
+  if (access(folder.c_str(), W_OK) != 0)
+    throw InputError(file.string(), "folder '" + folder.string() + "' is not writable");
+}
+
+}  // namespace
+
+std::function<void(double, const std::string&)> progress_line(bool quiet) {
+  if (quiet || isatty(STDERR_FILENO) == 0) return {};
+  return [](double fraction, const std::string& phase) {
+    std::fprintf(stderr, "\r%3.0f %% %s ", 100 * fraction, phase.c_str());
+    if (fraction >= 1) std::fputs("\r\033[K", stderr);
+    std::fflush(stderr);
+  };
+}
+
+std::string checked_stats_path(const std::string& asked, const std::string& image, const std::string& scene) {
+  const std::string stats = asked.empty() ? fs::path(image).replace_extension(".stats.json").string() : asked;
+  check_writable(image);
+  check_writable(stats);
+  if (same_file(image, scene)) throw InputError(image, "is the scene itself");
+  if (same_file(stats, scene)) throw InputError(stats, "is the scene itself");
+  if (same_file(stats, image)) throw InputError(stats, "the stats cannot go to the image's own file");
+  return stats;
+}
+
+}  // namespace photonproof

@@ -1,0 +1,16 @@
+// What the verbs that render share: the progress line and where the stats go.
+#pragma once
+
+#include <functional>
+#include <string>
+
+namespace photonproof {
+
+/// A line on standard error that rewrites itself; empty where standard error is no terminal, or `quiet`.
+std::function<void(double fraction, const std::string& phase)> progress_line(bool quiet);
+
+/// The stats file that goes with `image`: `asked`, or beside it with the extension .stats.json. Called before the work
+/// begins: throws InputError when either file could not be written, or would replace the scene or the other one.
+std::string checked_stats_path(const std::string& asked, const std::string& image, const std::string& scene);
+
+}  // namespace photonproof
