@@ -24,6 +24,7 @@ namespace {
 
 constexpr std::int64_t photons_per_sample = 50'000;  // with a time budget: emitted for each camera sample a pixel
 constexpr std::uint64_t pilot_photons = 20'000;
+constexpr std::uint64_t most_photons_in_a_pass = 10'000'000;  // a map of them takes about a gigabyte
 
 /// One of the two maps, with what it takes to refill it every pass.
 struct MapState {
@@ -129,7 +130,6 @@ void choose_radii(const Scene& scene, const PhotonMapperDescription& settings, c
 
 void refill(MapState& state, const Scene& scene, const PhotonMapperDescription& settings, const RenderJob& job,
             std::uint64_t count, const Threads& threads, RayTotals& totals, RenderStats& stats) {
-  if (!state.wanted) return;
   std::vector<Photon> photons;
   {
     const PhaseTimer phase(stats.phases[std::string("photons_") + state.name]);
@@ -152,12 +152,18 @@ void store_counts(const MapState& state, RenderStats& stats) {
 }
 
 /// Photons of a map for the pass that takes samples [first, last) of `spp`; at least one, so that a pass has a map.
+/// Throws InputError when they would not fit in memory.
 std::uint64_t photons_for_pass(const MapState& state, std::int64_t first, std::int64_t last, std::int64_t spp) {
   const auto until = [&](std::int64_t s) {
     return static_cast<std::int64_t>(static_cast<double>(state.total) * static_cast<double>(s) /
                                      static_cast<double>(spp));
   };
-  return static_cast<std::uint64_t>(std::max<std::int64_t>(1, until(last) - until(first)));
+  const auto count = static_cast<std::uint64_t>(std::max<std::int64_t>(1, until(last) - until(first)));
+  if (count > most_photons_in_a_pass)
+    throw InputError("--photons", std::to_string(count) + " in one pass are more than " +
+                                      std::to_string(most_photons_in_a_pass) +
+                                      ", the most that are kept at once; more samples a pixel make more passes");
+  return count;
 }
 
 }  // namespace
@@ -184,6 +190,7 @@ void render_photon_mapper(const Scene& scene, const IntegratorDescription& descr
     const std::int64_t last = schedule.samples_done();
     const std::int64_t first = last - samples;
     for (MapState* state : {&maps.global, &maps.caustic}) {
+      if (!state->wanted) continue;
       const std::uint64_t count = job.budget.seconds ? static_cast<std::uint64_t>(photons_per_sample * samples)
                                                      : photons_for_pass(*state, first, last, spp);
       refill(*state, scene, settings, job, count, threads, totals, stats);

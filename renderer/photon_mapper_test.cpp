@@ -91,5 +91,17 @@ TEST(photon_mapper, emits_the_photons_asked_for) {
   EXPECT_GT(out.stats.counts.at("photons_stored_caustic"), 0);
 }
 
+TEST(photon_mapper, refuses_more_photons_in_a_pass_than_memory_holds) {
+  // 1e9 photons over four passes of a sample each: 2.5e8 in the first.
+  try {
+    render(test::room(4, false), "photonmapper", job_with(4, 1'000'000'000));
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.summary(),
+              "--photons: error: 250000000 in one pass are more than 10000000, the most that are kept at once; more "
+              "samples a pixel make more passes");
+  }
+}
+
 }  // namespace
 }  // namespace photonproof
