@@ -10,7 +10,8 @@ namespace photonproof {
 void add_povray_arguments(CLI::App& verb, PovrayArguments& arguments, const std::string& output_help) {
   add_scene_options(verb, arguments.scene);
   verb.add_option("-o,--output", arguments.output, output_help)->required();
-  verb.add_option("--grid", arguments.options.grid, "average KxK samples a pixel (default: the quality's)")
+  verb.add_option("--grid", arguments.options.grid,
+                  "average the centres of KxK sub-pixels (default: refine where there is an edge)")
       ->check(CLI::Range(1, 64));
   verb.add_option("--quality", arguments.options.quality,
                   "1 seconds, 2 tens of seconds, 3 for comparisons that claim agreement")

@@ -15,9 +15,12 @@ namespace {
 int run_export(const PovrayArguments& arguments) {
   const PovrayExport scene = export_povray(load_scene(arguments.scene), arguments.options);
   write_file_atomically(arguments.output, scene.sdl);
-  std::printf("%s: %dx%d; render with: povray +I%s +Oscene.exr +FE +W%d +H%d -D -P -A +WT1\n", arguments.output.c_str(),
-              scene.width, scene.height, arguments.output.c_str(), scene.width * scene.grid, scene.height * scene.grid);
-  std::printf("then average %dx%d pixels and divide by %g\n", scene.grid, scene.grid, scene.exposure);
+  std::string antialias;
+  for (const std::string& word : scene.antialias) antialias += " " + word;
+  std::printf("%s: render with: povray +I%s +Oscene.exr +FE +W%d +H%d -D -P +WT1%s\n", arguments.output.c_str(),
+              arguments.output.c_str(), scene.width * scene.grid, scene.height * scene.grid, antialias.c_str());
+  if (scene.grid > 1) std::printf("then average %dx%d pixels\n", scene.grid, scene.grid);
+  if (scene.exposure != 1) std::printf("then divide by %g\n", scene.exposure);
   for (const std::string& skip : scene.skipped) std::printf("skipped %s\n", skip.c_str());
   for (const std::string& loss : scene.losses) std::printf("loss: %s\n", loss.c_str());
   return 0;

@@ -40,6 +40,23 @@ std::string joined(const std::vector<std::string>& argv) {
   return line;
 }
 
+std::vector<std::string> command(const PovrayExport& scene, const std::string& program) {
+  // +FE linear half floats; -D no window; -P no pause; +V progress; +WT1 one thread, which makes it repeatable.
+  std::vector<std::string> argv{program,
+                                "+Iscene.pov",
+                                "+Oscene.exr",
+                                "+FE",
+                                "+W" + std::to_string(scene.width * scene.grid),
+                                "+H" + std::to_string(scene.height * scene.grid),
+                                "-D",
+                                "-P",
+                                "+V",
+                                "+WT1",
+                                "+GSstatistics.txt"};
+  argv.insert(argv.end(), scene.antialias.begin(), scene.antialias.end());
+  return argv;
+}
+
 [[noreturn]] void report_failure(const ProcessOutcome& outcome, const std::string& program) {
   using End = ProcessOutcome::End;
   if (outcome.end == End::not_started)
@@ -88,19 +105,7 @@ PovrayRun render_povray(const PovrayExport& scene, const PovrayRunOptions& optio
   const TemporaryFolder folder;
   write_file_atomically(folder.path() / "scene.pov", scene.sdl);
 
-  // +FE linear half floats; -D no window; -P no pause; -A one ray in each pixel's centre; +WT1 one thread.
-  const std::vector<std::string> argv{options.program,
-                                      "+Iscene.pov",
-                                      "+Oscene.exr",
-                                      "+FE",
-                                      "+W" + std::to_string(scene.width * scene.grid),
-                                      "+H" + std::to_string(scene.height * scene.grid),
-                                      "-D",
-                                      "-P",
-                                      "+V",
-                                      "-A",
-                                      "+WT1",
-                                      "+GSstatistics.txt"};
+  const std::vector<std::string> argv = command(scene, options.program);
   ProcessOptions process;
   process.wall_limit_seconds = options.wall_limit_seconds;
   process.memory_limit_bytes = options.memory_limit_bytes;

@@ -14,6 +14,7 @@ struct PovrayExport {
   std::string sdl;
   int width = 0, height = 0;              ///< of the final image
   int grid = 1;                           ///< POV-Ray renders grid x width by grid x height
+  std::vector<std::string> antialias;     ///< POV-Ray's options for how it samples its pixels
   double exposure = 1;                    ///< POV-Ray's pixels are the scene's radiance times this power of two
   std::vector<std::string> explanations;  ///< every conversion; the comments of `sdl`
   std::vector<std::string> skipped;       ///< passes POV-Ray need not run, with the reason

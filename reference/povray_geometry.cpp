@@ -63,24 +63,41 @@ std::string photon_target(const PovSurface& surface) {
   return std::string(" photons{target reflection on refraction ") + (glass ? "on" : "off") + " collect off}";
 }
 
-void write_emitter(const PovSurface& surface, const std::string& shape, const std::string& back, const PovPlan& plan,
-                   SdlWriter& out) {
-  const RgbD reflectance = std::get<DiffuseDescription>(surface.bsdf->model).reflectance;
-  const RgbD radiance = *surface.shape->radiance * plan.exposure;
-  const std::string object = shape + " " + emitter_texture(reflectance, radiance) + back;
-  if (surface.emission == PovSurface::Emission::radiosity) {
-    out.explain("  emits inwards: radiosity's rays find it, so it needs no light_source");
-    out.line(object + "}");
-    return;
+std::string back_of(const PovSurface& surface) {
+  return surface.clear_back ? " interior_texture{Clear} interior{ior 1}" : " interior_texture{Black}";
+}
+
+std::string outline(const PovSurface& surface, const PovPlan& plan) {
+  return std::visit([&](const auto& geometry) { return shape_sdl(geometry, plan.scale); }, surface.geometry);
+}
+
+std::string plain_texture(const PovScene& scene, const PovSurface& surface) {
+  return " texture{Bsdf_" + std::to_string(bsdf_number(scene, surface)) + "}";
+}
+
+void write_surface(const PovScene& scene, const PovSurface& surface, const PovPlan& plan, SdlWriter& out) {
+  std::string object = outline(surface, plan);
+  if (surface.emission != PovSurface::Emission::none) {
+    const bool surrounding = surface.emission == PovSurface::Emission::radiosity;
+    out.explain(surrounding ? "  emits inwards: radiosity's rays find it, so it needs no light_source"
+                            : "  emits: this body is what is seen of the light; its light_sources are what lights");
+    object += " " + emitter_texture(std::get<DiffuseDescription>(surface.bsdf->model).reflectance,
+                                    *surface.shape->radiance * plan.exposure);
+  } else {
+    object += plain_texture(scene, surface);
   }
-  out.explain("  emits: this body is what is seen of the light; its light_sources are what lights");
-  out.line(object + (plan.radiosity ? " no_radiosity}" : "}"));
-  if (plan.radiosity && max_component(reflectance) > 0) {
-    out.explain(
-        "  and reflects: radiosity's rays, from which the body is hidden lest its light count twice, find this");
-    out.line(shape + " texture{pigment{" + sdl_rgb(reflectance) +
-             "} finish{ambient 0 diffuse 1/Brightness emission 0}}" + back + " no_image no_reflection no_shadow}");
+  if (std::holds_alternative<DielectricDescription>(surface.bsdf->model)) {
+    object += " interior{Interior_" + std::to_string(bsdf_number(scene, surface)) + "}";
+  } else {
+    object += back_of(surface);
   }
+  if (surface.clear_back)
+    out.explain("  clear from behind, where only the camera is: the near clip plane cuts it out of the picture");
+  if (plan.photons && is_specular(surface)) object += photon_target(surface);
+  // A light that reflects nothing has no twin, yet radiosity's rays must not see it: its light_sources are counted.
+  const bool counted = surface.emission == PovSurface::Emission::spots;
+  if (plan.radiosity && (counted || has_twin(surface, plan))) object += " no_radiosity";
+  out.line(object + "}");
 }
 
 }  // namespace
@@ -89,25 +106,22 @@ void write_surfaces(const PovScene& scene, const PovPlan& plan, SdlWriter& out) 
   for (const PovSurface& surface : scene.surfaces) {
     out.explain("shape '" + surface.shape->id + "' of " + scene.description->where(surface.shape->loc) + ": " +
                 kind(surface));
-    const std::string shape =
-        std::visit([&](const auto& geometry) { return shape_sdl(geometry, plan.scale); }, surface.geometry);
-    if (surface.clear_back)
-      out.explain("  clear from behind, where only the camera is: the near clip plane cuts it out of the picture");
-    const std::string back =
-        surface.clear_back ? " interior_texture{Clear} interior{ior 1}" : " interior_texture{Black}";
-    if (surface.emission != PovSurface::Emission::none) {
-      write_emitter(surface, shape, back, plan, out);
-      continue;
-    }
-    const std::string number = std::to_string(bsdf_number(scene, surface));
-    std::string object = shape + " texture{Bsdf_" + number + "}";
-    if (std::holds_alternative<DielectricDescription>(surface.bsdf->model)) {
-      object += " interior{Interior_" + number + "}";
-    } else {
-      object += back;
-    }
-    if (plan.photons && is_specular(surface)) object += photon_target(surface);
-    out.line(object + "}");
+    write_surface(scene, surface, plan, out);
+  }
+}
+
+bool has_twin(const PovSurface& surface, const PovPlan& plan) {
+  return plan.radiosity && plan.point_lights && surface.emission != PovSurface::Emission::radiosity &&
+         is_diffuse(surface);
+}
+
+void write_twins(const PovScene& scene, const PovPlan& plan, SdlWriter& out) {
+  for (const PovSurface& surface : scene.surfaces) {
+    if (!has_twin(surface, plan)) continue;
+    // Mirrors must show a light's body and not its dark twin; of other surfaces either will do.
+    const bool emits = surface.emission != PovSurface::Emission::none;
+    out.line(outline(surface, plan) + plain_texture(scene, surface) + back_of(surface) + " no_image no_shadow" +
+             (emits ? " no_reflection}" : "}"));
   }
 }
 

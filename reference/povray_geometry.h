@@ -6,8 +6,14 @@
 
 namespace photonproof {
 
-/// One object a surface. A light that is seen and also reflects becomes two objects in one place, see the comments the
-/// text carries.
+/// The surfaces as the camera, mirrors, glass and shadows meet them.
 void write_surfaces(const PovScene& scene, const PovPlan& plan, SdlWriter& out);
+
+/// Whether a surface has a twin for radiosity's rays: what reflects diffusely and is lit by light_sources. The rays see
+/// the twin only, so that it can be lit by fewer points, and shows no light of its own that light_sources stand for.
+bool has_twin(const PovSurface& surface, const PovPlan& plan);
+
+/// The twins; they belong in a light_group with their own lights.
+void write_twins(const PovScene& scene, const PovPlan& plan, SdlWriter& out);
 
 }  // namespace photonproof

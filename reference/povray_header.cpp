@@ -1,17 +1,29 @@
 #include "reference/povray_header.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "scenes/text_numbers.h"
 
 namespace photonproof {
 namespace {
 
-std::string radiosity_sdl(const PovPlan& plan) {
+/// POV-Ray measures reuse by the distance to the camera; what has to be fine enough is the scene's own size.
+double reuse_by_camera_distance(const PovScene& scene, double by_scene_radius) {
+  const Vec3d eye = scene.description->sensor.to_world.point({0, 0, 0});
+  // From inside, what is seen is about as far away as the walls of a cube whose corners the sphere goes through.
+  const double distance = std::max(length(eye - scene.center), scene.radius / std::sqrt(3.0));
+  return by_scene_radius * scene.radius / distance;
+}
+
+std::string radiosity_sdl(const PovScene& scene, const PovPlan& plan) {
   const PovrayPreset& preset = plan.preset;
+  const double maximum_reuse = reuse_by_camera_distance(scene, preset.maximum_reuse);
   return "  radiosity{count " + std::to_string(preset.radiosity_count) + ",20000 nearest_count " +
          std::to_string(preset.nearest_count) + " error_bound " + format_number(preset.error_bound) +
          " low_error_factor 0.8 recursion_limit " + std::to_string(plan.recursion_limit) +
-         " gray_threshold 0 brightness Brightness adc_bailout 1e-6 minimum_reuse 0.005 maximum_reuse " +
-         format_number(preset.maximum_reuse) + " pretrace_start 0.08 pretrace_end " +
+         " gray_threshold 0 brightness Brightness adc_bailout 1e-3 minimum_reuse " + format_number(maximum_reuse / 3) +
+         " maximum_reuse " + format_number(maximum_reuse) + " pretrace_start 0.08 pretrace_end " +
          format_number(preset.pretrace_end) + " normal off media off}";
 }
 
@@ -34,10 +46,11 @@ void write_header(const PovScene& scene, const PovPlan& plan, SdlWriter& out) {
   for (const std::string& text : plan.losses) out.explain("loss: " + text);
   out.line("#version 3.7;");
   if (plan.radiosity)
-    out.explain("Brightness leaves radiances as they are and keeps POV-Ray's radiosity precise in deep bounces");
+    out.explain(
+        "Brightness leaves radiances as they are and has POV-Ray's radiosity take every bounce for as important");
   out.line("#declare Brightness = " + format_number(plan.brightness) + ";");
-  out.line("global_settings{assumed_gamma 1.0 max_trace_level 20 adc_bailout 0");
-  if (plan.radiosity) out.line(radiosity_sdl(plan));
+  out.line("global_settings{assumed_gamma 1.0 max_trace_level 20 adc_bailout 1e-5");
+  if (plan.radiosity) out.line(radiosity_sdl(scene, plan));
   if (plan.photons) out.line(photons_sdl(scene, plan));
   out.line("}");
   out.line("background{rgb 0}");

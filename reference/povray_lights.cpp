@@ -22,29 +22,26 @@ std::string spot(const Vec3d& position, const Vec3d& normal) {
   return "Spot(" + sdl_vector(position) + ", " + sdl_vector(position + normal) + ")";
 }
 
-/// All lights keep within the preset's number together, but none gets fewer than 2 x 2.
-int spots_per_side(const PovScene& scene, const PovPlan& plan) {
-  const int most = plan.photons ? plan.preset.photon_spots : plan.preset.rectangle_spots;
-  const auto rectangles = std::count_if(scene.surfaces.begin(), scene.surfaces.end(), [](const PovSurface& s) {
-    return s.emission == PovSurface::Emission::spots && std::holds_alternative<PovParallelogram>(s.geometry);
+/// `points` shared out: all area lights keep within the number for one, but none gets fewer than 4.
+PovrayLightPoints share(const PovrayLightPoints& points, const PovScene& scene) {
+  const auto lights = std::count_if(scene.surfaces.begin(), scene.surfaces.end(), [](const PovSurface& surface) {
+    return surface.emission == PovSurface::Emission::spots;
   });
-  const double share = most / std::sqrt(static_cast<double>(std::max<std::ptrdiff_t>(rectangles, 1)));
-  return std::max(2, static_cast<int>(std::lround(share)));
+  const auto count = static_cast<double>(std::max<std::ptrdiff_t>(lights, 1));
+  return {std::max(2, static_cast<int>(std::lround(points.rectangle / std::sqrt(count)))),
+          std::max(4, static_cast<int>(std::lround(points.sphere / count)))};
 }
 
-void write_area_light(const PovScene& scene, const PovSurface& surface, const PovPlan& plan, std::uint64_t seed,
-                      SdlWriter& out) {
+void write_area_light(const PovScene& scene, const PovSurface& surface, const PovPlan& plan,
+                      const PovrayLightPoints& points, std::uint64_t seed, SdlWriter& out) {
   std::vector<std::string> spots;
   if (const auto* face = std::get_if<PovParallelogram>(&surface.geometry)) {
     const Vec3d normal = face->normal();
-    for (const Vec2<double>& s : square_points(spots_per_side(scene, plan), seed))
+    for (const Vec2<double>& s : square_points(points.rectangle, seed))
       spots.push_back(spot((face->corner + face->edge_u * s.x + face->edge_v * s.y) * plan.scale, normal));
   } else {
     const PovSphere& sphere = std::get<PovSphere>(surface.geometry);
-    const int count = plan.photons
-                          ? std::min(plan.preset.sphere_spots, plan.preset.photon_spots * plan.preset.photon_spots)
-                          : plan.preset.sphere_spots;
-    for (const Vec3d& n : sphere_points(count, seed))
+    for (const Vec3d& n : sphere_points(points.sphere, seed))
       spots.push_back(spot((sphere.center + n * sphere.radius) * plan.scale, n));
   }
   // Each is a small patch of the surface: intensity L A cos(angle) over the number of patches.
@@ -90,8 +87,7 @@ std::vector<Vec3d> sphere_points(int count, std::uint64_t seed) {
   return points;
 }
 
-void write_lights(const PovScene& scene, const PovPlan& plan, std::uint64_t seed, SdlWriter& out) {
-  if (!plan.point_lights) return;
+void write_spot_macro(const PovPlan& plan, SdlWriter& out) {
   out.explain("POV-Ray dims by 2/(1+(d/Near)^2): times Fade that is 1/(pi d^2), and a surface shows intensity times");
   out.explain("albedo times cosine over pi d^2");
   out.line("#declare Near = 0.001;");
@@ -99,6 +95,10 @@ void write_lights(const PovScene& scene, const PovPlan& plan, std::uint64_t seed
   out.line(std::string("#macro Spot(Where, Towards) light_source{Where Intensity*Fade fade_distance Near fade_power 2 "
                        "spotlight point_at Towards radius 90 falloff 90 tightness 1") +
            (plan.photons ? " photons{reflection on refraction on}" : "") + "} #end");
+}
+
+void write_lights(const PovScene& scene, const PovPlan& plan, const PovrayLightPoints& points, std::uint64_t seed,
+                  SdlWriter& out) {
   for (const EmitterDescription& emitter : scene.description->emitters) {
     out.explain("light '" + emitter.id + "' of " + scene.description->where(emitter.loc) + ": a point");
     std::visit([&](const auto& light) { write_light(light, plan, out); }, emitter.light);
@@ -106,7 +106,7 @@ void write_lights(const PovScene& scene, const PovPlan& plan, std::uint64_t seed
   std::uint64_t number = 0;
   for (const PovSurface& surface : scene.surfaces)
     if (surface.emission == PovSurface::Emission::spots)
-      write_area_light(scene, surface, plan, seed + 0x9e3779b97f4a7c15u * number++, out);
+      write_area_light(scene, surface, plan, share(points, scene), seed + 0x9e3779b97f4a7c15u * number++, out);
 }
 
 }  // namespace photonproof

@@ -16,6 +16,11 @@ std::vector<Vec2<double>> square_points(int n, std::uint64_t seed);
 /// Unit vectors spread evenly over the sphere along a Fibonacci spiral (Swinbank and Purser 2006), turned by the seed.
 std::vector<Vec3d> sphere_points(int count, std::uint64_t seed);
 
-void write_lights(const PovScene& scene, const PovPlan& plan, std::uint64_t seed, SdlWriter& out);
+/// The macro that write_lights uses.
+void write_spot_macro(const PovPlan& plan, SdlWriter& out);
+
+/// Every light that is not left to radiosity; area lights as `points` says, all of them together.
+void write_lights(const PovScene& scene, const PovPlan& plan, const PovrayLightPoints& points, std::uint64_t seed,
+                  SdlWriter& out);
 
 }  // namespace photonproof

@@ -140,7 +140,7 @@ void plan_radiosity(PovPlan& plan, const Facts& facts, int depth) {
     plan.skipped.emplace_back("radiosity: max_depth " + std::to_string(depth) + " allows no bounce");
   } else {
     plan.radiosity = true;
-    plan.brightness = 64;
+    plan.brightness = 2;
     plan.recursion_limit = bounces_for(facts.mean_albedo, plan.preset.truncation);
     if (depth >= 0 && depth - edges <= plan.recursion_limit) {
       plan.recursion_limit = depth - edges;
@@ -160,7 +160,6 @@ bool may_see(const PovSurface& from, const PovSurface& to) {
 PovPlan make_plan(const PovScene& scene, const PovrayOptions& options) {
   PovPlan plan;
   plan.preset = povray_preset(options.quality);
-  if (options.grid > 0) plan.preset.grid = options.grid;
   const Facts facts = find_facts(scene);
   plan.scale = power_of_two(64 / scene.radius);
   plan.exposure = choose_exposure(scene, facts);

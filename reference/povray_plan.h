@@ -17,9 +17,8 @@ struct PovPlan {
   bool point_lights = true;  ///< false when max_depth ends paths before they reach a light by way of a surface
   bool radiosity = false;
   int recursion_limit = 0;  ///< bounces radiosity adds
-  /// POV-Ray widens its error bound for rays of little weight, and takes a bounce to halve the weight unless
-  /// `brightness` says otherwise. With diffuse 1/b and lights times b it changes nothing else, and halves the error at
-  /// equal cost.
+  /// POV-Ray takes a bounce to halve a ray's weight times `brightness`, and widens its error bound for light rays. With
+  /// 2 they keep their weight; as surfaces are made diffuse 1/2 and lights twice as bright, nothing else changes.
   double brightness = 1;
   bool photons = false;
   std::vector<std::string> skipped;  ///< passes left out, with the reason
