@@ -76,6 +76,8 @@ class Bench {
 
   // References first: all others are compared with them.
   std::vector<Cell> choose_cells() {
+    if (std::none_of(plan_.cells.begin(), plan_.cells.end(), [&](const auto& p) { return is_selected(p.cell); }))
+      throw InputError("--only", "no cell of the suite has '" + options_.only + "' in its label");
     std::vector<Cell> references, others;
     for (const PlannedCell& planned : plan_.cells)
       if (!planned.is_reference && is_selected(planned.cell) && is_wanted(planned)) others.push_back(planned.cell);

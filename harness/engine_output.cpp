@@ -12,7 +12,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool same_file(const fs::path& a, const fs::path& b) { return fs::weakly_canonical(a) == fs::weakly_canonical(b); }
+bool same_file(const fs::path& a, const fs::path& b) {
+  std::error_code neither_exists;
+  return fs::weakly_canonical(a) == fs::weakly_canonical(b) || fs::equivalent(a, b, neither_exists);
+}
 
 void check_writable(const fs::path& file) {
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
@@ -34,6 +37,8 @@ std::function<void(double, const std::string&)> progress_line(bool quiet) {
 }
 
 std::string checked_stats_path(const std::string& asked, const std::string& image, const std::string& scene) {
+  if (fs::path(image).extension() != ".exr")
+    throw InputError("--output", "'" + image + "' is not the name of an EXR, expected NAME.exr");
   const std::string stats = asked.empty() ? fs::path(image).replace_extension(".stats.json").string() : asked;
   check_writable(image);
   check_writable(stats);

@@ -16,7 +16,8 @@ void add_povray_arguments(CLI::App& verb, PovrayArguments& arguments, const std:
   verb.add_option("--quality", arguments.options.quality,
                   "1 seconds, 2 tens of seconds, 3 for comparisons that claim agreement")
       ->check(CLI::Range(1, 3));
-  verb.add_option("--seed", arguments.options.seed, "of the places of light samples: same seed, same bits");
+  verb.add_option("--seed", arguments.options.seed, "of the places of light samples: same seed, same bits")
+      ->check(is_seed);
 }
 
 int refusing_with_3(const std::function<int()>& run) {

@@ -2,6 +2,8 @@
 
 #include <CLI/CLI.hpp>
 #include <charconv>
+#include <cmath>
+#include <cstdint>
 
 #include "scenes/parser.h"
 
@@ -34,6 +36,20 @@ void add_scene_options(CLI::App& verb, SceneOptions& options) {
       ->allow_extra_args(false);
   verb.add_option("--size", options.size, "WIDTHxHEIGHT instead of the film's own");
   verb.add_flag("--allow-outside", options.allow_outside, "let the scene include files outside its folder");
+}
+
+std::string is_seed(const std::string& text) {
+  std::uint64_t seed = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
+  const bool good = error == std::errc{} && end == text.data() + text.size();
+  return good ? "" : "'" + text + "' is not a seed, expected a whole number from 0 to 2^64 - 1";
+}
+
+std::string is_finite_number(const std::string& text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool good = error == std::errc{} && end == text.data() + text.size() && std::isfinite(value);
+  return good ? "" : "'" + text + "' is not a finite number";
 }
 
 SceneDescription load_scene(const SceneOptions& options) {

@@ -22,6 +22,11 @@ struct SceneOptions {
 /// SCENE, -D, --size, --allow-outside.
 void add_scene_options(CLI::App& verb, SceneOptions& options);
 
+/// Option checks: empty when the text is good, else what is wrong. CLI11's own numbers let "-1" through as the largest
+/// seed and NaN through every range.
+std::string is_seed(const std::string& text);
+std::string is_finite_number(const std::string& text);
+
 /// Parses the scene; its film has the size asked for. Throws InputError.
 SceneDescription load_scene(const SceneOptions& options);
 

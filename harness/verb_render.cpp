@@ -1,6 +1,9 @@
 // photonproof render: a scene file to an EXR and a stats JSON beside it.
+// Exit codes: 0 done, 1 done but some values are not finite, 2 bad input, 130 interrupted (partial results kept).
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -31,6 +34,11 @@ struct RenderArguments {
   bool json = false;
   bool quiet = false;
 };
+
+std::size_t non_finite_values(const Image& image) {
+  return static_cast<std::size_t>(
+      std::count_if(image.rgb.begin(), image.rgb.end(), [](float v) { return !std::isfinite(v); }));
+}
 
 nlohmann::ordered_json stats_json(const RenderArguments& arguments, const Scene& scene, const std::string& integrator,
                                   const RenderStats& stats, int threads) {
@@ -94,7 +102,9 @@ int run_render(const RenderArguments& arguments) {
                 scene.height, stats.counts["samples_per_pixel"], load_timer.seconds());
     for (const std::string& skip : stats.skipped) std::printf("skipped %s\n", skip.c_str());
   }
-  if (!stats.interrupted) return 0;
+  const std::size_t broken = non_finite_values(rendering.mean);
+  if (broken > 0) std::fprintf(stderr, "%s: %zu values are not finite\n", arguments.output.c_str(), broken);
+  if (!stats.interrupted) return broken > 0 ? 1 : 0;
   std::fprintf(stderr, "interrupted: wrote what there was, %.0f samples a pixel at most%s\n",
                stats.counts["samples_per_pixel"],
                film.unsampled_pixels() > 0 ? ", some pixels have none and are black" : "");
@@ -119,8 +129,9 @@ void add_render_verb(CLI::App& program, int& exit_code) {
       ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 40));
   verb->add_option("--seconds", arguments->seconds, "wall time to render for, instead of --spp")
       ->check(CLI::Range(1e-3, 1e7))
+      ->check(is_finite_number)
       ->excludes("--spp");
-  verb->add_option("--seed", arguments->seed, "of the random numbers: same seed, same bits");
+  verb->add_option("--seed", arguments->seed, "of the random numbers: same seed, same bits")->check(is_seed);
   verb->add_option("--threads", arguments->threads, "worker threads (default: every core)")->check(CLI::Range(0, 1024));
   verb->add_option("--grid", arguments->grid, "samples on the centres of a KxK grid in each pixel")
       ->check(CLI::Range(0, 1024));

@@ -97,7 +97,8 @@ void write_surface(const PovScene& scene, const PovSurface& surface, const PovPl
   // A light that reflects nothing has no twin, yet radiosity's rays must not see it: its light_sources are counted.
   const bool counted = surface.emission == PovSurface::Emission::spots;
   if (plan.radiosity && (counted || has_twin(surface, plan))) object += " no_radiosity";
-  out.line(object + "}");
+  object += "}";
+  out.line(object);
 }
 
 }  // namespace

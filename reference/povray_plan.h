@@ -11,7 +11,7 @@
 namespace photonproof {
 
 struct PovPlan {
-  PovrayPreset preset;
+  PovrayPreset preset{};
   double scale = 1;          ///< POV-Ray's lengths are the scene's times this (a power of two)
   double exposure = 1;       ///< POV-Ray's radiances are the scene's times this (a power of two)
   bool point_lights = true;  ///< false when max_depth ends paths before they reach a light by way of a surface

@@ -38,6 +38,13 @@ std::array<Transform, 6> cube_faces() {
           Transform::rotate(x, -90) * top};
 }
 
+/// Estimators divide by areas and normalise by them: both must stay finite with room to spare.
+bool has_usable_size(const std::variant<Quad, Sphere>& geometry) {
+  const auto* quad = std::get_if<Quad>(&geometry);
+  const float area = quad != nullptr ? quad->area : std::get<Sphere>(geometry).area();
+  return area > 1e-30f && area < 1e30f;
+}
+
 double mean_channel(const Rgb& rgb) { return (double{rgb.x} + rgb.y + rgb.z) / 3; }
 
 }  // namespace
@@ -63,6 +70,7 @@ Scene::Scene(const SceneDescription& description, int width_, int height_)
 }
 
 void Scene::add_shape(const SceneDescription& description, const ShapeDescription& shape) {
+  const std::size_t first = surfaces.size();
   if (const auto* sphere = std::get_if<SphereDescription>(&shape.geometry)) {
     const double scale = std::cbrt(std::abs(shape.to_world.determinant()));
     add_surface(Sphere{Vec3f(shape.to_world.point(sphere->center)), static_cast<float>(sphere->radius * scale),
@@ -73,6 +81,9 @@ void Scene::add_shape(const SceneDescription& description, const ShapeDescriptio
   } else {
     for (const Transform& face : cube_faces()) add_quad(shape, shape.to_world * face);
   }
+  for (auto surface = surfaces.begin() + static_cast<std::ptrdiff_t>(first); surface != surfaces.end(); ++surface)
+    if (!has_usable_size(surface->geometry))
+      throw InputError(description.where(shape.loc), "the shape's area is outside what single precision can hold");
   const std::size_t emitters = lights.size();
   if (shape.radiance && emitters > 0 && !std::isfinite(mean_channel(flux(lights.back()))))
     throw InputError(description.where(shape.loc), "the light's flux is too large for single precision");

@@ -58,6 +58,21 @@ TEST(camera, rays_start_on_the_near_plane) {
   EXPECT_NEAR(camera.ray(0, 0).origin.x, -49.5f, 0.02f);  // 100.1 tan(26.315 degrees) = 49.505
 }
 
+TEST(scene, refuses_shapes_whose_area_vanishes_or_overflows) {
+  for (const double scale : {1e-20, 1e20}) {
+    SceneDescription d;
+    d.files = {"s.xml"};
+    test::add_shape(d, RectangleDescription{}, Transform::scale(Vec3d(scale)), test::add_bsdf(d, DiffuseDescription{}))
+        .loc = {0, 3, 5};
+    try {
+      const Scene scene(d, 4, 4);
+      FAIL();
+    } catch (const InputError& error) {
+      EXPECT_EQ(error.summary(), "s.xml:3:5: error: the shape's area is outside what single precision can hold");
+    }
+  }
+}
+
 TEST(scene, lights_are_chosen_by_flux) {
   SceneDescription d;
   d.emitters.push_back({{}, "", PointLightDescription{{0, 0, 0}, RgbD(3)}});

@@ -14,6 +14,8 @@ void replace_atomically(const fs::path& target, const std::function<void(const f
   const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
   if (!fs::is_directory(folder)) throw InputError(target.string(), "folder '" + folder.string() + "' does not exist");
   if (fs::is_directory(target)) throw InputError(target.string(), "is a folder, expected a file name");
+  if (fs::exists(target) && !fs::is_regular_file(target))
+    throw InputError(target.string(), "is not a regular file: replacing it would destroy a device or a pipe");
   const fs::path temporary =
       folder / ("." + target.stem().string() + ".partial-" + std::to_string(getpid()) + target.extension().string());
   try {
