@@ -1,50 +1,113 @@
 #include "renderer/photon_map.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include "renderer/photon_sort.h"
+#include "renderer/radix_sort.h"
+
 namespace photonproof {
+namespace {
 
-PhotonMap::PhotonMap(const std::vector<Photon>& photons, float radius) {
+constexpr double most_cells_along = 1 << 21;  // a cell's index is exact in floats, its key fits 63 bits
+
+/// Photons lie on surfaces, so most cells of a grid are empty, and beyond some number a look-up's cells are out of the
+/// caches: the hash wins from about here on (photon_map_bench).
+double most_dense_cells(std::size_t photons) { return 8.0 * static_cast<double>(photons) + 262144; }
+
+PhotonGrid grid_for(const Bounds& bounds, float radius) {
+  const Vec3d extent = Vec3d(bounds.high) - Vec3d(bounds.low);
+  const double widest = max_component(extent);
+  // No smaller than what leaves its inverse finite, and none at all where the inverse would be subnormal.
+  const double width = std::max({static_cast<double>(radius), widest / (most_cells_along - 1), 0x1p-120});
+  PhotonGrid grid;
+  grid.low = bounds.low;
+  if (width > 0x1p125) return grid;
+  grid.inverse_width = static_cast<float>(1 / width);
+  const auto count = [&](double length) { return static_cast<std::int32_t>(std::floor(length / width)) + 1; };
+  grid.count = {count(extent.x), count(extent.y), count(extent.z)};
+  return grid;
+}
+
+void put(Photons& photons, std::size_t slot, const StagedPhoton& p) {
+  photons.x[slot] = p.x;
+  photons.y[slot] = p.y;
+  photons.z[slot] = p.z;
+  photons.red[slot] = p.red;
+  photons.green[slot] = p.green;
+  photons.blue[slot] = p.blue;
+  photons.surface[slot] = p.surface;
+  photons.edges[slot] = p.edges;
+}
+
+}  // namespace
+
+PhotonMap::PhotonMap(const Photons& photons, float radius, const Threads& threads) : count_(photons.size()) {
   if (photons.empty()) return;
-  Vec3f low = photons.front().p_world;
-  Vec3f high = low;
-  for (const Photon& photon : photons) {
-    const Vec3f& p = photon.p_world;
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
-  low_ = low;
+  grid_ = grid_for(bounds_of(photons, threads), radius);
+  photons_.resize(count_ + PhotonView::padding);
+  for (std::size_t i = count_; i < photons_.size(); ++i) put(photons_, i, {});
+  layout_ = static_cast<double>(grid_.cells()) <= most_dense_cells(count_) ? Layout::dense : Layout::compact;
+  if (layout_ == Layout::dense)
+    sort_into_dense_cells(photons, threads);
+  else
+    sort_into_occupied_cells(photons, threads);
+}
 
-  // Photons lie on surfaces: most cells of a fine grid are empty, so more of them than this only cost memory and time.
-  const double most_cells = 8.0 * static_cast<double>(photons.size()) + 4096;
-  const Vec3d extent = Vec3d(high) - Vec3d(low);
-  const auto count = [](double length, double width) { return std::floor(length / width) + 1; };
-  double width = radius;
-  while (count(extent.x, width) * count(extent.y, width) * count(extent.z, width) > most_cells) width *= 1.25;
-  cells_ = {static_cast<std::int64_t>(count(extent.x, width)), static_cast<std::int64_t>(count(extent.y, width)),
-            static_cast<std::int64_t>(count(extent.z, width))};
-  inverse_width_ = static_cast<float>(1 / width);
+void PhotonMap::sort_into_dense_cells(const Photons& photons, const Threads& threads) {
+  const StagedPhotons staged = stage_by_bucket(photons, grid_, threads);
+  cell_begin_.resize(grid_.cells() + 1);
+  cell_begin_.back() = static_cast<std::uint32_t>(count_);
+  threads.for_each(staged.buckets(), [&](std::size_t bucket) {
+    const std::uint32_t first = staged.begin[bucket], end = staged.begin[bucket + 1];
+    const std::size_t first_cell = bucket << staged.shift;
+    const std::size_t end_cell = std::min<std::size_t>((bucket + 1) << staged.shift, grid_.cells());
+    std::uint32_t* begin_of = cell_begin_.data() + first_cell;
 
-  std::vector<std::uint32_t> cell_of(photons.size());
-  start_.assign(static_cast<std::size_t>(cells_.x * cells_.y * cells_.z) + 1, 0);
-  for (std::size_t i = 0; i < photons.size(); ++i) {
-    cell_of[i] = static_cast<std::uint32_t>(cell_index(clamped_cell(photons[i].p_world)));
-    ++start_[cell_of[i] + 1];
-  }
-  for (std::size_t c = 1; c < start_.size(); ++c) start_[c] += start_[c - 1];
+    std::vector<std::uint32_t> cell_of(end - first);
+    std::fill(begin_of, begin_of + (end_cell - first_cell), 0);
+    for (std::uint32_t i = first; i < end; ++i) {
+      const StagedPhoton& p = staged.photons[i];
+      cell_of[i - first] = static_cast<std::uint32_t>(grid_.key(grid_.cell(p.x, p.y, p.z)) - first_cell);
+      ++begin_of[cell_of[i - first]];
+    }
+    // From counts to ends, which placing the photons from the last to the first turns into begins.
+    std::uint32_t total = first;
+    for (std::size_t cell = 0; cell < end_cell - first_cell; ++cell) total = begin_of[cell] += total;
+    for (std::uint32_t i = end; i-- > first;) put(photons_, --begin_of[cell_of[i - first]], staged.photons[i]);
+  });
+}
 
-  position_.resize(photons.size());
-  flux_.resize(photons.size());
-  surface_.resize(photons.size());
-  edges_.resize(photons.size());
-  std::vector<std::uint32_t> next(start_.begin(), start_.end() - 1);
-  for (std::size_t i = 0; i < photons.size(); ++i) {
-    const std::size_t slot = next[cell_of[i]]++;
-    position_[slot] = photons[i].p_world;
-    flux_[slot] = photons[i].flux;
-    surface_[slot] = photons[i].surface;
-    edges_[slot] = photons[i].edges;
+void PhotonMap::sort_into_occupied_cells(const Photons& photons, const Threads& threads) {
+  const StagedPhotons staged = stage_by_bucket(photons, grid_, threads);
+  struct Cells {
+    std::vector<std::uint64_t> keys;
+    std::vector<std::uint32_t> begins;
+  };
+  std::vector<Cells> parts(staged.buckets());
+  threads.for_each(staged.buckets(), [&](std::size_t bucket) {
+    RadixSort order;
+    for (std::uint32_t i = staged.begin[bucket]; i < staged.begin[bucket + 1]; ++i) {
+      const StagedPhoton& p = staged.photons[i];
+      order.items.push_back({grid_.key(grid_.cell(p.x, p.y, p.z)), i});
+    }
+    order.sort();
+    Cells& cells = parts[bucket];
+    std::uint32_t slot = staged.begin[bucket];
+    for (const auto& [key, from] : order.items) {
+      if (cells.keys.empty() || cells.keys.back() != key) {
+        cells.keys.push_back(key);
+        cells.begins.push_back(slot);
+      }
+      put(photons_, slot++, staged.photons[from]);
+    }
+  });
+  Cells all;
+  for (const Cells& cells : parts) {
+    all.keys.insert(all.keys.end(), cells.keys.begin(), cells.keys.end());
+    all.begins.insert(all.begins.end(), cells.begins.begin(), cells.begins.end());
   }
+  rows_ = PhotonRows(grid_, all.keys, std::move(all.begins), static_cast<std::uint32_t>(count_));
 }
 
 }  // namespace photonproof

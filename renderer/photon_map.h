@@ -1,77 +1,71 @@
-// Photons in a counting-sorted uniform grid, structure of arrays; immutable once built.
-// The layout follows the usual fixed-radius hash grid (Georgiev's SmallVCM explains one), with the cells of a row along
-// x adjacent, so that a query reads a few contiguous ranges.
+// Photons sorted into the cells of a uniform grid, structure of arrays; immutable once built. The layout follows the
+// usual fixed-radius hash grid (Georgiev's SmallVCM explains one), with the cells of a row along x adjacent, so that a
+// query reads a few contiguous runs.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <vector>
 
-#include "scenes/vec.h"
+#include "renderer/parallel.h"
+#include "renderer/photon_view.h"
+#include "renderer/photons.h"
 
 namespace photonproof {
 
-struct Photon {
-  Vec3f p_world;
-  Rgb flux;                   ///< W
-  std::uint32_t surface = 0;  ///< where it landed: index into Scene::surfaces
-  std::int32_t edges = 0;     ///< path edges from the light to here
-};
-
 class PhotonMap {
  public:
+  /// How cells are found: by an array over all of them while they are few enough, else by a hash of the occupied ones.
+  enum class Layout { dense, compact };
+
   PhotonMap() = default;
-  /// Cells are `radius` wide, wider where the grid would outgrow the photons; queries may use any radius. Photons keep
-  /// their order within a cell, so that sums do not depend on how they were gathered.
-  PhotonMap(const std::vector<Photon>& photons, float radius);
+  /// Cells are `radius` wide (wider only where an axis would have more than 2^21); queries may use any radius, and are
+  /// fastest near that one. The same map at any number of threads. Fewer than 2^31 photons.
+  PhotonMap(const Photons& photons, float radius, const Threads& threads);
 
-  std::size_t size() const { return flux_.size(); }
-  bool empty() const { return flux_.empty(); }
+  std::size_t size() const { return count_; }
+  bool empty() const { return count_ == 0; }
+  Layout layout() const { return layout_; }
+  /// Cells an index exists for: all of the dense grid's, the occupied ones of a compact one.
+  std::uint64_t cells() const { return layout_ == Layout::dense ? grid_.cells() : rows_.cells(); }
 
-  const Vec3f& position(std::size_t i) const { return position_[i]; }
-  const Rgb& flux(std::size_t i) const { return flux_[i]; }
-  std::uint32_t surface(std::size_t i) const { return surface_[i]; }
-  std::int32_t edges(std::size_t i) const { return edges_[i]; }
+  PhotonView view() const {
+    return {photons_.x.data(),
+            photons_.y.data(),
+            photons_.z.data(),
+            photons_.red.data(),
+            photons_.green.data(),
+            photons_.blue.data(),
+            photons_.surface.data(),
+            photons_.edges.data(),
+            count_,
+            grid_,
+            cell_begin_.empty() ? nullptr : cell_begin_.data(),
+            rows_.view()};
+  }
+  Photon operator[](std::size_t i) const { return photons_[i]; }
 
-  /// Calls visit(i) for every photon with |position - p| <= radius, in a fixed order.
+  /// PhotonView's look-ups, for callers who make few.
+  template <class Visit>
+  void for_each_run(const Vec3f& p, float radius, Visit&& visit) const {
+    view().for_each_run(p, radius, visit);
+  }
   template <class Visit>
   void for_each_within(const Vec3f& p, float radius, Visit&& visit) const {
-    if (empty()) return;
-    const Cell low = clamped_cell(p - Vec3f(radius));
-    const Cell high = clamped_cell(p + Vec3f(radius));
-    const float radius2 = radius * radius;
-    for (std::int64_t z = low.z; z <= high.z; ++z) {
-      for (std::int64_t y = low.y; y <= high.y; ++y) {
-        const std::size_t begin = start_[cell_index({low.x, y, z})];
-        const std::size_t end = start_[cell_index({high.x, y, z}) + 1];
-        for (std::size_t i = begin; i < end; ++i)
-          if (length_squared(position_[i] - p) <= radius2) visit(i);
-      }
-    }
+    view().for_each_within(p, radius, visit);
   }
+  /// Queries made in the order of their keys find the photons they share in the cache (query_order.h).
+  std::uint64_t cell_order_key(const Vec3f& p) const { return grid_.key(grid_.cell(p.x, p.y, p.z)); }
 
  private:
-  using Cell = Vec3<std::int64_t>;
-  Cell clamped_cell(const Vec3f& p) const {
-    const auto along = [](float x, float low, float inverse, std::int64_t count) {
-      const float cell = std::clamp((x - low) * inverse, 0.0f, static_cast<float>(count - 1));
-      return static_cast<std::int64_t>(cell);
-    };
-    return {along(p.x, low_.x, inverse_width_, cells_.x), along(p.y, low_.y, inverse_width_, cells_.y),
-            along(p.z, low_.z, inverse_width_, cells_.z)};
-  }
-  std::size_t cell_index(const Cell& c) const {
-    return static_cast<std::size_t>((c.z * cells_.y + c.y) * cells_.x + c.x);
-  }
+  void sort_into_dense_cells(const Photons& photons, const Threads& threads);
+  void sort_into_occupied_cells(const Photons& photons, const Threads& threads);
 
-  Vec3f low_;
-  float inverse_width_ = 1;
-  Cell cells_{1, 1, 1};
-  std::vector<std::uint32_t> start_;  ///< first photon of each cell, and one past the last
-  std::vector<Vec3f> position_;
-  std::vector<Rgb> flux_;
-  std::vector<std::uint32_t> surface_;
-  std::vector<std::int32_t> edges_;
+  std::size_t count_ = 0;
+  Photons photons_;  ///< and PhotonView::padding more
+  Layout layout_ = Layout::dense;
+  PhotonGrid grid_;
+  PhotonArray<std::uint32_t> cell_begin_;  ///< dense
+  PhotonRows rows_;                        ///< compact
 };
 
 }  // namespace photonproof

@@ -15,6 +15,8 @@
 #include "renderer/disc_area.h"
 #include "renderer/parallel.h"
 #include "renderer/pass_schedule.h"
+#include "renderer/photon_gather.h"
+#include "renderer/photon_map.h"
 #include "renderer/photon_radius.h"
 #include "renderer/photon_tracing.h"
 #include "renderer/scene_facts.h"
@@ -51,10 +53,7 @@ struct Maps {
 /// Irradiance at a diffuse hit from one map, W m^-2; `max_edges` bounds the light subpath's length.
 Rgb irradiance(const MapState& state, const Scene& scene, const Hit& hit, int max_edges) {
   if (!state.wanted || state.map.empty()) return Rgb(0.0f);
-  Rgb flux(0.0f);
-  state.map.for_each_within(hit.p_world, state.radius, [&](std::size_t i) {
-    if (state.map.surface(i) == hit.surface && state.map.edges(i) <= max_edges) flux += state.map.flux(i);
-  });
+  const Rgb flux = gather(state.map.view(), hit.p_world, state.radius, {hit.surface, max_edges}).flux;
   if (max_component(flux) <= 0) return flux;
   const float area = std::visit([&](const auto& g) { return disc_area(g, hit.p_world, state.radius); },
                                 scene.surfaces[hit.surface].geometry);
@@ -130,7 +129,7 @@ void choose_radii(const Scene& scene, const PhotonMapperDescription& settings, c
 
 void refill(MapState& state, const Scene& scene, const PhotonMapperDescription& settings, const RenderJob& job,
             std::uint64_t count, const Threads& threads, RayTotals& totals, RenderStats& stats) {
-  std::vector<Photon> photons;
+  Photons photons;
   {
     const PhaseTimer phase(stats.phases[std::string("photons_") + state.name]);
     const int max_edges = settings.max_depth >= 0 ? settings.max_depth - 1 : -1;
@@ -138,7 +137,7 @@ void refill(MapState& state, const Scene& scene, const PhotonMapperDescription& 
         trace_photons(scene, {state.kind, state.stream, job.seed, state.emitted, count, max_edges}, threads, totals);
   }
   const PhaseTimer phase(stats.phases["build"]);
-  state.map = PhotonMap(photons, state.radius);
+  state.map = PhotonMap(photons, state.radius, threads);
   state.emitted += count;
   state.stored += photons.size();
 }

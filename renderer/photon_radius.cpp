@@ -36,7 +36,7 @@ float choose_radius(const Scene& scene, PhotonRun pilot, std::uint64_t total, do
   constexpr std::size_t probes = 256;
   constexpr std::size_t neighbour = 16;  // its distance measures the density around a probe
   pilot.stream = Stream::pilot;
-  const std::vector<Photon> photons = trace_photons(scene, pilot, threads, totals);
+  const Photons photons = trace_photons(scene, pilot, threads, totals);
   if (photons.size() <= neighbour) return 0;
 
   std::vector<float> distances;
@@ -44,8 +44,9 @@ float choose_radius(const Scene& scene, PhotonRun pilot, std::uint64_t total, do
   const std::size_t stride = std::max<std::size_t>(1, photons.size() / probes);
   for (std::size_t i = 0; i < photons.size(); i += stride) {
     to_others.clear();
-    for (const Photon& other : photons)
-      if (other.surface == photons[i].surface) to_others.push_back(length_squared(other.p_world - photons[i].p_world));
+    for (std::size_t j = 0; j < photons.size(); ++j)
+      if (photons.surface[j] == photons.surface[i])
+        to_others.push_back(length_squared(photons[j].p_world - photons[i].p_world));
     if (to_others.size() <= neighbour) continue;
     std::nth_element(to_others.begin(), to_others.begin() + neighbour, to_others.end());  // [0] is the probe itself
     distances.push_back(std::sqrt(to_others[neighbour]));

@@ -23,8 +23,7 @@ bool survives_absorption(const Rgb& weight, int edges, Rgb& flux, Sampler& sampl
   return true;
 }
 
-void trace_photon(const Scene& scene, const PhotonRun& run, std::uint64_t index, std::vector<Photon>& stored,
-                  RayCounts& counts) {
+void trace_photon(const Scene& scene, const PhotonRun& run, std::uint64_t index, Photons& stored, RayCounts& counts) {
   const Tracer& tracer = scene.tracer();
   Sampler sampler(run.seed, run.stream, run.first + index, 0);
   const Scene::LightChoice choice = scene.choose_light(sampler.next());
@@ -59,9 +58,9 @@ void trace_photon(const Scene& scene, const PhotonRun& run, std::uint64_t index,
 
 }  // namespace
 
-std::vector<Photon> trace_photons(const Scene& scene, const PhotonRun& run, const Threads& threads, RayTotals& totals) {
+Photons trace_photons(const Scene& scene, const PhotonRun& run, const Threads& threads, RayTotals& totals) {
   const std::uint64_t chunks = (run.count + chunk_size - 1) / chunk_size;
-  std::vector<std::vector<Photon>> stored(chunks);
+  std::vector<Photons> stored(chunks);
   threads.for_each(chunks, [&](std::size_t chunk) {
     RayCounts counts;
     const std::uint64_t begin = chunk * chunk_size;
@@ -69,11 +68,11 @@ std::vector<Photon> trace_photons(const Scene& scene, const PhotonRun& run, cons
     for (std::uint64_t i = begin; i < end; ++i) trace_photon(scene, run, i, stored[chunk], counts);
     totals.add(counts);
   });
-  std::vector<Photon> all;
+  Photons all;
   std::size_t total = 0;
   for (const auto& part : stored) total += part.size();
   all.reserve(total);
-  for (const auto& part : stored) all.insert(all.end(), part.begin(), part.end());
+  for (const auto& part : stored) all.append(part);
   return all;
 }
 

@@ -2,10 +2,9 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "renderer/parallel.h"
-#include "renderer/photon_map.h"
+#include "renderer/photons.h"
 #include "renderer/ray_counts.h"
 #include "renderer/sampler.h"
 #include "renderer/scene.h"
@@ -29,6 +28,6 @@ struct PhotonRun {
 
 /// The stored photons in the order of their paths, whatever the threads did: paths are traced in chunks of fixed size
 /// whose results are joined in order.
-std::vector<Photon> trace_photons(const Scene& scene, const PhotonRun& run, const Threads& threads, RayTotals& totals);
+Photons trace_photons(const Scene& scene, const PhotonRun& run, const Threads& threads, RayTotals& totals);
 
 }  // namespace photonproof

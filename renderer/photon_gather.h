@@ -1,0 +1,83 @@
+// Sums the flux of the photons around a point, in blocks of sixteen with sixteen partial sums, added in one fixed tree:
+// the order of the additions, and so the result to the last bit, does not depend on how wide the machine's vectors are.
+// Written in the vector extensions that GCC and Clang share, which become whatever vectors the target has, and, as
+// photon_view.h, for inclusion by kernels for several instruction sets.
+#pragma once
+
+#include <cstring>
+
+#include "renderer/always_inline.h"
+#include "renderer/photon_view.h"
+
+namespace photonproof {
+
+struct GatheredFlux {
+  Rgb flux{0.0f};  ///< W
+  std::int32_t count = 0;
+};
+
+/// Photons that landed on `surface` after at most `max_edges` edges.
+struct PhotonFilter {
+  std::uint32_t surface;
+  std::int32_t max_edges;
+};
+
+/// The photons with distance_squared(i, p) <= radius * radius that pass the filter.
+PHOTONPROOF_ALWAYS_INLINE GatheredFlux gather(const PhotonView& map, const Vec3f& p, float radius,
+                                              const PhotonFilter& filter) {
+#if defined(__AVX512F__)
+  constexpr int width = 16;
+#elif defined(__AVX2__)
+  constexpr int width = 8;
+#else
+  constexpr int width = 4;
+#endif
+  constexpr int block = 16, parts = block / width;
+  static_assert(block <= PhotonView::padding);
+  using Floats [[gnu::vector_size(width * sizeof(float))]] = float;
+  using Ints [[gnu::vector_size(width * sizeof(float))]] = std::int32_t;  // a mask is all ones or all zeros
+  const auto load = [](auto& to, const auto* from) PHOTONPROOF_INLINE_LAMBDA { std::memcpy(&to, from, sizeof to); };
+
+  const float radius2 = radius * radius;
+  const auto surface = static_cast<std::int32_t>(filter.surface);
+  constexpr std::int32_t numbers[block] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+  Floats red[parts] = {}, green[parts] = {}, blue[parts] = {};
+  Ints count[parts] = {};
+  map.for_each_run(p, radius, [&](std::size_t begin, std::size_t end) PHOTONPROOF_INLINE_LAMBDA {
+    for (std::size_t i = begin; i < end; i += block) {
+      for (int part = 0; part < parts; ++part) {
+        const std::size_t at = i + static_cast<std::size_t>(part * width);
+        Floats dx, dy, dz, r, g, b;
+        Ints landed_on, edges, lane;
+        load(dx, map.x + at);
+        load(dy, map.y + at);
+        load(dz, map.z + at);
+        load(landed_on, map.surface + at);
+        load(edges, map.edges + at);
+        load(r, map.red + at);
+        load(g, map.green + at);
+        load(b, map.blue + at);
+        load(lane, numbers + part * width);
+        dx -= p.x;
+        dy -= p.y;
+        dz -= p.z;
+        const Ints counts = (dx * dx + dy * dy + dz * dz <= radius2) & (landed_on == surface) &
+                            (edges <= filter.max_edges) & (lane < static_cast<std::int32_t>(end - i));
+        red[part] += reinterpret_cast<Floats>(reinterpret_cast<Ints>(r) & counts);
+        green[part] += reinterpret_cast<Floats>(reinterpret_cast<Ints>(g) & counts);
+        blue[part] += reinterpret_cast<Floats>(reinterpret_cast<Ints>(b) & counts);
+        count[part] -= counts;
+      }
+    }
+  });
+  const auto sum = [](const auto* lanes, auto zero) PHOTONPROOF_INLINE_LAMBDA {
+    decltype(zero) s[block];
+    std::memcpy(s, lanes, sizeof s);
+    for (int k = 0; k < 8; ++k) s[k] += s[k + 8];
+    for (int k = 0; k < 4; ++k) s[k] += s[k + 4];
+    return (s[0] + s[2]) + (s[1] + s[3]);
+  };
+  return {{sum(red, 0.0f), sum(green, 0.0f), sum(blue, 0.0f)}, sum(count, 0)};
+}
+
+}  // namespace photonproof

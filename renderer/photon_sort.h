@@ -1,0 +1,40 @@
+// First half of the photon map's build, a counting sort in two levels (the first a partition into buckets of
+// neighbouring cells, in parallel over fixed chunks; the second, in the map, over buckets that fit a cache). Both keep
+// photons of one cell in the order of their input, so the result is the same at any number of threads.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "renderer/parallel.h"
+#include "renderer/photon_grid.h"
+#include "renderer/photons.h"
+
+namespace photonproof {
+
+/// A photon on its way through the sort; unlike Photon it costs nothing to create.
+struct StagedPhoton {
+  float x, y, z, red, green, blue;
+  std::uint32_t surface;
+  std::int32_t edges;
+};
+
+struct StagedPhotons {
+  int shift = 0;                     ///< a cell belongs to bucket PhotonGrid::key >> shift
+  std::vector<std::uint32_t> begin;  ///< first photon of each bucket, one past the last
+  std::unique_ptr<StagedPhoton[]> photons;
+
+  std::size_t buckets() const { return begin.size() - 1; }
+};
+
+StagedPhotons stage_by_bucket(const Photons& photons, const PhotonGrid& grid, const Threads& threads);
+
+struct Bounds {
+  Vec3f low, high;
+};
+/// Of at least one photon.
+Bounds bounds_of(const Photons& photons, const Threads& threads);
+
+}  // namespace photonproof

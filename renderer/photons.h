@@ -1,0 +1,87 @@
+// Photons as tracing stores them: structure of arrays, in the order of their paths.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "scenes/vec.h"
+
+namespace photonproof {
+
+struct Photon {
+  Vec3f p_world;
+  Rgb flux;                   ///< W
+  std::uint32_t surface = 0;  ///< where it landed: index into Scene::surfaces
+  std::int32_t edges = 0;     ///< path edges from the light to here
+};
+
+/// Leaves the elements that resize() adds uninitialised: arrays of megabytes are about to be written anyway.
+template <class T>
+struct UninitializedAllocator : std::allocator<T> {
+  template <class U>
+  struct rebind {
+    using other = UninitializedAllocator<U>;
+  };
+  template <class U>
+  void construct(U* p) {
+    ::new (static_cast<void*>(p)) U;
+  }
+  template <class U, class... Args>
+  void construct(U* p, Args&&... args) {
+    ::new (static_cast<void*>(p)) U(std::forward<Args>(args)...);
+  }
+};
+
+template <class T>
+using PhotonArray = std::vector<T, UninitializedAllocator<T>>;
+
+/// Every array has the same size. Positions are finite.
+struct Photons {
+  PhotonArray<float> x, y, z;           ///< position, world
+  PhotonArray<float> red, green, blue;  ///< flux, W
+  PhotonArray<std::uint32_t> surface;   ///< index into Scene::surfaces
+  PhotonArray<std::int32_t> edges;      ///< path edges from the light to here
+
+  std::size_t size() const { return x.size(); }
+  bool empty() const { return x.empty(); }
+  Photon operator[](std::size_t i) const {
+    return {{x[i], y[i], z[i]}, {red[i], green[i], blue[i]}, surface[i], edges[i]};
+  }
+
+  /// Applies f to each array and the same array of `other`.
+  template <class Other, class F>
+  void zip(Other& other, const F& f) {
+    f(x, other.x);
+    f(y, other.y);
+    f(z, other.z);
+    f(red, other.red);
+    f(green, other.green);
+    f(blue, other.blue);
+    f(surface, other.surface);
+    f(edges, other.edges);
+  }
+  void resize(std::size_t count) {
+    zip(*this, [count](auto& array, const auto&) { array.resize(count); });
+  }
+  void reserve(std::size_t count) {
+    zip(*this, [count](auto& array, const auto&) { array.reserve(count); });
+  }
+  void append(const Photons& other) {
+    zip(other, [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); });
+  }
+  void push_back(const Photon& photon) {
+    x.push_back(photon.p_world.x);
+    y.push_back(photon.p_world.y);
+    z.push_back(photon.p_world.z);
+    red.push_back(photon.flux.x);
+    green.push_back(photon.flux.y);
+    blue.push_back(photon.flux.z);
+    surface.push_back(photon.surface);
+    edges.push_back(photon.edges);
+  }
+};
+
+}  // namespace photonproof
