@@ -33,7 +33,7 @@ PHOTONPROOF_ALWAYS_INLINE GatheredFlux gather(const PhotonView& map, const Vec3f
   constexpr int width = 4;
 #endif
   constexpr int block = 16, parts = block / width;
-  static_assert(block <= PhotonView::padding);
+  static_assert(block <= Photons::padding);
   using Floats [[gnu::vector_size(width * sizeof(float))]] = float;
   using Ints [[gnu::vector_size(width * sizeof(float))]] = std::int32_t;  // a mask is all ones or all zeros
   const auto load = [](auto& to, const auto* from) PHOTONPROOF_INLINE_LAMBDA { std::memcpy(&to, from, sizeof to); };

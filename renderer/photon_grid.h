@@ -27,9 +27,10 @@ struct PhotonGrid {
   Vec3f low;  ///< corner of the photons' bounds
   float inverse_width = 0;
   Cell count{1, 1, 1};  ///< cells along each axis, at most 2^21
+  Vec3f last;           ///< count - 1
 
   PHOTONPROOF_ALWAYS_INLINE Cell cell(float x, float y, float z) const {
-    return {along(x, low.x, count.x), along(y, low.y, count.y), along(z, low.z, count.z)};
+    return {along(x, low.x, last.x), along(y, low.y, last.y), along(z, low.z, last.z)};
   }
 
   /// Cells in the order in which photons are kept: x fastest, then y, then z.
@@ -52,10 +53,12 @@ struct PhotonGrid {
   }
 
  private:
-  PHOTONPROOF_ALWAYS_INLINE std::int32_t along(float at, float from, std::int32_t cells_along) const {
+  PHOTONPROOF_ALWAYS_INLINE std::int32_t along(float at, float from, float last_cell) const {
+    // A maximum and a minimum as the machine has them, which turn what is not a number into 0.
     const float cell = (at - from) * inverse_width;
-    const auto last = static_cast<float>(cells_along - 1);
-    return cell > 0 ? static_cast<std::int32_t>(cell < last ? cell : last) : 0;  // not a number: 0
+    const float not_negative = cell > 0.0f ? cell : 0.0f;
+    const float clamped = not_negative < last_cell ? not_negative : last_cell;
+    return static_cast<std::int32_t>(clamped);
   }
   PHOTONPROOF_ALWAYS_INLINE static float reach(float at, float radius) {
     const float magnitude = at < 0 ? -at : at;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "renderer/photon_sort.h"
 #include "renderer/radix_sort.h"
@@ -26,6 +27,7 @@ PhotonGrid grid_for(const Bounds& bounds, float radius) {
   grid.inverse_width = static_cast<float>(1 / width);
   const auto count = [&](double length) { return static_cast<std::int32_t>(std::floor(length / width)) + 1; };
   grid.count = {count(extent.x), count(extent.y), count(extent.z)};
+  grid.last = Vec3f(Vec3d(grid.count.x - 1, grid.count.y - 1, grid.count.z - 1));
   return grid;
 }
 
@@ -42,20 +44,21 @@ void put(Photons& photons, std::size_t slot, const StagedPhoton& p) {
 
 }  // namespace
 
-PhotonMap::PhotonMap(const Photons& photons, float radius, const Threads& threads) : count_(photons.size()) {
-  if (photons.empty()) return;
-  grid_ = grid_for(bounds_of(photons, threads), radius);
-  photons_.resize(count_ + PhotonView::padding);
-  for (std::size_t i = count_; i < photons_.size(); ++i) put(photons_, i, {});
+PhotonMap::PhotonMap(Photons photons, float radius, const Threads& threads)
+    : count_(photons.size()), photons_(std::move(photons)) {
+  if (empty()) return;
+  grid_ = grid_for(bounds_of(photons_, threads), radius);
   layout_ = static_cast<double>(grid_.cells()) <= most_dense_cells(count_) ? Layout::dense : Layout::compact;
+  const StagedPhotons staged = stage_by_bucket(photons_, grid_, threads);
+  photons_.resize(count_ + Photons::padding);
+  for (std::size_t i = count_; i < photons_.size(); ++i) put(photons_, i, {});
   if (layout_ == Layout::dense)
-    sort_into_dense_cells(photons, threads);
+    sort_into_dense_cells(staged, threads);
   else
-    sort_into_occupied_cells(photons, threads);
+    sort_into_occupied_cells(staged, threads);
 }
 
-void PhotonMap::sort_into_dense_cells(const Photons& photons, const Threads& threads) {
-  const StagedPhotons staged = stage_by_bucket(photons, grid_, threads);
+void PhotonMap::sort_into_dense_cells(const StagedPhotons& staged, const Threads& threads) {
   cell_begin_.resize(grid_.cells() + 1);
   cell_begin_.back() = static_cast<std::uint32_t>(count_);
   threads.for_each(staged.buckets(), [&](std::size_t bucket) {
@@ -64,22 +67,23 @@ void PhotonMap::sort_into_dense_cells(const Photons& photons, const Threads& thr
     const std::size_t end_cell = std::min<std::size_t>((bucket + 1) << staged.shift, grid_.cells());
     std::uint32_t* begin_of = cell_begin_.data() + first_cell;
 
-    std::vector<std::uint32_t> cell_of(end - first);
+    std::vector<std::uint32_t> cell_of(end - first), order(end - first);
     std::fill(begin_of, begin_of + (end_cell - first_cell), 0);
     for (std::uint32_t i = first; i < end; ++i) {
       const StagedPhoton& p = staged.photons[i];
+      __builtin_prefetch(&p + 24);  // a tenth off the whole build
       cell_of[i - first] = static_cast<std::uint32_t>(grid_.key(grid_.cell(p.x, p.y, p.z)) - first_cell);
       ++begin_of[cell_of[i - first]];
     }
     // From counts to ends, which placing the photons from the last to the first turns into begins.
     std::uint32_t total = first;
     for (std::size_t cell = 0; cell < end_cell - first_cell; ++cell) total = begin_of[cell] += total;
-    for (std::uint32_t i = end; i-- > first;) put(photons_, --begin_of[cell_of[i - first]], staged.photons[i]);
+    for (std::uint32_t i = end; i-- > first;) order[--begin_of[cell_of[i - first]] - first] = i;
+    for (std::uint32_t slot = first; slot < end; ++slot) put(photons_, slot, staged.photons[order[slot - first]]);
   });
 }
 
-void PhotonMap::sort_into_occupied_cells(const Photons& photons, const Threads& threads) {
-  const StagedPhotons staged = stage_by_bucket(photons, grid_, threads);
+void PhotonMap::sort_into_occupied_cells(const StagedPhotons& staged, const Threads& threads) {
   struct Cells {
     std::vector<std::uint64_t> keys;
     std::vector<std::uint32_t> begins;

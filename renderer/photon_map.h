@@ -12,6 +12,8 @@
 
 namespace photonproof {
 
+struct StagedPhotons;
+
 class PhotonMap {
  public:
   /// How cells are found: by an array over all of them while they are few enough, else by a hash of the occupied ones.
@@ -19,8 +21,8 @@ class PhotonMap {
 
   PhotonMap() = default;
   /// Cells are `radius` wide (wider only where an axis would have more than 2^21); queries may use any radius, and are
-  /// fastest near that one. The same map at any number of threads. Fewer than 2^31 photons.
-  PhotonMap(const Photons& photons, float radius, const Threads& threads);
+  /// fastest near that one. The same map at any number of threads. Fewer than 2^31 photons, whose arrays the map keeps.
+  PhotonMap(Photons photons, float radius, const Threads& threads);
 
   std::size_t size() const { return count_; }
   bool empty() const { return count_ == 0; }
@@ -57,15 +59,15 @@ class PhotonMap {
   std::uint64_t cell_order_key(const Vec3f& p) const { return grid_.key(grid_.cell(p.x, p.y, p.z)); }
 
  private:
-  void sort_into_dense_cells(const Photons& photons, const Threads& threads);
-  void sort_into_occupied_cells(const Photons& photons, const Threads& threads);
+  void sort_into_dense_cells(const StagedPhotons& staged, const Threads& threads);
+  void sort_into_occupied_cells(const StagedPhotons& staged, const Threads& threads);
 
   std::size_t count_ = 0;
-  Photons photons_;  ///< and PhotonView::padding more
+  Photons photons_;  ///< and Photons::padding more
   Layout layout_ = Layout::dense;
   PhotonGrid grid_;
-  PhotonArray<std::uint32_t> cell_begin_;  ///< dense
-  PhotonRows rows_;                        ///< compact
+  LargeArray<std::uint32_t> cell_begin_;  ///< dense
+  PhotonRows rows_;                       ///< compact
 };
 
 }  // namespace photonproof

@@ -137,7 +137,7 @@ TEST_P(PhotonMapOf, queries_are_ordered_by_cell_and_then_as_they_came) {
   const Photons photons = make_cloud(GetParam(), 3000);
   for (const float width : {0.1f, 1e-3f}) {
     const PhotonMap map(photons, width, Threads(1));
-    PhotonArray<float> x, y, z;
+    LargeArray<float> x, y, z;
     for (std::uint64_t q = 0; q < 3000; ++q) {
       const Vec3f p = query_point(GetParam(), photons, q);
       x.push_back(p.x);

@@ -137,9 +137,9 @@ void refill(MapState& state, const Scene& scene, const PhotonMapperDescription& 
         trace_photons(scene, {state.kind, state.stream, job.seed, state.emitted, count, max_edges}, threads, totals);
   }
   const PhaseTimer phase(stats.phases["build"]);
-  state.map = PhotonMap(photons, state.radius, threads);
+  state.map = PhotonMap(std::move(photons), state.radius, threads);
   state.emitted += count;
-  state.stored += photons.size();
+  state.stored += state.map.size();
 }
 
 void store_counts(const MapState& state, RenderStats& stats) {

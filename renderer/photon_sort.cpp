@@ -15,7 +15,7 @@ constexpr std::size_t photons_a_bucket = 2048;  // aimed at: 64 kB
 std::size_t chunks_of(std::size_t count) { return (count + chunk_size - 1) / chunk_size; }
 
 /// Least and greatest of values[begin, end), in lanes so that it vectorises without reassociation.
-std::pair<float, float> extremes(const PhotonArray<float>& values, std::size_t begin, std::size_t end) {
+std::pair<float, float> extremes(const LargeArray<float>& values, std::size_t begin, std::size_t end) {
   constexpr std::size_t lanes = 16;
   std::array<float, lanes> low, high;
   low.fill(values[begin]);
@@ -63,7 +63,7 @@ StagedPhotons stage_by_bucket(const Photons& photons, const PhotonGrid& grid, co
   const std::size_t buckets = (last_key >> staged.shift) + 1;
   const std::size_t chunks = chunks_of(photons.size());
 
-  std::vector<std::uint16_t> bucket_of(photons.size());
+  LargeArray<std::uint16_t> bucket_of(photons.size());
   std::vector<std::uint32_t> next(chunks * buckets);  // first counts, then where a chunk's next photon of a bucket goes
   threads.for_each(chunks, [&](std::size_t chunk) {
     const std::size_t end = std::min((chunk + 1) * chunk_size, photons.size());
@@ -83,7 +83,7 @@ StagedPhotons stage_by_bucket(const Photons& photons, const PhotonGrid& grid, co
   }
   staged.begin.push_back(total);
 
-  staged.photons = std::make_unique_for_overwrite<StagedPhoton[]>(photons.size());
+  staged.photons.resize(photons.size());
   threads.for_each(chunks, [&](std::size_t chunk) {
     const std::size_t end = std::min((chunk + 1) * chunk_size, photons.size());
     std::uint32_t* to = next.data() + chunk * buckets;

@@ -5,7 +5,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 #include "renderer/parallel.h"
@@ -24,7 +23,7 @@ struct StagedPhoton {
 struct StagedPhotons {
   int shift = 0;                     ///< a cell belongs to bucket PhotonGrid::key >> shift
   std::vector<std::uint32_t> begin;  ///< first photon of each bucket, one past the last
-  std::unique_ptr<StagedPhoton[]> photons;
+  LargeArray<StagedPhoton> photons;
 
   std::size_t buckets() const { return begin.size() - 1; }
 };

@@ -8,14 +8,13 @@
 #include "renderer/always_inline.h"
 #include "renderer/photon_grid.h"
 #include "renderer/photon_rows.h"
+#include "renderer/photons.h"
 
 namespace photonproof {
 
 /// Photons in the order of PhotonGrid::key, within a cell in the order of the map's input. Arrays may be read up to
-/// `padding` elements past the last photon.
+/// Photons::padding elements past the last photon.
 struct PhotonView {
-  static constexpr std::size_t padding = 16;
-
   const float *x = nullptr, *y = nullptr, *z = nullptr;           ///< world
   const float *red = nullptr, *green = nullptr, *blue = nullptr;  ///< flux, W
   const std::uint32_t* surface = nullptr;

@@ -3,10 +3,8 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
-#include <utility>
-#include <vector>
 
+#include "renderer/large_array.h"
 #include "scenes/vec.h"
 
 namespace photonproof {
@@ -18,32 +16,15 @@ struct Photon {
   std::int32_t edges = 0;     ///< path edges from the light to here
 };
 
-/// Leaves the elements that resize() adds uninitialised: arrays of megabytes are about to be written anyway.
-template <class T>
-struct UninitializedAllocator : std::allocator<T> {
-  template <class U>
-  struct rebind {
-    using other = UninitializedAllocator<U>;
-  };
-  template <class U>
-  void construct(U* p) {
-    ::new (static_cast<void*>(p)) U;
-  }
-  template <class U, class... Args>
-  void construct(U* p, Args&&... args) {
-    ::new (static_cast<void*>(p)) U(std::forward<Args>(args)...);
-  }
-};
-
-template <class T>
-using PhotonArray = std::vector<T, UninitializedAllocator<T>>;
-
 /// Every array has the same size. Positions are finite.
 struct Photons {
-  PhotonArray<float> x, y, z;           ///< position, world
-  PhotonArray<float> red, green, blue;  ///< flux, W
-  PhotonArray<std::uint32_t> surface;   ///< index into Scene::surfaces
-  PhotonArray<std::int32_t> edges;      ///< path edges from the light to here
+  /// Arrays of a photon map may be read up to this many elements past the last photon.
+  static constexpr std::size_t padding = 16;
+
+  LargeArray<float> x, y, z;           ///< position, world
+  LargeArray<float> red, green, blue;  ///< flux, W
+  LargeArray<std::uint32_t> surface;   ///< index into Scene::surfaces
+  LargeArray<std::int32_t> edges;      ///< path edges from the light to here
 
   std::size_t size() const { return x.size(); }
   bool empty() const { return x.empty(); }
@@ -66,8 +47,9 @@ struct Photons {
   void resize(std::size_t count) {
     zip(*this, [count](auto& array, const auto&) { array.resize(count); });
   }
+  /// Room for `count` photons and what a photon map, which keeps these arrays, appends to them.
   void reserve(std::size_t count) {
-    zip(*this, [count](auto& array, const auto&) { array.reserve(count); });
+    zip(*this, [count](auto& array, const auto&) { array.reserve(count + padding); });
   }
   void append(const Photons& other) {
     zip(other, [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); });
