@@ -35,7 +35,7 @@ void add_scene_options(CLI::App& verb, SceneOptions& options) {
       ->take_all()
       ->allow_extra_args(false);
   verb.add_option("--size", options.size, "WIDTHxHEIGHT instead of the film's own");
-  verb.add_flag("--allow-outside", options.allow_outside, "let the scene include files outside its folder");
+  verb.add_flag("--allow-outside", options.allow_outside, "let the scene name files outside its folder");
 }
 
 std::string is_seed(const std::string& text) {

@@ -63,6 +63,8 @@ void lower_shape(PovScene& scene, const ShapeDescription& shape) {
     const double scale = std::cbrt(std::abs(shape.to_world.determinant()));
     add_surface(scene, surface,
                 PovSphere{shape.to_world.point(sphere->center), sphere->radius * scale, shape.flip_normals});
+  } else if (std::holds_alternative<PlyDescription>(shape.geometry)) {
+    throw Unrepresentable(scene.description->where(shape.loc), "a triangle mesh");
   } else if (!closed) {
     add_surface(scene, surface, parallelogram(shape.to_world, shape.flip_normals));
   } else {

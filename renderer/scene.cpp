@@ -78,6 +78,8 @@ void Scene::add_shape(const SceneDescription& description, const ShapeDescriptio
                 shape);
   } else if (std::holds_alternative<RectangleDescription>(shape.geometry)) {
     add_quad(shape, shape.to_world);
+  } else if (std::holds_alternative<PlyDescription>(shape.geometry)) {
+    throw InputError(description.where(shape.loc), "the renderer has no triangle meshes");
   } else {
     for (const Transform& face : cube_faces()) add_quad(shape, shape.to_world * face);
   }

@@ -4,12 +4,14 @@
 
 #include <compare>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "scenes/input_error.h"
+#include "scenes/mesh.h"
 #include "scenes/transform.h"
 #include "scenes/vec.h"
 
@@ -74,10 +76,25 @@ struct CubeDescription {
   friend bool operator==(const CubeDescription&, const CubeDescription&) = default;
 };
 
+/// A mesh of triangles. After to_world the normal of a triangle is that of its corners counter-clockwise: as in
+/// Mitsuba, a mirroring to_world turns it, other than with the shapes above. Unless `face_normals`, shading
+/// interpolates the mesh's vertex normals (transformed by the inverse transpose, normalised); Mitsuba computes the ones
+/// a file lacks as the mean of the adjoining triangles' normals, weighted by their angles at the vertex (Thuermer and
+/// Wuethrich 1998). What is kept here is the file's.
+struct PlyDescription {
+  std::string filename;  ///< as the scene spells it, relative to the scene's folder
+  bool face_normals = false;
+  std::shared_ptr<const TriangleMesh> mesh;  ///< never null; shared by the shapes that name the same file
+  friend bool operator==(const PlyDescription& a, const PlyDescription& b) {
+    return a.filename == b.filename && a.face_normals == b.face_normals &&
+           (a.mesh == b.mesh || (a.mesh && b.mesh && *a.mesh == *b.mesh));
+  }
+};
+
 struct ShapeDescription {
   SourceLoc loc;
   std::string id;
-  std::variant<SphereDescription, RectangleDescription, CubeDescription> geometry;
+  std::variant<SphereDescription, RectangleDescription, CubeDescription, PlyDescription> geometry;
   Transform to_world;
   bool flip_normals = false;
   BsdfIndex bsdf;

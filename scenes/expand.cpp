@@ -6,6 +6,7 @@
 
 #include "scenes/atomic_file.h"
 #include "scenes/edit_distance.h"
+#include "scenes/scene_files.h"
 #include "scenes/text_numbers.h"
 #include "scenes/utf8.h"
 
@@ -34,8 +35,6 @@ class Expander {
 
   Element run(int file) {
     std::error_code ignored;
-    const fs::path folder = fs::path(sources_.name(file)).parent_path();
-    root_folder_ = fs::weakly_canonical(folder.empty() ? fs::path(".") : folder, ignored);
     open_files_.push_back(fs::weakly_canonical(sources_.name(file), ignored));
     Element root = read_root(file);
     expand_children(root, 1);
@@ -159,7 +158,7 @@ class Expander {
     if (++includes_ > kMaxIncludes)
       sources_.fail(element.at, "more than " + std::to_string(kMaxIncludes) + " includes");
     const fs::path shown = fs::path(sources_.name(filename.at.file)).parent_path() / filename.value;
-    const fs::path path = resolve(shown, filename);
+    const fs::path path = resolve_file(sources_, options_, filename, shown);
     if (std::find(open_files_.begin(), open_files_.end(), path) != open_files_.end())
       fail_at(sources_, filename, in_quotes(filename.value) + " includes itself");
     const int file = sources_.add(shown.string(), read_included(path, filename));
@@ -168,21 +167,6 @@ class Expander {
     expand_children(root, depth + 1);
     open_files_.pop_back();
     return std::move(root.children);
-  }
-
-  /// The real path, symbolic links followed; refuses what leaves the scene's folder.
-  fs::path resolve(const fs::path& shown, const Attribute& filename) const {
-    std::error_code error;
-    if (filename.value.empty() || filename.value.find('\0') != std::string::npos)
-      fail_at(sources_, filename, "expected a file name");
-    fs::path path = fs::weakly_canonical(shown, error);
-    if (error) fail_at(sources_, filename, "cannot include " + in_quotes(filename.value) + ": " + error.message());
-    const fs::path relative = path.lexically_relative(root_folder_);
-    if (!options_.allow_outside && (relative.empty() || *relative.begin() == ".."))
-      fail_at(sources_, filename,
-              in_quotes(filename.value) + " lies outside the scene's folder (--allow-outside permits it)");
-    if (!fs::exists(path, error)) fail_at(sources_, filename, "no such file: " + in_quotes(filename.value));
-    return path;
   }
 
   std::string read_included(const fs::path& path, const Attribute& filename) const {
@@ -196,7 +180,6 @@ class Expander {
   Sources& sources_;
   const ParseOptions& options_;
   std::map<std::string, Value> values_;
-  fs::path root_folder_;
   std::vector<fs::path> open_files_;
   std::size_t includes_ = 0;
   std::size_t elements_ = 0;

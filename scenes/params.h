@@ -47,6 +47,8 @@ class Params {
   RgbD colour(const std::string& name, const RgbD& fallback, double low, double high);
   Vec3d point(const std::string& name, const Vec3d& fallback);
   Transform transform(const std::string& name);
+  /// The attribute that sets `name`, which must be given.
+  const Attribute& value_of(const std::string& name) const { return require(sources_, *given_.at(name), "value"); }
   /// The tag that sets `name`, empty when none does.
   std::string tag(const std::string& name) const;
 

@@ -14,7 +14,8 @@ using namespace scene_xml;
 
 class SceneReader {
  public:
-  SceneReader(const Sources& sources, const Element& root) : sources_(sources), root_(root) {}
+  SceneReader(const Sources& sources, const Element& root, const ParseOptions& options)
+      : sources_(sources), root_(root), meshes_(sources, options) {}
 
   SceneDescription run() {
     scene_.files = sources_.names();
@@ -65,7 +66,7 @@ class SceneReader {
     if (child.tag == "bsdf") {
       if (!child.find("id")) sources_.fail(child.at, "a <bsdf> outside a shape needs the attribute 'id' to be of use");
     } else if (child.tag == "shape") {
-      scene_.shapes.push_back(read_shape(sources_, child));
+      scene_.shapes.push_back(read_shape(sources_, child, meshes_));
       scene_.shapes.back().bsdf = bsdf_of(child);
     } else if (child.tag == "emitter") {
       scene_.emitters.push_back(read_emitter(sources_, child));
@@ -124,6 +125,7 @@ class SceneReader {
 
   const Sources& sources_;
   const Element& root_;
+  MeshFiles meshes_;
   SceneDescription scene_;
   std::map<std::string, Named> named_;
   std::optional<SensorDescription> sensor_;
@@ -143,7 +145,7 @@ SceneDescription parse_scene_text(std::string_view text, const std::string& name
   Sources sources;
   const int file = sources.add(name, std::string(text));
   const Element root = expand_scene(sources, file, options);
-  return SceneReader(sources, root).run();
+  return SceneReader(sources, root, options).run();
 }
 
 }  // namespace photonproof

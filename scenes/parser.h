@@ -11,7 +11,7 @@ namespace photonproof {
 
 struct ParseOptions {
   std::map<std::string, std::string> defines;  ///< -D name=value; every one must be used
-  bool allow_outside = false;                  ///< let includes leave the scene's folder
+  bool allow_outside = false;                  ///< let includes and meshes leave the scene's folder
 };
 
 /// Throws InputError with file:line:col on anything outside the subset.

@@ -8,6 +8,7 @@
 #include "scenes/description.h"
 #include "scenes/edit_distance.h"
 #include "scenes/params.h"
+#include "scenes/scene_files.h"
 #include "scenes/text_numbers.h"
 
 namespace photonproof::scene_xml {
@@ -64,7 +65,7 @@ std::string id_of(const Element& object);
 
 BsdfDescription read_bsdf(const Sources& sources, const Element& element);
 /// All of a shape but its `bsdf`.
-ShapeDescription read_shape(const Sources& sources, const Element& element);
+ShapeDescription read_shape(const Sources& sources, const Element& element, MeshFiles& meshes);
 /// The radiance of an <emitter type="area">.
 RgbD read_area_emitter(const Sources& sources, const Element& element);
 EmitterDescription read_emitter(const Sources& sources, const Element& element);

@@ -1,4 +1,4 @@
-// Mitsuba 3's sphere, rectangle and cube; defaults are its.
+// Mitsuba 3's sphere, rectangle, cube and ply; defaults are its.
 #include <cmath>
 
 #include "scenes/plugins.h"
@@ -43,6 +43,12 @@ Geometry build_rectangle(Params& params) {
 
 Geometry build_cube(Params&) { return CubeDescription{}; }
 
+/// All but the mesh, which read_shape loads.
+Geometry build_ply(Params& params) {
+  params.expect(params.has("filename"), "filename", "is missing, expected the name of a PLY file");
+  return PlyDescription{params.string("filename", ""), params.boolean("face_normals", false), nullptr};
+}
+
 std::vector<ParamSpec> with_common(std::vector<ParamSpec> own) {
   own.push_back({"to_world", ParamType::transform});
   own.push_back({"flip_normals", ParamType::boolean});
@@ -53,6 +59,7 @@ const std::vector<Plugin<Geometry>>& table() {
   static const std::vector<std::string> nested = {"bsdf", "ref", "emitter"};
   static const std::vector<Plugin<Geometry>> rows = {
       {"cube", with_common({}), nested, build_cube},
+      {"ply", with_common({{"filename", ParamType::string}, {"face_normals", ParamType::boolean}}), nested, build_ply},
       {"rectangle", with_common({}), nested, build_rectangle},
       {"sphere", with_common({{"center", ParamType::point}, {"radius", ParamType::number}}), nested, build_sphere},
   };
@@ -61,7 +68,7 @@ const std::vector<Plugin<Geometry>>& table() {
 
 }  // namespace
 
-ShapeDescription read_shape(const Sources& sources, const Element& element) {
+ShapeDescription read_shape(const Sources& sources, const Element& element, MeshFiles& meshes) {
   const Plugin<Geometry>& plugin = find_plugin(sources, element, table());
   Params params(sources, element, title_of(sources, element), plugin.params);
   ShapeDescription shape;
@@ -72,6 +79,7 @@ ShapeDescription read_shape(const Sources& sources, const Element& element) {
   shape.geometry = plugin.build(params);
   shape.flip_normals = params.boolean("flip_normals", false);
   params.finish();
+  if (auto* ply = std::get_if<PlyDescription>(&shape.geometry)) ply->mesh = meshes.load(params.value_of("filename"));
   if (const Element* emitter = find_nested(element, "emitter")) shape.radiance = read_area_emitter(sources, *emitter);
   return shape;
 }

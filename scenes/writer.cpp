@@ -207,6 +207,11 @@ class Writer {
   }
   void write(const RectangleDescription&, const std::string& id) { open_plugin("shape", "rectangle", id); }
   void write(const CubeDescription&, const std::string& id) { open_plugin("shape", "cube", id); }
+  void write(const PlyDescription& ply, const std::string& id) {
+    open_plugin("shape", "ply", id);
+    value("string", "filename", ply.filename);
+    boolean("face_normals", ply.face_normals);
+  }
 
   void write(const PointLightDescription& light, const std::string& id) {
     open_plugin("emitter", "point", id);

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "scenes/parser.h"
+#include "scenes/ply.h"
 #include "scenes/same_scene.h"
 
 namespace photonproof {
@@ -14,9 +15,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// `what` is a file in the folder that the scene's meshes are in.
 void expect_round_trip(const SceneDescription& scene, const std::string& what) {
   const std::string text = write_scene(scene);
-  const SceneDescription again = parse_scene_text(text, "written.xml");
+  const SceneDescription again = parse_scene_text(text, what);
   EXPECT_EQ(first_difference(scene, again), "") << what << "\n" << text;
   EXPECT_EQ(write_scene(again), text) << what;
 }
@@ -30,6 +32,9 @@ TEST(writer, gives_back_every_library_scene) {
   }
   EXPECT_GE(scenes, 7);
 }
+
+const std::string kCorpus = PHOTONPROOF_SOURCE_DIR "/scenes/ply_corpus/";
+const char* const kMesh = "ascii_quad.ply";
 
 /// Random but valid scenes, canonical as the parser makes them: BSDFs with an id first, the others in shape order.
 class RandomScene {
@@ -91,13 +96,17 @@ class RandomScene {
   ShapeDescription shape(SceneDescription& scene, std::size_t named) {
     ShapeDescription result;
     if (coin()) result.id = "s" + std::to_string(scene.shapes.size()) + nasty();
-    switch (pick(3)) {
+    switch (pick(4)) {
       case 0:
         result.geometry = SphereDescription{vector(), positive()};
         result.to_world = similarity();
         break;
       case 1:
         result.geometry = RectangleDescription{};
+        result.to_world = stretched();
+        break;
+      case 2:
+        result.geometry = PlyDescription{kMesh, coin(), mesh_};
         result.to_world = stretched();
         break;
       default:
@@ -136,11 +145,12 @@ class RandomScene {
   }
 
   std::mt19937 random_;
+  std::shared_ptr<const TriangleMesh> mesh_ = std::make_shared<const TriangleMesh>(read_ply(kCorpus + kMesh));
 };
 
 TEST(writer, gives_back_random_scenes) {
   for (unsigned seed = 0; seed < 500 && !::testing::Test::HasFailure(); ++seed)
-    expect_round_trip(RandomScene(seed).make(), "seed " + std::to_string(seed));
+    expect_round_trip(RandomScene(seed).make(), kCorpus + "scene with seed " + std::to_string(seed));
 }
 
 TEST(writer, repeats_a_shared_bsdf_that_has_no_id_in_every_shape) {

@@ -1,0 +1,37 @@
+// Triangle meshes as their files give them: shared vertices in the shape's local space, single precision.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "scenes/vec.h"
+
+namespace photonproof {
+
+struct TriangleMesh {
+  using Triangle = std::array<std::uint32_t, 3>;
+
+  /// Finite. Embree reads vertices 16 bytes at a time, past the end of the last one: whoever fills this does so through
+  /// resize_positions, so that the memory behind it is there. A copy of the vector does not keep it.
+  std::vector<Vec3f> positions;
+  /// Indices of positions; counter-clockwise seen from the front.
+  std::vector<Triangle> triangles;
+  /// Per vertex, finite, as in the file and so perhaps not of unit length; empty when the file has none.
+  std::vector<Vec3f> normals;
+  /// Per vertex, finite; empty when the file has none.
+  std::vector<Vec2<float>> uvs;
+
+  static constexpr std::size_t kPaddingVertices = 2;  ///< 24 bytes, of which 16 are promised
+
+  void resize_positions(std::size_t count) {
+    positions.reserve(count + kPaddingVertices);
+    positions.resize(count);
+  }
+  /// Whether 16 bytes after the last position may be read.
+  bool is_padded() const { return positions.capacity() >= positions.size() + kPaddingVertices; }
+
+  friend bool operator==(const TriangleMesh&, const TriangleMesh&) = default;
+};
+
+}  // namespace photonproof

@@ -1,0 +1,35 @@
+// Which of a PLY file's properties make up a mesh, and where in it they go.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scenes/ply_header.h"
+
+namespace photonproof::ply {
+
+constexpr std::uint64_t kMaxElements = std::uint64_t{1} << 28;  ///< vertices or triangles
+
+/// What becomes of a property: a place among the values of a vertex, the corners of a face, or nothing.
+enum Slot : int { kNowhere = -1, kX, kY, kZ, kNx, kNy, kNz, kU, kV, kVertexSlots, kCorners };
+
+/// Reads one property of a row.
+struct Step {
+  Type type = Type::float32;
+  std::optional<Type> count_type{};  ///< of a list
+  int slot = kNowhere;
+};
+
+struct Layout {
+  std::size_t vertices = 0, faces = 0;      ///< indices into Header::elements
+  std::vector<std::vector<Step>> elements;  ///< the steps of each
+  bool has_normals = false, has_uvs = false;
+};
+
+/// Throws InputError when an element or property that a mesh needs is missing or of the wrong type. `text` is the
+/// header's.
+Layout plan_layout(const Header& header, std::string_view text, const std::string& file);
+
+}  // namespace photonproof::ply

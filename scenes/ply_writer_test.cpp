@@ -1,0 +1,60 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "scenes/atomic_file.h"
+#include "scenes/input_error.h"
+#include "scenes/ply.h"
+
+namespace photonproof {
+namespace {
+
+namespace fs = std::filesystem;
+
+class PlyWriter : public ::testing::Test {
+ protected:
+  const fs::path file_ = fs::path(::testing::TempDir()) / "ply_writer_test.ply";
+  void TearDown() override { fs::remove(file_); }
+};
+
+/// A strip of `count` triangles with numbers that need every bit.
+TriangleMesh strip(std::uint32_t count) {
+  TriangleMesh mesh;
+  mesh.resize_positions(count + 2);
+  for (std::uint32_t i = 0; i < count + 2; ++i)
+    mesh.positions[i] = {static_cast<float>(i) / 3, i % 2 == 0 ? 1e-38f : -0.0f, static_cast<float>(i)};
+  for (std::uint32_t i = 0; i < count; ++i) mesh.triangles.push_back({i, i + 1, i + 2});
+  return mesh;
+}
+
+TEST_F(PlyWriter, writes_what_the_reader_gives_back) {
+  TriangleMesh mesh = strip(100'000);  // more than one buffer of a megabyte
+  write_ply(file_, mesh);
+  EXPECT_EQ(read_ply(file_.string()), mesh);
+  mesh.normals.assign(mesh.positions.size(), Vec3f(0, 0, 1));
+  write_ply(file_, mesh);
+  EXPECT_EQ(read_ply(file_.string()), mesh);
+  mesh.uvs.assign(mesh.positions.size(), Vec2<float>{0.25f, 0.75f});
+  write_ply(file_, mesh);
+  EXPECT_EQ(read_ply(file_.string()), mesh);
+}
+
+TEST_F(PlyWriter, takes_12_bytes_a_vertex_and_13_a_triangle) {
+  write_ply(file_, strip(1));
+  EXPECT_EQ(read_file(file_),
+            "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+            "property float z\nelement face 1\nproperty list uchar uint vertex_indices\nend_header\n" +
+                read_file(file_).substr(fs::file_size(file_) - 3 * 12 - 13));
+}
+
+TEST_F(PlyWriter, says_when_it_cannot_write) {
+  try {
+    write_ply("/nonexistent/mesh.ply", strip(1));
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(), "/nonexistent/mesh.ply: error: folder '/nonexistent' does not exist");
+  }
+}
+
+}  // namespace
+}  // namespace photonproof
