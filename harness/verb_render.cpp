@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -31,6 +32,8 @@ struct RenderArguments {
   std::uint64_t seed = 0;
   int threads = 0;
   int grid = 0;
+  SamplerKind sampler = SamplerKind::sobol;
+  std::string isa;
   bool json = false;
   bool quiet = false;
 };
@@ -76,6 +79,8 @@ int run_render(const RenderArguments& arguments) {
   job.seed = arguments.seed;
   job.threads = arguments.threads;
   job.grid = arguments.grid;
+  job.sampler = arguments.sampler;
+  job.isa = arguments.isa;
   job.sample_count = description.sensor.sample_count;
   job.interrupt = &interrupt_flag();
   job.progress = progress_line(arguments.quiet);
@@ -135,6 +140,14 @@ void add_render_verb(CLI::App& program, int& exit_code) {
   verb->add_option("--threads", arguments->threads, "worker threads (default: every core)")->check(CLI::Range(0, 1024));
   verb->add_option("--grid", arguments->grid, "samples on the centres of a KxK grid in each pixel")
       ->check(CLI::Range(0, 1024));
+  verb->add_option("--sampler", arguments->sampler, "sobol (Owen-scrambled) or independent, to check the other against")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, SamplerKind>{{"sobol", SamplerKind::sobol}, {"independent", SamplerKind::independent}}))
+      ->type_name("NAME");
+  std::vector<std::string> isas;
+  for (const Kernels* kernels : available_kernels()) isas.emplace_back(kernels->isa);
+  verb->add_option("--isa", arguments->isa, "instruction set of the kernels (default: the best this processor has)")
+      ->check(CLI::IsMember(isas));
   verb->add_flag("--json", arguments->json, "print the stats as JSON");
   verb->add_flag("--quiet", arguments->quiet, "no progress line");
   verb->callback([arguments, &exit_code] { exit_code = run_render(*arguments); });

@@ -1,25 +1,26 @@
 // Smooth conductor, one-sided. Without a complex ior it reflects the same at every angle.
 #pragma once
 
-#include <optional>
-
 #include "renderer/bsdf_sample.h"
 #include "renderer/fresnel.h"
 
 namespace photonproof {
 
+template <class F>
 struct ConductorBsdf {
-  Rgb reflectance;
-  bool has_ior = false;
-  Rgb eta{1.0f}, k{0.0f};
+  static constexpr bool is_delta = true;
+  Vec3<F> reflectance;
+  F has_ior{0.0f};  ///< 1 or 0
+  Vec3<F> eta, k;
 
-  Rgb eval(const Vec3f&, const Vec3f&) const { return Rgb(0.0f); }
-  float pdf(const Vec3f&, const Vec3f&) const { return 0; }
+  Vec3<F> eval(const Vec3<F>&, const Vec3<F>&) const { return Vec3<F>(F(0.0f)); }
+  F pdf(const Vec3<F>&, const Vec3<F>&) const { return F(0.0f); }
 
-  std::optional<BsdfSample> sample(const Vec3f& wo, float, const Vec2<float>&, TransportMode) const {
-    if (wo.z <= 0) return std::nullopt;
-    const Rgb weight = has_ior ? reflectance * fresnel_conductor(wo.z, eta, k) : reflectance;
-    return BsdfSample{{-wo.x, -wo.y, wo.z}, weight, 1, true, 1};
+  BsdfSample<F> sample(const Vec3<F>& wo, const F&, const Vec2<F>&, TransportMode) const {
+    const Mask<F> with_ior = has_ior > 0;
+    Vec3<F> weight = reflectance;
+    if (any(with_ior)) weight = select(with_ior, reflectance * fresnel_conductor(wo.z, eta, k), reflectance);
+    return {{-wo.x, -wo.y, wo.z}, weight, F(1.0f), F(1.0f), wo.z > 0};
   }
 };
 

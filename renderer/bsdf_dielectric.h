@@ -1,33 +1,34 @@
 // Smooth dielectric: reflection and refraction chosen by Fresnel reflectance. The normal points to the exterior.
 #pragma once
 
-#include <optional>
-
 #include "renderer/bsdf_sample.h"
 #include "renderer/fresnel.h"
 
 namespace photonproof {
 
+template <class F>
 struct DielectricBsdf {
-  float eta = 1.5f;  ///< interior ior / exterior ior
-  Rgb reflectance{1.0f};
-  Rgb transmittance{1.0f};
+  static constexpr bool is_delta = true;
+  F eta;  ///< interior ior / exterior ior
+  Vec3<F> reflectance, transmittance;
 
-  Rgb eval(const Vec3f&, const Vec3f&) const { return Rgb(0.0f); }
-  float pdf(const Vec3f&, const Vec3f&) const { return 0; }
+  Vec3<F> eval(const Vec3<F>&, const Vec3<F>&) const { return Vec3<F>(F(0.0f)); }
+  F pdf(const Vec3<F>&, const Vec3<F>&) const { return F(0.0f); }
 
-  std::optional<BsdfSample> sample(const Vec3f& wo, float u, const Vec2<float>&, TransportMode mode) const {
-    const bool outside = wo.z > 0;
-    const float eta_path = outside ? eta : 1 / eta;  // side entered over side left
-    const DielectricFresnel fresnel = fresnel_dielectric(std::abs(wo.z), eta_path);
-    if (u < fresnel.reflectance) {
-      return BsdfSample{{-wo.x, -wo.y, wo.z}, reflectance, fresnel.reflectance, true, 1};
-    }
-    const float cos_transmit = outside ? -fresnel.cos_transmit : fresnel.cos_transmit;
-    const Vec3f wi{-wo.x / eta_path, -wo.y / eta_path, cos_transmit};
+  BsdfSample<F> sample(const Vec3<F>& wo, const F& u, const Vec2<F>&, TransportMode mode) const {
+    const Mask<F> outside = wo.z > 0;
+    const F eta_path = select(outside, eta, 1 / eta);  // side entered over side left
+    const F to_path = 1 / eta_path;
+    const DielectricFresnel<F> fresnel = fresnel_dielectric(lane_abs(wo.z), eta_path);
+    const Mask<F> reflects = u < fresnel.reflectance;
+    const Vec3<F> reflected{-wo.x, -wo.y, wo.z};
+    const Vec3<F> refracted{-wo.x * to_path, -wo.y * to_path,
+                            select(outside, -fresnel.cos_transmit, fresnel.cos_transmit)};
     // Radiance over ior squared is what refraction keeps; wo is on the side the radiance goes to.
-    const float scale = mode == TransportMode::radiance ? 1 / (eta_path * eta_path) : 1;
-    return BsdfSample{wi, transmittance * scale, 1 - fresnel.reflectance, true, eta_path};
+    const F scale = mode == TransportMode::radiance ? F(to_path * to_path) : F(1.0f);
+    return {select(reflects, reflected, refracted), select(reflects, reflectance, transmittance * scale),
+            select(reflects, fresnel.reflectance, 1 - fresnel.reflectance), select(reflects, F(1.0f), eta_path),
+            wo.z != 0};
   }
 };
 

@@ -1,24 +1,25 @@
 // Lambertian reflection, one-sided: f = reflectance / pi above the surface, 0 below.
 #pragma once
 
-#include <optional>
-
 #include "renderer/bsdf_sample.h"
 #include "renderer/warp.h"
 
 namespace photonproof {
 
+template <class F>
 struct DiffuseBsdf {
-  Rgb reflectance;
+  static constexpr bool is_delta = false;
+  Vec3<F> reflectance;
 
-  Rgb eval(const Vec3f& wo, const Vec3f& wi) const { return wo.z > 0 && wi.z > 0 ? reflectance * (1 / pi) : Rgb(0.0f); }
-  float pdf(const Vec3f& wo, const Vec3f& wi) const { return wo.z > 0 ? cosine_hemisphere_pdf(wi.z) : 0; }
-
-  std::optional<BsdfSample> sample(const Vec3f& wo, float, const Vec2<float>& u, TransportMode) const {
-    if (wo.z <= 0) return std::nullopt;
-    const Vec3f wi = square_to_cosine_hemisphere(u);
-    if (wi.z <= 0) return std::nullopt;
-    return BsdfSample{wi, reflectance, cosine_hemisphere_pdf(wi.z), false, 1};
+  Vec3<F> eval(const Vec3<F>& wo, const Vec3<F>& wi) const {
+    return reflectance * select(wo.z > 0 && wi.z > 0, F(1 / pi), F(0.0f));
+  }
+  F pdf(const Vec3<F>& wo, const Vec3<F>& wi) const {
+    return select(wo.z > 0, cosine_hemisphere_pdf(wi.z), F(0.0f));
+  }
+  BsdfSample<F> sample(const Vec3<F>& wo, const F&, const Vec2<F>& u, TransportMode) const {
+    const Vec3<F> wi = square_to_cosine_hemisphere(u);
+    return {wi, reflectance, cosine_hemisphere_pdf(wi.z), F(1.0f), wo.z > 0 && wi.z > 0};
   }
 };
 

@@ -1,7 +1,7 @@
-// What sampling a BSDF yields.
+// What sampling a BSDF yields, a lane each.
 #pragma once
 
-#include "scenes/vec.h"
+#include "renderer/lane.h"
 
 namespace photonproof {
 
@@ -9,12 +9,13 @@ namespace photonproof {
 /// ratio of indices, flux not at all (Veach 1997, section 5.2).
 enum class TransportMode { radiance, importance };
 
+template <class F>
 struct BsdfSample {
-  Vec3f wi_local;
-  Rgb weight;     ///< f cos / pdf
-  float pdf = 0;  ///< per solid angle; of a delta sample: the probability of the lobe
-  bool delta = false;
-  float eta = 1;  ///< ior of the side entered / ior of the side left; 1 unless refracted
+  Vec3<F> wi_local;
+  Vec3<F> weight;  ///< f cos / pdf
+  F pdf;           ///< per solid angle; of a delta sample: the probability of the lobe
+  F eta;           ///< ior of the side entered / ior of the side left; 1 unless refracted
+  Mask<F> valid;   ///< where false the history is absorbed and the rest is undefined
 };
 
 }  // namespace photonproof

@@ -27,26 +27,23 @@ Vec2<double> half_tangents(const PerspectiveDescription& camera, double width, d
 
 }  // namespace
 
-Camera::Camera(const SensorDescription& sensor, int width, int height)
-    : width_(static_cast<float>(width)), height_(static_cast<float>(height)) {
-  const auto& camera = std::get<PerspectiveDescription>(sensor.camera);
-  const Vec2<double> tangents = half_tangents(camera, width, height);
-  tan_x_ = static_cast<float>(tangents.x);
-  tan_y_ = static_cast<float>(tangents.y);
-  origin_ = Vec3f(sensor.to_world.point({0, 0, 0}));
-  right_ = Vec3f(normalize(sensor.to_world.vector({-1, 0, 0})));
-  up_ = Vec3f(normalize(sensor.to_world.vector({0, 1, 0})));
-  forward_ = Vec3f(normalize(sensor.to_world.vector({0, 0, 1})));
-  near_ = static_cast<float>(camera.near_clip);
-  far_ = static_cast<float>(camera.far_clip);
+CameraView compile_camera(const SensorDescription& sensor, int width, int height, const Vec3d& moved) {
+  const auto& perspective = std::get<PerspectiveDescription>(sensor.camera);
+  const Vec2<double> tangents = half_tangents(perspective, width, height);
+  return {.origin = Vec3f(sensor.to_world.point({0, 0, 0}) + moved),
+          .right = Vec3f(normalize(sensor.to_world.vector({-1, 0, 0}))),
+          .up = Vec3f(normalize(sensor.to_world.vector({0, 1, 0}))),
+          .forward = Vec3f(normalize(sensor.to_world.vector({0, 0, 1}))),
+          .tan_x = static_cast<float>(tangents.x),
+          .tan_y = static_cast<float>(tangents.y),
+          .inverse_width = 1 / static_cast<float>(width),
+          .inverse_height = 1 / static_cast<float>(height),
+          .near = static_cast<float>(perspective.near_clip),
+          .far = static_cast<float>(perspective.far_clip)};
 }
 
-Ray Camera::ray(float x, float y) const {
-  const float right = (2 * x / width_ - 1) * tan_x_;
-  const float up = (1 - 2 * y / height_) * tan_y_;
-  const Vec3f through = forward_ + right_ * right + up_ * up;  // reaches the plane one unit ahead
-  const float stretch = length(through);
-  return {origin_ + through * near_, through / stretch, 0, (far_ - near_) * stretch};
+float pixel_footprint(const CameraView& camera, const Vec3f& p_world) {
+  return 2 * camera.tan_y * camera.inverse_height * dot(p_world - camera.origin, camera.forward);
 }
 
 }  // namespace photonproof

@@ -22,6 +22,15 @@ class Film {
     p.estimates += 1;
   }
 
+  /// Several independent estimates of weight 1 at once: their sum, the sum of their squares, their number.
+  void add(int x, int y, const RgbD& sum, const RgbD& sum_of_squares, int estimates) {
+    Pixel& p = pixels_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x)];
+    p.sum += sum;
+    p.sum_of_squares += sum_of_squares;
+    p.weight += estimates;
+    p.estimates += estimates;
+  }
+
   /// Mean and, where every pixel has at least two estimates, the variance of the mean:
   /// sum w (x - m)^2 / ((n - 1) sum w), unbiased where an estimate's variance is inverse to its weight.
   Rendering develop() const;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "renderer/film.h"
+#include "renderer/isa.h"
 #include "renderer/scene.h"
 
 namespace photonproof {
@@ -27,9 +28,13 @@ struct RenderJob {
   int threads = 0;       ///< 0: every core
   int grid = 0;          ///< k > 0: samples on the centres of a k x k grid in the pixel, as POV-Ray's are; 0: random
   int sample_count = 4;  ///< of the scene file
+  SamplerKind sampler = SamplerKind::sobol;
+  std::string isa;  ///< instruction set of the kernels; empty: the best there is
   const std::atomic<bool>* interrupt = nullptr;
   std::function<void(double fraction, const std::string& phase)> progress;  ///< from one thread at a time; may be empty
 
+  /// Throws InputError where `isa` names none.
+  const Kernels& kernels() const { return kernels_for(isa); }
   bool interrupted() const { return interrupt != nullptr && interrupt->load(std::memory_order_relaxed); }
 };
 

@@ -6,22 +6,24 @@
 
 namespace photonproof {
 
+template <class F>
 struct PointLight {
-  Vec3f position;
-  Rgb intensity;  ///< W sr^-1
+  static constexpr bool is_delta = true;
+  Vec3<F> position;
+  Vec3<F> intensity;  ///< W sr^-1
 
-  LightSample sample(const Vec3f& p, const Vec2<float>&) const {
-    const Vec3f d = position - p;
-    const float distance2 = dot(d, d);
-    if (distance2 == 0) return {};
-    return {position, Vec3f(0.0f), d / std::sqrt(distance2), intensity / distance2, 1};
+  LightSample<F> sample(const Vec3<F>& p, const Vec2<F>&) const {
+    const Vec3<F> d = position - p;
+    const F distance2 = dot(d, d);
+    const F inverse = 1 / lane_sqrt(distance2);
+    return {position, Vec3<F>(F(0.0f)), d * inverse, intensity * (inverse * inverse), select(distance2 > 0, F(1.0f), F(0.0f))};
   }
-  float pdf(const Vec3f&, const Vec3f&, const Vec3f&) const { return 0; }
-  Emission emit(const Vec2<float>&, const Vec2<float>& u) const {
-    return {position, Vec3f(0.0f), square_to_sphere(u), flux()};
+  F pdf(const Vec3<F>&, const Vec3<F>&, const Vec3<F>&) const { return F(0.0f); }
+  Emission<F> emit(const Vec2<F>&, const Vec2<F>& u) const {
+    return {position, Vec3<F>(F(0.0f)), square_to_sphere(u)};
   }
-  Rgb flux() const { return intensity * (4 * pi); }
-  Rgb emitted_radiance(float) const { return Rgb(0.0f); }
+  Vec3<F> flux() const { return intensity * (4 * pi); }
+  Vec3<F> emitted_radiance(const F&) const { return Vec3<F>(F(0.0f)); }
 };
 
 }  // namespace photonproof

@@ -2,30 +2,36 @@
 #pragma once
 
 #include "renderer/light_sample.h"
-#include "renderer/surface.h"
 #include "renderer/warp.h"
 
 namespace photonproof {
 
+template <class F>
 struct QuadLight {
-  Quad quad;
-  Rgb radiance;  ///< W m^-2 sr^-1
+  static constexpr bool is_delta = false;
+  Vec3<F> corner, edge_u, edge_v, normal;
+  F area;
+  Vec3<F> radiance;  ///< W m^-2 sr^-1
 
-  LightSample sample(const Vec3f& p, const Vec2<float>& u) const {
-    const Vec3f p_light = at(u);
-    return surface_light_sample(radiance, pdf(p, p_light, quad.normal), p, p_light, quad.normal);
+  LightSample<F> sample(const Vec3<F>& p, const Vec2<F>& u) const {
+    const Vec3<F> p_light = at(u);
+    const Vec3<F> d = p_light - p;
+    const F distance2 = dot(d, d);
+    const Vec3<F> wi = d * (1 / lane_sqrt(distance2));
+    const F cos_light = -dot(normal, wi);
+    return {p_light, normal, wi, radiance, select(cos_light > 0, distance2 / (area * cos_light), F(0.0f))};
   }
-  float pdf(const Vec3f& p, const Vec3f& p_light, const Vec3f& normal_light) const {
-    return area_to_solid_angle(1 / quad.area, p, p_light, normal_light);
+  F pdf(const Vec3<F>& p, const Vec3<F>& p_light, const Vec3<F>& normal_light) const {
+    return area_to_solid_angle(F(1 / area), p, p_light, normal_light);
   }
-  Emission emit(const Vec2<float>& u_position, const Vec2<float>& u_direction) const {
-    return {at(u_position), quad.normal, Frame(quad.normal).to_world(square_to_cosine_hemisphere(u_direction)), flux()};
+  Emission<F> emit(const Vec2<F>& u_position, const Vec2<F>& u_direction) const {
+    return {at(u_position), normal, Frame<F>(normal).to_world(square_to_cosine_hemisphere(u_direction))};
   }
-  Rgb flux() const { return radiance * (pi * quad.area); }
-  Rgb emitted_radiance(float cos_emit) const { return cos_emit > 0 ? radiance : Rgb(0.0f); }
+  Vec3<F> flux() const { return radiance * (pi * area); }
+  Vec3<F> emitted_radiance(const F& cos_emit) const { return select(cos_emit > 0, radiance, Vec3<F>(F(0.0f))); }
 
  private:
-  Vec3f at(const Vec2<float>& u) const { return quad.corner + quad.edge_u * u.x + quad.edge_v * u.y; }
+  Vec3<F> at(const Vec2<F>& u) const { return advance(advance(corner, u.x, edge_u), u.y, edge_v); }
 };
 
 }  // namespace photonproof

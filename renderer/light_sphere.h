@@ -3,55 +3,72 @@
 #pragma once
 
 #include "renderer/light_sample.h"
-#include "renderer/surface.h"
 #include "renderer/warp.h"
 
 namespace photonproof {
 
+template <class F>
 struct SphereLight {
-  Sphere sphere;
-  Rgb radiance;  ///< W m^-2 sr^-1
+  static constexpr bool is_delta = false;
+  Vec3<F> center;
+  F radius;
+  F side;            ///< 1: emits outward, -1: inward
+  Vec3<F> radiance;  ///< W m^-2 sr^-1
 
-  LightSample sample(const Vec3f& p, const Vec2<float>& u) const {
-    if (!samples_cone(p)) {
-      const Vec3f outward = square_to_sphere(u);
-      const Vec3f p_light = sphere.center + outward * sphere.radius;
-      const Vec3f normal = sphere.inward ? -outward : outward;
-      return surface_light_sample(radiance, area_to_solid_angle(1 / sphere.area(), p, p_light, normal), p, p_light,
-                                  normal);
+  LightSample<F> sample(const Vec3<F>& p, const Vec2<F>& u) const {
+    const Mask<F> cone = samples_cone(p);
+    LightSample<F> s = all(cone) ? sample_cone(p, u) : sample_area(p, u);
+    if (any(cone) && !all(cone)) {
+      const LightSample<F> c = sample_cone(p, u);
+      s.p_light = select(cone, c.p_light, s.p_light);
+      s.normal_light = select(cone, c.normal_light, s.normal_light);
+      s.wi_world = select(cone, c.wi_world, s.wi_world);
+      s.pdf = select(cone, c.pdf, s.pdf);
     }
-    const Vec3f to_center = sphere.center - p;
-    const float distance = length(to_center);
-    const float one_minus_cos = cone_one_minus_cos(p);
-    const Vec3f local = square_to_cone(u, one_minus_cos);
-    const Vec3f wi = Frame(to_center / distance).to_world(local);
-    const float sin2 = std::max(0.0f, 1 - local.z * local.z);
-    const float t =
-        distance * local.z - std::sqrt(std::max(0.0f, sphere.radius * sphere.radius - distance * distance * sin2));
-    const Vec3f normal = normalize(p + wi * t - sphere.center);
-    return {sphere.center + normal * sphere.radius, normal, wi, radiance, 1 / (2 * pi * one_minus_cos)};
+    return s;
   }
-  float pdf(const Vec3f& p, const Vec3f& p_light, const Vec3f& normal_light) const {
-    if (samples_cone(p)) return 1 / (2 * pi * cone_one_minus_cos(p));
-    return area_to_solid_angle(1 / sphere.area(), p, p_light, normal_light);
+  F pdf(const Vec3<F>& p, const Vec3<F>& p_light, const Vec3<F>& normal_light) const {
+    return select(samples_cone(p), 1 / (2 * pi * cone_one_minus_cos(p)),
+                  area_to_solid_angle(F(1 / area()), p, p_light, normal_light));
   }
-  Emission emit(const Vec2<float>& u_position, const Vec2<float>& u_direction) const {
-    const Vec3f outward = square_to_sphere(u_position);
-    const Vec3f normal = sphere.inward ? -outward : outward;
-    return {sphere.center + outward * sphere.radius, normal,
-            Frame(normal).to_world(square_to_cosine_hemisphere(u_direction)), flux()};
+  Emission<F> emit(const Vec2<F>& u_position, const Vec2<F>& u_direction) const {
+    const Vec3<F> outward = square_to_sphere(u_position);
+    const Vec3<F> normal = outward * side;
+    return {advance(center, radius, outward), normal,
+            Frame<F>(normal).to_world(square_to_cosine_hemisphere(u_direction))};
   }
-  Rgb flux() const { return radiance * (pi * sphere.area()); }
-  Rgb emitted_radiance(float cos_emit) const { return cos_emit > 0 ? radiance : Rgb(0.0f); }
+  Vec3<F> flux() const { return radiance * (pi * area()); }
+  Vec3<F> emitted_radiance(const F& cos_emit) const { return select(cos_emit > 0, radiance, Vec3<F>(F(0.0f))); }
 
  private:
+  F area() const { return 4 * pi * radius * radius; }
   /// Close to the surface the cone fills the hemisphere and its arithmetic degenerates: sampled by area there.
-  bool samples_cone(const Vec3f& p) const {
-    return !sphere.inward && length_squared(p - sphere.center) > 1.0001f * sphere.radius * sphere.radius;
+  Mask<F> samples_cone(const Vec3<F>& p) const {
+    const Vec3<F> d = p - center;
+    return side > 0 && dot(d, d) > 1.0001f * radius * radius;
   }
-  float cone_one_minus_cos(const Vec3f& p) const {
-    const float sin2 = sphere.radius * sphere.radius / length_squared(p - sphere.center);
-    return sin2 / (1 + std::sqrt(std::max(0.0f, 1 - sin2)));
+  F cone_one_minus_cos(const Vec3<F>& p) const {
+    const Vec3<F> d = p - center;
+    const F sin2 = radius * radius / dot(d, d);
+    return sin2 / (1 + lane_sqrt(lane_max(F(1 - sin2), F(0.0f))));
+  }
+  LightSample<F> sample_cone(const Vec3<F>& p, const Vec2<F>& u) const {
+    const Vec3<F> to_center = center - p;
+    const F distance = length(to_center);
+    const F one_minus_cos = cone_one_minus_cos(p);
+    const Vec3<F> local = square_to_cone(u, one_minus_cos);
+    const Vec3<F> wi = Frame<F>(to_center * (1 / distance)).to_world(local);
+    const F sin2 = lane_max(F(1 - local.z * local.z), F(0.0f));
+    const F t = distance * local.z - lane_sqrt(lane_max(F(radius * radius - distance * distance * sin2), F(0.0f)));
+    const Vec3<F> normal = normalize(advance(p, t, wi) - center);
+    return {advance(center, radius, normal), normal, wi, radiance, 1 / (2 * pi * one_minus_cos)};
+  }
+  LightSample<F> sample_area(const Vec3<F>& p, const Vec2<F>& u) const {
+    const Vec3<F> outward = square_to_sphere(u);
+    const Vec3<F> p_light = advance(center, radius, outward);
+    const Vec3<F> normal = outward * side;
+    return {p_light, normal, normalize(p_light - p), radiance,
+            area_to_solid_angle(F(1 / area()), p, p_light, normal)};
   }
 };
 

@@ -8,18 +8,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
-#include "renderer/camera_samples.h"
-#include "renderer/camera_walk.h"
-#include "renderer/direct_light.h"
 #include "renderer/disc_area.h"
 #include "renderer/parallel.h"
 #include "renderer/pass_schedule.h"
-#include "renderer/photon_gather.h"
 #include "renderer/photon_map.h"
 #include "renderer/photon_radius.h"
 #include "renderer/photon_tracing.h"
+#include "renderer/query_order.h"
 #include "renderer/scene_facts.h"
+#include "renderer/tile_film.h"
 
 namespace photonproof {
 namespace {
@@ -50,44 +49,31 @@ struct Maps {
   MapState caustic{PhotonKind::caustic, Stream::caustic_photon, "caustic", 8};
 };
 
-/// Irradiance at a diffuse hit from one map, W m^-2; `max_edges` bounds the light subpath's length.
-Rgb irradiance(const MapState& state, const Scene& scene, const Hit& hit, int max_edges) {
-  if (!state.wanted || state.map.empty()) return Rgb(0.0f);
-  const Rgb flux = gather(state.map.view(), hit.p_world, state.radius, {hit.surface, max_edges}).flux;
-  if (max_component(flux) <= 0) return flux;
-  const float area = std::visit([&](const auto& g) { return disc_area(g, hit.p_world, state.radius); },
-                                scene.surfaces[hit.surface].geometry);
-  return flux / area;
-}
-
-Rgb trace_camera_path(const Scene& scene, const PhotonMapperDescription& settings, const Maps& maps, const Ray& ray,
-                      Sampler& sampler, RayCounts& counts) {
-  CameraWalk walk{ray};
-  Rgb radiance(0.0f);
-  for (int depth = 1;; ++depth) {
-    const Hit hit = scene.tracer().intersect(walk.ray);
-    if (!hit.valid()) break;
-    if (!(depth == 1 && settings.hide_emitters))
-      radiance += walk.throughput * emitted_towards(scene, hit, walk.ray.direction);
-    if (settings.max_depth >= 0 && depth >= settings.max_depth) break;
-
-    const Bsdf& bsdf = scene.bsdf_of(hit);
-    const Frame frame(hit.normal);
-    const Vec3f wo_local = frame.to_local(-walk.ray.direction);
-    if (const auto* diffuse = std::get_if<DiffuseBsdf>(&bsdf)) {
-      if (wo_local.z <= 0) break;
-      const int max_edges = settings.max_depth >= 0 ? settings.max_depth - depth : std::numeric_limits<int>::max();
-      const Rgb from_photons =
-          irradiance(maps.caustic, scene, hit, max_edges) + irradiance(maps.global, scene, hit, max_edges);
-      radiance += walk.throughput * (diffuse->reflectance * from_photons * (1 / pi));
-      if (!scene.lights.empty())
-        radiance += walk.throughput * estimate_direct(scene, hit, bsdf, frame, wo_local, false, sampler, counts);
-      break;
-    }
-    if (!walk.scatter(scene, hit, frame, wo_local, depth >= settings.rr_depth, sampler)) break;
-    ++counts.bounce;
+/// Adds to the paths' radiance what one map's photons bring to their gather points.
+void add_photons(const MapState& state, const Scene& scene, const Kernels& kernels, int max_depth,
+                 const std::vector<GatherPoint>& points, std::vector<float>& radiance) {
+  if (!state.wanted || state.map.empty()) return;
+  const std::vector<std::uint32_t> order = cell_order(state.map, points);
+  std::vector<GatheredFlux> flux(points.size());
+  const int max_edges = max_depth >= 0 ? max_depth : std::numeric_limits<int>::max();
+  kernels.gather_photons({.map = state.map.view(),
+                          .radius = state.radius,
+                          .max_edges = max_edges,
+                          .points = points.data(),
+                          .order = order.data(),
+                          .count = points.size(),
+                          .flux = flux.data()});
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (flux[i].count == 0) continue;
+    const GatherPoint& point = points[i];
+    const float area = std::visit([&](const auto& g) { return disc_area(g, point.p, state.radius); },
+                                  scene.surfaces[point.surface].geometry);
+    const Rgb added = point.weight * flux[i].flux / area;
+    float* out = &radiance[3 * std::size_t{point.path}];
+    out[0] += added.x;
+    out[1] += added.y;
+    out[2] += added.z;
   }
-  return radiance;
 }
 
 /// Decides which maps the scene needs, and says why one is not made.
@@ -122,7 +108,8 @@ void choose_radii(const Scene& scene, const PhotonMapperDescription& settings, c
     if (!state->wanted || state->radius > 0) continue;
     const PhotonRun pilot{state->kind, Stream::pilot, job.seed, 0, pilot_photons, -1};
     state->radius =
-        choose_radius(scene, pilot, static_cast<std::uint64_t>(state->total), state->photons_in_disc, threads, totals);
+        choose_radius(scene, pilot, static_cast<std::uint64_t>(state->total), state->photons_in_disc,
+                                  {job.kernels(), job.sampler}, threads, totals);
     if (state->radius <= 0) state->radius = 4 * std::max(median_pixel_footprint(scene), 1e-6f);
   }
 }
@@ -134,7 +121,8 @@ void refill(MapState& state, const Scene& scene, const PhotonMapperDescription& 
     const PhaseTimer phase(stats.phases[std::string("photons_") + state.name]);
     const int max_edges = settings.max_depth >= 0 ? settings.max_depth - 1 : -1;
     photons =
-        trace_photons(scene, {state.kind, state.stream, job.seed, state.emitted, count, max_edges}, threads, totals);
+        trace_photons(scene, {state.kind, state.stream, job.seed, state.emitted, count, max_edges},
+                      {job.kernels(), job.sampler}, threads, totals);
   }
   const PhaseTimer phase(stats.phases["build"]);
   state.map = PhotonMap(std::move(photons), state.radius, threads);
@@ -197,20 +185,22 @@ void render_photon_mapper(const Scene& scene, const IntegratorDescription& descr
     const PhaseTimer phase(stats.phases["render"]);
     for_each_tile(threads, scene.width, scene.height, [&](const Tile& tile) {
       if (first > 0 && job.interrupted()) return;
-      RayCounts counts;
-      for (int y = tile.y0; y < tile.y1; ++y) {
-        for (int x = tile.x0; x < tile.x1; ++x) {
-          RgbD sum(0.0);
-          for (std::int64_t s = first; s < last; ++s) {
-            Sampler sampler(job.seed, Stream::camera, pixel_index(scene, x, y), static_cast<std::uint64_t>(s));
-            const Ray ray = camera_ray(scene, x, y, s, job.grid, sampler);
-            ++counts.camera;
-            sum += RgbD(trace_camera_path(scene, settings, maps, ray, sampler, counts));
-          }
-          film.add(x, y, sum / static_cast<double>(samples), static_cast<double>(samples));
-        }
-      }
-      totals.add(counts);
+      const CameraTask camera = camera_task(job, tile, first, samples);
+      std::vector<float> radiance(3 * std::size_t{camera.paths()});
+      std::vector<GatherPoint> points(camera.paths());
+      std::vector<std::uint32_t> scratch(job.kernels().path_scratch);
+      PathTask task{.scene = &scene.view(),
+                    .camera = camera,
+                    .settings = {settings.max_depth, settings.rr_depth, settings.hide_emitters, false},
+                    .radiance = radiance.data(),
+                    .scratch = scratch.data(),
+                    .gather_points = points.data()};
+      job.kernels().trace_paths(task);
+      points.resize(task.gather_count);
+      for (const MapState* state : {&maps.caustic, &maps.global})
+        add_photons(*state, scene, job.kernels(), settings.max_depth, points, radiance);
+      add_means(film, camera, radiance);
+      totals.add(task.counts);
     });
     if (job.progress) job.progress(schedule.fraction(), "photon mapping");
     if (job.interrupted()) {

@@ -17,26 +17,26 @@ float median(std::vector<float>& values) {
 
 float median_pixel_footprint(const Scene& scene) {
   constexpr int lattice = 16;
+  const CameraView& camera = scene.view().camera;
   std::vector<float> footprints;
-  const float step_x = static_cast<float>(scene.width) / lattice;
-  const float step_y = static_cast<float>(scene.height) / lattice;
   for (int row = 0; row < lattice; ++row) {
     for (int column = 0; column < lattice; ++column) {
-      const Ray ray =
-          scene.camera.ray((static_cast<float>(column) + 0.5f) * step_x, (static_cast<float>(row) + 0.5f) * step_y);
-      const Hit hit = scene.tracer().intersect(ray);
-      if (hit.valid()) footprints.push_back(scene.camera.footprint_at(hit.p_world));
+      const auto centre = [](int i) { return 2 * (static_cast<float>(i) + 0.5f) / lattice - 1; };
+      const Vec3f through = camera.forward + camera.right * (centre(column) * camera.tan_x) -
+                            camera.up * (centre(row) * camera.tan_y);
+      const Hit hit = scene.intersect(camera.origin + through * camera.near, normalize(through));
+      if (hit.valid()) footprints.push_back(pixel_footprint(camera, hit.p_world));
     }
   }
   return footprints.empty() ? 0 : median(footprints);
 }
 
 float choose_radius(const Scene& scene, PhotonRun pilot, std::uint64_t total, double photons_in_disc,
-                    const Threads& threads, RayTotals& totals) {
+                    const PhotonMethod& method, const Threads& threads, RayTotals& totals) {
   constexpr std::size_t probes = 256;
   constexpr std::size_t neighbour = 16;  // its distance measures the density around a probe
   pilot.stream = Stream::pilot;
-  const Photons photons = trace_photons(scene, pilot, threads, totals);
+  const Photons photons = trace_photons(scene, pilot, method, threads, totals);
   if (photons.size() <= neighbour) return 0;
 
   std::vector<float> distances;

@@ -3,19 +3,13 @@
 
 #include <cstdint>
 
+#include "renderer/kernels/tasks.h"
 #include "renderer/parallel.h"
 #include "renderer/photons.h"
-#include "renderer/ray_counts.h"
-#include "renderer/sampler.h"
+#include "renderer/ray_totals.h"
 #include "renderer/scene.h"
 
 namespace photonproof {
-
-/// Which paths a map holds; together with direct light by next-event estimation they are all of them, each once.
-enum class PhotonKind {
-  global,   ///< landed on a diffuse surface after at least one diffuse bounce
-  caustic,  ///< landed on its first diffuse surface after at least one specular bounce
-};
 
 struct PhotonRun {
   PhotonKind kind = PhotonKind::global;
@@ -26,8 +20,15 @@ struct PhotonRun {
   int max_edges = -1;       ///< longest light subpath, edges; -1 is unlimited
 };
 
+/// How photons are drawn and traced: the same for every run of a render.
+struct PhotonMethod {
+  const Kernels& kernels;
+  SamplerKind sampler = SamplerKind::sobol;
+};
+
 /// The stored photons in the order of their paths, whatever the threads did: paths are traced in chunks of fixed size
 /// whose results are joined in order.
-Photons trace_photons(const Scene& scene, const PhotonRun& run, const Threads& threads, RayTotals& totals);
+Photons trace_photons(const Scene& scene, const PhotonRun& run, const PhotonMethod& method, const Threads& threads,
+                      RayTotals& totals);
 
 }  // namespace photonproof

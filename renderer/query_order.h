@@ -2,29 +2,23 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
+#include <vector>
 
 #include "renderer/photon_map.h"
 #include "renderer/radix_sort.h"
 
 namespace photonproof {
 
-/// Keeps its memory from batch to batch; one for each thread.
-class QueryOrder {
- public:
-  /// Calls visit(i) for every query in the order of the map's cells; queries of one cell keep their order. The spans
-  /// have one size, and hold world positions.
-  template <class Visit>
-  void for_each(const PhotonMap& map, std::span<const float> x, std::span<const float> y, std::span<const float> z,
-                Visit&& visit) {
-    sort_.items.resize(x.size());
-    for (std::uint32_t i = 0; i < x.size(); ++i) sort_.items[i] = {map.cell_order_key({x[i], y[i], z[i]}), i};
-    sort_.sort();
-    for (const RadixSort::Item& item : sort_.items) visit(item.index);
-  }
-
- private:
-  RadixSort sort_;
-};
+/// The points' numbers in the order of the map's cells; points of one cell keep their order. Point has a finite `p`.
+template <class Point>
+std::vector<std::uint32_t> cell_order(const PhotonMap& map, const std::vector<Point>& points) {
+  RadixSort sort;
+  sort.items.resize(points.size());
+  for (std::uint32_t i = 0; i < points.size(); ++i) sort.items[i] = {map.cell_order_key(points[i].p), i};
+  sort.sort();
+  std::vector<std::uint32_t> order(points.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = sort.items[i].index;
+  return order;
+}
 
 }  // namespace photonproof

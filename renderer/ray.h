@@ -1,19 +1,11 @@
-// Rays and where they end.
+// Where a single ray ends, for the host's own few rays; the kernels have packs of them.
 #pragma once
 
 #include <cstdint>
-#include <limits>
 
 #include "scenes/vec.h"
 
 namespace photonproof {
-
-struct Ray {
-  Vec3f origin;
-  Vec3f direction;  ///< unit for path segments; unnormalised for shadow segments, where t runs from 0 to 1
-  float t_near = 0;
-  float t_far = std::numeric_limits<float>::infinity();
-};
 
 inline constexpr std::uint32_t no_index = 0xFFFFFFFFu;
 

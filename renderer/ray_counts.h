@@ -1,34 +1,12 @@
-// Rays traced, by kind. Each tile or chunk counts for itself; sums of integers do not depend on their order.
+// Rays traced, by kind: what one tile or chunk counts for itself.
 #pragma once
 
-#include <atomic>
 #include <cstdint>
-
-#include "renderer/integrator.h"
 
 namespace photonproof {
 
 struct RayCounts {
   std::uint64_t camera = 0, bounce = 0, shadow = 0, photon = 0;
-};
-
-class RayTotals {
- public:
-  void add(const RayCounts& c) {
-    camera_ += c.camera;
-    bounce_ += c.bounce;
-    shadow_ += c.shadow;
-    photon_ += c.photon;
-  }
-  void store(RenderStats& stats) const {
-    stats.counts["rays_camera"] = static_cast<double>(camera_);
-    stats.counts["rays_bounce"] = static_cast<double>(bounce_);
-    stats.counts["rays_shadow"] = static_cast<double>(shadow_);
-    stats.counts["rays_photon"] = static_cast<double>(photon_);
-  }
-
- private:
-  std::atomic<std::uint64_t> camera_{0}, bounce_{0}, shadow_{0}, photon_{0};
 };
 
 }  // namespace photonproof

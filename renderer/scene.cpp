@@ -2,29 +2,41 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "renderer/kernels/rays.h"
+#include "renderer/light_table.h"
+#include "renderer/small_scene_tables.h"
 
 namespace photonproof {
 namespace {
 
-Bsdf compile(const DiffuseDescription& d) { return DiffuseBsdf{Rgb(d.reflectance)}; }
+Bsdf compile(const DiffuseDescription& d) { return DiffuseBsdf<float>{Rgb(d.reflectance)}; }
 Bsdf compile(const ConductorDescription& d) {
-  ConductorBsdf bsdf{Rgb(d.specular_reflectance)};
+  ConductorBsdf<float> bsdf{Rgb(d.specular_reflectance), 0, {}, {}};
   if (d.ior) {
-    bsdf.has_ior = true;
+    bsdf.has_ior = 1;
     bsdf.eta = Rgb(d.ior->eta);
     bsdf.k = Rgb(d.ior->k);
   }
   return bsdf;
 }
 Bsdf compile(const DielectricDescription& d) {
-  return DielectricBsdf{static_cast<float>(d.int_ior / d.ext_ior), Rgb(d.specular_reflectance),
-                        Rgb(d.specular_transmittance)};
+  return DielectricBsdf<float>{static_cast<float>(d.int_ior / d.ext_ior), Rgb(d.specular_reflectance),
+                               Rgb(d.specular_transmittance)};
 }
 
-Light compile(const PointLightDescription& d) { return PointLight{Vec3f(d.position), Rgb(d.intensity)}; }
+Light compile(const PointLightDescription& d, const Vec3d& moved) {
+  return PointLight<float>{Vec3f(d.position + moved), Rgb(d.intensity)};
+}
 
-Light surface_light(const Quad& quad, const Rgb& radiance) { return QuadLight{quad, radiance}; }
-Light surface_light(const Sphere& sphere, const Rgb& radiance) { return SphereLight{sphere, radiance}; }
+Light surface_light(const Quad& q, const Rgb& radiance) {
+  return QuadLight<float>{q.corner, q.edge_u, q.edge_v, q.normal, q.area, radiance};
+}
+Light surface_light(const Sphere& s, const Rgb& radiance) {
+  return SphereLight<float>{s.center, s.radius, s.inward ? -1.0f : 1.0f, radiance};
+}
 
 /// Local-to-face transforms of the cube's six sides: each maps [-1,1]^2 (normal +z) onto one side, normal outward.
 std::array<Transform, 6> cube_faces() {
@@ -39,65 +51,146 @@ std::array<Transform, 6> cube_faces() {
 }
 
 /// Estimators divide by areas and normalise by them: both must stay finite with room to spare.
-bool has_usable_size(const std::variant<Quad, Sphere>& geometry) {
-  const auto* quad = std::get_if<Quad>(&geometry);
-  const float area = quad != nullptr ? quad->area : std::get<Sphere>(geometry).area();
-  return area > 1e-30f && area < 1e30f;
+bool has_usable_size(const Geometry& geometry) {
+  const auto usable = [](float area) { return area > 1e-30f && area < 1e30f; };
+  if (const auto* quad = std::get_if<Quad>(&geometry)) return usable(quad->area);
+  if (const auto* sphere = std::get_if<Sphere>(&geometry)) return usable(sphere->area());
+  return true;
 }
 
-double mean_channel(const Rgb& rgb) { return (double{rgb.x} + rgb.y + rgb.z) / 3; }
+float mean_channel(const Rgb& rgb) { return (rgb.x + rgb.y + rgb.z) / 3; }
+
+double similarity_scale(const Transform& t) { return std::cbrt(std::abs(t.determinant())); }
+
+/// Axis-aligned bounds of points, in double: what decides where the origin goes.
+struct Bounds {
+  Vec3d low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
+  void add(const Vec3d& p) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+};
+
+Bounds bounds_of(const SceneDescription& description) {
+  Bounds bounds;
+  for (const ShapeDescription& shape : description.shapes) {
+    if (const auto* sphere = std::get_if<SphereDescription>(&shape.geometry)) {
+      const Vec3d center = shape.to_world.point(sphere->center);
+      const Vec3d reach(sphere->radius * similarity_scale(shape.to_world));
+      bounds.add(center - reach);
+      bounds.add(center + reach);
+      continue;
+    }
+    if (const auto* ply = std::get_if<PlyDescription>(&shape.geometry)) {
+      for (const Vec3f& p : ply->mesh->positions) bounds.add(shape.to_world.point(Vec3d(p)));
+      continue;
+    }
+    for (int corner = 0; corner < 8; ++corner) {
+      const auto sign = [&](int bit) { return (corner >> bit & 1) != 0 ? 1.0 : -1.0; };
+      const bool flat = std::holds_alternative<RectangleDescription>(shape.geometry);
+      bounds.add(shape.to_world.point({sign(0), sign(1), flat ? 0.0 : sign(2)}));
+    }
+  }
+  return bounds;
+}
+
+/// Whole floats, so that adding it to what is near it loses nothing that matters.
+Vec3d origin_shift(const Bounds& bounds) {
+  const Vec3d middle = (bounds.low + bounds.high) * 0.5;
+  return is_finite(middle) ? Vec3d(Vec3f(-middle)) : Vec3d(0.0);
+}
+
+/// The variants' records one after the other, `List::stride` floats each.
+template <class List>
+std::vector<float> flat_records(const std::vector<typename List::Variant>& variants) {
+  std::vector<float> records(variants.size() * List::stride, 0.0f);
+  for (std::size_t i = 0; i < variants.size(); ++i)
+    std::visit([&](const auto& record) { std::memcpy(&records[i * List::stride], &record, sizeof record); },
+               variants[i]);
+  return records;
+}
 
 }  // namespace
 
-Scene::Scene(const SceneDescription& description, int width_, int height_)
-    : width(width_), height(height_), camera(description.sensor, width_, height_) {
+Scene::Scene(const SceneDescription& description, int width_, int height_, std::size_t small_limit)
+    : width(width_), height(height_) {
+  const Bounds bounds = bounds_of(description);
+  moved_ = origin_shift(bounds);
   for (const BsdfDescription& b : description.bsdfs)
     bsdfs.push_back(std::visit([](const auto& model) { return compile(model); }, b.model));
   for (const ShapeDescription& shape : description.shapes) add_shape(description, shape);
   for (const EmitterDescription& e : description.emitters)
-    lights.push_back(std::visit([](const auto& light) { return compile(light); }, e.light));
+    lights.push_back(std::visit([&](const auto& light) { return compile(light, moved_); }, e.light));
 
-  double total = 0;
-  for (const Light& light : lights) total += mean_channel(flux(light));
-  double sum = 0;
-  for (const Light& light : lights) {
-    const double p = total > 0 ? mean_channel(flux(light)) / total : 1.0 / static_cast<double>(lights.size());
-    sum += p;
-    light_probability_.push_back(static_cast<float>(p));
-    light_cdf_.push_back(static_cast<float>(sum));
+  view_.camera = compile_camera(description.sensor, width, height, moved_);
+  // A point near the origin still comes out of arithmetic with the scene's coordinates.
+  const Vec3d extent = (bounds.high - bounds.low) * 0.5;
+  const double largest = max_component(extent);
+  view_.coordinate_floor = std::isfinite(largest) ? static_cast<float>(largest / 16) : 1;
+
+  small_ = primitives_ <= small_limit ? std::make_unique<SmallSceneTables>(surfaces) : nullptr;
+  if (small_ == nullptr) tracer_ = std::make_unique<Tracer>(surfaces);
+  view_.small = small_ != nullptr;
+  if (small_ != nullptr) view_.primitives = small_->view();
+  view_.tracer = tracer_.get();
+
+  for (const Surface& surface : surfaces) {
+    const auto kind = static_cast<std::uint32_t>(bsdfs[surface.bsdf].index());
+    surface_words_.push_back({kind, surface.bsdf, surface.light, 0});
+    view_.bsdf_kinds |= 1u << kind;
   }
-  tracer_ = std::make_unique<Tracer>(surfaces);
+  bsdf_records_ = flat_records<BsdfKinds>(bsdfs);
+  light_records_ = flat_records<LightKinds>(lights);
+  light_words_ = light_table(lights);
+  for (std::uint32_t i = 0; i < surfaces.size(); ++i)
+    if (surfaces[i].light != no_index)
+      light_words_[surfaces[i].light].primitive = view_.small ? small_->first_primitive(i) : no_index;
+  for (const Light& light : lights) {
+    view_.light_kinds |= 1u << light.index();
+    view_.lights_can_be_hit |= !is_delta(light);
+  }
+  view_.surfaces = surface_words_.data();
+  view_.bsdfs = bsdf_records_.data();
+  view_.lights = light_records_.data();
+  view_.light_words = light_words_.data();
+  view_.light_count = static_cast<std::uint32_t>(lights.size());
 }
+
+Scene::~Scene() = default;
 
 void Scene::add_shape(const SceneDescription& description, const ShapeDescription& shape) {
   const std::size_t first = surfaces.size();
+  const Transform to_world = Transform::translate(moved_) * shape.to_world;
   if (const auto* sphere = std::get_if<SphereDescription>(&shape.geometry)) {
-    const double scale = std::cbrt(std::abs(shape.to_world.determinant()));
-    add_surface(Sphere{Vec3f(shape.to_world.point(sphere->center)), static_cast<float>(sphere->radius * scale),
-                       shape.flip_normals},
+    add_surface(Sphere{Vec3f(to_world.point(sphere->center)),
+                       static_cast<float>(sphere->radius * similarity_scale(shape.to_world)), shape.flip_normals},
                 shape);
+  } else if (const auto* ply = std::get_if<PlyDescription>(&shape.geometry)) {
+    add_mesh(description, shape, *ply, to_world);
+    return;
   } else if (std::holds_alternative<RectangleDescription>(shape.geometry)) {
-    add_quad(shape, shape.to_world);
-  } else if (std::holds_alternative<PlyDescription>(shape.geometry)) {
-    throw InputError(description.where(shape.loc), "the renderer has no triangle meshes");
+    add_quad(shape, to_world);
   } else {
-    for (const Transform& face : cube_faces()) add_quad(shape, shape.to_world * face);
+    for (const Transform& face : cube_faces()) add_quad(shape, to_world * face);
   }
+  primitives_ += surfaces.size() - first;
   for (auto surface = surfaces.begin() + static_cast<std::ptrdiff_t>(first); surface != surfaces.end(); ++surface)
     if (!has_usable_size(surface->geometry))
       throw InputError(description.where(shape.loc), "the shape's area is outside what single precision can hold");
-  const std::size_t emitters = lights.size();
-  if (shape.radiance && emitters > 0 && !std::isfinite(mean_channel(flux(lights.back()))))
+  if (shape.radiance && !lights.empty() && !std::isfinite(mean_channel(flux(lights.back()))))
     throw InputError(description.where(shape.loc), "the light's flux is too large for single precision");
 }
 
-void Scene::add_surface(const std::variant<Quad, Sphere>& geometry, const ShapeDescription& shape) {
-  Surface surface{geometry, shape.bsdf.value, no_index};
+void Scene::add_surface(Geometry geometry, const ShapeDescription& shape) {
+  Surface surface{std::move(geometry), shape.bsdf.value, no_index};
   if (shape.radiance) {
     surface.light = static_cast<std::uint32_t>(lights.size());
-    lights.push_back(std::visit([&](const auto& g) { return surface_light(g, Rgb(*shape.radiance)); }, geometry));
+    const Rgb radiance(*shape.radiance);
+    if (const auto* quad = std::get_if<Quad>(&surface.geometry)) lights.push_back(surface_light(*quad, radiance));
+    if (const auto* sphere = std::get_if<Sphere>(&surface.geometry))
+      lights.push_back(surface_light(*sphere, radiance));
   }
-  surfaces.push_back(surface);
+  surfaces.push_back(std::move(surface));
 }
 
 void Scene::add_quad(const ShapeDescription& shape, const Transform& face_to_world) {
@@ -112,12 +205,28 @@ void Scene::add_quad(const ShapeDescription& shape, const Transform& face_to_wor
   add_surface(Quad{Vec3f(corner), Vec3f(edge_u), Vec3f(edge_v), Vec3f(normal), static_cast<float>(area)}, shape);
 }
 
-Scene::LightChoice Scene::choose_light(float u) const {
-  const auto it = std::upper_bound(light_cdf_.begin(), light_cdf_.end(), u);
-  std::uint32_t index = static_cast<std::uint32_t>(
-      std::min<std::ptrdiff_t>(it - light_cdf_.begin(), static_cast<std::ptrdiff_t>(lights.size()) - 1));
-  while (index > 0 && light_probability_[index] == 0) --index;  // u above the rounded sum, last lights dark
-  return {index, light_probability_[index]};
+void Scene::add_mesh(const SceneDescription& description, const ShapeDescription& shape, const PlyDescription& ply,
+                     const Transform& to_world) {
+  const std::string where = description.where(shape.loc);
+  if (!ply.face_normals) throw InputError(where, "smooth normals are not supported yet: set face_normals to true");
+  if (shape.radiance) throw InputError(where, "a mesh cannot be a light yet");
+  const TriangleMesh& source = *ply.mesh;
+  Mesh mesh;
+  mesh.positions.reserve(source.positions.size() + 1);
+  for (const Vec3f& p : source.positions) mesh.positions.push_back(Vec3f(to_world.point(Vec3d(p))));
+  mesh.positions.emplace_back();
+  mesh.triangles = source.triangles.data();
+  mesh.triangle_count = source.triangles.size();
+  mesh.owner = ply.mesh;
+  mesh.inward = shape.flip_normals != (shape.to_world.determinant() < 0);
+  primitives_ += mesh.triangle_count;
+  add_surface(std::move(mesh), shape);
+}
+
+Hit Scene::intersect(const Vec3f& origin, const Vec3f& direction) const {
+  const SurfaceHit<float> hit = closest_hit<float>(view_, origin, direction, no_index, true, false);
+  if (!hit.valid) return {};
+  return {hit.surface, hit.p, hit.normal};
 }
 
 }  // namespace photonproof

@@ -1,51 +1,63 @@
-// The compiled scene: flat tables ready for tracing, made once from a SceneDescription and immutable.
+// The compiled scene: flat tables ready for tracing, made once from a SceneDescription and immutable. Its origin is the
+// middle of the shapes, so that coordinates are small and rays precise wherever the file puts things.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "renderer/bsdf.h"
 #include "renderer/camera.h"
 #include "renderer/light.h"
+#include "renderer/scene_view.h"
 #include "renderer/surface.h"
 #include "renderer/trace.h"
 #include "scenes/description.h"
 
 namespace photonproof {
 
+class SmallSceneTables;
+
+/// Up to this many primitives are tested one after the other instead of through Embree.
+inline constexpr std::size_t small_scene_limit = 64;
+
 class Scene {
  public:
-  /// `width`, `height` override the film's size. Throws InputError at an entity it cannot represent.
-  Scene(const SceneDescription& description, int width, int height);
+  /// `width`, `height` override the film's size. Scenes of at most `small_limit` primitives need no Embree. Throws
+  /// InputError at an entity it cannot represent.
+  Scene(const SceneDescription& description, int width, int height, std::size_t small_limit = small_scene_limit);
+  ~Scene();
   Scene(const Scene&) = delete;
   Scene& operator=(const Scene&) = delete;
 
-  struct LightChoice {
-    std::uint32_t index;
-    float probability;
-  };
-  /// Picks a light with probability proportional to its flux.
-  LightChoice choose_light(float u) const;
-  float light_probability(std::uint32_t index) const { return light_probability_[index]; }
+  /// Tables of the kernels; valid as long as the scene.
+  const SceneView& view() const { return view_; }
+  /// Closest surface along a ray with a unit direction: for the host's few own rays.
+  Hit intersect(const Vec3f& origin, const Vec3f& direction) const;
 
-  const Bsdf& bsdf_of(const Hit& hit) const { return bsdfs[surfaces[hit.surface].bsdf]; }
+  const Bsdf& bsdf_of(const Surface& surface) const { return bsdfs[surface.bsdf]; }
+  /// Parallelograms, spheres and triangles.
+  std::size_t primitive_count() const { return primitives_; }
 
   const int width, height;
   std::vector<Bsdf> bsdfs;
   std::vector<Light> lights;
   std::vector<Surface> surfaces;
-  Camera camera;
 
  private:
   void add_shape(const SceneDescription& description, const ShapeDescription& shape);
-  void add_surface(const std::variant<Quad, Sphere>& geometry, const ShapeDescription& shape);
+  void add_surface(Geometry geometry, const ShapeDescription& shape);
+  void add_mesh(const SceneDescription& description, const ShapeDescription& shape, const PlyDescription& ply,
+                const Transform& to_world);
   void add_quad(const ShapeDescription& shape, const Transform& face_to_world);
 
-  std::vector<float> light_probability_;
-  std::vector<float> light_cdf_;  ///< inclusive
+  Vec3d moved_;  ///< what was added to the description's coordinates
+  std::size_t primitives_ = 0;
+  std::vector<SurfaceWords> surface_words_;
+  std::vector<LightWords> light_words_;
+  std::vector<float> bsdf_records_, light_records_;
+  std::unique_ptr<SmallSceneTables> small_;
   std::unique_ptr<Tracer> tracer_;
-
- public:
-  const Tracer& tracer() const { return *tracer_; }
+  SceneView view_;
 };
 
 }  // namespace photonproof

@@ -7,7 +7,7 @@ namespace photonproof {
 namespace {
 
 bool reflects_diffusely(const Scene& scene, const Surface& surface) {
-  const auto* diffuse = std::get_if<DiffuseBsdf>(&scene.bsdfs[surface.bsdf]);
+  const auto* diffuse = std::get_if<DiffuseBsdf<float>>(&scene.bsdfs[surface.bsdf]);
   return diffuse != nullptr && max_component(diffuse->reflectance) > 0;
 }
 
@@ -15,6 +15,7 @@ bool reflects_diffusely(const Scene& scene, const Surface& surface) {
 bool has_part_in_front(const Quad& quad, const Surface& other) {
   const auto height = [&](const Vec3f& p) { return dot(quad.normal, p - quad.corner); };
   if (const auto* sphere = std::get_if<Sphere>(&other.geometry)) return height(sphere->center) + sphere->radius > 0;
+  if (!std::holds_alternative<Quad>(other.geometry)) return true;
   const auto& q = std::get<Quad>(other.geometry);
   const std::array<Vec3f, 4> corners{q.corner, q.corner + q.edge_u, q.corner + q.edge_v,
                                      q.corner + q.edge_u + q.edge_v};
@@ -28,6 +29,7 @@ bool faces(const Surface& surface, const Surface& other) {
 }
 
 bool sees_itself(const Surface& surface) {
+  if (std::holds_alternative<Mesh>(surface.geometry)) return true;
   const auto* sphere = std::get_if<Sphere>(&surface.geometry);
   return sphere != nullptr && sphere->inward;
 }

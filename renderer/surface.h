@@ -1,8 +1,11 @@
-// The primitives rays meet: parallelograms (rectangles, faces of cubes) and spheres, each as itself.
+// The surfaces rays meet: parallelograms (rectangles, faces of cubes) and spheres, each as itself, and meshes.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <memory>
 #include <variant>
+#include <vector>
 
 #include "renderer/ray.h"
 #include "scenes/vec.h"
@@ -27,8 +30,20 @@ struct Sphere {
   float area() const { return 4 * 3.14159265358979f * radius * radius; }
 };
 
+struct Mesh {
+  std::vector<Vec3f> positions;  ///< world space, with one spare at the end, which Embree's 16-byte reads touch
+  const std::array<std::uint32_t, 3>* triangles = nullptr;
+  std::size_t triangle_count = 0;
+  std::shared_ptr<const void> owner;  ///< of `triangles`
+  bool inward = false;                ///< the normal is opposite to the winding's
+
+  Vec3f corner(std::size_t triangle, std::size_t k) const { return positions[triangles[triangle][k]]; }
+};
+
+using Geometry = std::variant<Quad, Sphere, Mesh>;
+
 struct Surface {
-  std::variant<Quad, Sphere> geometry;
+  Geometry geometry;
   std::uint32_t bsdf = 0;
   std::uint32_t light = no_index;  ///< index into Scene::lights where it emits
 };

@@ -7,7 +7,9 @@
 #endif
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace photonproof {
@@ -15,13 +17,21 @@ namespace {
 
 constexpr unsigned quad_geometry = 0;
 constexpr unsigned sphere_geometry = 1;
+constexpr unsigned first_mesh = 2;
 
-/// Quads and spheres apart, each with the index of its surface.
+/// Quads, spheres and meshes apart, each with the index of its surface. Meshes are geometries of their own.
 struct Tables {
   std::vector<const Quad*> quads;
   std::vector<std::uint32_t> quad_surface;
   std::vector<const Sphere*> spheres;
   std::vector<std::uint32_t> sphere_surface;
+  std::vector<const Mesh*> meshes;
+  std::vector<std::uint32_t> mesh_surface;
+};
+
+struct SurfacePoint {
+  Vec3f p, normal;
+  std::uint32_t surface;
 };
 
 /// The smallest root in [t_near, t_far] of |o + t d - c| = r, or a negative value. Double precision: in float the
@@ -55,42 +65,57 @@ void sphere_bounds(const RTCBoundsFunctionArguments* args) {
   b.upper_z = s.center.z + r;
 }
 
+// Called with one ray or with a packet of them.
 void sphere_intersect(const RTCIntersectFunctionNArguments* args) {
-  if (args->valid[0] == 0) return;
-  auto& ray_hit = *reinterpret_cast<RTCRayHit*>(args->rayhit);
   const Sphere& sphere = *static_cast<const Tables*>(args->geometryUserPtr)->spheres[args->primID];
-  const double t = intersect_sphere(sphere, ray_hit.ray);
-  if (t < 0) return;
-  ray_hit.ray.tfar = static_cast<float>(t);
-  ray_hit.hit.geomID = args->geomID;
-  ray_hit.hit.primID = args->primID;
-  ray_hit.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  RTCRayN* rays = RTCRayHitN_RayN(args->rayhit, args->N);
+  RTCHitN* hits = RTCRayHitN_HitN(args->rayhit, args->N);
+  for (unsigned i = 0; i < args->N; ++i) {
+    if (args->valid[i] == 0) continue;
+    const double t = intersect_sphere(sphere, rtcGetRayFromRayN(rays, args->N, i));
+    if (t < 0) continue;
+    RTCRayN_tfar(rays, args->N, i) = static_cast<float>(t);
+    RTCHitN_geomID(hits, args->N, i) = args->geomID;
+    RTCHitN_primID(hits, args->N, i) = args->primID;
+    RTCHitN_instID(hits, args->N, i, 0) = RTC_INVALID_GEOMETRY_ID;
+  }
 }
 
 void sphere_occluded(const RTCOccludedFunctionNArguments* args) {
-  if (args->valid[0] == 0) return;
-  auto& ray = *reinterpret_cast<RTCRay*>(args->ray);
   const Sphere& sphere = *static_cast<const Tables*>(args->geometryUserPtr)->spheres[args->primID];
-  if (intersect_sphere(sphere, ray) >= 0) ray.tfar = -std::numeric_limits<float>::infinity();
+  for (unsigned i = 0; i < args->N; ++i) {
+    if (args->valid[i] == 0) continue;
+    if (intersect_sphere(sphere, rtcGetRayFromRayN(args->ray, args->N, i)) >= 0)
+      RTCRayN_tfar(args->ray, args->N, i) = -std::numeric_limits<float>::infinity();
+  }
 }
 
-RTCRay to_embree(const Ray& ray) {
-  return {.org_x = ray.origin.x,
-          .org_y = ray.origin.y,
-          .org_z = ray.origin.z,
-          .tnear = ray.t_near,
-          .dir_x = ray.direction.x,
-          .dir_y = ray.direction.y,
-          .dir_z = ray.direction.z,
+/// The lanes with a ray that can be traced: Debian's Embree does not ignore invalid rays, so they are filtered here.
+std::uint32_t traceable(const RayBlock& rays) {
+  std::uint32_t lanes = 0;
+  for (std::uint32_t bits = rays.active; bits != 0; bits &= bits - 1) {
+    const auto i = static_cast<std::size_t>(std::countr_zero(bits));
+    const float sum = rays.origin_x[i] + rays.origin_y[i] + rays.origin_z[i] + rays.direction_x[i] +
+                      rays.direction_y[i] + rays.direction_z[i];
+    if (std::isfinite(sum)) lanes |= 1u << i;
+  }
+  return lanes;
+}
+
+RTCRay ray_of_lane(const RayBlock& rays, std::size_t i, float t_far) {
+  return {.org_x = rays.origin_x[i],
+          .org_y = rays.origin_y[i],
+          .org_z = rays.origin_z[i],
+          .tnear = 0,
+          .dir_x = rays.direction_x[i],
+          .dir_y = rays.direction_y[i],
+          .dir_z = rays.direction_z[i],
           .time = 0,
-          .tfar = ray.t_far,
+          .tfar = t_far,
           .mask = 0xFFFFFFFFu,
           .id = 0,
           .flags = 0};
 }
-
-// Debian's Embree does not ignore invalid rays, so they are filtered here.
-bool is_traceable(const Ray& ray) { return is_finite(ray.origin) && is_finite(ray.direction); }
 
 [[noreturn]] void fail(RTCDevice device, const char* what) {
   throw std::runtime_error(std::string("Embree: ") + what + " failed (error " +
@@ -103,7 +128,6 @@ struct Tracer::Impl {
   Tables tables;
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
-  float coordinate_floor = 0;
 
   ~Impl() {
     if (scene != nullptr) rtcReleaseScene(scene);
@@ -111,6 +135,8 @@ struct Tracer::Impl {
   }
   void attach_quads();
   void attach_spheres();
+  void attach_mesh(const Mesh& mesh, unsigned id);
+  SurfacePoint locate(unsigned geometry, unsigned primitive, float u, float v, const Vec3f& near) const;
 };
 
 void Tracer::Impl::attach_quads() {
@@ -150,15 +176,50 @@ void Tracer::Impl::attach_spheres() {
   rtcReleaseGeometry(geometry);
 }
 
+void Tracer::Impl::attach_mesh(const Mesh& mesh, unsigned id) {
+  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, mesh.positions.data(), 0,
+                             sizeof(Vec3f), mesh.positions.size() - 1);
+  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh.triangles, 0,
+                             sizeof(mesh.triangles[0]), mesh.triangle_count);
+  rtcSetGeometryMask(geometry, 0xFFFFFFFFu);
+  rtcCommitGeometry(geometry);
+  rtcAttachGeometryByID(scene, geometry, id);
+  rtcReleaseGeometry(geometry);
+}
+
+SurfacePoint Tracer::Impl::locate(unsigned geometry, unsigned primitive, float u, float v, const Vec3f& near) const {
+  if (geometry == quad_geometry) {
+    const Quad& quad = *tables.quads[primitive];
+    return {quad.corner + quad.edge_u * u + quad.edge_v * v, quad.normal, tables.quad_surface[primitive]};
+  }
+  if (geometry == sphere_geometry) {
+    const Sphere& sphere = *tables.spheres[primitive];
+    const Vec3f along = near - sphere.center;
+    const Vec3f p = sphere.center + along * (sphere.radius / length(along));
+    return {p, normalize(sphere.normal_at(p)), tables.sphere_surface[primitive]};
+  }
+  const Mesh& mesh = *tables.meshes[geometry - first_mesh];
+  const Vec3f corner = mesh.corner(primitive, 0);
+  const Vec3f edge_u = mesh.corner(primitive, 1) - corner;
+  const Vec3f edge_v = mesh.corner(primitive, 2) - corner;
+  const Vec3f normal = normalize(cross(edge_u, edge_v));
+  return {corner + edge_u * u + edge_v * v, mesh.inward ? -normal : normal,
+          tables.mesh_surface[geometry - first_mesh]};
+}
+
 Tracer::Tracer(const std::vector<Surface>& surfaces) : impl_(std::make_unique<Impl>()) {
   Tables& tables = impl_->tables;
   for (std::uint32_t i = 0; i < surfaces.size(); ++i) {
     if (const auto* quad = std::get_if<Quad>(&surfaces[i].geometry)) {
       tables.quads.push_back(quad);
       tables.quad_surface.push_back(i);
-    } else {
-      tables.spheres.push_back(&std::get<Sphere>(surfaces[i].geometry));
+    } else if (const auto* sphere = std::get_if<Sphere>(&surfaces[i].geometry)) {
+      tables.spheres.push_back(sphere);
       tables.sphere_surface.push_back(i);
+    } else {
+      tables.meshes.push_back(&std::get<Mesh>(surfaces[i].geometry));
+      tables.mesh_surface.push_back(i);
     }
   }
   impl_->device = rtcNewDevice(nullptr);
@@ -168,66 +229,94 @@ Tracer::Tracer(const std::vector<Surface>& surfaces) : impl_(std::make_unique<Im
   rtcSetSceneBuildQuality(impl_->scene, RTC_BUILD_QUALITY_MEDIUM);
   impl_->attach_quads();
   impl_->attach_spheres();
+  for (std::size_t i = 0; i < tables.meshes.size(); ++i)
+    impl_->attach_mesh(*tables.meshes[i], static_cast<unsigned>(first_mesh + i));
   rtcCommitScene(impl_->scene);
   if (rtcGetDeviceError(impl_->device) != RTC_ERROR_NONE) fail(impl_->device, "building the scene");
-
-  RTCBounds bounds{};
-  rtcGetSceneBounds(impl_->scene, &bounds);
-  const float extent = std::max({std::abs(bounds.lower_x), std::abs(bounds.lower_y), std::abs(bounds.lower_z),
-                                 std::abs(bounds.upper_x), std::abs(bounds.upper_y), std::abs(bounds.upper_z)});
-  // A point near the coordinate origin still comes out of arithmetic with the scene's coordinates.
-  impl_->coordinate_floor = std::isfinite(extent) ? extent / 16 : 1;
 }
 
 Tracer::~Tracer() = default;
 
-Hit Tracer::intersect(const Ray& ray) const {
-  Hit hit;
-  if (!is_traceable(ray)) return hit;
-  RTCRayHit query{.ray = to_embree(ray), .hit = {}};
-  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-#ifdef PHOTONPROOF_EMBREE4
-  rtcIntersect1(impl_->scene, &query, nullptr);
-#else
+void Tracer::intersect(const RayBlock& rays, HitBlock& hits, bool coherent) const {
+  const std::uint32_t lanes = traceable(rays);
+  std::fill_n(hits.surface, RayBlock::width, no_index);
+#ifndef PHOTONPROOF_EMBREE4
   RTCIntersectContext context{};
   rtcInitIntersectContext(&context);
-  rtcIntersect1(impl_->scene, &context, &query);
 #endif
-  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return hit;
-  const Tables& tables = impl_->tables;
-  if (query.hit.geomID == quad_geometry) {
-    const Quad& quad = *tables.quads[query.hit.primID];
-    hit.surface = tables.quad_surface[query.hit.primID];
-    hit.p_world = quad.corner + quad.edge_u * query.hit.u + quad.edge_v * query.hit.v;
-    hit.normal = quad.normal;
-  } else {
-    const Sphere& sphere = *tables.spheres[query.hit.primID];
-    hit.surface = tables.sphere_surface[query.hit.primID];
-    const Vec3f along = ray.origin + ray.direction * query.ray.tfar - sphere.center;
-    hit.p_world = sphere.center + along * (sphere.radius / length(along));
-    hit.normal = normalize(sphere.normal_at(hit.p_world));
+  const auto store = [&](std::size_t i, unsigned geometry, unsigned primitive, float u, float v, float t) {
+    if (geometry == RTC_INVALID_GEOMETRY_ID) return;
+    const Vec3f near{rays.origin_x[i] + t * rays.direction_x[i], rays.origin_y[i] + t * rays.direction_y[i],
+                     rays.origin_z[i] + t * rays.direction_z[i]};
+    const SurfacePoint point = impl_->locate(geometry, primitive, u, v, near);
+    hits.p_x[i] = point.p.x;
+    hits.p_y[i] = point.p.y;
+    hits.p_z[i] = point.p.z;
+    hits.normal_x[i] = point.normal.x;
+    hits.normal_y[i] = point.normal.y;
+    hits.normal_z[i] = point.normal.z;
+    hits.surface[i] = point.surface;
+  };
+  if (coherent && std::popcount(lanes) > 1) {
+    RTCRayHit16 query;
+    int valid[16];
+    for (std::size_t i = 0; i < 16; ++i) {
+      valid[i] = (lanes >> i & 1u) != 0 ? -1 : 0;
+      if (valid[i] == 0) continue;
+      query.ray.org_x[i] = rays.origin_x[i];
+      query.ray.org_y[i] = rays.origin_y[i];
+      query.ray.org_z[i] = rays.origin_z[i];
+      query.ray.tnear[i] = 0;
+      query.ray.dir_x[i] = rays.direction_x[i];
+      query.ray.dir_y[i] = rays.direction_y[i];
+      query.ray.dir_z[i] = rays.direction_z[i];
+      query.ray.time[i] = 0;
+      query.ray.tfar[i] = std::numeric_limits<float>::infinity();
+      query.ray.mask[i] = 0xFFFFFFFFu;
+      query.ray.flags[i] = 0;
+      query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+    }
+#ifdef PHOTONPROOF_EMBREE4
+    rtcIntersect16(valid, impl_->scene, &query, nullptr);
+#else
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    rtcIntersect16(valid, impl_->scene, &context, &query);
+#endif
+    for (std::size_t i = 0; i < 16; ++i)
+      if (valid[i] != 0)
+        store(i, query.hit.geomID[i], query.hit.primID[i], query.hit.u[i], query.hit.v[i], query.ray.tfar[i]);
+    return;
   }
-  return hit;
+  for (std::uint32_t bits = lanes; bits != 0; bits &= bits - 1) {
+    const auto i = static_cast<std::size_t>(std::countr_zero(bits));
+    RTCRayHit query;
+    query.ray = ray_of_lane(rays, i, std::numeric_limits<float>::infinity());
+    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+#ifdef PHOTONPROOF_EMBREE4
+    rtcIntersect1(impl_->scene, &query, nullptr);
+#else
+    rtcIntersect1(impl_->scene, &context, &query);
+#endif
+    store(i, query.hit.geomID, query.hit.primID, query.hit.u, query.hit.v, query.ray.tfar);
+  }
 }
 
-bool Tracer::occluded(const Ray& ray) const {
-  if (!is_traceable(ray)) return false;
-  RTCRay query = to_embree(ray);
-#ifdef PHOTONPROOF_EMBREE4
-  rtcOccluded1(impl_->scene, &query, nullptr);
-#else
+void Tracer::occluded(const RayBlock& rays, std::uint32_t* blocked) const {
+  std::fill_n(blocked, RayBlock::width, 0u);
+#ifndef PHOTONPROOF_EMBREE4
   RTCIntersectContext context{};
   rtcInitIntersectContext(&context);
-  rtcOccluded1(impl_->scene, &context, &query);
 #endif
-  return query.tfar < 0;
-}
-
-Vec3f Tracer::offset(const Vec3f& p_world, const Vec3f& normal, const Vec3f& towards) const {
-  const float magnitude =
-      std::max({std::abs(p_world.x), std::abs(p_world.y), std::abs(p_world.z), impl_->coordinate_floor});
-  const float distance = 4 * 0x1p-23f * magnitude;
-  return p_world + normal * (dot(normal, towards) >= 0 ? distance : -distance);
+  for (std::uint32_t bits = traceable(rays); bits != 0; bits &= bits - 1) {
+    const auto i = static_cast<std::size_t>(std::countr_zero(bits));
+    RTCRay query = ray_of_lane(rays, i, 1);
+#ifdef PHOTONPROOF_EMBREE4
+    rtcOccluded1(impl_->scene, &query, nullptr);
+#else
+    rtcOccluded1(impl_->scene, &context, &query);
+#endif
+    blocked[i] = query.tfar < 0 ? 1 : 0;
+  }
 }
 
 std::string Tracer::embree_version() {

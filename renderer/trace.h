@@ -1,6 +1,7 @@
-// Ray queries. Only trace.cpp includes Embree (3.13 and 4.x both build).
+// Ray queries through Embree. Only trace.cpp includes Embree (3.13 and 4.x both build).
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -10,8 +11,24 @@
 
 namespace photonproof {
 
-/// Immutable once built; safe for any number of threads. Quads are Embree quads (ROBUST), spheres user geometry solved
-/// in double precision.
+/// Rays of a pack of at most `width` lanes.
+struct alignas(64) RayBlock {
+  static constexpr std::size_t width = 16;
+  float origin_x[width], origin_y[width], origin_z[width];
+  float direction_x[width], direction_y[width], direction_z[width];
+  std::uint32_t active;  ///< bit i: lane i has a ray
+};
+
+/// Where they end; `surface` is no_index on a miss, and then the rest is undefined. Points are exact to rounding: they
+/// come from the primitive's vertices, not from the ray. Normals are unit.
+struct alignas(64) HitBlock {
+  float p_x[RayBlock::width], p_y[RayBlock::width], p_z[RayBlock::width];
+  float normal_x[RayBlock::width], normal_y[RayBlock::width], normal_z[RayBlock::width];
+  std::uint32_t surface[RayBlock::width];
+};
+
+/// Immutable once built; safe for any number of threads. Quads and triangles are Embree's (ROBUST), spheres are user
+/// geometry solved in double precision.
 class Tracer {
  public:
   /// Throws std::runtime_error with Embree's message when it cannot build. `surfaces` must outlive the tracer.
@@ -20,14 +37,11 @@ class Tracer {
   Tracer(const Tracer&) = delete;
   Tracer& operator=(const Tracer&) = delete;
 
-  /// Closest surface in [t_near, t_far]. A ray with a non-finite component hits nothing.
-  Hit intersect(const Ray& ray) const;
-  /// Whether anything lies in [t_near, t_far].
-  bool occluded(const Ray& ray) const;
-
-  /// The point moved off its surface to the side `towards` points to, by 4 ulp of its coordinates: far enough that the
-  /// next ray cannot meet the same surface by rounding, close enough to leak through nothing (Embree is ROBUST).
-  Vec3f offset(const Vec3f& p_world, const Vec3f& normal, const Vec3f& towards) const;
+  /// Closest surfaces, t >= 0. A ray with a non-finite component hits nothing. `coherent`: the rays are neighbours from
+  /// one point, which go through the BVH together; others go one by one, which measures faster (bench_rays).
+  void intersect(const RayBlock& rays, HitBlock& hits, bool coherent) const;
+  /// blocked[i] = 1 where anything lies on the segment from the origin to origin + direction, else 0.
+  void occluded(const RayBlock& rays, std::uint32_t* blocked) const;
 
   static std::string embree_version();
 

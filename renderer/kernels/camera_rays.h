@@ -1,0 +1,56 @@
+// Camera samples of a tile: path p of a task is sample p mod samples of pixel p / samples.
+#pragma once
+
+#include "renderer/kernels/surface_hit.h"
+#include "renderer/kernels/tasks.h"
+
+namespace photonproof {
+
+template <class F>
+struct CameraRay {
+  Vec3<F> origin, direction;
+  UInt<F> key, index;  ///< of the sampler
+};
+
+/// Paths [first, first + lanes) of the task; lanes beyond the task's last path repeat it.
+template <class F>
+CameraRay<F> camera_rays(const SceneView& scene, const CameraTask& task, std::uint32_t first) {
+  using U = UInt<F>;
+  const U path = lane_index<F>() + first;
+  // Exact for the at most 2^20 paths of a task: the quotient is at least half a sample away from an integer.
+  const U pixel = to_uint(F((to_float(path) + 0.5f) * (1.0f / static_cast<float>(task.samples))));
+  const U row = to_uint(F((to_float(pixel) + 0.5f) * (1.0f / static_cast<float>(task.tile_width()))));
+  const U x = pixel - row * task.tile_width() + static_cast<std::uint32_t>(task.x0);
+  const U y = row + static_cast<std::uint32_t>(task.y0);
+  CameraRay<F> ray;
+  ray.index = path - pixel * task.samples + task.first_sample;
+  ray.key = mix_bits(U((y << 16 | x) ^ task.seed));
+
+  Vec2<F> in_pixel;
+  if (task.grid > 0) {
+    const auto grid = static_cast<std::uint32_t>(task.grid);
+    const U turn = to_uint(F((to_float(ray.index) + 0.5f) * (1.0f / static_cast<float>(grid * grid))));
+    const U cell = ray.index - turn * (grid * grid);
+    const U down = to_uint(F((to_float(cell) + 0.5f) * (1.0f / static_cast<float>(grid))));
+    in_pixel = {(to_float(U(cell - down * grid)) + 0.5f) * (1.0f / static_cast<float>(grid)),
+                (to_float(down) + 0.5f) * (1.0f / static_cast<float>(grid))};
+  } else {
+    in_pixel = draw2<F>(task.sampler, ray.key, ray.index, U(0u));
+  }
+  const CameraView& camera = scene.camera;
+  const F right = (2 * camera.inverse_width * (to_float(x) + in_pixel.x) - 1) * camera.tan_x;
+  const F up = (1 - 2 * camera.inverse_height * (to_float(y) + in_pixel.y)) * camera.tan_y;
+  const Vec3<F> through =  // reaches the plane one unit ahead
+      advance(advance(broadcast<F>(camera.forward), right, broadcast<F>(camera.right)), up, broadcast<F>(camera.up));
+  ray.origin = advance(broadcast<F>(camera.origin), F(camera.near), through);
+  ray.direction = normalize(through);
+  return ray;
+}
+
+/// Where camera rays end beyond the far plane, and so nowhere.
+template <class F>
+Mask<F> beyond_far_plane(const CameraView& camera, const Vec3<F>& p) {
+  return dot(Vec3<F>(p - broadcast<F>(camera.origin)), broadcast<F>(camera.forward)) > camera.far;
+}
+
+}  // namespace photonproof

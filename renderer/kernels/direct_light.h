@@ -1,0 +1,56 @@
+// Next-event estimation for a pack: one light, one point of it, one shadow ray a lane.
+#pragma once
+
+#include "renderer/kernels/lights.h"
+#include "renderer/kernels/rays.h"
+#include "renderer/ray_counts.h"
+#include "renderer/warp.h"
+
+namespace photonproof {
+
+/// Power heuristic, exponent 2 (Veach 1997, section 9.2.4): the weight of a sample of density `pdf` against `other`.
+template <class F>
+F mis_weight(const F& pdf, const F& other) {
+  const F a = pdf * pdf;
+  const F sum = a + other * other;
+  return select(sum > 0, a / sum, F(0.0f));
+}
+
+/// Radiance reflected towards wo from one sample of one light. With `weighted` the sample carries its MIS weight against
+/// BSDF sampling; otherwise it stands alone. Shadow rays are only traced where the BSDF and both cosines leave light.
+template <class F, class B>
+Vec3<F> estimate_direct(const SceneView& scene, const SurfaceHit<F>& hit, const B& bsdf, const Frame<F>& frame,
+                        const Vec3<F>& wo_local, bool weighted, const F& u_choice, const Vec2<F>& u_point,
+                        const Mask<F>& active, RayCounts& counts) {
+  const LightChoice<F> choice = choose_light(scene, u_choice);
+  LightSample<F> s{};
+  Mask<F> is_surface = as_mask<F>(false);
+  for_each_light_kind<F>(scene, choice.light, active, [&](const auto& light, const Mask<F>& lanes) {
+    const LightSample<F> drawn = light.sample(hit.p, u_point);
+    s.p_light = select(lanes, drawn.p_light, s.p_light);
+    s.normal_light = select(lanes, drawn.normal_light, s.normal_light);
+    s.wi_world = select(lanes, drawn.wi_world, s.wi_world);
+    s.radiance = select(lanes, drawn.radiance, s.radiance);
+    s.pdf = select(lanes, drawn.pdf, s.pdf);
+    if (!light.is_delta) is_surface = is_surface || lanes;
+  });
+  const Vec3<F> wi_local = frame.to_local(s.wi_world);
+  const Vec3<F> f = bsdf.eval(wo_local, wi_local);
+  const Mask<F> lit = active && s.pdf > 0 && max_component(f) > 0;
+  if (!any(lit)) return Vec3<F>(F(0.0f));
+  counts.shadow += count_lanes(lit);
+
+  const Vec3<F> from = offset_from(hit.p, hit.normal, s.wi_world, scene.coordinate_floor);
+  Vec3<F> to = s.p_light;
+  if (!scene.small && any(is_surface))
+    to = select(is_surface, offset_from(to, s.normal_light, Vec3<F>(-s.wi_world), scene.coordinate_floor), to);
+  const Mask<F> visible =
+      lit && !occluded(scene, from, Vec3<F>(to - from), hit.primitive, choice.primitive, lit);
+
+  const F pdf = s.pdf * choice.probability;
+  F weight = lane_abs(wi_local.z) / pdf;
+  if (weighted) weight *= select(is_surface, mis_weight(pdf, bsdf.pdf(wo_local, wi_local)), F(1.0f));
+  return select(visible, Vec3<F>(f * s.radiance * weight), Vec3<F>(F(0.0f)));
+}
+
+}  // namespace photonproof

@@ -1,0 +1,218 @@
+// Path tracing with next-event estimation and multiple importance sampling (Veach 1997, chapters 8 to 10; Kajiya 1986)
+// over a batch of lanes.
+//   L = sum over vertices of throughput x (w_bsdf Le(hit) + w_light f Le(light sample) cos / pdf)
+// A lane that ends leaves its radiance in the slot of its path, so that nothing depends on when it ended. The photon
+// mapper's camera paths are the same up to their first diffuse surface, where they leave a gather point instead.
+#pragma once
+
+#include "renderer/kernels/batch_kernel.h"
+#include "renderer/kernels/camera_rays.h"
+#include "renderer/kernels/direct_light.h"
+
+namespace photonproof {
+
+template <class F>
+struct PathState {
+  Vec3<F> origin, direction;  ///< the next ray
+  Vec3<F> throughput, radiance;
+  F bsdf_pdf;          ///< density of `direction`; 0 after a delta BSDF and from the camera: nothing else could find it
+  F refraction_scale;  ///< undoes the squared index ratios in the throughput, for roulette
+  UInt<F> from;        ///< primitive the ray leaves
+  UInt<F> vertex;      ///< edges before the next ray
+  UInt<F> key, index;  ///< of the sampler
+  UInt<F> path;
+
+  static constexpr std::size_t column_count = 19;
+  template <class Self, class Visit>
+  static void columns(Self& s, Visit&& visit) {
+    const auto visit3 = [&](auto& v) { visit(v.x), visit(v.y), visit(v.z); };
+    visit3(s.origin), visit3(s.direction), visit3(s.throughput), visit3(s.radiance);
+    visit(s.bsdf_pdf), visit(s.refraction_scale);
+    visit(s.from), visit(s.vertex), visit(s.key), visit(s.index), visit(s.path);
+  }
+};
+
+/// A path at a surface.
+template <class F>
+struct PathAtSurface {
+  PathState<F> path;
+  Vec3<F> p, normal;
+  UInt<F> surface;
+
+  static constexpr std::size_t column_count = PathState<F>::column_count + 7;
+  template <class Self, class Visit>
+  static void columns(Self& s, Visit&& visit) {
+    PathState<F>::columns(s.path, visit);
+    visit(s.p.x), visit(s.p.y), visit(s.p.z), visit(s.normal.x), visit(s.normal.y), visit(s.normal.z);
+    visit(s.surface);
+  }
+};
+
+template <class F>
+class PathKernel : public BatchKernel<PathKernel<F>, PathState, PathAtSurface, F> {
+  using Base = BatchKernel<PathKernel<F>, PathState, PathAtSurface, F>;
+  using U = UInt<F>;
+  static constexpr std::uint32_t dimensions_a_vertex = 5;  // light point, direction, light, lobe, roulette
+
+ public:
+  explicit PathKernel(PathTask& task) : Base(*task.scene, task.scratch), task_(task) {}
+
+  [[gnu::flatten]] PathState<F> refill(std::uint32_t first, std::uint32_t lanes) {
+    const CameraRay<F> ray = camera_rays<F>(scene_, task_.camera, first);
+    PathState<F> s;
+    s.origin = ray.origin;
+    s.direction = ray.direction;
+    s.throughput = Vec3<F>(F(1.0f));
+    s.radiance = Vec3<F>(F(0.0f));
+    s.bsdf_pdf = F(0.0f);
+    s.refraction_scale = F(1.0f);
+    s.from = U(no_index);
+    s.vertex = U(0u);
+    s.key = ray.key;
+    s.index = ray.index;
+    s.path = lane_index<F>() + first;
+    task_.counts.camera += lanes;
+    return s;
+  }
+
+  /// Adds the lights that the rays met.
+  [[gnu::flatten]] void meet_surfaces(PathState<F>& s, const Mask<F>& active) {
+    const Mask<F> first = equal<F>(s.vertex, U(0u));
+    const SurfaceHit<F> hit = closest_hit(scene_, s.origin, s.direction, s.from, active, all(first || !active));
+    Mask<F> alive = hit.valid;
+    if (any(first)) alive = alive && !(first && beyond_far_plane(scene_.camera, hit.p));
+    if (scene_.lights_can_be_hit) {
+      const U light = Base::surface_word(hit.surface, offsetof(SurfaceWords, light));
+      Mask<F> shines = alive && !equal<F>(light, U(no_index));
+      if (task_.settings.hide_emitters) shines = shines && !first;
+      if (any(shines)) add_emission(s, hit, select(shines, light, U(0u)), shines);
+    }
+    if (task_.settings.max_depth >= 0)
+      alive = alive && as_mask<F>(s.vertex + 1u < U(static_cast<std::uint32_t>(task_.settings.max_depth)));
+    retire(s, active && !alive);
+    if (!any(alive)) return;
+    s.from = hit.primitive;
+    Base::wait({s, hit.p, hit.normal, hit.surface}, hit.surface, alive);
+  }
+
+  /// Adds direct light, draws the next direction and plays roulette.
+  template <template <class> class Kind>
+  [[gnu::flatten]] void shade(PathAtSurface<F>& at, const Mask<F>& active) {
+    PathState<F>& s = at.path;
+    const Kind<F> bsdf = Base::template bsdf_at<Kind>(at.surface, active);
+    const Frame<F> frame(at.normal);
+    const Vec3<F> wo_local = frame.to_local(Vec3<F>(-s.direction));
+    const U dimension = s.vertex * dimensions_a_vertex + 1u;
+    if constexpr (!Kind<F>::is_delta) {
+      if (scene_.light_count > 0) add_direct_light(at, bsdf, frame, wo_local, dimension, active);
+      if (task_.gather_points != nullptr) {
+        leave_gather_points(at, bsdf.eval(wo_local, Vec3<F>(F(0.0f), F(0.0f), F(1.0f))), active);
+        retire(s, active);
+        return;
+      }
+    }
+    Vec2<F> u_direction{F(0.0f), F(0.0f)};
+    if constexpr (!Kind<F>::is_delta)
+      u_direction = draw2<F>(task_.camera.sampler, s.key, s.index, U(dimension + 1u));
+    const F u_lobe = draw_independent<F>(s.key, s.index, U(dimension + 3u));
+    const BsdfSample<F> next = bsdf.sample(wo_local, u_lobe, u_direction, TransportMode::radiance);
+    s.throughput *= next.weight;
+    s.refraction_scale *= next.eta * next.eta;
+    Mask<F> alive = active && next.valid && max_component(s.throughput) > 0;
+    alive = survive_roulette(s, dimension, alive);
+    retire(s, active && !alive);
+
+    s.bsdf_pdf = Kind<F>::is_delta ? F(0.0f) : next.pdf;
+    s.direction = normalize(frame.to_world(next.wi_local));
+    s.origin = offset_from(at.p, at.normal, s.direction, scene_.coordinate_floor);
+    s.vertex += 1u;
+    task_.counts.bounce += count_lanes(alive);
+    Base::go_on(s, alive);
+  }
+
+ private:
+  using Base::scene_;
+
+  void add_emission(PathState<F>& s, const SurfaceHit<F>& hit, const U& light, const Mask<F>& shines) {
+    const Vec3<F> emitted = emitted_radiance<F>(scene_, light, shines, F(-dot(hit.normal, s.direction)));
+    F weight(1.0f);
+    const Mask<F> shared = shines && s.bsdf_pdf > 0;  // next-event estimation could have found it too
+    if (any(shared))
+      weight = select(shared,
+                      mis_weight(s.bsdf_pdf, direct_light_pdf<F>(scene_, light, shared, s.origin, hit.p, hit.normal)),
+                      F(1.0f));
+    s.radiance = select(shines, Vec3<F>(s.radiance + s.throughput * emitted * weight), s.radiance);
+  }
+
+  template <class B>
+  void add_direct_light(PathAtSurface<F>& at, const B& bsdf, const Frame<F>& frame, const Vec3<F>& wo_local,
+                        const U& dimension, const Mask<F>& active) {
+    PathState<F>& s = at.path;
+    F u_choice(0.0f);
+    if (scene_.light_count > 1) u_choice = draw_independent<F>(s.key, s.index, U(dimension + 2u));
+    const Vec2<F> u_point = draw2<F>(task_.camera.sampler, s.key, s.index, dimension);
+    const SurfaceHit<F> hit{active, at.p, at.normal, at.surface, s.from};
+    s.radiance += s.throughput * estimate_direct<F>(scene_, hit, bsdf, frame, wo_local, task_.settings.weighted,
+                                                    u_choice, u_point, active, task_.counts);
+  }
+
+  /// Unbiased: from rr_depth on, survive with probability min(0.95, largest channel) and divide by it.
+  Mask<F> survive_roulette(PathState<F>& s, const U& dimension, const Mask<F>& alive) const {
+    const Mask<F> mortal = alive && as_mask<F>(s.vertex + 1u >= U(static_cast<std::uint32_t>(task_.settings.rr_depth)));
+    if (!any(mortal)) return alive;
+    const F q = lane_min(F(max_component(s.throughput) * s.refraction_scale), F(0.95f));
+    s.throughput *= select(mortal, 1 / q, F(1.0f));
+    return alive && (!mortal || draw_independent<F>(s.key, s.index, U(dimension + 4u)) < q);
+  }
+
+  /// Calls visit(lane, path) for the lanes.
+  template <class Visit>
+  static void for_each_path(const PathState<F>& s, const Mask<F>& lanes, Visit&& visit) {
+    std::uint32_t path[lane_count<F>];
+    store_from(s.path, path);
+    for (std::uint32_t bits = to_bits(lanes); bits != 0; bits &= bits - 1) {
+      const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
+      visit(lane, std::size_t{path[lane]});
+    }
+  }
+
+  void retire(const PathState<F>& s, const Mask<F>& ended) {
+    if (!any(ended)) return;
+    float red[lane_count<F>], green[lane_count<F>], blue[lane_count<F>];
+    store_lanes(s.radiance.x, red);
+    store_lanes(s.radiance.y, green);
+    store_lanes(s.radiance.z, blue);
+    for_each_path(s, ended, [&](std::size_t lane, std::size_t path) {
+      float* out = task_.radiance + 3 * path;
+      out[0] = red[lane];
+      out[1] = green[lane];
+      out[2] = blue[lane];
+    });
+  }
+
+  void leave_gather_points(const PathAtSurface<F>& at, const Vec3<F>& f, const Mask<F>& active) {
+    const Vec3<F> weight = at.path.throughput * f;
+    float columns[6][lane_count<F>];
+    std::uint32_t surface[lane_count<F>], vertex[lane_count<F>];
+    store_lanes(at.p.x, columns[0]);
+    store_lanes(at.p.y, columns[1]);
+    store_lanes(at.p.z, columns[2]);
+    store_lanes(weight.x, columns[3]);
+    store_lanes(weight.y, columns[4]);
+    store_lanes(weight.z, columns[5]);
+    store_from(at.surface, surface);
+    store_from(at.path.vertex, vertex);
+    const Mask<F> reflects = active && max_component(weight) > 0;
+    for_each_path(at.path, reflects, [&](std::size_t lane, std::size_t path) {
+      task_.gather_points[task_.gather_count++] = {{columns[0][lane], columns[1][lane], columns[2][lane]},
+                                                   {columns[3][lane], columns[4][lane], columns[5][lane]},
+                                                   static_cast<std::uint32_t>(path),
+                                                   surface[lane],
+                                                   vertex[lane] + 1};
+    });
+  }
+
+  PathTask& task_;
+};
+
+}  // namespace photonproof

@@ -1,0 +1,155 @@
+// Photons from the lights through the scene (Jensen 2001, chapters 5 and 7.2), over a batch of lanes.
+#pragma once
+
+#include "renderer/kernels/batch_kernel.h"
+#include "renderer/kernels/lights.h"
+#include "renderer/kernels/rays.h"
+#include "renderer/warp.h"
+
+namespace photonproof {
+
+template <class F>
+struct PhotonState {
+  Vec3<F> origin, direction;
+  Vec3<F> flux;     ///< W
+  UInt<F> from;     ///< primitive the ray leaves
+  UInt<F> edges;    ///< before the next ray
+  UInt<F> bounced;  ///< PhotonKernel's bits
+  UInt<F> path;     ///< number in the task
+
+  static constexpr std::size_t column_count = 13;
+  template <class Self, class Visit>
+  static void columns(Self& s, Visit&& visit) {
+    const auto visit3 = [&](auto& v) { visit(v.x), visit(v.y), visit(v.z); };
+    visit3(s.origin), visit3(s.direction), visit3(s.flux);
+    visit(s.from), visit(s.edges), visit(s.bounced), visit(s.path);
+  }
+};
+
+template <class F>
+struct PhotonAtSurface {
+  PhotonState<F> photon;
+  Vec3<F> p, normal;
+  UInt<F> surface;
+
+  static constexpr std::size_t column_count = PhotonState<F>::column_count + 7;
+  template <class Self, class Visit>
+  static void columns(Self& s, Visit&& visit) {
+    PhotonState<F>::columns(s.photon, visit);
+    visit(s.p.x), visit(s.p.y), visit(s.p.z), visit(s.normal.x), visit(s.normal.y), visit(s.normal.z);
+    visit(s.surface);
+  }
+};
+
+template <class F>
+class PhotonKernel : public BatchKernel<PhotonKernel<F>, PhotonState, PhotonAtSurface, F> {
+  using Base = BatchKernel<PhotonKernel<F>, PhotonState, PhotonAtSurface, F>;
+  using U = UInt<F>;
+  static constexpr std::uint32_t diffusely = 1, specularly = 2;  // in PhotonState::bounced
+  static constexpr std::uint32_t emission_dimensions = 3;        // position, direction, light
+  static constexpr std::uint32_t dimensions_an_edge = 3;         // direction, lobe, roulette
+  /// Roulette by albedo keeps the photons' flux even. Only long histories also die at random where nothing is absorbed,
+  /// so that a lossless closed scene ends.
+  static constexpr std::uint32_t always_mortal_from = 32;
+
+ public:
+  explicit PhotonKernel(PhotonTask& task) : Base(*task.scene, task.scratch), task_(task) {}
+
+  [[gnu::flatten]] PhotonState<F> refill(std::uint32_t first, std::uint32_t) {
+    PhotonState<F> s;
+    s.path = lane_index<F>() + first;
+    F u_light(0.0f);
+    if (scene_.light_count > 1) u_light = draw(s, 2u).x;
+    const LightChoice<F> choice = choose_light(scene_, u_light);
+    const Vec2<F> u_position = draw(s, 0u);
+    const Vec2<F> u_direction = draw(s, 1u);
+    Vec3<F> normal(F(0.0f));
+    for_each_light_kind<F>(scene_, choice.light, as_mask<F>(true), [&](const auto& light, const Mask<F>& lanes) {
+      const Emission<F> start = light.emit(u_position, u_direction);
+      s.origin = select(lanes, start.p_world, s.origin);
+      normal = select(lanes, start.normal, normal);
+      s.direction = select(lanes, start.direction, s.direction);
+      s.flux = select(lanes, light.flux(), s.flux);
+    });
+    s.flux *= F(task_.share) / choice.probability;
+    s.origin = offset_from(s.origin, normal, s.direction, scene_.coordinate_floor);
+    s.from = choice.primitive;
+    s.edges = U(0u);
+    s.bounced = U(0u);
+    return s;
+  }
+
+  [[gnu::flatten]] void meet_surfaces(PhotonState<F>& s, const Mask<F>& active) {
+    task_.counts.photon += count_lanes(active);
+    const SurfaceHit<F> hit = closest_hit(scene_, s.origin, s.direction, s.from, active, false);
+    if (!any(hit.valid)) return;
+    s.from = hit.primitive;
+    s.edges += 1u;
+    Base::wait({s, hit.p, hit.normal, hit.surface}, hit.surface, hit.valid);
+  }
+
+  template <template <class> class Kind>
+  [[gnu::flatten]] void shade(PhotonAtSurface<F>& at, const Mask<F>& active) {
+    PhotonState<F>& s = at.photon;
+    const Frame<F> frame(at.normal);
+    const Vec3<F> wo_local = frame.to_local(Vec3<F>(-s.direction));
+    if constexpr (Kind<F>::is_delta) {
+      s.bounced |= U(specularly);
+    } else {
+      const std::uint32_t wanted = task_.kind == PhotonKind::global ? diffusely : specularly;
+      store(at, active && wo_local.z > 0 && !equal<F>(U(s.bounced & wanted), U(0u)));
+      if (task_.kind == PhotonKind::caustic) return;
+      s.bounced |= U(diffusely);
+    }
+    Mask<F> alive = active;
+    if (task_.max_edges >= 0) alive = alive && as_mask<F>(s.edges < U(static_cast<std::uint32_t>(task_.max_edges)));
+    if (!any(alive)) return;
+
+    const Kind<F> bsdf = Base::template bsdf_at<Kind>(at.surface, active);
+    const U dimension = s.edges * dimensions_an_edge + emission_dimensions;
+    Vec2<F> u_direction{F(0.0f), F(0.0f)};
+    if constexpr (!Kind<F>::is_delta) u_direction = draw(s, dimension);
+    const U key(task_.seed);
+    const U index = s.path + task_.first;
+    const F u_lobe = draw_independent<F>(key, index, U(dimension + 1u));
+    const BsdfSample<F> next = bsdf.sample(wo_local, u_lobe, u_direction, TransportMode::importance);
+    const F largest = max_component(next.weight);
+    const F q = lane_min(largest, select(as_mask<F>(s.edges < U(always_mortal_from)), F(1.0f), F(0.95f)));
+    alive = alive && next.valid && largest > 0 && draw_independent<F>(key, index, U(dimension + 2u)) < q;
+    s.flux *= next.weight * (1 / q);
+    s.direction = normalize(frame.to_world(next.wi_local));
+    s.origin = offset_from(at.p, at.normal, s.direction, scene_.coordinate_floor);
+    Base::go_on(s, alive);
+  }
+
+ private:
+  using Base::scene_;
+
+  Vec2<F> draw(const PhotonState<F>& s, const U& dimension) const {
+    return draw2<F>(task_.sampler, U(task_.seed), U(s.path + task_.first), dimension);
+  }
+
+  void store(const PhotonAtSurface<F>& at, const Mask<F>& lanes) {
+    const std::uint32_t bits = to_bits(lanes);
+    if (bits == 0) return;
+    PhotonDeposits& d = *task_.deposits;
+    if (d.count + 2 * PhotonDeposits::slack > PhotonDeposits::capacity) task_.drain(task_);
+    const auto put = [&](const auto& value, auto* to) {
+      compress_store(value, bits, reinterpret_cast<std::uint32_t*>(to + d.count));
+    };
+    put(at.p.x, d.x);
+    put(at.p.y, d.y);
+    put(at.p.z, d.z);
+    put(at.photon.flux.x, d.red);
+    put(at.photon.flux.y, d.green);
+    put(at.photon.flux.z, d.blue);
+    put(at.surface, d.surface);
+    put(at.photon.edges, d.edges);
+    put(at.photon.path, d.path);
+    d.count += static_cast<std::size_t>(std::popcount(bits));
+  }
+
+  PhotonTask& task_;
+};
+
+}  // namespace photonproof

@@ -1,0 +1,105 @@
+// What the kernels are asked to do, and the table of them for one instruction set.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "renderer/photon_gather.h"
+#include "renderer/ray_counts.h"
+#include "renderer/sampler.h"
+#include "renderer/scene_view.h"
+
+namespace photonproof {
+
+/// Camera samples [first_sample, first_sample + samples) of every pixel of a tile; at most 2^20 of them.
+struct CameraTask {
+  int x0, y0, x1, y1;
+  std::uint32_t first_sample, samples;
+  std::uint32_t seed;  ///< stream_seed of the camera
+  SamplerKind sampler = SamplerKind::sobol;
+  int grid = 0;  ///< k > 0: samples on the centres of a k x k grid in the pixel
+
+  std::uint32_t tile_width() const { return static_cast<std::uint32_t>(x1 - x0); }
+  std::uint32_t paths() const { return tile_width() * static_cast<std::uint32_t>(y1 - y0) * samples; }
+};
+
+/// `max_depth` counts path edges, -1 is unlimited.
+struct PathSettings {
+  int max_depth = -1;
+  int rr_depth = 5;
+  bool hide_emitters = false;
+  bool weighted = true;  ///< multiple importance sampling: some light can be hit
+};
+
+/// Where a camera path meets its first diffuse surface: radiance there is weight x irradiance.
+struct GatherPoint {
+  Vec3f p;
+  Rgb weight;  ///< throughput x f
+  std::uint32_t path;
+  std::uint32_t surface;
+  std::uint32_t edges;  ///< of the camera path
+};
+
+struct PathTask {
+  const SceneView* scene = nullptr;
+  CameraTask camera;
+  PathSettings settings;
+  float* radiance = nullptr;             ///< 3 a path, in the task's order of paths
+  std::uint32_t* scratch = nullptr;      ///< Kernels::path_scratch words
+  GatherPoint* gather_points = nullptr;  ///< room for one a path, or null: paths go on from diffuse surfaces
+  std::size_t gather_count = 0;
+  RayCounts counts{};
+};
+
+/// Which paths a map holds; together with direct light by next-event estimation they are all of them, each once.
+enum class PhotonKind {
+  global,   ///< landed on a diffuse surface after at least one diffuse bounce
+  caustic,  ///< landed on its first diffuse surface after at least one specular bounce
+};
+
+/// Photons as they land, whatever their path.
+struct PhotonDeposits {
+  static constexpr std::size_t slack = 16;  ///< of a pack
+  static constexpr std::size_t capacity = 4096;
+  float x[capacity], y[capacity], z[capacity], red[capacity], green[capacity], blue[capacity];
+  std::uint32_t surface[capacity], edges[capacity], path[capacity];
+  std::size_t count = 0;
+};
+
+struct PhotonTask {
+  const SceneView* scene = nullptr;
+  PhotonKind kind = PhotonKind::global;
+  SamplerKind sampler = SamplerKind::sobol;
+  std::uint32_t seed = 0;       ///< stream_seed of the map
+  std::uint32_t first = 0;      ///< sampler index of the first path
+  std::uint32_t count = 0;      ///< paths
+  float share = 1;              ///< of the lights' flux that a path carries
+  int max_edges = -1;           ///< longest light subpath; -1 is unlimited
+  std::uint32_t* scratch = nullptr;  ///< Kernels::photon_scratch words
+  PhotonDeposits* deposits = nullptr;
+  void (*drain)(PhotonTask&) = nullptr;  ///< empties `deposits`: called when they are full and at the end
+  void* sink = nullptr;                  ///< of `drain`
+  RayCounts counts{};
+};
+
+struct GatherTask {
+  PhotonView map;
+  float radius = 0;
+  std::int32_t max_edges = 0;          ///< of camera and light path together
+  const GatherPoint* points = nullptr;
+  const std::uint32_t* order = nullptr;  ///< in which points are looked up
+  std::size_t count = 0;
+  GatheredFlux* flux = nullptr;          ///< of each point
+};
+
+/// The kernels of one instruction set.
+struct Kernels {
+  const char* isa;
+  unsigned lanes;
+  std::size_t path_scratch, photon_scratch;  ///< 32-bit words
+  void (*trace_paths)(PathTask&);
+  void (*trace_photons)(PhotonTask&);
+  void (*gather_photons)(const GatherTask&);
+};
+
+}  // namespace photonproof

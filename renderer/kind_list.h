@@ -1,0 +1,26 @@
+// A closed set of kinds that are structs of floats, or of packs: `Kind<float>` is a record of the scene, `Kind<F>` the
+// same for every lane.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <variant>
+
+namespace photonproof {
+
+template <template <class> class... Kind>
+struct KindList {
+  static constexpr std::uint32_t count = sizeof...(Kind);
+  using Variant = std::variant<Kind<float>...>;
+  /// Floats that a record of any kind fits in: the distance between records in the kernels' tables.
+  static constexpr std::uint32_t stride = std::max({sizeof(Kind<float>)...}) / sizeof(float);
+
+  /// f.template operator()<Kind>(index) for every kind in order.
+  template <class Fn>
+  static void for_each(Fn&& f) {
+    std::uint32_t index = 0;
+    (f.template operator()<Kind>(index++), ...);
+  }
+};
+
+}  // namespace photonproof

@@ -1,0 +1,37 @@
+// Sine and cosine over lanes: the same polynomials on every instruction set and for one lane, so that results agree.
+#pragma once
+
+#include "renderer/lane.h"
+
+namespace photonproof {
+
+template <class F>
+struct SinCos {
+  F sin, cos;
+};
+
+/// |x| <= pi/4. Taylor polynomials to x^9 and x^8, whose remainders there, (pi/4)^11/11! = 2e-9 and
+/// (pi/4)^10/10! = 2.5e-8, are below the rounding of a float.
+template <class F>
+SinCos<F> sincos_quarter(const F& x) {
+  const F x2 = x * x;
+  const F s = mul_add(x2, mul_add(x2, mul_add(x2, F(1.0f / 362880), F(-1.0f / 5040)), F(1.0f / 120)), F(-1.0f / 6));
+  const F c = mul_add(x2, mul_add(x2, mul_add(x2, F(1.0f / 40320), F(-1.0f / 720)), F(1.0f / 24)), F(-0.5f));
+  return {mul_add(x * x2, s, x), mul_add(x2, c, F(1.0f))};
+}
+
+/// Sine and cosine of 2 pi u for u in [0,1].
+template <class F>
+SinCos<F> sincos_turn(const F& u) {
+  // The nearest quarter turn, by adding and taking away 1.5 x 2^23, which rounds to an integer.
+  const F quarters = (4 * u + 12582912.0f) - 12582912.0f;
+  const SinCos<F> near = sincos_quarter(F((u - 0.25f * quarters) * 6.28318530717959f));
+  const Mask<F> odd = quarters == 1.0f || quarters == 3.0f;
+  const Mask<F> negative_sin = quarters == 2.0f || quarters == 3.0f;
+  const Mask<F> negative_cos = quarters == 1.0f || quarters == 2.0f;
+  const F s = select(odd, near.cos, near.sin);
+  const F c = select(odd, near.sin, near.cos);
+  return {select(negative_sin, -s, s), select(negative_cos, -c, c)};
+}
+
+}  // namespace photonproof

@@ -1,0 +1,16 @@
+// How lights are chosen: with probability proportional to flux, in constant time.
+#pragma once
+
+#include <vector>
+
+#include "renderer/light.h"
+#include "renderer/scene_view.h"
+
+namespace photonproof {
+
+/// One entry a light, an alias table of Vose (1991): slot i, drawn uniformly, keeps light i with probability
+/// alias_threshold and stands for `alias` otherwise. Lights without any flux share one probability. `primitive` is left
+/// to the caller.
+std::vector<LightWords> light_table(const std::vector<Light>& lights);
+
+}  // namespace photonproof

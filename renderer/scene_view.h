@@ -1,0 +1,77 @@
+// The compiled scene as the kernels see it: plain tables of 32-bit words, gathered by index. Scene owns them.
+#pragma once
+
+#include <cstdint>
+
+#include "renderer/ray.h"
+#include "renderer/sampler.h"
+
+namespace photonproof {
+
+class Tracer;
+
+/// A flat primitive: the plane n.x = k (n unit, on the side that counts as front) and, for a point x of it,
+/// u = edge_u . x + u0, v likewise, which run from 0 to 1 along the edges.
+struct Plate {
+  Vec3f normal;
+  float k;
+  Vec3f edge_u;
+  float u0;
+  Vec3f edge_v;
+  float v0;
+  static constexpr std::uint32_t stride = 12;
+};
+
+struct Ball {
+  Vec3f center;
+  float radius;
+  float side;  ///< 1: the normal points outward, -1: to the centre
+  static constexpr std::uint32_t stride = 5;
+};
+
+/// Primitives in one list: parallelograms, then triangles, then spheres; `surface` maps them to surfaces.
+struct SmallSceneView {
+  const Plate* plates = nullptr;
+  const Ball* balls = nullptr;
+  const std::uint32_t* surface = nullptr;
+  std::uint32_t parallelograms = 0, triangles = 0, spheres = 0;
+};
+
+struct SurfaceWords {
+  std::uint32_t bsdf_kind, bsdf, light, primitive;
+  static constexpr std::uint32_t stride = 4;
+};
+
+struct LightWords {
+  std::uint32_t kind;
+  float probability;        ///< of being chosen
+  float alias_threshold;    ///< alias method (Vose 1991): below it the light itself, above it `alias`
+  std::uint32_t alias;
+  std::uint32_t primitive;  ///< of a small scene, which its own shadow rays ignore
+  static constexpr std::uint32_t stride = 5;
+};
+
+struct CameraView {
+  Vec3f origin, right, up, forward;
+  float tan_x, tan_y;
+  float inverse_width, inverse_height;
+  float near, far;  ///< distances along `forward`
+};
+
+struct SceneView {
+  bool small = false;              ///< `primitives` holds everything, `tracer` is not needed
+  SmallSceneView primitives;
+  const Tracer* tracer = nullptr;
+  const SurfaceWords* surfaces = nullptr;
+  const float* bsdfs = nullptr;    ///< BsdfKinds::stride floats each
+  const float* lights = nullptr;   ///< LightKinds::stride floats each
+  const LightWords* light_words = nullptr;
+  std::uint32_t light_count = 0;
+  std::uint32_t bsdf_kinds = 0;    ///< bit k: a surface has a BSDF of kind k
+  std::uint32_t light_kinds = 0;
+  bool lights_can_be_hit = false;
+  float coordinate_floor = 1;      ///< least magnitude of coordinates that ray offsets reckon with
+  CameraView camera;
+};
+
+}  // namespace photonproof

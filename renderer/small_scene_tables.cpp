@@ -1,0 +1,70 @@
+#include "renderer/small_scene_tables.h"
+
+namespace photonproof {
+namespace {
+
+/// In double, since what comes out is used for every ray.
+Plate plate(const Vec3d& corner, const Vec3d& edge_u, const Vec3d& edge_v, const Vec3d& normal) {
+  const Vec3d n = cross(edge_u, edge_v);
+  const Vec3d along_u = cross(edge_v, n);
+  const Vec3d along_v = cross(n, edge_u);
+  const Vec3d u = along_u / dot(edge_u, along_u);
+  const Vec3d v = along_v / dot(edge_v, along_v);
+  return {Vec3f(normal),
+          static_cast<float>(dot(normal, corner)),
+          Vec3f(u),
+          static_cast<float>(-dot(u, corner)),
+          Vec3f(v),
+          static_cast<float>(-dot(v, corner))};
+}
+
+}  // namespace
+
+SmallSceneTables::SmallSceneTables(const std::vector<Surface>& surfaces) : first_primitive_(surfaces.size(), 0) {
+  const auto add = [&](std::uint32_t surface) {
+    surface_of_primitive_.push_back(surface);
+  };
+  const auto start = [&](std::uint32_t surface) {
+    first_primitive_[surface] = static_cast<std::uint32_t>(surface_of_primitive_.size());
+  };
+  for (std::uint32_t i = 0; i < surfaces.size(); ++i) {
+    const auto* quad = std::get_if<Quad>(&surfaces[i].geometry);
+    if (quad == nullptr) continue;
+    start(i);
+    add(i);
+    plates_.push_back(plate(Vec3d(quad->corner), Vec3d(quad->edge_u), Vec3d(quad->edge_v), Vec3d(quad->normal)));
+  }
+  parallelograms_ = static_cast<std::uint32_t>(plates_.size());
+  for (std::uint32_t i = 0; i < surfaces.size(); ++i) {
+    const auto* mesh = std::get_if<Mesh>(&surfaces[i].geometry);
+    if (mesh == nullptr) continue;
+    start(i);
+    for (std::size_t t = 0; t < mesh->triangle_count; ++t) {
+      const Vec3d corner(mesh->corner(t, 0));
+      const Vec3d edge_u = Vec3d(mesh->corner(t, 1)) - corner;
+      const Vec3d edge_v = Vec3d(mesh->corner(t, 2)) - corner;
+      const Vec3d n = cross(edge_u, edge_v) * (mesh->inward ? -1.0 : 1.0);
+      if (dot(n, n) == 0) continue;
+      add(i);
+      plates_.push_back(plate(corner, edge_u, edge_v, normalize(n)));
+    }
+  }
+  for (std::uint32_t i = 0; i < surfaces.size(); ++i) {
+    const auto* sphere = std::get_if<Sphere>(&surfaces[i].geometry);
+    if (sphere == nullptr) continue;
+    start(i);
+    add(i);
+    balls_.push_back({sphere->center, sphere->radius, sphere->inward ? -1.0f : 1.0f});
+  }
+}
+
+SmallSceneView SmallSceneTables::view() const {
+  return {plates_.data(),
+          balls_.data(),
+          surface_of_primitive_.data(),
+          parallelograms_,
+          static_cast<std::uint32_t>(plates_.size()) - parallelograms_,
+          static_cast<std::uint32_t>(balls_.size())};
+}
+
+}  // namespace photonproof

@@ -1,0 +1,27 @@
+// The primitives of a small scene in the form its kernel wants (kernels/small_scene.h).
+#pragma once
+
+#include <vector>
+
+#include "renderer/scene_view.h"
+#include "renderer/surface.h"
+
+namespace photonproof {
+
+class SmallSceneTables {
+ public:
+  explicit SmallSceneTables(const std::vector<Surface>& surfaces);
+  /// Valid as long as this.
+  SmallSceneView view() const;
+  /// Number of the surface's first primitive.
+  std::uint32_t first_primitive(std::uint32_t surface) const { return first_primitive_[surface]; }
+
+ private:
+  std::vector<Plate> plates_;
+  std::vector<Ball> balls_;
+  std::vector<std::uint32_t> surface_of_primitive_;
+  std::vector<std::uint32_t> first_primitive_;
+  std::uint32_t parallelograms_ = 0;
+};
+
+}  // namespace photonproof

@@ -1,0 +1,22 @@
+// Between the film and the kernels, which estimate a tile's samples into slots of their own.
+#pragma once
+
+#include <vector>
+
+#include "renderer/film.h"
+#include "renderer/integrator.h"
+#include "renderer/kernels/tasks.h"
+#include "renderer/parallel.h"
+
+namespace photonproof {
+
+/// Samples [first, first + samples) of a tile's pixels.
+CameraTask camera_task(const RenderJob& job, const Tile& tile, std::int64_t first, std::int64_t samples);
+
+/// Adds every sample to its pixel, in the order of the samples; `radiance` has 3 floats a path.
+void add_samples(Film& film, const CameraTask& task, const std::vector<float>& radiance);
+
+/// The same where a pixel's samples are one estimate, since they share what they were made from.
+void add_means(Film& film, const CameraTask& task, const std::vector<float>& radiance);
+
+}  // namespace photonproof
