@@ -14,9 +14,7 @@ struct DiffuseBsdf {
   Vec3<F> eval(const Vec3<F>& wo, const Vec3<F>& wi) const {
     return reflectance * select(wo.z > 0 && wi.z > 0, F(1 / pi), F(0.0f));
   }
-  F pdf(const Vec3<F>& wo, const Vec3<F>& wi) const {
-    return select(wo.z > 0, cosine_hemisphere_pdf(wi.z), F(0.0f));
-  }
+  F pdf(const Vec3<F>& wo, const Vec3<F>& wi) const { return select(wo.z > 0, cosine_hemisphere_pdf(wi.z), F(0.0f)); }
   BsdfSample<F> sample(const Vec3<F>& wo, const F&, const Vec2<F>& u, TransportMode) const {
     const Vec3<F> wi = square_to_cosine_hemisphere(u);
     return {wi, reflectance, cosine_hemisphere_pdf(wi.z), F(1.0f), wo.z > 0 && wi.z > 0};

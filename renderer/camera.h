@@ -6,8 +6,8 @@
 
 namespace photonproof {
 
-/// `width`, `height` in pixels: the size rendered, which fixes the aspect and so the fields of view. `moved` is added to
-/// the camera's position in the world.
+/// `width`, `height` in pixels: the size rendered, which fixes the aspect and so the fields of view. `moved` is added
+/// to the camera's position in the world.
 CameraView compile_camera(const SensorDescription& sensor, int width, int height, const Vec3d& moved);
 
 /// World height of a pixel at the depth of `p_world`.

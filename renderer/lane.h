@@ -9,6 +9,7 @@
 #include <arm_neon.h>
 #endif
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -230,8 +231,7 @@ void store_lanes(const Pack<A>& v, float* p) {
 inline float gather(const float* base, std::uint32_t index) { return base[index]; }
 inline std::uint32_t gather(const std::uint32_t* base, std::uint32_t index) { return base[index]; }
 template <class T, class U>
-  requires(!std::is_same_v<U, std::uint32_t>)
-stdx::rebind_simd_t<T, U> gather(const T* base, const U& index) {
+requires(!std::is_same_v<U, std::uint32_t>) stdx::rebind_simd_t<T, U> gather(const T* base, const U& index) {
   using R = stdx::rebind_simd_t<T, U>;
   static_assert(sizeof(T) == 4);
 #if defined(__AVX512F__)
@@ -254,6 +254,19 @@ stdx::rebind_simd_t<T, U> gather(const T* base, const U& index) {
   return R([&](auto i) { return base[index[i]]; });
 }
 
+#if defined(__AVX2__) && !defined(__AVX512F__)
+/// compressed_lanes[bits][i] is the i-th lane whose bit is set.
+inline constexpr auto compressed_lanes = [] {
+  std::array<std::array<std::uint8_t, 8>, 256> table{};
+  for (std::uint32_t bits = 0; bits < 256; ++bits) {
+    std::size_t n = 0;
+    for (std::uint8_t lane = 0; lane < 8; ++lane)
+      if ((bits >> lane & 1u) != 0) table[bits][n++] = lane;
+  }
+  return table;
+}();
+#endif
+
 /// Writes the lanes whose bit is set one after the other; may write up to a pack's width beyond `out`.
 inline void compress_store(float v, std::uint32_t, std::uint32_t* out) { store_from(v, out); }
 inline void compress_store(std::uint32_t v, std::uint32_t, std::uint32_t* out) { *out = v; }
@@ -268,6 +281,18 @@ void compress_store(const stdx::simd<T, A>& v, std::uint32_t bits, std::uint32_t
     else
       lanes = static_cast<__m512i>(v);
     _mm512_storeu_si512(out, _mm512_maskz_compress_epi32(static_cast<__mmask16>(bits), lanes));
+    return;
+  }
+#elif defined(__AVX2__)
+  if constexpr (V::size() == 8) {
+    __m256i lanes;
+    if constexpr (std::is_same_v<T, float>)
+      lanes = _mm256_castps_si256(static_cast<__m256>(v));
+    else
+      lanes = static_cast<__m256i>(v);
+    const auto* order = reinterpret_cast<const __m128i*>(compressed_lanes[bits].data());
+    lanes = _mm256_permutevar8x32_epi32(lanes, _mm256_cvtepu8_epi32(_mm_loadl_epi64(order)));
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(out), lanes);
     return;
   }
 #endif

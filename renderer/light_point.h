@@ -16,12 +16,11 @@ struct PointLight {
     const Vec3<F> d = position - p;
     const F distance2 = dot(d, d);
     const F inverse = 1 / lane_sqrt(distance2);
-    return {position, Vec3<F>(F(0.0f)), d * inverse, intensity * (inverse * inverse), select(distance2 > 0, F(1.0f), F(0.0f))};
+    return {position, Vec3<F>(F(0.0f)), d * inverse, intensity * (inverse * inverse),
+            select(distance2 > 0, F(1.0f), F(0.0f))};
   }
   F pdf(const Vec3<F>&, const Vec3<F>&, const Vec3<F>&) const { return F(0.0f); }
-  Emission<F> emit(const Vec2<F>&, const Vec2<F>& u) const {
-    return {position, Vec3<F>(F(0.0f)), square_to_sphere(u)};
-  }
+  Emission<F> emit(const Vec2<F>&, const Vec2<F>& u) const { return {position, Vec3<F>(F(0.0f)), square_to_sphere(u)}; }
   Vec3<F> flux() const { return intensity * (4 * pi); }
   Vec3<F> emitted_radiance(const F&) const { return Vec3<F>(F(0.0f)); }
 };

@@ -67,8 +67,7 @@ struct SphereLight {
     const Vec3<F> outward = square_to_sphere(u);
     const Vec3<F> p_light = advance(center, radius, outward);
     const Vec3<F> normal = outward * side;
-    return {p_light, normal, normalize(p_light - p), radiance,
-            area_to_solid_angle(F(1 / area()), p, p_light, normal)};
+    return {p_light, normal, normalize(p_light - p), radiance, area_to_solid_angle(F(1 / area()), p, p_light, normal)};
   }
 };
 

@@ -107,8 +107,7 @@ void choose_radii(const Scene& scene, const PhotonMapperDescription& settings, c
   for (MapState* state : {&maps.global, &maps.caustic}) {
     if (!state->wanted || state->radius > 0) continue;
     const PhotonRun pilot{state->kind, Stream::pilot, job.seed, 0, pilot_photons, -1};
-    state->radius =
-        choose_radius(scene, pilot, static_cast<std::uint64_t>(state->total), state->photons_in_disc,
+    state->radius = choose_radius(scene, pilot, static_cast<std::uint64_t>(state->total), state->photons_in_disc,
                                   {job.kernels(), job.sampler}, threads, totals);
     if (state->radius <= 0) state->radius = 4 * std::max(median_pixel_footprint(scene), 1e-6f);
   }
@@ -120,9 +119,8 @@ void refill(MapState& state, const Scene& scene, const PhotonMapperDescription& 
   {
     const PhaseTimer phase(stats.phases[std::string("photons_") + state.name]);
     const int max_edges = settings.max_depth >= 0 ? settings.max_depth - 1 : -1;
-    photons =
-        trace_photons(scene, {state.kind, state.stream, job.seed, state.emitted, count, max_edges},
-                      {job.kernels(), job.sampler}, threads, totals);
+    photons = trace_photons(scene, {state.kind, state.stream, job.seed, state.emitted, count, max_edges},
+                            {job.kernels(), job.sampler}, threads, totals);
   }
   const PhaseTimer phase(stats.phases["build"]);
   state.map = PhotonMap(std::move(photons), state.radius, threads);

@@ -22,8 +22,8 @@ float median_pixel_footprint(const Scene& scene) {
   for (int row = 0; row < lattice; ++row) {
     for (int column = 0; column < lattice; ++column) {
       const auto centre = [](int i) { return 2 * (static_cast<float>(i) + 0.5f) / lattice - 1; };
-      const Vec3f through = camera.forward + camera.right * (centre(column) * camera.tan_x) -
-                            camera.up * (centre(row) * camera.tan_y);
+      const Vec3f through =
+          camera.forward + camera.right * (centre(column) * camera.tan_x) - camera.up * (centre(row) * camera.tan_y);
       const Hit hit = scene.intersect(camera.origin + through * camera.near, normalize(through));
       if (hit.valid()) footprints.push_back(pixel_footprint(camera, hit.p_world));
     }

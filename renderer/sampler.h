@@ -1,6 +1,6 @@
-// Random numbers as values: a draw is a function of (key, index, dimension), never of a thread, a lane or a batch. A key
-// names a pixel's or a photon map's sequence, the index is the sample's or the photon's number in it, a dimension is
-// what the draw is for.
+// Random numbers as values: a draw is a function of (key, index, dimension), never of a thread, a lane or a batch. A
+// key names a pixel's or a photon map's sequence, the index is the sample's or the photon's number in it, a dimension
+// is what the draw is for.
 //   sobol        Owen-scrambled (0,2)-sequences, one for each dimension, shuffled against each other ("padded"): Burley
 //                2020, "Practical Hash-based Owen Scrambling", with Vegdahl's 2021 constants for the permutation of
 //                Laine and Karras 2011

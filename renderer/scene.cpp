@@ -187,8 +187,7 @@ void Scene::add_surface(Geometry geometry, const ShapeDescription& shape) {
     surface.light = static_cast<std::uint32_t>(lights.size());
     const Rgb radiance(*shape.radiance);
     if (const auto* quad = std::get_if<Quad>(&surface.geometry)) lights.push_back(surface_light(*quad, radiance));
-    if (const auto* sphere = std::get_if<Sphere>(&surface.geometry))
-      lights.push_back(surface_light(*sphere, radiance));
+    if (const auto* sphere = std::get_if<Sphere>(&surface.geometry)) lights.push_back(surface_light(*sphere, radiance));
   }
   surfaces.push_back(std::move(surface));
 }

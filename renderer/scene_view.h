@@ -44,8 +44,8 @@ struct SurfaceWords {
 
 struct LightWords {
   std::uint32_t kind;
-  float probability;        ///< of being chosen
-  float alias_threshold;    ///< alias method (Vose 1991): below it the light itself, above it `alias`
+  float probability;      ///< of being chosen
+  float alias_threshold;  ///< alias method (Vose 1991): below it the light itself, above it `alias`
   std::uint32_t alias;
   std::uint32_t primitive;  ///< of a small scene, which its own shadow rays ignore
   static constexpr std::uint32_t stride = 5;
@@ -59,18 +59,18 @@ struct CameraView {
 };
 
 struct SceneView {
-  bool small = false;              ///< `primitives` holds everything, `tracer` is not needed
+  bool small = false;  ///< `primitives` holds everything, `tracer` is not needed
   SmallSceneView primitives;
   const Tracer* tracer = nullptr;
   const SurfaceWords* surfaces = nullptr;
-  const float* bsdfs = nullptr;    ///< BsdfKinds::stride floats each
-  const float* lights = nullptr;   ///< LightKinds::stride floats each
+  const float* bsdfs = nullptr;   ///< BsdfKinds::stride floats each
+  const float* lights = nullptr;  ///< LightKinds::stride floats each
   const LightWords* light_words = nullptr;
   std::uint32_t light_count = 0;
-  std::uint32_t bsdf_kinds = 0;    ///< bit k: a surface has a BSDF of kind k
+  std::uint32_t bsdf_kinds = 0;  ///< bit k: a surface has a BSDF of kind k
   std::uint32_t light_kinds = 0;
   bool lights_can_be_hit = false;
-  float coordinate_floor = 1;      ///< least magnitude of coordinates that ray offsets reckon with
+  float coordinate_floor = 1;  ///< least magnitude of coordinates that ray offsets reckon with
   CameraView camera;
 };
 

@@ -10,20 +10,14 @@ Plate plate(const Vec3d& corner, const Vec3d& edge_u, const Vec3d& edge_v, const
   const Vec3d along_v = cross(n, edge_u);
   const Vec3d u = along_u / dot(edge_u, along_u);
   const Vec3d v = along_v / dot(edge_v, along_v);
-  return {Vec3f(normal),
-          static_cast<float>(dot(normal, corner)),
-          Vec3f(u),
-          static_cast<float>(-dot(u, corner)),
-          Vec3f(v),
-          static_cast<float>(-dot(v, corner))};
+  return {Vec3f(normal), static_cast<float>(dot(normal, corner)), Vec3f(u), static_cast<float>(-dot(u, corner)),
+          Vec3f(v),      static_cast<float>(-dot(v, corner))};
 }
 
 }  // namespace
 
 SmallSceneTables::SmallSceneTables(const std::vector<Surface>& surfaces) : first_primitive_(surfaces.size(), 0) {
-  const auto add = [&](std::uint32_t surface) {
-    surface_of_primitive_.push_back(surface);
-  };
+  const auto add = [&](std::uint32_t surface) { surface_of_primitive_.push_back(surface); };
   const auto start = [&](std::uint32_t surface) {
     first_primitive_[surface] = static_cast<std::uint32_t>(surface_of_primitive_.size());
   };

@@ -204,8 +204,7 @@ SurfacePoint Tracer::Impl::locate(unsigned geometry, unsigned primitive, float u
   const Vec3f edge_u = mesh.corner(primitive, 1) - corner;
   const Vec3f edge_v = mesh.corner(primitive, 2) - corner;
   const Vec3f normal = normalize(cross(edge_u, edge_v));
-  return {corner + edge_u * u + edge_v * v, mesh.inward ? -normal : normal,
-          tables.mesh_surface[geometry - first_mesh]};
+  return {corner + edge_u * u + edge_v * v, mesh.inward ? -normal : normal, tables.mesh_surface[geometry - first_mesh]};
 }
 
 Tracer::Tracer(const std::vector<Surface>& surfaces) : impl_(std::make_unique<Impl>()) {

@@ -16,8 +16,9 @@ F mis_weight(const F& pdf, const F& other) {
   return select(sum > 0, a / sum, F(0.0f));
 }
 
-/// Radiance reflected towards wo from one sample of one light. With `weighted` the sample carries its MIS weight against
-/// BSDF sampling; otherwise it stands alone. Shadow rays are only traced where the BSDF and both cosines leave light.
+/// Radiance reflected towards wo from one sample of one light. With `weighted` the sample carries its MIS weight
+/// against BSDF sampling; otherwise it stands alone. Shadow rays are only traced where the BSDF and both cosines leave
+/// light.
 template <class F, class B>
 Vec3<F> estimate_direct(const SceneView& scene, const SurfaceHit<F>& hit, const B& bsdf, const Frame<F>& frame,
                         const Vec3<F>& wo_local, bool weighted, const F& u_choice, const Vec2<F>& u_point,
@@ -44,8 +45,7 @@ Vec3<F> estimate_direct(const SceneView& scene, const SurfaceHit<F>& hit, const 
   Vec3<F> to = s.p_light;
   if (!scene.small && any(is_surface))
     to = select(is_surface, offset_from(to, s.normal_light, Vec3<F>(-s.wi_world), scene.coordinate_floor), to);
-  const Mask<F> visible =
-      lit && !occluded(scene, from, Vec3<F>(to - from), hit.primitive, choice.primitive, lit);
+  const Mask<F> visible = lit && !occluded(scene, from, Vec3<F>(to - from), hit.primitive, choice.primitive, lit);
 
   const F pdf = s.pdf * choice.probability;
   F weight = lane_abs(wi_local.z) / pdf;

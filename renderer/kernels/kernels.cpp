@@ -33,8 +33,12 @@ void gather_photons(const GatherTask& task) {
 
 }  // namespace
 
-const Kernels PHOTONPROOF_KERNELS{
-    PHOTONPROOF_ISA, lane_count<Lanes>, PathKernel<Lanes>::scratch_words, PhotonKernel<Lanes>::scratch_words,
-    trace_paths,     trace_photons,     gather_photons};
+const Kernels PHOTONPROOF_KERNELS{PHOTONPROOF_ISA,
+                                  lane_count<Lanes>,
+                                  PathKernel<Lanes>::scratch_words,
+                                  PhotonKernel<Lanes>::scratch_words,
+                                  trace_paths,
+                                  trace_photons,
+                                  gather_photons};
 
 }  // namespace photonproof

@@ -112,8 +112,7 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, PathAtSurface, F
       }
     }
     Vec2<F> u_direction{F(0.0f), F(0.0f)};
-    if constexpr (!Kind<F>::is_delta)
-      u_direction = draw2<F>(task_.camera.sampler, s.key, s.index, U(dimension + 1u));
+    if constexpr (!Kind<F>::is_delta) u_direction = draw2<F>(task_.camera.sampler, s.key, s.index, U(dimension + 1u));
     const F u_lobe = draw_independent<F>(s.key, s.index, U(dimension + 3u));
     const BsdfSample<F> next = bsdf.sample(wo_local, u_lobe, u_direction, TransportMode::radiance);
     s.throughput *= next.weight;

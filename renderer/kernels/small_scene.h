@@ -1,6 +1,6 @@
-// Rays against all primitives of a small scene, one after the other, a pack of rays at a time. No acceleration structure
-// beats this below a few dozen primitives; the threshold is in scene.cpp, and bench_rays says where it comes from.
-// Plates are decided without a division: with t = num / den everything is compared after multiplying by |den|.
+// Rays against all primitives of a small scene, one after the other, a pack of rays at a time. No acceleration
+// structure beats this below a few dozen primitives; the threshold is in scene.cpp, and bench_rays says where it comes
+// from. Plates are decided without a division: with t = num / den everything is compared after multiplying by |den|.
 #pragma once
 
 #include <limits>
@@ -45,7 +45,8 @@ struct BallCrossing {
   Mask<F> meets;
 };
 template <class F>
-BallCrossing<F> cross_ball(const Ball& ball, const Vec3<F>& origin, const Vec3<F>& direction, const F& inverse_length2) {
+BallCrossing<F> cross_ball(const Ball& ball, const Vec3<F>& origin, const Vec3<F>& direction,
+                           const F& inverse_length2) {
   const Vec3<F> to_center = broadcast<F>(ball.center) - origin;
   const F middle = dot(to_center, direction) * inverse_length2;
   const Vec3<F> nearest = advance(to_center, F(-middle), direction);
@@ -53,8 +54,8 @@ BallCrossing<F> cross_ball(const Ball& ball, const Vec3<F>& origin, const Vec3<F
   return {middle, lane_sqrt(lane_max(discriminant, F(0.0f))), discriminant > 0};
 }
 
-/// Closest hits of rays with unit directions. `from` is the primitive a ray leaves, which it meets again only where that
-/// is a sphere it crosses.
+/// Closest hits of rays with unit directions. `from` is the primitive a ray leaves, which it meets again only where
+/// that is a sphere it crosses.
 template <class F>
 SurfaceHit<F> closest_small(const SmallSceneView& scene, const Vec3<F>& origin, const Vec3<F>& direction,
                             const UInt<F>& from) {
@@ -63,8 +64,7 @@ SurfaceHit<F> closest_small(const SmallSceneView& scene, const Vec3<F>& origin, 
   F best_speed(1.0f);
   U best(no_index);
   const auto keep_plate = [&](const PlateCrossing<F>& c, std::uint32_t id) {
-    const Mask<F> closer =
-        c.inside && c.distance * best_speed < best_distance * c.speed && !equal<F>(from, U(id));
+    const Mask<F> closer = c.inside && c.distance * best_speed < best_distance * c.speed && !equal<F>(from, U(id));
     best_distance = select(closer, c.distance, best_distance);
     best_speed = select(closer, c.speed, best_speed);
     best = select(closer, U(id), best);

@@ -70,11 +70,11 @@ struct PhotonTask {
   const SceneView* scene = nullptr;
   PhotonKind kind = PhotonKind::global;
   SamplerKind sampler = SamplerKind::sobol;
-  std::uint32_t seed = 0;       ///< stream_seed of the map
-  std::uint32_t first = 0;      ///< sampler index of the first path
-  std::uint32_t count = 0;      ///< paths
-  float share = 1;              ///< of the lights' flux that a path carries
-  int max_edges = -1;           ///< longest light subpath; -1 is unlimited
+  std::uint32_t seed = 0;            ///< stream_seed of the map
+  std::uint32_t first = 0;           ///< sampler index of the first path
+  std::uint32_t count = 0;           ///< paths
+  float share = 1;                   ///< of the lights' flux that a path carries
+  int max_edges = -1;                ///< longest light subpath; -1 is unlimited
   std::uint32_t* scratch = nullptr;  ///< Kernels::photon_scratch words
   PhotonDeposits* deposits = nullptr;
   void (*drain)(PhotonTask&) = nullptr;  ///< empties `deposits`: called when they are full and at the end
@@ -85,11 +85,11 @@ struct PhotonTask {
 struct GatherTask {
   PhotonView map;
   float radius = 0;
-  std::int32_t max_edges = 0;          ///< of camera and light path together
+  std::int32_t max_edges = 0;  ///< of camera and light path together
   const GatherPoint* points = nullptr;
   const std::uint32_t* order = nullptr;  ///< in which points are looked up
   std::size_t count = 0;
-  GatheredFlux* flux = nullptr;          ///< of each point
+  GatheredFlux* flux = nullptr;  ///< of each point
 };
 
 /// The kernels of one instruction set.
