@@ -65,8 +65,8 @@ class MeshReader {
       least += Values::least_bytes(property.count_type.value_or(property.type));
     if (element.count > in.remaining() / least)
       fail_at_offset(file_, bytes_.substr(0, header_.size), element.offset,
-                     "element '" + element.name + "' has " + std::to_string(element.count) + " rows of at least " +
-                         std::to_string(least) +
+                     "element " + in_quotes(element.name) + " has " + std::to_string(element.count) +
+                         " rows of at least " + std::to_string(least) +
                          " bytes each, more than the rest of the file holds: it is truncated or its header is wrong");
   }
 
