@@ -88,7 +88,7 @@ class BinaryValues {
   }
   template <class T>
   static T load(const char* p) {
-    std::array<char, sizeof(T)> raw;
+    std::array<char, sizeof(T)> raw{};
     std::memcpy(raw.data(), p, sizeof(T));
     if constexpr (kBigEndian)
       for (std::size_t i = 0; i < sizeof(T) / 2; ++i) std::swap(raw[i], raw[sizeof(T) - 1 - i]);
