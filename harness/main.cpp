@@ -17,6 +17,7 @@ int main(int argc, char** argv) {
   program.set_version_flag("--version", version_line());
   program.require_subcommand(1);
   int exit_code = 0;
+  add_generate_verb(program, exit_code);
   add_render_verb(program, exit_code);
   add_export_verb(program, exit_code);
   add_povray_verb(program, exit_code);

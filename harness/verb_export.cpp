@@ -7,14 +7,13 @@
 #include "harness/povray_arguments.h"
 #include "harness/verbs.h"
 #include "reference/povray_export.h"
-#include "scenes/atomic_file.h"
 
 namespace photonproof {
 namespace {
 
 int run_export(const PovrayArguments& arguments) {
   const PovrayExport scene = export_povray(load_scene(arguments.scene), arguments.options);
-  write_file_atomically(arguments.output, scene.sdl);
+  write_sdl(scene, arguments.output);
   std::string antialias;
   for (const std::string& word : scene.antialias) antialias += " " + word;
   std::printf("%s: render with: povray +I%s +Oscene.exr +FE +W%d +H%d -D -P +WT1%s\n", arguments.output.c_str(),

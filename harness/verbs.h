@@ -8,6 +8,7 @@ class App;
 namespace photonproof {
 
 /// Adds the subcommand to `program`; its callback leaves the process's exit code in `exit_code`.
+void add_generate_verb(CLI::App& program, int& exit_code);
 void add_render_verb(CLI::App& program, int& exit_code);
 void add_export_verb(CLI::App& program, int& exit_code);
 void add_povray_verb(CLI::App& program, int& exit_code);

@@ -6,7 +6,8 @@ namespace photonproof {
 namespace {
 
 double distance_to_segment(const Vec3d& p, const Vec3d& a, const Vec3d& edge) {
-  const double along = std::clamp(dot(p - a, edge) / length_squared(edge), 0.0, 1.0);
+  const double squared = length_squared(edge);
+  const double along = squared > 0 ? std::clamp(dot(p - a, edge) / squared, 0.0, 1.0) : 0;
   return length(p - a - edge * along);
 }
 
@@ -45,6 +46,18 @@ double distance_to_parallelogram(const Vec3d& p, const Vec3d& corner, const Vec3
   if (s >= 0 && s <= 1 && t >= 0 && t <= 1) return std::abs(dot(d, n)) / std::sqrt(nn);
   return std::min({distance_to_segment(p, corner, edge_u), distance_to_segment(p, corner, edge_v),
                    distance_to_segment(p, corner + edge_u, edge_v), distance_to_segment(p, corner + edge_v, edge_u)});
+}
+
+double distance_to_triangle(const Vec3d& p, const std::array<Vec3d, 3>& triangle) {
+  const auto& [a, b, c] = triangle;
+  // As above; without area the foot is not a number, and an edge is nearest.
+  const Vec3d u = b - a, v = c - a, d = p - a;
+  const Vec3d n = cross(u, v);
+  const double nn = length_squared(n);
+  const double s = dot(cross(d, v), n) / nn;
+  const double t = dot(cross(u, d), n) / nn;
+  if (s >= 0 && t >= 0 && s + t <= 1) return std::abs(dot(d, n)) / std::sqrt(nn);
+  return std::min({distance_to_segment(p, a, u), distance_to_segment(p, a, v), distance_to_segment(p, b, c - b)});
 }
 
 }  // namespace photonproof

@@ -2,6 +2,7 @@
 // far a point is from a polygon's parallelogram.
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -23,5 +24,8 @@ double polygon_area(std::span<const Vec3d> polygon);
 
 /// Smallest distance from `p` to the parallelogram corner + s u + t v, s and t in [0,1].
 double distance_to_parallelogram(const Vec3d& p, const Vec3d& corner, const Vec3d& edge_u, const Vec3d& edge_v);
+
+/// Smallest distance from `p` to the triangle, which may have no area.
+double distance_to_triangle(const Vec3d& p, const std::array<Vec3d, 3>& triangle);
 
 }  // namespace photonproof

@@ -36,5 +36,18 @@ TEST(ConvexClip, distance_to_a_parallelogram_is_to_its_face_edge_or_corner) {
   EXPECT_DOUBLE_EQ(distance_to_parallelogram({4, 5, 3}, corner, u, v), std::sqrt(1. + 16 + 9)) << "past corner (3,1,0)";
 }
 
+TEST(ConvexClip, distance_to_a_triangle_is_to_its_face_edge_or_corner) {
+  const std::array<Vec3d, 3> triangle{{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}}};
+  EXPECT_DOUBLE_EQ(distance_to_triangle({0.5, 0.5, -3}, triangle), 3) << "over the face";
+  EXPECT_DOUBLE_EQ(distance_to_triangle({1, -4, 3}, triangle), 5) << "beside the edge y = 0: 3, 4, 5";
+  EXPECT_DOUBLE_EQ(distance_to_triangle({2, 2, 1}, triangle), std::sqrt(3.)) << "past the middle (1,1,0) of an edge";
+  EXPECT_DOUBLE_EQ(distance_to_triangle({-3, -4, 12}, triangle), 13) << "past the corner at the origin";
+}
+
+TEST(ConvexClip, distance_to_a_triangle_without_area_is_to_its_edges) {
+  EXPECT_DOUBLE_EQ(distance_to_triangle({1, 2, 0}, {{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}}), 2);
+  EXPECT_DOUBLE_EQ(distance_to_triangle({3, 4, 0}, {{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}}), 5);
+}
+
 }  // namespace
 }  // namespace photonproof

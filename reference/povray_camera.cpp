@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 #include "reference/convex_clip.h"
 #include "reference/sdl_text.h"
@@ -24,10 +25,18 @@ std::vector<HalfSpace> frustum(const PovCamera& camera, double nearest, double f
           {camera.forward, at_eye + farthest}};
 }
 
-/// Whether some of the face, and not only an edge of it, is in the region.
+/// Whether some of a polygon, and not only an edge of it, is in the region.
+bool meets(std::span<const Vec3d> vertices, double area, const std::vector<HalfSpace>& region) {
+  const auto outside = [&](const HalfSpace& half) {
+    return std::all_of(vertices.begin(), vertices.end(),
+                       [&](const Vec3d& v) { return dot(half.normal, v) >= half.offset; });
+  };
+  if (std::any_of(region.begin(), region.end(), outside)) return false;
+  return polygon_area(clip_polygon({vertices.begin(), vertices.end()}, region)) > 1e-12 * area;
+}
+
 bool meets(const PovParallelogram& face, const std::vector<HalfSpace>& region) {
-  const auto vertices = face.vertices();
-  return polygon_area(clip_polygon({vertices.begin(), vertices.end()}, region)) > 1e-12 * face.area();
+  return meets(face.vertices(), face.area(), region);
 }
 
 /// Conservative: false only when the sphere's surface is provably outside the frustum between the two distances.
@@ -52,6 +61,8 @@ bool may_meet(const PovSurface& surface, const PovCamera& camera, double nearest
     return may_meet(*sphere, camera, nearest, farthest);
   const std::vector<HalfSpace> region = frustum(camera, nearest, farthest);
   if (const auto* face = std::get_if<PovParallelogram>(&surface.geometry)) return meets(*face, region);
+  if (const auto* mesh = std::get_if<PovMesh>(&surface.geometry))
+    return mesh->any_triangle([&](const auto& triangle) { return meets(triangle, polygon_area(triangle), region); });
   const auto faces = std::get<PovBox>(surface.geometry).faces();
   return std::any_of(faces.begin(), faces.end(), [&](const PovParallelogram& face) { return meets(face, region); });
 }
@@ -71,6 +82,10 @@ bool nothing_behind(const PovParallelogram& plane, const PovScene& scene) {
       clear = in_front(sphere->center, sphere->radius);
     } else if (const auto* face = std::get_if<PovParallelogram>(&surface.geometry)) {
       clear = face_in_front(*face);
+    } else if (const auto* mesh = std::get_if<PovMesh>(&surface.geometry)) {
+      clear = !mesh->any_triangle([&](const auto& triangle) {
+        return std::any_of(triangle.begin(), triangle.end(), [&](const Vec3d& v) { return !in_front(v, 0); });
+      });
     } else {
       const auto faces = std::get<PovBox>(surface.geometry).faces();
       clear = std::all_of(faces.begin(), faces.end(), face_in_front);

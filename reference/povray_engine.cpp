@@ -103,7 +103,7 @@ Image box_downsample(const Image& image, int grid, double gain) {
 
 PovrayRun render_povray(const PovrayExport& scene, const PovrayRunOptions& options) {
   const TemporaryFolder folder;
-  write_file_atomically(folder.path() / "scene.pov", scene.sdl);
+  write_sdl(scene, folder.path() / "scene.pov");
 
   const std::vector<std::string> argv = command(scene, options.program);
   ProcessOptions process;

@@ -1,12 +1,14 @@
 #include "reference/povray_export.h"
 
 #include <algorithm>
+#include <fstream>
 
 #include "reference/povray_camera.h"
 #include "reference/povray_geometry.h"
 #include "reference/povray_header.h"
 #include "reference/povray_lights.h"
 #include "reference/povray_materials.h"
+#include "scenes/atomic_file.h"
 
 namespace photonproof {
 namespace {
@@ -32,6 +34,15 @@ void write_radiosity_group(const PovScene& scene, const PovPlan& plan, std::uint
 }
 
 }  // namespace
+
+void write_sdl(const PovrayExport& scene, const std::filesystem::path& target) {
+  replace_atomically(target, [&](const std::filesystem::path& temporary) {
+    std::ofstream out(temporary, std::ios::binary);
+    scene.sdl.write(out);
+    out.close();
+    if (!out) throw InputError(target.string(), "cannot be written (permission or disk full)");
+  });
+}
 
 PovrayExport export_povray(const SceneDescription& description, const PovrayOptions& options) {
   PovrayExport result;

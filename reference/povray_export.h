@@ -2,16 +2,18 @@
 // to the scene; what cannot be is refused, and what is lost by POV-Ray's methods is declared with its size.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "reference/povray_options.h"
+#include "reference/sdl_text.h"
 #include "scenes/description.h"
 
 namespace photonproof {
 
 struct PovrayExport {
-  std::string sdl;
+  SdlText sdl;
   int width = 0, height = 0;              ///< of the final image
   int grid = 1;                           ///< POV-Ray renders grid x width by grid x height
   std::vector<std::string> antialias;     ///< POV-Ray's options for how it samples its pixels
@@ -20,6 +22,9 @@ struct PovrayExport {
   std::vector<std::string> skipped;       ///< passes POV-Ray need not run, with the reason
   std::vector<std::string> losses;        ///< what the image lacks, with its size
 };
+
+/// Writes the scene's text to a file, whole or not at all. Throws InputError when it cannot be written.
+void write_sdl(const PovrayExport& scene, const std::filesystem::path& target);
 
 /// Throws Unrepresentable with the place of what POV-Ray cannot express, InputError for a bad option.
 PovrayExport export_povray(const SceneDescription& scene, const PovrayOptions& options);

@@ -39,7 +39,13 @@ std::string shape_sdl(const PovBox& box, double scale) {
   return std::string("box{-1, 1") + (box.inward ? " inverse" : "") + " matrix<" + matrix + ">";
 }
 
+/// The mesh itself is declared before.
+std::string shape_sdl(const PovMesh& mesh, double) { return "object{Mesh_" + std::to_string(mesh.number); }
+
 std::string kind(const PovSurface& surface) {
+  if (const auto* mesh = std::get_if<PovMesh>(&surface.geometry))
+    return "ply as a mesh2 of " + std::to_string(mesh->mesh->triangles.size()) +
+           " flat triangles, in world space and single precision";
   if (std::holds_alternative<PovSphere>(surface.geometry)) return "sphere";
   if (std::holds_alternative<PovBox>(surface.geometry)) return "cube as a box";
   if (std::holds_alternative<RectangleDescription>(surface.shape->geometry)) return "rectangle as a polygon";
@@ -107,6 +113,8 @@ void write_surfaces(const PovScene& scene, const PovPlan& plan, SdlWriter& out) 
   for (const PovSurface& surface : scene.surfaces) {
     out.explain("shape '" + surface.shape->id + "' of " + scene.description->where(surface.shape->loc) + ": " +
                 kind(surface));
+    if (const auto* mesh = std::get_if<PovMesh>(&surface.geometry))
+      out.later([mesh = *mesh, scale = plan.scale](std::ostream& text) { write_mesh_declaration(mesh, scale, text); });
     write_surface(scene, surface, plan, out);
   }
 }

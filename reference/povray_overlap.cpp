@@ -12,7 +12,7 @@ namespace {
 // Bodies that rest on one another touch up to rounding; an overlap must be deeper than this fraction of the body.
 constexpr double kTouch = 1e-6;
 
-using Geometry = std::variant<PovParallelogram, PovSphere, PovBox>;
+using Geometry = decltype(PovSurface::geometry);
 
 /// The half-spaces of a box slightly smaller than the body.
 std::vector<HalfSpace> interior(const PovBox& box) {
@@ -69,6 +69,17 @@ bool reaches_into(const PovBox& box, const Geometry& body) {
   const auto faces = box.faces();
   return std::any_of(faces.begin(), faces.end(),
                      [&](const PovParallelogram& face) { return reaches_into(face, body); });
+}
+
+bool reaches_into(const PovMesh& mesh, const Geometry& body) {
+  if (const auto* ball = std::get_if<PovSphere>(&body))
+    return mesh.any_triangle([&](const auto& triangle) {
+      return distance_to_triangle(ball->center, triangle) < ball->radius * (1 - kTouch);
+    });
+  const auto region = interior(std::get<PovBox>(body));
+  return mesh.any_triangle([&](const auto& triangle) {
+    return clip_polygon({triangle.begin(), triangle.end()}, region).size() >= 3;
+  });
 }
 
 }  // namespace

@@ -22,6 +22,9 @@ Extent extent(const PovSurface& surface) {
   Extent result;
   if (const auto* face = std::get_if<PovParallelogram>(&surface.geometry)) {
     for (const Vec3d& v : face->vertices()) result.points.push_back(v);
+  } else if (const auto* mesh = std::get_if<PovMesh>(&surface.geometry)) {
+    const auto corners = mesh->box_corners();
+    result.points.assign(corners.begin(), corners.end());
   } else {
     for (const PovParallelogram& side : std::get<PovBox>(surface.geometry).faces())
       for (const Vec3d& v : side.vertices()) result.points.push_back(v);
@@ -41,6 +44,7 @@ bool any_in_front(const PovSurface& from, const PovSurface& to) {
 }
 
 bool sees_itself(const PovSurface& surface) {
+  if (std::holds_alternative<PovMesh>(surface.geometry)) return true;  // for all that is known
   const auto* sphere = std::get_if<PovSphere>(&surface.geometry);
   return sphere && sphere->inward;
 }

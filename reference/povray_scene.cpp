@@ -43,8 +43,20 @@ void check_shape(const SceneDescription& scene, const PovSurface& surface) {
     throw Unrepresentable(where, "an area light on a specular surface; its bsdf must be diffuse");
 }
 
-void add_surface(PovScene& scene, PovSurface surface,
-                 const std::variant<PovParallelogram, PovSphere, PovBox>& geometry) {
+void check_mesh(const SceneDescription& scene, const ShapeDescription& shape) {
+  const std::string where = scene.where(shape.loc);
+  if (shape.radiance && max_component(*shape.radiance) > 0)
+    throw Unrepresentable(where, "an area light on a triangle mesh: only rectangles, cubes and spheres become points");
+  if (std::holds_alternative<DielectricDescription>(scene.bsdfs[shape.bsdf.value].model))
+    throw Unrepresentable(where,
+                          "a triangle mesh of dielectric: POV-Ray's index of refraction belongs to a closed body, and "
+                          "nothing says that the mesh is one");
+  if (!std::get<PlyDescription>(shape.geometry).face_normals)
+    throw Unrepresentable(
+        where, "a triangle mesh with interpolated shading normals; one with face_normals true can be written");
+}
+
+void add_surface(PovScene& scene, PovSurface surface, const decltype(PovSurface::geometry)& geometry) {
   surface.geometry = geometry;
   check_shape(*scene.description, surface);
   scene.surfaces.push_back(surface);
@@ -64,7 +76,8 @@ void lower_shape(PovScene& scene, const ShapeDescription& shape) {
     add_surface(scene, surface,
                 PovSphere{shape.to_world.point(sphere->center), sphere->radius * scale, shape.flip_normals});
   } else if (std::holds_alternative<PlyDescription>(shape.geometry)) {
-    throw Unrepresentable(scene.description->where(shape.loc), "a triangle mesh");
+    check_mesh(*scene.description, shape);
+    add_surface(scene, surface, place_mesh(shape, scene.surfaces.size()));
   } else if (!closed) {
     add_surface(scene, surface, parallelogram(shape.to_world, shape.flip_normals));
   } else {
@@ -91,6 +104,8 @@ void bound(PovScene& scene) {
       add(sphere->center, sphere->radius);
     } else if (const auto* face = std::get_if<PovParallelogram>(&surface.geometry)) {
       for (const Vec3d& v : face->vertices()) add(v, 0);
+    } else if (const auto* mesh = std::get_if<PovMesh>(&surface.geometry)) {
+      for (const Vec3d& v : mesh->box_corners()) add(v, 0);
     } else {
       for (const PovParallelogram& side : std::get<PovBox>(surface.geometry).faces())
         for (const Vec3d& v : side.vertices()) add(v, 0);
@@ -133,6 +148,7 @@ double area(const PovSurface& surface) {
   if (const auto* sphere = std::get_if<PovSphere>(&surface.geometry))
     return 4 * std::numbers::pi * sphere->radius * sphere->radius;
   if (const auto* face = std::get_if<PovParallelogram>(&surface.geometry)) return face->area();
+  if (const auto* mesh = std::get_if<PovMesh>(&surface.geometry)) return mesh->area;
   double sum = 0;
   for (const PovParallelogram& side : std::get<PovBox>(surface.geometry).faces()) sum += side.area();
   return sum;

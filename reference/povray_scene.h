@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "reference/povray_mesh.h"
 #include "scenes/description.h"
 
 namespace photonproof {
@@ -30,7 +31,7 @@ struct PovBox {
 };
 
 struct PovSurface {
-  std::variant<PovParallelogram, PovSphere, PovBox> geometry;
+  std::variant<PovParallelogram, PovSphere, PovBox, PovMesh> geometry;
   const ShapeDescription* shape = nullptr;
   const BsdfDescription* bsdf = nullptr;
   /// Lights that enclose what they light are left to radiosity, which finds them with any ray; others are too small for
@@ -55,7 +56,8 @@ bool is_specular(const PovSurface& surface);
 
 /// Throws Unrepresentable: emitters that are not diffuse, rectangles of glass, surfaces, lights or the camera inside
 /// glass (POV-Ray does not scale radiance by the squared index), conductors with a complex index, dielectrics whose
-/// reflectance is scaled, hidden emitters.
+/// reflectance is scaled, hidden emitters; meshes that emit, that are of glass, or whose shading normals are
+/// interpolated.
 PovScene lower_scene(const SceneDescription& description);
 
 }  // namespace photonproof

@@ -1,6 +1,7 @@
 #include "reference/sdl_text.h"
 
 #include <cstdio>
+#include <sstream>
 
 #include "scenes/text_numbers.h"
 
@@ -28,14 +29,34 @@ std::string printable(std::string_view text) {
   return line;
 }
 
+void SdlText::append(std::string_view text) {
+  if (parts_.empty() || !std::holds_alternative<std::string>(parts_.back())) parts_.emplace_back(std::string());
+  std::get<std::string>(parts_.back()) += text;
+}
+
+void SdlText::write(std::ostream& out) const {
+  for (const auto& part : parts_) {
+    if (const auto* text = std::get_if<std::string>(&part))
+      out << *text;
+    else
+      std::get<std::function<void(std::ostream&)>>(part)(out);
+  }
+}
+
+std::string SdlText::str() const {
+  std::ostringstream out;
+  write(out);
+  return out.str();
+}
+
 void SdlWriter::explain(std::string_view text) {
   explanations_.push_back(printable(text));
-  text_ += "// " + explanations_.back() + "\n";
+  line("// " + explanations_.back());
 }
 
 void SdlWriter::line(std::string_view sdl) {
-  text_ += sdl;
-  text_ += '\n';
+  text_.append(sdl);
+  text_.append("\n");
 }
 
 }  // namespace photonproof

@@ -2,8 +2,11 @@
 // leave a comment.
 #pragma once
 
+#include <functional>
+#include <iosfwd>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "scenes/vec.h"
@@ -19,16 +22,30 @@ std::string rounded(double value);
 /// `text` as one line of printable ASCII: control and other bytes become '?'.
 std::string printable(std::string_view text);
 
+/// A text in parts, of which some are made only when they are written, because they are too long to be kept.
+class SdlText {
+ public:
+  void append(std::string_view text);
+  void append(std::function<void(std::ostream&)> part) { parts_.emplace_back(std::move(part)); }
+  void write(std::ostream& out) const;
+  std::string str() const;
+
+ private:
+  std::vector<std::variant<std::string, std::function<void(std::ostream&)>>> parts_;
+};
+
 class SdlWriter {
  public:
   /// A comment line that is also kept as an explanation of the conversion.
   void explain(std::string_view text);
   void line(std::string_view sdl);
-  const std::string& text() const { return text_; }
+  /// Whole lines that `part` writes, whenever and as often as the text is written: what it needs it must own.
+  void later(std::function<void(std::ostream&)> part) { text_.append(std::move(part)); }
+  const SdlText& text() const { return text_; }
   const std::vector<std::string>& explanations() const { return explanations_; }
 
  private:
-  std::string text_;
+  SdlText text_;
   std::vector<std::string> explanations_;
 };
 

@@ -33,7 +33,7 @@ TEST(library, scenes_take_a_size_and_say_what_is_expected_of_them) {
   }
   std::sort(names.begin(), names.end());
   EXPECT_EQ(names, (std::vector<std::string>{"caustic-glass", "cornell", "cornell-spheres", "course-1", "furnace",
-                                             "light-area", "light-point"}));
+                                             "light-area", "light-point", "million"}));
 }
 
 TEST(library, rectangles_of_the_boxes_face_into_them) {

@@ -42,8 +42,9 @@ class MeshReader {
     for (std::size_t e = 0; e < header_.elements.size(); ++e) {
       const Element& element = header_.elements[e];
       const std::vector<Step>& steps = layout_.elements[e];
-      if (steps.empty()) continue;  // rows without values take no room, however many there are
-      check_size(element, in);
+      const std::size_t least = least_bytes<Values>(element);
+      if (least == 0) continue;  // rows without values take no room, however many there are
+      if (element.count > in.remaining() / least) fail_on_size(element, least);
       in.row.element = &element.name;
       if (e == layout_.vertices) {
         read_vertices(in, steps);
@@ -57,17 +58,20 @@ class MeshReader {
     in.finish();
   }
 
-  /// Throws when the rest of the file cannot hold the element's rows, however short their lists are.
+  /// What a row takes in the file when all its lists are empty.
   template <class Values>
-  void check_size(const Element& element, const Values& in) const {
-    std::size_t least = 0;
+  static std::size_t least_bytes(const Element& element) {
+    std::size_t sum = 0;
     for (const Property& property : element.properties)
-      least += Values::least_bytes(property.count_type.value_or(property.type));
-    if (element.count > in.remaining() / least)
-      fail_at_offset(file_, bytes_.substr(0, header_.size), element.offset,
-                     "element '" + element.name + "' has " + std::to_string(element.count) + " rows of at least " +
-                         std::to_string(least) +
-                         " bytes each, more than the rest of the file holds: it is truncated or its header is wrong");
+      sum += Values::least_bytes(property.count_type.value_or(property.type));
+    return sum;
+  }
+
+  [[noreturn]] void fail_on_size(const Element& element, std::size_t least) const {
+    fail_at_offset(file_, bytes_.substr(0, header_.size), element.offset,
+                   "element " + in_quotes(element.name) + " has " + std::to_string(element.count) +
+                       " rows of at least " + std::to_string(least) +
+                       " bytes each, more than the rest of the file holds: it is truncated or its header is wrong");
   }
 
   template <class Values>

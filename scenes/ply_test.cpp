@@ -88,6 +88,12 @@ TEST(ply, leaves_room_for_embree_behind_the_last_position) {
   EXPECT_FALSE(copy.is_padded()) << "a copy is as large as it must be, and no larger";
 }
 
+TEST(ply, shows_no_line_of_a_message_that_is_longer_than_any_line) {
+  const std::string message = message_of(ascii(kVertices + kFaces, std::string(2'000'000, ' ') + "zero"));
+  EXPECT_EQ(message,
+            "mesh.ply:10:2000001: error: vertex 0 has 'zero', expected a number in the range of double precision");
+}
+
 TEST(ply, refuses_a_missing_file) {
   try {
     read_ply("/nonexistent/mesh.ply");

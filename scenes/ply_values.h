@@ -12,6 +12,7 @@
 #include "scenes/ply_header.h"
 #include "scenes/text_numbers.h"
 #include "scenes/text_position.h"
+#include "scenes/utf8.h"
 
 namespace photonproof::ply {
 
@@ -21,7 +22,8 @@ static_assert(std::endian::native == std::endian::little, "loading and storing P
 struct Row {
   const std::string* element = nullptr;
   std::uint64_t number = 0;  ///< from 0
-  std::string text() const { return *element + " " + std::to_string(number); }
+  /// "face 7"; the name is the file's, and so cut and made printable.
+  std::string text() const { return printable(element->substr(0, 60)) + " " + std::to_string(number); }
 };
 
 template <bool kBigEndian>
@@ -86,7 +88,7 @@ class BinaryValues {
   }
   template <class T>
   static T load(const char* p) {
-    std::array<char, sizeof(T)> raw;
+    std::array<char, sizeof(T)> raw{};
     std::memcpy(raw.data(), p, sizeof(T));
     if constexpr (kBigEndian)
       for (std::size_t i = 0; i < sizeof(T) / 2; ++i) std::swap(raw[i], raw[sizeof(T) - 1 - i]);

@@ -1,0 +1,113 @@
+#include "reference/povray_mesh.h"
+
+#include <algorithm>
+#include <charconv>
+#include <limits>
+#include <ostream>
+
+namespace photonproof {
+namespace {
+
+/// Text that goes to a stream in large pieces.
+class Buffered {
+ public:
+  explicit Buffered(std::ostream& out) : out_(out) { text_.reserve(kFull + 256); }
+  ~Buffered() { flush(); }
+  Buffered(const Buffered&) = delete;
+  Buffered& operator=(const Buffered&) = delete;
+
+  Buffered& operator<<(std::string_view text) {
+    text_ += text;
+    return *this;
+  }
+  Buffered& operator<<(float value) { return number(value); }
+  Buffered& operator<<(std::uint64_t value) { return number(value); }
+  void end_line() {
+    text_ += '\n';
+    if (text_.size() >= kFull) flush();
+  }
+
+ private:
+  static constexpr std::size_t kFull = std::size_t{1} << 16;
+  template <class T>
+  Buffered& number(T value) {
+    std::array<char, 32> digits{};
+    text_.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr);
+    return *this;
+  }
+  void flush() {
+    out_.write(text_.data(), static_cast<std::streamsize>(text_.size()));
+    text_.clear();
+  }
+  std::ostream& out_;
+  std::string text_;
+};
+
+}  // namespace
+
+std::array<Vec3d, 8> PovMesh::box_corners() const {
+  std::array<Vec3d, 8> corners;
+  for (std::size_t i = 0; i < 8; ++i)
+    corners[i] = {(i & 1) != 0 ? high.x : low.x, (i & 2) != 0 ? high.y : low.y, (i & 4) != 0 ? high.z : low.z};
+  return corners;
+}
+
+std::array<Vec3d, 3> PovMesh::triangle(std::size_t i) const {
+  const auto& [a, b, c] = mesh->triangles[i];
+  const auto corner = [&](std::uint32_t v) { return to_world.point(Vec3d(mesh->positions[v])); };
+  return {corner(a), corner(flip ? c : b), corner(flip ? b : c)};
+}
+
+bool PovMesh::any_triangle(const std::function<bool(const std::array<Vec3d, 3>&)>& holds) const {
+  for (std::size_t i = 0; i < mesh->triangles.size(); ++i)
+    if (holds(triangle(i))) return true;
+  return false;
+}
+
+PovMesh place_mesh(const ShapeDescription& shape, std::size_t number) {
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  PovMesh placed{std::get<PlyDescription>(shape.geometry).mesh,
+                 shape.to_world,
+                 shape.flip_normals,
+                 number,
+                 0,
+                 Vec3d(inf),
+                 Vec3d(-inf)};
+  for (const Vec3f& local : placed.mesh->positions) {
+    const Vec3d p = shape.to_world.point(Vec3d(local));
+    placed.low = {std::min(placed.low.x, p.x), std::min(placed.low.y, p.y), std::min(placed.low.z, p.z)};
+    placed.high = {std::max(placed.high.x, p.x), std::max(placed.high.y, p.y), std::max(placed.high.z, p.z)};
+  }
+  for (std::size_t i = 0; i < placed.mesh->triangles.size(); ++i) {
+    const auto [a, b, c] = placed.triangle(i);
+    placed.area += length(cross(b - a, c - a)) / 2;
+  }
+  return placed;
+}
+
+void write_mesh_declaration(const PovMesh& mesh, double scale, std::ostream& stream) {
+  Buffered out(stream);
+  out << "#declare Mesh_" << std::uint64_t{mesh.number} << " = mesh2{";
+  out.end_line();
+  out << "vertex_vectors{" << std::uint64_t{mesh.mesh->positions.size()};
+  out.end_line();
+  for (const Vec3f& local : mesh.mesh->positions) {
+    const Vec3f p(mesh.to_world.point(Vec3d(local)) * scale);
+    out << ",<" << p.x << "," << p.y << "," << p.z << ">";
+    out.end_line();
+  }
+  out << "}";
+  out.end_line();
+  out << "face_indices{" << std::uint64_t{mesh.mesh->triangles.size()};
+  out.end_line();
+  for (const auto& [a, b, c] : mesh.mesh->triangles) {
+    // Clockwise seen from the front, other than polygons: it is the side that POV-Ray takes for a triangle's exterior.
+    out << ",<" << std::uint64_t{a} << "," << std::uint64_t{mesh.flip ? b : c} << ","
+        << std::uint64_t{mesh.flip ? c : b} << ">";
+    out.end_line();
+  }
+  out << "}}";
+  out.end_line();
+}
+
+}  // namespace photonproof

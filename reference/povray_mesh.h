@@ -1,0 +1,36 @@
+// A triangle mesh in POV-Ray: its place in the world, and its text, which is as long as the mesh and so is never held
+// in memory.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <iosfwd>
+#include <memory>
+#include <string>
+
+#include "scenes/description.h"
+
+namespace photonproof {
+
+struct PovMesh {
+  std::shared_ptr<const TriangleMesh> mesh;
+  Transform to_world;
+  bool flip = false;       ///< the front is where corners are clockwise
+  std::size_t number = 0;  ///< of its declaration, Mesh_<number>
+  double area = 0;         ///< of all triangles, world space
+  Vec3d low, high;         ///< corners of its box, world space
+
+  std::array<Vec3d, 8> box_corners() const;
+  /// World space, counter-clockwise seen from the front.
+  std::array<Vec3d, 3> triangle(std::size_t i) const;
+  /// Whether any triangle satisfies `holds`.
+  bool any_triangle(const std::function<bool(const std::array<Vec3d, 3>&)>& holds) const;
+};
+
+PovMesh place_mesh(const ShapeDescription& shape, std::size_t number);
+
+/// "#declare Mesh_<number> = mesh2{...}" with lengths times `scale`. Vertices are rounded to single precision, which is
+/// what POV-Ray keeps them in.
+void write_mesh_declaration(const PovMesh& mesh, double scale, std::ostream& out);
+
+}  // namespace photonproof

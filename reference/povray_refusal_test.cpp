@@ -1,0 +1,188 @@
+// Every reason for which a scene is not written for POV-Ray, each with the whole message.
+#include <gtest/gtest.h>
+
+#include "reference/povray_export.h"
+#include "reference/unrepresentable.h"
+#include "scenes/parser.h"
+
+namespace photonproof {
+namespace {
+
+// Shapes may name the meshes of this folder.
+const std::string kScene = PHOTONPROOF_SOURCE_DIR "/scenes/ply_corpus/scene.xml";
+
+const std::string kCamera =
+    "<sensor type='perspective'><transform name='to_world'><lookat origin='0 0 9' target='0 0 0' up='0 1 0'/>"
+    "</transform><film type='hdrfilm'><rfilter type='box'/></film></sensor>\n";
+const std::string kLamp = "<emitter type='point'><point name='position' value='0 5 0'/></emitter>\n";
+const std::string kGlass = "<shape type='sphere'><bsdf type='dielectric'/></shape>\n";
+
+/// What is said about a scene of a camera in line 1, `content` from line 2 on.
+std::string refusal(const std::string& content, const std::string& camera = kCamera,
+                    const PovrayOptions& options = {}) {
+  const SceneDescription scene =
+      parse_scene_text("<scene version='3.0.0'>" + camera + content + "</scene>", kScene, {});
+  try {
+    export_povray(scene, options);
+    return "no refusal";
+  } catch (const InputError& error) {
+    const std::string message = error.summary();
+    return message.rfind(kScene, 0) == 0 ? message.substr(kScene.size() + 1) : message;
+  }
+}
+
+const std::string kNot = " error: not representable in POV-Ray: ";
+
+TEST(povray_refuses, conductors_with_a_complex_index) {
+  EXPECT_EQ(refusal("<shape type='sphere'><bsdf type='conductor'><float name='eta' value='0.2'/><float name='k' "
+                    "value='3'/></bsdf></shape>" +
+                    kLamp),
+            "2:22:" + kNot +
+                "a conductor with a complex index of refraction: POV-Ray's Fresnel reflection is the dielectrics'; "
+                "material 'none' with specular_reflectance can be written");
+}
+
+TEST(povray_refuses, dielectrics_that_reflect_less_than_fresnel_says) {
+  EXPECT_EQ(refusal("<shape type='sphere'><bsdf type='dielectric'><float name='specular_reflectance' value='0.5'/>"
+                    "</bsdf></shape>" +
+                    kLamp),
+            "2:22:" + kNot +
+                "a dielectric with specular_reflectance other than 1: POV-Ray's conserve_energy would transmit what "
+                "the surface does not reflect");
+}
+
+TEST(povray_refuses, rectangles_of_dielectric) {
+  EXPECT_EQ(refusal("<shape type='rectangle'><bsdf type='dielectric'/></shape>" + kLamp),
+            "2:1:" + kNot + "an open surface of dielectric: POV-Ray's index of refraction belongs to a closed body");
+}
+
+TEST(povray_refuses, area_lights_on_mirrors) {
+  EXPECT_EQ(refusal("<shape type='sphere'><bsdf type='conductor'><string name='material' value='none'/></bsdf>"
+                    "<emitter type='area'/></shape>"),
+            "2:1:" + kNot + "an area light on a specular surface; its bsdf must be diffuse");
+}
+
+TEST(povray_refuses, hidden_emitters) {
+  EXPECT_EQ(refusal("<integrator type='path'><boolean name='hide_emitters' value='true'/></integrator>"
+                    "<shape type='sphere'><emitter type='area'/></shape>"),
+            "2:1:" + kNot + "hide_emitters: POV-Ray cannot hide a light from the camera and show it in glass");
+}
+
+TEST(povray_refuses, what_lies_inside_glass) {
+  const std::string reason = " inside or across the dielectric of " + kScene +
+                             ":2:1: POV-Ray does not scale radiance by the squared index of "
+                             "refraction";
+  const std::string small = "<shape type='sphere'><float name='radius' value='0.5'/></shape>";
+  const auto cube_of = [](const std::string& size) {
+    return "<shape type='cube'><transform name='to_world'><scale value='" + size + "'/></transform></shape>";
+  };
+  EXPECT_EQ(refusal(kGlass + cube_of("1") + kLamp), "no refusal") << "around the ball, touching it";
+  EXPECT_EQ(refusal(kGlass + small + kLamp), "3:1:" + kNot + "a surface" + reason);
+  EXPECT_EQ(refusal(kGlass + "<shape type='rectangle'/>" + kLamp), "3:1:" + kNot + "a surface" + reason);
+  EXPECT_EQ(refusal(kGlass + cube_of("0.5") + kLamp), "3:1:" + kNot + "a surface" + reason);
+  EXPECT_EQ(refusal(kGlass + "<emitter type='point'/>"), "3:1:" + kNot + "a light" + reason);
+  EXPECT_EQ(refusal("\n" + kGlass + kLamp,
+                    "<sensor type='perspective'><film type='hdrfilm'><rfilter type='box'/></film></sensor>"),
+            "1:24:" + kNot + "a camera" + reason);
+}
+
+TEST(povray_refuses, meshes_inside_glass_but_not_beside_it) {
+  const auto mesh = [](const std::string& place) {
+    return "<shape type='ply'><string name='filename' value='ascii_quad.ply'/><boolean name='face_normals' "
+           "value='true'/>"
+           "<transform name='to_world'>" +
+           place + "</transform></shape>" + kLamp;
+  };
+  const std::string inside = "3:1:" + kNot + "a surface inside or across the dielectric of " + kScene +
+                             ":2:1: POV-Ray does not scale radiance by the squared index of refraction";
+  EXPECT_EQ(refusal(kGlass + mesh("<scale value='0.1'/>")), inside);
+  EXPECT_EQ(refusal(kGlass + mesh("<translate x='0.9'/>")), inside);
+  // The quad's corner (0,0,0) comes to (1,1,0), sqrt(2) from the centre of the ball of radius 1.
+  EXPECT_EQ(refusal(kGlass + mesh("<translate x='1' y='1'/>")), "no refusal");
+  const std::string box = "<shape type='cube'><bsdf type='dielectric'/></shape>\n";
+  EXPECT_EQ(refusal(box + mesh("<translate x='0.9' y='0.9'/>")), inside);
+  EXPECT_EQ(refusal(box + mesh("<translate x='1.1'/>")), "no refusal");
+}
+
+TEST(povray_refuses, meshes_that_emit_refract_or_are_smooth) {
+  const auto mesh = [](const std::string& more) {
+    return "<shape type='ply'><string name='filename' value='ascii_quad.ply'/>" + more + "</shape>" + kLamp;
+  };
+  const std::string flat = "<boolean name='face_normals' value='true'/>";
+  EXPECT_EQ(refusal(mesh(flat + "<emitter type='area'/>")),
+            "2:1:" + kNot + "an area light on a triangle mesh: only rectangles, cubes and spheres become points");
+  EXPECT_EQ(refusal(mesh(flat + "<bsdf type='dielectric'/>")),
+            "2:1:" + kNot +
+                "a triangle mesh of dielectric: POV-Ray's index of refraction belongs to a closed body, and nothing "
+                "says that the mesh is one");
+  EXPECT_EQ(
+      refusal(mesh("")),
+      "2:1:" + kNot + "a triangle mesh with interpolated shading normals; one with face_normals true can be written");
+  EXPECT_EQ(refusal(mesh(flat)), "no refusal");
+}
+
+TEST(povray_refuses, path_lengths_that_it_cannot_cut_at) {
+  const auto depth = [](int n) {
+    return "<integrator type='path'><integer name='max_depth' value='" + std::to_string(n) + "'/></integrator>";
+  };
+  const std::string around =
+      "<shape type='sphere'><float name='radius' value='50'/><boolean name='flip_normals' value='true'/>"
+      "<emitter type='area'/></shape>";
+  EXPECT_EQ(refusal(depth(5) + around + kLamp),
+            "2:1:" + kNot +
+                "max_depth in a scene lit both by a light around it and by others: POV-Ray counts their bounces "
+                "differently");
+  EXPECT_EQ(refusal(depth(-1) + around + kLamp), "no refusal");
+  EXPECT_EQ(
+      refusal(depth(3) + kGlass + kLamp),
+      "2:1:" + kNot + "max_depth 3 with mirrors or glass: POV-Ray does not count specular bounces as part of a path");
+  EXPECT_EQ(refusal(depth(4) + kGlass + kLamp), "no refusal");
+}
+
+std::string camera_with(const std::string& parameters, const std::string& turn = "") {
+  return "<sensor type='perspective'>" + parameters + "<transform name='to_world'>" + turn +
+         "<lookat origin='0 0 9' target='0 0 0' up='0 1 0'/></transform><film type='hdrfilm'><rfilter type='box'/>"
+         "</film></sensor>\n";
+}
+
+TEST(povray_refuses, what_clip_planes_would_cut_out) {
+  EXPECT_EQ(
+      refusal("<shape type='sphere'/>" + kLamp, camera_with("<float name='far_clip' value='8.5'/>")),
+      "2:1:" + kNot + "part of this surface lies beyond the camera's far_clip of 8.5, and POV-Ray has no clip planes");
+  const std::string near =
+      "part of this surface lies before the camera's near_clip of 8.5, POV-Ray has no clip planes, "
+      "and it cannot be left out without changing the light";
+  EXPECT_EQ(refusal("<shape type='sphere'/>" + kLamp, camera_with("<float name='near_clip' value='8.5'/>")),
+            "2:1:" + kNot + near);
+  // The quad reaches from z = 0 to 0.5; the camera at z = 9 is 8.5 away from its nearest corner.
+  const std::string mesh =
+      "<shape type='ply'><string name='filename' value='ascii_quad.ply'/><boolean name='face_normals' value='true'/>"
+      "</shape>" +
+      kLamp;
+  EXPECT_EQ(refusal(mesh, camera_with("<float name='near_clip' value='8.4'/>")), "no refusal");
+  EXPECT_EQ(refusal(mesh, camera_with("<float name='near_clip' value='8.6'/>")),
+            "2:1:" + kNot +
+                "part of this surface lies before the camera's near_clip of 8.6, POV-Ray has no clip planes, and it "
+                "cannot be left out without changing the light");
+  EXPECT_EQ(
+      refusal(mesh, camera_with("<float name='far_clip' value='8.9'/>")),
+      "2:1:" + kNot + "part of this surface lies beyond the camera's far_clip of 8.9, and POV-Ray has no clip planes");
+}
+
+TEST(povray_refuses, skewed_cameras) {
+  SceneDescription scene = parse_scene_text("<scene version='3.0.0'>" + kCamera + kLamp + "</scene>", kScene, {});
+  scene.sensor.to_world.m[1] = 0.1;
+  try {
+    export_povray(scene, {});
+    FAIL();
+  } catch (const Unrepresentable& error) {
+    EXPECT_EQ(error.summary(), kScene + ":1:24:" + kNot + "a camera whose axes are not perpendicular");
+  }
+}
+
+TEST(povray_refuses, unknown_quality) {
+  EXPECT_EQ(refusal(kLamp, kCamera, {.quality = 4}), "--quality: error: 4 is not a preset, expected 1, 2 or 3");
+}
+
+}  // namespace
+}  // namespace photonproof

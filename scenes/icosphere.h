@@ -1,0 +1,17 @@
+// The unit sphere as triangles of almost one size: an icosahedron whose triangles are cut into four, again and again.
+#pragma once
+
+#include <vector>
+
+#include "scenes/mesh.h"
+
+namespace photonproof {
+
+struct Icosphere {
+  std::vector<Vec3d> directions;                  ///< unit length, 10 * 4^level + 2 of them
+  std::vector<TriangleMesh::Triangle> triangles;  ///< facing outward, 20 * 4^level of them
+};
+
+Icosphere make_icosphere(int level);
+
+}  // namespace photonproof
