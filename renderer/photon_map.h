@@ -20,8 +20,10 @@ class PhotonMap {
   enum class Layout { dense, compact };
 
   PhotonMap() = default;
-  /// Cells are `radius` wide (wider only where an axis would have more than 2^21); queries may use any radius, and are
-  /// fastest near that one. The same map at any number of threads. Fewer than 2^31 photons, whose arrays the map keeps.
+  /// Cells are `radius` wide, or twice that where there would be more than 8 for each photon and 2^18 more; if there
+  /// still are, the map is compact. (Wider only where an axis would have more than 2^21.) Queries may use any radius,
+  /// and are fastest near that one. The same map at any number of threads. Fewer than 2^31 photons, whose arrays the
+  /// map keeps.
   PhotonMap(Photons photons, float radius, const Threads& threads);
 
   std::size_t size() const { return count_; }
