@@ -15,6 +15,7 @@
 #include "harness/verbs.h"
 #include "renderer/integrator.h"
 #include "renderer/parallel.h"
+#include "renderer/plan.h"
 #include "renderer/timer.h"
 #include "renderer/version.h"
 #include "scenes/atomic_file.h"
@@ -34,6 +35,8 @@ struct RenderArguments {
   int grid = 0;
   SamplerKind sampler = SamplerKind::sobol;
   std::string isa;
+  std::vector<std::string> no_skip;
+  bool plan = false;
   bool json = false;
   bool quiet = false;
 };
@@ -43,8 +46,16 @@ std::size_t non_finite_values(const Image& image) {
       std::count_if(image.rgb.begin(), image.rgb.end(), [](float v) { return !std::isfinite(v); }));
 }
 
+nlohmann::ordered_json plan_json(const RenderPlan& plan) {
+  nlohmann::ordered_json runs, skips;
+  for (const PlanStep& step : plan.runs) runs[step.what] = step.how;
+  for (const RenderPlan::Decision& d : plan.decisions)
+    skips[skip_table()[static_cast<std::size_t>(d.skip)].name] = {{"skipped", d.skipped}, {"why", d.why}};
+  return {{"integrator", plan.integrator}, {"isa", plan.isa}, {"lanes", plan.lanes}, {"runs", runs}, {"skips", skips}};
+}
+
 nlohmann::ordered_json stats_json(const RenderArguments& arguments, const Scene& scene, const std::string& integrator,
-                                  const RenderStats& stats, int threads) {
+                                  const RenderStats& stats, const RenderPlan& plan, int threads) {
   return {{"schema_version", 1},
           {"engine", "photonproof " + integrator},
           {"version", version_line()},
@@ -56,11 +67,14 @@ nlohmann::ordered_json stats_json(const RenderArguments& arguments, const Scene&
           {"interrupted", stats.interrupted},
           {"phases", stats.phases},
           {"counts", stats.counts},
-          {"skipped", stats.skipped}};
+          {"skipped", stats.skipped},
+          {"plan", plan_json(plan)}};
 }
 
 int run_render(const RenderArguments& arguments) {
-  const std::string stats_path = checked_stats_path(arguments.stats_path, arguments.output, arguments.scene.path);
+  if (arguments.output.empty() && !arguments.plan) throw InputError("--output", "is required, as the EXR to write");
+  const std::string stats_path =
+      arguments.plan ? "" : checked_stats_path(arguments.stats_path, arguments.output, arguments.scene.path);
   RenderStats stats;
   const Timer load_timer;
   SceneDescription description = load_scene(arguments.scene);
@@ -71,7 +85,8 @@ int run_render(const RenderArguments& arguments) {
 
   const Timer compile_timer;
   const FilmDescription film_size = description.sensor.film;
-  const Scene scene(description, film_size.width, film_size.height);
+  const SkipSwitches skips(arguments.no_skip);
+  const Scene scene(description, film_size.width, film_size.height, skips);
   stats.phases["compile"] = compile_timer.seconds();
 
   RenderJob job;
@@ -81,9 +96,16 @@ int run_render(const RenderArguments& arguments) {
   job.grid = arguments.grid;
   job.sampler = arguments.sampler;
   job.isa = arguments.isa;
+  job.skips = skips;
   job.sample_count = description.sensor.sample_count;
   job.interrupt = &interrupt_flag();
   job.progress = progress_line(arguments.quiet);
+
+  const RenderPlan plan = plan_render(scene, method, job);
+  if (arguments.plan) {
+    std::printf("%s", arguments.json ? (plan_json(plan).dump(2) + "\n").c_str() : plan_text(plan).c_str());
+    return 0;
+  }
 
   Film film(scene.width, scene.height);
   find_integrator(name)->render(scene, method, job, film, stats);
@@ -97,7 +119,8 @@ int run_render(const RenderArguments& arguments) {
   write_exr(arguments.output, rendering);
   stats.phases["write"] = write_timer.seconds();
 
-  const nlohmann::ordered_json json = stats_json(arguments, scene, name, stats, Threads(arguments.threads).count());
+  const nlohmann::ordered_json json =
+      stats_json(arguments, scene, name, stats, plan, Threads(arguments.threads).count());
   write_file_atomically(stats_path, json.dump(2) + "\n");
 
   if (arguments.json) {
@@ -123,7 +146,7 @@ void add_render_verb(CLI::App& program, int& exit_code) {
   CLI::App* verb =
       program.add_subcommand("render", "Render a scene to an EXR with per-pixel variance and a stats JSON");
   add_scene_options(*verb, arguments->scene);
-  verb->add_option("-o,--output", arguments->output, "EXR to write")->required();
+  verb->add_option("-o,--output", arguments->output, "EXR to write");
   verb->add_option("--stats", arguments->stats_path, "stats JSON to write (default: beside the EXR, .stats.json)");
   std::vector<std::string> names;
   for (const Integrator& row : integrators()) names.emplace_back(row.name);
@@ -148,6 +171,10 @@ void add_render_verb(CLI::App& program, int& exit_code) {
   for (const Kernels* kernels : available_kernels()) isas.emplace_back(kernels->isa);
   verb->add_option("--isa", arguments->isa, "instruction set of the kernels (default: the best this processor has)")
       ->check(CLI::IsMember(isas));
+  verb->add_option("--no-skip", arguments->no_skip,
+                   "do what the plan would skip: a name that --plan prints, or 'all'; the image stays the same")
+      ->type_name("NAME");
+  verb->add_flag("--plan", arguments->plan, "print what would run and what would be skipped, and why; render nothing");
   verb->add_flag("--json", arguments->json, "print the stats as JSON");
   verb->add_flag("--quiet", arguments->quiet, "no progress line");
   verb->callback([arguments, &exit_code] { exit_code = run_render(*arguments); });

@@ -12,6 +12,7 @@
 #include "renderer/film.h"
 #include "renderer/isa.h"
 #include "renderer/scene.h"
+#include "renderer/skips.h"
 
 namespace photonproof {
 
@@ -29,7 +30,8 @@ struct RenderJob {
   int grid = 0;          ///< k > 0: samples on the centres of a k x k grid in the pixel, as POV-Ray's are; 0: random
   int sample_count = 4;  ///< of the scene file
   SamplerKind sampler = SamplerKind::sobol;
-  std::string isa;  ///< instruction set of the kernels; empty: the best there is
+  SkipSwitches skips;  ///< the ones the scene was compiled with
+  std::string isa;     ///< instruction set of the kernels; empty: the best there is
   const std::atomic<bool>* interrupt = nullptr;
   std::function<void(double fraction, const std::string& phase)> progress;  ///< from one thread at a time; may be empty
 

@@ -6,6 +6,7 @@
 
 #include "renderer/parallel.h"
 #include "renderer/pass_schedule.h"
+#include "renderer/plan.h"
 #include "renderer/ray_totals.h"
 #include "renderer/tile_film.h"
 
@@ -14,9 +15,9 @@ namespace photonproof {
 void render_path(const Scene& scene, const IntegratorDescription& description, const RenderJob& job, Film& film,
                  RenderStats& stats) {
   const auto asked = std::get<PathDescription>(description.method);
-  const PathSettings settings{asked.max_depth, asked.rr_depth, asked.hide_emitters, scene.view().lights_can_be_hit};
-  if (!settings.weighted)
-    stats.skipped.emplace_back("multiple importance sampling: every light is a point, no ray can hit one");
+  const RenderPlan plan = plan_render(scene, description, job);
+  stats.skipped = plan.skipped();
+  const PathSettings settings{asked.max_depth, asked.rr_depth, asked.hide_emitters, !plan.skips(Skip::mis)};
 
   const PhaseTimer phase(stats.phases["render"]);
   const Threads threads(job.threads);

@@ -16,8 +16,8 @@
 #include "renderer/photon_map.h"
 #include "renderer/photon_radius.h"
 #include "renderer/photon_tracing.h"
+#include "renderer/plan.h"
 #include "renderer/query_order.h"
-#include "renderer/scene_facts.h"
 #include "renderer/tile_film.h"
 
 namespace photonproof {
@@ -74,29 +74,6 @@ void add_photons(const MapState& state, const Scene& scene, const Kernels& kerne
     out[1] += added.y;
     out[2] += added.z;
   }
-}
-
-/// Decides which maps the scene needs, and says why one is not made.
-void plan_maps(const Scene& scene, const PhotonMapperDescription& settings, const RenderBudget& budget, Maps& maps,
-               RenderStats& stats) {
-  const SceneFacts facts = analyse(scene);
-  maps.global.total = budget.photons.value_or(settings.global_photons);
-  maps.caustic.total = budget.photons.value_or(settings.caustic_photons);
-  // The shortest path through a map has two edges of the light's and one of the camera's.
-  const bool deep_enough = settings.max_depth < 0 || settings.max_depth >= 3;
-  const auto decide = [&](MapState& state, bool possible, const char* why_not) {
-    const char* reason = !deep_enough           ? "paths of max_depth edges are too short for it"
-                         : !possible            ? why_not
-                         : scene.lights.empty() ? "no light"
-                         : state.total <= 0     ? "no photons asked for"
-                                                : nullptr;
-    state.wanted = reason == nullptr;
-    if (reason != nullptr) stats.skipped.push_back(std::string(state.name) + " photon map: " + reason);
-  };
-  decide(maps.global, facts.diffuse_interreflection,
-         facts.any_diffuse ? "no two diffuse surfaces see each other" : "no diffuse surface reflects");
-  decide(maps.caustic, facts.any_specular && facts.any_diffuse,
-         facts.any_specular ? "no diffuse surface reflects" : "no specular surface");
 }
 
 /// A map without a radius gets one from the pilot; a map whose pilot stores nothing is small enough for any radius.
@@ -159,7 +136,12 @@ void render_photon_mapper(const Scene& scene, const IntegratorDescription& descr
   const Threads threads(job.threads);
   RayTotals totals;
   Maps maps;
-  plan_maps(scene, settings, job.budget, maps, stats);
+  const RenderPlan plan = plan_render(scene, description, job);
+  stats.skipped = plan.skipped();
+  maps.global.wanted = !plan.skips(Skip::global_map);
+  maps.global.total = job.budget.photons.value_or(settings.global_photons);
+  maps.caustic.wanted = !plan.skips(Skip::caustic_map);
+  maps.caustic.total = job.budget.photons.value_or(settings.caustic_photons);
   {
     const PhaseTimer phase(stats.phases["pilot"]);
     choose_radii(scene, settings, job, maps, threads, totals);

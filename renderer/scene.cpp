@@ -1,6 +1,7 @@
 #include "renderer/scene.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -112,7 +113,7 @@ std::vector<float> flat_records(const std::vector<typename List::Variant>& varia
 
 }  // namespace
 
-Scene::Scene(const SceneDescription& description, int width_, int height_, std::size_t small_limit)
+Scene::Scene(const SceneDescription& description, int width_, int height_, const SkipSwitches& skips)
     : width(width_), height(height_) {
   const Bounds bounds = bounds_of(description);
   moved_ = origin_shift(bounds);
@@ -128,7 +129,8 @@ Scene::Scene(const SceneDescription& description, int width_, int height_, std::
   const double largest = max_component(extent);
   view_.coordinate_floor = std::isfinite(largest) ? static_cast<float>(largest / 16) : 1;
 
-  small_ = primitives_ <= small_limit ? std::make_unique<SmallSceneTables>(surfaces) : nullptr;
+  small_ =
+      primitives_ <= small_scene_limit && skips.on(Skip::bvh) ? std::make_unique<SmallSceneTables>(surfaces) : nullptr;
   if (small_ == nullptr) tracer_ = std::make_unique<Tracer>(surfaces);
   view_.small = small_ != nullptr;
   if (small_ != nullptr) view_.primitives = small_->view();
@@ -154,6 +156,9 @@ Scene::Scene(const SceneDescription& description, int width_, int height_, std::
   view_.lights = light_records_.data();
   view_.light_words = light_words_.data();
   view_.light_count = static_cast<std::uint32_t>(lights.size());
+  view_.one_light = lights.size() == 1 && skips.on(Skip::light_choice);
+  view_.one_bsdf_kind = std::has_single_bit(view_.bsdf_kinds) && skips.on(Skip::bsdf_groups);
+  view_.dark_shadow_rays = !skips.on(Skip::shadow_rays);
 }
 
 Scene::~Scene() = default;

@@ -9,6 +9,7 @@
 #include "renderer/camera.h"
 #include "renderer/light.h"
 #include "renderer/scene_view.h"
+#include "renderer/skips.h"
 #include "renderer/surface.h"
 #include "renderer/trace.h"
 #include "scenes/description.h"
@@ -17,14 +18,13 @@ namespace photonproof {
 
 class SmallSceneTables;
 
-/// Up to this many primitives are tested one after the other instead of through Embree.
+/// Up to this many primitives are tested one after the other instead of through Embree (bench_rays).
 inline constexpr std::size_t small_scene_limit = 64;
 
 class Scene {
  public:
-  /// `width`, `height` override the film's size. Scenes of at most `small_limit` primitives need no Embree. Throws
-  /// InputError at an entity it cannot represent.
-  Scene(const SceneDescription& description, int width, int height, std::size_t small_limit = small_scene_limit);
+  /// `width`, `height` override the film's size. Throws InputError at an entity it cannot represent.
+  Scene(const SceneDescription& description, int width, int height, const SkipSwitches& skips = {});
   ~Scene();
   Scene(const Scene&) = delete;
   Scene& operator=(const Scene&) = delete;

@@ -59,7 +59,10 @@ struct CameraView {
 };
 
 struct SceneView {
-  bool small = false;  ///< `primitives` holds everything, `tracer` is not needed
+  bool one_light = false;         ///< none is chosen
+  bool one_bsdf_kind = false;     ///< lanes need no sorting
+  bool dark_shadow_rays = false;  ///< shadow rays are traced even where they can bring no light
+  bool small = false;             ///< `primitives` holds everything, `tracer` is not needed
   SmallSceneView primitives;
   const Tracer* tracer = nullptr;
   const SurfaceWords* surfaces = nullptr;

@@ -64,7 +64,7 @@ class BatchKernel {
 
   /// Lets lanes at `surface` wait until their BSDF's kind is shaded.
   void wait(const Waiting<F>& state, const UInt<F>& surface, const Mask<F>& alive) {
-    if (std::has_single_bit(scene_.bsdf_kinds)) {
+    if (scene_.one_bsdf_kind) {
       queues_[static_cast<std::size_t>(std::countr_zero(scene_.bsdf_kinds))].append(state, alive);
       return;
     }

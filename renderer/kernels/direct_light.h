@@ -37,7 +37,8 @@ Vec3<F> estimate_direct(const SceneView& scene, const SurfaceHit<F>& hit, const 
   });
   const Vec3<F> wi_local = frame.to_local(s.wi_world);
   const Vec3<F> f = bsdf.eval(wo_local, wi_local);
-  const Mask<F> lit = active && s.pdf > 0 && max_component(f) > 0;
+  const Mask<F> bright = active && s.pdf > 0 && max_component(f) > 0;
+  const Mask<F> lit = scene.dark_shadow_rays ? active : bright;
   if (!any(lit)) return Vec3<F>(F(0.0f));
   counts.shadow += count_lanes(lit);
 
@@ -45,7 +46,7 @@ Vec3<F> estimate_direct(const SceneView& scene, const SurfaceHit<F>& hit, const 
   Vec3<F> to = s.p_light;
   if (!scene.small && any(is_surface))
     to = select(is_surface, offset_from(to, s.normal_light, Vec3<F>(-s.wi_world), scene.coordinate_floor), to);
-  const Mask<F> visible = lit && !occluded(scene, from, Vec3<F>(to - from), hit.primitive, choice.primitive, lit);
+  const Mask<F> visible = bright && !occluded(scene, from, Vec3<F>(to - from), hit.primitive, choice.primitive, lit);
 
   const F pdf = s.pdf * choice.probability;
   F weight = lane_abs(wi_local.z) / pdf;

@@ -32,7 +32,7 @@ struct LightChoice {
 template <class F>
 LightChoice<F> choose_light(const SceneView& scene, const F& u) {
   const LightWords* first = scene.light_words;
-  if (scene.light_count == 1) return {UInt<F>(0u), F(1.0f), UInt<F>(first->primitive)};
+  if (scene.one_light) return {UInt<F>(0u), F(1.0f), UInt<F>(first->primitive)};
   const auto* words = reinterpret_cast<const std::uint32_t*>(first);
   const auto count = static_cast<float>(scene.light_count);
   const F scaled = u * count;
@@ -53,7 +53,7 @@ F direct_light_pdf(const SceneView& scene, const UInt<F>& light, const Mask<F>& 
   for_each_light_kind<F>(scene, light, active, [&](const auto& record, const Mask<F>& lanes) {
     pdf = select(lanes, record.pdf(p_from, p, normal), pdf);
   });
-  if (scene.light_count == 1) return pdf;
+  if (scene.one_light) return pdf;
   return pdf * gather(&scene.light_words->probability, light * LightWords::stride);
 }
 

@@ -148,7 +148,7 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, PathAtSurface, F
                         const U& dimension, const Mask<F>& active) {
     PathState<F>& s = at.path;
     F u_choice(0.0f);
-    if (scene_.light_count > 1) u_choice = draw_independent<F>(s.key, s.index, U(dimension + 2u));
+    if (!scene_.one_light) u_choice = draw_independent<F>(s.key, s.index, U(dimension + 2u));
     const Vec2<F> u_point = draw2<F>(task_.camera.sampler, s.key, s.index, dimension);
     const SurfaceHit<F> hit{active, at.p, at.normal, at.surface, s.from};
     s.radiance += s.throughput * estimate_direct<F>(scene_, hit, bsdf, frame, wo_local, task_.settings.weighted,

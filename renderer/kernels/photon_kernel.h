@@ -59,7 +59,7 @@ class PhotonKernel : public BatchKernel<PhotonKernel<F>, PhotonState, PhotonAtSu
     PhotonState<F> s;
     s.path = lane_index<F>() + first;
     F u_light(0.0f);
-    if (scene_.light_count > 1) u_light = draw(s, 2u).x;
+    if (!scene_.one_light) u_light = draw(s, 2u).x;
     const LightChoice<F> choice = choose_light(scene_, u_light);
     const Vec2<F> u_position = draw(s, 0u);
     const Vec2<F> u_direction = draw(s, 1u);

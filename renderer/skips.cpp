@@ -1,0 +1,34 @@
+#include "renderer/skips.h"
+
+#include "scenes/input_error.h"
+
+namespace photonproof {
+
+const std::vector<SkipRow>& skip_table() {
+  static const std::vector<SkipRow> table{
+      {Skip::bvh, "bvh", "Embree and its hierarchy"},
+      {Skip::mis, "mis", "weights against lights that rays meet by themselves"},
+      {Skip::light_choice, "light-choice", "the random choice among lights"},
+      {Skip::bsdf_groups, "bsdf-groups", "sorting lanes by the kind of their BSDF"},
+      {Skip::shadow_rays, "shadow-rays", "shadow rays to lights that a cosine of 0 hides"},
+      {Skip::global_map, "global-map", "the global photon map"},
+      {Skip::caustic_map, "caustic-map", "the caustic photon map"},
+  };
+  return table;
+}
+
+SkipSwitches::SkipSwitches(const std::vector<std::string>& names_switched_off) {
+  for (const std::string& name : names_switched_off) {
+    bool known = false;
+    std::string names;
+    for (const SkipRow& row : skip_table()) {
+      names += std::string(row.name) + ", ";
+      if (name != row.name && name != "all") continue;
+      switch_off(row.skip);
+      known = true;
+    }
+    if (!known) throw InputError("--no-skip", "there is no skip '" + name + "', expected one of " + names + "all");
+  }
+}
+
+}  // namespace photonproof

@@ -1,0 +1,116 @@
+// Nothing that a plan leaves out may change the image.
+
+#include "renderer/skips.h"
+
+#include <gtest/gtest.h>
+
+#include "renderer/plan.h"
+#include "renderer/test_scenes.h"
+
+namespace photonproof {
+namespace {
+
+Rendering render_without(const SceneDescription& description, const char* integrator,
+                         const std::vector<std::string>& switched_off) {
+  RenderJob job = test::job_with(8, 20'000);
+  job.skips = SkipSwitches(switched_off);
+  const FilmDescription size = description.sensor.film;
+  const Scene scene(description, size.width, size.height, job.skips);
+  Film film(size.width, size.height);
+  RenderStats stats;
+  find_integrator(integrator)->render(scene, with_integrator(description.integrator, integrator), job, film, stats);
+  return film.develop();
+}
+
+std::vector<SceneDescription> scenes() {
+  return {test::room(24, false), test::room(24, true), test::floor_under_point_light(24), test::furnace(0.5, 1, 24)};
+}
+
+TEST(skips, each_switched_off_alone_leaves_every_bit_of_the_image) {
+  for (const SceneDescription& scene : scenes()) {
+    for (const char* integrator : {"path", "photonmapper"}) {
+      const Rendering with_all = render_without(scene, integrator, {});
+      for (const SkipRow& row : skip_table()) {
+        if (row.skip == Skip::bvh) continue;  // other arithmetic: below
+        EXPECT_EQ(render_without(scene, integrator, {row.name}).mean.rgb, with_all.mean.rgb)
+            << integrator << ' ' << row.name;
+      }
+    }
+  }
+}
+
+TEST(skips, embree_and_the_packed_kernel_give_the_same_image_up_to_rounding) {
+  // Rounding moves a few paths across an edge of something; those differ wholly, the others in the last digits.
+  for (const SceneDescription& scene : scenes()) {
+    const Rendering packed = render_without(scene, "path", {});
+    const Rendering embree = render_without(scene, "path", {"bvh"});
+    int different = 0;
+    for (std::size_t i = 0; i < packed.mean.rgb.size(); ++i) {
+      const float a = packed.mean.rgb[i], b = embree.mean.rgb[i];
+      if (std::abs(a - b) > 1e-4f * (std::abs(a) + std::abs(b))) ++different;
+    }
+    EXPECT_LT(different, static_cast<int>(packed.mean.rgb.size() / 50));
+    EXPECT_NEAR(test::image_mean(packed.mean), test::image_mean(embree.mean), 5e-3 * test::image_mean(packed.mean));
+  }
+}
+
+TEST(skips, the_plan_says_what_the_scene_does_not_need_and_why) {
+  const SceneDescription description = test::floor_under_point_light(8);
+  const Scene scene(description, 8, 8);
+  RenderJob job;
+  job.isa = "scalar";
+  const IntegratorDescription mapper = with_integrator(description.integrator, "photonmapper");
+  EXPECT_EQ(plan_text(plan_render(scene, mapper, job)),
+            "photonmapper, kernels scalar (1 lane)\n"
+            "runs\n"
+            "  camera paths        to their first diffuse surface, where photons within a fixed radius are looked up; "
+            "paths of any length\n"
+            "  rays                packed kernel over all primitives\n"
+            "skips\n"
+            "  global-map          the global photon map: no two diffuse surfaces see each other\n"
+            "  caustic-map         the caustic photon map: no specular surface\n"
+            "  bvh                 Embree and its hierarchy: 1 primitive, tested one after the other\n"
+            "  bsdf-groups         sorting lanes by the kind of their BSDF: all BSDFs are of one kind\n"
+            "  light-choice        the random choice among lights: 1 light\n"
+            "  shadow-rays         shadow rays to lights that a cosine of 0 hides: where the light or the BSDF gives "
+            "nothing, none is traced\n");
+}
+
+TEST(skips, a_switch_that_is_off_is_in_the_plan) {
+  const SceneDescription description = test::floor_under_point_light(8);
+  RenderJob job;
+  job.skips = SkipSwitches({"mis"});
+  const Scene scene(description, 8, 8, job.skips);
+  const RenderPlan plan = plan_render(scene, with_integrator(description.integrator, "path"), job);
+  EXPECT_FALSE(plan.skips(Skip::mis));
+  EXPECT_NE(plan_text(plan).find("switched off by --no-skip, though every light is a point"), std::string::npos);
+}
+
+TEST(skips, fewer_shadow_rays_are_traced_where_cosines_hide_the_light) {
+  const SceneDescription description = test::room(16, true);
+  const auto shadow_rays = [&](const std::vector<std::string>& off) {
+    RenderJob job = test::job_with(4);
+    job.skips = SkipSwitches(off);
+    const Scene scene(description, 16, 16, job.skips);
+    Film film(16, 16);
+    RenderStats stats;
+    find_integrator("path")->render(scene, with_integrator(description.integrator, "path"), job, film, stats);
+    return stats.counts["rays_shadow"];
+  };
+  EXPECT_LT(shadow_rays({}), 0.95 * shadow_rays({"shadow-rays"}));
+}
+
+TEST(skips, an_unknown_name_is_refused_with_the_known_ones) {
+  try {
+    SkipSwitches({"bhv"});
+    FAIL();
+  } catch (const InputError& e) {
+    EXPECT_STREQ(
+        e.what(),
+        "--no-skip: error: there is no skip 'bhv', expected one of bvh, mis, light-choice, bsdf-groups, shadow-rays, "
+        "global-map, caustic-map, all");
+  }
+}
+
+}  // namespace
+}  // namespace photonproof
