@@ -113,7 +113,8 @@ std::vector<float> flat_records(const std::vector<typename List::Variant>& varia
 
 }  // namespace
 
-Scene::Scene(const SceneDescription& description, int width_, int height_, const SkipSwitches& skips)
+Scene::Scene(const SceneDescription& description, int width_, int height_, const SkipSwitches& skips,
+             std::size_t small_limit)
     : width(width_), height(height_) {
   const Bounds bounds = bounds_of(description);
   moved_ = origin_shift(bounds);
@@ -130,7 +131,7 @@ Scene::Scene(const SceneDescription& description, int width_, int height_, const
   view_.coordinate_floor = std::isfinite(largest) ? static_cast<float>(largest / 16) : 1;
 
   small_ =
-      primitives_ <= small_scene_limit && skips.on(Skip::bvh) ? std::make_unique<SmallSceneTables>(surfaces) : nullptr;
+      primitives_ <= small_limit && skips.on(Skip::bvh) ? std::make_unique<SmallSceneTables>(surfaces) : nullptr;
   if (small_ == nullptr) tracer_ = std::make_unique<Tracer>(surfaces);
   view_.small = small_ != nullptr;
   if (small_ != nullptr) view_.primitives = small_->view();

@@ -117,6 +117,38 @@ RTCRay ray_of_lane(const RayBlock& rays, std::size_t i, float t_far) {
           .flags = 0};
 }
 
+void intersect_one(RTCScene scene, RTCRayHit& query) {
+#ifdef PHOTONPROOF_EMBREE4
+  rtcIntersect1(scene, &query, nullptr);
+#else
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcIntersect1(scene, &context, &query);
+#endif
+}
+
+bool is_occluded(RTCScene scene, RTCRay query) {
+#ifdef PHOTONPROOF_EMBREE4
+  rtcOccluded1(scene, &query, nullptr);
+#else
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcOccluded1(scene, &context, &query);
+#endif
+  return query.tfar < 0;
+}
+
+void intersect_packet(RTCScene scene, const int* valid, RTCRayHit16& query) {
+#ifdef PHOTONPROOF_EMBREE4
+  rtcIntersect16(valid, scene, &query, nullptr);
+#else
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  rtcIntersect16(valid, scene, &context, &query);
+#endif
+}
+
 [[noreturn]] void fail(RTCDevice device, const char* what) {
   throw std::runtime_error(std::string("Embree: ") + what + " failed (error " +
                            std::to_string(static_cast<int>(rtcGetDeviceError(device))) + ")");
@@ -239,10 +271,6 @@ Tracer::~Tracer() = default;
 void Tracer::intersect(const RayBlock& rays, HitBlock& hits, bool coherent) const {
   const std::uint32_t lanes = traceable(rays);
   std::fill_n(hits.surface, RayBlock::width, no_index);
-#ifndef PHOTONPROOF_EMBREE4
-  RTCIntersectContext context{};
-  rtcInitIntersectContext(&context);
-#endif
   const auto store = [&](std::size_t i, unsigned geometry, unsigned primitive, float u, float v, float t) {
     if (geometry == RTC_INVALID_GEOMETRY_ID) return;
     const Vec3f near{rays.origin_x[i] + t * rays.direction_x[i], rays.origin_y[i] + t * rays.direction_y[i],
@@ -275,12 +303,7 @@ void Tracer::intersect(const RayBlock& rays, HitBlock& hits, bool coherent) cons
       query.ray.flags[i] = 0;
       query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
     }
-#ifdef PHOTONPROOF_EMBREE4
-    rtcIntersect16(valid, impl_->scene, &query, nullptr);
-#else
-    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-    rtcIntersect16(valid, impl_->scene, &context, &query);
-#endif
+    intersect_packet(impl_->scene, valid, query);
     for (std::size_t i = 0; i < 16; ++i)
       if (valid[i] != 0)
         store(i, query.hit.geomID[i], query.hit.primID[i], query.hit.u[i], query.hit.v[i], query.ray.tfar[i]);
@@ -291,31 +314,40 @@ void Tracer::intersect(const RayBlock& rays, HitBlock& hits, bool coherent) cons
     RTCRayHit query;
     query.ray = ray_of_lane(rays, i, std::numeric_limits<float>::infinity());
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-#ifdef PHOTONPROOF_EMBREE4
-    rtcIntersect1(impl_->scene, &query, nullptr);
-#else
-    rtcIntersect1(impl_->scene, &context, &query);
-#endif
+    intersect_one(impl_->scene, query);
     store(i, query.hit.geomID, query.hit.primID, query.hit.u, query.hit.v, query.ray.tfar);
   }
 }
 
 void Tracer::occluded(const RayBlock& rays, std::uint32_t* blocked) const {
   std::fill_n(blocked, RayBlock::width, 0u);
-#ifndef PHOTONPROOF_EMBREE4
-  RTCIntersectContext context{};
-  rtcInitIntersectContext(&context);
-#endif
   for (std::uint32_t bits = traceable(rays); bits != 0; bits &= bits - 1) {
     const auto i = static_cast<std::size_t>(std::countr_zero(bits));
-    RTCRay query = ray_of_lane(rays, i, 1);
-#ifdef PHOTONPROOF_EMBREE4
-    rtcOccluded1(impl_->scene, &query, nullptr);
-#else
-    rtcOccluded1(impl_->scene, &context, &query);
-#endif
-    blocked[i] = query.tfar < 0 ? 1 : 0;
+    blocked[i] = is_occluded(impl_->scene, ray_of_lane(rays, i, 1)) ? 1 : 0;
   }
+}
+
+std::size_t Tracer::count_hits_alone(const std::vector<RayBlock>& rays) const {
+  std::size_t hits = 0;
+  for (const RayBlock& block : rays) {
+    for (std::uint32_t bits = block.active; bits != 0; bits &= bits - 1) {
+      RTCRayHit query;
+      query.ray =
+          ray_of_lane(block, static_cast<std::size_t>(std::countr_zero(bits)), std::numeric_limits<float>::infinity());
+      query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+      intersect_one(impl_->scene, query);
+      if (query.hit.geomID != RTC_INVALID_GEOMETRY_ID) ++hits;
+    }
+  }
+  return hits;
+}
+
+std::size_t Tracer::count_occluded_alone(const std::vector<RayBlock>& rays) const {
+  std::size_t hits = 0;
+  for (const RayBlock& block : rays)
+    for (std::uint32_t bits = block.active; bits != 0; bits &= bits - 1)
+      if (is_occluded(impl_->scene, ray_of_lane(block, static_cast<std::size_t>(std::countr_zero(bits)), 1))) ++hits;
+  return hits;
 }
 
 std::string Tracer::embree_version() {

@@ -1,0 +1,131 @@
+// Rays by kind and scene size; the path tracer end to end against its own rays through Embree alone; where the packed
+// kernel stops paying (small_scene_limit). Everything on one thread; items are rays.
+//   ./run --bench rays
+
+#include <benchmark/benchmark.h>
+
+#include <map>
+
+#include "renderer/bench_scenes.h"
+#include "renderer/isa.h"
+#include "renderer/recorded_rays.h"
+
+namespace photonproof {
+namespace {
+
+constexpr int max_depth = 8;
+
+const bench::RecordedRays& rays_of(const std::string& name, bool embree) {
+  static std::map<std::string, bench::RecordedRays> recorded;
+  auto& rays = recorded[name];
+  if (rays.camera.empty()) rays = bench::record_rays(bench::scene(name, embree), 4, max_depth);
+  return rays;
+}
+
+/// The whole image, `samples` a pixel; returns the rays traced.
+std::uint64_t trace_image(const Scene& scene, const Kernels& kernels, std::uint32_t samples) {
+  std::uint64_t rays = 0;
+  std::vector<std::uint32_t> scratch(kernels.path_scratch);
+  for (int y = 0; y < scene.height; y += 16) {
+    for (int x = 0; x < scene.width; x += 16) {
+      PathTask task;
+      task.scene = &scene.view();
+      task.camera = {x, y, x + 16, y + 16, 0, samples, 1, SamplerKind::sobol, 0};
+      task.settings.max_depth = max_depth;
+      task.settings.weighted = scene.view().lights_can_be_hit;
+      std::vector<float> radiance(3 * std::size_t{task.camera.paths()});
+      task.radiance = radiance.data();
+      task.scratch = scratch.data();
+      kernels.trace_paths(task);
+      benchmark::DoNotOptimize(radiance.data());
+      rays += task.counts.camera + task.counts.bounce + task.counts.shadow;
+    }
+  }
+  return rays;
+}
+
+void path_tracer(benchmark::State& state, const std::string& name, const std::string& isa, bool embree) {
+  const Scene& scene = bench::scene(name, embree);
+  std::uint64_t rays = 0;
+  for (auto _ : state) rays += trace_image(scene, kernels_for(isa), 4);
+  state.SetItemsProcessed(static_cast<std::int64_t>(rays));
+}
+
+void rays_alone(benchmark::State& state, const std::string& name) {
+  const Scene& scene = bench::scene(name, true);
+  const bench::RecordedRays& rays = rays_of(name, true);
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(scene.view().tracer->count_hits_alone(rays.camera));
+    benchmark::DoNotOptimize(scene.view().tracer->count_hits_alone(rays.bounce));
+    benchmark::DoNotOptimize(scene.view().tracer->count_occluded_alone(rays.shadow));
+  }
+  const std::size_t count = rays.count(rays.camera) + rays.count(rays.bounce) + rays.count(rays.shadow);
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(count));
+}
+
+enum class Kind { camera, camera_packets, bounce, bounce_packets, shadow };
+
+/// Queries as the kernels make them, through Embree.
+void query(benchmark::State& state, const std::string& name, Kind kind) {
+  const Scene& scene = bench::scene(name, true);
+  const bench::RecordedRays& rays = rays_of(name, true);
+  const bool camera = kind == Kind::camera || kind == Kind::camera_packets;
+  const bool packets = kind == Kind::camera_packets || kind == Kind::bounce_packets;
+  const std::vector<RayBlock>& blocks = kind == Kind::shadow ? rays.shadow : camera ? rays.camera : rays.bounce;
+  HitBlock hits;
+  std::uint32_t blocked[RayBlock::width];
+  for (auto _ : state) {
+    for (const RayBlock& block : blocks) {
+      if (kind == Kind::shadow)
+        scene.view().tracer->occluded(block, blocked);
+      else
+        scene.view().tracer->intersect(block, hits, packets);
+      benchmark::DoNotOptimize(hits);
+      benchmark::DoNotOptimize(blocked);
+    }
+  }
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(rays.count(blocks)));
+}
+
+/// Path tracing among random parallelograms, through the packed kernel or through Embree: where they cross is
+/// small_scene_limit.
+void threshold(benchmark::State& state, int plates, const std::string& isa, bool embree) {
+  const std::unique_ptr<Scene> scene = bench::random_plates(plates, embree);
+  std::uint64_t rays = 0;
+  for (auto _ : state) rays += trace_image(*scene, kernels_for(isa), 4);
+  state.SetItemsProcessed(static_cast<std::int64_t>(rays));
+}
+
+int register_all() {
+  const auto add = [](const std::string& name, auto&& body) {
+    benchmark::RegisterBenchmark(("rays/" + name).c_str(), body)->Unit(benchmark::kMillisecond);
+  };
+  for (const std::string scene : {"cornell", "cornell-spheres", "million:10000", "million:1000000"}) {
+    add(scene + "/path_tracer", [scene](benchmark::State& s) { path_tracer(s, scene, "", false); });
+    add(scene + "/alone", [scene](benchmark::State& s) { rays_alone(s, scene); });
+    add(scene + "/camera/single", [scene](benchmark::State& s) { query(s, scene, Kind::camera); });
+    add(scene + "/camera/packet", [scene](benchmark::State& s) { query(s, scene, Kind::camera_packets); });
+    add(scene + "/bounce/single", [scene](benchmark::State& s) { query(s, scene, Kind::bounce); });
+    add(scene + "/bounce/packet", [scene](benchmark::State& s) { query(s, scene, Kind::bounce_packets); });
+    add(scene + "/shadow/single", [scene](benchmark::State& s) { query(s, scene, Kind::shadow); });
+  }
+  add("million:10000000/path_tracer", [](benchmark::State& s) { path_tracer(s, "million:10000000", "", false); });
+  for (const Kernels* kernels : available_kernels()) {
+    const std::string isa = kernels->isa;
+    add("cornell/isa/" + isa, [isa](benchmark::State& s) { path_tracer(s, "cornell", isa, false); });
+  }
+  for (const Kernels* kernels : available_kernels()) {
+    const std::string isa = kernels->isa;
+    for (const int plates : {16, 32, 64, 128, 256}) {
+      const std::string name = "threshold/" + isa + "/" + std::to_string(plates);
+      add(name + "/kernel", [plates, isa](benchmark::State& s) { threshold(s, plates, isa, false); });
+      add(name + "/embree", [plates, isa](benchmark::State& s) { threshold(s, plates, isa, true); });
+    }
+  }
+  return 0;
+}
+
+const int registered = register_all();
+
+}  // namespace
+}  // namespace photonproof

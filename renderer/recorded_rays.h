@@ -1,0 +1,21 @@
+// The rays that the path tracer traces in a scene, to be traced again alone: by Embree's single-ray queries, or by the
+// kernels' packs.
+#pragma once
+
+#include <vector>
+
+#include "renderer/scene.h"
+#include "renderer/trace.h"
+
+namespace photonproof::bench {
+
+struct RecordedRays {
+  std::vector<RayBlock> camera, bounce;  ///< unit directions
+  std::vector<RayBlock> shadow;          ///< directions reach to the light
+  std::size_t count(const std::vector<RayBlock>& blocks) const;
+};
+
+/// Rays of `samples` paths a pixel of at most max_depth edges, in the order in which a batch traces them.
+RecordedRays record_rays(const Scene& scene, int samples, int max_depth);
+
+}  // namespace photonproof::bench
