@@ -53,7 +53,7 @@ class LargeAllocator {
  private:
   static constexpr std::size_t page = std::size_t{2} << 20;
   static constexpr std::size_t large = page;
-  static constexpr std::size_t most_offset = 64 * 64;
+  static constexpr std::size_t most_offset = std::size_t{64} * 64;
   static std::uintptr_t address(const void* p) { return reinterpret_cast<std::uintptr_t>(p); }
 };
 

@@ -26,13 +26,13 @@ struct PhotonFilter {
 PHOTONPROOF_ALWAYS_INLINE GatheredFlux gather(const PhotonView& map, const Vec3f& p, float radius,
                                               const PhotonFilter& filter) {
 #if defined(__AVX512F__)
-  constexpr int width = 16;
+  constexpr std::size_t width = 16;
 #elif defined(__AVX2__)
-  constexpr int width = 8;
+  constexpr std::size_t width = 8;
 #else
-  constexpr int width = 4;
+  constexpr std::size_t width = 4;
 #endif
-  constexpr int block = 16, parts = block / width;
+  constexpr std::size_t block = 16, parts = block / width;
   static_assert(block <= Photons::padding);
   using Floats [[gnu::vector_size(width * sizeof(float))]] = float;
   using Ints [[gnu::vector_size(width * sizeof(float))]] = std::int32_t;  // a mask is all ones or all zeros
@@ -45,8 +45,8 @@ PHOTONPROOF_ALWAYS_INLINE GatheredFlux gather(const PhotonView& map, const Vec3f
   Ints count[parts] = {};
   map.for_each_run(p, radius, [&](std::size_t begin, std::size_t end) PHOTONPROOF_INLINE_LAMBDA {
     for (std::size_t i = begin; i < end; i += block) {
-      for (int part = 0; part < parts; ++part) {
-        const std::size_t at = i + static_cast<std::size_t>(part * width);
+      for (std::size_t part = 0; part < parts; ++part) {
+        const std::size_t at = i + part * width;
         Floats dx, dy, dz, r, g, b;
         Ints landed_on, edges, lane;
         load(dx, map.x + at);

@@ -1,7 +1,6 @@
 #include "renderer/photon_kdtree.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <limits>
 
@@ -18,11 +17,12 @@ static_assert(block <= Photons::padding);
 /// than a heap.
 class Candidates {
  public:
-  Candidates(std::size_t wanted, float max_distance_squared)
+  /// `small` is memory to use while it suffices.
+  Candidates(std::size_t wanted, float max_distance_squared, std::span<std::int64_t> small)
       : wanted_(wanted), limit_(key(max_distance_squared, 0xFFFFFFFF)) {
     const std::size_t capacity = wanted + std::max<std::size_t>(wanted, 32) + block;
-    if (2 * capacity > small_.size()) large_.resize(2 * capacity);
-    std::int64_t* memory = large_.empty() ? small_.data() : large_.data();
+    if (2 * capacity > small.size()) large_.resize(2 * capacity);
+    std::int64_t* memory = large_.empty() ? small.data() : large_.data();
     keys_ = {memory, capacity};
     spare_ = {memory + capacity, capacity};
   }
@@ -89,7 +89,6 @@ class Candidates {
   std::size_t wanted_;
   std::int64_t limit_;
   std::size_t count_ = 0;
-  std::array<std::int64_t, 512> small_;
   std::vector<std::int64_t> large_;
   std::span<std::int64_t> keys_, spare_;
 };
@@ -159,11 +158,12 @@ float PhotonKdTree::distance_squared(std::size_t node, const Vec3f& p) const {
 
 std::size_t PhotonKdTree::nearest(const Vec3f& p, float max_radius, std::span<Neighbour> out) const {
   if (index_.empty() || out.empty()) return 0;
-  Candidates candidates(out.size(), max_radius * max_radius);
+  std::int64_t memory[512];
+  Candidates candidates(out.size(), max_radius * max_radius, memory);
   const auto scan_leaf = [&](std::size_t leaf) {
     const std::size_t end = begin_of(leaf_level_, leaf + 1);
     for (std::size_t i = begin_of(leaf_level_, leaf); i < end; i += block) {
-      std::array<float, block> distances;
+      float distances[block];
       for (std::size_t k = 0; k < block; ++k) {
         const float dx = x_[i + k] - p.x, dy = y_[i + k] - p.y, dz = z_[i + k] - p.z;
         distances[k] = dx * dx + dy * dy + dz * dz;
@@ -176,7 +176,7 @@ std::size_t PhotonKdTree::nearest(const Vec3f& p, float max_radius, std::span<Ne
     float distance_squared;
     std::size_t node;
   };
-  std::array<Entry, 64> farther;  // one a level at most
+  Entry farther[64];  // one a level at most
   std::size_t waiting = 0;
   const std::size_t first_leaf = std::size_t{1} << leaf_level_;
   for (Entry next{distance_squared(1, p), 1};; next = farther[--waiting]) {

@@ -40,7 +40,7 @@ class PhotonKdTree {
   };
   struct Item {
     Vec3f p;
-    std::uint32_t index;
+    std::uint32_t index = 0;
   };
   /// Photons of node k of the 2^level on a level.
   std::size_t begin_of(int level, std::size_t k) const { return (size() * k) >> level; }

@@ -1,8 +1,8 @@
 #include "renderer/photon_sort.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
+#include <tuple>
 #include <utility>
 
 namespace photonproof {
@@ -17,9 +17,9 @@ std::size_t chunks_of(std::size_t count) { return (count + chunk_size - 1) / chu
 /// Least and greatest of values[begin, end), in lanes so that it vectorises without reassociation.
 std::pair<float, float> extremes(const LargeArray<float>& values, std::size_t begin, std::size_t end) {
   constexpr std::size_t lanes = 16;
-  std::array<float, lanes> low, high;
-  low.fill(values[begin]);
-  high.fill(values[begin]);
+  float low[lanes], high[lanes];
+  std::ranges::fill(low, values[begin]);
+  std::ranges::fill(high, values[begin]);
   std::size_t i = begin;
   for (; i + lanes <= end; i += lanes) {
     for (std::size_t k = 0; k < lanes; ++k) {

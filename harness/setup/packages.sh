@@ -7,6 +7,9 @@ build_packages="g++ cmake ninja-build pkg-config libembree-dev libopenimageio-de
 # What the tests need on top.
 check_packages="libgtest-dev libboost-math-dev clang-format chromium"
 
+# What ./run --bench needs on top: the benchmark library, and a peer to be measured against.
+bench_packages="libbenchmark-dev libnanoflann-dev"
+
 # install_packages NAME...: quick when nothing is missing; without root and sudo it lists what is missing and goes on,
 # since the libraries may be there by other means.
 install_packages() {

@@ -1,0 +1,105 @@
+#include "harness/microbenchmarks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "scenes/input_error.h"
+
+namespace photonproof {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* peer = "/nanoflann/";
+
+Json parse(const MicrobenchmarkFile& file) {
+  Json document = Json::parse(file.text, nullptr, false);
+  if (!document.is_object() || !document.contains("context") || !document["context"].is_object() ||
+      !document.contains("benchmarks") || !document["benchmarks"].is_array())
+    throw InputError(file.path, "not what a Google Benchmark program writes");
+  return document;
+}
+
+struct Median {
+  std::string name;
+  std::int64_t family;
+  double cpu_time, nanoseconds;
+  std::string unit;
+  double items_per_second;  ///< 0 where none are counted
+};
+
+/// The repetitions' median where there were several, else the one run.
+std::vector<Median> medians(const Json& merged) {
+  std::vector<Median> found;
+  for (const Json& run : merged.at("benchmarks")) {
+    const int repetitions = run.value("repetitions", 1);
+    const bool wanted = repetitions > 1 ? run.value("aggregate_name", "") == "median"
+                                        : run.value("run_type", "iteration") == "iteration";
+    if (!wanted || run.value("error_occurred", false)) continue;
+    const std::string unit = run.value("time_unit", "ns");
+    const double scale = unit == "s" ? 1e9 : unit == "ms" ? 1e6 : unit == "us" ? 1e3 : 1;
+    const double time = run.at("cpu_time").get<double>();
+    found.push_back({run.at("run_name").get<std::string>(), run.value("family_index", std::int64_t{0}), time,
+                     time * scale, unit, run.value("items_per_second", 0.0)});
+  }
+  std::ranges::stable_sort(found, {}, &Median::family);  // repetitions of different benchmarks were interleaved
+  return found;
+}
+
+/// TASK/nanoflann/ARGUMENTS for TASK/anything/ARGUMENTS, else "".
+std::string peer_of(const std::string& name) {
+  const std::size_t first = name.find('/');
+  const std::size_t second = first == std::string::npos ? first : name.find('/', first + 1);
+  return second == std::string::npos ? "" : name.substr(0, first) + peer + name.substr(second + 1);
+}
+
+}  // namespace
+
+std::string merge_microbenchmarks(const std::vector<MicrobenchmarkFile>& files) {
+  Json merged;
+  std::string executables;
+  std::int64_t families = 0;
+  for (const MicrobenchmarkFile& file : files) {
+    if (file.text.empty()) continue;
+    Json document = parse(file);
+    if (document["benchmarks"].empty()) continue;
+    if (merged.is_null()) merged = {{"context", document["context"]}, {"benchmarks", Json::array()}};
+    const std::filesystem::path executable = document["context"].value("executable", file.path);
+    executables += (executables.empty() ? "" : " ") + executable.filename().string();
+    const std::int64_t before = families;
+    for (Json& run : document["benchmarks"]) {
+      if (run.contains("family_index")) {
+        const std::int64_t family = before + run["family_index"].get<std::int64_t>();
+        run["family_index"] = family;
+        families = std::max(families, family + 1);
+      }
+      merged["benchmarks"].push_back(std::move(run));
+    }
+  }
+  if (merged.is_null()) throw InputError("--bench", "no benchmark has a name that matches");
+  merged["context"]["executable"] = executables;
+  return merged.dump(2) + "\n";
+}
+
+std::string microbenchmark_table(const std::string& merged) {
+  const std::vector<Median> all = medians(Json::parse(merged));
+  std::size_t widest = 0;
+  for (const Median& m : all) widest = std::max(widest, m.name.size());
+  std::string table;
+  for (const Median& m : all) {
+    table += fmt::format("{:<{}} {:>10.4g} {:<2}", m.name, widest, m.cpu_time, m.unit);
+    table += m.items_per_second > 0 ? fmt::format(" {:>9.4g} M/s", m.items_per_second / 1e6) : std::string(14, ' ');
+    const auto other = std::ranges::find(all, peer_of(m.name), &Median::name);
+    // The CPU time of the calling thread says nothing where several share the work.
+    if (other != all.end() && other->name != m.name && m.name.find("threads") == std::string::npos)
+      table += fmt::format(" {:>7.2f} x nanoflann", other->nanoseconds / m.nanoseconds);
+    while (table.back() == ' ') table.pop_back();
+    table += '\n';
+  }
+  return table;
+}
+
+}  // namespace photonproof

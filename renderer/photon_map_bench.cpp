@@ -1,0 +1,294 @@
+// The photon map and the kd-tree against nanoflann on the same photons and queries: a box of walls with two spheres, as
+// many photons as the argument says, discs of fifty (sparse: an eighth as wide, for which the map is compact).
+// nanoflann works with what suits it best: points as triples, flux and filter in its callback, so that no list of
+// matches is made. One thread unless the name says otherwise. PHOTONPROOF_BENCH_LARGE=1 adds 1e7 photons.
+
+#include <benchmark/benchmark.h>
+
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <map>
+#include <memory>
+#include <nanoflann.hpp>
+#include <numbers>
+
+#include "renderer/photon_gather.h"
+#include "renderer/photon_kdtree.h"
+#include "renderer/photon_map.h"
+#include "renderer/query_order.h"
+#include "renderer/sampler.h"
+#include "renderer/warp.h"
+
+namespace photonproof {
+namespace {
+
+constexpr int photons_in_disc = 50;
+constexpr float sparse_by = 8;  // cells this much smaller than the radius are too many for a dense grid
+constexpr float sphere_radius = 0.18f;
+constexpr double area = 6 + 2 * 4 * std::numbers::pi * sphere_radius * sphere_radius;
+
+struct SurfacePoint {
+  Vec3f p;
+  std::uint32_t surface;
+};
+
+/// `where` picks the surface by its area, `u` the point on it.
+SurfacePoint point_on_surfaces(double where, const Vec2<float>& u) {
+  const double at = where * area;
+  if (at >= 6) {
+    const bool second = at >= (6 + area) / 2;
+    const Vec3f centre = second ? Vec3f{0.72f, 0.35f, 0.18f} : Vec3f{0.27f, 0.65f, 0.18f};
+    return {centre + square_to_sphere(u) * sphere_radius, second ? 7u : 6u};
+  }
+  const auto wall = static_cast<std::uint32_t>(at);
+  const float offset = wall % 2 == 0 ? 0.0f : 1.0f;
+  if (wall < 2) return {{offset, u.x, u.y}, wall};
+  if (wall < 4) return {{u.x, offset, u.y}, wall};
+  return {{u.x, u.y, offset}, wall};
+}
+
+/// Points as nanoflann wants them, and what its callback sums.
+struct Cloud {
+  std::vector<Photon> photons;
+  std::size_t kdtree_get_point_count() const { return photons.size(); }
+  float kdtree_get_pt(std::size_t i, std::size_t axis) const {
+    const Vec3f& p = photons[i].p_world;
+    return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
+  }
+  template <class Box>
+  bool kdtree_get_bbox(Box&) const {
+    return false;
+  }
+};
+using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<float, Cloud>, Cloud, 3>;
+const nanoflann::KDTreeSingleIndexAdaptorParams tree_parameters(10);  // its default; 20, 40 and 80 were no faster
+
+struct Sum {
+  using DistanceType = float;
+  const Cloud& cloud;
+  float radius2;
+  std::uint32_t surface;
+  Rgb flux{0.0f};
+  int count = 0;
+  bool full() const { return true; }
+  std::size_t size() const { return 0; }  // of a list of matches, of which there is none
+  float worstDist() const { return radius2; }
+  bool addPoint(float distance2, std::uint32_t i) {
+    const Photon& photon = cloud.photons[i];
+    if (distance2 < radius2 && photon.surface == surface && photon.edges <= 100) {
+      flux += photon.flux;
+      ++count;
+    }
+    return true;
+  }
+};
+
+struct Queries {
+  std::vector<float> x, y, z;
+  std::vector<std::uint32_t> surface;
+  std::size_t size() const { return x.size(); }
+  Vec3f operator[](std::size_t i) const { return {x[i], y[i], z[i]}; }
+  void add(const SurfacePoint& point) {
+    x.push_back(point.p.x);
+    y.push_back(point.p.y);
+    z.push_back(point.p.z);
+    surface.push_back(point.surface);
+  }
+};
+
+/// Made once for each number of photons.
+struct World {
+  Photons photons;
+  Cloud cloud;
+  float radius;
+  Queries coherent, random;
+  std::unique_ptr<Tree> tree;
+  PhotonMap map, compact;
+  PhotonKdTree kdtree;
+
+  explicit World(std::int64_t count)
+      : radius(
+            static_cast<float>(std::sqrt(photons_in_disc * area / (std::numbers::pi * static_cast<double>(count))))) {
+    for (std::int64_t i = 0; i < count; ++i) {
+      Sampler s(1, Stream::camera, static_cast<std::uint64_t>(i), 0);
+      const float where = s.next();
+      const SurfacePoint at = point_on_surfaces(where, s.next2());
+      const Photon photon{at.p, {s.next(), s.next(), s.next()}, at.surface, 1 + static_cast<int>(8 * s.next())};
+      photons.push_back(photon);
+      cloud.photons.push_back(photon);
+    }
+    // As a camera makes them: row after row of one surface after the other, jittered.
+    constexpr int side = 110;
+    for (int face = 0; face < 8; ++face) {
+      for (int row = 0; row < side; ++row) {
+        for (int column = 0; column < side; ++column) {
+          Sampler s(2, Stream::camera, random.size(), 0);
+          const auto jitter = s.next2();
+          const double middle = face < 6 ? (face + 0.5) / area : face == 6 ? 6.2 / area : 0.99;
+          coherent.add(point_on_surfaces(
+              middle, {(static_cast<float>(column) + jitter.x) / side, (static_cast<float>(row) + jitter.y) / side}));
+          const float where = s.next();
+          random.add(point_on_surfaces(where, s.next2()));
+        }
+      }
+    }
+    tree = std::make_unique<Tree>(3, cloud, tree_parameters);
+    map = PhotonMap(photons, radius, Threads(1));
+    compact = PhotonMap(photons, radius / sparse_by, Threads(1));
+    kdtree = PhotonKdTree(photons, Threads(1));
+  }
+};
+
+const World& world(std::int64_t count) {
+  static std::map<std::int64_t, std::unique_ptr<World>> made;
+  auto& slot = made[count];
+  if (!slot) slot = std::make_unique<World>(count);
+  return *slot;
+}
+
+/// The map keeps the photons it is given; the copy is the bench's alone.
+void build_and_time(benchmark::State& state, const Photons& photons, float radius, const Threads& threads) {
+  state.PauseTiming();
+  Photons copy;
+  copy.reserve(photons.size());
+  copy.append(photons);
+  state.ResumeTiming();
+  benchmark::DoNotOptimize(PhotonMap(std::move(copy), radius, threads));
+}
+
+void build_ours(benchmark::State& state, int thread_count) {
+  const World& w = world(state.range(0));
+  const Threads threads(thread_count);
+  for (auto _ : state) build_and_time(state, w.photons, w.radius, threads);
+  state.SetItemsProcessed(state.iterations() * state.range(0));
+}
+
+void build_compact(benchmark::State& state) {
+  const World& w = world(state.range(0));
+  const Threads threads(1);
+  for (auto _ : state) build_and_time(state, w.photons, w.radius / sparse_by, threads);
+  state.SetItemsProcessed(state.iterations() * state.range(0));
+}
+
+void build_tree(benchmark::State& state, int thread_count) {
+  const World& w = world(state.range(0));
+  const Threads threads(thread_count);
+  for (auto _ : state) benchmark::DoNotOptimize(PhotonKdTree(w.photons, threads));
+  state.SetItemsProcessed(state.iterations() * state.range(0));
+}
+
+void build_nanoflann(benchmark::State& state) {
+  const World& w = world(state.range(0));
+  for (auto _ : state) benchmark::DoNotOptimize(Tree(3, w.cloud, tree_parameters));
+  state.SetItemsProcessed(state.iterations() * state.range(0));
+}
+
+void look_up(benchmark::State& state, const PhotonMap& map, const Queries& queries, float radius, bool sorted) {
+  const PhotonView view = map.view();
+  QueryOrder order;
+  double found = 0;
+  const auto query = [&](std::size_t i) {
+    const GatheredFlux sum = gather(view, queries[i], radius, {queries.surface[i], 100});
+    benchmark::DoNotOptimize(sum.flux);
+    found += sum.count;
+  };
+  for (auto _ : state) {
+    if (sorted)
+      order.for_each(map, queries.x, queries.y, queries.z, query);
+    else
+      for (std::size_t i = 0; i < queries.size(); ++i) query(i);
+  }
+  const auto made = static_cast<double>(state.iterations()) * static_cast<double>(queries.size());
+  state.SetItemsProcessed(static_cast<std::int64_t>(made));
+  state.counters["photons"] = found / made;
+}
+
+void look_up_nanoflann(benchmark::State& state, const World& w, const Queries& queries, float radius) {
+  double found = 0;
+  for (auto _ : state) {
+    for (std::size_t i = 0; i < queries.size(); ++i) {
+      Sum sum{w.cloud, radius * radius, queries.surface[i]};
+      const Vec3f p = queries[i];
+      w.tree->radiusSearchCustomCallback(&p.x, sum);
+      benchmark::DoNotOptimize(sum.flux);
+      found += sum.count;
+    }
+  }
+  const auto made = static_cast<double>(state.iterations()) * static_cast<double>(queries.size());
+  state.SetItemsProcessed(static_cast<std::int64_t>(made));
+  state.counters["photons"] = found / made;
+}
+
+template <class Nearest>
+void nearest(benchmark::State& state, const Queries& queries, const Nearest& find) {
+  for (auto _ : state)
+    for (std::size_t i = 0; i < queries.size(); ++i) find(queries[i]);
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(queries.size()));
+}
+
+void nearest_ours(benchmark::State& state, const World& w, const Queries& queries) {
+  std::array<PhotonKdTree::Neighbour, photons_in_disc> found;
+  nearest(state, queries, [&](const Vec3f& p) {
+    benchmark::DoNotOptimize(w.kdtree.nearest(p, std::numeric_limits<float>::max(), found));
+    benchmark::DoNotOptimize(found.data());
+  });
+}
+
+void nearest_nanoflann(benchmark::State& state, const World& w, const Queries& queries) {
+  std::array<std::uint32_t, photons_in_disc> found;
+  std::array<float, photons_in_disc> distances;
+  nearest(state, queries, [&](const Vec3f& p) {
+    benchmark::DoNotOptimize(w.tree->knnSearch(&p.x, photons_in_disc, found.data(), distances.data()));
+    benchmark::DoNotOptimize(found.data());
+  });
+}
+
+void register_all() {
+  std::vector<std::int64_t> counts{100'000, 1'000'000};
+  if (std::getenv("PHOTONPROOF_BENCH_LARGE") != nullptr) counts.push_back(10'000'000);
+  for (const std::int64_t n : counts) {
+    const auto add = [n](const std::string& name, auto body) {
+      benchmark::RegisterBenchmark(name.c_str(), body)->Arg(n)->Unit(benchmark::kMillisecond);
+    };
+    add("photon_build/ours", [](benchmark::State& s) { build_ours(s, 1); });
+    add("photon_build/ours_all_threads", [](benchmark::State& s) { build_ours(s, 0); });
+    add("photon_build/ours_compact", build_compact);
+    add("photon_build/nanoflann", build_nanoflann);
+    add("photon_tree_build/ours", [](benchmark::State& s) { build_tree(s, 1); });
+    add("photon_tree_build/ours_all_threads", [](benchmark::State& s) { build_tree(s, 0); });
+    add("photon_tree_build/nanoflann", build_nanoflann);
+    for (const bool coherent : {true, false}) {
+      const auto queries = [coherent](const World& w) -> const Queries& { return coherent ? w.coherent : w.random; };
+      const std::string how = coherent ? "_coherent" : "_random";
+      for (const bool sparse : {false, true}) {
+        const std::string task = "photon_look_up" + std::string(sparse ? "_sparse" : "") + how;
+        const auto radius = [sparse](const World& w) { return sparse ? w.radius / sparse_by : w.radius; };
+        for (const bool sorted : {false, true}) {
+          add(task + (sorted ? "/ours_sorted" : "/ours"), [=](benchmark::State& s) {
+            const World& w = world(s.range(0));
+            look_up(s, sparse ? w.compact : w.map, queries(w), radius(w), sorted);
+          });
+        }
+        add(task + "/nanoflann", [=](benchmark::State& s) {
+          const World& w = world(s.range(0));
+          look_up_nanoflann(s, w, queries(w), radius(w));
+        });
+      }
+      add("photon_nearest" + how + "/ours", [=](benchmark::State& s) {
+        const World& w = world(s.range(0));
+        nearest_ours(s, w, queries(w));
+      });
+      add("photon_nearest" + how + "/nanoflann", [=](benchmark::State& s) {
+        const World& w = world(s.range(0));
+        nearest_nanoflann(s, w, queries(w));
+      });
+    }
+  }
+}
+
+[[maybe_unused]] const bool registered = (register_all(), true);
+
+}  // namespace
+}  // namespace photonproof
