@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "renderer/test_scenes.h"
 #include "scenes/parser.h"
 
@@ -24,16 +27,25 @@ SceneDescription floor_and_balls() {
   return scene;
 }
 
-/// Pixels that see nothing but the floor: its four corners do.
+float height(const Surface& surface) {
+  const auto* quad = std::get_if<Quad>(&surface.geometry);
+  return quad == nullptr ? INFINITY : quad->corner.y + (quad->edge_u.y + quad->edge_v.y) / 2;
+}
+
+/// Pixels that see nothing but the floor: their neighbours do too.
 std::vector<std::size_t> floor_pixels(const Scene& scene) {
+  const auto lowest = [](const Surface& a, const Surface& b) { return height(a) < height(b); };
+  const auto floor = static_cast<std::uint32_t>(std::min_element(scene.surfaces.begin(), scene.surfaces.end(), lowest) -
+                                                scene.surfaces.begin());
   const auto on_floor = [&](int x, int y) {
-    const Hit hit = scene.tracer().intersect(scene.camera.ray(static_cast<float>(x), static_cast<float>(y)));
-    return hit.valid() && hit.p_world.y < -0.9999f;
+    const CameraRay<float> ray = test::ray_through_pixel(scene.view(), x, y);
+    const Hit hit = scene.intersect(ray.origin, ray.direction);
+    return hit.valid() && hit.surface == floor;
   };
   std::vector<std::size_t> pixels;
-  for (int y = 0; y < scene.height; ++y)
-    for (int x = 0; x < scene.width; ++x)
-      if (on_floor(x, y) && on_floor(x + 1, y) && on_floor(x, y + 1) && on_floor(x + 1, y + 1))
+  for (int y = 1; y < scene.height - 1; ++y)
+    for (int x = 1; x < scene.width - 1; ++x)
+      if (on_floor(x - 1, y - 1) && on_floor(x + 1, y - 1) && on_floor(x - 1, y + 1) && on_floor(x + 1, y + 1))
         pixels.push_back(static_cast<std::size_t>(y) * static_cast<std::size_t>(scene.width) +
                          static_cast<std::size_t>(x));
   return pixels;

@@ -1,12 +1,13 @@
 // Goodness of fit for samplers, test code only.
 #pragma once
 
+#include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 #include <numbers>
 #include <vector>
 
-#include "renderer/sampler.h"
+#include "renderer/test_random.h"
 #include "scenes/vec.h"
 
 namespace photonproof::test {
@@ -35,14 +36,14 @@ inline double chi_square_p_value(const std::vector<double>& observed, const std:
 }
 
 /// Draws directions and compares their histogram over (cos theta, phi) with the integral of the density over each cell.
-/// `draw(sampler)` gives a unit Vec3f; `density(direction)` is per solid angle and may integrate to less than 1.
+/// `draw(random)` gives a unit Vec3f; `density(direction)` is per solid angle and may integrate to less than 1.
 template <class Draw, class Density>
 double direction_p_value(const Draw& draw, const Density& density, std::uint64_t seed, int samples = 200'000) {
   constexpr int rows = 20, columns = 24, sub = 8;
   std::vector<double> observed(rows * columns), expected(rows * columns);
   for (int i = 0; i < samples; ++i) {
-    Sampler sampler(seed, Stream::camera, static_cast<std::uint64_t>(i), 0);
-    const Vec3f d = draw(sampler);
+    Random random(seed, static_cast<std::uint64_t>(i));
+    const Vec3f d = draw(random);
     const int row = std::clamp(static_cast<int>((d.z + 1) / 2 * rows), 0, rows - 1);
     const double phi = std::atan2(d.y, d.x) / (2 * std::numbers::pi) + 0.5;
     const int column = std::clamp(static_cast<int>(phi * columns), 0, columns - 1);

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "renderer/sampler.h"
+#include "renderer/test_random.h"
 
 namespace photonproof {
 namespace {
@@ -38,7 +38,7 @@ TEST(disc_area, of_a_sheared_parallelogram_matches_counting) {
   const Vec3f p = quad.corner + quad.edge_u * 0.1f + quad.edge_v * 0.2f;
   int inside = 0;
   constexpr int n = 1'000'000;
-  Sampler s(43, Stream::camera, 0, 0);
+  test::Random s(43);
   for (int i = 0; i < n; ++i) {
     const auto u = s.next2();
     const Vec3f q = quad.corner + quad.edge_u * u.x + quad.edge_v * u.y;

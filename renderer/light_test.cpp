@@ -5,21 +5,27 @@
 #include <gtest/gtest.h>
 
 #include "renderer/chi_square.h"
+#include "renderer/test_shading.h"
 
 namespace photonproof {
 namespace {
 
-Quad square(float half, float height) {
+using test::emit;
+using test::pdf;
+using test::sample;
+
+Light square(float half, float height) {
   // Faces down from y = height.
-  return {{-half, height, -half}, {2 * half, 0, 0}, {0, 0, 2 * half}, {0, -1, 0}, 4 * half * half};
+  return QuadLight<float>{
+      {-half, height, -half}, {2 * half, 0, 0}, {0, 0, 2 * half}, {0, -1, 0}, 4 * half * half, Rgb(1)};
 }
 
 /// Irradiance at p with normal n by sampling the light, mean over `samples`.
 double irradiance(const Light& light, const Vec3f& p, const Vec3f& n, int samples) {
   double sum = 0;
   for (int i = 0; i < samples; ++i) {
-    Sampler s(31, Stream::camera, static_cast<std::uint64_t>(i), 0);
-    const LightSample drawn = sample(light, p, s.next2());
+    test::Random s(31, static_cast<std::uint64_t>(i));
+    const LightSample<float> drawn = sample(light, p, s.next2());
     if (drawn.pdf > 0)
       sum += static_cast<double>(drawn.radiance.x * std::max(0.0f, dot(n, drawn.wi_world)) / drawn.pdf);
   }
@@ -28,7 +34,7 @@ double irradiance(const Light& light, const Vec3f& p, const Vec3f& n, int sample
 
 TEST(point_light, irradiance_is_intensity_cosine_over_distance_squared) {
   // Height 3, 4 to the side: d = 5, cos = 3/5: 10 * 0.6 / 25 = 0.24.
-  EXPECT_NEAR(irradiance(PointLight{{4, 3, 0}, Rgb(10)}, {0, 0, 0}, {0, 1, 0}, 1), 0.24, 1e-6);
+  EXPECT_NEAR(irradiance(PointLight<float>{{4, 3, 0}, Rgb(10)}, {0, 0, 0}, {0, 1, 0}, 1), 0.24, 1e-6);
 }
 
 TEST(quad_light, irradiance_is_the_parallel_rectangle_form) {
@@ -37,23 +43,21 @@ TEST(quad_light, irradiance_is_the_parallel_rectangle_form) {
   const double x = 0.5, a = x / std::sqrt(1 + x * x);
   const double form = 2 * a * std::atan(a) / (2 * std::numbers::pi);
   const double expected = std::numbers::pi * 4 * form;
-  EXPECT_NEAR(irradiance(QuadLight{square(1, 2), Rgb(1)}, {0, 0, 0}, {0, 1, 0}, 200'000), expected, 0.002 * expected);
+  EXPECT_NEAR(irradiance(square(1, 2), {0, 0, 0}, {0, 1, 0}, 200'000), expected, 0.002 * expected);
 }
 
-TEST(quad_light, gives_nothing_behind_itself) {
-  EXPECT_EQ(irradiance(QuadLight{square(1, 2), Rgb(1)}, {0, 3, 0}, {0, -1, 0}, 100), 0);
-}
+TEST(quad_light, gives_nothing_behind_itself) { EXPECT_EQ(irradiance(square(1, 2), {0, 3, 0}, {0, -1, 0}, 100), 0); }
 
 TEST(sphere_light, irradiance_is_pi_l_sin_squared) {
   // Whole sphere above the horizon: E = pi L (R/d)^2 cos; overhead at distance 2, R = 1: pi/4; and almost touching.
-  const SphereLight light{{{0, 2, 0}, 1, false}, Rgb(1)};
+  const Light light = SphereLight<float>{{0, 2, 0}, 1, 1, Rgb(1)};
   EXPECT_NEAR(irradiance(light, {0, 0, 0}, {0, 1, 0}, 100'000), std::numbers::pi / 4, 0.002);
   EXPECT_NEAR(irradiance(light, {0, 0.99f, 0}, {0, 1, 0}, 400'000), std::numbers::pi / (1.01 * 1.01), 0.01);
   EXPECT_NEAR(irradiance(light, {0, -1e4f, 0}, {0, 1, 0}, 1000), std::numbers::pi / (10002.0 * 10002.0), 1e-11);
 }
 
 TEST(sphere_light, from_inside_irradiance_is_pi_l_everywhere) {
-  const SphereLight light{{{0, 0, 0}, 1, true}, Rgb(1)};
+  const Light light = SphereLight<float>{{0, 0, 0}, 1, -1, Rgb(1)};
   for (const Vec3f p : {Vec3f(0, 0, 0), Vec3f(0.5f, 0.2f, -0.3f), Vec3f(0, 0, 0.9f)})
     EXPECT_NEAR(irradiance(light, p, {0, 0, -1}, 200'000), std::numbers::pi, 0.03) << p.z;
   // On the wall itself every sample has the same value: cos cos' / d^2 = 1/(4 R^2).
@@ -63,22 +67,22 @@ TEST(sphere_light, from_inside_irradiance_is_pi_l_everywhere) {
 TEST(surface_lights, sampled_directions_match_their_density) {
   // Directions towards the light from a fixed point; the density of one that misses it is 0. Cells cut by the light's
   // outline are integrated on an 8x8 lattice, which for these large lights costs less than the test can see.
-  const SphereLight ball{{{0, 0, 1.5f}, 1.2f, false}, Rgb(1)};
+  const Light ball = SphereLight<float>{{0, 0, 1.5f}, 1.2f, 1, Rgb(1)};
   const Vec3f p(0, 0, 0);
-  const double p_value = test::direction_p_value(
-      [&](Sampler& s) { return sample(Light(ball), p, s.next2()).wi_world; },
-      [&](const Vec3f& d) { return d.z > 0.6f ? pdf(Light(ball), p, {}, {}) : 0; }, 32);  // sin = 1.2/1.5, cos = 0.6
+  const double p_value = test::direction_p_value([&](test::Random& s) { return sample(ball, p, s.next2()).wi_world; },
+                                                 [&](const Vec3f& d) { return d.z > 0.6f ? pdf(ball, p, {}, {}) : 0; },
+                                                 32);  // sin = 1.2/1.5, cos = 0.6
   EXPECT_GT(p_value, test::sidak_level(2));
 
-  const SphereLight shell{{{0, 0, 0}, 1, true}, Rgb(1)};
+  const Light shell = SphereLight<float>{{0, 0, 0}, 1, -1, Rgb(1)};
   const Vec3f inside(0.3f, -0.2f, 0.4f);
   const double shell_p =
-      test::direction_p_value([&](Sampler& s) { return sample(Light(shell), inside, s.next2()).wi_world; },
+      test::direction_p_value([&](test::Random& s) { return sample(shell, inside, s.next2()).wi_world; },
                               [&](const Vec3f& d) {
                                 const float b = dot(d, inside);
                                 const float t = -b + std::sqrt(b * b + 1 - dot(inside, inside));
                                 const Vec3f hit = inside + d * t;
-                                return pdf(Light(shell), inside, hit, -hit);
+                                return pdf(shell, inside, hit, -hit);
                               },
                               33);
   EXPECT_GT(shell_p, test::sidak_level(2));
@@ -86,20 +90,20 @@ TEST(surface_lights, sampled_directions_match_their_density) {
 
 TEST(lights, photons_leave_with_the_lights_flux_and_pattern) {
   // Quad: cosine about its normal; point: uniform. Flux: pi L A = 4 pi, pi L 4 pi R^2, 4 pi I.
-  const Light quad = QuadLight{{{-1, -1, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 1}, 4}, Rgb(1)};
+  const Light quad = QuadLight<float>{{-1, -1, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 1}, 4, Rgb(1)};
   EXPECT_NEAR(flux(quad).x, 4 * pi, 1e-5f);
-  EXPECT_NEAR(flux(Light(SphereLight{{{0, 0, 0}, 2, false}, Rgb(1)})).x, pi * 16 * pi, 1e-3f);
-  EXPECT_NEAR(flux(Light(PointLight{{}, Rgb(3)})).x, 12 * pi, 1e-4f);
+  EXPECT_NEAR(flux(Light(SphereLight<float>{{0, 0, 0}, 2, 1, Rgb(1)})).x, pi * 16 * pi, 1e-3f);
+  EXPECT_NEAR(flux(Light(PointLight<float>{{}, Rgb(3)})).x, 12 * pi, 1e-4f);
   EXPECT_GT(test::direction_p_value(
-                [&](Sampler& s) {
+                [&](test::Random& s) {
                   const auto u = s.next2();
                   return emit(quad, u, s.next2()).direction;
                 },
                 [](const Vec3f& d) { return cosine_hemisphere_pdf(d.z); }, 34),
             test::sidak_level(2));
   EXPECT_GT(test::direction_p_value(
-                [&](Sampler& s) {
-                  return emit(Light(PointLight{{}, Rgb(1)}), {}, s.next2()).direction;
+                [&](test::Random& s) {
+                  return emit(Light(PointLight<float>{{}, Rgb(1)}), {}, s.next2()).direction;
                 },
                 [](const Vec3f&) { return 1 / (4 * pi); }, 35),
             test::sidak_level(2));

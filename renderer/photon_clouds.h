@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "renderer/photons.h"
-#include "renderer/sampler.h"
+#include "renderer/test_random.h"
 
 namespace photonproof {
 
@@ -35,7 +35,7 @@ inline std::string name_of(Cloud cloud) {
 }
 
 /// A point of the cloud, about the unit cube.
-inline Vec3f cloud_point(Cloud cloud, Sampler& s) {
+inline Vec3f cloud_point(Cloud cloud, test::Random& s) {
   const auto xy = s.next2();
   const Vec3f u{xy.x, xy.y, s.next()};
   const auto face = static_cast<int>(6 * s.next());
@@ -68,7 +68,7 @@ inline Vec3f cloud_point(Cloud cloud, Sampler& s) {
 inline Photons make_cloud(Cloud cloud, int count) {
   Photons photons;
   for (int i = 0; i < count; ++i) {
-    Sampler s(41, Stream::camera, static_cast<std::uint64_t>(i), static_cast<std::uint64_t>(cloud));
+    test::Random s(41, static_cast<std::uint64_t>(i), static_cast<std::uint64_t>(cloud));
     const Vec3f p = cloud_point(cloud, s);
     const auto flux = static_cast<float>(i % 128);
     photons.push_back({p, {flux, flux + 1, 2 * flux}, static_cast<std::uint32_t>(i), i % 16});
@@ -78,7 +78,7 @@ inline Photons make_cloud(Cloud cloud, int count) {
 
 /// Query q: a point of the cloud, one of the photons, within the photons' bounds or outside them.
 inline Vec3f query_point(Cloud cloud, const Photons& photons, std::uint64_t q) {
-  Sampler s(42, Stream::camera, q, 0);
+  test::Random s(42, q);
   const Vec3f near = cloud_point(cloud, s);
   const Vec3f jitter{s.next() - 0.5f, s.next() - 0.5f, s.next() - 0.5f};
   switch (q % 4) {

@@ -45,7 +45,7 @@ TEST_P(PhotonMapOf, hundred_thousand_queries_find_exactly_what_brute_force_finds
   }
   for (std::uint64_t q = 0; q < 100'000; ++q) {
     const Vec3f p = query_point(GetParam(), photons, q);
-    Sampler s(43, Stream::camera, q, 0);
+    test::Random s(43, q);
     const float any = s.next();
     // The grids' own radii, any other, none at all, and exactly the distance of some photon.
     const float radius = q % 5 == 0   ? 0.05f
@@ -137,18 +137,15 @@ TEST_P(PhotonMapOf, queries_are_ordered_by_cell_and_then_as_they_came) {
   const Photons photons = make_cloud(GetParam(), 3000);
   for (const float width : {0.1f, 1e-3f}) {
     const PhotonMap map(photons, width, Threads(1));
-    LargeArray<float> x, y, z;
-    for (std::uint64_t q = 0; q < 3000; ++q) {
-      const Vec3f p = query_point(GetParam(), photons, q);
-      x.push_back(p.x);
-      y.push_back(p.y);
-      z.push_back(p.z);
-    }
-    std::vector<std::uint32_t> expected(x.size()), order;
+    struct Point {
+      Vec3f p;
+    };
+    std::vector<Point> points;
+    for (std::uint64_t q = 0; q < 3000; ++q) points.push_back({query_point(GetParam(), photons, q)});
+    std::vector<std::uint32_t> expected(points.size());
     for (std::uint32_t i = 0; i < expected.size(); ++i) expected[i] = i;
-    std::ranges::stable_sort(expected, {}, [&](std::uint32_t i) { return map.cell_order_key({x[i], y[i], z[i]}); });
-    QueryOrder().for_each(map, x, y, z, [&](std::uint32_t i) { order.push_back(i); });
-    EXPECT_EQ(order, expected);
+    std::ranges::stable_sort(expected, {}, [&](std::uint32_t i) { return map.cell_order_key(points[i].p); });
+    EXPECT_EQ(cell_order(map, points), expected);
   }
 }
 

@@ -37,12 +37,13 @@ TEST(photon_mapper, a_single_plane_needs_no_map) {
 }
 
 TEST(photon_mapper, skipping_the_maps_of_a_plane_changes_nothing) {
-  // With a second plane far away that faces the first the maps cannot be skipped, yet add less than its solid angle:
-  // E of the far plane is I/d^2 = 1e-8, so the images differ by rounding alone.
+  // With a second plane far away that faces the first the maps cannot be skipped, yet add next to nothing: E of the far
+  // plane is I/d^2 = 1e-4, of which its albedo and its solid angle over pi, 0.5 x 4/(pi 1e4), leave 6e-9 where the lamp
+  // gives 0.25. So the images differ by rounding alone.
   const SceneDescription alone = test::floor_under_point_light(16);
   SceneDescription together = alone;
-  test::add_shape(together, RectangleDescription{},
-                  Transform::translate({0, 1e4, 0}) * Transform::rotate({1, 0, 0}, 90), {0});
+  test::add_shape(together, RectangleDescription{}, Transform::translate({0, 98, 0}) * Transform::rotate({1, 0, 0}, 90),
+                  {0});
   const auto a = render(alone, "photonmapper", job_with(4));
   const auto b = render(together, "photonmapper", job_with(4));
   EXPECT_GT(b.stats.counts.at("rays_photon"), 0);

@@ -4,8 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "renderer/film.h"
+#include "renderer/kernels/lights.h"
+#include "renderer/light_table.h"
 #include "renderer/scene_facts.h"
+#include "renderer/test_random.h"
 #include "renderer/test_scenes.h"
 
 namespace photonproof {
@@ -22,8 +27,9 @@ TEST(scene, cube_normals_point_outward_and_flip) {
     float area = 0;
     for (const Surface& surface : scene.surfaces) {
       const auto& quad = std::get<Quad>(surface.geometry);
-      const Vec3f middle = quad.corner + quad.edge_u * 0.5f + quad.edge_v * 0.5f;
-      EXPECT_EQ(dot(quad.normal, middle - Vec3f(3, 0, 0)) > 0, !flip);
+      const Vec3f middle =  // seen from the cube's, which is the origin
+          quad.corner + quad.edge_u * 0.5f + quad.edge_v * 0.5f;
+      EXPECT_EQ(dot(quad.normal, middle) > 0, !flip);
       area += quad.area;
     }
     EXPECT_NEAR(area, 2 * (2 * 4 + 4 * 6 + 2 * 6), 1e-4f);  // faces of a 2 x 4 x 6 box
@@ -42,20 +48,26 @@ TEST(camera, looks_through_the_pixels_mitsuba_does) {
   // world -x (local +x is left), the top is +y at half the tangent.
   SceneDescription d;
   test::set_camera(d, Transform::look_at({0, 0, 0}, {0, 0, -1}, {0, 1, 0}), 90, 10);
-  const Camera camera(d.sensor, 20, 10);
-  const Vec3f top_left = camera.ray(0, 0).direction;
-  EXPECT_NEAR(top_left.x / -top_left.z, -1, 1e-6f);
-  EXPECT_NEAR(top_left.y / -top_left.z, 0.5f, 1e-6f);
-  EXPECT_NEAR(length(camera.ray(20, 10).direction), 1, 1e-6f);
+  // The middle of the corner pixel is half a pixel, 1/20 and 1/10 of the way to the centre, inside the edge.
+  SceneView view;
+  view.camera = compile_camera(d.sensor, 20, 10, {0, 0, 0});
+  const Vec3f top_left = test::ray_through_pixel(view, 0, 0).direction;
+  EXPECT_NEAR(top_left.x / -top_left.z, -0.95f, 1e-6f);
+  EXPECT_NEAR(top_left.y / -top_left.z, 0.45f, 1e-6f);
+  const Vec3f bottom_right = test::ray_through_pixel(view, 19, 9).direction;
+  EXPECT_NEAR(length(bottom_right - Vec3f(-top_left.x, -top_left.y, top_left.z)), 0, 1e-6f);
+  EXPECT_NEAR(length(bottom_right), 1, 1e-6f);
 }
 
 TEST(camera, rays_start_on_the_near_plane) {
   SceneDescription d;
   test::set_camera(d, Transform::look_at({0, 0, 150}, {0, 0, 0}, {0, 1, 0}), 52.63, 10);
   std::get<PerspectiveDescription>(d.sensor.camera).near_clip = 100.1;
-  const Camera camera(d.sensor, 10, 10);
-  EXPECT_NEAR(camera.ray(0, 0).origin.z, 49.9f, 1e-4f);
-  EXPECT_NEAR(camera.ray(0, 0).origin.x, -49.5f, 0.02f);  // 100.1 tan(26.315 degrees) = 49.505
+  SceneView view;
+  view.camera = compile_camera(d.sensor, 10, 10, {0, 0, 0});
+  const Vec3f origin = test::ray_through_pixel(view, 0, 0).origin;
+  EXPECT_NEAR(origin.z, 49.9f, 1e-4f);
+  EXPECT_NEAR(origin.x, -0.9f * 49.505f, 0.02f);  // 100.1 tan(26.315 degrees) = 49.505, half a pixel inside the edge
 }
 
 TEST(scene, refuses_shapes_whose_area_vanishes_or_overflows) {
@@ -80,11 +92,64 @@ TEST(scene, lights_are_chosen_by_flux) {
   d.emitters.push_back({{}, "", PointLightDescription{{0, 0, 0}, RgbD(1)}});
   d.emitters.push_back({{}, "", PointLightDescription{{0, 0, 0}, RgbD(0)}});
   const Scene scene(d, 4, 4);
-  EXPECT_EQ(scene.choose_light(0).index, 0u);
-  EXPECT_EQ(scene.choose_light(0.74f).index, 0u);
-  EXPECT_EQ(scene.choose_light(0.76f).index, 2u);
-  EXPECT_EQ(scene.choose_light(std::nextafter(1.0f, 0.0f)).index, 2u);  // never the dark ones
-  EXPECT_NEAR(scene.choose_light(0.76f).probability, 0.25f, 1e-7f);
+  // Over 4096 numbers in the middles of equal cells, exactly: the alias table's thresholds are multiples of a quarter.
+  std::vector<double> chosen(4);
+  for (int i = 0; i < 4096; ++i) {
+    const LightChoice<float> choice = choose_light<float>(scene.view(), (static_cast<float>(i) + 0.5f) / 4096);
+    chosen[choice.light] += 1.0 / 4096;
+    EXPECT_NEAR(choice.probability, choice.light == 0 ? 0.75f : 0.25f, 1e-7f);
+  }
+  EXPECT_EQ(chosen, (std::vector<double>{0.75, 0, 0.25, 0}));  // never the dark ones
+  EXPECT_NE(choose_light<float>(scene.view(), std::nextafter(1.0f, 0.0f)).light % 2, 1u);
+}
+
+TEST(scene, an_alias_table_of_many_lights_holds_their_shares) {
+  // What slot i keeps and what others' slots give it is its share: n p_i = threshold_i + sum (1 - threshold_j).
+  std::vector<Light> lights;
+  double total = 0;
+  for (std::uint64_t i = 0; i < 1000; ++i) {
+    const float strength = i % 7 == 0 ? 0.0f : std::pow(10.0f, 6 * test::Random(61, i).next() - 3);
+    total += static_cast<double>(strength);
+    lights.emplace_back(PointLight<float>{{}, Rgb(strength)});
+  }
+  const std::vector<LightWords> table = light_table(lights);
+  std::vector<double> share(1000);
+  for (std::size_t i = 0; i < 1000; ++i) {
+    share[i] += static_cast<double>(table[i].alias_threshold);
+    if (table[i].alias != i) share[table[i].alias] += 1 - static_cast<double>(table[i].alias_threshold);
+  }
+  for (std::size_t i = 0; i < 1000; ++i) {
+    const double expected = static_cast<double>(std::get<PointLight<float>>(lights[i]).intensity.x) / total;
+    EXPECT_NEAR(static_cast<double>(table[i].probability), expected, 1e-6 * expected);
+    EXPECT_NEAR(share[i], 1000 * expected, 1e-5 * (1 + 1000 * expected)) << i;
+    if (i % 7 == 0) {
+      EXPECT_EQ(share[i], 0) << i;
+    }
+  }
+}
+
+TEST(scene, its_origin_is_the_middle_of_its_shapes) {
+  // Shapes from 1e5 to 1e5 + 4 along x: what is near them has coordinates below 3 and the sixteen-millionth part of
+  // that as rounding, not of 1e5. Camera and point light move along.
+  SceneDescription d;
+  const BsdfIndex grey = test::add_bsdf(d, DiffuseDescription{});
+  test::add_shape(d, SphereDescription{{1e5 + 1, 0, 0}, 1}, {}, grey);
+  test::add_shape(d, SphereDescription{{1e5 + 3, 0, 0}, 1}, {}, grey);
+  d.emitters.push_back({{}, "", PointLightDescription{{1e5 + 2, 0.5, 3}, RgbD(1)}});
+  test::set_camera(d, Transform::look_at({1e5 + 2, 0, 5}, {1e5 + 2, 0, 0}, {0, 1, 0}), 40, 4);
+  const Scene scene(d, 4, 4);
+  EXPECT_EQ(std::get<Sphere>(scene.surfaces[0].geometry).center, Vec3f(-1, 0, 0));
+  EXPECT_EQ(std::get<Sphere>(scene.surfaces[1].geometry).center, Vec3f(1, 0, 0));
+  EXPECT_EQ(std::get<PointLight<float>>(scene.lights[0]).position, Vec3f(0, 0.5f, 3));
+  EXPECT_EQ(scene.view().camera.origin, Vec3f(0, 0, 5));
+}
+
+TEST(scene, is_small_up_to_the_limit_and_embrees_beyond) {
+  const SceneDescription d = test::room(4, true);  // 6 rectangles, 2 balls
+  EXPECT_TRUE(Scene(d, 4, 4, 8).view().small);
+  EXPECT_EQ(Scene(d, 4, 4, 8).view().tracer, nullptr);
+  EXPECT_FALSE(Scene(d, 4, 4, 7).view().small);
+  EXPECT_EQ(Scene(d, 4, 4).primitive_count(), 8u);
 }
 
 TEST(facts, tell_what_a_scene_cannot_do) {

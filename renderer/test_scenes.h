@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "renderer/integrator.h"
+#include "renderer/kernels/camera_rays.h"
 
 namespace photonproof::test {
 
@@ -74,6 +75,18 @@ inline SceneDescription room(int size, bool with_balls) {
   }
   set_camera(scene, Transform::look_at({0, 0, 3.9}, {0, 0, 0}, {0, 1, 0}), 36, size);
   return scene;
+}
+
+/// The ray of the camera kernel through the middle of a pixel.
+inline CameraRay<float> ray_through_pixel(const SceneView& scene, int x, int y) {
+  CameraTask task{};
+  task.x0 = x;
+  task.y0 = y;
+  task.x1 = x + 1;
+  task.y1 = y + 1;
+  task.samples = 1;
+  task.grid = 1;
+  return camera_rays<float>(scene, task, 0);
 }
 
 struct Rendered {

@@ -1,4 +1,5 @@
-// Ray queries: exact answers, robustness far from the origin, hostile rays.
+// Ray queries: exact answers, robustness far from the origin, hostile rays. A scene goes through the small scenes' own
+// kernel or through Embree, and both are held to the same.
 
 #include "renderer/trace.h"
 
@@ -6,7 +7,10 @@
 
 #include <cmath>
 
-#include "renderer/sampler.h"
+#include "renderer/integrator.h"
+#include "renderer/kernels/rays.h"
+#include "renderer/test_random.h"
+#include "renderer/test_scenes.h"
 #include "renderer/warp.h"
 
 namespace photonproof {
@@ -25,19 +29,75 @@ std::vector<Surface> box(const Vec3f& center) {
           quad(high, {0, -s, 0}, {-s, 0, 0}), quad(high, {0, 0, -s}, {0, -s, 0}), quad(high, {-s, 0, 0}, {0, 0, -s})};
 }
 
+Hit intersect(const Tracer& tracer, const Vec3f& origin, const Vec3f& direction) {
+  RayBlock rays{};
+  HitBlock hits;
+  fill_block<float>(rays, origin, direction, true);
+  tracer.intersect(rays, hits, false);
+  if (hits.surface[0] == no_index) return {};
+  return {
+      hits.surface[0], {hits.p_x[0], hits.p_y[0], hits.p_z[0]}, {hits.normal_x[0], hits.normal_y[0], hits.normal_z[0]}};
+}
+
+bool occluded(const Tracer& tracer, const Vec3f& origin, const Vec3f& segment) {
+  RayBlock rays{};
+  std::uint32_t blocked[RayBlock::width];
+  fill_block<float>(rays, origin, segment, true);
+  tracer.occluded(rays, blocked);
+  return blocked[0] == 1;
+}
+
 TEST(tracer, hits_quads_and_spheres_where_geometry_says) {
   std::vector<Surface> surfaces = box({0, 0, 0});
   surfaces.push_back({Sphere{{0, 0, 0}, 0.5f, false}});
   const Tracer tracer(surfaces);
-  const Hit ball = tracer.intersect({{0, 0, 0.9f}, {0, 0, -1}});
+  const Hit ball = intersect(tracer, {0, 0, 0.9f}, {0, 0, -1});
   EXPECT_EQ(ball.surface, 6u);
   EXPECT_NEAR(ball.p_world.z, 0.5f, 1e-6f);
   EXPECT_EQ(ball.normal, Vec3f(0, 0, 1));
-  const Hit wall = tracer.intersect({{0.8f, 0.7f, 0}, {0, 0, -1}});
+  const Hit wall = intersect(tracer, {0.8f, 0.7f, 0}, {0, 0, -1});
   EXPECT_EQ(wall.surface, 0u);
   EXPECT_NEAR(length(wall.p_world - Vec3f(0.8f, 0.7f, -1)), 0, 2e-7f);
-  EXPECT_TRUE(tracer.occluded({{0, 0, 0.9f}, {0, 0, -1.8f}, 0, 1}));
-  EXPECT_FALSE(tracer.occluded({{0.8f, 0.7f, 0.9f}, {0, 0, -1.8f}, 0, 1}));
+  EXPECT_TRUE(occluded(tracer, {0, 0, 0.9f}, {0, 0, -1.8f}));
+  EXPECT_FALSE(occluded(tracer, {0.8f, 0.7f, 0.9f}, {0, 0, -1.8f}));
+}
+
+TEST(tracer, a_block_of_rays_ends_where_its_rays_do_one_by_one) {
+  // Through the BVH together or not, with any lanes missing.
+  std::vector<Surface> surfaces = box({0, 0, 0});
+  surfaces.push_back({Sphere{{0.2f, -0.3f, 0.1f}, 0.5f, false}});
+  const Tracer tracer(surfaces);
+  for (std::uint64_t i = 0; i < 2000; ++i) {
+    test::Random random(53, i);
+    RayBlock rays{};
+    HitBlock hits;
+    Vec3f origins[RayBlock::width], directions[RayBlock::width];
+    const auto lanes = static_cast<std::uint32_t>(random.next_bits() & 0xFFFF);
+    for (std::size_t k = 0; k < RayBlock::width; ++k) {
+      const Vec3f o = square_to_sphere(random.next2()) * 0.9f, d = square_to_sphere(random.next2());
+      origins[k] = o;
+      directions[k] = d;
+      rays.origin_x[k] = o.x, rays.origin_y[k] = o.y, rays.origin_z[k] = o.z;
+      rays.direction_x[k] = d.x, rays.direction_y[k] = d.y, rays.direction_z[k] = d.z;
+    }
+    rays.active = lanes;
+    std::uint32_t blocked[RayBlock::width];
+    tracer.occluded(rays, blocked);
+    for (const bool coherent : {false, true}) {
+      tracer.intersect(rays, hits, coherent);
+      for (std::size_t k = 0; k < RayBlock::width; ++k) {
+        if ((lanes >> k & 1u) == 0) {
+          EXPECT_EQ(hits.surface[k], no_index);
+          EXPECT_EQ(blocked[k], 0u);
+          continue;
+        }
+        const Hit alone = intersect(tracer, origins[k], directions[k]);
+        EXPECT_EQ(hits.surface[k], alone.surface);
+        EXPECT_NEAR(length(Vec3f(hits.p_x[k], hits.p_y[k], hits.p_z[k]) - alone.p_world), 0, 2e-6f);
+        EXPECT_EQ(blocked[k] == 1, occluded(tracer, origins[k], directions[k]));
+      }
+    }
+  }
 }
 
 TEST(tracer, no_ray_leaves_a_closed_box_or_meets_its_own_surface_however_far_out_it_stands) {
@@ -48,13 +108,13 @@ TEST(tracer, no_ray_leaves_a_closed_box_or_meets_its_own_surface_however_far_out
     const Tracer tracer(surfaces);
     int leaks = 0, self_hits = 0;
     for (std::uint64_t i = 0; i < 20'000; ++i) {
-      Sampler s(51, Stream::camera, i, 0);
+      test::Random s(51, i);
       const std::uint32_t start = static_cast<std::uint32_t>(i % 6);
       const auto& wall = std::get<Quad>(surfaces[start].geometry);
       const auto u = s.next2();
       const Vec3f p = wall.corner + wall.edge_u * u.x + wall.edge_v * u.y;
-      const Vec3f d = Frame(wall.normal).to_world(square_to_cosine_hemisphere(s.next2()));
-      const Hit hit = tracer.intersect({tracer.offset(p, wall.normal, d), d});
+      const Vec3f d = Frame<float>(wall.normal).to_world(square_to_cosine_hemisphere(s.next2()));
+      const Hit hit = intersect(tracer, offset_from(p, wall.normal, d, 1), d);
       if (!hit.valid()) ++leaks;
       if (hit.surface == start) ++self_hits;
     }
@@ -69,12 +129,12 @@ TEST(tracer, rays_leaving_a_sphere_never_meet_it_again) {
     const std::vector<Surface> surfaces{{Sphere{center, 1, false}}};
     const Tracer tracer(surfaces);
     for (std::uint64_t i = 0; i < 20'000; ++i) {
-      Sampler s(52, Stream::camera, i, 0);
+      test::Random s(52, i);
       const Vec3f from = center + square_to_sphere(s.next2()) * 3;
-      const Hit first = tracer.intersect({from, normalize(center + square_to_sphere(s.next2()) * 0.99f - from)});
+      const Hit first = intersect(tracer, from, normalize(center + square_to_sphere(s.next2()) * 0.99f - from));
       ASSERT_TRUE(first.valid());
-      const Vec3f d = Frame(first.normal).to_world(square_to_cosine_hemisphere(s.next2()));
-      EXPECT_FALSE(tracer.intersect({tracer.offset(first.p_world, first.normal, d), d}).valid()) << shift;
+      const Vec3f d = Frame<float>(first.normal).to_world(square_to_cosine_hemisphere(s.next2()));
+      EXPECT_FALSE(intersect(tracer, offset_from(first.p_world, first.normal, d, 1), d).valid()) << shift;
     }
   }
 }
@@ -83,15 +143,194 @@ TEST(tracer, a_ray_with_a_nan_or_infinity_hits_nothing) {
   const std::vector<Surface> surfaces = box({0, 0, 0});
   const Tracer tracer(surfaces);
   for (const float bad : {std::nanf(""), INFINITY, -INFINITY}) {
-    EXPECT_FALSE(tracer.intersect({{bad, 0, 0}, {0, 0, 1}}).valid());
-    EXPECT_FALSE(tracer.intersect({{0, 0, 0}, {0, bad, 1}}).valid());
-    EXPECT_FALSE(tracer.occluded({{0, 0, bad}, {0, 0, 5}, 0, 1}));
+    EXPECT_FALSE(intersect(tracer, {bad, 0, 0}, {0, 0, 1}).valid());
+    EXPECT_FALSE(intersect(tracer, {0, 0, 0}, {0, bad, 1}).valid());
+    EXPECT_FALSE(occluded(tracer, {0, 0, bad}, {0, 0, 5}));
   }
 }
 
 TEST(tracer, an_empty_scene_is_all_misses) {
   const std::vector<Surface> none;
-  EXPECT_FALSE(Tracer(none).intersect({{0, 0, 0}, {0, 0, 1}}).valid());
+  EXPECT_FALSE(intersect(Tracer(none), {0, 0, 0}, {0, 0, 1}).valid());
+}
+
+// --- whole scenes, through both ways of tracing ----------------------------------------------------------------------
+
+constexpr std::size_t by_embree = 0, by_small_kernel = small_scene_limit;
+
+/// Where a scene stands in its file, and how far its shapes are from the middle of them all, which is the compiled
+/// scene's origin: single precision must bear the second, the first costs nothing.
+struct Placement {
+  double shift, from_middle;
+};
+std::ostream& operator<<(std::ostream& out, const Placement& p) {
+  return out << "shifted by " << p.shift << ", " << p.from_middle << " from the scene's middle";
+}
+const Placement placements[] = {{0, 0}, {100, 0}, {1e4, 0}, {1e5, 0}};
+
+Vec3d center_of(const Placement& at) { return Vec3d(1, -1, 1) * at.shift + Vec3d(-1, 1, 1) * at.from_middle; }
+
+/// The far end of a scene whose middle is the origin.
+void add_counterweight(SceneDescription& scene, const Placement& at, BsdfIndex bsdf) {
+  if (at.from_middle == 0) return;
+  test::add_shape(scene, SphereDescription{}, Transform::translate(Vec3d(1, -1, -1) * at.from_middle), bsdf);
+}
+
+void set_camera(SceneDescription& scene, const Vec3d& center) {
+  test::set_camera(scene, Transform::look_at(center + Vec3d(0.1, 0.2, 0.3), center + Vec3d(-0.3, 0.1, -0.5), {0, 1, 0}),
+                   120, 16);
+}
+
+/// A closed cube of half edge 1 seen from inside that reflects everything, a point light in its middle.
+SceneDescription white_box(const Placement& at) {
+  SceneDescription scene;
+  const BsdfIndex white = test::add_bsdf(scene, DiffuseDescription{RgbD(1)});
+  const Vec3d center = center_of(at);
+  test::add_shape(scene, CubeDescription{}, Transform::translate(center), white).flip_normals = true;
+  add_counterweight(scene, at, white);
+  scene.emitters.push_back({{}, "", PointLightDescription{center + Vec3d(-0.1, 0.05, 0.2), RgbD(1)}});
+  set_camera(scene, center);
+  return scene;
+}
+
+/// The same inside a sphere.
+SceneDescription white_sphere(const Placement& at) {
+  SceneDescription scene;
+  const BsdfIndex white = test::add_bsdf(scene, DiffuseDescription{RgbD(1)});
+  const Vec3d center = center_of(at);
+  test::add_shape(scene, SphereDescription{}, Transform::translate(center), white).flip_normals = true;
+  add_counterweight(scene, at, white);
+  scene.emitters.push_back({{}, "", PointLightDescription{center + Vec3d(-0.1, 0.05, 0.2), RgbD(1)}});
+  set_camera(scene, center);
+  return scene;
+}
+
+/// The box with a ball of lossless glass and one of lossless metal in it.
+SceneDescription white_box_with_balls(const Placement& at) {
+  SceneDescription scene = white_box(at);
+  const Vec3d center = center_of(at);
+  test::add_shape(scene, SphereDescription{{0.5, -0.5, 0.2}, 0.4}, Transform::translate(center),
+                  test::add_bsdf(scene, DielectricDescription{1.5, 1.0}));
+  test::add_shape(scene, SphereDescription{{-0.5, -0.5, -0.2}, 0.4}, Transform::translate(center),
+                  test::add_bsdf(scene, ConductorDescription{}));
+  return scene;
+}
+
+TEST(scene_rays, no_ray_leaves_a_closed_box_or_meets_its_own_wall) {
+  for (const std::size_t limit : {by_embree, by_small_kernel}) {
+    for (const Placement& at : placements) {
+      const Scene scene(white_box(at), 4, 4, limit);
+      int leaks = 0, self_hits = 0, shadowed = 0;
+      for (std::uint64_t i = 0; i < 20'000; ++i) {
+        test::Random s(54, i);
+        const auto start = static_cast<std::uint32_t>(i % 6);
+        const auto& wall = std::get<Quad>(scene.surfaces[start].geometry);
+        const auto u = s.next2();
+        const Vec3f p = wall.corner + wall.edge_u * u.x + wall.edge_v * u.y;
+        const Vec3f d = Frame<float>(wall.normal).to_world(square_to_cosine_hemisphere(s.next2()));
+        const std::uint32_t from = scene.view().small ? start : no_index;
+        const float floor = scene.view().coordinate_floor;
+        const SurfaceHit<float> hit =
+            closest_hit<float>(scene.view(), offset_from(p, wall.normal, d, floor), d, from, true, false);
+        if (!hit.valid || hit.surface >= 6) ++leaks;
+        if (hit.valid && hit.surface == start) ++self_hits;
+        const Vec3f light = std::get<PointLight<float>>(scene.lights[0]).position;
+        const Vec3f origin = offset_from(p, wall.normal, Vec3f(light - p), floor);
+        if (occluded<float>(scene.view(), origin, light - origin, from, no_index, true)) ++shadowed;
+      }
+      EXPECT_EQ(leaks, 0) << (limit == by_embree ? "Embree, " : "small, ") << at;
+      EXPECT_EQ(self_hits, 0) << (limit == by_embree ? "Embree, " : "small, ") << at;
+      EXPECT_EQ(shadowed, 0) << (limit == by_embree ? "Embree, " : "small, ") << at;
+    }
+  }
+}
+
+TEST(scene_rays, leave_a_sphere_and_cross_it_once) {
+  // Outward from its surface nothing is met; inward the far side is.
+  for (const std::size_t limit : {by_embree, by_small_kernel}) {
+    for (const Placement& at : placements) {
+      SceneDescription d;
+      const BsdfIndex white = test::add_bsdf(d, DiffuseDescription{RgbD(1)});
+      test::add_shape(d, SphereDescription{}, Transform::translate(center_of(at)), white);
+      const Scene scene(d, 4, 4, limit);
+      const Vec3f center = std::get<Sphere>(scene.surfaces[0].geometry).center;
+      int met_again = 0, lost = 0;
+      for (std::uint64_t i = 0; i < 20'000; ++i) {
+        test::Random s(55, i);
+        const Vec3f from = center + square_to_sphere(s.next2()) * 3;
+        const Vec3f towards = center + square_to_sphere(s.next2()) * 0.99f;
+        const SurfaceHit<float> hit =
+            closest_hit<float>(scene.view(), from, normalize(towards - from), no_index, true, false);
+        ASSERT_TRUE(hit.valid);
+        const Vec3f out = Frame<float>(hit.normal).to_world(square_to_cosine_hemisphere(s.next2()));
+        const float floor = scene.view().coordinate_floor;
+        const auto next = [&](const Vec3f& direction) {
+          return closest_hit<float>(scene.view(), offset_from(hit.p, hit.normal, direction, floor), direction,
+                                    hit.primitive, true, false);
+        };
+        if (next(out).valid) ++met_again;
+        const SurfaceHit<float> through = next(-out);
+        if (!through.valid || dot(through.normal, out) > 0) ++lost;
+      }
+      EXPECT_EQ(met_again, 0) << (limit == by_embree ? "Embree, " : "small, ") << at;
+      EXPECT_EQ(lost, 0) << (limit == by_embree ? "Embree, " : "small, ") << at;
+    }
+  }
+}
+
+/// Camera paths of `edges` edges in a closed scene that absorbs nothing: how many ended before, that is leaked, met the
+/// surface they left from behind, or lost what they carried.
+std::uint64_t camera_paths_lost(const Kernels& kernels, const Scene& scene, int edges) {
+  PathTask task;
+  task.scene = &scene.view();
+  task.camera = {0, 0, 16, 16, 0, 32, 1};
+  task.settings = {.max_depth = edges, .rr_depth = 1000, .weighted = false};
+  std::vector<float> radiance(3 * std::size_t{task.camera.paths()});
+  std::vector<std::uint32_t> scratch(kernels.path_scratch);
+  task.radiance = radiance.data();
+  task.scratch = scratch.data();
+  kernels.trace_paths(task);
+  return std::uint64_t{task.camera.paths()} * static_cast<std::uint64_t>(edges - 1) - task.counts.bounce;
+}
+
+/// Photons that a closed white scene should have stored at every edge but the first, less those it did.
+std::int64_t photons_lost(const Kernels& kernels, const Scene& scene, int edges) {
+  std::vector<std::uint32_t> scratch(kernels.photon_scratch);
+  const auto deposits = std::make_unique<PhotonDeposits>();
+  std::uint64_t stored = 0;
+  PhotonTask task;
+  task.scene = &scene.view();
+  task.seed = 7;
+  task.count = 8000;
+  task.max_edges = edges;
+  task.scratch = scratch.data();
+  task.deposits = deposits.get();
+  task.sink = &stored;
+  task.drain = [](PhotonTask& t) {
+    *static_cast<std::uint64_t*>(t.sink) += t.deposits->count;
+    t.deposits->count = 0;
+  };
+  kernels.trace_photons(task);
+  return static_cast<std::int64_t>(task.count) * (edges - 1) - static_cast<std::int64_t>(stored);
+}
+
+TEST(scene_rays, no_history_of_any_kernel_is_lost_in_a_closed_white_scene) {
+  for (const std::size_t limit : {by_embree, by_small_kernel}) {
+    for (const Placement& at : placements) {
+      const Scene in_box(white_box(at), 16, 16, limit);
+      const Scene in_sphere(white_sphere(at), 16, 16, limit);
+      const Scene with_balls(white_box_with_balls(at), 16, 16, limit);
+      for (const Kernels* kernels : available_kernels()) {
+        const std::string what =
+            std::string(limit == by_embree ? "Embree, " : "small, ") + kernels->isa + ", " + testing::PrintToString(at);
+        EXPECT_EQ(camera_paths_lost(*kernels, in_box, 6), 0u) << "box, " << what;
+        EXPECT_EQ(photons_lost(*kernels, in_box, 6), 0) << "box, " << what;
+        EXPECT_EQ(camera_paths_lost(*kernels, in_sphere, 6), 0u) << "sphere, " << what;
+        EXPECT_EQ(photons_lost(*kernels, in_sphere, 6), 0) << "sphere, " << what;
+        EXPECT_EQ(camera_paths_lost(*kernels, with_balls, 6), 0u) << "balls, " << what;
+      }
+    }
+  }
 }
 
 }  // namespace
