@@ -223,7 +223,7 @@ void Scene::add_mesh(const SceneDescription& description, const ShapeDescription
   mesh.triangles = source.triangles.data();
   mesh.triangle_count = source.triangles.size();
   mesh.owner = ply.mesh;
-  mesh.inward = shape.flip_normals != (shape.to_world.determinant() < 0);
+  mesh.inward = shape.flip_normals;  // as Mitsuba, which lets a mirroring transform turn a mesh over
   primitives_ += mesh.triangle_count;
   add_surface(std::move(mesh), shape);
 }

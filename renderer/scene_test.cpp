@@ -146,9 +146,9 @@ TEST(scene, its_origin_is_the_middle_of_its_shapes) {
 
 TEST(scene, is_small_up_to_the_limit_and_embrees_beyond) {
   const SceneDescription d = test::room(4, true);  // 6 rectangles, 2 balls
-  EXPECT_TRUE(Scene(d, 4, 4, 8).view().small);
-  EXPECT_EQ(Scene(d, 4, 4, 8).view().tracer, nullptr);
-  EXPECT_FALSE(Scene(d, 4, 4, 7).view().small);
+  EXPECT_TRUE(Scene(d, 4, 4, {}, 8).view().small);
+  EXPECT_EQ(Scene(d, 4, 4, {}, 8).view().tracer, nullptr);
+  EXPECT_FALSE(Scene(d, 4, 4, {}, 7).view().small);
   EXPECT_EQ(Scene(d, 4, 4).primitive_count(), 8u);
 }
 
