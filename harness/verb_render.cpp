@@ -89,6 +89,9 @@ int run_render(const RenderArguments& arguments) {
   const Scene scene(description, film_size.width, film_size.height, skips);
   stats.phases["compile"] = compile_timer.seconds();
 
+  stats.counts["bytes_scene"] = static_cast<double>(scene.memory_bytes());
+  if (scene.view().tracer != nullptr) stats.counts["bytes_bvh"] = static_cast<double>(scene.view().tracer->bvh_bytes());
+
   RenderJob job;
   job.budget = {arguments.spp, arguments.photons, arguments.seconds};
   job.seed = arguments.seed;

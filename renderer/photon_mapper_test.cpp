@@ -1,5 +1,6 @@
 // The photon mapper against closed forms and against the path tracer.
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -30,9 +31,8 @@ TEST(photon_mapper, depth_counts_camera_and_light_edges_together) {
 
 TEST(photon_mapper, a_single_plane_needs_no_map) {
   const auto out = render(test::floor_under_point_light(16), "photonmapper", job_with(4));
-  ASSERT_EQ(out.stats.skipped.size(), 2u);
-  EXPECT_EQ(out.stats.skipped[0], "global photon map: no two diffuse surfaces see each other");
-  EXPECT_EQ(out.stats.skipped[1], "caustic photon map: no specular surface");
+  EXPECT_THAT(out.stats.skipped, testing::IsSupersetOf({"global-map: no two diffuse surfaces see each other",
+                                                        "caustic-map: no specular surface"}));
   EXPECT_EQ(out.stats.counts.at("rays_photon"), 0);
 }
 

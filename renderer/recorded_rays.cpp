@@ -36,9 +36,9 @@ SurfaceHit<RecordedLane> closest_hit(const SceneView& scene, const Vec3<Recorded
   return closest_hit<RecordedLane>(scene, origin, direction, from, active, false);
 }
 
-Mask<RecordedLane> occluded(const SceneView& scene, const Vec3<RecordedLane>& origin,
-                            const Vec3<RecordedLane>& segment, const UInt<RecordedLane>& from,
-                            const UInt<RecordedLane>& target, const Mask<RecordedLane>& active) {
+Mask<RecordedLane> occluded(const SceneView& scene, const Vec3<RecordedLane>& origin, const Vec3<RecordedLane>& segment,
+                            const UInt<RecordedLane>& from, const UInt<RecordedLane>& target,
+                            const Mask<RecordedLane>& active) {
   record(recording->shadow, origin, segment);
   return occluded<RecordedLane>(scene, origin, segment, from, target, active);
 }

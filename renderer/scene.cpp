@@ -130,8 +130,7 @@ Scene::Scene(const SceneDescription& description, int width_, int height_, const
   const double largest = max_component(extent);
   view_.coordinate_floor = std::isfinite(largest) ? static_cast<float>(largest / 16) : 1;
 
-  small_ =
-      primitives_ <= small_limit && skips.on(Skip::bvh) ? std::make_unique<SmallSceneTables>(surfaces) : nullptr;
+  small_ = primitives_ <= small_limit && skips.on(Skip::bvh) ? std::make_unique<SmallSceneTables>(surfaces) : nullptr;
   if (small_ == nullptr) tracer_ = std::make_unique<Tracer>(surfaces);
   view_.small = small_ != nullptr;
   if (small_ != nullptr) view_.primitives = small_->view();
@@ -220,12 +219,20 @@ void Scene::add_mesh(const SceneDescription& description, const ShapeDescription
   mesh.positions.reserve(source.positions.size() + 1);
   for (const Vec3f& p : source.positions) mesh.positions.push_back(Vec3f(to_world.point(Vec3d(p))));
   mesh.positions.emplace_back();
-  mesh.triangles = source.triangles.data();
-  mesh.triangle_count = source.triangles.size();
-  mesh.owner = ply.mesh;
+  mesh.source = ply.mesh;
   mesh.inward = shape.flip_normals;  // as Mitsuba, which lets a mirroring transform turn a mesh over
-  primitives_ += mesh.triangle_count;
+  primitives_ += mesh.triangle_count();
   add_surface(std::move(mesh), shape);
+}
+
+std::size_t Scene::memory_bytes() const {
+  const auto bytes = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
+  std::size_t total = bytes(surfaces) + bytes(bsdfs) + bytes(lights) + bytes(surface_words_) + bytes(light_words_) +
+                      bytes(bsdf_records_) + bytes(light_records_);
+  for (const Surface& surface : surfaces)
+    if (const auto* mesh = std::get_if<Mesh>(&surface.geometry))
+      total += bytes(mesh->positions) + bytes(mesh->source->positions) + bytes(mesh->source->triangles);
+  return total;
 }
 
 Hit Scene::intersect(const Vec3f& origin, const Vec3f& direction) const {

@@ -41,6 +41,8 @@ class Scene {
   const Bsdf& bsdf_of(const Surface& surface) const { return bsdfs[surface.bsdf]; }
   /// Parallelograms, spheres and triangles.
   std::size_t primitive_count() const { return primitives_; }
+  /// Bytes of geometry and tables, the description's meshes included, Embree's hierarchy not.
+  std::size_t memory_bytes() const;
 
   const int width, height;
   std::vector<Bsdf> bsdfs;

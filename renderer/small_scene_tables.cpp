@@ -33,7 +33,7 @@ SmallSceneTables::SmallSceneTables(const std::vector<Surface>& surfaces) : first
     const auto* mesh = std::get_if<Mesh>(&surfaces[i].geometry);
     if (mesh == nullptr) continue;
     start(i);
-    for (std::size_t t = 0; t < mesh->triangle_count; ++t) {
+    for (std::size_t t = 0; t < mesh->triangle_count(); ++t) {
       const Vec3d corner(mesh->corner(t, 0));
       const Vec3d edge_u = Vec3d(mesh->corner(t, 1)) - corner;
       const Vec3d edge_v = Vec3d(mesh->corner(t, 2)) - corner;

@@ -1,13 +1,13 @@
 // The surfaces rays meet: parallelograms (rectangles, faces of cubes) and spheres, each as itself, and meshes.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <variant>
 #include <vector>
 
 #include "renderer/ray.h"
+#include "scenes/mesh.h"
 #include "scenes/vec.h"
 
 namespace photonproof {
@@ -32,12 +32,11 @@ struct Sphere {
 
 struct Mesh {
   std::vector<Vec3f> positions;  ///< world space, with one spare at the end, which Embree's 16-byte reads touch
-  const std::array<std::uint32_t, 3>* triangles = nullptr;
-  std::size_t triangle_count = 0;
-  std::shared_ptr<const void> owner;  ///< of `triangles`
-  bool inward = false;                ///< the normal is opposite to the winding's
+  std::shared_ptr<const TriangleMesh> source;
+  bool inward = false;  ///< the normal is opposite to the winding's
 
-  Vec3f corner(std::size_t triangle, std::size_t k) const { return positions[triangles[triangle][k]]; }
+  std::size_t triangle_count() const { return source->triangles.size(); }
+  Vec3f corner(std::size_t triangle, std::size_t k) const { return positions[source->triangles[triangle][k]]; }
 };
 
 using Geometry = std::variant<Quad, Sphere, Mesh>;

@@ -7,6 +7,7 @@
 #endif
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -149,6 +150,11 @@ void intersect_packet(RTCScene scene, const int* valid, RTCRayHit16& query) {
 #endif
 }
 
+bool count_bytes(void* total, ssize_t bytes, bool) {
+  *static_cast<std::atomic<std::int64_t>*>(total) += bytes;
+  return true;
+}
+
 [[noreturn]] void fail(RTCDevice device, const char* what) {
   throw std::runtime_error(std::string("Embree: ") + what + " failed (error " +
                            std::to_string(static_cast<int>(rtcGetDeviceError(device))) + ")");
@@ -160,6 +166,7 @@ struct Tracer::Impl {
   Tables tables;
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
+  std::atomic<std::int64_t> bytes{0};
 
   ~Impl() {
     if (scene != nullptr) rtcReleaseScene(scene);
@@ -212,8 +219,8 @@ void Tracer::Impl::attach_mesh(const Mesh& mesh, unsigned id) {
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
   rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, mesh.positions.data(), 0,
                              sizeof(Vec3f), mesh.positions.size() - 1);
-  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh.triangles, 0,
-                             sizeof(mesh.triangles[0]), mesh.triangle_count);
+  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh.source->triangles.data(), 0,
+                             sizeof(TriangleMesh::Triangle), mesh.triangle_count());
   rtcSetGeometryMask(geometry, 0xFFFFFFFFu);
   rtcCommitGeometry(geometry);
   rtcAttachGeometryByID(scene, geometry, id);
@@ -255,6 +262,7 @@ Tracer::Tracer(const std::vector<Surface>& surfaces) : impl_(std::make_unique<Im
   }
   impl_->device = rtcNewDevice(nullptr);
   if (impl_->device == nullptr) fail(nullptr, "opening the device");
+  rtcSetDeviceMemoryMonitorFunction(impl_->device, count_bytes, &impl_->bytes);
   impl_->scene = rtcNewScene(impl_->device);
   rtcSetSceneFlags(impl_->scene, RTC_SCENE_FLAG_ROBUST);
   rtcSetSceneBuildQuality(impl_->scene, RTC_BUILD_QUALITY_MEDIUM);
@@ -267,6 +275,8 @@ Tracer::Tracer(const std::vector<Surface>& surfaces) : impl_(std::make_unique<Im
 }
 
 Tracer::~Tracer() = default;
+
+std::size_t Tracer::bvh_bytes() const { return static_cast<std::size_t>(std::max<std::int64_t>(0, impl_->bytes)); }
 
 void Tracer::intersect(const RayBlock& rays, HitBlock& hits, bool coherent) const {
   const std::uint32_t lanes = traceable(rays);

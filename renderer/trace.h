@@ -43,6 +43,9 @@ class Tracer {
   /// blocked[i] = 1 where anything lies on the segment from the origin to origin + direction, else 0.
   void occluded(const RayBlock& rays, std::uint32_t* blocked) const;
 
+  /// Bytes Embree holds, by its own account.
+  std::size_t bvh_bytes() const;
+
   /// rtcIntersect1 or rtcOccluded1 for every active lane and nothing else: what the benches compare with. Returns how
   /// many rays hit something.
   std::size_t count_hits_alone(const std::vector<RayBlock>& rays) const;

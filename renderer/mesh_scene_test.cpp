@@ -1,0 +1,103 @@
+// Meshes in the compiled scene: the same image as the shapes they copy, little memory, clear refusals.
+
+#include <gtest/gtest.h>
+
+#include "renderer/test_scenes.h"
+#include "scenes/terrain.h"
+
+namespace photonproof {
+namespace {
+
+/// The rectangle of two triangles, counter-clockwise seen from +z.
+std::shared_ptr<const TriangleMesh> square_mesh() {
+  auto mesh = std::make_shared<TriangleMesh>();
+  mesh->resize_positions(4);
+  mesh->positions[0] = {-1, -1, 0};
+  mesh->positions[1] = {1, -1, 0};
+  mesh->positions[2] = {1, 1, 0};
+  mesh->positions[3] = {-1, 1, 0};
+  mesh->triangles = {{0, 1, 2}, {0, 2, 3}};
+  return mesh;
+}
+
+SceneDescription with_meshes_for_rectangles(SceneDescription scene) {
+  const auto square = square_mesh();
+  for (ShapeDescription& shape : scene.shapes)
+    if (std::holds_alternative<RectangleDescription>(shape.geometry) && !shape.radiance)
+      shape.geometry = PlyDescription{"square.ply", true, square};
+  return scene;
+}
+
+Image render(const SceneDescription& description, const SkipSwitches& skips) {
+  RenderJob job = test::job_with(8);
+  job.skips = skips;
+  const Scene scene(description, 24, 24, skips);
+  Film film(24, 24);
+  RenderStats stats;
+  find_integrator("path")->render(scene, description.integrator, job, film, stats);
+  return film.develop().mean;
+}
+
+TEST(mesh_scene, triangles_render_as_the_rectangles_they_make_up) {
+  const SceneDescription rectangles = test::room(24, true);
+  const SceneDescription meshes = with_meshes_for_rectangles(rectangles);
+  for (const SkipSwitches& skips : {SkipSwitches(), SkipSwitches({"bvh"})}) {
+    const Image expected = render(rectangles, skips);
+    const Image image = render(meshes, skips);
+    int different = 0;  // rounding moves a few paths across an edge
+    for (std::size_t i = 0; i < image.rgb.size(); ++i)
+      if (std::abs(image.rgb[i] - expected.rgb[i]) > 1e-3f * (image.rgb[i] + expected.rgb[i])) ++different;
+    EXPECT_LT(different, static_cast<int>(image.rgb.size() / 30));
+    EXPECT_NEAR(test::image_mean(image), test::image_mean(expected), 0.01 * test::image_mean(expected));
+  }
+}
+
+TEST(mesh_scene, the_normal_follows_the_winding_and_flip_normals) {
+  for (const bool flip : {false, true}) {
+    SceneDescription d;
+    test::add_shape(d, PlyDescription{"square.ply", true, square_mesh()}, Transform::translate({5, 0, 0}),
+                    test::add_bsdf(d, DiffuseDescription{}))
+        .flip_normals = flip;
+    for (const SkipSwitches& skips : {SkipSwitches(), SkipSwitches({"bvh"})}) {
+      const Scene scene(d, 4, 4, skips);
+      const Hit hit = scene.intersect({0.2f, -0.3f, 1}, {0, 0, -1});
+      ASSERT_TRUE(hit.valid());
+      EXPECT_EQ(hit.normal.z, flip ? -1 : 1);
+      EXPECT_NEAR(hit.p_world.z, 0, 1e-6f);
+    }
+  }
+}
+
+TEST(mesh_scene, takes_little_memory_a_triangle) {
+  // Half a vertex (12 bytes, twice: as in the file and in the world) and a triangle's indices (12): 24 bytes.
+
+  SceneDescription d;
+  auto ground = std::make_shared<TriangleMesh>(make_ground(200, 200));
+  test::add_shape(d, PlyDescription{"ground.ply", true, ground}, {}, test::add_bsdf(d, DiffuseDescription{}));
+  const Scene scene(d, 4, 4);
+  EXPECT_EQ(scene.primitive_count(), 80'000u);
+  EXPECT_LT(static_cast<double>(scene.memory_bytes()) / 80'000, 30);
+  EXPECT_GT(static_cast<double>(scene.memory_bytes()) / 80'000, 20);
+}
+
+TEST(mesh_scene, what_a_mesh_cannot_be_yet_is_refused_by_name) {
+  const auto message = [](bool face_normals, bool emits) -> std::string {
+    SceneDescription d;
+    d.files = {"scene.xml"};
+    ShapeDescription& shape = test::add_shape(d, PlyDescription{"square.ply", face_normals, square_mesh()}, {},
+                                              test::add_bsdf(d, DiffuseDescription{}));
+    if (emits) shape.radiance = RgbD(1);
+    try {
+      const Scene scene(d, 4, 4);
+    } catch (const InputError& e) {
+      return e.what();
+    }
+    return "";
+  };
+  EXPECT_NE(message(false, false).find("smooth normals are not supported yet: set face_normals to true"),
+            std::string::npos);
+  EXPECT_NE(message(true, true).find("a mesh cannot be a light yet"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace photonproof
