@@ -127,11 +127,17 @@ inline float lane_min(float a, float b) { return a < b ? a : b; }
 inline float lane_max(float a, float b) { return a > b ? a : b; }
 template <class A>
 Pack<A> lane_min(const Pack<A>& a, const std::type_identity_t<Pack<A>>& b) {
-  return stdx::min(b, a);
+#if defined(__AVX512F__)
+  if constexpr (Pack<A>::size() == 16) return Pack<A>(_mm512_min_ps(static_cast<__m512>(a), static_cast<__m512>(b)));
+#endif
+  return select(a < b, a, b);  // one instruction; stdx::min may take its operands in either order
 }
 template <class A>
 Pack<A> lane_max(const Pack<A>& a, const std::type_identity_t<Pack<A>>& b) {
-  return stdx::max(b, a);
+#if defined(__AVX512F__)
+  if constexpr (Pack<A>::size() == 16) return Pack<A>(_mm512_max_ps(static_cast<__m512>(a), static_cast<__m512>(b)));
+#endif
+  return select(a > b, a, b);
 }
 inline float lane_sqrt(float a) { return std::sqrt(a); }
 template <class A>
@@ -318,7 +324,7 @@ Vec3<Pack<A>> normalize(const Vec3<Pack<A>>& a) {
 }
 template <class A>
 Pack<A> max_component(const Vec3<Pack<A>>& a) {
-  return lane_max(lane_max(a.x, a.y), a.z);
+  return lane_max(a.z, lane_max(a.y, a.x));  // with a NaN what std::max gives
 }
 /// The same vector in every lane.
 template <class F>

@@ -57,10 +57,13 @@ struct SphereLight {
     const F distance = length(to_center);
     const F one_minus_cos = cone_one_minus_cos(p);
     const Vec3<F> local = square_to_cone(u, one_minus_cos);
-    const Vec3<F> wi = Frame<F>(to_center * (1 / distance)).to_world(local);
-    const F sin2 = lane_max(F(1 - local.z * local.z), F(0.0f));
-    const F t = distance * local.z - lane_sqrt(lane_max(F(radius * radius - distance * distance * sin2), F(0.0f)));
-    const Vec3<F> normal = normalize(advance(p, t, wi) - center);
+    const Frame<F> frame(to_center * (1 / distance));
+    // The normal in that frame: differences of world coordinates leave no digits of a distant sphere.
+    const F drop2 = distance * distance * (local.x * local.x + local.y * local.y);
+    const F t = distance * local.z - lane_sqrt(lane_max(F(radius * radius - drop2), F(0.0f)));
+    const F x = local.x * t / radius, y = local.y * t / radius;
+    const Vec3<F> normal = frame.to_world(Vec3<F>(x, y, -lane_sqrt(lane_max(F(1 - x * x - y * y), F(0.0f)))));
+    const Vec3<F> wi = frame.to_world(local);
     return {advance(center, radius, normal), normal, wi, radiance, 1 / (2 * pi * one_minus_cos)};
   }
   LightSample<F> sample_area(const Vec3<F>& p, const Vec2<F>& u) const {

@@ -64,6 +64,26 @@ TEST(sphere_light, from_inside_irradiance_is_pi_l_everywhere) {
   EXPECT_NEAR(irradiance(light, {0, 0, 1}, {0, 0, -1}, 1000), std::numbers::pi, 0.001);
 }
 
+TEST(sphere_light, points_drawn_are_where_the_direction_meets_the_sphere_first) {
+  // However far it is: a shadow ray to the point must go along wi and end on the near side. wi and the direction to
+  // the centre are rounded to a few 2^-24, which across a distance d is what the ray may be off by.
+  for (const float distance : {1.1f, 10.0f, 1e4f, 1e5f}) {
+    const Light light = SphereLight<float>{{0, 0, 0}, 1, 1, Rgb(1)};
+    const Vec3f p = Vec3f(0.48f, -0.6f, 0.64f) * distance;
+    for (std::uint64_t i = 0; i < 10'000; ++i) {
+      const LightSample<float> drawn = sample(light, p, test::Random(36, i).next2());
+      EXPECT_NEAR(length(drawn.normal_light), 1, 1e-3f);
+      EXPECT_NEAR(length(drawn.p_light - drawn.normal_light), 0, 1e-6f);
+      EXPECT_LT(dot(drawn.normal_light, drawn.wi_world), 0.01f);
+      // Across, in double: the point's and the ray's distance from the line through p and the centre.
+      const Vec3d axis = normalize(Vec3d(p)), wi(drawn.wi_world), n(drawn.normal_light);
+      const Vec3d ray_across = wi - axis * dot(wi, axis), point_across = n - axis * dot(n, axis);
+      const double reach = length(Vec3d(drawn.p_light) - Vec3d(p));
+      ASSERT_NEAR(length(ray_across) * reach, length(point_across), 1e-3 + 0x1p-21 * double{distance}) << distance;
+    }
+  }
+}
+
 TEST(surface_lights, sampled_directions_match_their_density) {
   // Directions towards the light from a fixed point; the density of one that misses it is 0. Cells cut by the light's
   // outline are integrated on an 8x8 lattice, which for these large lights costs less than the test can see.
