@@ -500,11 +500,10 @@ struct Clutter {
       const auto first = static_cast<std::uint32_t>(3 * i);
       triangles.push_back({first, first + 1, first + 2});
     }
-    Mesh mesh;
-    mesh.positions = positions;
+    auto source = std::make_shared<TriangleMesh>();
+    source->triangles = triangles;
+    Mesh mesh{positions, source};
     mesh.positions.emplace_back();
-    mesh.triangles = triangles.data();
-    mesh.triangle_count = triangles.size();
     surfaces.push_back({std::move(mesh)});
   }
 };

@@ -13,12 +13,13 @@
 #include <memory>
 #include <nanoflann.hpp>
 #include <numbers>
+#include <numeric>
 
-#include "renderer/photon_gather.h"
+#include "renderer/isa.h"
 #include "renderer/photon_kdtree.h"
 #include "renderer/photon_map.h"
 #include "renderer/query_order.h"
-#include "renderer/sampler.h"
+#include "renderer/test_random.h"
 #include "renderer/warp.h"
 
 namespace photonproof {
@@ -113,7 +114,7 @@ struct World {
       : radius(
             static_cast<float>(std::sqrt(photons_in_disc * area / (std::numbers::pi * static_cast<double>(count))))) {
     for (std::int64_t i = 0; i < count; ++i) {
-      Sampler s(1, Stream::camera, static_cast<std::uint64_t>(i), 0);
+      test::Random s(1, static_cast<std::uint64_t>(i));
       const float where = s.next();
       const SurfacePoint at = point_on_surfaces(where, s.next2());
       const Photon photon{at.p, {s.next(), s.next(), s.next()}, at.surface, 1 + static_cast<int>(8 * s.next())};
@@ -125,7 +126,7 @@ struct World {
     for (int face = 0; face < 8; ++face) {
       for (int row = 0; row < side; ++row) {
         for (int column = 0; column < side; ++column) {
-          Sampler s(2, Stream::camera, random.size(), 0);
+          test::Random s(2, random.size());
           const auto jitter = s.next2();
           const double middle = face < 6 ? (face + 0.5) / area : face == 6 ? 6.2 / area : 0.99;
           coherent.add(point_on_surfaces(
@@ -186,24 +187,23 @@ void build_nanoflann(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations() * state.range(0));
 }
 
+/// As the photon mapper does it: by the kernel of the processor's best instruction set.
 void look_up(benchmark::State& state, const PhotonMap& map, const Queries& queries, float radius, bool sorted) {
-  const PhotonView view = map.view();
-  QueryOrder order;
+  std::vector<GatherPoint> points;
+  for (std::size_t i = 0; i < queries.size(); ++i) points.push_back({queries[i], Rgb(1), 0, queries.surface[i], 0});
+  std::vector<std::uint32_t> order(points.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::vector<GatheredFlux> flux(points.size());
   double found = 0;
-  const auto query = [&](std::size_t i) {
-    const GatheredFlux sum = gather(view, queries[i], radius, {queries.surface[i], 100});
-    benchmark::DoNotOptimize(sum.flux);
-    found += sum.count;
-  };
   for (auto _ : state) {
-    if (sorted)
-      order.for_each(map, queries.x, queries.y, queries.z, query);
-    else
-      for (std::size_t i = 0; i < queries.size(); ++i) query(i);
+    if (sorted) order = cell_order(map, points);
+    kernels_for("").gather_photons({map.view(), radius, 100, points.data(), order.data(), points.size(), flux.data()});
+    benchmark::DoNotOptimize(flux.data());
   }
-  const auto made = static_cast<double>(state.iterations()) * static_cast<double>(queries.size());
-  state.SetItemsProcessed(static_cast<std::int64_t>(made));
-  state.counters["photons"] = found / made;
+  for (const GatheredFlux& f : flux) found += f.count;
+  const auto queries_made = static_cast<double>(queries.size());
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(queries.size()));
+  state.counters["photons"] = found / queries_made;
 }
 
 void look_up_nanoflann(benchmark::State& state, const World& w, const Queries& queries, float radius) {
