@@ -45,20 +45,21 @@ void put(Photons& photons, std::size_t slot, const StagedPhoton& p) {
 
 }  // namespace
 
-PhotonMap::PhotonMap(Photons photons, float radius, const Threads& threads)
-    : count_(photons.size()), photons_(std::move(photons)) {
+void PhotonMap::build(Photons photons, float radius, const Threads& threads) {
+  count_ = photons.size();
+  photons_ = std::move(photons);
   if (empty()) return;
   const Bounds bounds = bounds_of(photons_, threads);
   grid_ = grid_for(bounds, radius);
   if (static_cast<double>(grid_.cells()) > most_dense_cells(count_)) grid_ = grid_for(bounds, 2 * radius);
   layout_ = static_cast<double>(grid_.cells()) <= most_dense_cells(count_) ? Layout::dense : Layout::compact;
-  const StagedPhotons staged = stage_by_bucket(photons_, grid_, threads);
+  stage_by_bucket(photons_, grid_, threads, staged_);
   photons_.resize(count_ + Photons::padding);
   for (std::size_t i = count_; i < photons_.size(); ++i) put(photons_, i, {});
   if (layout_ == Layout::dense)
-    sort_into_dense_cells(staged, threads);
+    sort_into_dense_cells(staged_, threads);
   else
-    sort_into_occupied_cells(staged, threads);
+    sort_into_occupied_cells(staged_, threads);
 }
 
 void PhotonMap::sort_into_dense_cells(const StagedPhotons& staged, const Threads& threads) {

@@ -100,7 +100,7 @@ void refill(MapState& state, const Scene& scene, const PhotonMapperDescription& 
                             {job.kernels(), job.sampler}, threads, totals);
   }
   const PhaseTimer phase(stats.phases["build"]);
-  state.map = PhotonMap(std::move(photons), state.radius, threads);
+  state.map.build(std::move(photons), state.radius, threads);
   state.emitted += count;
   state.stored += state.map.size();
 }

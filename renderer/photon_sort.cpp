@@ -55,15 +55,15 @@ Bounds bounds_of(const Photons& photons, const Threads& threads) {
   return all;
 }
 
-StagedPhotons stage_by_bucket(const Photons& photons, const PhotonGrid& grid, const Threads& threads) {
-  StagedPhotons staged;
+void stage_by_bucket(const Photons& photons, const PhotonGrid& grid, const Threads& threads, StagedPhotons& staged) {
   const std::size_t wanted = std::clamp(std::bit_ceil(photons.size() / photons_a_bucket), std::size_t{1}, most_buckets);
   const std::uint64_t last_key = grid.cells() - 1;
   staged.shift = std::max(0, static_cast<int>(std::bit_width(last_key)) - static_cast<int>(std::bit_width(wanted - 1)));
   const std::size_t buckets = (last_key >> staged.shift) + 1;
   const std::size_t chunks = chunks_of(photons.size());
 
-  LargeArray<std::uint16_t> bucket_of(photons.size());
+  LargeArray<std::uint16_t>& bucket_of = staged.bucket_of;
+  bucket_of.resize(photons.size());
   std::vector<std::uint32_t> next(chunks * buckets);  // first counts, then where a chunk's next photon of a bucket goes
   threads.for_each(chunks, [&](std::size_t chunk) {
     const std::size_t end = std::min((chunk + 1) * chunk_size, photons.size());
@@ -76,6 +76,7 @@ StagedPhotons stage_by_bucket(const Photons& photons, const PhotonGrid& grid, co
   });
 
   std::uint32_t total = 0;
+  staged.begin.clear();
   staged.begin.reserve(buckets + 1);
   for (std::size_t b = 0; b < buckets; ++b) {
     staged.begin.push_back(total);
@@ -92,7 +93,6 @@ StagedPhotons stage_by_bucket(const Photons& photons, const PhotonGrid& grid, co
                                             photons.green[i], photons.blue[i], photons.surface[i], photons.edges[i]};
     }
   });
-  return staged;
 }
 
 }  // namespace photonproof

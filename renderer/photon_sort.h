@@ -24,11 +24,13 @@ struct StagedPhotons {
   int shift = 0;                     ///< a cell belongs to bucket PhotonGrid::key >> shift
   std::vector<std::uint32_t> begin;  ///< first photon of each bucket, one past the last
   LargeArray<StagedPhoton> photons;
+  LargeArray<std::uint16_t> bucket_of;  ///< of each photon of the input
 
   std::size_t buckets() const { return begin.size() - 1; }
 };
 
-StagedPhotons stage_by_bucket(const Photons& photons, const PhotonGrid& grid, const Threads& threads);
+/// Refills `staged`, whose memory serves again.
+void stage_by_bucket(const Photons& photons, const PhotonGrid& grid, const Threads& threads, StagedPhotons& staged);
 
 struct Bounds {
   Vec3f low, high;
