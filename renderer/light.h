@@ -2,6 +2,7 @@
 //   sample(p, u)      a point of the light seen from p (next-event estimation), density per solid angle at p
 //   pdf(p, q, n)      that density for a ray from p that found the light's point q by itself (for MIS)
 //   emit(u, v)        a photon's start
+//   emit_pdf(c)       density per solid angle of emit's direction, whose cosine to the normal is c
 //   flux()            total emitted flux, W per channel
 //   emitted_radiance  from a point whose normal makes `cos_emit` with the direction of travel; 0 from behind
 #pragma once

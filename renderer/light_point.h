@@ -21,6 +21,7 @@ struct PointLight {
   }
   F pdf(const Vec3<F>&, const Vec3<F>&, const Vec3<F>&) const { return F(0.0f); }
   Emission<F> emit(const Vec2<F>&, const Vec2<F>& u) const { return {position, Vec3<F>(F(0.0f)), square_to_sphere(u)}; }
+  F emit_pdf(const F&) const { return F(1 / (4 * pi)); }
   Vec3<F> flux() const { return intensity * (4 * pi); }
   Vec3<F> emitted_radiance(const F&) const { return Vec3<F>(F(0.0f)); }
 };

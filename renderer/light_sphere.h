@@ -37,6 +37,7 @@ struct SphereLight {
     return {advance(center, radius, outward), normal,
             Frame<F>(normal).to_world(square_to_cosine_hemisphere(u_direction))};
   }
+  F emit_pdf(const F& cos_emit) const { return cosine_hemisphere_pdf(cos_emit); }
   Vec3<F> flux() const { return radiance * (pi * area()); }
   Vec3<F> emitted_radiance(const F& cos_emit) const { return select(cos_emit > 0, radiance, Vec3<F>(F(0.0f))); }
 

@@ -34,6 +34,7 @@ struct MapState {
   const char* name;
   double photons_in_disc;  ///< the automatic radius aims at this many over the whole render
   bool wanted = false;
+  bool aimed = false;      ///< emitted towards specular surfaces only
   std::int64_t total = 0;  ///< photons to emit over the whole render
   float radius = 0;
   std::uint64_t emitted = 0;
@@ -83,7 +84,7 @@ void choose_radii(const Scene& scene, const PhotonMapperDescription& settings, c
   maps.caustic.radius = static_cast<float>(settings.caustic_radius);
   for (MapState* state : {&maps.global, &maps.caustic}) {
     if (!state->wanted || state->radius > 0) continue;
-    const PhotonRun pilot{state->kind, Stream::pilot, job.seed, 0, pilot_photons, -1};
+    const PhotonRun pilot{state->kind, Stream::pilot, job.seed, 0, pilot_photons, -1, state->aimed};
     state->radius = choose_radius(scene, pilot, static_cast<std::uint64_t>(state->total), state->photons_in_disc,
                                   {job.kernels(), job.sampler}, threads, totals);
     if (state->radius <= 0) state->radius = 4 * std::max(median_pixel_footprint(scene), 1e-6f);
@@ -96,7 +97,7 @@ void refill(MapState& state, const Scene& scene, const PhotonMapperDescription& 
   {
     const PhaseTimer phase(stats.phases[std::string("photons_") + state.name]);
     const int max_edges = settings.max_depth >= 0 ? settings.max_depth - 1 : -1;
-    photons = trace_photons(scene, {state.kind, state.stream, job.seed, state.emitted, count, max_edges},
+    photons = trace_photons(scene, {state.kind, state.stream, job.seed, state.emitted, count, max_edges, state.aimed},
                             {job.kernels(), job.sampler}, threads, totals);
   }
   const PhaseTimer phase(stats.phases["build"]);
@@ -141,6 +142,7 @@ void render_photon_mapper(const Scene& scene, const IntegratorDescription& descr
   maps.global.wanted = !plan.skips(Skip::global_map);
   maps.global.total = job.budget.photons.value_or(settings.global_photons);
   maps.caustic.wanted = !plan.skips(Skip::caustic_map);
+  maps.caustic.aimed = plan.skips(Skip::stray_photons);
   maps.caustic.total = job.budget.photons.value_or(settings.caustic_photons);
   {
     const PhaseTimer phase(stats.phases["pilot"]);

@@ -64,6 +64,7 @@ Photons trace_photons(const Scene& scene, const PhotonRun& run, const PhotonMeth
                     .first = static_cast<std::uint32_t>(begin),
                     .count = count,
                     .share = 1 / static_cast<float>(run.count),
+                    .aimed = run.aimed,
                     .max_edges = run.max_edges,
                     .scratch = scratch.data(),
                     .deposits = deposits.get(),

@@ -18,6 +18,7 @@ struct PhotonRun {
   std::uint64_t first = 0;  ///< index of the first path of this run
   std::uint64_t count = 0;  ///< paths; each carries 1/count of the lights' flux
   int max_edges = -1;       ///< longest light subpath, edges; -1 is unlimited
+  bool aimed = false;       ///< emitted towards specular surfaces only, for caustics
 };
 
 /// How photons are drawn and traced: the same for every run of a render.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "renderer/aim_targets.h"
 #include "renderer/scene_facts.h"
 
 namespace photonproof {
@@ -81,6 +82,13 @@ class Planner {
     map(Skip::caustic_map, "caustic photon map", method.caustic_photons, facts.any_specular && facts.any_diffuse,
         facts.any_specular ? "no diffuse surface reflects" : "no specular surface",
         "specular surfaces throw light on diffuse ones");
+    if (!plan_.skips(Skip::caustic_map)) {
+      const std::size_t targets = scene_.view().aim_target_count;
+      const std::string surfaces = counted(targets, "specular surface", "specular surfaces");
+      decide(Skip::stray_photons, targets > 0 && targets <= most_aim_targets, surfaces + " to aim at",
+             surfaces + ", at most " + std::to_string(most_aim_targets) + " can be aimed at");
+    }
+
     run("camera paths", "to their first diffuse surface, where photons within a fixed radius are looked up; " +
                             depth_words(method.max_depth));
     rays();

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <limits>
 
+#include "renderer/aim_targets.h"
 #include "renderer/kernels/rays.h"
 #include "renderer/light_table.h"
 #include "renderer/small_scene_tables.h"
@@ -156,6 +157,9 @@ Scene::Scene(const SceneDescription& description, int width_, int height_, const
   view_.lights = light_records_.data();
   view_.light_words = light_words_.data();
   view_.light_count = static_cast<std::uint32_t>(lights.size());
+  aim_targets_ = aim_targets(surfaces, bsdfs);
+  view_.aim_targets = aim_targets_.data();
+  view_.aim_target_count = static_cast<std::uint32_t>(aim_targets_.size());
   view_.one_light = lights.size() == 1 && skips.on(Skip::light_choice);
   view_.one_bsdf_kind = std::has_single_bit(view_.bsdf_kinds) && skips.on(Skip::bsdf_groups);
   view_.dark_shadow_rays = !skips.on(Skip::shadow_rays);

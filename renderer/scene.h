@@ -61,6 +61,7 @@ class Scene {
   std::vector<SurfaceWords> surface_words_;
   std::vector<LightWords> light_words_;
   std::vector<float> bsdf_records_, light_records_;
+  std::vector<AimTarget> aim_targets_;
   std::unique_ptr<SmallSceneTables> small_;
   std::unique_ptr<Tracer> tracer_;
   SceneView view_;

@@ -51,6 +51,13 @@ struct LightWords {
   static constexpr std::uint32_t stride = 5;
 };
 
+/// A ball that holds a specular surface.
+struct AimTarget {
+  Vec3f center;
+  float radius;
+  static constexpr std::uint32_t stride = 4;
+};
+
 struct CameraView {
   Vec3f origin, right, up, forward;
   float tan_x, tan_y;
@@ -70,6 +77,8 @@ struct SceneView {
   const float* lights = nullptr;  ///< LightKinds::stride floats each
   const LightWords* light_words = nullptr;
   std::uint32_t light_count = 0;
+  const AimTarget* aim_targets = nullptr;  ///< one for each specular surface
+  std::uint32_t aim_target_count = 0;
   std::uint32_t bsdf_kinds = 0;  ///< bit k: a surface has a BSDF of kind k
   std::uint32_t light_kinds = 0;
   bool lights_can_be_hit = false;

@@ -13,6 +13,7 @@ const std::vector<SkipRow>& skip_table() {
       {Skip::shadow_rays, "shadow-rays", "shadow rays to lights that a cosine of 0 hides"},
       {Skip::global_map, "global-map", "the global photon map"},
       {Skip::caustic_map, "caustic-map", "the caustic photon map"},
+      {Skip::stray_photons, "stray-photons", "caustic photons that set out towards nothing specular"},
   };
   return table;
 }

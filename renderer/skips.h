@@ -1,5 +1,5 @@
 // What a render may leave out because the scene does not need it, and the switches that make it do so all the same. The
-// image does not depend on them: each has a test that says so (skips_test.cpp).
+// image does not depend on them, or only its noise: each has a test that says so (skips_test.cpp).
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,16 @@
 
 namespace photonproof {
 
-enum class Skip : std::uint32_t { bvh, mis, light_choice, bsdf_groups, shadow_rays, global_map, caustic_map };
+enum class Skip : std::uint32_t {
+  bvh,
+  mis,
+  light_choice,
+  bsdf_groups,
+  shadow_rays,
+  global_map,
+  caustic_map,
+  stray_photons
+};
 
 struct SkipRow {
   Skip skip;

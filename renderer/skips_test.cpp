@@ -31,7 +31,8 @@ TEST(skips, each_switched_off_alone_leaves_every_bit_of_the_image) {
     for (const char* integrator : {"path", "photonmapper"}) {
       const Rendering with_all = render_without(scene, integrator, {});
       for (const SkipRow& row : skip_table()) {
-        if (row.skip == Skip::bvh) continue;  // other arithmetic: below
+        if (row.skip == Skip::bvh || row.skip == Skip::stray_photons)
+          continue;  // other arithmetic, other photons: below
         EXPECT_EQ(render_without(scene, integrator, {row.name}).mean.rgb, with_all.mean.rgb)
             << integrator << ' ' << row.name;
       }
@@ -52,6 +53,40 @@ TEST(skips, embree_and_the_packed_kernel_give_the_same_image_up_to_rounding) {
     EXPECT_LT(different, static_cast<int>(packed.mean.rgb.size() / 50));
     EXPECT_NEAR(test::image_mean(packed.mean), test::image_mean(embree.mean), 5e-3 * test::image_mean(packed.mean));
   }
+}
+
+TEST(skips, photons_aimed_at_specular_surfaces_bring_the_same_light_as_all) {
+  // Means over seeds of the image and of the floor, where the caustics are, agree within 4 standard errors of their
+  // difference. One ball inside the other's cone, so that cones overlap.
+  SceneDescription scene = test::room(24, true);
+  test::add_shape(scene, SphereDescription{{0.3, 0.0, 0.2}, 0.3}, {}, scene.shapes[6].bsdf);
+  constexpr int seeds = 12;
+  double mean[2][2] = {}, variance[2][2] = {};
+  double stored[2] = {};
+  for (int off = 0; off < 2; ++off) {
+    std::vector<double> whole, floor;
+    for (int seed = 1; seed <= seeds; ++seed) {
+      RenderJob job = test::job_with(16, 50'000, static_cast<std::uint64_t>(seed));
+      if (off == 1) job.skips = SkipSwitches({"stray-photons"});
+      const Scene compiled(scene, 24, 24, job.skips);
+      Film film(24, 24);
+      RenderStats stats;
+      find_integrator("photonmapper")
+          ->render(compiled, with_integrator(scene.integrator, "photonmapper"), job, film, stats);
+      const Image image = film.develop().mean;
+      whole.push_back(test::image_mean(image));
+      floor.push_back(test::block_mean(image, 4, 18, 16, 5));
+      stored[off] += stats.counts["photons_stored_caustic"];
+    }
+    for (const auto& [values, which] : {std::pair{&whole, 0}, std::pair{&floor, 1}}) {
+      for (const double v : *values) mean[off][which] += v / seeds;
+      for (const double v : *values)
+        variance[off][which] += (v - mean[off][which]) * (v - mean[off][which]) / (seeds - 1) / seeds;
+    }
+  }
+  for (const int which : {0, 1})
+    EXPECT_NEAR(mean[0][which], mean[1][which], 4 * std::sqrt(variance[0][which] + variance[1][which])) << which;
+  EXPECT_GT(stored[0], 3 * stored[1]);
 }
 
 TEST(skips, the_plan_says_what_the_scene_does_not_need_and_why) {
@@ -108,7 +143,7 @@ TEST(skips, an_unknown_name_is_refused_with_the_known_ones) {
     EXPECT_STREQ(
         e.what(),
         "--no-skip: error: there is no skip 'bhv', expected one of bvh, mis, light-choice, bsdf-groups, shadow-rays, "
-        "global-map, caustic-map, all");
+        "global-map, caustic-map, stray-photons, all");
   }
 }
 

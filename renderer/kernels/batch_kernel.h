@@ -15,7 +15,8 @@
 
 namespace photonproof {
 
-/// Self offers refill(first, lanes), meet_surfaces(state, active) and shade<Kind>(state, active). `State` is a history
+/// Self offers refill(state, first, lanes), which says which of the lanes begin a history, meet_surfaces(state, active)
+/// and shade<Kind>(state, active). `State` is a history
 /// between surfaces, `Waiting` one at a surface.
 template <class Self, template <class> class State, template <class> class Waiting, class F>
 class BatchKernel {
@@ -35,7 +36,9 @@ class BatchKernel {
       next_.clear();
       while (started < count && current_.size() + width <= capacity) {
         const std::uint32_t lanes = std::min(static_cast<std::uint32_t>(width), count - started);
-        current_.append(self().refill(started, lanes), first_lanes<F>(lanes));
+        State<F> state;
+        const Mask<F> begins = self().refill(state, started, first_lanes<F>(lanes));
+        current_.append(state, begins);
         started += lanes;
       }
       for (Queue& queue : queues_) queue.clear();

@@ -57,9 +57,8 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, PathAtSurface, F
  public:
   explicit PathKernel(PathTask& task) : Base(*task.scene, task.scratch), task_(task) {}
 
-  [[gnu::flatten]] PathState<F> refill(std::uint32_t first, std::uint32_t lanes) {
+  [[gnu::flatten]] Mask<F> refill(PathState<F>& s, std::uint32_t first, const Mask<F>& lanes) {
     const CameraRay<F> ray = camera_rays<F>(scene_, task_.camera, first);
-    PathState<F> s;
     s.origin = ray.origin;
     s.direction = ray.direction;
     s.throughput = Vec3<F>(F(1.0f));
@@ -71,8 +70,8 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, PathAtSurface, F
     s.key = ray.key;
     s.index = ray.index;
     s.path = lane_index<F>() + first;
-    task_.counts.camera += lanes;
-    return s;
+    task_.counts.camera += count_lanes(lanes);
+    return lanes;
   }
 
   /// Adds the lights that the rays met.

@@ -1,6 +1,7 @@
 // Photons from the lights through the scene (Jensen 2001, chapters 5 and 7.2), over a batch of lanes.
 #pragma once
 
+#include "renderer/kernels/aim.h"
 #include "renderer/kernels/batch_kernel.h"
 #include "renderer/kernels/lights.h"
 #include "renderer/kernels/rays.h"
@@ -55,8 +56,7 @@ class PhotonKernel : public BatchKernel<PhotonKernel<F>, PhotonState, PhotonAtSu
  public:
   explicit PhotonKernel(PhotonTask& task) : Base(*task.scene, task.scratch), task_(task) {}
 
-  [[gnu::flatten]] PhotonState<F> refill(std::uint32_t first, std::uint32_t) {
-    PhotonState<F> s;
+  [[gnu::flatten]] Mask<F> refill(PhotonState<F>& s, std::uint32_t first, const Mask<F>& lanes) {
     s.path = lane_index<F>() + first;
     F u_light(0.0f);
     if (!scene_.one_light) u_light = draw(s, 2u).x;
@@ -64,19 +64,26 @@ class PhotonKernel : public BatchKernel<PhotonKernel<F>, PhotonState, PhotonAtSu
     const Vec2<F> u_position = draw(s, 0u);
     const Vec2<F> u_direction = draw(s, 1u);
     Vec3<F> normal(F(0.0f));
-    for_each_light_kind<F>(scene_, choice.light, as_mask<F>(true), [&](const auto& light, const Mask<F>& lanes) {
-      const Emission<F> start = light.emit(u_position, u_direction);
-      s.origin = select(lanes, start.p_world, s.origin);
-      normal = select(lanes, start.normal, normal);
-      s.direction = select(lanes, start.direction, s.direction);
-      s.flux = select(lanes, light.flux(), s.flux);
+    for_each_light_kind<F>(scene_, choice.light, lanes, [&](const auto& light, const Mask<F>& of_kind) {
+      Emission<F> start = light.emit(u_position, u_direction);
+      Vec3<F> flux = light.flux();
+      if (task_.aimed) {
+        const F u_target = draw_independent<F>(U(task_.seed), U(s.path + task_.first), U(2u));
+        const AimedDirection<F> aimed = aim(scene_, start.p_world, u_target, u_direction);
+        start.direction = aimed.direction;
+        flux *= light.emit_pdf(dot(start.normal, aimed.direction)) / aimed.pdf;
+      }
+      s.origin = select(of_kind, start.p_world, s.origin);
+      normal = select(of_kind, start.normal, normal);
+      s.direction = select(of_kind, start.direction, s.direction);
+      s.flux = select(of_kind, flux, s.flux);
     });
     s.flux *= F(task_.share) / choice.probability;
     s.origin = offset_from(s.origin, normal, s.direction, scene_.coordinate_floor);
     s.from = choice.primitive;
     s.edges = U(0u);
     s.bounced = U(0u);
-    return s;
+    return lanes && max_component(s.flux) > 0;
   }
 
   [[gnu::flatten]] void meet_surfaces(PhotonState<F>& s, const Mask<F>& active) {

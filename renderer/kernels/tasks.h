@@ -74,6 +74,7 @@ struct PhotonTask {
   std::uint32_t first = 0;           ///< sampler index of the first path
   std::uint32_t count = 0;           ///< paths
   float share = 1;                   ///< of the lights' flux that a path carries
+  bool aimed = false;                ///< emitted towards specular surfaces only
   int max_edges = -1;                ///< longest light subpath; -1 is unlimited
   std::uint32_t* scratch = nullptr;  ///< Kernels::photon_scratch words
   PhotonDeposits* deposits = nullptr;

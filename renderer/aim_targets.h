@@ -1,0 +1,19 @@
+// Where caustics begin: balls around the specular surfaces. Photons of the caustic map are sent into their cones only
+// (Jensen 2001, section 5.2.1, "projection maps", in closed form).
+#pragma once
+
+#include <vector>
+
+#include "renderer/bsdf.h"
+#include "renderer/scene_view.h"
+#include "renderer/surface.h"
+
+namespace photonproof {
+
+/// More cones than this cost more to weigh than they save.
+inline constexpr std::size_t most_aim_targets = 16;
+
+/// One ball for each specular surface, which it holds.
+std::vector<AimTarget> aim_targets(const std::vector<Surface>& surfaces, const std::vector<Bsdf>& bsdfs);
+
+}  // namespace photonproof
