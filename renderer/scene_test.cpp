@@ -70,6 +70,45 @@ TEST(camera, rays_start_on_the_near_plane) {
   EXPECT_NEAR(origin.x, -0.9f * 49.505f, 0.02f);  // 100.1 tan(26.315 degrees) = 49.505, half a pixel inside the edge
 }
 
+TEST(camera, every_path_of_a_task_is_one_sample_of_one_pixel) {
+  // Divided in single precision, which must come out as in integers up to the 2^20 paths that a task may have.
+  struct Case {
+    int width, height;
+    std::uint32_t samples;
+    int grid;
+  };
+  SceneView view;
+  view.camera = {{}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, 1, 1, 1, 1, 0, 1};
+  for (const Case& c :
+       {Case{16, 16, 1, 0}, Case{16, 16, 3, 0}, Case{5, 13, 7, 0}, Case{1, 1, 11, 0}, Case{16, 9, 99, 0},
+        Case{13, 16, 1023, 0}, Case{16, 16, 4096, 0}, Case{16, 16, 4095, 0}, Case{7, 5, 200, 3}}) {
+    CameraTask task{};
+    task.x0 = 48;
+    task.y0 = 32;
+    task.x1 = 48 + c.width;
+    task.y1 = 32 + c.height;
+    task.first_sample = 10;
+    task.samples = c.samples;
+    task.seed = 12345;
+    task.grid = c.grid;
+    for (std::uint32_t path = 0; path < task.paths(); ++path) {
+      const CameraRay<float> ray = camera_rays<float>(view, task, path);
+      const std::uint32_t pixel = path / c.samples, width = task.tile_width();
+      ASSERT_EQ(ray.index, 10 + path % c.samples);
+      ASSERT_EQ(ray.key, mix_bits(((32 + pixel / width) << 16 | (48 + pixel % width)) ^ 12345u));
+      if (c.grid == 0) continue;
+      // The camera looks along +z with tangents 1 at one pixel an image: through (2x - 1, 1 - 2y) for the point (x, y).
+      const auto cell = static_cast<int>(ray.index) % (c.grid * c.grid);
+      const float x = 48 + static_cast<float>(pixel % width) +
+                      (static_cast<float>(cell % c.grid) + 0.5f) / static_cast<float>(c.grid);
+      const float y = 32 + static_cast<float>(pixel / width) +
+                      (static_cast<float>(cell / c.grid) + 0.5f) / static_cast<float>(c.grid);
+      ASSERT_NEAR(ray.direction.x / ray.direction.z, 2 * x - 1, 1e-4f);
+      ASSERT_NEAR(ray.direction.y / ray.direction.z, 1 - 2 * y, 1e-4f);
+    }
+  }
+}
+
 TEST(scene, refuses_shapes_whose_area_vanishes_or_overflows) {
   for (const double scale : {1e-20, 1e20}) {
     SceneDescription d;

@@ -94,9 +94,10 @@ struct Rendered {
   RenderStats stats;
 };
 
-inline Rendered render(const SceneDescription& description, const char* integrator, const RenderJob& job) {
+inline Rendered render(const SceneDescription& description, const char* integrator, const RenderJob& job,
+                       std::size_t small_limit = small_scene_limit) {
   const FilmDescription size = description.sensor.film;
-  const Scene scene(description, size.width, size.height);
+  const Scene scene(description, size.width, size.height, job.skips, small_limit);
   Film film(size.width, size.height);
   Rendered out;
   find_integrator(integrator)->render(scene, with_integrator(description.integrator, integrator), job, film, out.stats);

@@ -296,7 +296,7 @@ void Tracer::intersect(const RayBlock& rays, HitBlock& hits, bool coherent) cons
   };
   if (coherent && std::popcount(lanes) > 1) {
     RTCRayHit16 query;
-    int valid[16];
+    alignas(64) int valid[16];  // as Embree's packets are: it may load it with aligned instructions
     for (std::size_t i = 0; i < 16; ++i) {
       valid[i] = (lanes >> i & 1u) != 0 ? -1 : 0;
       if (valid[i] == 0) continue;
