@@ -36,9 +36,23 @@ double clipped_triangle(const Point& a, const Point& b, double radius) {
   return sector(a, p, radius) + 0.5 * cross2(p, q) + sector(q, b, radius);
 }
 
+/// Whether p is at least `radius` away from all four edges, as most points are.
+bool holds_whole_disc(const Quad& quad, const Vec3f& p, float radius) {
+  const Vec3f from_corner = p - quad.corner;
+  const auto far_from_pair = [&](const Vec3f& edge, const Vec3f& other) {
+    // Twice the areas of the triangles that p makes with the edge and with the one opposite: edge length x distance.
+    const Vec3f twice_area = cross(edge, from_corner);
+    const Vec3f across = cross(edge, other);
+    const float needed = radius * radius * length_squared(edge);
+    return length_squared(twice_area) >= needed && length_squared(across - twice_area) >= needed;
+  };
+  return far_from_pair(quad.edge_u, quad.edge_v) && far_from_pair(quad.edge_v, quad.edge_u);
+}
+
 }  // namespace
 
 float disc_area(const Quad& quad, const Vec3f& p, float radius) {
+  if (holds_whole_disc(quad, p, radius)) return std::numbers::pi_v<float> * radius * radius;
   const Vec3d edge_u(quad.edge_u), edge_v(quad.edge_v);
   const Vec3d x_axis = normalize(edge_u);
   const Vec3d y_axis = normalize(edge_v - x_axis * dot(edge_v, x_axis));
