@@ -287,6 +287,31 @@ TEST(scene_rays, leave_a_sphere_and_cross_it_once) {
   }
 }
 
+/// The same inside an octahedron whose triangles are each cut in four and bulged to the unit sphere: 32 triangles,
+/// whose edges run in all directions.
+SceneDescription white_facets(const Placement& at) {
+  auto mesh = std::make_shared<TriangleMesh>();
+  std::vector<Vec3f> corners;
+  for (int octant = 0; octant < 8; ++octant) {
+    const Vec3f x((octant & 1) != 0 ? 1.0f : -1.0f, 0, 0), y(0, (octant & 2) != 0 ? 1.0f : -1.0f, 0);
+    const Vec3f z(0, 0, (octant & 4) != 0 ? 1.0f : -1.0f);
+    const Vec3f xy = normalize(x + y), yz = normalize(y + z), zx = normalize(z + x);
+    const bool mirrored = x.x * y.y * z.z < 0;  // keeps the winding counter-clockwise seen from outside
+    for (std::array<Vec3f, 3> t : {std::array{x, xy, zx}, {xy, y, yz}, {zx, yz, z}, {xy, yz, zx}}) {
+      if (mirrored) std::swap(t[1], t[2]);
+      corners.insert(corners.end(), t.begin(), t.end());
+    }
+  }
+  mesh->resize_positions(corners.size());
+  std::copy(corners.begin(), corners.end(), mesh->positions.begin());
+  for (std::uint32_t i = 0; i < corners.size(); i += 3) mesh->triangles.push_back({i, i + 1, i + 2});
+  SceneDescription scene = white_sphere(at);
+  const ShapeDescription sphere = scene.shapes[0];
+  scene.shapes[0].geometry = PlyDescription{"facets.ply", true, mesh};
+  scene.shapes[0].to_world = sphere.to_world * Transform::rotate({1, 2, 3}, 25);
+  return scene;
+}
+
 /// Camera paths of `edges` edges in a closed scene that absorbs nothing: how many ended before, that is leaked, met the
 /// surface they left from behind, or lost what they carried.
 std::int64_t camera_paths_lost(const Kernels& kernels, const Scene& scene, int edges) {
@@ -329,6 +354,7 @@ TEST(scene_rays, no_history_of_any_kernel_is_lost_in_a_closed_white_scene) {
       const Scene in_box(white_box(at), 16, 16, {}, limit);
       const Scene in_sphere(white_sphere(at), 16, 16, {}, limit);
       const Scene with_balls(white_box_with_balls(at), 16, 16, {}, limit);
+      const Scene in_facets(white_facets(at), 16, 16, {}, limit);
       for (const Kernels* kernels : available_kernels()) {
         const std::string what =
             std::string(limit == by_embree ? "Embree, " : "small, ") + kernels->isa + ", " + testing::PrintToString(at);
@@ -337,6 +363,8 @@ TEST(scene_rays, no_history_of_any_kernel_is_lost_in_a_closed_white_scene) {
         EXPECT_LE(photons_lost(*kernels, in_box, 6), allowed) << "box, " << what;
         EXPECT_LE(camera_paths_lost(*kernels, in_sphere, 6), allowed) << "sphere, " << what;
         EXPECT_LE(photons_lost(*kernels, in_sphere, 6), allowed) << "sphere, " << what;
+        EXPECT_LE(camera_paths_lost(*kernels, in_facets, 6), allowed) << "facets, " << what;
+        EXPECT_LE(photons_lost(*kernels, in_facets, 6), allowed) << "facets, " << what;
         EXPECT_LE(camera_paths_lost(*kernels, with_balls, 6), allowed) << "balls, " << what;
       }
     }
