@@ -166,7 +166,14 @@ struct Placement {
 std::ostream& operator<<(std::ostream& out, const Placement& p) {
   return out << "shifted by " << p.shift << ", " << p.from_middle << " from the scene's middle";
 }
-const Placement placements[] = {{0, 0}, {100, 0}, {1e4, 0}, {1e5, 0}};
+const Placement placements[] = {{0, 0}, {100, 0}, {1e4, 0}, {1e5, 0}, {0, 100}, {0, 1e4}, {0, 1e5}};
+
+/// Of `hits` on a wall of edge 2, how many may lie on an edge as far as single precision can tell, and so on either
+/// side of the next wall. Coordinates have a grain of 2^-23 times the distance from the middle; eight of them by each
+/// of four edges are a part 16 x grain of the wall. None where the scene is centred.
+std::int64_t hits_on_edges(const Placement& at, std::int64_t hits) {
+  return static_cast<std::int64_t>(static_cast<double>(hits) * 16 * 0x1p-23 * std::max(1.0, at.from_middle));
+}
 
 Vec3d center_of(const Placement& at) { return Vec3d(1, -1, 1) * at.shift + Vec3d(-1, 1, 1) * at.from_middle; }
 
@@ -238,9 +245,9 @@ TEST(scene_rays, no_ray_leaves_a_closed_box_or_meets_its_own_wall) {
         const Vec3f origin = offset_from(p, wall.normal, Vec3f(light - p), floor);
         if (occluded<float>(scene.view(), origin, light - origin, from, no_index, true)) ++shadowed;
       }
-      EXPECT_EQ(leaks, 0) << (limit == by_embree ? "Embree, " : "small, ") << at;
+      EXPECT_LE(leaks, hits_on_edges(at, 20'000)) << (limit == by_embree ? "Embree, " : "small, ") << at;
       EXPECT_EQ(self_hits, 0) << (limit == by_embree ? "Embree, " : "small, ") << at;
-      EXPECT_EQ(shadowed, 0) << (limit == by_embree ? "Embree, " : "small, ") << at;
+      EXPECT_LE(shadowed, hits_on_edges(at, 20'000)) << (limit == by_embree ? "Embree, " : "small, ") << at;
     }
   }
 }
@@ -252,6 +259,7 @@ TEST(scene_rays, leave_a_sphere_and_cross_it_once) {
       SceneDescription d;
       const BsdfIndex white = test::add_bsdf(d, DiffuseDescription{RgbD(1)});
       test::add_shape(d, SphereDescription{}, Transform::translate(center_of(at)), white);
+      add_counterweight(d, at, white);
       const Scene scene(d, 4, 4, {}, limit);
       const Vec3f center = std::get<Sphere>(scene.surfaces[0].geometry).center;
       int met_again = 0, lost = 0;
@@ -268,9 +276,10 @@ TEST(scene_rays, leave_a_sphere_and_cross_it_once) {
           return closest_hit<float>(scene.view(), offset_from(hit.p, hit.normal, direction, floor), direction,
                                     hit.primitive, true, false);
         };
-        if (next(out).valid) ++met_again;
+        const SurfaceHit<float> away = next(out);
+        if (away.valid && away.surface == 0) ++met_again;
         const SurfaceHit<float> through = next(-out);
-        if (!through.valid || dot(through.normal, out) > 0) ++lost;
+        if (!through.valid || through.surface != 0 || dot(through.normal, out) > 0) ++lost;
       }
       EXPECT_EQ(met_again, 0) << (limit == by_embree ? "Embree, " : "small, ") << at;
       EXPECT_EQ(lost, 0) << (limit == by_embree ? "Embree, " : "small, ") << at;
@@ -278,9 +287,34 @@ TEST(scene_rays, leave_a_sphere_and_cross_it_once) {
   }
 }
 
+/// The same inside an octahedron whose triangles are each cut in four and bulged to the unit sphere: 32 triangles,
+/// whose edges run in all directions.
+SceneDescription white_facets(const Placement& at) {
+  auto mesh = std::make_shared<TriangleMesh>();
+  std::vector<Vec3f> corners;
+  for (int octant = 0; octant < 8; ++octant) {
+    const Vec3f x((octant & 1) != 0 ? 1.0f : -1.0f, 0, 0), y(0, (octant & 2) != 0 ? 1.0f : -1.0f, 0);
+    const Vec3f z(0, 0, (octant & 4) != 0 ? 1.0f : -1.0f);
+    const Vec3f xy = normalize(x + y), yz = normalize(y + z), zx = normalize(z + x);
+    const bool mirrored = x.x * y.y * z.z < 0;  // keeps the winding counter-clockwise seen from outside
+    for (std::array<Vec3f, 3> t : {std::array{x, xy, zx}, {xy, y, yz}, {zx, yz, z}, {xy, yz, zx}}) {
+      if (mirrored) std::swap(t[1], t[2]);
+      corners.insert(corners.end(), t.begin(), t.end());
+    }
+  }
+  mesh->resize_positions(corners.size());
+  std::copy(corners.begin(), corners.end(), mesh->positions.begin());
+  for (std::uint32_t i = 0; i < corners.size(); i += 3) mesh->triangles.push_back({i, i + 1, i + 2});
+  SceneDescription scene = white_sphere(at);
+  const ShapeDescription sphere = scene.shapes[0];
+  scene.shapes[0].geometry = PlyDescription{"facets.ply", true, mesh};
+  scene.shapes[0].to_world = sphere.to_world * Transform::rotate({1, 2, 3}, 25);
+  return scene;
+}
+
 /// Camera paths of `edges` edges in a closed scene that absorbs nothing: how many ended before, that is leaked, met the
 /// surface they left from behind, or lost what they carried.
-std::uint64_t camera_paths_lost(const Kernels& kernels, const Scene& scene, int edges) {
+std::int64_t camera_paths_lost(const Kernels& kernels, const Scene& scene, int edges) {
   PathTask task;
   task.scene = &scene.view();
   task.camera = {0, 0, 16, 16, 0, 32, 1};
@@ -290,7 +324,7 @@ std::uint64_t camera_paths_lost(const Kernels& kernels, const Scene& scene, int 
   task.radiance = radiance.data();
   task.scratch = scratch.data();
   kernels.trace_paths(task);
-  return std::uint64_t{task.camera.paths()} * static_cast<std::uint64_t>(edges - 1) - task.counts.bounce;
+  return static_cast<std::int64_t>(task.camera.paths()) * (edges - 1) - static_cast<std::int64_t>(task.counts.bounce);
 }
 
 /// Photons that a closed white scene should have stored at every edge but the first, less those it did.
@@ -320,14 +354,18 @@ TEST(scene_rays, no_history_of_any_kernel_is_lost_in_a_closed_white_scene) {
       const Scene in_box(white_box(at), 16, 16, {}, limit);
       const Scene in_sphere(white_sphere(at), 16, 16, {}, limit);
       const Scene with_balls(white_box_with_balls(at), 16, 16, {}, limit);
+      const Scene in_facets(white_facets(at), 16, 16, {}, limit);
       for (const Kernels* kernels : available_kernels()) {
         const std::string what =
             std::string(limit == by_embree ? "Embree, " : "small, ") + kernels->isa + ", " + testing::PrintToString(at);
-        EXPECT_EQ(camera_paths_lost(*kernels, in_box, 6), 0u) << "box, " << what;
-        EXPECT_EQ(photons_lost(*kernels, in_box, 6), 0) << "box, " << what;
-        EXPECT_EQ(camera_paths_lost(*kernels, in_sphere, 6), 0u) << "sphere, " << what;
-        EXPECT_EQ(photons_lost(*kernels, in_sphere, 6), 0) << "sphere, " << what;
-        EXPECT_EQ(camera_paths_lost(*kernels, with_balls, 6), 0u) << "balls, " << what;
+        const std::int64_t allowed = hits_on_edges(at, 5 * 8192);
+        EXPECT_LE(camera_paths_lost(*kernels, in_box, 6), allowed) << "box, " << what;
+        EXPECT_LE(photons_lost(*kernels, in_box, 6), allowed) << "box, " << what;
+        EXPECT_LE(camera_paths_lost(*kernels, in_sphere, 6), allowed) << "sphere, " << what;
+        EXPECT_LE(photons_lost(*kernels, in_sphere, 6), allowed) << "sphere, " << what;
+        EXPECT_LE(camera_paths_lost(*kernels, in_facets, 6), allowed) << "facets, " << what;
+        EXPECT_LE(photons_lost(*kernels, in_facets, 6), allowed) << "facets, " << what;
+        EXPECT_LE(camera_paths_lost(*kernels, with_balls, 6), allowed) << "balls, " << what;
       }
     }
   }
