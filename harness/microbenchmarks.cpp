@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -13,7 +14,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* peer = "/nanoflann/";
+/// What ours is measured against.
+constexpr std::array peers{"nanoflann", "embree_alone"};
 
 Json parse(const MicrobenchmarkFile& file) {
   Json document = Json::parse(file.text, nullptr, false);
@@ -49,11 +51,17 @@ std::vector<Median> medians(const Json& merged) {
   return found;
 }
 
-/// TASK/nanoflann/ARGUMENTS for TASK/anything/ARGUMENTS, else "".
-std::string peer_of(const std::string& name) {
+/// TASK/`peer`/ARGUMENTS for TASK/anything/ARGUMENTS, else "".
+std::string named_after(const std::string& peer, const std::string& name) {
   const std::size_t first = name.find('/');
   const std::size_t second = first == std::string::npos ? first : name.find('/', first + 1);
-  return second == std::string::npos ? "" : name.substr(0, first) + peer + name.substr(second + 1);
+  return second == std::string::npos ? "" : name.substr(0, first + 1) + peer + name.substr(second);
+}
+
+/// How many times as fast: by items where both count them, else by the time of one iteration.
+double speed_ratio(const Median& ours, const Median& other) {
+  if (ours.items_per_second > 0 && other.items_per_second > 0) return ours.items_per_second / other.items_per_second;
+  return other.nanoseconds / ours.nanoseconds;
 }
 
 }  // namespace
@@ -92,10 +100,12 @@ std::string microbenchmark_table(const std::string& merged) {
   for (const Median& m : all) {
     table += fmt::format("{:<{}} {:>10.4g} {:<2}", m.name, widest, m.cpu_time, m.unit);
     table += m.items_per_second > 0 ? fmt::format(" {:>9.4g} M/s", m.items_per_second / 1e6) : std::string(14, ' ');
-    const auto other = std::ranges::find(all, peer_of(m.name), &Median::name);
-    // The CPU time of the calling thread says nothing where several share the work.
-    if (other != all.end() && other->name != m.name && m.name.find("threads") == std::string::npos)
-      table += fmt::format(" {:>7.2f} x nanoflann", other->nanoseconds / m.nanoseconds);
+    for (const char* peer : peers) {
+      const auto other = std::ranges::find(all, named_after(peer, m.name), &Median::name);
+      // The CPU time of the calling thread says nothing where several share the work.
+      if (other != all.end() && other->name != m.name && m.name.find("threads") == std::string::npos)
+        table += fmt::format(" {:>7.2f} x {}", speed_ratio(m, *other), peer);
+    }
     while (table.back() == ' ') table.pop_back();
     table += '\n';
   }

@@ -98,21 +98,21 @@ void threshold(benchmark::State& state, int plates, const std::string& isa, bool
 
 int register_all() {
   const auto add = [](const std::string& name, auto&& body) {
-    benchmark::RegisterBenchmark(("rays/" + name).c_str(), body)->Unit(benchmark::kMillisecond);
+    benchmark::RegisterBenchmark(name.c_str(), body)->Unit(benchmark::kMillisecond);
   };
   for (const std::string scene : {"cornell", "cornell-spheres", "million:10000", "million:1000000"}) {
-    add(scene + "/path_tracer", [scene](benchmark::State& s) { path_tracer(s, scene, "", false); });
-    add(scene + "/alone", [scene](benchmark::State& s) { rays_alone(s, scene); });
-    add(scene + "/camera/single", [scene](benchmark::State& s) { query(s, scene, Kind::camera); });
-    add(scene + "/camera/packet", [scene](benchmark::State& s) { query(s, scene, Kind::camera_packets); });
-    add(scene + "/bounce/single", [scene](benchmark::State& s) { query(s, scene, Kind::bounce); });
-    add(scene + "/bounce/packet", [scene](benchmark::State& s) { query(s, scene, Kind::bounce_packets); });
-    add(scene + "/shadow/single", [scene](benchmark::State& s) { query(s, scene, Kind::shadow); });
+    add("path_tracer/ours/" + scene, [scene](benchmark::State& s) { path_tracer(s, scene, "", false); });
+    add("path_tracer/embree_alone/" + scene, [scene](benchmark::State& s) { rays_alone(s, scene); });
+    add("rays/" + scene + "/camera/single", [scene](benchmark::State& s) { query(s, scene, Kind::camera); });
+    add("rays/" + scene + "/camera/packet", [scene](benchmark::State& s) { query(s, scene, Kind::camera_packets); });
+    add("rays/" + scene + "/bounce/single", [scene](benchmark::State& s) { query(s, scene, Kind::bounce); });
+    add("rays/" + scene + "/bounce/packet", [scene](benchmark::State& s) { query(s, scene, Kind::bounce_packets); });
+    add("rays/" + scene + "/shadow/single", [scene](benchmark::State& s) { query(s, scene, Kind::shadow); });
   }
-  add("million:10000000/path_tracer", [](benchmark::State& s) { path_tracer(s, "million:10000000", "", false); });
+  add("path_tracer/ours/million:10000000", [](benchmark::State& s) { path_tracer(s, "million:10000000", "", false); });
   for (const Kernels* kernels : available_kernels()) {
     const std::string isa = kernels->isa;
-    add("cornell/isa/" + isa, [isa](benchmark::State& s) { path_tracer(s, "cornell", isa, false); });
+    add("isa/" + isa, [isa](benchmark::State& s) { path_tracer(s, "cornell", isa, false); });
   }
   for (const Kernels* kernels : available_kernels()) {
     const std::string isa = kernels->isa;
