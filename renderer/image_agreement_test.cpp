@@ -114,6 +114,20 @@ TEST_P(ImageOf, instruction_sets_agree_at_equal_seeds_but_for_a_few_paths) {
   }
 }
 
+TEST_P(ImageOf, instruction_sets_that_fuse_multiply_and_add_agree_to_the_bit) {
+  // v3 and v4 differ in width alone: every lane's arithmetic is the same.
+  const auto has = [](const char* isa) {
+    return std::any_of(available_kernels().begin(), available_kernels().end(),
+                       [&](const Kernels* kernels) { return std::string(kernels->isa) == isa; });
+  };
+  if (!has("v3") || !has("v4")) GTEST_SKIP() << "this processor has one of them at most";
+  for (const bool with_balls : {false, true}) {
+    const SceneDescription scene = test::room(32, with_balls);
+    EXPECT_EQ(image_of(scene, GetParam(), {"v3", SamplerKind::sobol}, 8, 1).rgb,
+              image_of(scene, GetParam(), {"v4", SamplerKind::sobol}, 8, 1).rgb);
+  }
+}
+
 TEST_P(ImageOf, instruction_sets_agree_in_the_mean_of_other_seeds) {
   const SceneDescription scene = dim_room(16, true, GetParam());
   const Estimate scalar = mean_over_seeds(scene, GetParam(), {"scalar"}, 1000);
