@@ -15,12 +15,29 @@
 
 namespace photonproof {
 
-/// Self offers refill(state, first, lanes), which says which of the lanes begin a history, meet_surfaces(state, active)
-/// and shade<Kind>(state, active). `State` is a history
-/// between surfaces, `Waiting` one at a surface.
-template <class Self, template <class> class State, template <class> class Waiting, class F>
+/// A history at a surface, waiting to be shaded.
+template <template <class> class History, class F>
+struct AtSurface {
+  History<F> history;
+  Vec3<F> p, normal;
+  UInt<F> surface;
+
+  static constexpr std::size_t column_count = History<F>::column_count + 7;
+  template <class Self, class Visit>
+  static void columns(Self& s, Visit&& visit) {
+    History<F>::columns(s.history, visit);
+    visit(s.p.x), visit(s.p.y), visit(s.p.z), visit(s.normal.x), visit(s.normal.y), visit(s.normal.z);
+    visit(s.surface);
+  }
+};
+
+/// Self offers refill(history, first, lanes), which says which of the lanes begin a history,
+/// meet_surfaces(history, active) and shade<Kind>(at_surface, active). `History` is the state between surfaces.
+template <class Self, template <class> class History, class F>
 class BatchKernel {
-  using Batch = LaneBatch<State, F>;
+  template <class G>
+  using Waiting = AtSurface<History, G>;
+  using Batch = LaneBatch<History, F>;
   using Queue = LaneBatch<Waiting, F>;
   static constexpr std::size_t width = lane_count<F>;
   static constexpr std::size_t capacity = 256;  // measured: 128 to 1024 are alike; below, packs are often not full
@@ -36,14 +53,14 @@ class BatchKernel {
       next_.clear();
       while (started < count && current_.size() + width <= capacity) {
         const std::uint32_t lanes = std::min(static_cast<std::uint32_t>(width), count - started);
-        State<F> state;
+        History<F> state;
         const Mask<F> begins = self().refill(state, started, first_lanes<F>(lanes));
         current_.append(state, begins);
         started += lanes;
       }
       for (Queue& queue : queues_) queue.clear();
       for (std::size_t row = 0; row < current_.size(); row += width) {
-        State<F> state;
+        History<F> state;
         current_.load_rows(row, state);
         self().meet_surfaces(state, first_lanes<F>(current_.size() - row));
       }
@@ -75,7 +92,7 @@ class BatchKernel {
     for (std::uint32_t k = 0; k < BsdfKinds::count; ++k)
       if ((scene_.bsdf_kinds >> k & 1u) != 0) queues_[k].append(state, alive && equal<F>(kind, UInt<F>(k)));
   }
-  void go_on(const State<F>& state, const Mask<F>& alive) { next_.append(state, alive); }
+  void go_on(const History<F>& state, const Mask<F>& alive) { next_.append(state, alive); }
 
   UInt<F> surface_word(const UInt<F>& surface, std::size_t offset) const {
     const auto* words = reinterpret_cast<const std::uint32_t*>(scene_.surfaces);

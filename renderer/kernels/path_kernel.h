@@ -32,25 +32,9 @@ struct PathState {
   }
 };
 
-/// A path at a surface.
 template <class F>
-struct PathAtSurface {
-  PathState<F> path;
-  Vec3<F> p, normal;
-  UInt<F> surface;
-
-  static constexpr std::size_t column_count = PathState<F>::column_count + 7;
-  template <class Self, class Visit>
-  static void columns(Self& s, Visit&& visit) {
-    PathState<F>::columns(s.path, visit);
-    visit(s.p.x), visit(s.p.y), visit(s.p.z), visit(s.normal.x), visit(s.normal.y), visit(s.normal.z);
-    visit(s.surface);
-  }
-};
-
-template <class F>
-class PathKernel : public BatchKernel<PathKernel<F>, PathState, PathAtSurface, F> {
-  using Base = BatchKernel<PathKernel<F>, PathState, PathAtSurface, F>;
+class PathKernel : public BatchKernel<PathKernel<F>, PathState, F> {
+  using Base = BatchKernel<PathKernel<F>, PathState, F>;
   using U = UInt<F>;
   static constexpr std::uint32_t dimensions_a_vertex = 5;  // light point, direction, light, lobe, roulette
 
@@ -96,8 +80,8 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, PathAtSurface, F
 
   /// Adds direct light, draws the next direction and plays roulette.
   template <template <class> class Kind>
-  [[gnu::flatten]] void shade(PathAtSurface<F>& at, const Mask<F>& active) {
-    PathState<F>& s = at.path;
+  [[gnu::flatten]] void shade(AtSurface<PathState, F>& at, const Mask<F>& active) {
+    PathState<F>& s = at.history;
     const Kind<F> bsdf = Base::template bsdf_at<Kind>(at.surface, active);
     const Frame<F> frame(at.normal);
     const Vec3<F> wo_local = frame.to_local(Vec3<F>(-s.direction));
@@ -143,9 +127,9 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, PathAtSurface, F
   }
 
   template <class B>
-  void add_direct_light(PathAtSurface<F>& at, const B& bsdf, const Frame<F>& frame, const Vec3<F>& wo_local,
+  void add_direct_light(AtSurface<PathState, F>& at, const B& bsdf, const Frame<F>& frame, const Vec3<F>& wo_local,
                         const U& dimension, const Mask<F>& active) {
-    PathState<F>& s = at.path;
+    PathState<F>& s = at.history;
     F u_choice(0.0f);
     if (!scene_.one_light) u_choice = draw_independent<F>(s.key, s.index, U(dimension + 2u));
     const Vec2<F> u_point = draw2<F>(task_.camera.sampler, s.key, s.index, dimension);
@@ -188,8 +172,8 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, PathAtSurface, F
     });
   }
 
-  void leave_gather_points(const PathAtSurface<F>& at, const Vec3<F>& f, const Mask<F>& active) {
-    const Vec3<F> weight = at.path.throughput * f;
+  void leave_gather_points(const AtSurface<PathState, F>& at, const Vec3<F>& f, const Mask<F>& active) {
+    const Vec3<F> weight = at.history.throughput * f;
     float columns[6][lane_count<F>];
     std::uint32_t surface[lane_count<F>], vertex[lane_count<F>];
     store_lanes(at.p.x, columns[0]);
@@ -199,9 +183,9 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, PathAtSurface, F
     store_lanes(weight.y, columns[4]);
     store_lanes(weight.z, columns[5]);
     store_from(at.surface, surface);
-    store_from(at.path.vertex, vertex);
+    store_from(at.history.vertex, vertex);
     const Mask<F> reflects = active && max_component(weight) > 0;
-    for_each_path(at.path, reflects, [&](std::size_t lane, std::size_t path) {
+    for_each_path(at.history, reflects, [&](std::size_t lane, std::size_t path) {
       task_.gather_points[task_.gather_count++] = {{columns[0][lane], columns[1][lane], columns[2][lane]},
                                                    {columns[3][lane], columns[4][lane], columns[5][lane]},
                                                    static_cast<std::uint32_t>(path),

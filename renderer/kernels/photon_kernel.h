@@ -28,23 +28,8 @@ struct PhotonState {
 };
 
 template <class F>
-struct PhotonAtSurface {
-  PhotonState<F> photon;
-  Vec3<F> p, normal;
-  UInt<F> surface;
-
-  static constexpr std::size_t column_count = PhotonState<F>::column_count + 7;
-  template <class Self, class Visit>
-  static void columns(Self& s, Visit&& visit) {
-    PhotonState<F>::columns(s.photon, visit);
-    visit(s.p.x), visit(s.p.y), visit(s.p.z), visit(s.normal.x), visit(s.normal.y), visit(s.normal.z);
-    visit(s.surface);
-  }
-};
-
-template <class F>
-class PhotonKernel : public BatchKernel<PhotonKernel<F>, PhotonState, PhotonAtSurface, F> {
-  using Base = BatchKernel<PhotonKernel<F>, PhotonState, PhotonAtSurface, F>;
+class PhotonKernel : public BatchKernel<PhotonKernel<F>, PhotonState, F> {
+  using Base = BatchKernel<PhotonKernel<F>, PhotonState, F>;
   using U = UInt<F>;
   static constexpr std::uint32_t diffusely = 1, specularly = 2;  // in PhotonState::bounced
   static constexpr std::uint32_t emission_dimensions = 3;        // position, direction, light
@@ -96,8 +81,8 @@ class PhotonKernel : public BatchKernel<PhotonKernel<F>, PhotonState, PhotonAtSu
   }
 
   template <template <class> class Kind>
-  [[gnu::flatten]] void shade(PhotonAtSurface<F>& at, const Mask<F>& active) {
-    PhotonState<F>& s = at.photon;
+  [[gnu::flatten]] void shade(AtSurface<PhotonState, F>& at, const Mask<F>& active) {
+    PhotonState<F>& s = at.history;
     const Frame<F> frame(at.normal);
     const Vec3<F> wo_local = frame.to_local(Vec3<F>(-s.direction));
     if constexpr (Kind<F>::is_delta) {
@@ -136,7 +121,7 @@ class PhotonKernel : public BatchKernel<PhotonKernel<F>, PhotonState, PhotonAtSu
     return draw2<F>(task_.sampler, U(task_.seed), U(s.path + task_.first), dimension);
   }
 
-  void store(const PhotonAtSurface<F>& at, const Mask<F>& lanes) {
+  void store(const AtSurface<PhotonState, F>& at, const Mask<F>& lanes) {
     const std::uint32_t bits = to_bits(lanes);
     if (bits == 0) return;
     PhotonDeposits& d = *task_.deposits;
@@ -147,12 +132,12 @@ class PhotonKernel : public BatchKernel<PhotonKernel<F>, PhotonState, PhotonAtSu
     put(at.p.x, d.x);
     put(at.p.y, d.y);
     put(at.p.z, d.z);
-    put(at.photon.flux.x, d.red);
-    put(at.photon.flux.y, d.green);
-    put(at.photon.flux.z, d.blue);
+    put(at.history.flux.x, d.red);
+    put(at.history.flux.y, d.green);
+    put(at.history.flux.z, d.blue);
     put(at.surface, d.surface);
-    put(at.photon.edges, d.edges);
-    put(at.photon.path, d.path);
+    put(at.history.edges, d.edges);
+    put(at.history.path, d.path);
     d.count += static_cast<std::size_t>(std::popcount(bits));
   }
 
