@@ -14,18 +14,18 @@ class Tracer;
 /// u = edge_u . x + u0, v likewise, which run from 0 to 1 along the edges.
 struct Plate {
   Vec3f normal;
-  float k;
+  float k = 0;
   Vec3f edge_u;
-  float u0;
+  float u0 = 0;
   Vec3f edge_v;
-  float v0;
+  float v0 = 0;
   static constexpr std::uint32_t stride = 12;
 };
 
 struct Ball {
   Vec3f center;
-  float radius;
-  float side;  ///< 1: the normal points outward, -1: to the centre
+  float radius = 0;
+  float side = 1;  ///< 1: the normal points outward, -1: to the centre
   static constexpr std::uint32_t stride = 5;
 };
 
@@ -54,15 +54,15 @@ struct LightWords {
 /// A ball that holds a specular surface.
 struct AimTarget {
   Vec3f center;
-  float radius;
+  float radius = 0;
   static constexpr std::uint32_t stride = 4;
 };
 
 struct CameraView {
   Vec3f origin, right, up, forward;
-  float tan_x, tan_y;
-  float inverse_width, inverse_height;
-  float near, far;  ///< distances along `forward`
+  float tan_x = 1, tan_y = 1;
+  float inverse_width = 1, inverse_height = 1;
+  float near = 0, far = 0;  ///< distances along `forward`
 };
 
 struct SceneView {

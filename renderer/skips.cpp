@@ -23,12 +23,16 @@ SkipSwitches::SkipSwitches(const std::vector<std::string>& names_switched_off) {
     bool known = false;
     std::string names;
     for (const SkipRow& row : skip_table()) {
-      names += std::string(row.name) + ", ";
+      names += row.name;
+      names += ", ";
       if (name != row.name && name != "all") continue;
       switch_off(row.skip);
       known = true;
     }
-    if (!known) throw InputError("--no-skip", "there is no skip '" + name + "', expected one of " + names + "all");
+    if (known) continue;
+    std::string problem = "there is no skip '";
+    problem += name + "', expected one of " + names + "all";
+    throw InputError("--no-skip", problem);
   }
 }
 

@@ -27,7 +27,7 @@ CameraTask camera_task(const RenderJob& job, const Tile& tile, std::int64_t firs
 void add_samples(Film& film, const CameraTask& task, const std::vector<float>& radiance) {
   for_each_pixel(task, radiance, [&](int x, int y, const float* samples) {
     RgbD sum(0.0), sum_of_squares(0.0);
-    for (std::uint32_t s = 0; s < task.samples; ++s) {
+    for (std::size_t s = 0; s < task.samples; ++s) {
       const RgbD value(Vec3f(samples[3 * s], samples[3 * s + 1], samples[3 * s + 2]));
       sum += value;
       sum_of_squares += value * value;
@@ -39,7 +39,7 @@ void add_samples(Film& film, const CameraTask& task, const std::vector<float>& r
 void add_means(Film& film, const CameraTask& task, const std::vector<float>& radiance) {
   for_each_pixel(task, radiance, [&](int x, int y, const float* samples) {
     RgbD sum(0.0);
-    for (std::uint32_t s = 0; s < task.samples; ++s)
+    for (std::size_t s = 0; s < task.samples; ++s)
       sum += RgbD(Vec3f(samples[3 * s], samples[3 * s + 1], samples[3 * s + 2]));
     film.add(x, y, sum / task.samples, task.samples);
   });

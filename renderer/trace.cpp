@@ -32,7 +32,7 @@ struct Tables {
 
 struct SurfacePoint {
   Vec3f p, normal;
-  std::uint32_t surface;
+  std::uint32_t surface = no_index;
 };
 
 /// The smallest root in [t_near, t_far] of |o + t d - c| = r, or a negative value. Double precision: in float the
@@ -122,7 +122,7 @@ void intersect_one(RTCScene scene, RTCRayHit& query) {
 #ifdef PHOTONPROOF_EMBREE4
   rtcIntersect1(scene, &query, nullptr);
 #else
-  RTCIntersectContext context;
+  RTCIntersectContext context{};
   rtcInitIntersectContext(&context);
   rtcIntersect1(scene, &context, &query);
 #endif
@@ -132,7 +132,7 @@ bool is_occluded(RTCScene scene, RTCRay query) {
 #ifdef PHOTONPROOF_EMBREE4
   rtcOccluded1(scene, &query, nullptr);
 #else
-  RTCIntersectContext context;
+  RTCIntersectContext context{};
   rtcInitIntersectContext(&context);
   rtcOccluded1(scene, &context, &query);
 #endif
@@ -143,7 +143,7 @@ void intersect_packet(RTCScene scene, const int* valid, RTCRayHit16& query) {
 #ifdef PHOTONPROOF_EMBREE4
   rtcIntersect16(valid, scene, &query, nullptr);
 #else
-  RTCIntersectContext context;
+  RTCIntersectContext context{};
   rtcInitIntersectContext(&context);
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
   rtcIntersect16(valid, scene, &context, &query);
@@ -295,7 +295,7 @@ void Tracer::intersect(const RayBlock& rays, HitBlock& hits, bool coherent) cons
     hits.surface[i] = point.surface;
   };
   if (coherent && std::popcount(lanes) > 1) {
-    RTCRayHit16 query;
+    RTCRayHit16 query{};
     alignas(64) int valid[16];  // as Embree's packets are: it may load it with aligned instructions
     for (std::size_t i = 0; i < 16; ++i) {
       valid[i] = (lanes >> i & 1u) != 0 ? -1 : 0;
@@ -321,7 +321,7 @@ void Tracer::intersect(const RayBlock& rays, HitBlock& hits, bool coherent) cons
   }
   for (std::uint32_t bits = lanes; bits != 0; bits &= bits - 1) {
     const auto i = static_cast<std::size_t>(std::countr_zero(bits));
-    RTCRayHit query;
+    RTCRayHit query{};
     query.ray = ray_of_lane(rays, i, std::numeric_limits<float>::infinity());
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     intersect_one(impl_->scene, query);
@@ -341,7 +341,7 @@ std::size_t Tracer::count_hits_alone(const std::vector<RayBlock>& rays) const {
   std::size_t hits = 0;
   for (const RayBlock& block : rays) {
     for (std::uint32_t bits = block.active; bits != 0; bits &= bits - 1) {
-      RTCRayHit query;
+      RTCRayHit query{};
       query.ray =
           ray_of_lane(block, static_cast<std::size_t>(std::countr_zero(bits)), std::numeric_limits<float>::infinity());
       query.hit.geomID = RTC_INVALID_GEOMETRY_ID;

@@ -8,10 +8,10 @@ namespace photonproof {
 
 template <class F>
 struct SurfaceHit {
-  Mask<F> valid;
-  Vec3<F> p, normal;  ///< normal: unit, geometric, on the surface's front side
-  UInt<F> surface;    ///< index into SceneView::surfaces; 0 where not valid
-  UInt<F> primitive;  ///< of a small scene
+  Mask<F> valid{};
+  Vec3<F> p, normal;    ///< normal: unit, geometric, on the surface's front side
+  UInt<F> surface{};    ///< index into SceneView::surfaces; 0 where not valid
+  UInt<F> primitive{};  ///< of a small scene
 };
 
 /// The point moved off its surface to the side `direction` points to, by 4 ulp of its coordinates: far enough that the

@@ -13,9 +13,9 @@ namespace photonproof {
 
 /// Camera samples [first_sample, first_sample + samples) of every pixel of a tile; at most 2^20 of them.
 struct CameraTask {
-  int x0, y0, x1, y1;
-  std::uint32_t first_sample, samples;
-  std::uint32_t seed;  ///< stream_seed of the camera
+  int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+  std::uint32_t first_sample = 0, samples = 0;
+  std::uint32_t seed = 0;  ///< stream_seed of the camera
   SamplerKind sampler = SamplerKind::sobol;
   int grid = 0;  ///< k > 0: samples on the centres of a k x k grid in the pixel
 
@@ -35,9 +35,9 @@ struct PathSettings {
 struct GatherPoint {
   Vec3f p;
   Rgb weight;  ///< throughput x f
-  std::uint32_t path;
-  std::uint32_t surface;
-  std::uint32_t edges;  ///< of the camera path
+  std::uint32_t path = 0;
+  std::uint32_t surface = 0;
+  std::uint32_t edges = 0;  ///< of the camera path
 };
 
 struct PathTask {
@@ -61,8 +61,8 @@ enum class PhotonKind {
 struct PhotonDeposits {
   static constexpr std::size_t slack = 16;  ///< of a pack
   static constexpr std::size_t capacity = 4096;
-  float x[capacity], y[capacity], z[capacity], red[capacity], green[capacity], blue[capacity];
-  std::uint32_t surface[capacity], edges[capacity], path[capacity];
+  float x[capacity]{}, y[capacity]{}, z[capacity]{}, red[capacity]{}, green[capacity]{}, blue[capacity]{};
+  std::uint32_t surface[capacity]{}, edges[capacity]{}, path[capacity]{};
   std::size_t count = 0;
 };
 
