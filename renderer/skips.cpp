@@ -31,7 +31,10 @@ SkipSwitches::SkipSwitches(const std::vector<std::string>& names_switched_off) {
     }
     if (known) continue;
     std::string problem = "there is no skip '";
-    problem += name + "', expected one of " + names + "all";
+    problem += name;
+    problem += "', expected one of ";
+    problem += names;
+    problem += "all";
     throw InputError("--no-skip", problem);
   }
 }

@@ -9,7 +9,7 @@ namespace photonproof {
 template <class F>
 struct CameraRay {
   Vec3<F> origin, direction;
-  UInt<F> key, index;  ///< of the sampler
+  UInt<F> key{}, index{};  ///< of the sampler
 };
 
 /// Paths [first, first + lanes) of the task; lanes beyond the task's last path repeat it.
