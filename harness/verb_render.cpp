@@ -46,29 +46,25 @@ std::size_t non_finite_values(const Image& image) {
       std::count_if(image.rgb.begin(), image.rgb.end(), [](float v) { return !std::isfinite(v); }));
 }
 
+const char* sampler_name(SamplerKind kind) { return kind == SamplerKind::sobol ? "sobol" : "independent"; }
+
 nlohmann::ordered_json plan_json(const RenderPlan& plan) {
   nlohmann::ordered_json runs, skips;
   for (const PlanStep& step : plan.runs) runs[step.what] = step.how;
   for (const RenderPlan::Decision& d : plan.decisions)
-    skips[skip_table()[static_cast<std::size_t>(d.skip)].name] = {{"skipped", d.skipped}, {"why", d.why}};
+    skips[skip_row(d.skip).name] = {{"skipped", d.skipped}, {"why", d.why}};
   return {{"integrator", plan.integrator}, {"isa", plan.isa}, {"lanes", plan.lanes}, {"runs", runs}, {"skips", skips}};
 }
 
 nlohmann::ordered_json stats_json(const RenderArguments& arguments, const Scene& scene, const std::string& integrator,
                                   const RenderStats& stats, const RenderPlan& plan, int threads) {
-  return {{"schema_version", 1},
-          {"engine", "photonproof " + integrator},
-          {"version", version_line()},
-          {"scene", arguments.scene.path},
-          {"width", scene.width},
-          {"height", scene.height},
-          {"seed", arguments.seed},
-          {"threads", threads},
-          {"interrupted", stats.interrupted},
-          {"phases", stats.phases},
-          {"counts", stats.counts},
-          {"skipped", stats.skipped},
-          {"plan", plan_json(plan)}};
+  return {{"schema_version", 1},       {"engine", "photonproof " + integrator},
+          {"version", version_line()}, {"scene", arguments.scene.path},
+          {"width", scene.width},      {"height", scene.height},
+          {"seed", arguments.seed},    {"sampler", sampler_name(arguments.sampler)},
+          {"threads", threads},        {"interrupted", stats.interrupted},
+          {"phases", stats.phases},    {"counts", stats.counts},
+          {"skipped", stats.skipped},  {"plan", plan_json(plan)}};
 }
 
 int run_render(const RenderArguments& arguments) {
@@ -116,6 +112,8 @@ int run_render(const RenderArguments& arguments) {
   const Timer write_timer;
   Rendering rendering = film.develop();
   rendering.metadata["photonproof:version"] = version_line();
+  rendering.metadata["photonproof:sampler"] = sampler_name(arguments.sampler);
+  rendering.metadata["photonproof:isa"] = plan.isa;
   rendering.metadata["photonproof:command"] =
       arguments.scene.path + " --integrator " + name + " --seed " + std::to_string(arguments.seed) + " --spp " +
       std::to_string(static_cast<std::int64_t>(stats.counts["samples_per_pixel"]));
@@ -131,7 +129,10 @@ int run_render(const RenderArguments& arguments) {
   } else {
     std::printf("%s: %s, %dx%d, %.0f samples a pixel, %.2f s\n", arguments.output.c_str(), name.c_str(), scene.width,
                 scene.height, stats.counts["samples_per_pixel"], load_timer.seconds());
-    for (const std::string& skip : stats.skipped) std::printf("skipped %s\n", skip.c_str());
+    std::string left_out;
+    for (const RenderPlan::Decision& d : plan.decisions)
+      if (d.skipped) left_out += (left_out.empty() ? "" : ", ") + std::string(skip_row(d.skip).name);
+    if (!left_out.empty()) std::printf("skipped %s (--plan says why)\n", left_out.c_str());
   }
   const std::size_t broken = non_finite_values(rendering.mean);
   if (broken > 0) std::fprintf(stderr, "%s: %zu values are not finite\n", arguments.output.c_str(), broken);

@@ -102,8 +102,6 @@ class Planner {
   RenderPlan& plan_;
 };
 
-const SkipRow& row_of(Skip skip) { return skip_table()[static_cast<std::size_t>(skip)]; }
-
 }  // namespace
 
 bool RenderPlan::skips(Skip skip) const {
@@ -114,7 +112,7 @@ bool RenderPlan::skips(Skip skip) const {
 std::vector<std::string> RenderPlan::skipped() const {
   std::vector<std::string> lines;
   for (const Decision& d : decisions)
-    if (d.skipped) lines.push_back(std::string(row_of(d.skip).name) + ": " + d.why);
+    if (d.skipped) lines.push_back(std::string(skip_row(d.skip).name) + ": " + d.why);
   return lines;
 }
 
@@ -142,7 +140,7 @@ std::string plan_text(const RenderPlan& plan) {
     if (std::none_of(plan.decisions.begin(), plan.decisions.end(), listed)) continue;
     text += skipped ? "skips\n" : "does not skip\n";
     for (const RenderPlan::Decision& d : plan.decisions)
-      if (listed(d)) text += line(row_of(d.skip).name, row_of(d.skip).what + (": " + d.why));
+      if (listed(d)) text += line(skip_row(d.skip).name, skip_row(d.skip).what + (": " + d.why));
   }
   return text;
 }

@@ -27,6 +27,7 @@ struct SkipRow {
 
 /// One row a skip, in the order of the enumeration.
 const std::vector<SkipRow>& skip_table();
+inline const SkipRow& skip_row(Skip skip) { return skip_table()[static_cast<std::size_t>(skip)]; }
 
 /// Every skip is on unless it was switched off.
 class SkipSwitches {
