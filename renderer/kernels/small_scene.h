@@ -30,7 +30,10 @@ PlateCrossing<F> cross_plate(const Plate& plate, const Vec3<F>& origin, const Ve
   const F v = mul_add(F(apply(plate.edge_v, origin) + plate.v0), speed, apply(plate.edge_v, direction) * distance);
   const F low = -plate_margin * speed;
   const F high = speed - low;
-  const Mask<F> inside = distance > 0 && u >= low && v >= low;
+  // A ray that starts on the plane meets it where it goes from front to back: rounding put its origin there, on the
+  // edge of a neighbour, and it must not get out.
+  const F least = lane_copysign(F(std::numeric_limits<float>::min()), toward);
+  const Mask<F> inside = distance > least && u >= low && v >= low;
   if constexpr (is_triangle)
     return {distance, speed, inside && u + v <= high};
   else
