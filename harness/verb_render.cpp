@@ -176,8 +176,9 @@ void add_render_verb(CLI::App& program, int& exit_code) {
   verb->add_option("--isa", arguments->isa, "instruction set of the kernels (default: the best this processor has)")
       ->check(CLI::IsMember(isas));
   verb->add_option("--no-skip", arguments->no_skip,
-                   "do what the plan would skip: a name that --plan prints, or 'all'; the image stays the same")
-      ->type_name("NAME");
+                   "do what the plan would skip: a name that --plan prints, or 'all'; may be repeated")
+      ->type_name("NAME")
+      ->allow_extra_args(false);
   verb->add_flag("--plan", arguments->plan, "print what would run and what would be skipped, and why; render nothing");
   verb->add_flag("--json", arguments->json, "print the stats as JSON");
   verb->add_flag("--quiet", arguments->quiet, "no progress line");

@@ -9,6 +9,7 @@ namespace photonproof {
 template <class F>
 struct DiffuseBsdf {
   static constexpr bool is_delta = false;
+  static constexpr bool is_lambertian = true;  ///< eval does not depend on the directions
   Vec3<F> reflectance;
 
   Vec3<F> eval(const Vec3<F>& wo, const Vec3<F>& wi) const {

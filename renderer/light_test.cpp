@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "renderer/chi_square.h"
+#include "renderer/kernels/direct_light.h"
 #include "renderer/test_shading.h"
 
 namespace photonproof {
@@ -44,6 +45,14 @@ TEST(quad_light, irradiance_is_the_parallel_rectangle_form) {
   const double form = 2 * a * std::atan(a) / (2 * std::numbers::pi);
   const double expected = std::numbers::pi * 4 * form;
   EXPECT_NEAR(irradiance(square(1, 2), {0, 0, 0}, {0, 1, 0}, 200'000), expected, 0.002 * expected);
+}
+
+TEST(mis, weights_stay_finite_beside_lights_of_no_size) {
+  EXPECT_EQ(mis_weight(1e30f, 1.0f), 1);
+  EXPECT_EQ(mis_weight(1.0f, 1e30f), 0);
+  EXPECT_EQ(mis_weight(1e30f, 1e30f), 0.5f);
+  EXPECT_EQ(mis_weight(0.0f, 1.0f), 0);
+  EXPECT_NEAR(mis_weight(3.0f, 4.0f), 9.0f / 25, 1e-7f);
 }
 
 TEST(quad_light, gives_nothing_behind_itself) { EXPECT_EQ(irradiance(square(1, 2), {0, 3, 0}, {0, -1, 0}, 100), 0); }

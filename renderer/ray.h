@@ -7,6 +7,9 @@
 
 namespace photonproof {
 
+/// Of a shadow segment, how far things are in the way: what a light lies on does not hide it.
+inline constexpr float segment_end = 1 - 0x1p-18f;
+
 inline constexpr std::uint32_t no_index = 0xFFFFFFFFu;
 
 struct Hit {

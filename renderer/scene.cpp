@@ -4,11 +4,11 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
-#include <limits>
 
 #include "renderer/aim_targets.h"
 #include "renderer/kernels/rays.h"
 #include "renderer/light_table.h"
+#include "renderer/scene_frame.h"
 #include "renderer/small_scene_tables.h"
 
 namespace photonproof {
@@ -62,46 +62,6 @@ bool has_usable_size(const Geometry& geometry) {
 
 float mean_channel(const Rgb& rgb) { return (rgb.x + rgb.y + rgb.z) / 3; }
 
-double similarity_scale(const Transform& t) { return std::cbrt(std::abs(t.determinant())); }
-
-/// Axis-aligned bounds of points, in double: what decides where the origin goes.
-struct Bounds {
-  Vec3d low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
-  void add(const Vec3d& p) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
-};
-
-Bounds bounds_of(const SceneDescription& description) {
-  Bounds bounds;
-  for (const ShapeDescription& shape : description.shapes) {
-    if (const auto* sphere = std::get_if<SphereDescription>(&shape.geometry)) {
-      const Vec3d center = shape.to_world.point(sphere->center);
-      const Vec3d reach(sphere->radius * similarity_scale(shape.to_world));
-      bounds.add(center - reach);
-      bounds.add(center + reach);
-      continue;
-    }
-    if (const auto* ply = std::get_if<PlyDescription>(&shape.geometry)) {
-      for (const Vec3f& p : ply->mesh->positions) bounds.add(shape.to_world.point(Vec3d(p)));
-      continue;
-    }
-    for (int corner = 0; corner < 8; ++corner) {
-      const auto sign = [&](int bit) { return (corner >> bit & 1) != 0 ? 1.0 : -1.0; };
-      const bool flat = std::holds_alternative<RectangleDescription>(shape.geometry);
-      bounds.add(shape.to_world.point({sign(0), sign(1), flat ? 0.0 : sign(2)}));
-    }
-  }
-  return bounds;
-}
-
-/// Whole floats, so that adding it to what is near it loses nothing that matters.
-Vec3d origin_shift(const Bounds& bounds) {
-  const Vec3d middle = (bounds.low + bounds.high) * 0.5;
-  return is_finite(middle) ? Vec3d(Vec3f(-middle)) : Vec3d(0.0);
-}
-
 /// The variants' records one after the other, `List::stride` floats each.
 template <class List>
 std::vector<float> flat_records(const std::vector<typename List::Variant>& variants) {
@@ -117,8 +77,8 @@ std::vector<float> flat_records(const std::vector<typename List::Variant>& varia
 Scene::Scene(const SceneDescription& description, int width_, int height_, const SkipSwitches& skips,
              std::size_t small_limit)
     : width(width_), height(height_) {
-  const Bounds bounds = bounds_of(description);
-  moved_ = origin_shift(bounds);
+  const SceneFrame frame = scene_frame(description);
+  moved_ = frame.moved;
   for (const BsdfDescription& b : description.bsdfs)
     bsdfs.push_back(std::visit([](const auto& model) { return compile(model); }, b.model));
   for (const ShapeDescription& shape : description.shapes) add_shape(description, shape);
@@ -126,10 +86,7 @@ Scene::Scene(const SceneDescription& description, int width_, int height_, const
     lights.push_back(std::visit([&](const auto& light) { return compile(light, moved_); }, e.light));
 
   view_.camera = compile_camera(description.sensor, width, height, moved_);
-  // A point near the origin still comes out of arithmetic with the scene's coordinates.
-  const Vec3d extent = (bounds.high - bounds.low) * 0.5;
-  const double largest = max_component(extent);
-  view_.coordinate_floor = std::isfinite(largest) ? static_cast<float>(largest / 16) : 1;
+  view_.coordinate_floor = frame.coordinate_floor;
 
   small_ = primitives_ <= small_limit && skips.on(Skip::bvh) ? std::make_unique<SmallSceneTables>(surfaces) : nullptr;
   if (small_ == nullptr) tracer_ = std::make_unique<Tracer>(surfaces);
@@ -142,6 +99,7 @@ Scene::Scene(const SceneDescription& description, int width_, int height_, const
     surface_words_.push_back({kind, surface.bsdf, surface.light, 0});
     view_.bsdf_kinds |= 1u << kind;
   }
+  if (surface_words_.empty()) surface_words_.push_back({0, 0, no_index, 0});  // what rays that miss gather
   bsdf_records_ = flat_records<BsdfKinds>(bsdfs);
   light_records_ = flat_records<LightKinds>(lights);
   light_words_ = light_table(lights);
@@ -172,7 +130,7 @@ void Scene::add_shape(const SceneDescription& description, const ShapeDescriptio
   const Transform to_world = Transform::translate(moved_) * shape.to_world;
   if (const auto* sphere = std::get_if<SphereDescription>(&shape.geometry)) {
     add_surface(Sphere{Vec3f(to_world.point(sphere->center)),
-                       static_cast<float>(sphere->radius * similarity_scale(shape.to_world)), shape.flip_normals},
+                       static_cast<float>(sphere->radius * shape.to_world.similarity_scale()), shape.flip_normals},
                 shape);
   } else if (const auto* ply = std::get_if<PlyDescription>(&shape.geometry)) {
     add_mesh(description, shape, *ply, to_world);

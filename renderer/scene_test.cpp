@@ -95,7 +95,7 @@ TEST(camera, every_path_of_a_task_is_one_sample_of_one_pixel) {
       const CameraRay<float> ray = camera_rays<float>(view, task, path);
       const std::uint32_t pixel = path / c.samples, width = task.tile_width();
       ASSERT_EQ(ray.index, 10 + path % c.samples);
-      ASSERT_EQ(ray.key, mix_bits(((32 + pixel / width) << 16 | (48 + pixel % width)) ^ 12345u));
+      ASSERT_EQ(ray.key, mix_bits(mix_bits((32 + pixel / width) << 16 | (48 + pixel % width)) + 12345u));
       if (c.grid == 0) continue;
       // The camera looks along +z with tangents 1 at one pixel an image: through (2x - 1, 1 - 2y) for the point (x, y).
       const auto cell = static_cast<int>(ray.index) % (c.grid * c.grid);
@@ -181,6 +181,36 @@ TEST(scene, its_origin_is_the_middle_of_its_shapes) {
   EXPECT_EQ(std::get<Sphere>(scene.surfaces[1].geometry).center, Vec3f(1, 0, 0));
   EXPECT_EQ(std::get<PointLight<float>>(scene.lights[0]).position, Vec3f(0, 0.5f, 3));
   EXPECT_EQ(scene.view().camera.origin, Vec3f(0, 0, 5));
+}
+
+TEST(scene, one_large_or_distant_shape_does_not_move_its_origin) {
+  SceneDescription d = test::room(4, true);
+  const Vec3f ball = std::get<Sphere>(Scene(d, 4, 4).surfaces[6].geometry).center;
+  test::add_shape(d, SphereDescription{{0, -1e7 - 1, 0}, 1e7}, {}, d.shapes[0].bsdf);
+  test::add_shape(d, SphereDescription{{1e8, 0, 0}, 1}, {}, d.shapes[0].bsdf);
+  const Scene scene(d, 4, 4);
+  EXPECT_LT(length(std::get<Sphere>(scene.surfaces[6].geometry).center - ball), 1);
+  EXPECT_LT(scene.view().coordinate_floor, 1);
+}
+
+TEST(scene, without_a_primitive_every_ray_misses) {
+  // No shape at all, and a mesh whose only triangle has no area.
+  auto mesh = std::make_shared<TriangleMesh>();
+  mesh->resize_positions(3);
+  mesh->triangles = {{0, 1, 2}};
+  for (const bool with_mesh : {false, true}) {
+    SceneDescription d;
+    if (with_mesh)
+      test::add_shape(d, PlyDescription{"point.ply", true, mesh}, {}, test::add_bsdf(d, DiffuseDescription{}));
+    d.emitters.push_back({{}, "", PointLightDescription{{0, 0, 1}, RgbD(1)}});
+    test::set_camera(d, {}, 40, 4);
+    for (const char* integrator : {"path", "photonmapper"})
+      for (const Kernels* kernels : available_kernels()) {
+        RenderJob job = test::job_with(2, 100);
+        job.isa = kernels->isa;
+        EXPECT_EQ(test::image_mean(test::render(d, integrator, job).image.mean), 0) << integrator << kernels->isa;
+      }
+  }
 }
 
 TEST(scene, is_small_up_to_the_limit_and_embrees_beyond) {

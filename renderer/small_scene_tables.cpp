@@ -50,6 +50,7 @@ SmallSceneTables::SmallSceneTables(const std::vector<Surface>& surfaces) : first
     add(i);
     balls_.push_back({sphere->center, sphere->radius, sphere->inward ? -1.0f : 1.0f});
   }
+  if (surface_of_primitive_.empty()) add(0);  // what rays that miss gather
 }
 
 SmallSceneView SmallSceneTables::view() const {

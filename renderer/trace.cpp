@@ -47,10 +47,14 @@ double intersect_sphere(const Sphere& sphere, const RTCRay& ray) {
   const double discriminant = radius * radius - dot(nearest, nearest);
   if (!(discriminant > 0)) return -1;
   const double root = std::sqrt(discriminant / a);
+  // A ray that leaves the sphere starts on it as far as single precision can tell, and does not meet it there.
+  const double grain = 0x1p-21 * std::max({radius, std::abs(double{sphere.center.x}), std::abs(double{sphere.center.y}),
+                                           std::abs(double{sphere.center.z})});
+  const double nearest_t = std::max<double>(ray.tnear, grain / std::sqrt(a));
   const double t0 = b / a - root;
-  if (t0 >= ray.tnear && t0 <= ray.tfar) return t0;
+  if (t0 >= nearest_t && t0 <= ray.tfar) return t0;
   const double t1 = b / a + root;
-  if (t1 >= ray.tnear && t1 <= ray.tfar) return t1;
+  if (t1 >= nearest_t && t1 <= ray.tfar) return t1;
   return -1;
 }
 
@@ -333,7 +337,7 @@ void Tracer::occluded(const RayBlock& rays, std::uint32_t* blocked) const {
   std::fill_n(blocked, RayBlock::width, 0u);
   for (std::uint32_t bits = traceable(rays); bits != 0; bits &= bits - 1) {
     const auto i = static_cast<std::size_t>(std::countr_zero(bits));
-    blocked[i] = is_occluded(impl_->scene, ray_of_lane(rays, i, 1)) ? 1 : 0;
+    blocked[i] = is_occluded(impl_->scene, ray_of_lane(rays, i, segment_end)) ? 1 : 0;
   }
 }
 
@@ -356,7 +360,8 @@ std::size_t Tracer::count_occluded_alone(const std::vector<RayBlock>& rays) cons
   std::size_t hits = 0;
   for (const RayBlock& block : rays)
     for (std::uint32_t bits = block.active; bits != 0; bits &= bits - 1)
-      if (is_occluded(impl_->scene, ray_of_lane(block, static_cast<std::size_t>(std::countr_zero(bits)), 1))) ++hits;
+      if (is_occluded(impl_->scene, ray_of_lane(block, static_cast<std::size_t>(std::countr_zero(bits)), segment_end)))
+        ++hits;
   return hits;
 }
 

@@ -38,7 +38,7 @@ class Tracer {
   Tracer& operator=(const Tracer&) = delete;
 
   /// Closest surfaces, t >= 0. A ray with a non-finite component hits nothing. `coherent`: the rays are neighbours from
-  /// one point, which go through the BVH together; others go one by one, which measures faster (bench_rays).
+  /// one point, which go through the BVH together; others go one by one, which measures faster (rays_bench.cpp).
   void intersect(const RayBlock& rays, HitBlock& hits, bool coherent) const;
   /// blocked[i] = 1 where anything lies on the segment from the origin to origin + direction, else 0.
   void occluded(const RayBlock& rays, std::uint32_t* blocked) const;

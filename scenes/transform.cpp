@@ -59,6 +59,8 @@ double Transform::determinant() const { return dot(row(*this, 0), cross(row(*thi
 
 // Rows are scaled to unit length first, so that neither tiny nor huge scenes under- or overflow: with D the diagonal of
 // row lengths and A = D U, A^-1 = U^-1 D^-1, and |det U| in [0,1] (Hadamard) measures how far A is from singular.
+double Transform::similarity_scale() const { return std::cbrt(std::abs(determinant())); }
+
 std::optional<Transform> Transform::inverse() const {
   constexpr double kSingular = 1e-14;  // a few hundred roundings of a unit determinant
   std::array<Vec3d, 3> unit;

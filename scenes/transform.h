@@ -22,6 +22,7 @@ struct Transform {
   Vec3d point(const Vec3d& p) const;
   Vec3d vector(const Vec3d& v) const;
   double determinant() const;                ///< of the upper 3x3 block
+  double similarity_scale() const;           ///< what lengths grow by, of a similarity
   std::optional<Transform> inverse() const;  ///< empty when singular
 
   friend Transform operator*(const Transform& a, const Transform& b);  ///< applies b first

@@ -11,9 +11,8 @@ namespace photonproof {
 /// Power heuristic, exponent 2 (Veach 1997, section 9.2.4): the weight of a sample of density `pdf` against `other`.
 template <class F>
 F mis_weight(const F& pdf, const F& other) {
-  const F a = pdf * pdf;
-  const F sum = a + other * other;
-  return select(sum > 0, a / sum, F(0.0f));
+  const F ratio = other / pdf;  // squares of densities near lights of no size would overflow
+  return select(pdf > 0, 1 / mul_add(ratio, ratio, F(1.0f)), F(0.0f));
 }
 
 /// Radiance reflected towards wo from one sample of one light. With `weighted` the sample carries its MIS weight

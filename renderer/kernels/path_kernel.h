@@ -88,6 +88,7 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, F> {
     const U dimension = s.vertex * dimensions_a_vertex + 1u;
     if constexpr (!Kind<F>::is_delta) {
       if (scene_.light_count > 0) add_direct_light(at, bsdf, frame, wo_local, dimension, active);
+      static_assert(Kind<F>::is_lambertian, "a gather point has no direction: its weight is for any photon");
       if (task_.gather_points != nullptr) {
         leave_gather_points(at, bsdf.eval(wo_local, Vec3<F>(F(0.0f), F(0.0f), F(1.0f))), active);
         retire(s, active);

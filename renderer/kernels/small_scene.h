@@ -1,5 +1,5 @@
 // Rays against all primitives of a small scene, one after the other, a pack of rays at a time. No acceleration
-// structure beats this below a few dozen primitives; the threshold is in scene.cpp, and bench_rays says where it comes
+// structure beats this below a few dozen primitives; the threshold is in scene.h, which says where it comes
 // from. Plates are decided without a division: with t = num / den everything is compared after multiplying by |den|.
 #pragma once
 
@@ -95,7 +95,7 @@ SurfaceHit<F> closest_small(const SmallSceneView& scene, const Vec3<F>& origin, 
   hit.p = p;
   hit.normal = -direction;
   const std::uint32_t plates = scene.parallelograms + scene.triangles;
-  const Mask<F> on_ball = as_mask<F>(hit.primitive >= U(plates));
+  const Mask<F> on_ball = hit.valid && as_mask<F>(hit.primitive >= U(plates));
   if (plates > 0) {
     const U plate = select(on_ball, U(0u), hit.primitive) * Plate::stride;
     const float* base = &scene.plates->normal.x;
@@ -122,7 +122,8 @@ Mask<F> occluded_small(const SmallSceneView& scene, const Vec3<F>& origin, const
   using U = UInt<F>;
   Mask<F> blocked = as_mask<F>(false);
   const auto block_by_plate = [&](const PlateCrossing<F>& c, std::uint32_t id) {
-    blocked = blocked || (c.inside && c.distance < c.speed && !equal<F>(from, U(id)) && !equal<F>(target, U(id)));
+    blocked = blocked ||
+              (c.inside && c.distance < segment_end * c.speed && !equal<F>(from, U(id)) && !equal<F>(target, U(id)));
   };
   std::uint32_t id = 0;
   for (; id < scene.parallelograms; ++id) block_by_plate(cross_plate<false>(scene.plates[id], origin, segment), id);
@@ -135,7 +136,7 @@ Mask<F> occluded_small(const SmallSceneView& scene, const Vec3<F>& origin, const
     const F enter = c.middle - c.half;
     const F elsewhere = select(enter > 0, enter, c.middle + c.half);
     const F t = select(equal<F>(from, U(id)), 2 * c.middle, elsewhere);
-    blocked = blocked || (c.meets && t > 0 && t < 1 && !equal<F>(target, U(id)));
+    blocked = blocked || (c.meets && t > 0 && t < segment_end && !equal<F>(target, U(id)));
   }
   return blocked;
 }
