@@ -207,30 +207,16 @@ UInt<F> lane_index() {
 
 // --- memory ----------------------------------------------------------------------------------------------------------
 
-inline float load(const float* p, float) { return *p; }
-template <class T, class A>
-stdx::simd<T, A> load(const T* p, const stdx::simd<T, A>&) {
-  return stdx::simd<T, A>(p, stdx::element_aligned);
+/// A word a lane, from or to memory of any kind of 32-bit word: bits are copied, not converted.
+template <class V, class Word>
+void load_into(V& v, const Word* p) {
+  static_assert(sizeof(Word) == 4 && std::is_trivially_copyable_v<V>);
+  std::memcpy(static_cast<void*>(&v), p, sizeof v);
 }
-inline void load_into(std::uint32_t& v, const std::uint32_t* p) { v = *p; }
-inline void load_into(float& v, const std::uint32_t* p) { v = std::bit_cast<float>(*p); }
-inline void store_from(std::uint32_t v, std::uint32_t* p) { *p = v; }
-inline void store_from(float v, std::uint32_t* p) { *p = std::bit_cast<std::uint32_t>(v); }
-template <class T, class A>
-void load_into(stdx::simd<T, A>& v, const std::uint32_t* p) {
-  static_assert(sizeof(T) == 4);
-  v.copy_from(reinterpret_cast<const T*>(p), stdx::element_aligned);
-}
-template <class T, class A>
-void store_from(const stdx::simd<T, A>& v, std::uint32_t* p) {
-  static_assert(sizeof(T) == 4);
-  v.copy_to(reinterpret_cast<T*>(p), stdx::element_aligned);
-}
-
-inline void store_lanes(float v, float* p) { *p = v; }
-template <class A>
-void store_lanes(const Pack<A>& v, float* p) {
-  v.copy_to(p, stdx::element_aligned);
+template <class V, class Word>
+void store_from(const V& v, Word* p) {
+  static_assert(sizeof(Word) == 4 && std::is_trivially_copyable_v<V>);
+  std::memcpy(p, static_cast<const void*>(&v), sizeof v);
 }
 
 /// base[index] a lane.

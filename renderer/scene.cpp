@@ -96,10 +96,10 @@ Scene::Scene(const SceneDescription& description, int width_, int height_, const
 
   for (const Surface& surface : surfaces) {
     const auto kind = static_cast<std::uint32_t>(bsdfs[surface.bsdf].index());
-    surface_words_.push_back({kind, surface.bsdf, surface.light, 0});
+    surface_words_.push_back({kind, surface.bsdf, surface.light});
     view_.bsdf_kinds |= 1u << kind;
   }
-  if (surface_words_.empty()) surface_words_.push_back({0, 0, no_index, 0});  // what rays that miss gather
+  if (surface_words_.empty()) surface_words_.push_back({0, 0, no_index});  // what rays that miss gather
   bsdf_records_ = flat_records<BsdfKinds>(bsdfs);
   light_records_ = flat_records<LightKinds>(lights);
   light_words_ = light_table(lights);

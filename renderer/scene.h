@@ -38,7 +38,6 @@ class Scene {
   /// Closest surface along a ray with a unit direction: for the host's few own rays.
   Hit intersect(const Vec3f& origin, const Vec3f& direction) const;
 
-  const Bsdf& bsdf_of(const Surface& surface) const { return bsdfs[surface.bsdf]; }
   /// Parallelograms, spheres and triangles.
   std::size_t primitive_count() const { return primitives_; }
   /// Bytes of geometry and tables, the description's meshes included, Embree's hierarchy not.

@@ -38,8 +38,8 @@ struct SmallSceneView {
 };
 
 struct SurfaceWords {
-  std::uint32_t bsdf_kind, bsdf, light, primitive;
-  static constexpr std::uint32_t stride = 4;
+  std::uint32_t bsdf_kind, bsdf, light;
+  static constexpr std::uint32_t stride = 3;
 };
 
 struct LightWords {

@@ -88,20 +88,19 @@ class BatchKernel {
       queues_[static_cast<std::size_t>(std::countr_zero(scene_.bsdf_kinds))].append(state, alive);
       return;
     }
-    const UInt<F> kind = surface_word(surface, offsetof(SurfaceWords, bsdf_kind));
+    const UInt<F> kind = surface_word(surface, &SurfaceWords::bsdf_kind);
     for (std::uint32_t k = 0; k < BsdfKinds::count; ++k)
       if ((scene_.bsdf_kinds >> k & 1u) != 0) queues_[k].append(state, alive && equal<F>(kind, UInt<F>(k)));
   }
   void go_on(const History<F>& state, const Mask<F>& alive) { next_.append(state, alive); }
 
-  UInt<F> surface_word(const UInt<F>& surface, std::size_t offset) const {
-    const auto* words = reinterpret_cast<const std::uint32_t*>(scene_.surfaces);
-    return gather(words + offset / sizeof(std::uint32_t), UInt<F>(surface * SurfaceWords::stride));
+  UInt<F> surface_word(const UInt<F>& surface, std::uint32_t SurfaceWords::*word) const {
+    return gather(&(scene_.surfaces->*word), UInt<F>(surface * SurfaceWords::stride));
   }
   template <template <class> class Kind>
   Kind<F> bsdf_at(const UInt<F>& surface, const Mask<F>& active) const {
     const UInt<F> valid = select(active, surface, UInt<F>(0u));
-    return gather_record<Kind, F>(scene_.bsdfs, surface_word(valid, offsetof(SurfaceWords, bsdf)), BsdfKinds::stride);
+    return gather_record<Kind, F>(scene_.bsdfs, surface_word(valid, &SurfaceWords::bsdf), BsdfKinds::stride);
   }
 
   const SceneView& scene_;

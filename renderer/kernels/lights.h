@@ -10,10 +10,9 @@ namespace photonproof {
 /// Calls visit(light record of F, lanes of that kind) for the kinds that occur among the active lanes' lights.
 template <class F, class Visit>
 void for_each_light_kind(const SceneView& scene, const UInt<F>& light, const Mask<F>& active, Visit&& visit) {
-  const auto* words = reinterpret_cast<const std::uint32_t*>(scene.light_words);
   UInt<F> kind(0u);
   const bool one_kind = (scene.light_kinds & (scene.light_kinds - 1)) == 0;
-  if (!one_kind) kind = gather(words, light * LightWords::stride);
+  if (!one_kind) kind = gather(&scene.light_words->kind, UInt<F>(light * LightWords::stride));
   LightKinds::for_each([&]<template <class> class Kind>(std::uint32_t index) {
     if ((scene.light_kinds >> index & 1u) == 0) return;
     const Mask<F> lanes = one_kind ? active : active && equal<F>(kind, UInt<F>(index));
@@ -33,16 +32,15 @@ template <class F>
 LightChoice<F> choose_light(const SceneView& scene, const F& u) {
   const LightWords* first = scene.light_words;
   if (scene.one_light) return {UInt<F>(0u), F(1.0f), UInt<F>(first->primitive)};
-  const auto* words = reinterpret_cast<const std::uint32_t*>(first);
   const auto count = static_cast<float>(scene.light_count);
   const F scaled = u * count;
   UInt<F> slot = to_uint(lane_min(scaled, F(count - 1)));
   const UInt<F> word = slot * LightWords::stride;
   const F within = scaled - to_float(slot);
   const Mask<F> keep = within < gather(&first->alias_threshold, word);
-  slot = select(keep, slot, gather(words + 3, word));
+  slot = select(keep, slot, gather(&first->alias, word));
   const UInt<F> chosen = slot * LightWords::stride;
-  return {slot, gather(&first->probability, chosen), gather(words + 4, chosen)};
+  return {slot, gather(&first->probability, chosen), gather(&first->primitive, chosen)};
 }
 
 /// Density per solid angle at `p_from` with which next-event estimation would have drawn the point p of `light`.

@@ -65,7 +65,7 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, F> {
     Mask<F> alive = hit.valid;
     if (any(first)) alive = alive && !(first && beyond_far_plane(scene_.camera, hit.p));
     if (scene_.lights_can_be_hit) {
-      const U light = Base::surface_word(hit.surface, offsetof(SurfaceWords, light));
+      const U light = Base::surface_word(hit.surface, &SurfaceWords::light);
       Mask<F> shines = alive && !equal<F>(light, U(no_index));
       if (task_.settings.hide_emitters) shines = shines && !first;
       if (any(shines)) add_emission(s, hit, select(shines, light, U(0u)), shines);
@@ -162,9 +162,9 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, F> {
   void retire(const PathState<F>& s, const Mask<F>& ended) {
     if (!any(ended)) return;
     float red[lane_count<F>], green[lane_count<F>], blue[lane_count<F>];
-    store_lanes(s.radiance.x, red);
-    store_lanes(s.radiance.y, green);
-    store_lanes(s.radiance.z, blue);
+    store_from(s.radiance.x, red);
+    store_from(s.radiance.y, green);
+    store_from(s.radiance.z, blue);
     for_each_path(s, ended, [&](std::size_t lane, std::size_t path) {
       float* out = task_.radiance + 3 * path;
       out[0] = red[lane];
@@ -177,12 +177,12 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, F> {
     const Vec3<F> weight = at.history.throughput * f;
     float columns[6][lane_count<F>];
     std::uint32_t surface[lane_count<F>], vertex[lane_count<F>];
-    store_lanes(at.p.x, columns[0]);
-    store_lanes(at.p.y, columns[1]);
-    store_lanes(at.p.z, columns[2]);
-    store_lanes(weight.x, columns[3]);
-    store_lanes(weight.y, columns[4]);
-    store_lanes(weight.z, columns[5]);
+    store_from(at.p.x, columns[0]);
+    store_from(at.p.y, columns[1]);
+    store_from(at.p.z, columns[2]);
+    store_from(weight.x, columns[3]);
+    store_from(weight.y, columns[4]);
+    store_from(weight.z, columns[5]);
     store_from(at.surface, surface);
     store_from(at.history.vertex, vertex);
     const Mask<F> reflects = active && max_component(weight) > 0;

@@ -8,13 +8,12 @@ namespace photonproof {
 
 template <class F>
 void fill_block(RayBlock& block, const Vec3<F>& origin, const Vec3<F>& direction, const Mask<F>& active) {
-  const auto put = [](const F& v, float* to) { store_from(v, reinterpret_cast<std::uint32_t*>(to)); };
-  put(origin.x, block.origin_x);
-  put(origin.y, block.origin_y);
-  put(origin.z, block.origin_z);
-  put(direction.x, block.direction_x);
-  put(direction.y, block.direction_y);
-  put(direction.z, block.direction_z);
+  store_from(origin.x, block.origin_x);
+  store_from(origin.y, block.origin_y);
+  store_from(origin.z, block.origin_z);
+  store_from(direction.x, block.direction_x);
+  store_from(direction.y, block.direction_y);
+  store_from(direction.z, block.direction_z);
   block.active = to_bits(active);
 }
 
@@ -32,9 +31,12 @@ SurfaceHit<F> closest_hit(const SceneView& scene, const Vec3<F>& origin, const V
   fill_block(rays, origin, direction, active);
   scene.tracer->intersect(rays, hits, coherent);
   SurfaceHit<F> hit;
-  const auto get = [](const float* from_block) { return load(from_block, F()); };
-  hit.p = {get(hits.p_x), get(hits.p_y), get(hits.p_z)};
-  hit.normal = {get(hits.normal_x), get(hits.normal_y), get(hits.normal_z)};
+  load_into(hit.p.x, hits.p_x);
+  load_into(hit.p.y, hits.p_y);
+  load_into(hit.p.z, hits.p_z);
+  load_into(hit.normal.x, hits.normal_x);
+  load_into(hit.normal.y, hits.normal_y);
+  load_into(hit.normal.z, hits.normal_z);
   load_into(hit.surface, hits.surface);
   hit.valid = active && !equal<F>(hit.surface, UInt<F>(no_index));
   hit.surface = select(hit.valid, hit.surface, UInt<F>(0u));
