@@ -96,7 +96,8 @@ SceneDescription scene_with_mesh(bool flip, const Transform& to_world) {
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 0, -1}, {0.1f, 0.25f, -1}};
   mesh.triangles = {{0, 1, 2}, {1, 3, 2}};
   ShapeDescription& shape = scene.shapes.at(0);
-  shape.geometry = PlyDescription{"two.ply", true, std::make_shared<const TriangleMesh>(mesh)};
+  shape.geometry =
+      MeshDescription{MeshDescription::Format::ply, "two.ply", true, false, std::make_shared<const TriangleMesh>(mesh)};
   shape.id = "two";
   shape.to_world = to_world;
   shape.flip_normals = flip;

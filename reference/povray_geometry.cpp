@@ -87,8 +87,8 @@ void write_surface(const PovScene& scene, const PovSurface& surface, const PovPl
     const bool surrounding = surface.emission == PovSurface::Emission::radiosity;
     out.explain(surrounding ? "  emits inwards: radiosity's rays find it, so it needs no light_source"
                             : "  emits: this body is what is seen of the light; its light_sources are what lights");
-    object += " " + emitter_texture(std::get<DiffuseDescription>(surface.bsdf->model).reflectance,
-                                    *surface.shape->radiance * plan.exposure);
+    object += " " + emitter_texture(constant(std::get<DiffuseDescription>(surface.bsdf->model).reflectance),
+                                    constant(*surface.shape->radiance) * plan.exposure);
   } else {
     object += plain_texture(scene, surface);
   }

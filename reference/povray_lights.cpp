@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <stdexcept>
 
 #include "scenes/text_numbers.h"
 
@@ -48,8 +49,13 @@ void write_area_light(const PovScene& scene, const PovSurface& surface, const Po
   const double patch = area(surface) * plan.scale * plan.scale / static_cast<double>(spots.size());
   out.explain("light of " + scene.description->where(surface.shape->loc) + ": " + std::to_string(spots.size()) +
               " points on its surface, each with its share of the flux and the cosine law");
-  out.line("#declare Intensity = " + sdl_rgb(*surface.shape->radiance * (patch * plan.exposure)) + ";");
+  out.line("#declare Intensity = " + sdl_rgb(constant(*surface.shape->radiance) * (patch * plan.exposure)) + ";");
   for (const std::string& s : spots) out.line(s);
+}
+
+template <class Other>
+void write_light(const Other&, const PovPlan&, SdlWriter&) {
+  throw std::logic_error("lower_scene lets no such light through");
 }
 
 void write_light(const PointLightDescription& light, const PovPlan& plan, SdlWriter& out) {

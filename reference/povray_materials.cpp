@@ -1,6 +1,7 @@
 #include "reference/povray_materials.h"
 
 #include <set>
+#include <stdexcept>
 
 #include "scenes/text_numbers.h"
 
@@ -15,18 +16,26 @@ struct Material {
 
 Material material(const DiffuseDescription& diffuse) {
   return {"diffuse: radiance is pigment times irradiance over pi, with POV-Ray's diffuse and no ambient",
-          "pigment{" + sdl_rgb(diffuse.reflectance) + "} finish{ambient 0 diffuse 1/Brightness emission 0}", ""};
+          "pigment{" + sdl_rgb(constant(diffuse.reflectance)) + "} finish{ambient 0 diffuse 1/Brightness emission 0}",
+          ""};
 }
 
 Material material(const ConductorDescription& conductor) {
   return {"conductor without an index: reflects the same share at every angle",
-          "pigment{rgb 0} finish{ambient 0 diffuse 0 reflection{" + sdl_rgb(conductor.specular_reflectance) + "}}", ""};
+          "pigment{rgb 0} finish{ambient 0 diffuse 0 reflection{" + sdl_rgb(constant(conductor.specular_reflectance)) +
+              "}}",
+          ""};
+}
+
+template <class Other>
+Material material(const Other&) {
+  throw std::logic_error("lower_scene lets no such bsdf through");
 }
 
 Material material(const DielectricDescription& glass) {
   // A filter multiplies what passes a surface by the pigment, once a crossing and not on total internal reflection:
   // just what specular_transmittance does.
-  const Vec3d& t = glass.specular_transmittance;
+  const Vec3d& t = constant(glass.specular_transmittance);
   const std::string filter = "<" + format_number(t.x) + "," + format_number(t.y) + "," + format_number(t.z) + ",1>";
   return {
       "dielectric: Fresnel reflection, the rest refracted and filtered by specular_transmittance at each crossing; "

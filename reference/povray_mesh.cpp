@@ -66,7 +66,7 @@ bool PovMesh::any_triangle(const std::function<bool(const std::array<Vec3d, 3>&)
 
 PovMesh place_mesh(const ShapeDescription& shape, std::size_t number) {
   constexpr double inf = std::numeric_limits<double>::infinity();
-  PovMesh placed{std::get<PlyDescription>(shape.geometry).mesh,
+  PovMesh placed{std::get<MeshDescription>(shape.geometry).mesh,
                  shape.to_world,
                  shape.flip_normals,
                  number,

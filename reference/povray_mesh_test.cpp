@@ -14,7 +14,8 @@ SceneDescription mesh_plane() {
   mesh.resize_positions(4);
   mesh.positions = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
   mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
-  scene.shapes.at(0).geometry = PlyDescription{"plane.ply", true, std::make_shared<const TriangleMesh>(mesh)};
+  scene.shapes.at(0).geometry = MeshDescription{MeshDescription::Format::ply, "plane.ply", true, false,
+                                                std::make_shared<const TriangleMesh>(mesh)};
   return scene;
 }
 

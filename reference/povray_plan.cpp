@@ -49,9 +49,7 @@ bool sees_itself(const PovSurface& surface) {
   return sphere && sphere->inward;
 }
 
-int max_depth(const SceneDescription& scene) {
-  return std::visit([](const auto& method) { return method.max_depth; }, scene.integrator.method);
-}
+int max_depth(const SceneDescription& scene) { return scene.integrator.limits().max_depth; }
 
 struct Facts {
   bool diffuse = false, specular = false;
@@ -73,7 +71,7 @@ Facts find_facts(const PovScene& scene) {
     facts.surrounding |= surface.emission == PovSurface::Emission::radiosity;
     if (!is_diffuse(surface)) continue;
     facts.diffuse = true;
-    const RgbD albedo = std::get<DiffuseDescription>(surface.bsdf->model).reflectance;
+    const RgbD albedo = constant(std::get<DiffuseDescription>(surface.bsdf->model).reflectance);
     facts.albedo = std::max(facts.albedo, max_component(albedo));
     albedo_area += albedo * area(surface);
     diffuse_area += area(surface);
@@ -99,7 +97,7 @@ double choose_exposure(const PovScene& scene, const Facts& facts) {
   for (const PovSurface& surface : scene.surfaces) {
     if (is_diffuse(surface)) diffuse_area += area(surface);
     if (surface.emission == PovSurface::Emission::none) continue;
-    const double radiance = max_component(*surface.shape->radiance);
+    const double radiance = max_component(constant(*surface.shape->radiance));
     brightest = std::max(brightest, radiance);
     if (surface.emission == PovSurface::Emission::radiosity) surrounding = std::max(surrounding, radiance);
     if (surface.emission == PovSurface::Emission::spots) flux += std::numbers::pi * radiance * area(surface);

@@ -19,13 +19,51 @@ PovParallelogram parallelogram(const Transform& t, bool flip) {
   return flip != (t.determinant() < 0) ? flipped(p) : p;
 }
 
+bool is_texture(const Colour& colour) { return std::holds_alternative<TextureIndex>(colour); }
+
+/// The models that povray_materials.cpp can write.
+void check_model(const SceneDescription& scene, const BsdfDescription& bsdf) {
+  const auto* diffuse = std::get_if<DiffuseDescription>(&bsdf.model);
+  const auto* conductor = std::get_if<ConductorDescription>(&bsdf.model);
+  const auto* glass = std::get_if<DielectricDescription>(&bsdf.model);
+  if (!diffuse && !conductor && !glass)
+    throw Unrepresentable(scene.where(bsdf.loc), "this bsdf; diffuse, conductor and dielectric can be written");
+  if ((diffuse && is_texture(diffuse->reflectance)) || (conductor && is_texture(conductor->specular_reflectance)) ||
+      (glass && (is_texture(glass->specular_reflectance) || is_texture(glass->specular_transmittance))))
+    throw Unrepresentable(scene.where(bsdf.loc), "a texture; constant colours can be written");
+  if (glass && glass->priority)
+    throw Unrepresentable(scene.where(bsdf.loc), "the priority of a dielectric: POV-Ray knows none");
+}
+
+void check_kinds(const SceneDescription& scene) {
+  for (const ShapeDescription& shape : scene.shapes) {
+    const std::size_t kind = shape.geometry.index();
+    const std::size_t known = 4;  // sphere, rectangle, cube, mesh
+    if (kind >= known)
+      throw Unrepresentable(scene.where(shape.loc), "this shape; spheres, rectangles, cubes and meshes can be written");
+    if (shape.interior || shape.exterior) throw Unrepresentable(scene.where(shape.loc), "a participating medium");
+    if (shape.radiance && is_texture(*shape.radiance))
+      throw Unrepresentable(scene.where(shape.loc), "a textured area light");
+  }
+  for (const EmitterDescription& emitter : scene.emitters)
+    if (!std::holds_alternative<PointLightDescription>(emitter.light))
+      throw Unrepresentable(scene.where(emitter.loc), "this light; area and point lights can be written");
+  const auto* camera = std::get_if<PerspectiveDescription>(&scene.sensor.camera);
+  if (!camera || camera->principal_x != 0 || camera->principal_y != 0)
+    throw Unrepresentable(scene.where(scene.sensor.loc), "this camera; a centred perspective can be written");
+  if (scene.sensor.film.filter.kind != ReconstructionFilter::Kind::box || scene.sensor.film.crop)
+    throw Unrepresentable(scene.where(scene.sensor.loc),
+                          "a film with another filter than box, or a crop: POV-Ray's own sampling is a box");
+}
+
 void check_bsdf(const SceneDescription& scene, const BsdfDescription& bsdf) {
+  check_model(scene, bsdf);
   if (const auto* conductor = std::get_if<ConductorDescription>(&bsdf.model); conductor && conductor->ior)
     throw Unrepresentable(scene.where(bsdf.loc),
                           "a conductor with a complex index of refraction: POV-Ray's Fresnel reflection is the "
                           "dielectrics'; material 'none' with specular_reflectance can be written");
   if (const auto* glass = std::get_if<DielectricDescription>(&bsdf.model);
-      glass && !(glass->specular_reflectance == RgbD(1.0)))
+      glass && !(glass->specular_reflectance == Colour(RgbD(1.0))))
     throw Unrepresentable(
         scene.where(bsdf.loc),
         "a dielectric with specular_reflectance other than 1: POV-Ray's conserve_energy would transmit "
@@ -45,13 +83,13 @@ void check_shape(const SceneDescription& scene, const PovSurface& surface) {
 
 void check_mesh(const SceneDescription& scene, const ShapeDescription& shape) {
   const std::string where = scene.where(shape.loc);
-  if (shape.radiance && max_component(*shape.radiance) > 0)
+  if (shape.radiance && max_component(constant(*shape.radiance)) > 0)
     throw Unrepresentable(where, "an area light on a triangle mesh: only rectangles, cubes and spheres become points");
   if (std::holds_alternative<DielectricDescription>(scene.bsdfs[shape.bsdf.value].model))
     throw Unrepresentable(where,
                           "a triangle mesh of dielectric: POV-Ray's index of refraction belongs to a closed body, and "
                           "nothing says that the mesh is one");
-  if (!std::get<PlyDescription>(shape.geometry).face_normals)
+  if (!std::get<MeshDescription>(shape.geometry).face_normals)
     throw Unrepresentable(
         where, "a triangle mesh with interpolated shading normals; one with face_normals true can be written");
 }
@@ -66,7 +104,7 @@ void lower_shape(PovScene& scene, const ShapeDescription& shape) {
   PovSurface surface;
   surface.shape = &shape;
   surface.bsdf = &scene.description->bsdfs[shape.bsdf.value];
-  const bool emits = shape.radiance && max_component(*shape.radiance) > 0;
+  const bool emits = shape.radiance && max_component(constant(*shape.radiance)) > 0;
   if (emits) surface.emission = PovSurface::Emission::spots;
   const bool closed = !std::holds_alternative<RectangleDescription>(shape.geometry);
   if (emits && closed && shape.flip_normals) surface.emission = PovSurface::Emission::radiosity;
@@ -75,7 +113,7 @@ void lower_shape(PovScene& scene, const ShapeDescription& shape) {
     const double scale = std::cbrt(std::abs(shape.to_world.determinant()));
     add_surface(scene, surface,
                 PovSphere{shape.to_world.point(sphere->center), sphere->radius * scale, shape.flip_normals});
-  } else if (std::holds_alternative<PlyDescription>(shape.geometry)) {
+  } else if (std::holds_alternative<MeshDescription>(shape.geometry)) {
     check_mesh(*scene.description, shape);
     add_surface(scene, surface, place_mesh(shape, scene.surfaces.size()));
   } else if (!closed) {
@@ -156,7 +194,7 @@ double area(const PovSurface& surface) {
 
 bool is_diffuse(const PovSurface& surface) {
   const auto* diffuse = std::get_if<DiffuseDescription>(&surface.bsdf->model);
-  return diffuse && max_component(diffuse->reflectance) > 0;
+  return diffuse && max_component(constant(diffuse->reflectance)) > 0;
 }
 
 bool is_specular(const PovSurface& surface) { return !std::holds_alternative<DiffuseDescription>(surface.bsdf->model); }
@@ -164,6 +202,7 @@ bool is_specular(const PovSurface& surface) { return !std::holds_alternative<Dif
 PovScene lower_scene(const SceneDescription& description) {
   PovScene scene;
   scene.description = &description;
+  check_kinds(description);
   for (const ShapeDescription& shape : description.shapes) {
     check_bsdf(description, description.bsdfs[shape.bsdf.value]);
     lower_shape(scene, shape);

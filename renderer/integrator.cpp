@@ -21,7 +21,9 @@ const Integrator* find_integrator(const std::string& name) {
 }
 
 std::string integrator_name(const IntegratorDescription& description) {
-  return std::holds_alternative<PathDescription>(description.method) ? "path" : "photonmapper";
+  constexpr const char* names[] = {"path", "photonmapper", "volpath", "bdpt", "ptracer", "direct", "whitted"};
+  static_assert(std::size(names) == std::variant_size_v<decltype(IntegratorDescription::method)>);
+  return names[description.method.index()];
 }
 
 IntegratorDescription with_integrator(const IntegratorDescription& description, const std::string& name) {

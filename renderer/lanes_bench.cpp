@@ -66,8 +66,7 @@ void shade(benchmark::State& state, const decltype(BsdfDescription::model)& mate
 }
 BENCHMARK_CAPTURE(shade, diffuse, DiffuseDescription{RgbD(0.9)});
 BENCHMARK_CAPTURE(shade, mirror, ConductorDescription{});
-BENCHMARK_CAPTURE(shade, gold,
-                  ConductorDescription{ConductorDescription::ComplexIor{{0.14, 0.37, 1.44}, {4, 2.4, 1.6}}, RgbD(1)});
+BENCHMARK_CAPTURE(shade, gold, ConductorDescription{ComplexIor{{0.14, 0.37, 1.44}, {4, 2.4, 1.6}}, RgbD(1)});
 BENCHMARK_CAPTURE(shade, glass, DielectricDescription{});
 
 }  // namespace

@@ -24,7 +24,7 @@ SceneDescription with_meshes_for_rectangles(SceneDescription scene) {
   const auto square = square_mesh();
   for (ShapeDescription& shape : scene.shapes)
     if (std::holds_alternative<RectangleDescription>(shape.geometry) && !shape.radiance)
-      shape.geometry = PlyDescription{"square.ply", true, square};
+      shape.geometry = MeshDescription{MeshDescription::Format::ply, "square.ply", true, false, square};
   return scene;
 }
 
@@ -55,8 +55,8 @@ TEST(mesh_scene, triangles_render_as_the_rectangles_they_make_up) {
 TEST(mesh_scene, the_normal_follows_the_winding_and_flip_normals) {
   for (const bool flip : {false, true}) {
     SceneDescription d;
-    test::add_shape(d, PlyDescription{"square.ply", true, square_mesh()}, Transform::translate({5, 0, 0}),
-                    test::add_bsdf(d, DiffuseDescription{}))
+    test::add_shape(d, MeshDescription{MeshDescription::Format::ply, "square.ply", true, false, square_mesh()},
+                    Transform::translate({5, 0, 0}), test::add_bsdf(d, DiffuseDescription{}))
         .flip_normals = flip;
     for (const SkipSwitches& skips : {SkipSwitches(), SkipSwitches({"bvh"})}) {
       const Scene scene(d, 4, 4, skips);
@@ -73,7 +73,8 @@ TEST(mesh_scene, takes_little_memory_a_triangle) {
 
   SceneDescription d;
   auto ground = std::make_shared<TriangleMesh>(make_ground(200, 200));
-  test::add_shape(d, PlyDescription{"ground.ply", true, ground}, {}, test::add_bsdf(d, DiffuseDescription{}));
+  test::add_shape(d, MeshDescription{MeshDescription::Format::ply, "ground.ply", true, false, ground}, {},
+                  test::add_bsdf(d, DiffuseDescription{}));
   const Scene scene(d, 4, 4);
   EXPECT_EQ(scene.primitive_count(), 80'000u);
   EXPECT_LT(static_cast<double>(scene.memory_bytes()) / 80'000, 30);
@@ -84,8 +85,9 @@ TEST(mesh_scene, what_a_mesh_cannot_be_yet_is_refused_by_name) {
   const auto message = [](bool face_normals, bool emits) -> std::string {
     SceneDescription d;
     d.files = {"scene.xml"};
-    ShapeDescription& shape = test::add_shape(d, PlyDescription{"square.ply", face_normals, square_mesh()}, {},
-                                              test::add_bsdf(d, DiffuseDescription{}));
+    ShapeDescription& shape = test::add_shape(
+        d, MeshDescription{MeshDescription::Format::ply, "square.ply", face_normals, false, square_mesh()}, {},
+        test::add_bsdf(d, DiffuseDescription{}));
     if (emits) shape.radiance = RgbD(1);
     try {
       const Scene scene(d, 4, 4);

@@ -14,9 +14,9 @@
 namespace photonproof {
 namespace {
 
-Bsdf compile(const DiffuseDescription& d) { return DiffuseBsdf<float>{Rgb(d.reflectance)}; }
+Bsdf compile(const DiffuseDescription& d) { return DiffuseBsdf<float>{Rgb(constant(d.reflectance))}; }
 Bsdf compile(const ConductorDescription& d) {
-  ConductorBsdf<float> bsdf{Rgb(d.specular_reflectance), 0, {}, {}};
+  ConductorBsdf<float> bsdf{Rgb(constant(d.specular_reflectance)), 0, {}, {}};
   if (d.ior) {
     bsdf.has_ior = 1;
     bsdf.eta = Rgb(d.ior->eta);
@@ -25,10 +25,19 @@ Bsdf compile(const ConductorDescription& d) {
   return bsdf;
 }
 Bsdf compile(const DielectricDescription& d) {
-  return DielectricBsdf<float>{static_cast<float>(d.int_ior / d.ext_ior), Rgb(d.specular_reflectance),
-                               Rgb(d.specular_transmittance)};
+  return DielectricBsdf<float>{static_cast<float>(d.int_ior / d.ext_ior), Rgb(constant(d.specular_reflectance)),
+                               Rgb(constant(d.specular_transmittance))};
 }
 
+template <class Other>
+Bsdf compile(const Other&) {
+  throw InputError("bsdf", "is not supported yet");
+}
+
+template <class Other>
+Light compile(const Other&, const Vec3d&) {
+  throw InputError("emitter", "is not supported yet");
+}
 Light compile(const PointLightDescription& d, const Vec3d& moved) {
   return PointLight<float>{Vec3f(d.position + moved), Rgb(d.intensity)};
 }
@@ -132,7 +141,7 @@ void Scene::add_shape(const SceneDescription& description, const ShapeDescriptio
     add_surface(Sphere{Vec3f(to_world.point(sphere->center)),
                        static_cast<float>(sphere->radius * shape.to_world.similarity_scale()), shape.flip_normals},
                 shape);
-  } else if (const auto* ply = std::get_if<PlyDescription>(&shape.geometry)) {
+  } else if (const auto* ply = std::get_if<MeshDescription>(&shape.geometry)) {
     add_mesh(description, shape, *ply, to_world);
     return;
   } else if (std::holds_alternative<RectangleDescription>(shape.geometry)) {
@@ -152,7 +161,7 @@ void Scene::add_surface(Geometry geometry, const ShapeDescription& shape) {
   Surface surface{std::move(geometry), shape.bsdf.value, no_index};
   if (shape.radiance) {
     surface.light = static_cast<std::uint32_t>(lights.size());
-    const Rgb radiance(*shape.radiance);
+    const Rgb radiance(constant(*shape.radiance));
     if (const auto* quad = std::get_if<Quad>(&surface.geometry)) lights.push_back(surface_light(*quad, radiance));
     if (const auto* sphere = std::get_if<Sphere>(&surface.geometry)) lights.push_back(surface_light(*sphere, radiance));
   }
@@ -171,7 +180,7 @@ void Scene::add_quad(const ShapeDescription& shape, const Transform& face_to_wor
   add_surface(Quad{Vec3f(corner), Vec3f(edge_u), Vec3f(edge_v), Vec3f(normal), static_cast<float>(area)}, shape);
 }
 
-void Scene::add_mesh(const SceneDescription& description, const ShapeDescription& shape, const PlyDescription& ply,
+void Scene::add_mesh(const SceneDescription& description, const ShapeDescription& shape, const MeshDescription& ply,
                      const Transform& to_world) {
   const std::string where = description.where(shape.loc);
   if (!ply.face_normals) throw InputError(where, "smooth normals are not supported yet: set face_normals to true");

@@ -51,7 +51,7 @@ class Scene {
  private:
   void add_shape(const SceneDescription& description, const ShapeDescription& shape);
   void add_surface(Geometry geometry, const ShapeDescription& shape);
-  void add_mesh(const SceneDescription& description, const ShapeDescription& shape, const PlyDescription& ply,
+  void add_mesh(const SceneDescription& description, const ShapeDescription& shape, const MeshDescription& ply,
                 const Transform& to_world);
   void add_quad(const ShapeDescription& shape, const Transform& face_to_world);
 

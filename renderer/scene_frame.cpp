@@ -23,7 +23,7 @@ Extent extent_of(const ShapeDescription& shape) {
     const Vec3d reach(sphere->radius * shape.to_world.similarity_scale());
     extent.add(center - reach);
     extent.add(center + reach);
-  } else if (const auto* ply = std::get_if<PlyDescription>(&shape.geometry)) {
+  } else if (const auto* ply = std::get_if<MeshDescription>(&shape.geometry)) {
     for (const Vec3f& p : ply->mesh->positions) extent.add(shape.to_world.point(Vec3d(p)));
   } else {
     const bool flat = std::holds_alternative<RectangleDescription>(shape.geometry);

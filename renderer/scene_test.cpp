@@ -201,7 +201,8 @@ TEST(scene, without_a_primitive_every_ray_misses) {
   for (const bool with_mesh : {false, true}) {
     SceneDescription d;
     if (with_mesh)
-      test::add_shape(d, PlyDescription{"point.ply", true, mesh}, {}, test::add_bsdf(d, DiffuseDescription{}));
+      test::add_shape(d, MeshDescription{MeshDescription::Format::ply, "point.ply", true, false, mesh}, {},
+                      test::add_bsdf(d, DiffuseDescription{}));
     d.emitters.push_back({{}, "", PointLightDescription{{0, 0, 1}, RgbD(1)}});
     test::set_camera(d, {}, 40, 4);
     for (const char* integrator : {"path", "photonmapper"})

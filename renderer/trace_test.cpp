@@ -307,7 +307,7 @@ SceneDescription white_facets(const Placement& at) {
   for (std::uint32_t i = 0; i < corners.size(); i += 3) mesh->triangles.push_back({i, i + 1, i + 2});
   SceneDescription scene = white_sphere(at);
   const ShapeDescription sphere = scene.shapes[0];
-  scene.shapes[0].geometry = PlyDescription{"facets.ply", true, mesh};
+  scene.shapes[0].geometry = MeshDescription{MeshDescription::Format::ply, "facets.ply", true, false, mesh};
   scene.shapes[0].to_world = sphere.to_world * Transform::rotate({1, 2, 3}, 25);
   return scene;
 }

@@ -10,6 +10,8 @@
 #include <variant>
 #include <vector>
 
+#include "scenes/ies.h"
+#include "scenes/image.h"
 #include "scenes/input_error.h"
 #include "scenes/mesh.h"
 #include "scenes/transform.h"
@@ -24,39 +26,217 @@ struct Index {
   friend auto operator<=>(const Index&, const Index&) = default;
 };
 using BsdfIndex = Index<struct BsdfTag>;
+using TextureIndex = Index<struct TextureTag>;
+using MediumIndex = Index<struct MediumTag>;
+using ShapeGroupIndex = Index<struct ShapeGroupTag>;
+
+// --- Textures --------------------------------------------------------------------------------------------------------
+
+/// A colour, or the texture that gives one at every point.
+using Colour = std::variant<RgbD, TextureIndex>;
+/// A number, or the texture whose mean of channels gives one at every point.
+using Scalar = std::variant<double, TextureIndex>;
+
+/// The colour of what is known to be no texture.
+inline const RgbD& constant(const Colour& colour) { return std::get<RgbD>(colour); }
+
+enum class TextureFilter { bilinear, nearest };
+enum class TextureWrap { repeat, mirror, clamp };
+
+/// An image over the unit square of uv; its first row is at v = 1, as in Mitsuba.
+struct BitmapDescription {
+  std::string filename;                ///< as the scene spells it
+  std::shared_ptr<const Image> image;  ///< never null, linear; shared by the textures that name the same file
+  bool raw = false;                    ///< 8-bit values are numbers, not sRGB
+  TextureFilter filter = TextureFilter::bilinear;
+  TextureWrap wrap = TextureWrap::repeat;
+  Transform to_uv;  ///< applied to uv before the look-up; its x and y rows count
+  friend bool operator==(const BitmapDescription& a, const BitmapDescription& b) {
+    return a.filename == b.filename && a.raw == b.raw && a.filter == b.filter && a.wrap == b.wrap && a.to_uv == b.to_uv;
+  }
+};
+
+/// Two colours in turn on squares of half a unit of uv: color0 where both halves agree.
+struct CheckerboardDescription {
+  Colour color0 = RgbD(0.4), color1 = RgbD(0.2);
+  Transform to_uv;
+  friend bool operator==(const CheckerboardDescription&, const CheckerboardDescription&) = default;
+};
+
+struct TextureDescription {
+  SourceLoc loc;
+  std::string id;  ///< empty when unnamed
+  std::variant<BitmapDescription, CheckerboardDescription> pattern;
+};
 
 // --- BSDFs -----------------------------------------------------------------------------------------------------------
 
+struct ComplexIor {
+  RgbD eta, k;
+  friend bool operator==(const ComplexIor&, const ComplexIor&) = default;
+};
+
+enum class MicrofacetDistribution { beckmann, ggx };
+
 /// Lambertian, one-sided: black from behind (the side its normal does not point to).
 struct DiffuseDescription {
-  RgbD reflectance{0.5};
+  Colour reflectance = RgbD(0.5);
   friend bool operator==(const DiffuseDescription&, const DiffuseDescription&) = default;
 };
 
 /// Smooth conductor, one-sided. Without `ior` it reflects `specular_reflectance` at every angle (material "none").
 struct ConductorDescription {
-  struct ComplexIor {
-    RgbD eta, k;
-    friend bool operator==(const ComplexIor&, const ComplexIor&) = default;
-  };
   std::optional<ComplexIor> ior;
-  RgbD specular_reflectance{1.0};
+  Colour specular_reflectance = RgbD(1.0);
   friend bool operator==(const ConductorDescription&, const ConductorDescription&) = default;
+};
+
+struct RoughConductorDescription {
+  MicrofacetDistribution distribution = MicrofacetDistribution::beckmann;
+  Scalar alpha_u = 0.1, alpha_v = 0.1;  ///< roughness along the tangents dp/du and dp/dv
+  bool sample_visible = true;
+  std::optional<ComplexIor> ior;
+  Colour specular_reflectance = RgbD(1.0);
+  friend bool operator==(const RoughConductorDescription&, const RoughConductorDescription&) = default;
 };
 
 /// Smooth dielectric; the normal points to the exterior.
 struct DielectricDescription {
   double int_ior = 1.5046;    // bk7
   double ext_ior = 1.000277;  // air
-  RgbD specular_reflectance{1.0};
-  RgbD specular_transmittance{1.0};
+  Colour specular_reflectance = RgbD(1.0);
+  Colour specular_transmittance = RgbD(1.0);
+  /// Extension, for bodies that overlap (Schmidt and Budge 2002): inside several, the highest priority's index and
+  /// medium count. Without it the surface always separates int_ior from ext_ior.
+  std::optional<int> priority;
   friend bool operator==(const DielectricDescription&, const DielectricDescription&) = default;
+};
+
+/// A pane: both interfaces at once, without the sideways shift.
+struct ThinDielectricDescription {
+  double int_ior = 1.5046, ext_ior = 1.000277;
+  Colour specular_reflectance = RgbD(1.0), specular_transmittance = RgbD(1.0);
+  friend bool operator==(const ThinDielectricDescription&, const ThinDielectricDescription&) = default;
+};
+
+struct RoughDielectricDescription {
+  MicrofacetDistribution distribution = MicrofacetDistribution::beckmann;
+  Scalar alpha_u = 0.1, alpha_v = 0.1;
+  bool sample_visible = true;
+  double int_ior = 1.5046, ext_ior = 1.000277;
+  Colour specular_reflectance = RgbD(1.0), specular_transmittance = RgbD(1.0);
+  friend bool operator==(const RoughDielectricDescription&, const RoughDielectricDescription&) = default;
+};
+
+/// Diffuse below a smooth dielectric boundary.
+struct PlasticDescription {
+  Colour diffuse_reflectance = RgbD(0.5), specular_reflectance = RgbD(1.0);
+  double int_ior = 1.49, ext_ior = 1.000277;  // polypropylene, air
+  bool nonlinear = false;                     ///< colours shift with every internal reflection
+  friend bool operator==(const PlasticDescription&, const PlasticDescription&) = default;
+};
+
+struct RoughPlasticDescription {
+  MicrofacetDistribution distribution = MicrofacetDistribution::beckmann;
+  double alpha = 0.1;
+  bool sample_visible = true;
+  Colour diffuse_reflectance = RgbD(0.5), specular_reflectance = RgbD(1.0);
+  double int_ior = 1.49, ext_ior = 1.000277;
+  bool nonlinear = false;
+  friend bool operator==(const RoughPlasticDescription&, const RoughPlasticDescription&) = default;
+};
+
+/// Modified Phong (Lafortune and Willems 1994), parameters of Mitsuba 0.6.
+struct PhongDescription {
+  Scalar exponent = 30.0;
+  Colour diffuse_reflectance = RgbD(0.5), specular_reflectance = RgbD(0.2);
+  friend bool operator==(const PhongDescription&, const PhongDescription&) = default;
+};
+
+/// Extension: a clear or tinted lacquer over any opaque reflecting BSDF.
+struct LayeredDescription {
+  BsdfIndex base;
+  double int_ior = 1.5046, ext_ior = 1.000277;  ///< of the lacquer and of what is above it
+  RgbD sigma_a{0.0};                            ///< absorption of the lacquer, per scene unit
+  double thickness = 1;                         ///< scene units
+  Colour specular_reflectance = RgbD(1.0);
+  friend bool operator==(const LayeredDescription&, const LayeredDescription&) = default;
+};
+
+struct TwoSidedDescription {
+  BsdfIndex front, back;
+  friend bool operator==(const TwoSidedDescription&, const TwoSidedDescription&) = default;
+};
+
+/// `nested` where the surface is there, nothing where it is not.
+struct MaskDescription {
+  Scalar opacity = 0.5;
+  BsdfIndex nested;
+  friend bool operator==(const MaskDescription&, const MaskDescription&) = default;
+};
+
+/// first x (1 - weight) + second x weight.
+struct BlendDescription {
+  Scalar weight = 0.5;
+  BsdfIndex first, second;
+  friend bool operator==(const BlendDescription&, const BlendDescription&) = default;
+};
+
+/// No surface: a border between media.
+struct NullDescription {
+  friend bool operator==(const NullDescription&, const NullDescription&) = default;
+};
+
+/// Displaces the shading normal by the gradient of a height texture, `scale` times.
+struct BumpMapDescription {
+  TextureIndex height;
+  double scale = 1;
+  BsdfIndex nested;
+  friend bool operator==(const BumpMapDescription&, const BumpMapDescription&) = default;
+};
+
+/// Shading normals from a raw texture, n = 2 rgb - 1 in the frame of dp/du.
+struct NormalMapDescription {
+  TextureIndex normals;
+  BsdfIndex nested;
+  friend bool operator==(const NormalMapDescription&, const NormalMapDescription&) = default;
 };
 
 struct BsdfDescription {
   SourceLoc loc;
   std::string id;  ///< empty when unnamed
-  std::variant<DiffuseDescription, ConductorDescription, DielectricDescription> model;
+  /// A BSDF comes after the ones it nests.
+  std::variant<DiffuseDescription, ConductorDescription, DielectricDescription, RoughConductorDescription,
+               ThinDielectricDescription, RoughDielectricDescription, PlasticDescription, RoughPlasticDescription,
+               PhongDescription, LayeredDescription, TwoSidedDescription, MaskDescription, BlendDescription,
+               NullDescription, BumpMapDescription, NormalMapDescription>
+      model;
+};
+
+// --- Media -----------------------------------------------------------------------------------------------------------
+
+/// Henyey and Greenstein 1941; g = 0 is isotropic. g > 0 scatters forward.
+struct HenyeyGreensteinDescription {
+  double g = 0.8;
+  friend bool operator==(const HenyeyGreensteinDescription&, const HenyeyGreensteinDescription&) = default;
+};
+struct IsotropicDescription {
+  friend bool operator==(const IsotropicDescription&, const IsotropicDescription&) = default;
+};
+
+/// Extinction sigma_t x scale per scene unit, of which `albedo` scatters.
+struct HomogeneousDescription {
+  RgbD sigma_t{1.0};
+  RgbD albedo{0.75};
+  double scale = 1;
+  std::variant<IsotropicDescription, HenyeyGreensteinDescription> phase;
+  friend bool operator==(const HomogeneousDescription&, const HomogeneousDescription&) = default;
+};
+
+struct MediumDescription {
+  SourceLoc loc;
+  std::string id;
+  std::variant<HomogeneousDescription> model;
 };
 
 // --- Shapes ----------------------------------------------------------------------------------------------------------
@@ -71,34 +251,83 @@ struct SphereDescription {
 struct RectangleDescription {
   friend bool operator==(const RectangleDescription&, const RectangleDescription&) = default;
 };
+/// The unit disc in the local xy plane, normal +z.
+struct DiskDescription {
+  friend bool operator==(const DiskDescription&, const DiskDescription&) = default;
+};
 /// [-1,1]^3, normals outward.
 struct CubeDescription {
   friend bool operator==(const CubeDescription&, const CubeDescription&) = default;
+};
+/// The curved side of a cylinder from p0 to p1, open at both ends, normals outward. `to_world` must be a similarity.
+struct CylinderDescription {
+  Vec3d p0{0, 0, 0}, p1{0, 0, 1};
+  double radius = 1;
+  friend bool operator==(const CylinderDescription&, const CylinderDescription&) = default;
+};
+/// Extension: the whole local xy plane, normal +z; uv = local xy.
+struct PlaneDescription {
+  friend bool operator==(const PlaneDescription&, const PlaneDescription&) = default;
 };
 
 /// A mesh of triangles. After to_world the normal of a triangle is that of its corners counter-clockwise: as in
 /// Mitsuba, a mirroring to_world turns it, other than with the shapes above. Unless `face_normals`, shading
 /// interpolates the mesh's vertex normals (transformed by the inverse transpose, normalised); Mitsuba computes the ones
-/// a file lacks as the mean of the adjoining triangles' normals, weighted by their angles at the vertex (Thuermer and
-/// Wuethrich 1998). What is kept here is the file's.
-struct PlyDescription {
-  std::string filename;  ///< as the scene spells it, relative to the scene's folder
+/// a PLY lacks as the mean of the adjoining triangles' normals, weighted by their angles at the vertex (Thuermer and
+/// Wuethrich 1998), but those of an OBJ not: it is then flat. What is kept here is the file's.
+struct MeshDescription {
+  enum class Format { ply, obj };
+  Format format = Format::ply;
+  std::string filename;  ///< as the scene spells it
   bool face_normals = false;
+  bool flip_tex_coords = false;              ///< v becomes 1 - v; the default of an OBJ is true, of a PLY false
   std::shared_ptr<const TriangleMesh> mesh;  ///< never null; shared by the shapes that name the same file
-  friend bool operator==(const PlyDescription& a, const PlyDescription& b) {
-    return a.filename == b.filename && a.face_normals == b.face_normals &&
-           (a.mesh == b.mesh || (a.mesh && b.mesh && *a.mesh == *b.mesh));
+  friend bool operator==(const MeshDescription& a, const MeshDescription& b) {
+    return a.format == b.format && a.filename == b.filename && a.face_normals == b.face_normals &&
+           a.flip_tex_coords == b.flip_tex_coords && (a.mesh == b.mesh || (a.mesh && b.mesh && *a.mesh == *b.mesh));
   }
+};
+
+/// Extension: z(x, y) over [-1,1]^2 of the local xy plane, columns x rows cells of two triangles, uv over the square.
+/// Heights come from a bitmap (its mean channel times `amplitude`) or from gradient noise in +-amplitude.
+struct HeightfieldDescription {
+  struct Noise {
+    double frequency_x = 1, frequency_y = 1;  ///< lattice cells per local unit
+    int octaves = 1;                          ///< each twice the frequency and half the height of the one before
+    std::uint32_t seed = 0;
+    friend bool operator==(const Noise&, const Noise&) = default;
+  };
+  int columns = 64, rows = 64;
+  double amplitude = 1;
+  bool face_normals = false;
+  std::variant<Noise, TextureIndex> height;
+  friend bool operator==(const HeightfieldDescription&, const HeightfieldDescription&) = default;
+};
+
+/// A copy of a group of shapes, placed by to_world.
+struct InstanceDescription {
+  ShapeGroupIndex group;
+  friend bool operator==(const InstanceDescription&, const InstanceDescription&) = default;
 };
 
 struct ShapeDescription {
   SourceLoc loc;
   std::string id;
-  std::variant<SphereDescription, RectangleDescription, CubeDescription, PlyDescription> geometry;
+  std::variant<SphereDescription, RectangleDescription, CubeDescription, MeshDescription, DiskDescription,
+               CylinderDescription, PlaneDescription, HeightfieldDescription, InstanceDescription>
+      geometry;
   Transform to_world;
   bool flip_normals = false;
   BsdfIndex bsdf;
-  std::optional<RgbD> radiance;  ///< of an area emitter on the side the normal points to
+  std::optional<Colour> radiance;                 ///< of an area emitter on the side the normal points to
+  std::optional<MediumIndex> interior, exterior;  ///< behind the surface and before it
+};
+
+/// Shapes that are there only where instances put them; they do not emit.
+struct ShapeGroupDescription {
+  SourceLoc loc;
+  std::string id;
+  std::vector<ShapeDescription> shapes;
 };
 
 // --- Emitters that are no surface ------------------------------------------------------------------------------------
@@ -109,10 +338,69 @@ struct PointLightDescription {
   friend bool operator==(const PointLightDescription&, const PointLightDescription&) = default;
 };
 
+/// Shines along local +z: in full within the beam, falling linearly with the angle to nothing at the cut-off. `texture`
+/// is projected through the cut-off cone's square.
+struct SpotLightDescription {
+  Transform to_world;
+  RgbD intensity{1.0};
+  double cutoff_degrees = 20;  ///< half angle
+  double beam_degrees = 15;    ///< half angle
+  std::optional<TextureIndex> texture;
+  friend bool operator==(const SpotLightDescription&, const SpotLightDescription&) = default;
+};
+
+struct DirectionalLightDescription {
+  Vec3d direction{0, 0, 1};  ///< world space, unit: where the light travels
+  RgbD irradiance{1.0};      ///< on a surface that faces it
+  friend bool operator==(const DirectionalLightDescription&, const DirectionalLightDescription&) = default;
+};
+
+struct ConstantLightDescription {
+  RgbD radiance{1.0};
+  friend bool operator==(const ConstantLightDescription&, const ConstantLightDescription&) = default;
+};
+
+/// Latitude-longitude image of the radiance from all around: +y up, the middle of the image towards local -z,
+/// as Mitsuba has it.
+struct EnvmapDescription {
+  std::string filename;
+  std::shared_ptr<const Image> image;  ///< never null
+  double scale = 1;
+  Transform to_world;
+  friend bool operator==(const EnvmapDescription& a, const EnvmapDescription& b) {
+    return a.filename == b.filename && a.scale == b.scale && a.to_world == b.to_world;
+  }
+};
+
+/// Sun and clear sky; local +z is up, as in Mitsuba's sunsky. The parser turns place and time into the direction.
+struct SunSkyDescription {
+  Vec3d sun_direction{0, 0, 1};  ///< local, unit, towards the sun
+  double turbidity = 3;
+  RgbD albedo{0.3};  ///< of the ground
+  double sun_scale = 1, sky_scale = 1;
+  double sun_aperture_degrees = 0.5358;  ///< full angle
+  Transform to_world;
+  friend bool operator==(const SunSkyDescription&, const SunSkyDescription&) = default;
+};
+
+/// Extension: a point light with the measured distribution of an IES LM-63 file. The luminaire's nadir is local -z, its
+/// C0 plane local +x. Candela count as W sr^-1, times `intensity`.
+struct IesLightDescription {
+  std::string filename;
+  std::shared_ptr<const IesProfile> profile;  ///< never null
+  RgbD intensity{1.0};
+  Transform to_world;
+  friend bool operator==(const IesLightDescription& a, const IesLightDescription& b) {
+    return a.filename == b.filename && a.intensity == b.intensity && a.to_world == b.to_world;
+  }
+};
+
 struct EmitterDescription {
   SourceLoc loc;
   std::string id;
-  std::variant<PointLightDescription> light;
+  std::variant<PointLightDescription, SpotLightDescription, DirectionalLightDescription, ConstantLightDescription,
+               EnvmapDescription, SunSkyDescription, IesLightDescription>
+      light;
 };
 
 // --- Sensor, film, integrator ----------------------------------------------------------------------------------------
@@ -125,38 +413,101 @@ struct PerspectiveDescription {
   FovAxis fov_axis = FovAxis::x;
   double near_clip = 1e-2;
   double far_clip = 1e4;
+  double principal_x = 0, principal_y = 0;  ///< offset of the principal point, fractions of the film's width and height
   friend bool operator==(const PerspectiveDescription&, const PerspectiveDescription&) = default;
+};
+/// The perspective camera through a lens of this radius, sharp at this distance along local +z.
+struct ThinLensDescription {
+  PerspectiveDescription perspective;
+  double aperture_radius = 0;
+  double focus_distance = 1;
+  friend bool operator==(const ThinLensDescription&, const ThinLensDescription&) = default;
+};
+/// Parallel rays along local +z; the film's width spans local x in [-1,1], which to_world may scale.
+struct OrthographicDescription {
+  double near_clip = 1e-2;
+  double far_clip = 1e4;
+  friend bool operator==(const OrthographicDescription&, const OrthographicDescription&) = default;
+};
+/// Extension: equidistant fisheye, the angle from local +z in proportion to the distance from the image's middle;
+/// `fov_degrees` is the full angle across the shorter side. Beyond the circle of that angle pixels are black.
+struct FisheyeDescription {
+  double fov_degrees = 180;
+  double near_clip = 1e-2;
+  double far_clip = 1e4;
+  friend bool operator==(const FisheyeDescription&, const FisheyeDescription&) = default;
+};
+
+/// Pixels: box radius 0.5; tent radius 1; Gaussian of this deviation, cut at 4 deviations and shifted to 0 there.
+struct ReconstructionFilter {
+  enum class Kind { box, tent, gaussian };
+  Kind kind = Kind::gaussian;
+  double stddev = 0.5;
+  double radius = 1;  ///< of the tent
+  friend bool operator==(const ReconstructionFilter&, const ReconstructionFilter&) = default;
 };
 
 struct FilmDescription {
   int width = 768;
   int height = 576;
-  // Only the box reconstruction filter exists so far; the parser refuses a film that does not name it.
+  ReconstructionFilter filter{ReconstructionFilter::Kind::box};
+  /// The part of the image that is rendered: {x, y, width, height}; the whole when empty.
+  struct Crop {
+    int x = 0, y = 0, width = 0, height = 0;
+    friend bool operator==(const Crop&, const Crop&) = default;
+  };
+  std::optional<Crop> crop;
   friend bool operator==(const FilmDescription&, const FilmDescription&) = default;
 };
 
 struct SensorDescription {
   SourceLoc loc;
   std::string id;
-  std::variant<PerspectiveDescription> camera;
+  std::variant<PerspectiveDescription, ThinLensDescription, OrthographicDescription, FisheyeDescription> camera;
   Transform to_world;
   FilmDescription film;
   int sample_count = 4;
+  std::optional<MediumIndex> medium;  ///< around the camera
 };
 
-/// `max_depth` counts path edges as Mitsuba does (1 = emitters only, 2 = direct light); -1 is unlimited.
-struct PathDescription {
+/// What all integrators know. `max_depth` counts path edges as Mitsuba does (1 = emitters only, 2 = direct light); -1
+/// is unlimited.
+struct PathLimits {
   int max_depth = -1;
   int rr_depth = 5;  ///< Russian roulette from this depth on
   bool hide_emitters = false;
+  friend bool operator==(const PathLimits&, const PathLimits&) = default;
+};
+
+/// Path tracing with next-event estimation; media are ignored by none: it refuses scenes that have some.
+struct PathDescription : PathLimits {
   friend bool operator==(const PathDescription&, const PathDescription&) = default;
+};
+/// Path tracing through participating media and nested dielectrics.
+struct VolPathDescription : PathLimits {
+  friend bool operator==(const VolPathDescription&, const VolPathDescription&) = default;
+};
+/// Bidirectional path tracing with multiple importance sampling over all strategies.
+struct BdptDescription : PathLimits {
+  friend bool operator==(const BdptDescription&, const BdptDescription&) = default;
+};
+/// Light tracing: paths start at the lights, every vertex is connected to the camera.
+struct ParticleTracerDescription : PathLimits {
+  friend bool operator==(const ParticleTracerDescription&, const ParticleTracerDescription&) = default;
+};
+/// Direct light only; max_depth and rr_depth are not its parameters. `emitter_samples` and `bsdf_samples` a camera
+/// sample, weighted against each other.
+struct DirectDescription : PathLimits {
+  int emitter_samples = 1, bsdf_samples = 1;
+  friend bool operator==(const DirectDescription&, const DirectDescription&) = default;
+};
+/// Whitted 1980: both branches at smooth dielectrics, mirrors, direct light everywhere else, and no further.
+struct WhittedDescription : PathLimits {
+  friend bool operator==(const WhittedDescription&, const WhittedDescription&) = default;
 };
 
 /// Fixed-radius photon mapping with a global and a caustic map. A radius of 0 asks for the automatic choice.
-struct PhotonMapperDescription {
-  int max_depth = -1;
-  int rr_depth = 5;
-  bool hide_emitters = false;
+struct PhotonMapperDescription : PathLimits {
   std::int64_t global_photons = 1'000'000;   ///< emitted for the global map, over the whole render
   std::int64_t caustic_photons = 1'000'000;  ///< emitted for the caustic map, over the whole render
   double global_radius = 0;                  ///< scene units
@@ -166,12 +517,21 @@ struct PhotonMapperDescription {
 
 struct IntegratorDescription {
   SourceLoc loc;
-  std::variant<PathDescription, PhotonMapperDescription> method;
+  std::variant<PathDescription, PhotonMapperDescription, VolPathDescription, BdptDescription, ParticleTracerDescription,
+               DirectDescription, WhittedDescription>
+      method;
+
+  const PathLimits& limits() const {
+    return std::visit([](const auto& m) -> const PathLimits& { return m; }, method);
+  }
 };
 
 struct SceneDescription {
   std::vector<std::string> files;  ///< files read, the scene itself first
+  std::vector<TextureDescription> textures;
   std::vector<BsdfDescription> bsdfs;
+  std::vector<MediumDescription> media;
+  std::vector<ShapeGroupDescription> groups;
   std::vector<ShapeDescription> shapes;
   std::vector<EmitterDescription> emitters;
   SensorDescription sensor;

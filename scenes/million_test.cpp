@@ -40,7 +40,7 @@ TEST(million, is_written_as_a_scene_of_that_many_triangles) {
   const SceneDescription scene = parse_scene_file((folder / "scene.xml").string());
   std::size_t triangles = 0;
   for (const ShapeDescription& shape : scene.shapes)
-    if (const auto* ply = std::get_if<PlyDescription>(&shape.geometry)) {
+    if (const auto* ply = std::get_if<MeshDescription>(&shape.geometry)) {
       triangles += ply->mesh->triangles.size();
       EXPECT_TRUE(ply->face_normals);
     }

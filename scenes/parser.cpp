@@ -117,9 +117,10 @@ class SceneReader {
   void check_lit() const {
     const auto emits = [](const RgbD& colour) { return max_component(colour) > 0; };
     for (const ShapeDescription& shape : scene_.shapes)
-      if (shape.radiance && emits(*shape.radiance)) return;
+      if (shape.radiance && emits(constant(*shape.radiance))) return;
     for (const EmitterDescription& emitter : scene_.emitters)
-      if (std::visit([&](const auto& light) { return emits(light.intensity); }, emitter.light)) return;
+      if (const auto* point = std::get_if<PointLightDescription>(&emitter.light); !point || emits(point->intensity))
+        return;
     sources_.fail(root_.at, "the scene has no light: expected an <emitter> whose radiance or intensity is above 0");
   }
 

@@ -27,7 +27,7 @@ Model build_conductor(Params& params) {
   }
   if (!has_ior) params.sources().fail(params.object().at, params.title() + " says no material: " + supported);
   for (const char* name : {"eta", "k"}) params.expect(params.has(name), name, "is missing: eta and k go together");
-  ConductorDescription::ComplexIor ior{params.colour("eta", {}, 0, kUnbounded), params.colour("k", {}, 0, kUnbounded)};
+  ComplexIor ior{params.colour("eta", {}, 0, kUnbounded), params.colour("k", {}, 0, kUnbounded)};
   const RgbD sum = ior.eta + ior.k;
   params.expect(sum.x > 0 && sum.y > 0 && sum.z > 0, "eta", "and k are both 0 in a channel");
   conductor.ior = ior;

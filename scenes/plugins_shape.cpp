@@ -46,7 +46,8 @@ Geometry build_cube(Params&) { return CubeDescription{}; }
 /// All but the mesh, which read_shape loads.
 Geometry build_ply(Params& params) {
   params.expect(params.has("filename"), "filename", "is missing, expected the name of a PLY file");
-  return PlyDescription{params.string("filename", ""), params.boolean("face_normals", false), nullptr};
+  return MeshDescription{MeshDescription::Format::ply, params.string("filename", ""),
+                         params.boolean("face_normals", false), false, nullptr};
 }
 
 std::vector<ParamSpec> with_common(std::vector<ParamSpec> own) {
@@ -79,7 +80,7 @@ ShapeDescription read_shape(const Sources& sources, const Element& element, Mesh
   shape.geometry = plugin.build(params);
   shape.flip_normals = params.boolean("flip_normals", false);
   params.finish();
-  if (auto* ply = std::get_if<PlyDescription>(&shape.geometry)) ply->mesh = meshes.load(params.value_of("filename"));
+  if (auto* ply = std::get_if<MeshDescription>(&shape.geometry)) ply->mesh = meshes.load(params.value_of("filename"));
   if (const Element* emitter = find_nested(element, "emitter")) shape.radiance = read_area_emitter(sources, *emitter);
   return shape;
 }

@@ -53,7 +53,7 @@ class SceneFiles : public ::testing::Test {
 
 TEST_F(SceneFiles, gives_a_mesh_with_mitsubas_defaults) {
   const ShapeDescription found = parse(shape("parts/one.ply")).shapes.at(0);
-  const auto& ply = std::get<PlyDescription>(found.geometry);
+  const auto& ply = std::get<MeshDescription>(found.geometry);
   EXPECT_EQ(ply.filename, "parts/one.ply");
   EXPECT_FALSE(ply.face_normals);
   EXPECT_FALSE(found.flip_normals);
@@ -66,24 +66,24 @@ TEST_F(SceneFiles, reads_the_parameters_of_a_mesh) {
                                              "<boolean name='face_normals' value='true'/><boolean name='flip_normals' "
                                              "value='true'/><transform name='to_world'><scale value='2'/></transform>"))
                                      .shapes.at(0);
-  EXPECT_TRUE(std::get<PlyDescription>(found.geometry).face_normals);
+  EXPECT_TRUE(std::get<MeshDescription>(found.geometry).face_normals);
   EXPECT_TRUE(found.flip_normals);
   EXPECT_EQ(found.to_world, Transform::scale(Vec3d(2)));
 }
 
 TEST_F(SceneFiles, reads_a_file_once_however_it_is_spelled) {
   const SceneDescription scene = parse(shape("parts/one.ply") + shape("./parts/../parts/one.ply"));
-  EXPECT_EQ(std::get<PlyDescription>(scene.shapes[0].geometry).mesh,
-            std::get<PlyDescription>(scene.shapes[1].geometry).mesh);
+  EXPECT_EQ(std::get<MeshDescription>(scene.shapes[0].geometry).mesh,
+            std::get<MeshDescription>(scene.shapes[1].geometry).mesh);
   EXPECT_NE(scene.shapes[0].geometry, scene.shapes[1].geometry) << "the spelling is kept";
 }
 
 TEST_F(SceneFiles, tells_meshes_apart_by_content) {
   const SceneDescription one = parse(shape("../two.ply"), true), two = parse(shape("../two.ply"), true);
   EXPECT_EQ(one.shapes[0].geometry, two.shapes[0].geometry) << "read twice";
-  TriangleMesh other = *std::get<PlyDescription>(two.shapes[0].geometry).mesh;
+  TriangleMesh other = *std::get<MeshDescription>(two.shapes[0].geometry).mesh;
   other.positions[0].x = 0.5f;
-  EXPECT_NE(one.shapes[0].geometry, decltype(ShapeDescription::geometry)(PlyDescription{
+  EXPECT_NE(one.shapes[0].geometry, decltype(ShapeDescription::geometry)(MeshDescription{
                                         "../two.ply", false, std::make_shared<const TriangleMesh>(other)}));
 }
 

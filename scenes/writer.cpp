@@ -104,6 +104,7 @@ class Writer {
   void number(const std::string& name, double v) { value("float", name, format_number(v)); }
   void integer(const std::string& name, std::int64_t v) { value("integer", name, std::to_string(v)); }
   void boolean(const std::string& name, bool v) { value("boolean", name, v ? "true" : "false"); }
+  void colour(const std::string& name, const Colour& c) { colour(name, constant(c)); }
   void colour(const std::string& name, const RgbD& c) { value("rgb", name, list({c.x, c.y, c.z})); }
   void point(const std::string& name, const Vec3d& p) { value("point", name, list({p.x, p.y, p.z})); }
   void transform(const std::string& name, const Transform& t) {
@@ -120,6 +121,10 @@ class Writer {
     integer("max_depth", method.max_depth);
     integer("rr_depth", method.rr_depth);
     boolean("hide_emitters", method.hide_emitters);
+  }
+  template <class Other, class... Id>
+  void write(const Other&, const Id&...) {
+    throw InputError("scene", "cannot be written yet");
   }
   void write(const PathDescription& method) {
     open_plugin("integrator", "path", "");
@@ -207,7 +212,7 @@ class Writer {
   }
   void write(const RectangleDescription&, const std::string& id) { open_plugin("shape", "rectangle", id); }
   void write(const CubeDescription&, const std::string& id) { open_plugin("shape", "cube", id); }
-  void write(const PlyDescription& ply, const std::string& id) {
+  void write(const MeshDescription& ply, const std::string& id) {
     open_plugin("shape", "ply", id);
     value("string", "filename", ply.filename);
     boolean("face_normals", ply.face_normals);

@@ -86,8 +86,7 @@ class RandomScene {
       case 1:
         return ConductorDescription{std::nullopt, colour()};
       case 2:
-        return ConductorDescription{ConductorDescription::ComplexIor{{unit(), 1, positive()}, {positive(), unit(), 0}},
-                                    colour()};
+        return ConductorDescription{ComplexIor{{unit(), 1, positive()}, {positive(), unit(), 0}}, colour()};
       default:
         return DielectricDescription{positive(), positive(), colour(), colour()};
     }
@@ -106,7 +105,7 @@ class RandomScene {
         result.to_world = stretched();
         break;
       case 2:
-        result.geometry = PlyDescription{kMesh, coin(), mesh_};
+        result.geometry = MeshDescription{MeshDescription::Format::ply, kMesh, coin(), false, mesh_};
         result.to_world = stretched();
         break;
       default:

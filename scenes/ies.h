@@ -1,0 +1,17 @@
+// IES photometric files (ANSI/IES LM-63): the luminous intensity of a luminaire by direction.
+#pragma once
+
+#include <vector>
+
+namespace photonproof {
+
+/// Candela over a grid of angles, the file's multipliers applied. Symmetry is the file's: horizontal angles end at 0
+/// (rotational), 90 (quadrants), 180 (halves) or 360.
+struct IesProfile {
+  std::vector<double> vertical_degrees;    ///< ascending, 0 is the nadir, 180 the zenith
+  std::vector<double> horizontal_degrees;  ///< ascending from 0
+  std::vector<double> candela;             ///< horizontal x vertical, vertical fastest; finite, >= 0
+  friend bool operator==(const IesProfile&, const IesProfile&) = default;
+};
+
+}  // namespace photonproof
