@@ -126,7 +126,7 @@ Scene::Scene(const SceneDescription& description, int width_, int height_, const
   view_.light_count = static_cast<std::uint32_t>(lights.size());
   aim_targets_ = aim_targets(surfaces, [&](const Surface& surface) {
     bool specular = false;
-    for_each_leaf(surface.bsdf, [&](const Bsdf& leaf, bool) { specular = specular || is_delta(leaf); });
+    for_each_leaf(surface.bsdf, [&](const Bsdf& leaf, bool) { specular = specular || !is_lambertian(leaf); });
     return specular;
   });
   view_.aim_targets = aim_targets_.data();
@@ -168,7 +168,7 @@ void Scene::compile_bsdfs(const SceneDescription& description) {
   }
   detail_.nothing = static_cast<std::uint32_t>(bsdfs.size());
   if (has_holes) {
-    bsdfs.push_back(DielectricBsdf<float>{1, Rgb(0.0f), Rgb(1.0f)});
+    bsdfs.emplace_back(NullBsdf<float>{});
     detail_.tree.emplace_back();
   }
   for (const Bsdf& bsdf : bsdfs) detail_.kinds.push_back(static_cast<std::uint32_t>(bsdf.index()));
