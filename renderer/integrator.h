@@ -61,7 +61,7 @@ const Integrator* find_integrator(const std::string& name);
 /// The name of the integrator a scene file asks for.
 std::string integrator_name(const IntegratorDescription& description);
 /// The same request for another integrator: path depth, roulette depth and hidden emitters are kept, what the scene
-/// file does not say takes its default. `name` must be in the table.
+/// file does not say takes its default. `name` must be one that a scene file may use.
 IntegratorDescription with_integrator(const IntegratorDescription& description, const std::string& name);
 
 }  // namespace photonproof
