@@ -1,5 +1,6 @@
 #include "renderer/integrator.h"
 
+#include "renderer/direct_integrator.h"
 #include "renderer/path_integrator.h"
 #include "renderer/photon_mapper.h"
 
@@ -8,8 +9,11 @@ namespace photonproof {
 const std::vector<Integrator>& integrators() {
   static const std::vector<Integrator> table{
       {"path", "unbiased path tracing: next-event estimation, MIS, Russian roulette", render_path},
-      {"photonmapper", "global and caustic photon maps of fixed radius, direct light by next-event estimation",
-       render_photon_mapper},
+      {"photonmapper",
+       "global and caustic photon maps of fixed radius, direct light by next-event estimation",
+       render_photon_mapper,
+       {.photons = true}},
+      {"direct", "emission and light reflected once: next-event estimation and BSDF sampling, MIS", render_direct},
   };
   return table;
 }
