@@ -109,9 +109,9 @@ std::uint64_t Checksum::value() const {
 }
 
 void StateWriter::bytes(const void* data, std::size_t count) {
-  if (count == 0) return;
-  checksum_.add(data, count);
-  out_.write(static_cast<const char*>(data), static_cast<std::streamsize>(count));
+  constexpr std::size_t room_for_more = 4096;  // after a film, small things follow that should not double the memory
+  if (out_.capacity() - out_.size() < count) out_.reserve(out_.size() + count + room_for_more);
+  out_.append(static_cast<const char*>(data), count);
 }
 
 void StateWriter::text(const std::string& s) {
@@ -139,20 +139,27 @@ void StateReader::refuse(const std::string& why) const {
   throw InputError(file_.string(), "the checkpoint is not one of this render: " + why);
 }
 
-void write_checkpoint(const std::filesystem::path& file, const RenderIdentity& identity,
-                      const std::function<void(StateWriter&)>& state) {
+void fill_checkpoint(std::string& content, const RenderIdentity& identity,
+                     const std::function<void(StateWriter&)>& state) {
+  content.clear();
+  StateWriter writer(content);
+  writer.bytes(magic, magic_bytes);
+  writer.value(std::uint64_t{identity.size()});
+  for (const auto& [name, value] : identity) {
+    writer.text(name);
+    writer.text(value);
+  }
+  state(writer);
+}
+
+void write_checkpoint(const std::filesystem::path& file, const std::string& content) {
+  Checksum checksum;
+  checksum.add(content.data(), content.size());
+  const std::uint64_t sum = checksum.value();
   replace_atomically(file, [&](const std::filesystem::path& temporary) {
     std::ofstream out(temporary, std::ios::binary);
-    StateWriter writer(out);
-    writer.bytes(magic, magic_bytes);
-    writer.value(std::uint64_t{identity.size()});
-    for (const auto& [name, value] : identity) {
-      writer.text(name);
-      writer.text(value);
-    }
-    state(writer);
-    const std::uint64_t checksum = writer.checksum_.value();
-    out.write(reinterpret_cast<const char*>(&checksum), sizeof checksum);
+    out.write(content.data(), static_cast<std::streamsize>(content.size()));
+    out.write(reinterpret_cast<const char*>(&sum), sizeof sum);
     out.close();
     if (!out) throw InputError(file.string(), "cannot be written (permission or disk full)");
   });

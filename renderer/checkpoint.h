@@ -45,9 +45,10 @@ class Checksum {
   std::size_t rest_count_ = 0;
 };
 
+/// Collects a checkpoint in memory, so that the render stands still no longer than that takes.
 class StateWriter {
  public:
-  explicit StateWriter(std::ofstream& out) : out_(out) {}
+  explicit StateWriter(std::string& out) : out_(out) {}
 
   void bytes(const void* data, std::size_t count);
   template <class T>
@@ -64,10 +65,7 @@ class StateWriter {
   void text(const std::string& s);
 
  private:
-  friend void write_checkpoint(const std::filesystem::path&, const RenderIdentity&,
-                               const std::function<void(StateWriter&)>&);
-  std::ofstream& out_;
-  Checksum checksum_;
+  std::string& out_;
 };
 
 /// Throws InputError naming the file where it ends too early or holds what does not fit.
@@ -101,10 +99,13 @@ class StateReader {
   std::uint64_t left_;
 };
 
+/// Puts a checkpoint of what `state` writes into `content`, whose memory is used again.
+void fill_checkpoint(std::string& content, const RenderIdentity& identity,
+                     const std::function<void(StateWriter&)>& state);
+
 /// Replaces `file` atomically: after kill -9 at any moment there is the old one or the new one. Throws InputError when
 /// it cannot be written.
-void write_checkpoint(const std::filesystem::path& file, const RenderIdentity& identity,
-                      const std::function<void(StateWriter&)>& state);
+void write_checkpoint(const std::filesystem::path& file, const std::string& content);
 
 /// Reads what `write_checkpoint` wrote. Throws InputError when the file is missing, no checkpoint, damaged, or of a
 /// render of another identity, naming the first difference; all this before `state` is called.

@@ -24,7 +24,9 @@ class Checkpoint : public testing::Test {
   void TearDown() override { std::filesystem::remove_all(folder_); }
 
   void write() const {
-    write_checkpoint(file_, identity_, [&](StateWriter& out) { out.vector(values_); });
+    std::string content;
+    fill_checkpoint(content, identity_, [&](StateWriter& out) { out.vector(values_); });
+    write_checkpoint(file_, content);
   }
   /// The message of what reading it throws; empty when it is read as it was written.
   std::string problem(const RenderIdentity& identity) const {

@@ -55,6 +55,7 @@ bool RenderLoop::next() {
 bool RenderLoop::ended(bool interrupted) {
   stats_.interrupted = interrupted;
   if (interrupted && writes()) write();
+  finish_write();
   if (job_.progress && !interrupted) job_.progress(1, plan_.phase);
   rays_.store(stats_);
   stats_.counts["samples_per_pixel"] = static_cast<double>(schedule_.samples_done());
@@ -117,15 +118,30 @@ void RenderLoop::for_each_in_order(std::size_t units, const std::function<void(s
 }
 
 void RenderLoop::write() {
+  finish_write();
   const PhaseTimer phase(stats_.phases["checkpoint"]);
-  try {
-    write_checkpoint(job_.checkpoint->file, job_.checkpoint->identity, [&](StateWriter& out) { save(out); });
-    stats_.counts["checkpoints"] += 1;
-    stats_.checkpoint_problem.clear();
-  } catch (const InputError& error) {  // a full disk must not end a render that could still finish
-    stats_.checkpoint_problem = error.summary();
-  }
+  fill_checkpoint(content_, job_.checkpoint->identity, [&](StateWriter& out) { save(out); });
+  writing_ = std::async(std::launch::async, [this] {
+    const Timer timer;
+    Written written;
+    try {
+      write_checkpoint(job_.checkpoint->file, content_);
+    } catch (const InputError& error) {  // a full disk must not end a render that could still finish
+      written.problem = error.summary();
+    }
+    written.seconds = timer.seconds();
+    return written;
+  });
   since_write_ = Timer();
+}
+
+void RenderLoop::finish_write() {
+  if (!writing_.valid()) return;
+  const PhaseTimer phase(stats_.phases["checkpoint"]);
+  const Written written = writing_.get();
+  stats_.checkpoint_problem = written.problem;
+  if (written.problem.empty()) stats_.counts["checkpoints"] += 1;
+  stats_.counts["checkpoint_write_seconds"] += written.seconds;
 }
 
 void RenderLoop::save(StateWriter& out) const {

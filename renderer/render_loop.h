@@ -6,13 +6,15 @@
 //     loop.for_each_tile([&](const Tile& tile) { ... samples [loop.first(), loop.first() + loop.samples()) ... });
 //
 // A checkpoint holds the film, the rays counted, which units of the current pass (tiles, or chunks of light paths) are
-// done, and what the integrator asks to `keep`. It is written between units, when none is being worked on, so a pass
-// may be longer than the time between checkpoints. A render that is resumed does the units that were not done, from
-// random numbers that depend on nothing but their indices, and so ends with the bits of one that was never stopped.
+// done, and what the integrator asks to `keep`. It is copied between units, when none is being worked on, so a pass may
+// be longer than the time between checkpoints; the copy, as large as the film, is written while rendering goes on. A
+// render that is resumed does the units that were not done, from random numbers that depend on nothing but their
+// indices, and so ends with the bits of one that was never stopped.
 #pragma once
 
 #include <cstdint>
 #include <functional>
+#include <future>
 #include <mutex>
 #include <string>
 #include <vector>
@@ -94,6 +96,8 @@ class RenderLoop {
     std::vector<char> at_start;
   };
 
+  /// Waits for the checkpoint that is being written.
+  void finish_write();
   bool writes() const { return job_.checkpoint && job_.checkpoint->interval_seconds > 0; }
   bool due() const { return writes() && since_write_.seconds() >= job_.checkpoint->interval_seconds; }
   /// The first pass is always made whole, so that no pixel stays black.
@@ -122,6 +126,12 @@ class RenderLoop {
   std::size_t units_done_ = 0;
   std::mutex progress_mutex_;
   Timer since_progress_, since_write_;
+  struct Written {
+    double seconds = 0;
+    std::string problem;
+  };
+  std::string content_;           ///< of the checkpoint that is being written
+  std::future<Written> writing_;  ///< the last member: it ends before what it uses
 };
 
 }  // namespace photonproof
