@@ -77,7 +77,7 @@ std::vector<float> flat_records(const std::vector<typename List::Variant>& varia
 }  // namespace
 
 Scene::Scene(const SceneDescription& description, int width_, int height_, const SkipSwitches& skips,
-             std::size_t small_limit)
+             std::size_t small_limit, ScenePurpose purpose)
     : width(width_), height(height_), textures(description.textures), detail_(surfaces, textures) {
   const SceneFrame frame = scene_frame(description);
   moved_ = frame.moved;
@@ -95,7 +95,7 @@ Scene::Scene(const SceneDescription& description, int width_, int height_, const
   simple_ = shapes.simple;
   small_ = primitives_ <= small_limit && simple_ && skips.on(Skip::bvh) ? std::make_unique<SmallSceneTables>(surfaces)
                                                                         : nullptr;
-  if (small_ == nullptr) tracer_ = std::make_unique<Tracer>(surfaces);
+  if (small_ == nullptr && purpose == ScenePurpose::render) tracer_ = std::make_unique<Tracer>(surfaces);
   view_.small = small_ != nullptr;
   if (small_ != nullptr) view_.primitives = small_->view();
   view_.tracer = tracer_.get();
