@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 
 #include "renderer/ray.h"
 
@@ -44,6 +45,18 @@ std::vector<LightWords> light_table(const std::vector<Light>& lights) {
     poor.push_back(giver);
   }
   return table;
+}
+
+std::vector<float> light_records(const std::vector<Light>& lights) {
+  std::vector<float> records(lights.size() * LightKinds::stride, 0.0f);
+  for (std::size_t i = 0; i < lights.size(); ++i)
+    std::visit(
+        [&](const auto& light) {
+          if constexpr (std::is_constructible_v<LightKinds::Variant, decltype(light)>)
+            std::memcpy(&records[i * LightKinds::stride], &light, sizeof light);
+        },
+        lights[i]);
+  return records;
 }
 
 }  // namespace photonproof

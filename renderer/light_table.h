@@ -14,4 +14,7 @@ namespace photonproof {
 /// ball around the scene, which says little about what lights a place. `primitive` is left to the caller.
 std::vector<LightWords> light_table(const std::vector<Light>& lights);
 
+/// The records of lights that kernels sample in lanes, LightKinds::stride floats each; of others there is none.
+std::vector<float> light_records(const std::vector<Light>& lights);
+
 }  // namespace photonproof

@@ -6,9 +6,11 @@
 #include <cstring>
 
 #include "renderer/aim_targets.h"
+#include "renderer/compile_light.h"
 #include "renderer/kernels/rays.h"
 #include "renderer/light_table.h"
 #include "renderer/scene_frame.h"
+#include "renderer/scene_lights.h"
 #include "renderer/small_scene_tables.h"
 
 namespace photonproof {
@@ -34,21 +36,6 @@ Bsdf compile(const Other&) {
   throw InputError("bsdf", "is not supported yet");
 }
 
-template <class Other>
-Light compile(const Other&, const Vec3d&) {
-  throw InputError("emitter", "is not supported yet");
-}
-Light compile(const PointLightDescription& d, const Vec3d& moved) {
-  return PointLight<float>{Vec3f(d.position + moved), Rgb(d.intensity)};
-}
-
-Light surface_light(const Quad& q, const Rgb& radiance) {
-  return QuadLight<float>{q.corner, q.edge_u, q.edge_v, q.normal, q.area, radiance};
-}
-Light surface_light(const Sphere& s, const Rgb& radiance) {
-  return SphereLight<float>{s.center, s.radius, s.inward ? -1.0f : 1.0f, radiance};
-}
-
 /// Local-to-face transforms of the cube's six sides: each maps [-1,1]^2 (normal +z) onto one side, normal outward.
 std::array<Transform, 6> cube_faces() {
   const Vec3d x{1, 0, 0}, y{0, 1, 0};
@@ -69,8 +56,6 @@ bool has_usable_size(const Geometry& geometry) {
   return true;
 }
 
-float mean_channel(const Rgb& rgb) { return (rgb.x + rgb.y + rgb.z) / 3; }
-
 /// The variants' records one after the other, `List::stride` floats each.
 template <class List>
 std::vector<float> flat_records(const std::vector<typename List::Variant>& variants) {
@@ -80,6 +65,8 @@ std::vector<float> flat_records(const std::vector<typename List::Variant>& varia
                variants[i]);
   return records;
 }
+
+LightTexture no_textures(TextureIndex) { throw InputError("emitter", "textures are not supported yet"); }
 
 }  // namespace
 
@@ -91,8 +78,9 @@ Scene::Scene(const SceneDescription& description, int width_, int height_, const
   for (const BsdfDescription& b : description.bsdfs)
     bsdfs.push_back(std::visit([](const auto& model) { return compile(model); }, b.model));
   for (const ShapeDescription& shape : description.shapes) add_shape(description, shape);
+  const SceneBall ball = scene_ball(surfaces);
   for (const EmitterDescription& e : description.emitters)
-    lights.push_back(std::visit([&](const auto& light) { return compile(light, moved_); }, e.light));
+    lights.push_back(compile_light(e, moved_, ball, no_textures, description.where(e.loc)));
 
   view_.camera = compile_camera(description.sensor, width, height, moved_);
   view_.coordinate_floor = frame.coordinate_floor;
@@ -110,13 +98,14 @@ Scene::Scene(const SceneDescription& description, int width_, int height_, const
   }
   if (surface_words_.empty()) surface_words_.push_back({0, 0, no_index});  // what rays that miss gather
   bsdf_records_ = flat_records<BsdfKinds>(bsdfs);
-  light_records_ = flat_records<LightKinds>(lights);
+  light_records_ = light_records(lights);
   light_words_ = light_table(lights);
+  scene_lights_ = std::make_unique<SceneLights>(lights, light_words_, ball);
   for (std::uint32_t i = 0; i < surfaces.size(); ++i)
     if (surfaces[i].light != no_index)
       light_words_[surfaces[i].light].primitive = view_.small ? small_->first_primitive(i) : no_index;
   for (const Light& light : lights) {
-    view_.light_kinds |= 1u << light.index();
+    view_.light_kinds |= 1u << kernel_kind(light);
     view_.lights_can_be_hit |= !is_delta(light);
   }
   view_.surfaces = surface_words_.data();
@@ -124,6 +113,9 @@ Scene::Scene(const SceneDescription& description, int width_, int height_, const
   view_.lights = light_records_.data();
   view_.light_words = light_words_.data();
   view_.light_count = static_cast<std::uint32_t>(lights.size());
+  view_.general_lights = scene_lights_.get();
+  view_.lights_by_position = scene_lights_->has_tree() && skips.on(Skip::light_choice);
+  view_.environment = scene_lights_->environment().value_or(no_index);
   aim_targets_ = aim_targets(surfaces, bsdfs);
   view_.aim_targets = aim_targets_.data();
   view_.aim_target_count = static_cast<std::uint32_t>(aim_targets_.size());
@@ -143,6 +135,7 @@ void Scene::add_shape(const SceneDescription& description, const ShapeDescriptio
                 shape);
   } else if (const auto* ply = std::get_if<MeshDescription>(&shape.geometry)) {
     add_mesh(description, shape, *ply, to_world);
+    add_surface_lights(description, shape, first);
     return;
   } else if (std::holds_alternative<RectangleDescription>(shape.geometry)) {
     add_quad(shape, to_world);
@@ -153,18 +146,21 @@ void Scene::add_shape(const SceneDescription& description, const ShapeDescriptio
   for (auto surface = surfaces.begin() + static_cast<std::ptrdiff_t>(first); surface != surfaces.end(); ++surface)
     if (!has_usable_size(surface->geometry))
       throw InputError(description.where(shape.loc), "the shape's area is outside what single precision can hold");
-  if (shape.radiance && !lights.empty() && !std::isfinite(mean_channel(flux(lights.back()))))
-    throw InputError(description.where(shape.loc), "the light's flux is too large for single precision");
+  add_surface_lights(description, shape, first);
+}
+
+void Scene::add_surface_lights(const SceneDescription& description, const ShapeDescription& shape, std::size_t first) {
+  if (!shape.radiance) return;
+  const Transform to_world = Transform::translate(moved_) * shape.to_world;
+  for (auto surface = surfaces.begin() + static_cast<std::ptrdiff_t>(first); surface != surfaces.end(); ++surface) {
+    surface->light = static_cast<std::uint32_t>(lights.size());
+    lights.push_back(
+        compile_surface_light(surface->geometry, shape, to_world, no_textures, description.where(shape.loc)));
+  }
 }
 
 void Scene::add_surface(Geometry geometry, const ShapeDescription& shape) {
   Surface surface{std::move(geometry), shape.bsdf.value, no_index};
-  if (shape.radiance) {
-    surface.light = static_cast<std::uint32_t>(lights.size());
-    const Rgb radiance(constant(*shape.radiance));
-    if (const auto* quad = std::get_if<Quad>(&surface.geometry)) lights.push_back(surface_light(*quad, radiance));
-    if (const auto* sphere = std::get_if<Sphere>(&surface.geometry)) lights.push_back(surface_light(*sphere, radiance));
-  }
   surfaces.push_back(std::move(surface));
 }
 
@@ -184,7 +180,6 @@ void Scene::add_mesh(const SceneDescription& description, const ShapeDescription
                      const Transform& to_world) {
   const std::string where = description.where(shape.loc);
   if (!ply.face_normals) throw InputError(where, "smooth normals are not supported yet: set face_normals to true");
-  if (shape.radiance) throw InputError(where, "a mesh cannot be a light yet");
   const TriangleMesh& source = *ply.mesh;
   Mesh mesh;
   mesh.positions.reserve(source.positions.size() + 1);

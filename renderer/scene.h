@@ -16,6 +16,7 @@
 
 namespace photonproof {
 
+class SceneLights;
 class SmallSceneTables;
 
 /// Up to this many primitives are tested one after the other instead of through Embree. Measured among random
@@ -35,6 +36,8 @@ class Scene {
 
   /// Tables of the kernels; valid as long as the scene.
   const SceneView& view() const { return view_; }
+  /// All lights behind one interface.
+  const SceneLights& scene_lights() const { return *scene_lights_; }
   /// Closest surface along a ray with a unit direction: for the host's few own rays.
   Hit intersect(const Vec3f& origin, const Vec3f& direction) const;
 
@@ -50,6 +53,7 @@ class Scene {
 
  private:
   void add_shape(const SceneDescription& description, const ShapeDescription& shape);
+  void add_surface_lights(const SceneDescription& description, const ShapeDescription& shape, std::size_t first);
   void add_surface(Geometry geometry, const ShapeDescription& shape);
   void add_mesh(const SceneDescription& description, const ShapeDescription& shape, const MeshDescription& ply,
                 const Transform& to_world);
@@ -61,6 +65,7 @@ class Scene {
   std::vector<LightWords> light_words_;
   std::vector<float> bsdf_records_, light_records_;
   std::vector<AimTarget> aim_targets_;
+  std::unique_ptr<SceneLights> scene_lights_;
   std::unique_ptr<SmallSceneTables> small_;
   std::unique_ptr<Tracer> tracer_;
   SceneView view_;

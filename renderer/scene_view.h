@@ -8,6 +8,7 @@
 
 namespace photonproof {
 
+class SceneLights;
 class Tracer;
 
 /// A flat primitive: the plane n.x = k (n unit, on the side that counts as front) and, for a point x of it,
@@ -77,6 +78,9 @@ struct SceneView {
   const float* lights = nullptr;  ///< LightKinds::stride floats each
   const LightWords* light_words = nullptr;
   std::uint32_t light_count = 0;
+  const SceneLights* general_lights = nullptr;  ///< all lights, for those that need tables
+  bool lights_by_position = false;              ///< they are chosen by `general_lights`
+  std::uint32_t environment = no_index;         ///< the light that rays see which leave the scene
   const AimTarget* aim_targets = nullptr;  ///< one for each specular surface
   std::uint32_t aim_target_count = 0;
   std::uint32_t bsdf_kinds = 0;  ///< bit k: a surface has a BSDF of kind k
