@@ -54,8 +54,9 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, F> {
     s.key = ray.key;
     s.index = ray.index;
     s.path = lane_index<F>() + first;
-    task_.counts.camera += count_lanes(lanes);
-    return lanes;
+    const Mask<F> begins = lanes && ray.valid;  // the others' radiance stays 0
+    task_.counts.camera += count_lanes(begins);
+    return begins;
   }
 
   /// Adds the lights that the rays met.
