@@ -17,6 +17,8 @@
 
 namespace photonproof {
 
+struct SceneBall;
+class SceneLights;
 class SceneShapes;
 class SmallSceneTables;
 
@@ -40,6 +42,8 @@ class Scene {
 
   /// Tables of the kernels; valid as long as the scene.
   const SceneView& view() const { return view_; }
+  /// All lights behind one interface.
+  const SceneLights& scene_lights() const { return *scene_lights_; }
   /// Closest surface along a ray with a unit direction: for the host's few own rays.
   Hit intersect(const Vec3f& origin, const Vec3f& direction) const;
 
@@ -70,7 +74,7 @@ class Scene {
 
  private:
   void compile_bsdfs(const SceneDescription& description);
-  void add_lights(const SceneDescription& description, const SceneShapes& shapes);
+  void add_lights(const SceneDescription& description, const SceneShapes& shapes, const SceneBall& ball);
   void compile_detail(const SkipSwitches& skips);
 
   Vec3d moved_;  ///< what was added to the description's coordinates
@@ -81,6 +85,7 @@ class Scene {
   std::vector<float> bsdf_records_, light_records_;
   std::vector<AimTarget> aim_targets_;
   DetailTables detail_;
+  std::unique_ptr<SceneLights> scene_lights_;
   std::unique_ptr<SmallSceneTables> small_;
   std::unique_ptr<Tracer> tracer_;
   SceneView view_;
