@@ -17,6 +17,7 @@
 
 namespace photonproof {
 
+class SceneLights;
 class SceneShapes;
 class SmallSceneTables;
 
@@ -37,6 +38,8 @@ class Scene {
 
   /// Tables of the kernels; valid as long as the scene.
   const SceneView& view() const { return view_; }
+  /// All lights behind one interface.
+  const SceneLights& scene_lights() const { return *scene_lights_; }
   /// Closest surface along a ray with a unit direction: for the host's few own rays.
   Hit intersect(const Vec3f& origin, const Vec3f& direction) const;
 
@@ -66,9 +69,8 @@ class Scene {
   std::vector<Surface> surfaces;
 
  private:
-  void compile_bsdfs(const SceneDescription& description);
-  void add_lights(const SceneDescription& description, const SceneShapes& shapes);
-  void compile_detail(const SkipSwitches& skips);
+class SceneLights;
+class SceneShapes;
 
   Vec3d moved_;  ///< what was added to the description's coordinates
   std::size_t primitives_ = 0;
@@ -77,7 +79,8 @@ class Scene {
   std::vector<LightWords> light_words_;
   std::vector<float> bsdf_records_, light_records_;
   std::vector<AimTarget> aim_targets_;
-  DetailTables detail_;
+class SceneLights;
+class SceneShapes;
   std::unique_ptr<SmallSceneTables> small_;
   std::unique_ptr<Tracer> tracer_;
   SceneView view_;

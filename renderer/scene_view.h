@@ -3,11 +3,13 @@
 
 #include <cstdint>
 
+#include "renderer/camera_view.h"
 #include "renderer/ray.h"
 #include "renderer/sampler.h"
 
 namespace photonproof {
 
+class SceneLights;
 class Tracer;
 struct DetailTables;
 
@@ -60,13 +62,6 @@ struct AimTarget {
   static constexpr std::uint32_t stride = 4;
 };
 
-struct CameraView {
-  Vec3f origin, right, up, forward;
-  float tan_x = 1, tan_y = 1;
-  float inverse_width = 1, inverse_height = 1;
-  float near = 0, far = 0;  ///< distances along `forward`
-};
-
 struct SceneView {
   bool one_light = false;         ///< none is chosen
   bool one_bsdf_kind = false;     ///< lanes need no sorting
@@ -82,6 +77,9 @@ struct SceneView {
   const float* lights = nullptr;  ///< LightKinds::stride floats each
   const LightWords* light_words = nullptr;
   std::uint32_t light_count = 0;
+  const SceneLights* general_lights = nullptr;  ///< all lights, for those that need tables
+  bool lights_by_position = false;              ///< they are chosen by `general_lights`
+  std::uint32_t environment = no_index;         ///< the light that rays see which leave the scene
   const AimTarget* aim_targets = nullptr;  ///< one for each specular surface
   std::uint32_t aim_target_count = 0;
   std::uint32_t bsdf_kinds = 0;  ///< bit k: a surface has a BSDF of kind k
