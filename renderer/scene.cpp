@@ -59,6 +59,13 @@ std::vector<float> flat_records(const std::vector<typename List::Variant>& varia
   return records;
 }
 
+/// What lights look textures up with.
+TextureLookup texture_lookup(const Textures& textures) {
+  return [&textures](TextureIndex texture) -> LightTexture {
+    return [&textures, texture](const Vec2<float>& uv) { return textures.colour(texture.value, uv); };
+  };
+}
+
 }  // namespace
 
 Scene::Scene(const SceneDescription& description, int width_, int height_, const SkipSwitches& skips,
@@ -70,8 +77,10 @@ Scene::Scene(const SceneDescription& description, int width_, int height_, const
   SceneShapes shapes(description, textures, moved_);
   surfaces = std::move(shapes.surfaces);
   primitives_ = shapes.primitives;
+  add_surface_lights(description, shapes);
   const SceneBall ball = scene_ball(surfaces);
-  add_lights(description, shapes, ball);
+  for (const EmitterDescription& e : description.emitters)
+    lights.push_back(compile_light(e, moved_, ball, texture_lookup(textures), description.where(e.loc)));
 
   view_.camera = compile_camera(description.sensor, width, height, moved_);
   view_.coordinate_floor = frame.coordinate_floor;
@@ -126,19 +135,15 @@ Scene::Scene(const SceneDescription& description, int width_, int height_, const
 
 Scene::~Scene() = default;
 
-void Scene::add_lights(const SceneDescription& description, const SceneShapes& shapes, const SceneBall& ball) {
-  const auto texture = [this](TextureIndex index) -> LightTexture {
-    return [this, index](const Vec2<float>& uv) { return textures.colour(index.value, uv); };
-  };
+void Scene::add_surface_lights(const SceneDescription& description, const SceneShapes& shapes) {
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     const ShapeDescription& shape = *shapes.shape_of[i];
     if (!shape.radiance) continue;
     surfaces[i].light = static_cast<std::uint32_t>(lights.size());
-    lights.push_back(compile_surface_light(surfaces[i].geometry, shape, Transform::translate(moved_) * shape.to_world,
-                                           texture, description.where(shape.loc)));
+    const Transform to_world = Transform::translate(moved_) * shape.to_world;
+    lights.push_back(compile_surface_light(surfaces[i].geometry, shape, to_world, texture_lookup(textures),
+                                           description.where(shape.loc)));
   }
-  for (const EmitterDescription& e : description.emitters)
-    lights.push_back(compile_light(e, moved_, ball, texture, description.where(e.loc)));
 }
 
 void Scene::compile_bsdfs(const SceneDescription& description) {

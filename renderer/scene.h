@@ -17,7 +17,6 @@
 
 namespace photonproof {
 
-struct SceneBall;
 class SceneLights;
 class SceneShapes;
 class SmallSceneTables;
@@ -74,7 +73,7 @@ class Scene {
 
  private:
   void compile_bsdfs(const SceneDescription& description);
-  void add_lights(const SceneDescription& description, const SceneShapes& shapes, const SceneBall& ball);
+  void add_surface_lights(const SceneDescription& description, const SceneShapes& shapes);
   void compile_detail(const SkipSwitches& skips);
 
   Vec3d moved_;  ///< what was added to the description's coordinates
@@ -84,8 +83,8 @@ class Scene {
   std::vector<LightWords> light_words_;
   std::vector<float> bsdf_records_, light_records_;
   std::vector<AimTarget> aim_targets_;
-  DetailTables detail_;
   std::unique_ptr<SceneLights> scene_lights_;
+  DetailTables detail_;
   std::unique_ptr<SmallSceneTables> small_;
   std::unique_ptr<Tracer> tracer_;
   SceneView view_;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "renderer/curved_shapes.h"
+
 namespace photonproof {
 namespace {
 
@@ -16,8 +18,8 @@ struct Box {
 };
 
 void add_to(Box& box, const Quad& quad) {
-  for (const Vec3f& p : {quad.corner, quad.corner + quad.edge_u, quad.corner + quad.edge_v,
-                         quad.corner + quad.edge_u + quad.edge_v})
+  for (const Vec3f& p :
+       {quad.corner, quad.corner + quad.edge_u, quad.corner + quad.edge_v, quad.corner + quad.edge_u + quad.edge_v})
     box.add(p);
 }
 
@@ -30,20 +32,14 @@ void add_to(Box& box, const Mesh& mesh) {
   for (std::size_t i = 0; i + 1 < mesh.positions.size(); ++i) box.add(mesh.positions[i]);  // the last is a spare
 }
 
-void add_to(Box& box, const Disk& disk) {
-  const Vec3f reach(std::hypot(disk.axis_x.x, disk.axis_y.x), std::hypot(disk.axis_x.y, disk.axis_y.y),
-                    std::hypot(disk.axis_x.z, disk.axis_y.z));
-  box.add(disk.center - reach);
-  box.add(disk.center + reach);
+template <class Shape>
+void add_bounds(Box& box, const Shape& shape) {
+  const ShapeBox bounds = box_around(shape);
+  box.add(bounds.low);
+  box.add(bounds.high);
 }
-
-void add_to(Box& box, const Cylinder& cylinder) {
-  for (const Vec3f& p : {cylinder.base, cylinder.base + cylinder.axis * cylinder.length}) {
-    box.add(p - Vec3f(cylinder.radius));
-    box.add(p + Vec3f(cylinder.radius));
-  }
-}
-
+void add_to(Box& box, const Disk& disk) { add_bounds(box, disk); }
+void add_to(Box& box, const Cylinder& cylinder) { add_bounds(box, cylinder); }
 void add_to(Box&, const Plane&) {}
 
 void add_to(Box& box, const MeshInstance& copy) {
