@@ -186,6 +186,7 @@ int run_render(const RenderArguments& arguments) {
   const std::string stats_path = checked_stats_path(arguments.stats_path, arguments.output, arguments.scene.path);
   CheckpointPolicy checkpoint{checkpoint_path(arguments.output), arguments.checkpoint_seconds, arguments.resume, {}};
   checkpoint.check_file();
+  remove_abandoned_temporaries(checkpoint.file);
 
   RenderStats stats;
   const Timer load_timer;
