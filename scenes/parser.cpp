@@ -36,8 +36,13 @@ class SceneReader {
     });
     for_each("emitter", [&](const Element& e) { scene_.emitters.push_back(read_emitter(objects_, e)); });
     scene_.integrator = {sources_.loc(root_.at), PathDescription{}};
-    for_each("sensor", [&](const Element& e) { scene_.sensor = read_sensor(objects_, e); });
+    bool has_sensor = false;
+    for_each("sensor", [&](const Element& e) {
+      scene_.sensor = read_sensor(objects_, e);
+      has_sensor = true;
+    });
     for_each("integrator", [&](const Element& e) { scene_.integrator = read_integrator(objects_, e); });
+    if (!has_sensor) sources_.fail(root_.at, "the scene has no <sensor>, expected one");
     check_lit();
     check_environments();
     return std::move(scene_);
@@ -70,7 +75,6 @@ class SceneReader {
       if (child.tag == "integrator" && ++integrators > 1)
         sources_.fail(child.at, "a second <integrator>, expected at most one");
     }
-    if (sensors == 0) sources_.fail(root_.at, "the scene has no <sensor>, expected one");
   }
 
   bool is_bright(const Colour& colour) {
