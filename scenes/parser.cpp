@@ -69,8 +69,10 @@ class SceneReader {
         sources_.fail(child.at, "<" + child.tag + "> is not supported in <scene>" + did_you_mean(child.tag, known) +
                                     ", expected " + join_or(known));
       const bool for_others = child.tag == "bsdf" || child.tag == "texture" || child.tag == "medium";
-      if ((for_others || is_group(child)) && !child.find("id"))
+      if (for_others && !child.find("id"))
         sources_.fail(child.at, "a <" + child.tag + "> outside a shape needs the attribute 'id' to be of use");
+      if (is_group(child) && !child.find("id"))
+        sources_.fail(child.at, "a shapegroup needs the attribute 'id' to be of use");
       if (child.tag == "sensor" && ++sensors > 1) sources_.fail(child.at, "a second <sensor>, expected exactly one");
       if (child.tag == "integrator" && ++integrators > 1)
         sources_.fail(child.at, "a second <integrator>, expected at most one");
