@@ -44,13 +44,13 @@ class Files {
     fs::copy(corpora / "ply_corpus/ascii_quad.ply", folder_ / "a.ply");
     fs::copy(corpora / "obj_corpus/quad.obj", folder_ / "a.obj");
     fs::copy(corpora / "ies_corpus/rotational.ies", folder_ / "a.ies");
-    Image image(2, 2);
-    std::fill(image.rgb.begin(), image.rgb.end(), 0.5f);
-    write_exr((folder_ / "a.exr").string(), {image, {}, {}});
+    Image grey(2, 2);
+    std::fill(grey.rgb.begin(), grey.rgb.end(), 0.5f);
+    write_exr((folder_ / "a.exr").string(), {grey, {}, {}});
     mesh_of_ply = std::make_shared<const TriangleMesh>(read_ply((folder_ / "a.ply").string()));
     mesh_of_obj = std::make_shared<const TriangleMesh>(read_obj((folder_ / "a.obj").string()));
     profile = std::make_shared<const IesProfile>(read_ies((folder_ / "a.ies").string()));
-    this->image = std::make_shared<const Image>(image);
+    image = std::make_shared<const Image>(grey);
   }
   ~Files() { fs::remove_all(folder_); }
   Files(const Files&) = delete;
