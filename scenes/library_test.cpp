@@ -63,12 +63,18 @@ const ShapeDescription& light_of(const SceneDescription& scene) {
   throw std::logic_error("no light");
 }
 
+const RgbD& radiance_of(const ShapeDescription& shape) { return constant(*shape.radiance); }
+
+const RgbD& reflectance_of(const SceneDescription& scene, const ShapeDescription& shape) {
+  return constant(std::get<DiffuseDescription>(scene.bsdfs.at(shape.bsdf.value).model).reflectance);
+}
+
 TEST(library, cornell_spheres_and_caustic_glass_differ_in_light_and_mirror_only) {
   const auto spheres = load("cornell-spheres"), caustic = load("caustic-glass");
   EXPECT_EQ(sides(light_of(spheres)), (Vec2<double>{0.47, 0.38}));
   EXPECT_EQ(sides(light_of(caustic)), (Vec2<double>{0.047, 0.038}));
-  EXPECT_EQ(*light_of(spheres).radiance, RgbD(17, 12, 4));
-  EXPECT_EQ(*light_of(caustic).radiance, RgbD(1700, 1200, 400));
+  EXPECT_EQ(radiance_of(light_of(spheres)), RgbD(17, 12, 4));
+  EXPECT_EQ(radiance_of(light_of(caustic)), RgbD(1700, 1200, 400));
   EXPECT_EQ(light_of(spheres).to_world.point({0, 0, 0}), Vec3d(0, 0.998, 0));
   EXPECT_EQ(camera_of(spheres), camera_of(caustic));
   EXPECT_EQ(std::get<PathDescription>(spheres.integrator.method).max_depth, 17);
@@ -84,16 +90,16 @@ TEST(library, course_1_has_the_assignments_camera_and_light) {
   EXPECT_EQ(scene.sensor.to_world.point({0, 0, 0}), Vec3d(0, 0, 150));
   // Flux of a Lambertian square: pi * area * radiance = 15000 a channel.
   const auto light = light_of(scene);
-  EXPECT_NEAR(pi * sides(light).x * sides(light).y * light.radiance->x, 15000, 1e-9);
+  EXPECT_NEAR(pi * sides(light).x * sides(light).y * radiance_of(light).x, 15000, 1e-9);
 }
 
 TEST(library, furnace_emits_inward_and_its_mean_is_the_geometric_series) {
   const auto scene = load("furnace");
   const ShapeDescription& sphere = scene.shapes.at(0);
   EXPECT_TRUE(sphere.flip_normals);
-  const double albedo = std::get<DiffuseDescription>(scene.bsdfs.at(sphere.bsdf.value).model).reflectance.x;
+  const double albedo = reflectance_of(scene, sphere).x;
   const RgbD mean = *read_expect(kLibrary + "furnace/expect.toml").analytic->mean;
-  EXPECT_DOUBLE_EQ(mean.x, sphere.radiance->x / (1 - albedo));
+  EXPECT_DOUBLE_EQ(mean.x, radiance_of(sphere).x / (1 - albedo));
 }
 
 /// The mean over the image plane of a radiance given on the plane y = 0: midpoint rule on 512 x 512 points, whose error
@@ -129,7 +135,7 @@ TEST(library, area_light_has_the_expected_mean) {
   const auto scene = load("light-area");
   const ShapeDescription& light = light_of(scene);
   const double h = light.to_world.point({0, 0, 0}).y, s = sides(light).x / 2, albedo = 0.5;
-  EXPECT_EQ(std::get<DiffuseDescription>(scene.bsdfs.at(light.bsdf.value).model).reflectance, RgbD(0.0));
+  EXPECT_EQ(reflectance_of(scene, light), RgbD(0.0));
   // Irradiance per radiance from the parallel rectangle between the point above the receiver and (a,b): pi times the
   // view factor of a plane element, e.g. in Howell's catalogue, B-4.
   const auto f = [h](double a, double b) {
@@ -137,7 +143,7 @@ TEST(library, area_light_has_the_expected_mean) {
     return (a / ha * std::atan(b / ha) + b / hb * std::atan(a / hb)) / 2;
   };
   const double mean = image_mean(scene, [&](double x, double z) {
-    return albedo / pi * light.radiance->x *
+    return albedo / pi * radiance_of(light).x *
            (f(s - x, s - z) - f(-s - x, s - z) - f(s - x, -s - z) + f(-s - x, -s - z));
   });
   EXPECT_NEAR(mean, read_expect(kLibrary + "light-area/expect.toml").analytic->mean->x, 1e-6);

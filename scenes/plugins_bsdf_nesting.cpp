@@ -70,10 +70,10 @@ BsdfModel build_blend(Params& params) {
   BlendDescription model;
   params.expect(params.has("weight"), "weight", "is missing, expected a number or a texture");
   model.weight = params.number_map("weight", 0.5, 0, 1);
-  if (params.nested("bsdf").size() != 2)
-    params.sources().fail(
-        params.object().at,
-        params.title() + " nests " + std::to_string(params.nested("bsdf").size()) + " BSDFs, expected two");
+  const std::size_t count = params.nested("bsdf").size();
+  if (count != 2)
+    params.sources().fail(params.object().at,
+                          params.title() + " has " + std::to_string(count) + " of <bsdf>, expected two");
   model.first = nested(params, 0);
   model.second = nested(params, 1);
   return model;

@@ -72,7 +72,7 @@ void SceneObjects::read_named_inside(const Element& element, const std::string& 
     const Element& nested = target(child);
     if (nested.tag != tag) continue;
     if (nested.find("id"))
-      read(nested);
+      read(child);
     else
       read_named_inside(nested, tag, read);
   }
