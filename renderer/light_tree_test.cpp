@@ -54,7 +54,9 @@ TEST(light_tree, probabilities_sum_to_one_and_belong_to_what_is_drawn) {
     EXPECT_GT(sum, 0.9);
     for (std::uint64_t i = 0; i < 200; ++i) {
       const auto choice = tree.choose(p, Random(302 + place, i).next());
-      if (choice) ASSERT_NEAR(choice->probability, tree.probability(p, choice->light), 1e-5f * choice->probability);
+      if (choice) {
+        ASSERT_NEAR(choice->probability, tree.probability(p, choice->light), 1e-5f * choice->probability);
+      }
     }
   }
 }
@@ -97,7 +99,9 @@ TEST(light_tree, no_light_that_shines_on_a_point_is_left_out) {
               shines = shines || (s.pdf > 0 && max_component(s.radiance) > 0);
             },
             lights[i]);
-      if (shines) ASSERT_GT(tree.probability(p, i), 0) << i;
+      if (shines) {
+        ASSERT_GT(tree.probability(p, i), 0) << i;
+      }
     }
   }
 }

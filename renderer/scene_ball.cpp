@@ -29,6 +29,26 @@ void add_to(Box& box, const Mesh& mesh) {
   for (std::size_t i = 0; i + 1 < mesh.positions.size(); ++i) box.add(mesh.positions[i]);  // the last is a spare
 }
 
+void add_to(Box& box, const Disk& disk) {
+  for (const Vec3f& p : {disk.axis_x + disk.axis_y, disk.axis_x - disk.axis_y}) {
+    box.add(disk.center + p);
+    box.add(disk.center - p);
+  }
+}
+
+void add_to(Box& box, const Cylinder& cylinder) {
+  for (const Vec3f& end : {cylinder.base, cylinder.base + cylinder.axis * cylinder.length}) {
+    box.add(end - Vec3f(cylinder.radius));
+    box.add(end + Vec3f(cylinder.radius));
+  }
+}
+
+void add_to(Box&, const Plane&) {}
+
+void add_to(Box& box, const MeshInstance& copy) {
+  for (std::size_t i = 0; i + 1 < copy.mesh->positions.size(); ++i) box.add(copy.placement->point(copy.mesh->positions[i]));
+}
+
 }  // namespace
 
 SceneBall scene_ball(const std::vector<Surface>& surfaces) {

@@ -108,7 +108,7 @@ struct DielectricDescription {
   Colour specular_transmittance = RgbD(1.0);
   /// Extension, for bodies that overlap (Schmidt and Budge 2002): inside several, the highest priority's index and
   /// medium count. Without it the surface always separates int_ior from ext_ior.
-  std::optional<int> priority;
+  std::optional<int> priority = {};
   friend bool operator==(const DielectricDescription&, const DielectricDescription&) = default;
 };
 
@@ -229,7 +229,7 @@ struct HomogeneousDescription {
   RgbD sigma_t{1.0};
   RgbD albedo{0.75};
   double scale = 1;
-  std::variant<IsotropicDescription, HenyeyGreensteinDescription> phase;
+  std::variant<IsotropicDescription, HenyeyGreensteinDescription> phase = {};
   friend bool operator==(const HomogeneousDescription&, const HomogeneousDescription&) = default;
 };
 
@@ -251,7 +251,7 @@ struct SphereDescription {
 struct RectangleDescription {
   friend bool operator==(const RectangleDescription&, const RectangleDescription&) = default;
 };
-/// The unit disc in the local xy plane, normal +z.
+/// The unit disc in the local xy plane, normal +z; `to_world` leaves it a circle.
 struct DiskDescription {
   friend bool operator==(const DiskDescription&, const DiskDescription&) = default;
 };
@@ -265,7 +265,7 @@ struct CylinderDescription {
   double radius = 1;
   friend bool operator==(const CylinderDescription&, const CylinderDescription&) = default;
 };
-/// Extension: the whole local xy plane, normal +z; uv = local xy.
+/// Extension: the whole local xy plane, normal +z; uv = local xy. It does not emit.
 struct PlaneDescription {
   friend bool operator==(const PlaneDescription&, const PlaneDescription&) = default;
 };
@@ -288,15 +288,17 @@ struct MeshDescription {
   }
 };
 
+struct HeightfieldNoise {
+  double frequency_x = 1, frequency_y = 1;  ///< lattice cells per local unit
+  int octaves = 1;                          ///< each twice the frequency and half the height of the one before
+  std::uint32_t seed = 0;
+  friend bool operator==(const HeightfieldNoise&, const HeightfieldNoise&) = default;
+};
+
 /// Extension: z(x, y) over [-1,1]^2 of the local xy plane, columns x rows cells of two triangles, uv over the square.
 /// Heights come from a bitmap (its mean channel times `amplitude`) or from gradient noise in +-amplitude.
 struct HeightfieldDescription {
-  struct Noise {
-    double frequency_x = 1, frequency_y = 1;  ///< lattice cells per local unit
-    int octaves = 1;                          ///< each twice the frequency and half the height of the one before
-    std::uint32_t seed = 0;
-    friend bool operator==(const Noise&, const Noise&) = default;
-  };
+  using Noise = HeightfieldNoise;
   int columns = 64, rows = 64;
   double amplitude = 1;
   bool face_normals = false;
@@ -304,7 +306,7 @@ struct HeightfieldDescription {
   friend bool operator==(const HeightfieldDescription&, const HeightfieldDescription&) = default;
 };
 
-/// A copy of a group of shapes, placed by to_world.
+/// A copy of a group of shapes, placed by to_world. The BSDFs are the group's: the instance's own index means nothing.
 struct InstanceDescription {
   ShapeGroupIndex group;
   friend bool operator==(const InstanceDescription&, const InstanceDescription&) = default;
@@ -345,7 +347,7 @@ struct SpotLightDescription {
   RgbD intensity{1.0};
   double cutoff_degrees = 20;  ///< half angle
   double beam_degrees = 15;    ///< half angle
-  std::optional<TextureIndex> texture;
+  std::optional<TextureIndex> texture = {};
   friend bool operator==(const SpotLightDescription&, const SpotLightDescription&) = default;
 };
 
@@ -450,13 +452,13 @@ struct ReconstructionFilter {
 struct FilmDescription {
   int width = 768;
   int height = 576;
-  ReconstructionFilter filter{ReconstructionFilter::Kind::box};
+  ReconstructionFilter filter = {.kind = ReconstructionFilter::Kind::box};
   /// The part of the image that is rendered: {x, y, width, height}; the whole when empty.
   struct Crop {
     int x = 0, y = 0, width = 0, height = 0;
     friend bool operator==(const Crop&, const Crop&) = default;
   };
-  std::optional<Crop> crop;
+  std::optional<Crop> crop = {};
   friend bool operator==(const FilmDescription&, const FilmDescription&) = default;
 };
 
