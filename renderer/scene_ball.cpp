@@ -15,8 +15,8 @@ struct Box {
 };
 
 void add_to(Box& box, const Quad& quad) {
-  for (const Vec3f& p : {quad.corner, quad.corner + quad.edge_u, quad.corner + quad.edge_v,
-                         quad.corner + quad.edge_u + quad.edge_v})
+  for (const Vec3f& p :
+       {quad.corner, quad.corner + quad.edge_u, quad.corner + quad.edge_v, quad.corner + quad.edge_u + quad.edge_v})
     box.add(p);
 }
 
@@ -46,7 +46,8 @@ void add_to(Box& box, const Cylinder& cylinder) {
 void add_to(Box&, const Plane&) {}
 
 void add_to(Box& box, const MeshInstance& copy) {
-  for (std::size_t i = 0; i + 1 < copy.mesh->positions.size(); ++i) box.add(copy.placement->point(copy.mesh->positions[i]));
+  for (std::size_t i = 0; i + 1 < copy.mesh->positions.size(); ++i)
+    box.add(copy.placement->point(copy.mesh->positions[i]));
 }
 
 }  // namespace
