@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "renderer/aim_targets.h"
+#include "renderer/compile_bsdf.h"
 #include "renderer/kernels/rays.h"
 #include "renderer/light_table.h"
 #include "renderer/scene_frame.h"
@@ -13,26 +14,6 @@
 
 namespace photonproof {
 namespace {
-
-Bsdf compile(const DiffuseDescription& d) { return DiffuseBsdf<float>{Rgb(constant(d.reflectance))}; }
-Bsdf compile(const ConductorDescription& d) {
-  ConductorBsdf<float> bsdf{Rgb(constant(d.specular_reflectance)), 0, {}, {}};
-  if (d.ior) {
-    bsdf.has_ior = 1;
-    bsdf.eta = Rgb(d.ior->eta);
-    bsdf.k = Rgb(d.ior->k);
-  }
-  return bsdf;
-}
-Bsdf compile(const DielectricDescription& d) {
-  return DielectricBsdf<float>{static_cast<float>(d.int_ior / d.ext_ior), Rgb(constant(d.specular_reflectance)),
-                               Rgb(constant(d.specular_transmittance))};
-}
-
-template <class Other>
-Bsdf compile(const Other&) {
-  throw InputError("bsdf", "is not supported yet");
-}
 
 template <class Other>
 Light compile(const Other&, const Vec3d&) {
@@ -88,8 +69,12 @@ Scene::Scene(const SceneDescription& description, int width_, int height_, const
     : width(width_), height(height_) {
   const SceneFrame frame = scene_frame(description);
   moved_ = frame.moved;
-  for (const BsdfDescription& b : description.bsdfs)
-    bsdfs.push_back(std::visit([](const auto& model) { return compile(model); }, b.model));
+  for (std::uint32_t i = 0; i < description.bsdfs.size(); ++i) {
+    CompiledBsdf compiled = compile_bsdf(description, {i});
+    if (!compiled.slots.empty())
+      throw InputError(description.where(description.bsdfs[i].loc), "textures are not supported yet");
+    bsdfs.push_back(compiled.record);
+  }
   for (const ShapeDescription& shape : description.shapes) add_shape(description, shape);
   for (const EmitterDescription& e : description.emitters)
     lights.push_back(std::visit([&](const auto& light) { return compile(light, moved_); }, e.light));

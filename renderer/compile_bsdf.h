@@ -1,0 +1,34 @@
+// From the description of a BSDF to the record that kernels gather. Parameters that a texture gives are left at 0.5 in
+// the record and listed as slots: whoever knows the point writes the texture's values there. Everything that follows
+// from such a parameter (limits of roughness, probabilities of lobes) the record's methods work out from the value.
+#pragma once
+
+#include <vector>
+
+#include "renderer/bsdf.h"
+#include "scenes/description.h"
+
+namespace photonproof {
+
+struct TextureSlot {
+  std::uint32_t texture;  ///< index in SceneDescription::textures
+  std::uint32_t word;     ///< of the record; a colour's channels follow each other
+  bool is_colour;         ///< else the mean of the channels goes there
+  friend bool operator==(const TextureSlot&, const TextureSlot&) = default;
+};
+
+struct CompiledBsdf {
+  Bsdf record;
+  std::vector<TextureSlot> slots;
+};
+
+/// False for what only chooses or turns other BSDFs: twosided, mask, blendbsdf, bumpmap, normalmap.
+bool is_bsdf_leaf(const BsdfDescription& bsdf);
+/// The BSDFs that one nests, in the order of its description; none of a leaf but the base of `layered`, which is compiled
+/// into its record.
+std::vector<BsdfIndex> nested_bsdfs(const BsdfDescription& bsdf);
+
+/// Throws InputError where parameters cannot work together or the BSDF is no leaf.
+CompiledBsdf compile_bsdf(const SceneDescription& scene, BsdfIndex bsdf);
+
+}  // namespace photonproof
