@@ -18,8 +18,8 @@
 
 namespace photonproof {
 
-/// What Layered asks of a base: its diffuse reflectance, its mirror's at a cosine, and the rest, `glossy`, as a BSDF with
-/// a bound below its reflectance. Parts that a base lacks are never asked for.
+/// What Layered asks of a base: its diffuse reflectance, its mirror's at a cosine, and the rest, `glossy`, as a BSDF
+/// with a bound below its reflectance. Parts that a base lacks are never asked for.
 template <class Base>
 struct LayeredBase;
 
@@ -146,7 +146,8 @@ struct LayeredBsdf {
     }
     F glossy(0.0f), diffuse(0.0f);
     if constexpr (Parts::has_glossy)
-      glossy = o.through * mean_channel(Vec3<F>(way * Parts::glossy_reflectance(base, o.inside, mirrored_up(o.inside))));
+      glossy =
+          o.through * mean_channel(Vec3<F>(way * Parts::glossy_reflectance(base, o.inside, mirrored_up(o.inside))));
     if constexpr (Parts::has_diffuse)
       diffuse = o.through * mean_channel(Vec3<F>(o.absorbed * diffuse_reflectance())) * (1 / (eta * eta));
     const F all_lobes = mean_channel(mirror) + glossy + diffuse;
@@ -159,8 +160,7 @@ struct LayeredBsdf {
 
   F smooth_pdf(const Choice& choice, const Vec3<F>& wo, const Vec3<F>& wi) const {
     F density(0.0f);
-    if constexpr (Parts::has_diffuse)
-      density = (1 - choice.mirror - choice.glossy) * cosine_hemisphere_pdf(wi.z);
+    if constexpr (Parts::has_diffuse) density = (1 - choice.mirror - choice.glossy) * cosine_hemisphere_pdf(wi.z);
     if constexpr (Parts::has_glossy) {
       const Vec3<F> o = crossing(wo).inside, i = crossing(wi).inside;
       // d(wi') = d(wi) cos / (eta^2 cos')

@@ -36,9 +36,9 @@ struct PhongBsdf {
     const F log_cos2 = 2 * lane_log(F(1 - u.x)) / (n + 1);
     const F cos2 = lane_exp(log_cos2);
     // 1 - cos^2 would lose the narrow lobes of large exponents.
-    const F sin2 = select(log_cos2 > -0.01f,
-                          F(-log_cos2 * mul_add(log_cos2, mul_add(log_cos2, F(1.0f / 6), F(0.5f)), F(1.0f))),
-                          F(1 - cos2));
+    const F sin2 =
+        select(log_cos2 > -0.01f, F(-log_cos2 * mul_add(log_cos2, mul_add(log_cos2, F(1.0f / 6), F(0.5f)), F(1.0f))),
+               F(1 - cos2));
     const F cos_lobe = lane_sqrt(cos2), sin_lobe = lane_sqrt(lane_max(sin2, F(0.0f)));
     const SinCos<F> phi = sincos_turn(u.y);
     const Frame<F> around(Vec3<F>(-wo.x, -wo.y, wo.z));
@@ -54,8 +54,9 @@ struct PhongBsdf {
   static F power_of_cos(const Vec3<F>& wo, const Vec3<F>& wi, const F& n) {
     const Vec3<F> apart(wi.x + wo.x, wi.y + wo.y, wi.z - wo.z);
     const F e = 0.5f * dot(apart, apart);
-    const F log_cos = select(e < 0.01f, F(-e * mul_add(e, mul_add(e, mul_add(e, F(0.25f), F(1.0f / 3)), F(0.5f)), F(1.0f))),
-                             lane_log(lane_max(F(1 - e), F(0.0f))));
+    const F log_cos =
+        select(e < 0.01f, F(-e * mul_add(e, mul_add(e, mul_add(e, F(0.25f), F(1.0f / 3)), F(0.5f)), F(1.0f))),
+               lane_log(lane_max(F(1 - e), F(0.0f))));
     return select(e < 1, lane_exp(F(n * log_cos)), F(0.0f));
   }
   F scale() const { return 1 / lane_max(max_component(Vec3<F>(raw_diffuse + raw_specular)), F(1.0f)); }

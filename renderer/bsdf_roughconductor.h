@@ -39,9 +39,12 @@ struct RoughConductorBsdf {
     const F cos_facet = dot(wo, m);
     const Vec3<F> wi = mirrored(wo, m);
     const F shape = facets.shadowing_by_cos(wo) * facets.shadowing(wi) * facets.sampling_ratio(wo, m);
-    return {wi,      facet_reflectance(clamp_to_unit(cos_facet)) * shape,
-            F(facets.pdf(wo, m) / (4 * cos_facet)), F(1.0f),
-            as_mask<F>(false), wo.z > 0 && wi.z > 0 && cos_facet > 0};
+    return {wi,
+            facet_reflectance(clamp_to_unit(cos_facet)) * shape,
+            F(facets.pdf(wo, m) / (4 * cos_facet)),
+            F(1.0f),
+            as_mask<F>(false),
+            wo.z > 0 && wi.z > 0 && cos_facet > 0};
   }
 };
 

@@ -1,6 +1,6 @@
-// Rough dielectric: microfacets that reflect and refract (Walter, Marschner, Li and Torrance 2007, equations 20 and 21).
-// The normal points to the exterior. `eval` is what radiance needs, wo on the side it goes to; swap the directions for
-// importance. Light that meets a second facet is lost.
+// Rough dielectric: microfacets that reflect and refract (Walter, Marschner, Li and Torrance 2007, equations 20 and
+// 21). The normal points to the exterior. `eval` is what radiance needs, wo on the side it goes to; swap the directions
+// for importance. Light that meets a second facet is lost.
 #pragma once
 
 #include "renderer/bsdf_sample.h"
@@ -84,8 +84,7 @@ struct RoughDielectricBsdf {
     const F turn = lane_copysign(F(1 / lane_sqrt(squared_length)), sum.z);
     const Vec3<F> m = sum * turn;
     const F cos_wo = lane_copysign(F(1.0f), wo.z) * dot(wo, m), cos_wi = lane_copysign(F(1.0f), wi.z) * dot(wi, m);
-    return {m,        eta_path, cos_wo, cos_wi, squared_length,
-            reflects, cos_wo > 0 && cos_wi > 0 && wo.z * wi.z != 0};
+    return {m, eta_path, cos_wo, cos_wi, squared_length, reflects, cos_wo > 0 && cos_wi > 0 && wo.z * wi.z != 0};
   }
 };
 

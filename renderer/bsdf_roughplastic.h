@@ -1,6 +1,6 @@
-// Rough plastic, one-sided: a diffuse base under a rough dielectric interface (Mitsuba's `roughplastic`). The interface's
-// reflection is that of microfacets; what it lets through is all the rest, T(cos), which bsdf_tables.cpp integrates and
-// fits by a polynomial in sqrt(cos):
+// Rough plastic, one-sided: a diffuse base under a rough dielectric interface (Mitsuba's `roughplastic`). The
+// interface's reflection is that of microfacets; what it lets through is all the rest, T(cos), which bsdf_tables.cpp
+// integrates and fits by a polynomial in sqrt(cos):
 //   f = F D G / (4 cos cos) + T(wo) T(wi) / (pi eta^2) x the base as in bsdf_plastic.h
 #pragma once
 
@@ -38,15 +38,13 @@ struct RoughPlasticBsdf {
     const F fresnel = fresnel_dielectric(clamp_to_unit(dot(wo, m)), eta).reflectance;
     const F shape = facets.density(m) * facets.shadowing_by_cos(wo) * facets.shadowing_by_cos(wi) * 0.25f;
     const F crossing = transmittance(wo.z) * transmittance(wi.z) / (eta * eta) * (1 / pi);
-    const Vec3<F> f =
-        specular * F(fresnel * shape) + saturated(diffuse, internal_reflectance, nonlinear) * crossing;
+    const Vec3<F> f = specular * F(fresnel * shape) + saturated(diffuse, internal_reflectance, nonlinear) * crossing;
     return select(wo.z > 0 && wi.z > 0, f, Vec3<F>(F(0.0f)));
   }
   F pdf(const Vec3<F>& wo, const Vec3<F>& wi) const {
     const Vec3<F> m = half_vector(wo, wi);
     const F p = gloss_probability(wo);
-    const F density =
-        p * facets.pdf(wo, m) / (4 * lane_abs(dot(wo, m))) + (1 - p) * cosine_hemisphere_pdf(wi.z);
+    const F density = p * facets.pdf(wo, m) / (4 * lane_abs(dot(wo, m))) + (1 - p) * cosine_hemisphere_pdf(wi.z);
     return select(wo.z > 0 && wi.z > 0, density, F(0.0f));
   }
   BsdfSample<F> sample(const Vec3<F>& wo, const F& u_lobe, const Vec2<F>& u, TransportMode) const {

@@ -38,9 +38,8 @@ class Compiler {
   }
   Bsdf operator()(const PlasticDescription& d) {
     using Record = PlasticBsdf<float>;
-    return Record{ratio(d.int_ior, d.ext_ior),
-                  static_cast<float>(diffuse_fresnel_reflectance(d.ext_ior / d.int_ior)), d.nonlinear ? 1.0f : 0.0f,
-                  colour(d.diffuse_reflectance, offsetof(Record, diffuse)),
+    return Record{ratio(d.int_ior, d.ext_ior), static_cast<float>(diffuse_fresnel_reflectance(d.ext_ior / d.int_ior)),
+                  d.nonlinear ? 1.0f : 0.0f, colour(d.diffuse_reflectance, offsetof(Record, diffuse)),
                   colour(d.specular_reflectance, offsetof(Record, specular))};
   }
   Bsdf operator()(const RoughPlasticDescription& d) {
@@ -112,7 +111,10 @@ class Compiler {
   RoughConductorBsdf<float> rough_conductor(const RoughConductorDescription& d) {
     using Record = RoughConductorBsdf<float>;
     Record record{facets(d.distribution, d.alpha_u, d.alpha_v, d.sample_visible, offsetof(Record, facets)),
-                  colour(d.specular_reflectance, offsetof(Record, reflectance)), 0, {}, {}};
+                  colour(d.specular_reflectance, offsetof(Record, reflectance)),
+                  0,
+                  {},
+                  {}};
     set_ior(record, d.ior);
     return record;
   }
@@ -136,7 +138,10 @@ class Compiler {
     const auto back = [&](double channel) {
       return static_cast<float>(diffuse_fresnel_reflectance(d.ext_ior / d.int_ior, channel));
     };
-    return Record{base, ratio(d.int_ior, d.ext_ior), Rgb(depth), {back(depth.x), back(depth.y), back(depth.z)},
+    return Record{base,
+                  ratio(d.int_ior, d.ext_ior),
+                  Rgb(depth),
+                  {back(depth.x), back(depth.y), back(depth.z)},
                   colour(d.specular_reflectance, offsetof(Record, specular))};
   }
 

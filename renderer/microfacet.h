@@ -36,7 +36,8 @@ struct Microfacets {
   }
 
   /// The part of the facets that face v which v sees, of either side, over |v.z|. Beckmann's is the rational
-  /// approximation of Walter et al., within 0.35 %, because Mitsuba's images have it; `visible_density` has the exact one.
+  /// approximation of Walter et al., within 0.35 %, because Mitsuba's images have it; `visible_density` has the exact
+  /// one.
   F shadowing_by_cos(const Vec3<F>& v) const {
     const F z = lane_max(lane_abs(v.z), F(1e-20f)), spread = lane_max(stretch(v), F(1e-20f));
     const Mask<F> ggx = is_ggx > 0;
@@ -134,11 +135,11 @@ struct Microfacets {
     return normalize(Vec3<F>(au * n.x, av * n.y, lane_max(n.z, F(1e-6f))));
   }
 
-  /// Heitz and d'Eon 2014, "Importance Sampling Microfacet-Based BSDFs using the Distribution of Visible Normals": along
-  /// the azimuth of the stretched direction, slopes x have the density
+  /// Heitz and d'Eon 2014, "Importance Sampling Microfacet-Based BSDFs using the Distribution of Visible Normals":
+  /// along the azimuth of the stretched direction, slopes x have the density
   ///   (1 - x tan) exp(-x^2), x < cot, hence the distribution function 1 + erf(x) + tan exp(-x^2)/sqrt(pi)
-  /// up to a factor. It is inverted in b = erf(x), where it is concave, so that Newton's steps from the left of the root
-  /// stay there; a bracket catches the others. At grazing angles the first guess is exact (Jakob 2014).
+  /// up to a factor. It is inverted in b = erf(x), where it is concave, so that Newton's steps from the left of the
+  /// root stay there; a bracket catches the others. At grazing angles the first guess is exact (Jakob 2014).
   Vec3<F> sample_visible_beckmann(const Vec3<F>& wo, const Vec2<F>& u) const {
     const F au = alpha_u(), av = alpha_v();
     const Vec3<F> v = normalize(Vec3<F>(au * wo.x, av * wo.y, lane_max(wo.z, F(1e-20f))));

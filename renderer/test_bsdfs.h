@@ -41,7 +41,8 @@ inline std::vector<NamedBsdf> white_bsdfs(const std::vector<double>& alphas) {
     add("tinted lacquer on diffuse" + with_eta,
         compiled(LayeredDescription{{0}, eta, 1.0, {0.2, 1, 5}, 0.5, one}, DiffuseDescription{one}), false);
     add("lacquer on phong" + with_eta,
-        compiled(LayeredDescription{{0}, eta, 1.0, {0.1, 0.0, 0.3}, 1, one}, PhongDescription{40.0, RgbD(0.6), RgbD(0.4)}),
+        compiled(LayeredDescription{{0}, eta, 1.0, {0.1, 0.0, 0.3}, 1, one},
+                 PhongDescription{40.0, RgbD(0.6), RgbD(0.4)}),
         false);
   }
   add("nonlinear plastic", compiled(PlasticDescription{RgbD{0.9, 0.5, 0.1}, one, 1.5, 1.0, true}), false);

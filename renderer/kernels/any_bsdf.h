@@ -18,13 +18,10 @@ struct AnyBsdf {
 
 template <class F, class Record>
 AnyBsdf<F> any_bsdf(const Record& bsdf) {
-  return {&bsdf,
-          [](const void* b, const Vec3<F>& wo, const Vec3<F>& wi) {
-            return static_cast<const Record*>(b)->eval(wo, wi);
-          },
-          [](const void* b, const Vec3<F>& wo, const Vec3<F>& wi) {
-            return static_cast<const Record*>(b)->pdf(wo, wi);
-          }};
+  return {
+      &bsdf,
+      [](const void* b, const Vec3<F>& wo, const Vec3<F>& wi) { return static_cast<const Record*>(b)->eval(wo, wi); },
+      [](const void* b, const Vec3<F>& wo, const Vec3<F>& wi) { return static_cast<const Record*>(b)->pdf(wo, wi); }};
 }
 
 }  // namespace photonproof

@@ -144,12 +144,13 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, F> {
     if (!scene_.one_light) u_choice = draw_independent<F>(s.key, s.index, U(dimension + 2u));
     const Vec2<F> u_point = draw2<F>(task_.camera.sampler, s.key, s.index, dimension);
     const SurfaceHit<F> hit{active, at.p, at.normal, at.surface, s.from};
-    s.radiance += s.throughput * estimate_direct<F>(scene_, hit, bsdf, frame, wo_local, task_.settings.weighted && goes_on,
-                                                    u_choice, u_point, active, task_.counts);
+    s.radiance +=
+        s.throughput * estimate_direct<F>(scene_, hit, bsdf, frame, wo_local, task_.settings.weighted && goes_on,
+                                          u_choice, u_point, active, task_.counts);
   }
 
-  /// All kinds but the Lambertian share one copy of the code that chooses lights and traces shadow rays: a copy each would
-  /// take minutes to compile, and calls cost them little.
+  /// All kinds but the Lambertian share one copy of the code that chooses lights and traces shadow rays: a copy each
+  /// would take minutes to compile, and calls cost them little.
   [[gnu::noinline]] void add_direct_light_once_compiled(AtSurface<PathState, F>& at, const AnyBsdf<F>& bsdf,
                                                         const Frame<F>& frame, const Vec3<F>& wo_local,
                                                         const U& dimension, const Mask<F>& active) {
