@@ -5,6 +5,7 @@
 // mapper's camera paths are the same up to their first Lambertian surface, where they leave a gather point instead.
 #pragma once
 
+#include "renderer/kernels/any_bsdf.h"
 #include "renderer/kernels/batch_kernel.h"
 #include "renderer/kernels/camera_rays.h"
 #include "renderer/kernels/direct_light.h"
@@ -96,8 +97,12 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, F> {
     const U dimension = s.vertex * dimensions_a_vertex + 1u;
     const bool gathers = Kind<F>::is_lambertian && task_.gather_points != nullptr;
     if constexpr (Kind<F>::has_smooth) {
-      if (scene_.light_count > 0 && task_.settings.sample_lights)
-        add_direct_light(at, bsdf, frame, wo_local, dimension, !gathers, active);
+      if (scene_.light_count > 0 && task_.settings.sample_lights) {
+        if constexpr (Kind<F>::is_lambertian)
+          add_direct_light(at, bsdf, frame, wo_local, dimension, !gathers, active);
+        else
+          add_direct_light_once_compiled(at, any_bsdf<F>(bsdf), frame, wo_local, dimension, active);
+      }
     }
     if constexpr (Kind<F>::is_lambertian) {  // a gather point has no direction: its weight is for any photon
       if (gathers) {
@@ -164,6 +169,14 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, F> {
     s.radiance +=
         s.throughput * estimate_direct<F>(scene_, hit, bsdf, frame, wo_local, task_.settings.weighted && goes_on,
                                           u_choice, u_point, active, task_.counts);
+  }
+
+  /// All kinds but the Lambertian share one copy of the code that chooses lights and traces shadow rays: a copy each
+  /// would take minutes to compile, and calls cost them little.
+  [[gnu::noinline]] void add_direct_light_once_compiled(AtSurface<PathState, F>& at, const AnyBsdf<F>& bsdf,
+                                                        const Frame<F>& frame, const Vec3<F>& wo_local,
+                                                        const U& dimension, const Mask<F>& active) {
+    add_direct_light(at, bsdf, frame, wo_local, dimension, true, active);
   }
 
   /// Unbiased: from rr_depth on, survive with probability min(0.95, largest channel) and divide by it.
