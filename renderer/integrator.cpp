@@ -1,5 +1,7 @@
 #include "renderer/integrator.h"
 
+#include "renderer/bdpt.h"
+#include "renderer/particle_tracer.h"
 #include "renderer/path_integrator.h"
 #include "renderer/photon_mapper.h"
 
@@ -10,6 +12,10 @@ const std::vector<Integrator>& integrators() {
       {"path", "unbiased path tracing: next-event estimation, MIS, Russian roulette", render_path},
       {"photonmapper", "global and caustic photon maps of fixed radius, direct light by next-event estimation",
        render_photon_mapper},
+      {"bdpt", "unbiased bidirectional path tracing: every way of making a path, weighted against the others",
+       render_bdpt},
+      {"ptracer", "unbiased light tracing: paths from the lights, every vertex connected to the camera",
+       render_particle_tracer},
   };
   return table;
 }
