@@ -4,6 +4,8 @@
 #include "renderer/particle_tracer.h"
 #include "renderer/path_integrator.h"
 #include "renderer/photon_mapper.h"
+#include "renderer/volpath.h"
+#include "renderer/whitted.h"
 
 namespace photonproof {
 
@@ -16,6 +18,8 @@ const std::vector<Integrator>& integrators() {
        render_bdpt},
       {"ptracer", "unbiased light tracing: paths from the lights, every vertex connected to the camera",
        render_particle_tracer},
+      {"volpath", "unbiased path tracing through participating media and nested dielectrics", render_volpath},
+      {"whitted", "mirrors and glass followed exactly, direct light elsewhere, no interreflection", render_whitted},
   };
   return table;
 }

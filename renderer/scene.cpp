@@ -88,6 +88,7 @@ Scene::Scene(const SceneDescription& description, int width_, int height_, const
     : width(width_), height(height_) {
   const SceneFrame frame = scene_frame(description);
   moved_ = frame.moved;
+  media = compile_media(description);
   for (const BsdfDescription& b : description.bsdfs)
     bsdfs.push_back(std::visit([](const auto& model) { return compile(model); }, b.model));
   for (const ShapeDescription& shape : description.shapes) add_shape(description, shape);
@@ -158,7 +159,9 @@ void Scene::add_shape(const SceneDescription& description, const ShapeDescriptio
 }
 
 void Scene::add_surface(Geometry geometry, const ShapeDescription& shape) {
-  Surface surface{std::move(geometry), shape.bsdf.value, no_index};
+  Surface surface{std::move(geometry), shape.bsdf.value};
+  if (shape.interior) surface.interior = shape.interior->value;
+  if (shape.exterior) surface.exterior = shape.exterior->value;
   if (shape.radiance) {
     surface.light = static_cast<std::uint32_t>(lights.size());
     const Rgb radiance(constant(*shape.radiance));

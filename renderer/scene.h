@@ -8,6 +8,7 @@
 #include "renderer/bsdf.h"
 #include "renderer/camera.h"
 #include "renderer/light.h"
+#include "renderer/medium.h"
 #include "renderer/scene_view.h"
 #include "renderer/skips.h"
 #include "renderer/surface.h"
@@ -47,6 +48,7 @@ class Scene {
   std::vector<Bsdf> bsdfs;
   std::vector<Light> lights;
   std::vector<Surface> surfaces;
+  SceneMedia media;
 
  private:
   void add_shape(const SceneDescription& description, const ShapeDescription& shape);

@@ -44,7 +44,8 @@ using Geometry = std::variant<Quad, Sphere, Mesh>;
 struct Surface {
   Geometry geometry;
   std::uint32_t bsdf = 0;
-  std::uint32_t light = no_index;  ///< index into Scene::lights where it emits
+  std::uint32_t light = no_index;                            ///< index into Scene::lights where it emits
+  std::uint32_t interior = no_index, exterior = no_index;  ///< media, by the description's indices
 };
 
 }  // namespace photonproof

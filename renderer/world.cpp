@@ -1,5 +1,6 @@
 #include "renderer/world.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -7,6 +8,12 @@
 
 namespace photonproof {
 namespace {
+
+/// BSDFs with a lobe that leaves the direction as it is.
+template <class B>
+constexpr bool goes_straight = requires(const B& b, const Vec3f& wo) {
+  b.straight_through(wo);
+};
 
 /// Half the diagonal of the box around all surfaces and the camera.
 float reach(const Scene& scene) {
@@ -44,7 +51,13 @@ bool arrives_from_inside(const Scene& scene, const SegmentEnd& end, const Vec3f&
 
 }  // namespace
 
-World::World(const Scene& scene) : scene_(scene), far_away_(4 * reach(scene)) {}
+World::World(const Scene& scene)
+    : scene_(scene),
+      far_away_(4 * reach(scene)),
+      has_media_or_bodies_(!scene.media.media.empty() || scene.media.any_priority),
+      has_null_surfaces_(std::any_of(scene.bsdfs.begin(), scene.bsdfs.end(), [](const Bsdf& bsdf) {
+        return std::visit([](const auto& b) { return goes_straight<std::decay_t<decltype(b)>>; }, bsdf);
+      })) {}
 
 bool World::intersect(const Ray& ray, float, Interaction& hit) const {
   const SurfaceHit<float> found = closest_hit<float>(view(), ray.origin, ray.direction, ray.from, true, false);
@@ -56,6 +69,7 @@ bool World::intersect(const Ray& ray, float, Interaction& hit) const {
   hit.surface = found.surface;
   hit.primitive = found.primitive;
   hit.light = surface.light;
+  hit.leaf = surface.bsdf;
   hit.bsdf = scene_.bsdfs[surface.bsdf];
   return true;
 }
@@ -97,7 +111,25 @@ Scattering scatter(const Interaction& at, const Vec3f& wo, float u_lobe, const V
       [&](const auto& b) -> Scattering {
         const BsdfSample<float> s = b.sample(wo_local, u_lobe, u_direction, mode);
         if (!s.valid || !(max_component(s.weight) > 0) || !(s.pdf > 0)) return {};
-        return {normalize(at.frame.to_world(s.wi_local)), s.weight, s.pdf, s.eta, b.is_delta, true};
+        return {normalize(at.frame.to_world(s.wi_local)),
+                s.weight,
+                s.pdf,
+                s.eta,
+                b.is_delta,
+                goes_straight<std::decay_t<decltype(b)>> && b.is_delta && dot(s.wi_local, wo_local) < -0.9999f,
+                true};
+      },
+      at.bsdf);
+}
+
+std::optional<Rgb> straight_through(const Interaction& at, const Vec3f& wo) {
+  const Vec3f wo_local = at.frame.to_local(wo);
+  return std::visit(
+      [&](const auto& b) -> std::optional<Rgb> {
+        if constexpr (goes_straight<std::decay_t<decltype(b)>>)
+          return b.straight_through(wo_local);
+        else
+          return std::nullopt;
       },
       at.bsdf);
 }

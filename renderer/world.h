@@ -4,6 +4,8 @@
 // it goes on. Throughout, ng is the geometric normal and the frame's n the one that shades.
 #pragma once
 
+#include <optional>
+
 #include "renderer/ray_counts.h"
 #include "renderer/scene.h"
 #include "renderer/warp.h"
@@ -22,7 +24,8 @@ struct Interaction {
   std::uint32_t surface = no_index;
   std::uint32_t primitive = no_index;  ///< of a small scene
   std::uint32_t light = no_index;
-  Bsdf bsdf;
+  std::uint32_t leaf = 0;  ///< index into Scene::bsdfs
+  Bsdf bsdf;               ///< that one, with what textures say
 };
 
 /// One end of a segment: a point, and the primitive and normal it lies on, if any.
@@ -41,7 +44,8 @@ struct Scattering {
   float pdf = 0;  ///< per solid angle; of a delta lobe its probability
   float eta = 1;  ///< ior of the side entered / ior of the side left
   bool delta = false;
-  bool valid = false;  ///< else the history is absorbed
+  bool straight = false;  ///< through what lets light go straight on, as if nothing were there
+  bool valid = false;     ///< else the history is absorbed
 };
 
 class World {
@@ -50,6 +54,10 @@ class World {
 
   const Scene& scene() const { return scene_; }
   const SceneView& view() const { return scene_.view(); }
+  /// Whether histories must know what they travel through (surroundings.h).
+  bool has_media_or_bodies() const { return has_media_or_bodies_; }
+  /// Whether some surface lets light go straight on.
+  bool has_null_surfaces() const { return has_null_surfaces_; }
   /// Twice as far as any two points of the scene are apart.
   float far_away() const { return far_away_; }
 
@@ -65,6 +73,7 @@ class World {
  private:
   const Scene& scene_;
   float far_away_;
+  bool has_media_or_bodies_, has_null_surfaces_;
 };
 
 /// Whether evaluating the BSDF for directions drawn elsewhere can give anything.
@@ -76,6 +85,9 @@ Rgb evaluate(const Interaction& at, const Vec3f& to_camera, const Vec3f& to_ligh
 float scatter_pdf(const Interaction& at, const Vec3f& wo, const Vec3f& wi);
 Scattering scatter(const Interaction& at, const Vec3f& wo, float u_lobe, const Vec2<float>& u_direction,
                    TransportMode mode);
+
+/// What goes straight on, of light that travels along -wo; nothing where the surface scatters all.
+std::optional<Rgb> straight_through(const Interaction& at, const Vec3f& wo);
 
 /// What light and camera paths divide by each other where normals are interpolated: a light path scatters by
 /// f |to_light . ns| |to_camera . ng| / (|to_light . ng| |to_camera . ns|) times the cosine to_camera . ns (Veach 1997,
