@@ -30,7 +30,7 @@ std::vector<AimTarget> aim_targets(const std::vector<Surface>& surfaces, const s
   constexpr float margin = 1 + 1e-4f;  // what rounding could leave outside
   std::vector<AimTarget> targets;
   for (const Surface& surface : surfaces) {
-    if (!is_delta(bsdfs[surface.bsdf])) continue;
+    if (is_lambertian(bsdfs[surface.bsdf])) continue;
     AimTarget target = std::visit([](const auto& g) { return ball_around(g); }, surface.geometry);
     target.radius *= margin;
     targets.push_back(target);

@@ -1,4 +1,4 @@
-// Where caustics begin: balls around the specular surfaces. Photons of the caustic map are sent into their cones only
+// Where caustics begin: balls around the specular surfaces, which are all that are not Lambertian. Photons of the caustic map are sent into their cones only
 // (Jensen 2001, section 5.2.1, "projection maps", in closed form).
 #pragma once
 

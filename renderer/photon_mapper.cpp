@@ -173,7 +173,8 @@ void render_photon_mapper(const Scene& scene, const IntegratorDescription& descr
       std::vector<std::uint32_t> scratch(job.kernels().path_scratch);
       PathTask task{.scene = &scene.view(),
                     .camera = camera,
-                    .settings = {settings.max_depth, settings.rr_depth, settings.hide_emitters, false},
+                    .settings = {settings.max_depth, settings.rr_depth, settings.hide_emitters,
+                                 scene.view().lights_can_be_hit},
                     .radiance = radiance.data(),
                     .scratch = scratch.data(),
                     .gather_points = points.data()};

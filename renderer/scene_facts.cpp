@@ -51,7 +51,7 @@ SceneFacts analyse(const Scene& scene) {
   SceneFacts facts;
   std::vector<const Surface*> diffuse;
   for (const Surface& surface : scene.surfaces) {
-    if (is_delta(scene.bsdfs[surface.bsdf])) facts.any_specular = true;
+    if (!is_lambertian(scene.bsdfs[surface.bsdf])) facts.any_specular = true;
     if (reflects_diffusely(scene, surface)) diffuse.push_back(&surface);
     if (surface.light != no_index) facts.any_light_surface = true;
   }

@@ -57,7 +57,7 @@ inline SceneDescription floor_under_point_light(int size) {
 inline SceneDescription room(int size, bool with_balls) {
   SceneDescription scene;
   const BsdfIndex white = add_bsdf(scene, DiffuseDescription{RgbD(0.7)});
-  const BsdfIndex red = add_bsdf(scene, DiffuseDescription{{0.6, 0.1, 0.1}});
+  const BsdfIndex red = add_bsdf(scene, DiffuseDescription{RgbD{0.6, 0.1, 0.1}});
   const Transform inward = Transform::translate({0, 0, -1});  // then turned to each side
   add_shape(scene, RectangleDescription{}, inward, white);
   add_shape(scene, RectangleDescription{}, Transform::rotate({1, 0, 0}, -90) * inward, white);

@@ -108,7 +108,7 @@ struct DielectricDescription {
   Colour specular_transmittance = RgbD(1.0);
   /// Extension, for bodies that overlap (Schmidt and Budge 2002): inside several, the highest priority's index and
   /// medium count. Without it the surface always separates int_ior from ext_ior.
-  std::optional<int> priority;
+  std::optional<int> priority{};
   friend bool operator==(const DielectricDescription&, const DielectricDescription&) = default;
 };
 

@@ -2,7 +2,7 @@
 // over a batch of lanes.
 //   L = sum over vertices of throughput x (w_bsdf Le(hit) + w_light f Le(light sample) cos / pdf)
 // A lane that ends leaves its radiance in the slot of its path, so that nothing depends on when it ended. The photon
-// mapper's camera paths are the same up to their first diffuse surface, where they leave a gather point instead.
+// mapper's camera paths are the same up to their first Lambertian surface, where they leave a gather point instead.
 #pragma once
 
 #include "renderer/kernels/batch_kernel.h"
@@ -86,17 +86,19 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, F> {
     const Frame<F> frame(at.normal);
     const Vec3<F> wo_local = frame.to_local(Vec3<F>(-s.direction));
     const U dimension = s.vertex * dimensions_a_vertex + 1u;
-    if constexpr (!Kind<F>::is_delta) {
-      if (scene_.light_count > 0) add_direct_light(at, bsdf, frame, wo_local, dimension, active);
-      static_assert(Kind<F>::is_lambertian, "a gather point has no direction: its weight is for any photon");
-      if (task_.gather_points != nullptr) {
+    const bool gathers = Kind<F>::is_lambertian && task_.gather_points != nullptr;
+    if constexpr (Kind<F>::has_smooth) {
+      if (scene_.light_count > 0) add_direct_light(at, bsdf, frame, wo_local, dimension, !gathers, active);
+    }
+    if constexpr (Kind<F>::is_lambertian) {  // a gather point has no direction: its weight is for any photon
+      if (gathers) {
         leave_gather_points(at, bsdf.eval(wo_local, Vec3<F>(F(0.0f), F(0.0f), F(1.0f))), active);
         retire(s, active);
         return;
       }
     }
     Vec2<F> u_direction{F(0.0f), F(0.0f)};
-    if constexpr (!Kind<F>::is_delta) u_direction = draw2<F>(task_.camera.sampler, s.key, s.index, U(dimension + 1u));
+    if constexpr (Kind<F>::has_smooth) u_direction = draw2<F>(task_.camera.sampler, s.key, s.index, U(dimension + 1u));
     const F u_lobe = draw_independent<F>(s.key, s.index, U(dimension + 3u));
     const BsdfSample<F> next = bsdf.sample(wo_local, u_lobe, u_direction, TransportMode::radiance);
     s.throughput *= next.weight;
@@ -105,7 +107,7 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, F> {
     alive = survive_roulette(s, dimension, alive);
     retire(s, active && !alive);
 
-    s.bsdf_pdf = Kind<F>::is_delta ? F(0.0f) : next.pdf;
+    s.bsdf_pdf = select(next.delta, F(0.0f), next.pdf);
     s.direction = normalize(frame.to_world(next.wi_local));
     s.origin = offset_from(at.p, at.normal, s.direction, scene_.coordinate_floor);
     s.vertex += 1u;
@@ -127,15 +129,16 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, F> {
     s.radiance = select(shines, Vec3<F>(s.radiance + s.throughput * emitted * weight), s.radiance);
   }
 
+  /// `goes_on`: the path may meet the same light by itself.
   template <class B>
   void add_direct_light(AtSurface<PathState, F>& at, const B& bsdf, const Frame<F>& frame, const Vec3<F>& wo_local,
-                        const U& dimension, const Mask<F>& active) {
+                        const U& dimension, bool goes_on, const Mask<F>& active) {
     PathState<F>& s = at.history;
     F u_choice(0.0f);
     if (!scene_.one_light) u_choice = draw_independent<F>(s.key, s.index, U(dimension + 2u));
     const Vec2<F> u_point = draw2<F>(task_.camera.sampler, s.key, s.index, dimension);
     const SurfaceHit<F> hit{active, at.p, at.normal, at.surface, s.from};
-    s.radiance += s.throughput * estimate_direct<F>(scene_, hit, bsdf, frame, wo_local, task_.settings.weighted,
+    s.radiance += s.throughput * estimate_direct<F>(scene_, hit, bsdf, frame, wo_local, task_.settings.weighted && goes_on,
                                                     u_choice, u_point, active, task_.counts);
   }
 

@@ -1,4 +1,5 @@
-// Photons from the lights through the scene (Jensen 2001, chapters 5 and 7.2), over a batch of lanes.
+// Photons from the lights through the scene (Jensen 2001, chapters 5 and 7.2), over a batch of lanes. They are stored on
+// Lambertian surfaces; every other surface, rough ones too, counts as specular: camera paths go on from there as well.
 #pragma once
 
 #include "renderer/kernels/aim.h"
@@ -85,7 +86,7 @@ class PhotonKernel : public BatchKernel<PhotonKernel<F>, PhotonState, F> {
     PhotonState<F>& s = at.history;
     const Frame<F> frame(at.normal);
     const Vec3<F> wo_local = frame.to_local(Vec3<F>(-s.direction));
-    if constexpr (Kind<F>::is_delta) {
+    if constexpr (!Kind<F>::is_lambertian) {
       s.bounced |= U(specularly);
     } else {
       const std::uint32_t wanted = task_.kind == PhotonKind::global ? diffusely : specularly;
@@ -100,7 +101,7 @@ class PhotonKernel : public BatchKernel<PhotonKernel<F>, PhotonState, F> {
     const Kind<F> bsdf = Base::template bsdf_at<Kind>(at.surface, active);
     const U dimension = s.edges * dimensions_an_edge + emission_dimensions;
     Vec2<F> u_direction{F(0.0f), F(0.0f)};
-    if constexpr (!Kind<F>::is_delta) u_direction = draw(s, dimension);
+    if constexpr (Kind<F>::has_smooth) u_direction = draw(s, dimension);
     const U key(task_.seed);
     const U index = s.path + task_.first;
     const F u_lobe = draw_independent<F>(key, index, U(dimension + 1u));
