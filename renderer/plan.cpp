@@ -35,8 +35,10 @@ class Planner {
   void rays() {
     const std::string primitives = counted(scene_.primitive_count(), "primitive", "primitives");
     const bool few = scene_.primitive_count() <= small_scene_limit;
-    const bool skipped = decide(Skip::bvh, few, primitives + ", tested one after the other",
-                                primitives + ", more than " + std::to_string(small_scene_limit));
+    const bool simple = scene_.has_simple_primitives();
+    const bool skipped = decide(Skip::bvh, few && simple, primitives + ", tested one after the other",
+                                !simple ? "not all shapes are parallelograms, triangles and spheres"
+                                        : primitives + ", more than " + std::to_string(small_scene_limit));
     run("rays", skipped ? "packed kernel over all primitives" : "Embree, camera rays in packets, others one by one");
   }
   void direct_light(bool weighted_by_method) {
@@ -52,6 +54,8 @@ class Planner {
     const bool one_kind = std::has_single_bit(scene_.view().bsdf_kinds);
     decide(Skip::bsdf_groups, one_kind, "all BSDFs are of one kind",
            counted(std::size_t(std::popcount(scene_.view().bsdf_kinds)), "kind", "kinds") + " of BSDF");
+    decide(Skip::surface_detail, !scene_.needs_detail(), "no textures, shading normals, tangents or nested BSDFs",
+           "there are textures, shading normals, tangents or nested BSDFs");
   }
 
   void path(const PathDescription& method) {

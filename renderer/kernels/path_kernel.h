@@ -36,7 +36,8 @@ template <class F>
 class PathKernel : public BatchKernel<PathKernel<F>, PathState, F> {
   using Base = BatchKernel<PathKernel<F>, PathState, F>;
   using U = UInt<F>;
-  static constexpr std::uint32_t dimensions_a_vertex = 5;  // light point, direction, light, lobe, roulette
+  static constexpr std::uint32_t dimensions_a_vertex = 5;        // light point, direction, light, lobe, roulette
+  static constexpr std::uint32_t surface_dimensions = 1u << 24;  // one a vertex: which of a surface's BSDFs
 
  public:
   explicit PathKernel(PathTask& task) : Base(*task.scene, task.scratch), task_(task) {}
@@ -75,15 +76,16 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, F> {
     retire(s, active && !alive);
     if (!any(alive)) return;
     s.from = hit.primitive;
-    Base::wait({s, hit.p, hit.normal, hit.surface}, hit.surface, alive);
+    Base::wait({s, hit.p, hit.normal, hit.surface}, alive,
+               [&] { return draw_independent<F>(s.key, s.index, U(s.vertex + surface_dimensions)); });
   }
 
   /// Adds direct light, draws the next direction and plays roulette.
   template <template <class> class Kind>
   [[gnu::flatten]] void shade(AtSurface<PathState, F>& at, const Mask<F>& active) {
     PathState<F>& s = at.history;
-    const Kind<F> bsdf = Base::template bsdf_at<Kind>(at.surface, active);
-    const Frame<F> frame(at.normal);
+    const Shading<Kind, F> bsdf = Base::template shading_at<Kind>(at, active);
+    const Frame<F>& frame = bsdf.frame;
     const Vec3<F> wo_local = frame.to_local(Vec3<F>(-s.direction));
     const U dimension = s.vertex * dimensions_a_vertex + 1u;
     const bool gathers = Kind<F>::is_lambertian && task_.gather_points != nullptr;
