@@ -66,7 +66,7 @@ class BidirectionalTracer {
         v.weights = first_light_weights(start, v.at);
       else
         v.weights.arrive(length_squared(v.at.p - ray.origin), cosine(v.at.ng, v.back));
-      if (has_smooth_part(v.at.bsdf)) {
+      if (has_smooth(v.at.bsdf)) {
         join_lens(v, draws.two(dimension::at_vertex(v.edges, dimension::end_point)), work);
         path.push_back(v);
       }
@@ -86,7 +86,8 @@ class BidirectionalTracer {
     v.throughput = Rgb(1.0f);
     for (v.edges = 1;; ++v.edges) {
       const Vec3f before = ray.origin;
-      if (!within(v.edges) || !meet(ray, draws, v)) return radiance;
+      if (!within(v.edges)) return radiance;
+      if (!meet(ray, draws, v)) return lights_.has_environment() ? radiance + meet_environment(v, before) : radiance;
       if (v.edges == 1) {
         if (camera_.beyond_far_plane(v.at.p)) return radiance;
         const double density = static_cast<double>(camera_.density(ray, v.at.p) * cosine(v.at.ng, v.back));
@@ -96,7 +97,7 @@ class BidirectionalTracer {
       }
       if (v.at.light != no_index) radiance += meet_light(v, before);
       if (!within(v.edges + 1)) return radiance;
-      if (has_smooth_part(v.at.bsdf)) {
+      if (has_smooth(v.at.bsdf)) {
         radiance += join_light(v, draws, work);
         for (const Vertex& l : light_path)
           if (within(v.edges + l.edges + 1)) radiance += join(v, l, work);
@@ -145,24 +146,39 @@ class BidirectionalTracer {
     const Vec3f to_light = -start.direction;
     const double f0 = start.pdf.position;
     const double f1 = first_step(start.pdf, start.infinite, start.end.p, at, to_light);
-    if (start.delta) return {1 / (f1 * f1), 0};  // chosen the same way by next-event estimation
+    const double drawn_anew = lights_.sample_pdf(at.p, start);
+    if (start.delta) {  // no camera path meets it
+      const double a = drawn_anew / (f0 * f1);
+      return {a * a, 0};
+    }
     const double g0 = start.infinite ? 1.0f : cosine(start.end.normal, to_light) / length_squared(at.p - start.end.p);
-    const double drawn_anew = g0 * lights_.sample_pdf(at.p, start.light, start.end.p, start.end.normal);
-    const double a = drawn_anew / (f0 * f1), b = g0 / (f0 * f1);
+    const double a = g0 * drawn_anew / (f0 * f1), b = g0 / (f0 * f1);
     return {a * a, b * b};
   }
 
   /// s = 0: the camera path found a light by itself.
   Rgb meet_light(const Vertex& v, const Vec3f& before) const {
-    const Rgb emitted = lights_.radiance(v.at.light, v.at.ng, v.back);
+    const Rgb emitted = lights_.radiance(v.at, v.back);
     if (!(max_component(emitted) > 0)) return Rgb(0.0f);
     if (v.edges == 1) return limits_.hide_emitters ? Rgb(0.0f) : emitted;
-    const EmissionPdf pdf = lights_.emit_pdf(v.at.light, v.at.ng, v.back);
+    const EmissionPdf pdf = lights_.emit_pdf(v.at.light, v.at.p, v.at.ng, v.back);
     const double g = cosine(v.at.ng, v.back) / length_squared(v.at.p - before);
-    const double drawn_anew = g * lights_.sample_pdf(before, v.at.light, v.at.p, v.at.ng);
+    const double drawn_anew = g * lights_.sample_pdf(before, v.at);
     // (d_0/b_0)^2 for s = 1, and for s > 1 what went before times (f_0 t_0/b_0 ...)^2.
     const double more = v.weights.ratio_of_light(drawn_anew, double{pdf.position} * double{pdf.direction});
     return v.throughput * emitted * static_cast<float>(1 / (1 + more));
+  }
+
+  /// s = 0 at infinity: the direction takes the place of the light's point, and densities stay per solid angle.
+  Rgb meet_environment(const Vertex& v, const Vec3f& before) const {
+    if (v.edges == 1 && limits_.hide_emitters) return Rgb(0.0f);
+    const Vec3f direction = -v.back;
+    const Rgb emitted = v.throughput * lights_.environment(direction);
+    if (v.edges == 1 || !(max_component(emitted) > 0)) return emitted;
+    const EmissionPdf pdf = lights_.environment_emit_pdf(before, direction);
+    const double more = v.weights.ratio_of_light(lights_.environment_pdf(before, direction),
+                                                 double{pdf.position} * double{pdf.direction});
+    return emitted * static_cast<float>(1 / (1 + more));
   }
 
   /// s = 1: a light's point drawn for this vertex.
@@ -177,7 +193,8 @@ class BidirectionalTracer {
     if (!world_.visible(end_at(v.at), seen.end)) return Rgb(0.0f);
 
     const double less = seen.delta ? 0.0 : scatter_pdf(v.at, v.back, seen.wi) / double{seen.pdf};
-    const EmissionPdf pdf = lights_.emit_pdf(seen.light, seen.end.normal, -seen.wi);
+    const EmissionPdf pdf =
+        lights_.emit_pdf(seen.light, seen.infinite ? v.at.p : seen.end.p, seen.end.normal, -seen.wi);
     const double f1 = first_step(pdf, seen.infinite, seen.end.p, v.at, seen.wi);
     // f_0 over d_0: both per area, or both per direction at an infinite light, or both of the choice alone.
     double drawn = seen.pdf;

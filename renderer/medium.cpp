@@ -44,6 +44,7 @@ SceneMedia compile_media(const SceneDescription& description) {
     media.any_priority = media.any_priority || body.priority.has_value();
     media.bodies.push_back(body);
   }
+  media.bodies.emplace_back();  // where a mask has holes
   media.around_camera = description.sensor.medium ? description.sensor.medium->value : no_index;
   return media;
 }

@@ -45,7 +45,7 @@ class ParticleTracer {
       Interaction at;
       if (!world_.intersect(ray, draws.one(draw(4)), at)) return;
       const Vec3f to_light = -ray.direction;
-      if (has_smooth_part(at.bsdf)) connect(at, to_light, throughput, draws.two(draw(0)), work);
+      if (has_smooth(at.bsdf)) connect(at, to_light, throughput, draws.two(draw(0)), work);
       if (!within(edges + 2)) return;
       const Scattering next = scatter(at, to_light, draws.one(draw(2)), draws.two(draw(1)), TransportMode::importance);
       if (!next.valid) return;
@@ -80,10 +80,10 @@ class ParticleTracer {
   void show_light(const Draws& draws, ScalarWork& work) const {
     const LightStart start = lights_.emit(draws.one(dimension::seen_light), draws.two(dimension::seen_position),
                                           draws.two(dimension::direction));
-    if (start.delta) return;
+    if (start.delta || start.infinite || !(max_component(start.weight) > 0)) return;
     const std::optional<CameraSeen> seen = camera_.connect(start.end.p, draws.two(dimension::seen_lens));
     if (!seen) return;
-    const Rgb emitted = lights_.radiance(start.light, start.end.normal, seen->wi);
+    const Rgb emitted = lights_.radiance(start, seen->wi);
     add(emitted * (cosine(start.end.normal, seen->wi) * seen->density / start.pdf.position), start.end, *seen, work);
   }
 

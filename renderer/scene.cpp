@@ -7,10 +7,12 @@
 #include <set>
 
 #include "renderer/aim_targets.h"
+#include "renderer/compile_light.h"
 #include "renderer/kernels/rays.h"
 #include "renderer/light_table.h"
 #include "renderer/scene_frame.h"
 #include "renderer/scene_shapes.h"
+#include "renderer/scene_lights.h"
 #include "renderer/small_scene_tables.h"
 
 namespace photonproof {
@@ -47,23 +49,6 @@ Bsdf compile(const Other&, Slots&) {
   throw InputError("bsdf", "is not supported yet");
 }
 
-template <class Other>
-Light compile(const Other&, const Vec3d&) {
-  throw InputError("emitter", "is not supported yet");
-}
-Light compile(const PointLightDescription& d, const Vec3d& moved) {
-  return PointLight<float>{Vec3f(d.position + moved), Rgb(d.intensity)};
-}
-
-Light surface_light(const Quad& q, const Rgb& radiance) {
-  return QuadLight<float>{q.corner, q.edge_u, q.edge_v, q.normal, q.area, radiance};
-}
-Light surface_light(const Sphere& s, const Rgb& radiance) {
-  return SphereLight<float>{s.center, s.radius, s.inward ? -1.0f : 1.0f, radiance};
-}
-
-float mean_channel(const Rgb& rgb) { return (rgb.x + rgb.y + rgb.z) / 3; }
-
 /// The variants' records one after the other, `List::stride` floats each.
 template <class List>
 std::vector<float> flat_records(const std::vector<typename List::Variant>& variants) {
@@ -87,8 +72,9 @@ Scene::Scene(const SceneDescription& description, int width_, int height_, const
   surfaces = std::move(shapes.surfaces);
   primitives_ = shapes.primitives;
   add_lights(description, shapes);
+  const SceneBall ball = scene_ball(surfaces);
   for (const EmitterDescription& e : description.emitters)
-    lights.push_back(std::visit([&](const auto& light) { return compile(light, moved_); }, e.light));
+    lights.push_back(compile_light(e, moved_, ball, light_texture(), description.where(e.loc)));
 
   view_.camera = compile_camera(description.sensor, width, height, moved_);
   view_.coordinate_floor = frame.coordinate_floor;
@@ -109,13 +95,14 @@ Scene::Scene(const SceneDescription& description, int width_, int height_, const
   if (surface_words_.empty())  // what rays that miss gather
     surface_words_.push_back({0, 0, no_index, no_index, no_index});
   bsdf_records_ = flat_records<BsdfKinds>(bsdfs);
-  light_records_ = flat_records<LightKinds>(lights);
+  light_records_ = light_records(lights);
   light_words_ = light_table(lights);
+  scene_lights_ = std::make_unique<SceneLights>(lights, light_words_, ball);
   for (std::uint32_t i = 0; i < surfaces.size(); ++i)
     if (surfaces[i].light != no_index)
       light_words_[surfaces[i].light].primitive = view_.small ? small_->first_primitive(i) : no_index;
   for (const Light& light : lights) {
-    view_.light_kinds |= 1u << light.index();
+    view_.light_kinds |= 1u << kernel_kind(light);
     view_.lights_can_be_hit |= !is_delta(light);
   }
   detail_.uv_frames = std::move(shapes.uv_frames);
@@ -127,9 +114,12 @@ Scene::Scene(const SceneDescription& description, int width_, int height_, const
   view_.light_count = static_cast<std::uint32_t>(lights.size());
   aim_targets_ = aim_targets(surfaces, [&](const Surface& surface) {
     bool specular = false;
-    for_each_leaf(surface.bsdf, [&](const Bsdf& leaf, bool) { specular = specular || is_delta(leaf); });
+    for_each_leaf(surface.bsdf, [&](const Bsdf& leaf, bool) { specular = specular || !is_lambertian(leaf); });
     return specular;
   });
+  view_.general_lights = scene_lights_.get();
+  view_.lights_by_position = scene_lights_->has_tree() && skips.on(Skip::light_choice);
+  view_.environment = scene_lights_->environment().value_or(no_index);
   view_.aim_targets = aim_targets_.data();
   view_.aim_target_count = static_cast<std::uint32_t>(aim_targets_.size());
   view_.one_light = lights.size() == 1 && skips.on(Skip::light_choice);
@@ -139,20 +129,20 @@ Scene::Scene(const SceneDescription& description, int width_, int height_, const
 
 Scene::~Scene() = default;
 
+TextureLookup Scene::light_texture() const {
+  return [this](TextureIndex texture) -> LightTexture {
+    return [this, texture](const Vec2<float>& uv) { return textures.colour(texture.value, uv); };
+  };
+}
+
 void Scene::add_lights(const SceneDescription& description, const SceneShapes& shapes) {
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     const ShapeDescription& shape = *shapes.shape_of[i];
     if (!shape.radiance) continue;
+    const Transform to_world = Transform::translate(moved_) * shape.to_world;
     surfaces[i].light = static_cast<std::uint32_t>(lights.size());
-    const Rgb radiance(constant(*shape.radiance));
-    if (const auto* quad = std::get_if<Quad>(&surfaces[i].geometry))
-      lights.push_back(surface_light(*quad, radiance));
-    else if (const auto* sphere = std::get_if<Sphere>(&surfaces[i].geometry))
-      lights.push_back(surface_light(*sphere, radiance));
-    else
-      throw InputError(description.where(shape.loc), "only rectangles, cubes and spheres can be lights yet");
-    if (!std::isfinite(mean_channel(flux(lights.back()))))
-      throw InputError(description.where(shape.loc), "the light's flux is too large for single precision");
+    lights.push_back(
+        compile_surface_light(surfaces[i].geometry, shape, to_world, light_texture(), description.where(shape.loc)));
   }
 }
 

@@ -2,6 +2,7 @@
 // middle of the shapes, so that coordinates are small and rays precise wherever the file puts things.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -19,6 +20,7 @@
 namespace photonproof {
 
 class SceneShapes;
+class SceneLights;
 class SmallSceneTables;
 
 /// Up to this many primitives are tested one after the other instead of through Embree. Measured among random
@@ -38,6 +40,8 @@ class Scene {
 
   /// Tables of the kernels; valid as long as the scene.
   const SceneView& view() const { return view_; }
+  /// All lights behind one interface.
+  const SceneLights& scene_lights() const { return *scene_lights_; }
   /// Closest surface along a ray with a unit direction: for the host's few own rays.
   Hit intersect(const Vec3f& origin, const Vec3f& direction) const;
 
@@ -69,6 +73,7 @@ class Scene {
 
  private:
   void compile_bsdfs(const SceneDescription& description);
+  std::function<std::function<Rgb(const Vec2<float>&)>(TextureIndex)> light_texture() const;
   void add_lights(const SceneDescription& description, const SceneShapes& shapes);
   void compile_detail(const SkipSwitches& skips);
 
@@ -80,6 +85,7 @@ class Scene {
   std::vector<float> bsdf_records_, light_records_;
   std::vector<AimTarget> aim_targets_;
   DetailTables detail_;
+  std::unique_ptr<SceneLights> scene_lights_;
   std::unique_ptr<SmallSceneTables> small_;
   std::unique_ptr<Tracer> tracer_;
   SceneView view_;

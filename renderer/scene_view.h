@@ -8,6 +8,7 @@
 
 namespace photonproof {
 
+class SceneLights;
 class Tracer;
 struct DetailTables;
 
@@ -82,6 +83,9 @@ struct SceneView {
   const float* lights = nullptr;  ///< LightKinds::stride floats each
   const LightWords* light_words = nullptr;
   std::uint32_t light_count = 0;
+  const SceneLights* general_lights = nullptr;  ///< all lights, for those that need tables
+  bool lights_by_position = false;              ///< they are chosen by `general_lights`
+  std::uint32_t environment = no_index;         ///< the light that rays see which leave the scene
   const AimTarget* aim_targets = nullptr;  ///< one for each specular surface
   std::uint32_t aim_target_count = 0;
   std::uint32_t bsdf_kinds = 0;  ///< bit k: a surface has a BSDF of kind k

@@ -56,7 +56,7 @@ class VolumetricTracer {
       if (!(max_component(h.throughput) > 0)) return h.radiance;
       const bool goes_on = scattered ? scatter_in_medium(h, *scattered, step, draws, work)
                            : met     ? meet_surface(h, at, step, draws, work)
-                                     : false;
+                                     : meet_environment(h);
       if (!goes_on) return h.radiance;
       ++work.rays.bounce;
     }
@@ -124,7 +124,7 @@ class VolumetricTracer {
       return true;
     }
     Surroundings::refract_as(crossing, at);
-    if (has_smooth_part(at.bsdf) && within(h.depth + 2)) add_direct_light(h, at, wo, step, draws, work);
+    if (has_smooth(at.bsdf) && within(h.depth + 2)) add_direct_light(h, at, wo, step, draws, work);
     const Scattering next = scatter(at, wo, draws.one(dimension::at_step(step, dimension::lobe)),
                                     draws.two(dimension::at_step(step, dimension::direction)), TransportMode::radiance);
     if (!next.valid) return false;
@@ -141,11 +141,19 @@ class VolumetricTracer {
 
   void add_emission(History& h, const Interaction& at, const Vec3f& wo) const {
     if (h.depth == 0 && limits_.hide_emitters) return;
-    const Rgb emitted = lights_.radiance(at.light, at.ng, wo);
+    const Rgb emitted = lights_.radiance(at, wo);
     if (!(max_component(emitted) > 0)) return;
-    const float weight =
-        h.pdf > 0 ? power_heuristic(h.pdf, lights_.sample_pdf(h.scattered_at, at.light, at.p, at.ng)) : 1.0f;
+    const float weight = h.pdf > 0 ? power_heuristic(h.pdf, lights_.sample_pdf(h.scattered_at, at)) : 1.0f;
     h.radiance += h.throughput * emitted * weight;
+  }
+
+  /// Nothing follows.
+  bool meet_environment(History& h) const {
+    if (!lights_.has_environment() || (h.depth == 0 && limits_.hide_emitters)) return false;
+    const Vec3f& direction = h.ray.direction;
+    const float weight = h.pdf > 0 ? power_heuristic(h.pdf, lights_.environment_pdf(h.scattered_at, direction)) : 1.0f;
+    h.radiance += h.throughput * lights_.environment(direction) * weight;
+    return false;
   }
 
   LightSeen light_seen(const Vec3f& p, std::uint32_t step, const Draws& draws) const {

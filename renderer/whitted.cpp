@@ -46,14 +46,15 @@ class WhittedTracer {
   Rgb follow(const Ray& ray, const Rgb& throughput, std::uint32_t edges, const Draws& draws, std::uint32_t& dimension,
              ScalarWork& work) const {
     Interaction at;
-    if (edges > max_edges_ || !world_.intersect(ray, draws.one(dimension++), at)) return Rgb(0.0f);
+    if (edges > max_edges_) return Rgb(0.0f);
+    if (!world_.intersect(ray, draws.one(dimension++), at))
+      return edges == 1 && hide_emitters_ ? Rgb(0.0f) : throughput * lights_.environment(ray.direction);
     if (edges == 1 && camera_.beyond_far_plane(at.p)) return Rgb(0.0f);
     const Vec3f wo = -ray.direction;
     Rgb radiance(0.0f);
-    if (at.light != no_index && !(edges == 1 && hide_emitters_))
-      radiance += throughput * lights_.radiance(at.light, at.ng, wo);
+    if (at.light != no_index && !(edges == 1 && hide_emitters_)) radiance += throughput * lights_.radiance(at, wo);
     if (edges + 1 > max_edges_) return radiance;
-    if (has_smooth_part(at.bsdf)) radiance += throughput * direct_light(at, wo, draws, dimension, work);
+    if (has_smooth(at.bsdf)) radiance += throughput * direct_light(at, wo, draws, dimension, work);
 
     // The lobes of a BSDF share [0,1) among them: its ends give every delta lobe of the kinds there are.
     std::array<Scattering, 2> lobes{scatter(at, wo, 0.0f, {0.5f, 0.5f}, TransportMode::radiance),

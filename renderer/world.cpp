@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <cstring>
 
 #include "renderer/kernels/rays.h"
+#include "renderer/scene_lights.h"
+#include "renderer/surface_detail.h"
 
 namespace photonproof {
 namespace {
@@ -14,29 +16,6 @@ template <class B>
 constexpr bool goes_straight = requires(const B& b, const Vec3f& wo) {
   b.straight_through(wo);
 };
-
-/// Half the diagonal of the box around all surfaces and the camera.
-float reach(const Scene& scene) {
-  Vec3f low(std::numeric_limits<float>::infinity()), high = -low;
-  const auto hold = [&](const Vec3f& p) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  };
-  hold(scene.view().camera.origin);
-  for (const Surface& surface : scene.surfaces) {
-    if (const auto* quad = std::get_if<Quad>(&surface.geometry)) {
-      for (const Vec3f& edge : {Vec3f(0.0f), quad->edge_u, quad->edge_v, quad->edge_u + quad->edge_v})
-        hold(quad->corner + edge);
-    } else if (const auto* sphere = std::get_if<Sphere>(&surface.geometry)) {
-      hold(sphere->center - Vec3f(sphere->radius));
-      hold(sphere->center + Vec3f(sphere->radius));
-    } else {
-      const auto& mesh = std::get<Mesh>(surface.geometry);
-      for (std::size_t i = 0; i + 1 < mesh.positions.size(); ++i) hold(mesh.positions[i]);  // the last is a spare
-    }
-  }
-  return length(high - low) / 2;
-}
 
 Vec3f moved_off(const SegmentEnd& end, const Vec3f& direction, float coordinate_floor) {
   return end.normal == Vec3f(0.0f) ? end.p : offset_from(end.p, end.normal, direction, coordinate_floor);
@@ -53,24 +32,40 @@ bool arrives_from_inside(const Scene& scene, const SegmentEnd& end, const Vec3f&
 
 World::World(const Scene& scene)
     : scene_(scene),
-      far_away_(4 * reach(scene)),
+      far_away_(4 * std::max(scene.scene_lights().ball().radius,
+                             length(scene.view().camera.origin - scene.scene_lights().ball().center))),
       has_media_or_bodies_(!scene.media.media.empty() || scene.media.any_priority),
       has_null_surfaces_(std::any_of(scene.bsdfs.begin(), scene.bsdfs.end(), [](const Bsdf& bsdf) {
         return std::visit([](const auto& b) { return goes_straight<std::decay_t<decltype(b)>>; }, bsdf);
       })) {}
 
-bool World::intersect(const Ray& ray, float, Interaction& hit) const {
+bool World::intersect(const Ray& ray, float u_choice, Interaction& hit) const {
   const SurfaceHit<float> found = closest_hit<float>(view(), ray.origin, ray.direction, ray.from, true, false);
   if (!found.valid) return false;
   const Surface& surface = scene_.surfaces[found.surface];
   hit.p = found.p;
   hit.ng = found.normal;
-  hit.frame = Frame<float>(found.normal);
   hit.surface = found.surface;
   hit.primitive = found.primitive;
   hit.light = surface.light;
-  hit.leaf = surface.bsdf;
-  hit.bsdf = scene_.bsdfs[surface.bsdf];
+  if (!view().detailed) {
+    hit.frame = Frame<float>(found.normal);
+    hit.side = found.normal;
+    hit.leaf = surface.bsdf;
+    hit.bsdf = scene_.bsdfs[surface.bsdf];
+    return true;
+  }
+  SurfaceDetail detail;
+  detail_at(view(), found.surface, found.primitive, found.p, found.normal, ray.direction, u_choice, detail);
+  hit.frame = shading_frame(detail);
+  hit.side = detail.side;
+  hit.leaf = detail.bsdf;
+  BsdfKinds::for_each([&]<template <class> class Kind>(std::uint32_t kind) {
+    if (kind != detail.kind) return;
+    Kind<float> bsdf;
+    std::memcpy(&bsdf, detail.record, sizeof bsdf);
+    hit.bsdf = bsdf;
+  });
   return true;
 }
 
@@ -92,9 +87,8 @@ Ray World::leave(const SegmentEnd& at, const Vec3f& direction) const {
   return {moved_off(at, direction, view().coordinate_floor), direction, at.primitive};
 }
 
-bool has_smooth_part(const Bsdf& bsdf) { return !is_delta(bsdf); }
-
 Rgb evaluate(const Interaction& at, const Vec3f& to_camera, const Vec3f& to_light) {
+  if (!at.keeps_side(to_light)) return Rgb(0.0f);
   const Vec3f wo = at.frame.to_local(to_camera), wi = at.frame.to_local(to_light);
   return std::visit([&](const auto& b) { return b.eval(wo, wi); }, at.bsdf);
 }
@@ -111,13 +105,11 @@ Scattering scatter(const Interaction& at, const Vec3f& wo, float u_lobe, const V
       [&](const auto& b) -> Scattering {
         const BsdfSample<float> s = b.sample(wo_local, u_lobe, u_direction, mode);
         if (!s.valid || !(max_component(s.weight) > 0) || !(s.pdf > 0)) return {};
-        return {normalize(at.frame.to_world(s.wi_local)),
-                s.weight,
-                s.pdf,
-                s.eta,
-                b.is_delta,
-                goes_straight<std::decay_t<decltype(b)>> && b.is_delta && dot(s.wi_local, wo_local) < -0.9999f,
-                true};
+        const Vec3f wi = normalize(at.frame.to_world(s.wi_local));
+        if (!at.keeps_side(mode == TransportMode::radiance ? wi : wo)) return {};
+        const bool straight =
+            goes_straight<std::decay_t<decltype(b)>> && s.delta && dot(s.wi_local, wo_local) < -0.9999f;
+        return {wi, s.weight, s.pdf, s.eta, s.delta, straight, true};
       },
       at.bsdf);
 }

@@ -21,11 +21,15 @@ struct Ray {
 struct Interaction {
   Vec3f p, ng;
   Frame<float> frame{Vec3f(0, 0, 1)};
+  Vec3f side{0, 0, 1};  ///< the shading normal before it was mapped
   std::uint32_t surface = no_index;
-  std::uint32_t primitive = no_index;  ///< of a small scene
+  std::uint32_t primitive = no_index;  ///< as SurfaceHit has it
   std::uint32_t light = no_index;
   std::uint32_t leaf = 0;  ///< index into Scene::bsdfs
   Bsdf bsdf;               ///< that one, with what textures say
+
+  /// Light that only a normal map lets through the surface is dropped, as Mitsuba does.
+  bool keeps_side(const Vec3f& to_light) const { return dot(side, to_light) * dot(frame.n, to_light) >= 0; }
 };
 
 /// One end of a segment: a point, and the primitive and normal it lies on, if any.
@@ -76,8 +80,6 @@ class World {
   bool has_media_or_bodies_, has_null_surfaces_;
 };
 
-/// Whether evaluating the BSDF for directions drawn elsewhere can give anything.
-bool has_smooth_part(const Bsdf& bsdf);
 /// f of radiance that arrives along `to_light` and leaves along `to_camera`; no cosine, smooth part alone. Histories of
 /// either direction ask it the same way.
 Rgb evaluate(const Interaction& at, const Vec3f& to_camera, const Vec3f& to_light);

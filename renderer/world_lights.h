@@ -1,7 +1,8 @@
-// All lights of a scene behind one door, one history at a time: points of them for next-event estimation, starts of
-// light paths, and the densities of both, which weights need. Densities include the choice of the light.
+// SceneLights in the words of the scalar integrators: ends of segments that know their primitives, and densities in
+// which the choice of the light is included.
 #pragma once
 
+#include "renderer/scene_lights.h"
 #include "renderer/world.h"
 
 namespace photonproof {
@@ -29,6 +30,7 @@ struct LightStart {
   Vec3f direction{0, 0, 0};
   Rgb weight;  ///< emitted radiance x cosine / densities: the flux of a path
   EmissionPdf pdf;
+  Vec2<float> uv;
   std::uint32_t light = no_index;
   bool delta = false, infinite = false;
 };
@@ -37,32 +39,42 @@ class WorldLights {
  public:
   explicit WorldLights(const World& world);
 
-  std::uint32_t count() const { return static_cast<std::uint32_t>(world_.scene().lights.size()); }
+  std::uint32_t count() const { return static_cast<std::uint32_t>(lights_.count()); }
+  bool has_environment() const { return lights_.environment().has_value(); }
 
   /// One light, chosen, as seen from p. pdf is 0 where it shows nothing.
   LightSeen sample(const Vec3f& p, float u_choice, const Vec2<float>& u) const;
   /// That light, its choice not in the density.
   LightSeen sample_of(std::uint32_t light, const Vec3f& p, const Vec2<float>& u) const;
-  /// Density of `sample` at `p` for the point q of `light`, whose normal there is `normal`; per solid angle.
-  float sample_pdf(const Vec3f& p, std::uint32_t light, const Vec3f& q, const Vec3f& normal) const;
+  /// Density of `sample` at p for a light that a ray met, per solid angle.
+  float sample_pdf(const Vec3f& p, const Interaction& met) const { return lights_.pdf(p, met.light, met.p, met.ng); }
+  /// The same for a light path's start; of a delta light, the probability of its choice.
+  float sample_pdf(const Vec3f& p, const LightStart& start) const;
+  /// The same for the environment, which a ray along `direction` met.
+  float environment_pdf(const Vec3f& p, const Vec3f& direction) const { return lights_.environment_pdf(p, direction); }
 
+  /// The start of a light path; its weight is 0 where there is none.
   LightStart emit(float u_choice, const Vec2<float>& u_position, const Vec2<float>& u_direction) const;
-  /// Of `emit`, for a path that leaves q, or the infinite light, along `direction`.
-  EmissionPdf emit_pdf(std::uint32_t light, const Vec3f& normal, const Vec3f& direction) const;
+  /// Of `emit`, for a path that goes along `direction` through p, which is the light's point with its normal there, or
+  /// any point of a path from an infinite light.
+  EmissionPdf emit_pdf(std::uint32_t light, const Vec3f& p, const Vec3f& normal, const Vec3f& direction) const;
+  /// For paths from the environment that come to p against `towards_sky`.
+  EmissionPdf environment_emit_pdf(const Vec3f& p, const Vec3f& towards_sky) const {
+    return emit_pdf(*lights_.environment(), p, Vec3f(0.0f), -towards_sky);
+  }
 
-  /// Radiance that leaves a point of a light along `direction`.
-  Rgb radiance(std::uint32_t light, const Vec3f& normal, const Vec3f& direction) const;
+  /// Radiance that leaves a surface that a ray met along `direction`.
+  Rgb radiance(const Interaction& met, const Vec3f& direction) const;
+  /// Radiance that leaves a light path's start along another direction.
+  Rgb radiance(const LightStart& start, const Vec3f& direction) const;
+  Rgb environment(const Vec3f& towards_sky) const { return lights_.environment_radiance(towards_sky); }
 
  private:
-  struct Choice {
-    std::uint32_t light;
-    float probability;
-  };
-  Choice choose(float u) const;
-  float probability(std::uint32_t light) const;
-  std::uint32_t primitive(std::uint32_t light) const;
+  LightSeen seen(const LightSample<float>& sample, std::uint32_t light, std::uint32_t triangle) const;
+  SegmentEnd end(std::uint32_t light, const Vec3f& p, const Vec3f& normal, std::uint32_t triangle) const;
 
   const World& world_;
+  const SceneLights& lights_;
   std::vector<std::uint32_t> surface_;  ///< of each light
 };
 

@@ -73,6 +73,11 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, F> {
     }
     if (task_.settings.max_depth >= 0)
       alive = alive && as_mask<F>(s.vertex + 1u < U(static_cast<std::uint32_t>(task_.settings.max_depth)));
+    if (scene_.environment != no_index) {
+      Mask<F> leaves = active && !hit.valid;
+      if (task_.settings.hide_emitters) leaves = leaves && !first;
+      if (any(leaves)) add_environment(s, leaves);
+    }
     retire(s, active && !alive);
     if (!any(alive)) return;
     s.from = hit.primitive;
@@ -121,7 +126,7 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, F> {
   using Base::scene_;
 
   void add_emission(PathState<F>& s, const SurfaceHit<F>& hit, const U& light, const Mask<F>& shines) {
-    const Vec3<F> emitted = emitted_radiance<F>(scene_, light, shines, F(-dot(hit.normal, s.direction)));
+    const Vec3<F> emitted = emitted_radiance<F>(scene_, hit, light, shines, Vec3<F>(-s.direction));
     F weight(1.0f);
     const Mask<F> shared = shines && s.bsdf_pdf > 0;  // next-event estimation could have found it too
     if (any(shared))
@@ -129,6 +134,13 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, F> {
                       mis_weight(s.bsdf_pdf, direct_light_pdf<F>(scene_, light, shared, s.origin, hit.p, hit.normal)),
                       F(1.0f));
     s.radiance = select(shines, Vec3<F>(s.radiance + s.throughput * emitted * weight), s.radiance);
+  }
+
+  /// Of rays that met nothing. Next-event estimation could have found the environment too, as any other light.
+  void add_environment(PathState<F>& s, const Mask<F>& leaves) {
+    const EnvironmentLook<F> sky = look_at_environment(scene_, s.origin, s.direction, leaves);
+    const F weight = select(s.bsdf_pdf > 0, mis_weight(s.bsdf_pdf, sky.pdf), F(1.0f));
+    s.radiance = select(leaves, Vec3<F>(s.radiance + s.throughput * sky.radiance * weight), s.radiance);
   }
 
   /// `goes_on`: the path may meet the same light by itself.
