@@ -2,6 +2,7 @@
 
 #include "renderer/bdpt.h"
 #include "renderer/particle_tracer.h"
+#include "renderer/direct_integrator.h"
 #include "renderer/path_integrator.h"
 #include "renderer/photon_mapper.h"
 #include "renderer/volpath.h"
@@ -12,8 +13,11 @@ namespace photonproof {
 const std::vector<Integrator>& integrators() {
   static const std::vector<Integrator> table{
       {"path", "unbiased path tracing: next-event estimation, MIS, Russian roulette", render_path},
-      {"photonmapper", "global and caustic photon maps of fixed radius, direct light by next-event estimation",
-       render_photon_mapper},
+      {"photonmapper",
+       "global and caustic photon maps of fixed radius, direct light by next-event estimation",
+       render_photon_mapper,
+       {.photons = true}},
+      {"direct", "emission and light reflected once: next-event estimation and BSDF sampling, MIS", render_direct},
       {"bdpt", "unbiased bidirectional path tracing: every way of making a path, weighted against the others",
        render_bdpt},
       {"ptracer", "unbiased light tracing: paths from the lights, every vertex connected to the camera",

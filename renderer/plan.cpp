@@ -4,6 +4,7 @@
 #include <bit>
 
 #include "renderer/aim_targets.h"
+#include "renderer/direct_integrator.h"
 #include "renderer/scene_facts.h"
 
 namespace photonproof {
@@ -63,6 +64,17 @@ class Planner {
     rays();
     groups();
     direct_light(true);
+  }
+
+  void direct(const DirectDescription& method) {
+    const std::int64_t paths = paths_a_sample(method);
+    run("camera paths", "of at most 2 edges, " + counted(std::size_t(paths), "path", "paths") + " a camera sample");
+    run("direct light", method.bsdf_samples == 0      ? "samples of the lights alone"
+                        : method.emitter_samples == 0 ? "rays that meet the lights alone"
+                                                      : "samples of the lights, weighted against rays that meet them");
+    rays();
+    groups();
+    direct_light(method.emitter_samples > 0 && method.bsdf_samples > 0);
   }
 
   void photon_mapper(const PhotonMapperDescription& method) {
@@ -129,6 +141,7 @@ RenderPlan plan_render(const Scene& scene, const IntegratorDescription& method, 
   Planner planner(scene, job, plan);
   if (const auto* path = std::get_if<PathDescription>(&method.method)) planner.path(*path);
   if (const auto* mapper = std::get_if<PhotonMapperDescription>(&method.method)) planner.photon_mapper(*mapper);
+  if (const auto* direct = std::get_if<DirectDescription>(&method.method)) planner.direct(*direct);
   return plan;
 }
 

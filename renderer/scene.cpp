@@ -62,7 +62,7 @@ std::vector<float> flat_records(const std::vector<typename List::Variant>& varia
 }  // namespace
 
 Scene::Scene(const SceneDescription& description, int width_, int height_, const SkipSwitches& skips,
-             std::size_t small_limit)
+             std::size_t small_limit, ScenePurpose purpose)
     : width(width_), height(height_), textures(description.textures), detail_(surfaces, textures) {
   const SceneFrame frame = scene_frame(description);
   moved_ = frame.moved;
@@ -82,7 +82,7 @@ Scene::Scene(const SceneDescription& description, int width_, int height_, const
   simple_ = shapes.simple;
   small_ = primitives_ <= small_limit && simple_ && skips.on(Skip::bvh) ? std::make_unique<SmallSceneTables>(surfaces)
                                                                         : nullptr;
-  if (small_ == nullptr) tracer_ = std::make_unique<Tracer>(surfaces);
+  if (small_ == nullptr && purpose == ScenePurpose::render) tracer_ = std::make_unique<Tracer>(surfaces);
   view_.small = small_ != nullptr;
   if (small_ != nullptr) view_.primitives = small_->view();
   view_.tracer = tracer_.get();
@@ -159,7 +159,7 @@ void Scene::compile_bsdfs(const SceneDescription& description) {
   }
   detail_.nothing = static_cast<std::uint32_t>(bsdfs.size());
   if (has_holes) {
-    bsdfs.push_back(NullBsdf<float>{});
+    bsdfs.emplace_back(NullBsdf<float>{});
     detail_.tree.emplace_back();
   }
   for (const Bsdf& bsdf : bsdfs) detail_.kinds.push_back(static_cast<std::uint32_t>(bsdf.index()));

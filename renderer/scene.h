@@ -28,12 +28,15 @@ class SmallSceneTables;
 /// and 4 lanes, and Embree does better than there where primitives do not overlap.
 inline constexpr std::size_t small_scene_limit = 128;
 
+/// A scene that is only planned has no hierarchy and cannot be traced.
+enum class ScenePurpose { render, plan };
+
 class Scene {
  public:
   /// `width`, `height` override the film's size; at most `small_limit` primitives make a small scene. Throws InputError
   /// at an entity it cannot represent.
   Scene(const SceneDescription& description, int width, int height, const SkipSwitches& skips = {},
-        std::size_t small_limit = small_scene_limit);
+        std::size_t small_limit = small_scene_limit, ScenePurpose purpose = ScenePurpose::render);
   ~Scene();
   Scene(const Scene&) = delete;
   Scene& operator=(const Scene&) = delete;

@@ -95,7 +95,8 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, F> {
     const U dimension = s.vertex * dimensions_a_vertex + 1u;
     const bool gathers = Kind<F>::is_lambertian && task_.gather_points != nullptr;
     if constexpr (Kind<F>::has_smooth) {
-      if (scene_.light_count > 0) add_direct_light(at, bsdf, frame, wo_local, dimension, !gathers, active);
+      if (scene_.light_count > 0 && task_.settings.sample_lights)
+        add_direct_light(at, bsdf, frame, wo_local, dimension, !gathers, active);
     }
     if constexpr (Kind<F>::is_lambertian) {  // a gather point has no direction: its weight is for any photon
       if (gathers) {
@@ -129,7 +130,9 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, F> {
     const Vec3<F> emitted = emitted_radiance<F>(scene_, hit, light, shines, Vec3<F>(-s.direction));
     F weight(1.0f);
     const Mask<F> shared = shines && s.bsdf_pdf > 0;  // next-event estimation could have found it too
-    if (any(shared))
+    if (!task_.settings.meet_lights)
+      weight = select(shared, F(0.0f), F(1.0f));
+    else if (task_.settings.weighted && any(shared))
       weight = select(shared,
                       mis_weight(s.bsdf_pdf, direct_light_pdf<F>(scene_, light, shared, s.origin, hit.p, hit.normal)),
                       F(1.0f));
