@@ -1,8 +1,8 @@
 #include "renderer/integrator.h"
 
 #include "renderer/bdpt.h"
-#include "renderer/particle_tracer.h"
 #include "renderer/direct_integrator.h"
+#include "renderer/particle_tracer.h"
 #include "renderer/path_integrator.h"
 #include "renderer/photon_mapper.h"
 #include "renderer/volpath.h"

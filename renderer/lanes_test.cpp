@@ -386,16 +386,18 @@ TEST(lanes, every_light_agrees) {
       const F* rest = &in[record];
       const Vec3<F> p = vec3(rest), q = vec3(rest + 3), normal = vec3(rest + 6);
       const Vec2<F> u{rest[9], rest[10]}, v{rest[11], rest[12]};
-      std::array<F, 29> out;
+      std::array<F, 37> out;
       std::size_t k = 0;
       for (const F& word : words_of<13, F>(light.sample(p, u))) out[k++] = word;
-      for (const F& word : words_of<9, F>(light.emit(u, v))) out[k++] = word;
+      for (const F& word : words_of<12, F>(light.emit(u, v))) out[k++] = word;
       for (const F& word : words(light.flux())) out[k++] = word;
-      for (const F& word : words(light.emitted_radiance(rest[0]))) out[k++] = word;
+      for (const F& word : words(light.leaving(normal, q))) out[k++] = word;
+      for (const F& word : words(light.flux_towards(normal, q))) out[k++] = word;
+      for (const F& word : words_of<2, F>(light.emit_pdfs(normal, q))) out[k++] = word;
       out[k++] = light.pdf(p, q, normal);
       return out;
     };
-    expect_lanes_agree<n, 29>("light " + std::to_string(kind), f, [](Random& random) {
+    expect_lanes_agree<n, 37>("light " + std::to_string(kind), f, [](Random& random) {
       Floats<n> in;
       const bool tame = random.next() < 0.5f;
       for (float& v : in) v = tame ? 4 * random.next() - 2 : anything(random);

@@ -11,8 +11,8 @@
 #include "renderer/kernels/rays.h"
 #include "renderer/light_table.h"
 #include "renderer/scene_frame.h"
-#include "renderer/scene_shapes.h"
 #include "renderer/scene_lights.h"
+#include "renderer/scene_shapes.h"
 #include "renderer/small_scene_tables.h"
 
 namespace photonproof {
@@ -59,22 +59,33 @@ std::vector<float> flat_records(const std::vector<typename List::Variant>& varia
   return records;
 }
 
+/// What lights look textures up with.
+TextureLookup texture_lookup(const Textures& textures) {
+  return [&textures](TextureIndex texture) -> LightTexture {
+    return [&textures, texture](const Vec2<float>& uv) { return textures.colour(texture.value, uv); };
+  };
+}
+
 }  // namespace
 
 Scene::Scene(const SceneDescription& description, int width_, int height_, const SkipSwitches& skips,
              std::size_t small_limit, ScenePurpose purpose)
-    : width(width_), height(height_), textures(description.textures), detail_(surfaces, textures) {
+    : width(width_),
+      height(height_),
+      textures(description.textures),
+      media(compile_media(description)),
+      filter(description.sensor.film.filter),
+      detail_(surfaces, textures) {
   const SceneFrame frame = scene_frame(description);
   moved_ = frame.moved;
-  media = compile_media(description);
   compile_bsdfs(description);
   SceneShapes shapes(description, textures, moved_);
   surfaces = std::move(shapes.surfaces);
   primitives_ = shapes.primitives;
-  add_lights(description, shapes);
+  add_surface_lights(description, shapes);
   const SceneBall ball = scene_ball(surfaces);
   for (const EmitterDescription& e : description.emitters)
-    lights.push_back(compile_light(e, moved_, ball, light_texture(), description.where(e.loc)));
+    lights.push_back(compile_light(e, moved_, ball, texture_lookup(textures), description.where(e.loc)));
 
   view_.camera = compile_camera(description.sensor, width, height, moved_);
   view_.coordinate_floor = frame.coordinate_floor;
@@ -112,14 +123,14 @@ Scene::Scene(const SceneDescription& description, int width_, int height_, const
   view_.lights = light_records_.data();
   view_.light_words = light_words_.data();
   view_.light_count = static_cast<std::uint32_t>(lights.size());
+  view_.general_lights = scene_lights_.get();
+  view_.lights_by_position = scene_lights_->has_tree() && skips.on(Skip::light_choice);
+  view_.environment = scene_lights_->environment().value_or(no_index);
   aim_targets_ = aim_targets(surfaces, [&](const Surface& surface) {
     bool specular = false;
     for_each_leaf(surface.bsdf, [&](const Bsdf& leaf, bool) { specular = specular || !is_lambertian(leaf); });
     return specular;
   });
-  view_.general_lights = scene_lights_.get();
-  view_.lights_by_position = scene_lights_->has_tree() && skips.on(Skip::light_choice);
-  view_.environment = scene_lights_->environment().value_or(no_index);
   view_.aim_targets = aim_targets_.data();
   view_.aim_target_count = static_cast<std::uint32_t>(aim_targets_.size());
   view_.one_light = lights.size() == 1 && skips.on(Skip::light_choice);
@@ -129,20 +140,14 @@ Scene::Scene(const SceneDescription& description, int width_, int height_, const
 
 Scene::~Scene() = default;
 
-TextureLookup Scene::light_texture() const {
-  return [this](TextureIndex texture) -> LightTexture {
-    return [this, texture](const Vec2<float>& uv) { return textures.colour(texture.value, uv); };
-  };
-}
-
-void Scene::add_lights(const SceneDescription& description, const SceneShapes& shapes) {
+void Scene::add_surface_lights(const SceneDescription& description, const SceneShapes& shapes) {
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     const ShapeDescription& shape = *shapes.shape_of[i];
     if (!shape.radiance) continue;
-    const Transform to_world = Transform::translate(moved_) * shape.to_world;
     surfaces[i].light = static_cast<std::uint32_t>(lights.size());
-    lights.push_back(
-        compile_surface_light(surfaces[i].geometry, shape, to_world, light_texture(), description.where(shape.loc)));
+    const Transform to_world = Transform::translate(moved_) * shape.to_world;
+    lights.push_back(compile_surface_light(surfaces[i].geometry, shape, to_world, texture_lookup(textures),
+                                           description.where(shape.loc)));
   }
 }
 

@@ -2,7 +2,6 @@
 // middle of the shapes, so that coordinates are small and rays precise wherever the file puts things.
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <vector>
 
@@ -19,8 +18,8 @@
 
 namespace photonproof {
 
-class SceneShapes;
 class SceneLights;
+class SceneShapes;
 class SmallSceneTables;
 
 /// Up to this many primitives are tested one after the other instead of through Embree. Measured among random
@@ -72,13 +71,12 @@ class Scene {
   std::vector<Bsdf> bsdfs;  ///< by the description's indices; of those that wrap others there is nothing here
   std::vector<Light> lights;
   std::vector<Surface> surfaces;
-  SceneMedia media;
+  const SceneMedia media;
+  const ReconstructionFilter filter;
 
  private:
-  void compile_bsdfs(const SceneDescription& description);
-  std::function<std::function<Rgb(const Vec2<float>&)>(TextureIndex)> light_texture() const;
-  void add_lights(const SceneDescription& description, const SceneShapes& shapes);
-  void compile_detail(const SkipSwitches& skips);
+class SceneLights;
+class SceneShapes;
 
   Vec3d moved_;  ///< what was added to the description's coordinates
   std::size_t primitives_ = 0;
@@ -87,8 +85,8 @@ class Scene {
   std::vector<LightWords> light_words_;
   std::vector<float> bsdf_records_, light_records_;
   std::vector<AimTarget> aim_targets_;
-  DetailTables detail_;
-  std::unique_ptr<SceneLights> scene_lights_;
+class SceneLights;
+class SceneShapes;
   std::unique_ptr<SmallSceneTables> small_;
   std::unique_ptr<Tracer> tracer_;
   SceneView view_;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "renderer/curved_shapes.h"
+
 namespace photonproof {
 namespace {
 
@@ -15,8 +17,8 @@ struct Box {
 };
 
 void add_to(Box& box, const Quad& quad) {
-  for (const Vec3f& p : {quad.corner, quad.corner + quad.edge_u, quad.corner + quad.edge_v,
-                         quad.corner + quad.edge_u + quad.edge_v})
+  for (const Vec3f& p :
+       {quad.corner, quad.corner + quad.edge_u, quad.corner + quad.edge_v, quad.corner + quad.edge_u + quad.edge_v})
     box.add(p);
 }
 
@@ -29,24 +31,19 @@ void add_to(Box& box, const Mesh& mesh) {
   for (std::size_t i = 0; i + 1 < mesh.positions.size(); ++i) box.add(mesh.positions[i]);  // the last is a spare
 }
 
-void add_to(Box& box, const Disk& disk) {
-  for (const Vec3f& p : {disk.axis_x + disk.axis_y, disk.axis_x - disk.axis_y}) {
-    box.add(disk.center + p);
-    box.add(disk.center - p);
-  }
+template <class Shape>
+void add_bounds(Box& box, const Shape& shape) {
+  const ShapeBox bounds = box_around(shape);
+  box.add(bounds.low);
+  box.add(bounds.high);
 }
-
-void add_to(Box& box, const Cylinder& cylinder) {
-  for (const Vec3f& end : {cylinder.base, cylinder.base + cylinder.axis * cylinder.length}) {
-    box.add(end - Vec3f(cylinder.radius));
-    box.add(end + Vec3f(cylinder.radius));
-  }
-}
-
+void add_to(Box& box, const Disk& disk) { add_bounds(box, disk); }
+void add_to(Box& box, const Cylinder& cylinder) { add_bounds(box, cylinder); }
 void add_to(Box&, const Plane&) {}
 
 void add_to(Box& box, const MeshInstance& copy) {
-  for (std::size_t i = 0; i + 1 < copy.mesh->positions.size(); ++i) box.add(copy.placement->point(copy.mesh->positions[i]));
+  const Mesh& mesh = *copy.mesh;
+  for (std::size_t i = 0; i + 1 < mesh.positions.size(); ++i) box.add(copy.placement->point(mesh.positions[i]));
 }
 
 }  // namespace

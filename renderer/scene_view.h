@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "renderer/camera_view.h"
 #include "renderer/ray.h"
 #include "renderer/sampler.h"
 
@@ -59,13 +60,6 @@ struct AimTarget {
   Vec3f center;
   float radius = 0;
   static constexpr std::uint32_t stride = 4;
-};
-
-struct CameraView {
-  Vec3f origin, right, up, forward;
-  float tan_x = 1, tan_y = 1;
-  float inverse_width = 1, inverse_height = 1;
-  float near = 0, far = 0;  ///< distances along `forward`
 };
 
 struct SceneView {

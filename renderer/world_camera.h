@@ -1,4 +1,4 @@
-// The camera as one history at a time needs it: rays through a place of the image, and points seen from the camera.
+// The camera as the scalar integrators need it: rays through a place of the image, and points seen from the camera.
 #pragma once
 
 #include <optional>
@@ -18,21 +18,21 @@ struct CameraSeen {
 
 class WorldCamera {
  public:
-  explicit WorldCamera(const World& world) : camera_(world.view().camera) {}
+  /// `rays`: pixels that are rendered, each with one of the camera rays over which densities are.
+  WorldCamera(const World& world, std::int64_t rays) : camera_(world.view().camera), rays_(static_cast<float>(rays)) {}
 
-  /// The ray through a place of the image.
-  Ray ray(const Vec2<float>& raster, const Vec2<float>& u_lens) const;
+  /// The ray of a camera sample of a pixel; nothing where the camera has no image. `grid` as in RenderJob.
+  std::optional<Ray> ray(int x, int y, const Draws& draws, int grid, std::uint32_t in_pixel,
+                         const Vec2<float>& u_lens) const;
   /// Nothing where the camera cannot see p, whatever stands between.
   std::optional<CameraSeen> connect(const Vec3f& p, const Vec2<float>& u_lens) const;
-  /// The density of CameraSeen for a camera ray that ended at p.
-  float density(const Ray& ray, const Vec3f& p) const;
-  bool beyond_far_plane(const Vec3f& p) const { return dot(p - camera_.origin, camera_.forward) > camera_.far; }
+  /// The density of CameraSeen for a camera ray, from the same place of the lens, that ended at p.
+  float density(const Vec3f& p, const Vec2<float>& u_lens) const;
+  bool beyond_far_plane(const Vec3f& p) const;
 
  private:
   const CameraView& camera_;
+  float rays_;
 };
-
-/// The place in its pixel of a history's sample: drawn, or on the k x k grid that was asked for.
-Vec2<float> place_in_pixel(const Draws& draws, int grid, std::uint32_t dimension);
 
 }  // namespace photonproof

@@ -55,8 +55,9 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, F> {
     s.key = ray.key;
     s.index = ray.index;
     s.path = lane_index<F>() + first;
-    task_.counts.camera += count_lanes(lanes);
-    return lanes;
+    const Mask<F> begins = lanes && ray.valid;  // the others' radiance stays 0
+    task_.counts.camera += count_lanes(begins);
+    return begins;
   }
 
   /// Adds the lights that the rays met.
@@ -155,8 +156,9 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, F> {
     if (!scene_.one_light) u_choice = draw_independent<F>(s.key, s.index, U(dimension + 2u));
     const Vec2<F> u_point = draw2<F>(task_.camera.sampler, s.key, s.index, dimension);
     const SurfaceHit<F> hit{active, at.p, at.normal, at.surface, s.from};
-    s.radiance += s.throughput * estimate_direct<F>(scene_, hit, bsdf, frame, wo_local, task_.settings.weighted && goes_on,
-                                                    u_choice, u_point, active, task_.counts);
+    s.radiance +=
+        s.throughput * estimate_direct<F>(scene_, hit, bsdf, frame, wo_local, task_.settings.weighted && goes_on,
+                                          u_choice, u_point, active, task_.counts);
   }
 
   /// Unbiased: from rr_depth on, survive with probability min(0.95, largest channel) and divide by it.
