@@ -75,8 +75,9 @@ class Scene {
   const ReconstructionFilter filter;
 
  private:
-class SceneLights;
-class SceneShapes;
+  void compile_bsdfs(const SceneDescription& description);
+  void add_surface_lights(const SceneDescription& description, const SceneShapes& shapes);
+  void compile_detail(const SkipSwitches& skips);
 
   Vec3d moved_;  ///< what was added to the description's coordinates
   std::size_t primitives_ = 0;
@@ -85,8 +86,8 @@ class SceneShapes;
   std::vector<LightWords> light_words_;
   std::vector<float> bsdf_records_, light_records_;
   std::vector<AimTarget> aim_targets_;
-class SceneLights;
-class SceneShapes;
+  std::unique_ptr<SceneLights> scene_lights_;
+  DetailTables detail_;
   std::unique_ptr<SmallSceneTables> small_;
   std::unique_ptr<Tracer> tracer_;
   SceneView view_;
