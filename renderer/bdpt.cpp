@@ -8,6 +8,7 @@
 #include "renderer/bdpt_weights.h"
 #include "renderer/plan.h"
 #include "renderer/scalar_passes.h"
+#include "renderer/surroundings.h"
 #include "renderer/world_camera.h"
 #include "renderer/world_lights.h"
 
@@ -20,6 +21,7 @@ struct Vertex {
   Vec3f back;      ///< unit, to the vertex before
   Rgb throughput;  ///< of the subpath up to here, over its densities
   SubpathWeights weights;
+  Surroundings around;  ///< on the side of `back`
   std::uint32_t edges;  ///< of the subpath
 };
 
@@ -28,14 +30,21 @@ namespace dimension {
 constexpr std::uint32_t in_pixel = 0, lens = 1;
 constexpr std::uint32_t light = 0, position = 1, direction = 2;
 constexpr std::uint32_t first_vertex = 4, of_vertex = 6;
+constexpr std::uint32_t segment = 0x80000000u;
 enum What : std::uint32_t { next, lobe, roulette, layer, end_choice, end_point };
 constexpr std::uint32_t at_vertex(std::uint32_t edges, What what) { return first_vertex + edges * of_vertex + what; }
 }  // namespace dimension
 
 class BidirectionalTracer {
  public:
-  BidirectionalTracer(const Scene& scene, const PathLimits& limits, int grid)
-      : world_(scene), lights_(world_), camera_(world_), limits_(limits), grid_(grid) {}
+  BidirectionalTracer(const Scene& scene, const PathLimits& limits, int grid, std::int64_t pixels)
+      : world_(scene),
+        lights_(world_),
+        camera_(world_, pixels),
+        limits_(limits),
+        grid_(grid),
+        outer_(outer_medium(world_)),
+        around_camera_(surroundings_at(world_, scene.view().camera.origin, outer_)) {}
 
   /// Radiance of a camera sample; what its light path brings to the lens is splatted. `light_path` is scratch.
   Rgb sample(int x, int y, const Draws& camera_draws, const Draws& light_draws, std::vector<Vertex>& light_path,
@@ -59,15 +68,17 @@ class BidirectionalTracer {
     ++work.rays.photon;
     Vertex v;
     v.throughput = start.weight;
+    if (world_.has_media_or_bodies()) v.around = surroundings_at(world_, start.end.p, outer_);
     for (v.edges = 1;; ++v.edges) {
       // One edge more leads to the lens.
+      const Vec3f before = ray.origin;
       if (!within(v.edges + 1) || !meet(ray, draws, v)) return;
       if (v.edges == 1)
         v.weights = first_light_weights(start, v.at);
       else
-        v.weights.arrive(length_squared(v.at.p - ray.origin), cosine(v.at.ng, v.back));
+        v.weights.arrive(length_squared(v.at.p - before), cosine(v.at.ng, v.back));
       if (has_smooth(v.at.bsdf)) {
-        join_lens(v, draws.two(dimension::at_vertex(v.edges, dimension::end_point)), work);
+        join_lens(v, draws, work);
         path.push_back(v);
       }
       if (!within(v.edges + 2) || !go_on(v, draws, TransportMode::importance, max_component(start.weight), ray)) return;
@@ -77,21 +88,23 @@ class BidirectionalTracer {
 
   Rgb trace_camera_path(int x, int y, const Draws& draws, const std::vector<Vertex>& light_path,
                         ScalarWork& work) const {
-    const Vec2<float> place = place_in_pixel(draws, grid_, dimension::in_pixel);
-    Ray ray =
-        camera_.ray({static_cast<float>(x) + place.x, static_cast<float>(y) + place.y}, draws.two(dimension::lens));
+    const Vec2<float> u_lens = draws.two(dimension::lens);
+    std::optional<Ray> first = camera_.ray(x, y, draws, grid_, dimension::in_pixel, u_lens);
+    if (!first) return Rgb(0.0f);
+    Ray& ray = *first;
     ++work.rays.camera;
     Rgb radiance(0.0f);
     Vertex v;
     v.throughput = Rgb(1.0f);
+    v.around = around_camera_;
     for (v.edges = 1;; ++v.edges) {
       const Vec3f before = ray.origin;
       if (!within(v.edges)) return radiance;
       if (!meet(ray, draws, v)) return lights_.has_environment() ? radiance + meet_environment(v, before) : radiance;
       if (v.edges == 1) {
         if (camera_.beyond_far_plane(v.at.p)) return radiance;
-        const double density = static_cast<double>(camera_.density(ray, v.at.p) * cosine(v.at.ng, v.back));
-        v.weights = {1 / (density * density), 0};
+        const double density = camera_.density(v.at.p, u_lens) * cosine(v.at.ng, v.back);
+        if (density > 0) v.weights = {1 / (density * density), 0};
       } else {
         v.weights.arrive(length_squared(v.at.p - before), cosine(v.at.ng, v.back));
       }
@@ -100,16 +113,25 @@ class BidirectionalTracer {
       if (has_smooth(v.at.bsdf)) {
         radiance += join_light(v, draws, work);
         for (const Vertex& l : light_path)
-          if (within(v.edges + l.edges + 1)) radiance += join(v, l, work);
+          if (within(v.edges + l.edges + 1)) radiance += join(v, l, draws, work);
       }
       if (!go_on(v, draws, TransportMode::radiance, 1, ray)) return radiance;
       ++work.rays.bounce;
     }
   }
 
-  bool meet(const Ray& ray, const Draws& draws, Vertex& v) const {
+  bool meet(Ray& ray, const Draws& draws, Vertex& v) const {
     v.back = -ray.direction;
-    return world_.intersect(ray, draws.one(dimension::at_vertex(v.edges, dimension::layer)), v.at);
+    return travel(world_, ray, v.around, draws.one(dimension::at_vertex(v.edges, dimension::layer)), v.throughput,
+                  v.at);
+  }
+
+  /// What arrives of light between the vertex and another point.
+  Rgb arriving(const Vertex& v, const SegmentEnd& to, const Draws& draws) const {
+    if (!world_.has_media_or_bodies()) return Rgb(world_.visible(end_at(v.at), to) ? 1.0f : 0.0f);
+    Surroundings around = v.around;
+    around.leave(world_, v.at, v.back, to.p - v.at.p);
+    return transmittance(world_, end_at(v.at), to, around, false, draws, dimension::segment);
   }
 
   /// Draws the next direction and plays roulette; false where the subpath ends. `full` is the throughput that roulette
@@ -131,6 +153,7 @@ class BidirectionalTracer {
       if (draws.one(dimension::at_vertex(v.edges, dimension::roulette)) >= q) return false;
       v.throughput *= 1 / q;
     }
+    if (world_.has_media_or_bodies()) v.around.leave(world_, v.at, v.back, next.wi);
     ray = world_.leave(v.at, next.wi);
     return true;
   }
@@ -190,7 +213,8 @@ class BidirectionalTracer {
     const Rgb value = v.throughput * f * seen.radiance * (cosine(v.at.frame.n, seen.wi) / seen.pdf);
     if (!(max_component(value) > 0)) return Rgb(0.0f);
     ++work.rays.shadow;
-    if (!world_.visible(end_at(v.at), seen.end)) return Rgb(0.0f);
+    const Rgb arrives = arriving(v, seen.end, draws);
+    if (!(max_component(arrives) > 0)) return Rgb(0.0f);
 
     const double less = seen.delta ? 0.0 : scatter_pdf(v.at, v.back, seen.wi) / double{seen.pdf};
     const EmissionPdf pdf =
@@ -200,26 +224,28 @@ class BidirectionalTracer {
     double drawn = seen.pdf;
     if (!seen.delta && !seen.infinite) drawn *= cosine(seen.end.normal, seen.wi) / length_squared(v.at.p - seen.end.p);
     const double more = v.weights.ratio(pdf.position * f1 / drawn, scatter_pdf(v.at, seen.wi, v.back));
-    return value * static_cast<float>(1 / (1 + less * less + more));
+    return value * arrives * static_cast<float>(1 / (1 + less * less + more));
   }
 
   /// t = 1: the light vertex as the camera sees it.
-  void join_lens(const Vertex& v, const Vec2<float>& u_lens, ScalarWork& work) const {
-    const std::optional<CameraSeen> seen = camera_.connect(v.at.p, u_lens);
+  void join_lens(const Vertex& v, const Draws& draws, ScalarWork& work) const {
+    const std::optional<CameraSeen> seen =
+        camera_.connect(v.at.p, draws.two(dimension::at_vertex(v.edges, dimension::end_point)));
     if (!seen) return;
     const Rgb f = evaluate(v.at, seen->wi, v.back);
     const Rgb value = v.throughput * f *
                       (adjoint_correction(v.at, v.back, seen->wi) * cosine(v.at.frame.n, seen->wi) * seen->density);
     if (!(max_component(value) > 0)) return;
     ++work.rays.shadow;
-    if (!world_.visible(end_at(v.at), seen->end)) return;
+    const Rgb arrives = arriving(v, seen->end, draws);
+    if (!(max_component(arrives) > 0)) return;
     const double made = seen->density * cosine(v.at.ng, seen->wi);
     const double less = v.weights.ratio(made, scatter_pdf(v.at, seen->wi, v.back));
-    work.splats.push_back({seen->raster, value * static_cast<float>(1 / (1 + less))});
+    work.splats.push_back({seen->raster, value * arrives * static_cast<float>(1 / (1 + less))});
   }
 
   /// A camera vertex and a light vertex.
-  Rgb join(const Vertex& c, const Vertex& l, ScalarWork& work) const {
+  Rgb join(const Vertex& c, const Vertex& l, const Draws& draws, ScalarWork& work) const {
     const Vec3f d = l.at.p - c.at.p;
     const float distance2 = length_squared(d);
     if (!(distance2 > 0)) return Rgb(0.0f);
@@ -232,12 +258,13 @@ class BidirectionalTracer {
                        cosine(l.at.frame.n, to_light) / distance2);
     if (!(max_component(value) > 0)) return Rgb(0.0f);
     ++work.rays.shadow;
-    if (!world_.visible(end_at(c.at), end_at(l.at))) return Rgb(0.0f);
+    const Rgb arrives = arriving(c, end_at(l.at), draws);
+    if (!(max_component(arrives) > 0)) return Rgb(0.0f);
     const double made_by_camera = scatter_pdf(c.at, c.back, to_light) * cosine(l.at.ng, to_light) / distance2;
     const double made_by_light = scatter_pdf(l.at, l.back, -to_light) * cosine(c.at.ng, to_light) / distance2;
     const double less = l.weights.ratio(made_by_camera, scatter_pdf(l.at, -to_light, l.back));
     const double more = c.weights.ratio(made_by_light, scatter_pdf(c.at, to_light, c.back));
-    return value * static_cast<float>(1 / (1 + less + more));
+    return value * arrives * static_cast<float>(1 / (1 + less + more));
   }
 
   World world_;
@@ -245,6 +272,8 @@ class BidirectionalTracer {
   WorldCamera camera_;
   PathLimits limits_;
   int grid_;
+  std::uint32_t outer_;
+  Surroundings around_camera_;
 };
 
 }  // namespace
@@ -252,12 +281,13 @@ class BidirectionalTracer {
 void render_bdpt(const Scene& scene, const IntegratorDescription& description, const RenderJob& job, Film& film,
                  RenderStats& stats) {
   stats.skipped = plan_render(scene, description, job).skipped();
-  const BidirectionalTracer tracer(scene, std::get<BdptDescription>(description.method), job.grid);
-  const auto pixels = static_cast<std::uint64_t>(scene.width) * static_cast<std::uint64_t>(scene.height);
+  const auto pixels = static_cast<std::uint64_t>(film.width()) * static_cast<std::uint64_t>(film.height());
+  const BidirectionalTracer tracer(scene, std::get<BdptDescription>(description.method), job.grid,
+                                   static_cast<std::int64_t>(pixels));
   render_splats(scene, job, Stream::bidirectional, "bidirectional path tracing", film, stats, [&] {
     return [&, light_path = std::vector<Vertex>()](int x, int y, const Draws& draws, ScalarWork& work) mutable {
-      const std::uint64_t pixel =
-          static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(scene.width) + static_cast<std::uint64_t>(x);
+      const auto pixel = static_cast<std::uint64_t>(y - film.window().y0) * static_cast<std::uint64_t>(film.width()) +
+                         static_cast<std::uint64_t>(x - film.window().x0);
       const Draws light_draws =
           draws_of_history(job.sampler, job.seed, Stream::light_tracing, draws.index * pixels + pixel);
       return tracer.sample(x, y, draws, light_draws, light_path, work);

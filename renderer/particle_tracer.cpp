@@ -9,6 +9,7 @@
 
 #include "renderer/plan.h"
 #include "renderer/scalar_passes.h"
+#include "renderer/surroundings.h"
 #include "renderer/world_camera.h"
 #include "renderer/world_lights.h"
 
@@ -18,6 +19,7 @@ namespace {
 /// What the draws of a history are for.
 namespace dimension {
 constexpr std::uint32_t light = 0, position = 1, direction = 2, seen_light = 3, seen_position = 4, seen_lens = 5;
+constexpr std::uint32_t segment = 0x80000000u;
 constexpr std::uint32_t first_vertex = 8, of_vertex = 5;  // from there: lens, direction, lobe, roulette, layer
 constexpr std::uint32_t at_vertex(std::uint32_t vertex, std::uint32_t what) {
   return first_vertex + vertex * of_vertex + what;
@@ -26,8 +28,8 @@ constexpr std::uint32_t at_vertex(std::uint32_t vertex, std::uint32_t what) {
 
 class ParticleTracer {
  public:
-  ParticleTracer(const Scene& scene, const PathLimits& limits)
-      : world_(scene), lights_(world_), camera_(world_), limits_(limits) {}
+  ParticleTracer(const Scene& scene, const PathLimits& limits, std::int64_t pixels)
+      : world_(scene), lights_(world_), camera_(world_, pixels), limits_(limits), outer_(outer_medium(world_)) {}
 
   void trace(const Draws& draws, ScalarWork& work) const {
     if (lights_.count() == 0) return;
@@ -38,14 +40,15 @@ class ParticleTracer {
     if (!(max_component(throughput) > 0)) return;
     const Rgb first_throughput = throughput;
     Ray ray = world_.leave(start.end, start.direction);
+    Surroundings around = surroundings_at(world_, start.end.p, outer_);
     ++work.rays.photon;
     // `edges` from the light to the vertex; the one to the camera comes on top.
     for (std::uint32_t edges = 1; within(edges + 1); ++edges) {
       const auto draw = [&](std::uint32_t what) { return dimension::at_vertex(edges, what); };
       Interaction at;
-      if (!world_.intersect(ray, draws.one(draw(4)), at)) return;
+      if (!travel(world_, ray, around, draws.one(draw(4)), throughput, at)) return;
       const Vec3f to_light = -ray.direction;
-      if (has_smooth(at.bsdf)) connect(at, to_light, throughput, draws.two(draw(0)), work);
+      if (has_smooth(at.bsdf)) connect(at, to_light, throughput, around, draws, draw(0), work);
       if (!within(edges + 2)) return;
       const Scattering next = scatter(at, to_light, draws.one(draw(2)), draws.two(draw(1)), TransportMode::importance);
       if (!next.valid) return;
@@ -56,6 +59,7 @@ class ParticleTracer {
         if (draws.one(draw(3)) >= q) return;
         throughput *= 1 / q;
       }
+      around.leave(world_, at, to_light, next.wi);
       ray = world_.leave(at, next.wi);
       ++work.rays.bounce;
     }
@@ -66,14 +70,15 @@ class ParticleTracer {
     return limits_.max_depth < 0 || edges <= static_cast<std::uint32_t>(limits_.max_depth);
   }
 
-  void connect(const Interaction& at, const Vec3f& to_light, const Rgb& throughput, const Vec2<float>& u_lens,
-               ScalarWork& work) const {
-    const std::optional<CameraSeen> seen = camera_.connect(at.p, u_lens);
+  void connect(const Interaction& at, const Vec3f& to_light, const Rgb& throughput, Surroundings around,
+               const Draws& draws, std::uint32_t lens, ScalarWork& work) const {
+    const std::optional<CameraSeen> seen = camera_.connect(at.p, draws.two(lens));
     if (!seen) return;
     const Rgb f = evaluate(at, seen->wi, to_light);
     const Rgb value =
         throughput * f * (adjoint_correction(at, to_light, seen->wi) * cosine(at.frame.n, seen->wi) * seen->density);
-    add(value, end_at(at), *seen, work);
+    around.leave(world_, at, to_light, seen->wi);
+    add(value, end_at(at), *seen, around, draws, work);
   }
 
   /// The light itself, by a point of its own.
@@ -84,19 +89,23 @@ class ParticleTracer {
     const std::optional<CameraSeen> seen = camera_.connect(start.end.p, draws.two(dimension::seen_lens));
     if (!seen) return;
     const Rgb emitted = lights_.radiance(start, seen->wi);
-    add(emitted * (cosine(start.end.normal, seen->wi) * seen->density / start.pdf.position), start.end, *seen, work);
+    add(emitted * (cosine(start.end.normal, seen->wi) * seen->density / start.pdf.position), start.end, *seen,
+        surroundings_at(world_, start.end.p, outer_), draws, work);
   }
 
-  void add(const Rgb& value, const SegmentEnd& from, const CameraSeen& seen, ScalarWork& work) const {
+  void add(const Rgb& value, const SegmentEnd& from, const CameraSeen& seen, const Surroundings& around,
+           const Draws& draws, ScalarWork& work) const {
     if (!(max_component(value) > 0)) return;
     ++work.rays.shadow;
-    if (world_.visible(from, seen.end)) work.splats.push_back({seen.raster, value});
+    const Rgb arrives = value * transmittance(world_, from, seen.end, around, false, draws, dimension::segment);
+    if (max_component(arrives) > 0) work.splats.push_back({seen.raster, arrives});
   }
 
   World world_;
   WorldLights lights_;
   WorldCamera camera_;
   PathLimits limits_;
+  std::uint32_t outer_;
 };
 
 }  // namespace
@@ -104,12 +113,13 @@ class ParticleTracer {
 void render_particle_tracer(const Scene& scene, const IntegratorDescription& description, const RenderJob& job,
                             Film& film, RenderStats& stats) {
   stats.skipped = plan_render(scene, description, job).skipped();
-  const ParticleTracer tracer(scene, std::get<ParticleTracerDescription>(description.method));
-  const auto pixels = static_cast<std::uint64_t>(scene.width) * static_cast<std::uint64_t>(scene.height);
+  const auto pixels = static_cast<std::uint64_t>(film.width()) * static_cast<std::uint64_t>(film.height());
+  const ParticleTracer tracer(scene, std::get<ParticleTracerDescription>(description.method),
+                              static_cast<std::int64_t>(pixels));
   render_splats(scene, job, Stream::light_tracing, "light tracing", film, stats, [&] {
     return [&](int x, int y, const Draws& draws, ScalarWork& work) {
-      const std::uint64_t pixel =
-          static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(scene.width) + static_cast<std::uint64_t>(x);
+      const auto pixel = static_cast<std::uint64_t>(y - film.window().y0) * static_cast<std::uint64_t>(film.width()) +
+                         static_cast<std::uint64_t>(x - film.window().x0);
       tracer.trace(draws_of_history(job.sampler, job.seed, Stream::light_tracing, draws.index * pixels + pixel), work);
       return Rgb(0.0f);
     };

@@ -35,16 +35,17 @@ class VolumetricTracer {
   VolumetricTracer(const Scene& scene, const PathLimits& limits, int grid)
       : world_(scene),
         lights_(world_),
-        camera_(world_),
+        camera_(world_, std::int64_t{scene.width} * scene.height),
         limits_(limits),
         grid_(grid),
         outer_(outer_medium(world_)),
         around_camera_(surroundings_at(world_, scene.view().camera.origin, outer_)) {}
 
   Rgb sample(int x, int y, const Draws& draws, ScalarWork& work) const {
-    const Vec2<float> place = place_in_pixel(draws, grid_, dimension::in_pixel);
+    const std::optional<Ray> first = camera_.ray(x, y, draws, grid_, dimension::in_pixel, draws.two(dimension::lens));
+    if (!first) return Rgb(0.0f);
     History h;
-    h.ray = camera_.ray({static_cast<float>(x) + place.x, static_cast<float>(y) + place.y}, draws.two(dimension::lens));
+    h.ray = *first;
     h.surroundings = around_camera_;
     ++work.rays.camera;
     for (std::uint32_t step = 0;; ++step) {
@@ -200,7 +201,7 @@ void render_volpath(const Scene& scene, const IntegratorDescription& description
                     RenderStats& stats) {
   stats.skipped = plan_render(scene, description, job).skipped();
   const VolumetricTracer tracer(scene, std::get<VolPathDescription>(description.method), job.grid);
-  render_samples(scene, job, Stream::volumetric, "volumetric path tracing", film, stats,
+  render_samples(job, Stream::volumetric, "volumetric path tracing", film, stats,
                  [&](int x, int y, const Draws& draws, ScalarWork& work) { return tracer.sample(x, y, draws, work); });
 }
 

@@ -27,18 +27,17 @@ class WhittedTracer {
   WhittedTracer(const Scene& scene, const PathLimits& limits, int grid)
       : world_(scene),
         lights_(world_),
-        camera_(world_),
+        camera_(world_, std::int64_t{scene.width} * scene.height),
         grid_(grid),
         hide_emitters_(limits.hide_emitters),
         max_edges_(limits.max_depth < 0 ? deepest : static_cast<std::uint32_t>(limits.max_depth)) {}
 
   Rgb sample(int x, int y, const Draws& draws, ScalarWork& work) const {
-    const Vec2<float> place = place_in_pixel(draws, grid_, dimension::in_pixel);
-    const Ray ray =
-        camera_.ray({static_cast<float>(x) + place.x, static_cast<float>(y) + place.y}, draws.two(dimension::lens));
+    const std::optional<Ray> first = camera_.ray(x, y, draws, grid_, dimension::in_pixel, draws.two(dimension::lens));
+    if (!first) return Rgb(0.0f);
     ++work.rays.camera;
     std::uint32_t dimension = dimension::first_hit;
-    return follow(ray, Rgb(1.0f), 1, draws, dimension, work);
+    return follow(*first, Rgb(1.0f), 1, draws, dimension, work);
   }
 
  private:
@@ -100,7 +99,7 @@ void render_whitted(const Scene& scene, const IntegratorDescription& description
                     RenderStats& stats) {
   stats.skipped = plan_render(scene, description, job).skipped();
   const WhittedTracer tracer(scene, std::get<WhittedDescription>(description.method), job.grid);
-  render_samples(scene, job, Stream::whitted, "ray tracing", film, stats,
+  render_samples(job, Stream::whitted, "ray tracing", film, stats,
                  [&](int x, int y, const Draws& draws, ScalarWork& work) { return tracer.sample(x, y, draws, work); });
 }
 
