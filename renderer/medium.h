@@ -17,9 +17,10 @@ struct Medium {
   HenyeyGreenstein phase;
   bool scatters = false;
 
-  /// Beer and Lambert.
+  /// By Beer and Lambert.
   Rgb transmittance(float distance) const {
-    return {std::exp(-sigma_t.x * distance), std::exp(-sigma_t.y * distance), std::exp(-sigma_t.z * distance)};
+    const auto of = [&](float extinction) { return extinction > 0 ? std::exp(-extinction * distance) : 1.0f; };
+    return {of(sigma_t.x), of(sigma_t.y), of(sigma_t.z)};  // the distance may be infinite
   }
 };
 

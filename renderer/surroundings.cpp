@@ -122,7 +122,7 @@ Rgb transmittance(const World& world, const SegmentEnd& from, const SegmentEnd& 
     const bool met = world.intersect(ray, draws.one(dimension), at);
     const float step = met ? length(at.p - ray.origin) : distance;
     if (!met || step >= distance * segment_end || (at.surface == to.surface && distance - step < at_the_end * whole)) {
-      attenuate(distance);
+      attenuate(to.at_infinity ? std::numeric_limits<float>::infinity() : distance);
       return left;
     }
     attenuate(step);

@@ -37,7 +37,7 @@ class Surroundings {
   void leave(const World& world, const Interaction& at, const Vec3f& wo, const Vec3f& wi);
 
  private:
-  static constexpr std::size_t most_bodies = 16;  ///< inside of more, the last entered do not count
+  static constexpr std::size_t most_bodies = 8;  ///< inside of more, the last entered do not count
   struct Body {
     std::uint32_t bsdf, medium;
     int priority;

@@ -38,6 +38,7 @@ struct SegmentEnd {
   Vec3f normal{0, 0, 0};
   std::uint32_t primitive = no_index;
   std::uint32_t surface = no_index;
+  bool at_infinity = false;  ///< p only stands for a direction
 };
 inline SegmentEnd end_at(const Interaction& at) { return {at.p, at.ng, at.primitive, at.surface}; }
 

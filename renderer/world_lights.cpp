@@ -11,7 +11,7 @@ WorldLights::WorldLights(const World& world)
 
 SegmentEnd WorldLights::end(std::uint32_t light, const Vec3f& p, const Vec3f& normal, std::uint32_t triangle) const {
   const std::uint32_t first = world_.view().light_words[light].primitive;
-  return {p, normal, first == no_index ? no_index : first + triangle, surface_[light]};
+  return {p, normal, first == no_index ? no_index : first + triangle, surface_[light], lights_.is_infinite(light)};
 }
 
 LightSeen WorldLights::seen(const LightSample<float>& s, std::uint32_t light, std::uint32_t triangle) const {
@@ -50,7 +50,7 @@ LightStart WorldLights::emit(float u_choice, const Vec2<float>& u_position, cons
   const LightEmission e = lights_.emit(u_choice, u_position, u_direction);
   if (!(e.probability > 0)) return {};
   LightStart start;
-  start.end = {e.origin, e.normal, no_index, surface_[e.light]};
+  start.end = {e.origin, e.normal, no_index, surface_[e.light], e.is_infinite};
   start.direction = e.direction;
   start.weight = e.flux;
   start.pdf = e.is_infinite ? EmissionPdf{e.pdf_direction * e.probability, e.pdf_position}
