@@ -1,8 +1,12 @@
 #include "renderer/integrator.h"
 
+#include "renderer/bdpt.h"
 #include "renderer/direct_integrator.h"
+#include "renderer/particle_tracer.h"
 #include "renderer/path_integrator.h"
 #include "renderer/photon_mapper.h"
+#include "renderer/volpath.h"
+#include "renderer/whitted.h"
 
 namespace photonproof {
 
@@ -14,6 +18,28 @@ const std::vector<Integrator>& integrators() {
        render_photon_mapper,
        {.photons = true}},
       {"direct", "emission and light reflected once: next-event estimation and BSDF sampling, MIS", render_direct},
+      {"bdpt",
+       "unbiased bidirectional path tracing: every way of making a path, weighted against the others",
+       render_bdpt,
+       {.isa = false},
+       Integrator::Media::absorbing,
+       true},
+      {"ptracer",
+       "unbiased light tracing: paths from the lights, every vertex connected to the camera",
+       render_particle_tracer,
+       {.grid = false, .isa = false},
+       Integrator::Media::absorbing,
+       true},
+      {"volpath",
+       "unbiased path tracing through participating media and nested dielectrics",
+       render_volpath,
+       {.isa = false},
+       Integrator::Media::all,
+       true},
+      {"whitted",
+       "mirrors and glass followed exactly, direct light elsewhere, no interreflection",
+       render_whitted,
+       {.isa = false}},
   };
   return table;
 }

@@ -64,6 +64,36 @@ class Planner {
     rays();
     groups();
     direct_light(true);
+    for (const std::string& what : unreachable(false)) run("cannot see", what);
+  }
+
+  void bdpt(const BdptDescription& method) {
+    run("camera paths", depth_words(method.max_depth) + ", one at a time, each vertex joined to a light");
+    run("light paths", "one a camera sample, each vertex joined to the lens and to those of the camera path");
+    rays_one_by_one();
+    for (const std::string& what : unreachable(true)) run("cannot see", what);
+  }
+
+  void particle_tracer(const ParticleTracerDescription& method) {
+    run("light paths", depth_words(method.max_depth) + ", one a camera sample, each vertex joined to the lens");
+    rays_one_by_one();
+    if (surfaces_with([](const Bsdf& bsdf) { return !has_smooth(bsdf); }))
+      run("cannot see", "what mirrors and smooth glass show: no light path meets the lens by itself");
+    if (scene_.view().environment != no_index) run("cannot see", "the environment itself, only what it lights");
+  }
+
+  void volpath(const VolPathDescription& method) {
+    run("camera paths",
+        depth_words(method.max_depth) + ", one at a time, roulette from depth " + std::to_string(method.rr_depth));
+    run("media", scene_.media.media.empty() ? "none" : counted(scene_.media.media.size(), "medium", "media"));
+    rays_one_by_one();
+    for (const std::string& what : unreachable(false)) run("cannot see", what);
+  }
+
+  void whitted(const WhittedDescription& method) {
+    run("camera paths", "through mirrors and both ways at smooth dielectrics, " + depth_words(method.max_depth));
+    run("direct light", "one point of every light at every other surface; no light between those");
+    rays_one_by_one();
   }
 
   void direct(const DirectDescription& method) {
@@ -113,6 +143,27 @@ class Planner {
   }
 
  private:
+  void rays_one_by_one() {
+    run("rays", scene_.view().small ? "one by one against all primitives" : "one by one through Embree");
+  }
+  template <class Test>
+  bool surfaces_with(const Test& test) const {
+    bool found = false;
+    for (const Surface& surface : scene_.surfaces)
+      scene_.for_each_leaf(surface.bsdf, [&](const Bsdf& bsdf, bool) { found = found || test(bsdf); });
+    return found;
+  }
+  /// Light that no path of the integrator can bring: lights that no ray meets have to be sampled, and what mirrors or
+  /// smooth glass make of a light is in a single direction, which samples cannot hit. Light paths see the first, if the
+  /// vertex after the glass scatters and the camera sees that directly.
+  std::vector<std::string> unreachable(bool with_light_paths) const {
+    const bool delta_light =
+        std::any_of(scene_.lights.begin(), scene_.lights.end(), [](const Light& light) { return is_delta(light); });
+    if (!delta_light || !surfaces_with([](const Bsdf& bsdf) { return !has_smooth(bsdf); })) return {};
+    if (with_light_paths) return {"caustics of lights of no size, where they are seen in mirrors or through glass"};
+    return {"caustics of lights of no size: no ray meets such a light behind a mirror or glass"};
+  }
+
   const Scene& scene_;
   const RenderJob& job_;
   RenderPlan& plan_;
@@ -141,6 +192,10 @@ RenderPlan plan_render(const Scene& scene, const IntegratorDescription& method, 
   Planner planner(scene, job, plan);
   if (const auto* path = std::get_if<PathDescription>(&method.method)) planner.path(*path);
   if (const auto* mapper = std::get_if<PhotonMapperDescription>(&method.method)) planner.photon_mapper(*mapper);
+  if (const auto* bdpt = std::get_if<BdptDescription>(&method.method)) planner.bdpt(*bdpt);
+  if (const auto* tracer = std::get_if<ParticleTracerDescription>(&method.method)) planner.particle_tracer(*tracer);
+  if (const auto* volpath = std::get_if<VolPathDescription>(&method.method)) planner.volpath(*volpath);
+  if (const auto* whitted = std::get_if<WhittedDescription>(&method.method)) planner.whitted(*whitted);
   if (const auto* direct = std::get_if<DirectDescription>(&method.method)) planner.direct(*direct);
   return plan;
 }

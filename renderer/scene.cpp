@@ -40,7 +40,12 @@ TextureLookup texture_lookup(const Textures& textures) {
 
 Scene::Scene(const SceneDescription& description, int width_, int height_, const SkipSwitches& skips,
              std::size_t small_limit, ScenePurpose purpose)
-    : width(width_), height(height_), textures(description.textures), detail_(surfaces, textures) {
+    : width(width_),
+      height(height_),
+      textures(description.textures),
+      media(compile_media(description)),
+      filter(description.sensor.film.filter),
+      detail_(surfaces, textures) {
   const SceneFrame frame = scene_frame(description);
   moved_ = frame.moved;
   compile_bsdfs(description);

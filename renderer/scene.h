@@ -9,6 +9,7 @@
 #include "renderer/bsdf.h"
 #include "renderer/camera.h"
 #include "renderer/light.h"
+#include "renderer/medium.h"
 #include "renderer/scene_view.h"
 #include "renderer/skips.h"
 #include "renderer/surface.h"
@@ -71,6 +72,8 @@ class Scene {
   std::vector<Bsdf> bsdfs;  ///< by the description's indices; of those that wrap others there is nothing here
   std::vector<Light> lights;
   std::vector<Surface> surfaces;
+  const SceneMedia media;
+  const ReconstructionFilter filter;
 
  private:
   void compile_bsdfs(const SceneDescription& description);

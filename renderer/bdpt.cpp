@@ -1,0 +1,298 @@
+// Bidirectional path tracing (Veach 1997, chapter 10; Lafortune and Willems 1993): each camera sample has a light path
+// of its own, and every vertex of the one is joined to every vertex of the other,
+//   camera path meets a light (s = 0), next-event estimation (s = 1), light vertex to lens (t = 1), vertex to vertex,
+// weighted by bdpt_weights.h. What reaches the lens is splatted.
+
+#include "renderer/bdpt.h"
+
+#include "renderer/bdpt_weights.h"
+#include "renderer/plan.h"
+#include "renderer/scalar_passes.h"
+#include "renderer/surroundings.h"
+#include "renderer/world_camera.h"
+#include "renderer/world_lights.h"
+
+namespace photonproof {
+namespace {
+
+/// A vertex of either subpath that can be joined to others.
+struct Vertex {
+  Interaction at;
+  Vec3f back;      ///< unit, to the vertex before
+  Rgb throughput;  ///< of the subpath up to here, over its densities
+  SubpathWeights weights;
+  Surroundings around;  ///< on the side of `back`
+  std::uint32_t edges;  ///< of the subpath
+};
+
+/// What the draws of a history are for; light paths and camera paths have sequences of their own.
+namespace dimension {
+constexpr std::uint32_t in_pixel = 0, lens = 1;
+constexpr std::uint32_t light = 0, position = 1, direction = 2;
+constexpr std::uint32_t first_vertex = 4, of_vertex = 6;
+constexpr std::uint32_t segment = 0x80000000u;
+enum What : std::uint32_t { next, lobe, roulette, layer, end_choice, end_point };
+constexpr std::uint32_t at_vertex(std::uint32_t edges, What what) { return first_vertex + edges * of_vertex + what; }
+}  // namespace dimension
+
+class BidirectionalTracer {
+ public:
+  BidirectionalTracer(const Scene& scene, const PathLimits& limits, int grid, std::int64_t pixels)
+      : world_(scene),
+        lights_(world_),
+        camera_(world_, pixels),
+        limits_(limits),
+        grid_(grid),
+        outer_(outer_medium(world_)),
+        around_camera_(surroundings_at(world_, scene.view().camera.origin, outer_)) {}
+
+  /// Radiance of a camera sample; what its light path brings to the lens is splatted. `light_path` is scratch.
+  Rgb sample(int x, int y, const Draws& camera_draws, const Draws& light_draws, std::vector<Vertex>& light_path,
+             ScalarWork& work) const {
+    light_path.clear();
+    if (lights_.count() > 0) trace_light_path(light_draws, light_path, work);
+    return trace_camera_path(x, y, camera_draws, light_path, work);
+  }
+
+ private:
+  bool within(std::uint32_t edges) const {
+    return limits_.max_depth < 0 || edges <= static_cast<std::uint32_t>(limits_.max_depth);
+  }
+
+  void trace_light_path(const Draws& draws, std::vector<Vertex>& path, ScalarWork& work) const {
+    if (!within(2)) return;
+    const LightStart start =
+        lights_.emit(draws.one(dimension::light), draws.two(dimension::position), draws.two(dimension::direction));
+    if (!(max_component(start.weight) > 0)) return;
+    Ray ray = world_.leave(start.end, start.direction);
+    ++work.rays.photon;
+    Vertex v;
+    v.throughput = start.weight;
+    if (world_.has_media_or_bodies()) v.around = surroundings_at(world_, start.end.p, outer_);
+    for (v.edges = 1;; ++v.edges) {
+      // One edge more leads to the lens.
+      const Vec3f before = ray.origin;
+      if (!within(v.edges + 1) || !meet(ray, draws, v)) return;
+      if (v.edges == 1)
+        v.weights = first_light_weights(start, v.at);
+      else
+        v.weights.arrive(length_squared(v.at.p - before), cosine(v.at.ng, v.back));
+      if (has_smooth(v.at.bsdf)) {
+        join_lens(v, draws, work);
+        path.push_back(v);
+      }
+      if (!within(v.edges + 2) || !go_on(v, draws, TransportMode::importance, max_component(start.weight), ray)) return;
+      ++work.rays.bounce;
+    }
+  }
+
+  Rgb trace_camera_path(int x, int y, const Draws& draws, const std::vector<Vertex>& light_path,
+                        ScalarWork& work) const {
+    const Vec2<float> u_lens = draws.two(dimension::lens);
+    std::optional<Ray> first = camera_.ray(x, y, draws, grid_, dimension::in_pixel, u_lens);
+    if (!first) return Rgb(0.0f);
+    Ray& ray = *first;
+    ++work.rays.camera;
+    Rgb radiance(0.0f);
+    Vertex v;
+    v.throughput = Rgb(1.0f);
+    v.around = around_camera_;
+    for (v.edges = 1;; ++v.edges) {
+      const Vec3f before = ray.origin;
+      if (!within(v.edges)) return radiance;
+      if (!meet(ray, draws, v)) return lights_.has_environment() ? radiance + meet_environment(v, before) : radiance;
+      if (v.edges == 1) {
+        if (camera_.beyond_far_plane(v.at.p)) return radiance;
+        const double density = camera_.density(v.at.p, u_lens) * cosine(v.at.ng, v.back);
+        if (density > 0) v.weights = {1 / (density * density), 0};
+      } else {
+        v.weights.arrive(length_squared(v.at.p - before), cosine(v.at.ng, v.back));
+      }
+      if (v.at.light != no_index) radiance += meet_light(v, before);
+      if (!within(v.edges + 1)) return radiance;
+      if (has_smooth(v.at.bsdf)) {
+        radiance += join_light(v, draws, work);
+        for (const Vertex& l : light_path)
+          if (within(v.edges + l.edges + 1)) radiance += join(v, l, draws, work);
+      }
+      if (!go_on(v, draws, TransportMode::radiance, 1, ray)) return radiance;
+      ++work.rays.bounce;
+    }
+  }
+
+  bool meet(Ray& ray, const Draws& draws, Vertex& v) const {
+    v.back = -ray.direction;
+    return travel(world_, ray, v.around, draws.one(dimension::at_vertex(v.edges, dimension::layer)), v.throughput,
+                  v.at);
+  }
+
+  /// What arrives of light between the vertex and another point.
+  Rgb arriving(const Vertex& v, const SegmentEnd& to, const Draws& draws) const {
+    if (!world_.has_media_or_bodies()) return Rgb(world_.visible(end_at(v.at), to) ? 1.0f : 0.0f);
+    Surroundings around = v.around;
+    around.leave(world_, v.at, v.back, to.p - v.at.p);
+    return transmittance(world_, end_at(v.at), to, around, false, draws, dimension::segment);
+  }
+
+  /// Draws the next direction and plays roulette; false where the subpath ends. `full` is the throughput that roulette
+  /// compares with.
+  bool go_on(Vertex& v, const Draws& draws, TransportMode mode, float full, Ray& ray) const {
+    const Scattering next = scatter(v.at, v.back, draws.one(dimension::at_vertex(v.edges, dimension::lobe)),
+                                    draws.two(dimension::at_vertex(v.edges, dimension::next)), mode);
+    if (!next.valid) return false;
+    const float cos_out = cosine(v.at.ng, next.wi);
+    if (next.delta)
+      v.weights.scatter_delta(cos_out);
+    else
+      v.weights.scatter(next.pdf, scatter_pdf(v.at, next.wi, v.back), cos_out);
+    v.throughput *= next.weight;
+    if (mode == TransportMode::importance) v.throughput *= adjoint_correction(v.at, v.back, next.wi);
+    if (!(max_component(v.throughput) > 0)) return false;
+    if (v.edges >= static_cast<std::uint32_t>(limits_.rr_depth)) {
+      const float q = std::min(0.95f, max_component(v.throughput) / full);
+      if (draws.one(dimension::at_vertex(v.edges, dimension::roulette)) >= q) return false;
+      v.throughput *= 1 / q;
+    }
+    if (world_.has_media_or_bodies()) v.around.leave(world_, v.at, v.back, next.wi);
+    ray = world_.leave(v.at, next.wi);
+    return true;
+  }
+
+  /// Density per area at `at` of a light path's first step there.
+  static float first_step(const EmissionPdf& pdf, bool infinite, const Vec3f& start, const Interaction& at,
+                          const Vec3f& to_light) {
+    const float cos_in = cosine(at.ng, to_light);
+    return pdf.direction * (infinite ? cos_in : cos_in / length_squared(at.p - start));
+  }
+
+  SubpathWeights first_light_weights(const LightStart& start, const Interaction& at) const {
+    const Vec3f to_light = -start.direction;
+    const double f0 = start.pdf.position;
+    const double f1 = first_step(start.pdf, start.infinite, start.end.p, at, to_light);
+    const double drawn_anew = lights_.sample_pdf(at.p, start);
+    if (start.delta) {  // no camera path meets it
+      const double a = drawn_anew / (f0 * f1);
+      return {a * a, 0};
+    }
+    const double g0 = start.infinite ? 1.0f : cosine(start.end.normal, to_light) / length_squared(at.p - start.end.p);
+    const double a = g0 * drawn_anew / (f0 * f1), b = g0 / (f0 * f1);
+    return {a * a, b * b};
+  }
+
+  /// s = 0: the camera path found a light by itself.
+  Rgb meet_light(const Vertex& v, const Vec3f& before) const {
+    const Rgb emitted = lights_.radiance(v.at, v.back);
+    if (!(max_component(emitted) > 0)) return Rgb(0.0f);
+    if (v.edges == 1) return limits_.hide_emitters ? Rgb(0.0f) : emitted;
+    const EmissionPdf pdf = lights_.emit_pdf(v.at.light, v.at.p, v.at.ng, v.back);
+    const double g = cosine(v.at.ng, v.back) / length_squared(v.at.p - before);
+    const double drawn_anew = g * lights_.sample_pdf(before, v.at);
+    // (d_0/b_0)^2 for s = 1, and for s > 1 what went before times (f_0 t_0/b_0 ...)^2.
+    const double more = v.weights.ratio_of_light(drawn_anew, double{pdf.position} * double{pdf.direction});
+    return v.throughput * emitted * static_cast<float>(1 / (1 + more));
+  }
+
+  /// s = 0 at infinity: the direction takes the place of the light's point, and densities stay per solid angle.
+  Rgb meet_environment(const Vertex& v, const Vec3f& before) const {
+    if (v.edges == 1 && limits_.hide_emitters) return Rgb(0.0f);
+    const Vec3f direction = -v.back;
+    const Rgb emitted = v.throughput * lights_.environment(direction);
+    if (v.edges == 1 || !(max_component(emitted) > 0)) return emitted;
+    const EmissionPdf pdf = lights_.environment_emit_pdf(before, direction);
+    const double more = v.weights.ratio_of_light(lights_.environment_pdf(before, direction),
+                                                 double{pdf.position} * double{pdf.direction});
+    return emitted * static_cast<float>(1 / (1 + more));
+  }
+
+  /// s = 1: a light's point drawn for this vertex.
+  Rgb join_light(const Vertex& v, const Draws& draws, ScalarWork& work) const {
+    const LightSeen seen = lights_.sample(v.at.p, draws.one(dimension::at_vertex(v.edges, dimension::end_choice)),
+                                          draws.two(dimension::at_vertex(v.edges, dimension::end_point)));
+    if (!(seen.pdf > 0)) return Rgb(0.0f);
+    const Rgb f = evaluate(v.at, v.back, seen.wi);
+    const Rgb value = v.throughput * f * seen.radiance * (cosine(v.at.frame.n, seen.wi) / seen.pdf);
+    if (!(max_component(value) > 0)) return Rgb(0.0f);
+    ++work.rays.shadow;
+    const Rgb arrives = arriving(v, seen.end, draws);
+    if (!(max_component(arrives) > 0)) return Rgb(0.0f);
+
+    const double less = seen.delta ? 0.0 : scatter_pdf(v.at, v.back, seen.wi) / double{seen.pdf};
+    const EmissionPdf pdf =
+        lights_.emit_pdf(seen.light, seen.infinite ? v.at.p : seen.end.p, seen.end.normal, -seen.wi);
+    const double f1 = first_step(pdf, seen.infinite, seen.end.p, v.at, seen.wi);
+    // f_0 over d_0: both per area, or both per direction at an infinite light, or both of the choice alone.
+    double drawn = seen.pdf;
+    if (!seen.delta && !seen.infinite) drawn *= cosine(seen.end.normal, seen.wi) / length_squared(v.at.p - seen.end.p);
+    const double more = v.weights.ratio(pdf.position * f1 / drawn, scatter_pdf(v.at, seen.wi, v.back));
+    return value * arrives * static_cast<float>(1 / (1 + less * less + more));
+  }
+
+  /// t = 1: the light vertex as the camera sees it.
+  void join_lens(const Vertex& v, const Draws& draws, ScalarWork& work) const {
+    const std::optional<CameraSeen> seen =
+        camera_.connect(v.at.p, draws.two(dimension::at_vertex(v.edges, dimension::end_point)));
+    if (!seen) return;
+    const Rgb f = evaluate(v.at, seen->wi, v.back);
+    const Rgb value = v.throughput * f *
+                      (adjoint_correction(v.at, v.back, seen->wi) * cosine(v.at.frame.n, seen->wi) * seen->density);
+    if (!(max_component(value) > 0)) return;
+    ++work.rays.shadow;
+    const Rgb arrives = arriving(v, seen->end, draws);
+    if (!(max_component(arrives) > 0)) return;
+    const double made = seen->density * cosine(v.at.ng, seen->wi);
+    const double less = v.weights.ratio(made, scatter_pdf(v.at, seen->wi, v.back));
+    work.splats.push_back({seen->raster, value * arrives * static_cast<float>(1 / (1 + less))});
+  }
+
+  /// A camera vertex and a light vertex.
+  Rgb join(const Vertex& c, const Vertex& l, const Draws& draws, ScalarWork& work) const {
+    const Vec3f d = l.at.p - c.at.p;
+    const float distance2 = length_squared(d);
+    if (!(distance2 > 0)) return Rgb(0.0f);
+    const Vec3f to_light = d / std::sqrt(distance2);
+    const Rgb f_camera = evaluate(c.at, c.back, to_light);
+    if (!(max_component(f_camera) > 0)) return Rgb(0.0f);
+    const Rgb f_light = evaluate(l.at, -to_light, l.back);
+    const Rgb value = c.throughput * f_camera * f_light * l.throughput *
+                      (cosine(c.at.frame.n, to_light) * adjoint_correction(l.at, l.back, -to_light) *
+                       cosine(l.at.frame.n, to_light) / distance2);
+    if (!(max_component(value) > 0)) return Rgb(0.0f);
+    ++work.rays.shadow;
+    const Rgb arrives = arriving(c, end_at(l.at), draws);
+    if (!(max_component(arrives) > 0)) return Rgb(0.0f);
+    const double made_by_camera = scatter_pdf(c.at, c.back, to_light) * cosine(l.at.ng, to_light) / distance2;
+    const double made_by_light = scatter_pdf(l.at, l.back, -to_light) * cosine(c.at.ng, to_light) / distance2;
+    const double less = l.weights.ratio(made_by_camera, scatter_pdf(l.at, -to_light, l.back));
+    const double more = c.weights.ratio(made_by_light, scatter_pdf(c.at, to_light, c.back));
+    return value * arrives * static_cast<float>(1 / (1 + less + more));
+  }
+
+  World world_;
+  WorldLights lights_;
+  WorldCamera camera_;
+  PathLimits limits_;
+  int grid_;
+  std::uint32_t outer_;
+  Surroundings around_camera_;
+};
+
+}  // namespace
+
+void render_bdpt(const Scene& scene, const IntegratorDescription& description, const RenderJob& job, Film& film,
+                 RenderStats& stats) {
+  stats.skipped = plan_render(scene, description, job).skipped();
+  const auto pixels = static_cast<std::uint64_t>(film.width()) * static_cast<std::uint64_t>(film.height());
+  const BidirectionalTracer tracer(scene, std::get<BdptDescription>(description.method), job.grid,
+                                   static_cast<std::int64_t>(pixels));
+  render_splats(scene, job, Stream::bidirectional, "bidirectional path tracing", film, stats, [&] {
+    return [&, light_path = std::vector<Vertex>()](int x, int y, const Draws& draws, ScalarWork& work) mutable {
+      const auto pixel = static_cast<std::uint64_t>(y - film.window().y0) * static_cast<std::uint64_t>(film.width()) +
+                         static_cast<std::uint64_t>(x - film.window().x0);
+      const Draws light_draws =
+          draws_of_history(job.sampler, job.seed, Stream::light_tracing, draws.index * pixels + pixel);
+      return tracer.sample(x, y, draws, light_draws, light_path, work);
+    };
+  });
+}
+
+}  // namespace photonproof

@@ -1,0 +1,11 @@
+// The `bdpt` integrator: bidirectional path tracing.
+#pragma once
+
+#include "renderer/integrator.h"
+
+namespace photonproof {
+
+void render_bdpt(const Scene& scene, const IntegratorDescription& description, const RenderJob& job, Film& film,
+                 RenderStats& stats);
+
+}  // namespace photonproof

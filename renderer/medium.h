@@ -1,0 +1,52 @@
+// Participating media, homogeneous: how far light goes in them and where it goes then; and the bodies of glass that may
+// overlap, whose order of precedence the scene file states.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "renderer/phase.h"
+#include "renderer/warp.h"
+#include "scenes/description.h"
+
+namespace photonproof {
+
+struct Medium {
+  Rgb sigma_t;  ///< extinction per scene unit
+  Rgb albedo;   ///< the part of it that scatters
+  HenyeyGreenstein phase;
+  bool scatters = false;
+
+  /// By Beer and Lambert.
+  Rgb transmittance(float distance) const {
+    const auto of = [&](float extinction) { return extinction > 0 ? std::exp(-extinction * distance) : 1.0f; };
+    return {of(sigma_t.x), of(sigma_t.y), of(sigma_t.z)};  // the distance may be infinite
+  }
+};
+
+/// How far a history goes before it scatters, if it does before `distance`.
+struct FreeFlight {
+  std::optional<float> scattered;  ///< where
+  Rgb weight;                      ///< transmittance, and albedo x extinction where it scattered, over the density
+};
+
+/// Draws a distance for one channel, chosen in proportion to its throughput, and weights it against what the others
+/// would have drawn (one-sample balance heuristic, Veach 1997, section 9.2.4). The sum of the channels' throughputs
+/// then never grows, however colours differ in extinction.
+FreeFlight fly(const Medium& medium, const Rgb& throughput, float distance, float u_channel, float u_distance);
+
+/// What a dielectric with a priority says of its body.
+struct BodyDescription {
+  std::optional<int> priority;
+  float int_ior = 1, ext_ior = 1;
+};
+
+struct SceneMedia {
+  std::vector<Medium> media;            ///< by the description's indices
+  std::vector<BodyDescription> bodies;  ///< of each BSDF
+  std::uint32_t around_camera;          ///< index of a medium, or no_index
+  bool any_priority = false;
+};
+SceneMedia compile_media(const SceneDescription& description);
+
+}  // namespace photonproof

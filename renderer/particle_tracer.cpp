@@ -1,0 +1,129 @@
+// Light tracing (Arvo 1986; Dutre, Lafortune, Willems 1993): paths start at the lights, in proportion to their flux,
+// and every vertex that scatters into more than single directions is connected to the camera. With N histories over an
+// image of P pixels a vertex of throughput b adds to the pixel it is seen in
+//   P/N b f |cos| q V
+// where q is the density, over the whole image, with which camera rays would have ended there (CameraSeen::density):
+// what a pixel measures is the mean over its own camera rays.
+
+#include "renderer/particle_tracer.h"
+
+#include "renderer/plan.h"
+#include "renderer/scalar_passes.h"
+#include "renderer/surroundings.h"
+#include "renderer/world_camera.h"
+#include "renderer/world_lights.h"
+
+namespace photonproof {
+namespace {
+
+/// What the draws of a history are for.
+namespace dimension {
+constexpr std::uint32_t light = 0, position = 1, direction = 2, seen_light = 3, seen_position = 4, seen_lens = 5;
+constexpr std::uint32_t segment = 0x80000000u;
+constexpr std::uint32_t first_vertex = 8, of_vertex = 5;  // from there: lens, direction, lobe, roulette, layer
+constexpr std::uint32_t at_vertex(std::uint32_t vertex, std::uint32_t what) {
+  return first_vertex + vertex * of_vertex + what;
+}
+}  // namespace dimension
+
+class ParticleTracer {
+ public:
+  ParticleTracer(const Scene& scene, const PathLimits& limits, std::int64_t pixels)
+      : world_(scene), lights_(world_), camera_(world_, pixels), limits_(limits), outer_(outer_medium(world_)) {}
+
+  void trace(const Draws& draws, ScalarWork& work) const {
+    if (lights_.count() == 0) return;
+    if (!limits_.hide_emitters) show_light(draws, work);
+    const LightStart start =
+        lights_.emit(draws.one(dimension::light), draws.two(dimension::position), draws.two(dimension::direction));
+    Rgb throughput = start.weight;
+    if (!(max_component(throughput) > 0)) return;
+    const Rgb first_throughput = throughput;
+    Ray ray = world_.leave(start.end, start.direction);
+    Surroundings around = surroundings_at(world_, start.end.p, outer_);
+    ++work.rays.photon;
+    // `edges` from the light to the vertex; the one to the camera comes on top.
+    for (std::uint32_t edges = 1; within(edges + 1); ++edges) {
+      const auto draw = [&](std::uint32_t what) { return dimension::at_vertex(edges, what); };
+      Interaction at;
+      if (!travel(world_, ray, around, draws.one(draw(4)), throughput, at)) return;
+      const Vec3f to_light = -ray.direction;
+      if (has_smooth(at.bsdf)) connect(at, to_light, throughput, around, draws, draw(0), work);
+      if (!within(edges + 2)) return;
+      const Scattering next = scatter(at, to_light, draws.one(draw(2)), draws.two(draw(1)), TransportMode::importance);
+      if (!next.valid) return;
+      throughput *= next.weight * adjoint_correction(at, to_light, next.wi);
+      if (!(max_component(throughput) > 0)) return;
+      if (edges >= static_cast<std::uint32_t>(limits_.rr_depth)) {
+        const float q = std::min(0.95f, max_component(throughput) / max_component(first_throughput));
+        if (draws.one(draw(3)) >= q) return;
+        throughput *= 1 / q;
+      }
+      around.leave(world_, at, to_light, next.wi);
+      ray = world_.leave(at, next.wi);
+      ++work.rays.bounce;
+    }
+  }
+
+ private:
+  bool within(std::uint32_t edges) const {
+    return limits_.max_depth < 0 || edges <= static_cast<std::uint32_t>(limits_.max_depth);
+  }
+
+  void connect(const Interaction& at, const Vec3f& to_light, const Rgb& throughput, Surroundings around,
+               const Draws& draws, std::uint32_t lens, ScalarWork& work) const {
+    const std::optional<CameraSeen> seen = camera_.connect(at.p, draws.two(lens));
+    if (!seen) return;
+    const Rgb f = evaluate(at, seen->wi, to_light);
+    const Rgb value =
+        throughput * f * (adjoint_correction(at, to_light, seen->wi) * cosine(at.frame.n, seen->wi) * seen->density);
+    around.leave(world_, at, to_light, seen->wi);
+    add(value, end_at(at), *seen, around, draws, work);
+  }
+
+  /// The light itself, by a point of its own.
+  void show_light(const Draws& draws, ScalarWork& work) const {
+    const LightStart start = lights_.emit(draws.one(dimension::seen_light), draws.two(dimension::seen_position),
+                                          draws.two(dimension::direction));
+    if (start.delta || start.infinite || !(max_component(start.weight) > 0)) return;
+    const std::optional<CameraSeen> seen = camera_.connect(start.end.p, draws.two(dimension::seen_lens));
+    if (!seen) return;
+    const Rgb emitted = lights_.radiance(start, seen->wi);
+    add(emitted * (cosine(start.end.normal, seen->wi) * seen->density / start.pdf.position), start.end, *seen,
+        surroundings_at(world_, start.end.p, outer_), draws, work);
+  }
+
+  void add(const Rgb& value, const SegmentEnd& from, const CameraSeen& seen, const Surroundings& around,
+           const Draws& draws, ScalarWork& work) const {
+    if (!(max_component(value) > 0)) return;
+    ++work.rays.shadow;
+    const Rgb arrives = value * transmittance(world_, from, seen.end, around, false, draws, dimension::segment);
+    if (max_component(arrives) > 0) work.splats.push_back({seen.raster, arrives});
+  }
+
+  World world_;
+  WorldLights lights_;
+  WorldCamera camera_;
+  PathLimits limits_;
+  std::uint32_t outer_;
+};
+
+}  // namespace
+
+void render_particle_tracer(const Scene& scene, const IntegratorDescription& description, const RenderJob& job,
+                            Film& film, RenderStats& stats) {
+  stats.skipped = plan_render(scene, description, job).skipped();
+  const auto pixels = static_cast<std::uint64_t>(film.width()) * static_cast<std::uint64_t>(film.height());
+  const ParticleTracer tracer(scene, std::get<ParticleTracerDescription>(description.method),
+                              static_cast<std::int64_t>(pixels));
+  render_splats(scene, job, Stream::light_tracing, "light tracing", film, stats, [&] {
+    return [&](int x, int y, const Draws& draws, ScalarWork& work) {
+      const auto pixel = static_cast<std::uint64_t>(y - film.window().y0) * static_cast<std::uint64_t>(film.width()) +
+                         static_cast<std::uint64_t>(x - film.window().x0);
+      tracer.trace(draws_of_history(job.sampler, job.seed, Stream::light_tracing, draws.index * pixels + pixel), work);
+      return Rgb(0.0f);
+    };
+  });
+}
+
+}  // namespace photonproof

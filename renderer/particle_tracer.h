@@ -1,0 +1,11 @@
+// The `ptracer` integrator: light tracing.
+#pragma once
+
+#include "renderer/integrator.h"
+
+namespace photonproof {
+
+void render_particle_tracer(const Scene& scene, const IntegratorDescription& description, const RenderJob& job,
+                            Film& film, RenderStats& stats);
+
+}  // namespace photonproof

@@ -1,0 +1,17 @@
+// The phase function of Henyey and Greenstein (1941), isotropic at g = 0.
+//   p(cos) = (1 - g^2) / (4 pi (1 + g^2 - 2 g cos)^(3/2)), cos between the directions of travel before and after
+#pragma once
+
+#include "scenes/vec.h"
+
+namespace photonproof {
+
+struct HenyeyGreenstein {
+  float g = 0;  ///< mean cosine; > 0 scatters forward
+
+  /// Per solid angle; also the density of `sample`.
+  float eval(const Vec3f& travel, const Vec3f& wi) const;
+  Vec3f sample(const Vec3f& travel, const Vec2<float>& u) const;
+};
+
+}  // namespace photonproof

@@ -1,0 +1,106 @@
+#include "renderer/scalar_passes.h"
+
+#include <algorithm>
+
+namespace photonproof {
+namespace {
+
+constexpr std::int64_t passes_wanted = 32;
+constexpr std::int64_t most_histories = std::int64_t{1} << 21;  ///< of a pass: what a minute is enough for
+constexpr int tile_size = 16;
+
+Draws draws_of(std::uint32_t seed, SamplerKind kind, int x, int y, std::int64_t sample) {
+  const auto pixel = static_cast<std::uint32_t>(y) << 16 | static_cast<std::uint32_t>(x);
+  return {kind, mix_bits(mix_bits(pixel) + seed), static_cast<std::uint32_t>(sample)};
+}
+
+template <class Visit>
+void for_each_pixel(const Tile& tile, Visit&& visit) {
+  for (int y = tile.y0; y < tile.y1; ++y)
+    for (int x = tile.x0; x < tile.x1; ++x) visit(x, y);
+}
+
+std::int64_t longest_pass(const RenderJob& job, const Film& film) {
+  const std::int64_t affordable =
+      std::max<std::int64_t>(1, most_histories / (std::int64_t{film.width()} * film.height()));
+  if (job.budget.seconds) return affordable;
+  return std::clamp<std::int64_t>(job.budget.spp.value_or(job.sample_count) / passes_wanted, 1, affordable);
+}
+
+}  // namespace
+
+void render_samples(const RenderJob& job, Stream stream, const char* phase, Film& film, RenderStats& stats,
+                    const PixelEstimate& estimate) {
+  const PhaseTimer timer(stats.phases["render"]);
+  const Threads threads(job.threads);
+  const std::uint32_t seed = stream_seed(job.seed, stream);
+  RenderLoop loop(job, threads, film, stats, {.phase = phase});
+  while (loop.next()) {
+    loop.for_each_tile([&](const Tile& tile) {
+      ScalarWork work;
+      for_each_pixel(tile, [&](int x, int y) {
+        RgbD sum(0.0), sum_of_squares(0.0);
+        for (std::int64_t s = loop.first(); s < loop.first() + loop.samples(); ++s) {
+          const RgbD value(estimate(x, y, draws_of(seed, job.sampler, x, y, s), work));
+          sum += value;
+          sum_of_squares += value * value;
+        }
+        film.add(x, y, sum, sum_of_squares, loop.samples());
+      });
+      loop.rays().add(work.rays);
+    });
+  }
+}
+
+void render_splats(const Scene& scene, const RenderJob& job, Stream stream, const char* phase, Film& film,
+                   RenderStats& stats, const std::function<PixelEstimate()>& make_estimate) {
+  const PhaseTimer timer(stats.phases["render"]);
+  const Threads threads(job.threads);
+  const std::uint32_t seed = stream_seed(job.seed, stream);
+  const Tile& window = film.window();
+  const int across = (window.width() + tile_size - 1) / tile_size;
+  const int down = (window.height() + tile_size - 1) / tile_size;
+  const auto units = static_cast<std::size_t>(across) * static_cast<std::size_t>(down);
+  const auto tile_of = [&](std::size_t unit) {
+    const int x0 = window.x0 + static_cast<int>(unit) % across * tile_size;
+    const int y0 = window.y0 + static_cast<int>(unit) / across * tile_size;
+    return Tile{x0, y0, std::min(x0 + tile_size, window.x1), std::min(y0 + tile_size, window.y1)};
+  };
+  struct Slot {
+    ScalarWork work;
+    std::vector<RgbD> radiance;  ///< of the tile's pixels
+  };
+  SplatImage pass(window, scene.filter);
+  RenderLoop loop(job, threads, film, stats, {.phase = phase, .longest = longest_pass(job, film)});
+  loop.keep(pass.sums());
+  std::vector<Slot> slots(loop.slots());
+  while (loop.next()) {
+    const auto work_on = [&](std::size_t unit, std::size_t number) {
+      Slot& slot = slots[number];
+      slot.work.rays = {};
+      slot.work.splats.clear();
+      slot.radiance.clear();
+      const PixelEstimate estimate = make_estimate();
+      for_each_pixel(tile_of(unit), [&](int x, int y) {
+        RgbD sum(0.0);
+        for (std::int64_t s = loop.first(); s < loop.first() + loop.samples(); ++s)
+          sum += RgbD(estimate(x, y, draws_of(seed, job.sampler, x, y, s), slot.work));
+        slot.radiance.push_back(sum);
+      });
+      loop.rays().add(slot.work.rays);
+    };
+    const auto commit = [&](std::size_t unit, std::size_t number) {
+      const Slot& slot = slots[number];
+      pass.add(slot.work.splats);
+      auto radiance = slot.radiance.begin();
+      for_each_pixel(tile_of(unit), [&](int x, int y) { pass.add(x, y, *radiance++); });
+      if (unit + 1 < units) return;
+      const auto samples = static_cast<double>(loop.samples());
+      for_each_pixel(window, [&](int x, int y) { film.add(x, y, pass.sum(x, y) / samples, samples); });
+      pass.clear();
+    };
+    loop.for_each_in_order(units, work_on, commit);
+  }
+}
+
+}  // namespace photonproof

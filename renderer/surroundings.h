@@ -1,0 +1,70 @@
+// What a history travels through: a medium, and the bodies of glass it is inside of, which may overlap. Where they do,
+// the one with the highest priority is there and the others are not (Schmidt and Budge 2002, "Simple Nested Dielectrics
+// in Ray Traced Images"); among equals the one entered first.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "renderer/draws.h"
+#include "renderer/medium.h"
+#include "renderer/world.h"
+
+namespace photonproof {
+
+/// What a crossing of a surface means.
+struct Crossing {
+  bool is_boundary = true;   ///< false: hidden by a body that takes precedence on both sides; rays go straight on
+  std::optional<float> eta;  ///< interior over exterior ior there, where priorities decide it
+};
+
+class Surroundings {
+ public:
+  Surroundings() = default;
+  explicit Surroundings(std::uint32_t medium) : medium_(medium) {}
+
+  /// Index into SceneMedia::media, or no_index.
+  std::uint32_t medium() const { return medium_; }
+
+  /// Turns a surface's dielectric to the indices on both its sides there.
+  static void refract_as(const Crossing& crossing, Interaction& at);
+
+  /// What a ray along `direction` finds at the surface.
+  Crossing crossing(const World& world, const Interaction& at, const Vec3f& direction) const;
+  /// Goes through the surface to the side `direction` points to.
+  void cross(const World& world, const Interaction& at, const Vec3f& direction);
+  /// The same where it came from wo: nothing changes if that is the same side.
+  void leave(const World& world, const Interaction& at, const Vec3f& wo, const Vec3f& wi);
+
+ private:
+  static constexpr std::size_t most_bodies = 8;  ///< inside of more, the last entered do not count
+  struct Body {
+    std::uint32_t bsdf, medium;
+    int priority;
+    int entered;  ///< times, without having left
+  };
+  const Body* top() const;
+  void enter(std::uint32_t bsdf, std::uint32_t medium, int priority);
+  void exit(std::uint32_t bsdf);
+
+  std::uint32_t medium_ = no_index;
+  std::size_t count_ = 0;
+  std::array<Body, most_bodies> bodies_;
+};
+
+/// The medium far outside, where the camera's is unless a border lies between.
+std::uint32_t outer_medium(const World& world);
+/// What is at p, found by following a ray there from far outside. Borders of media and bodies are taken to be closed.
+Surroundings surroundings_at(const World& world, const Vec3f& p, std::uint32_t outer);
+
+/// Which part of the light that goes from one point to another arrives: 0 where a surface is in the way, else what the
+/// media absorb and scatter away leaves. `surroundings` are those of the segment's start. With `through_null`, surfaces
+/// that let light go straight on count with what they let through; `draws` decide among layers, from `dimension` on.
+Rgb transmittance(const World& world, const SegmentEnd& from, const SegmentEnd& to, Surroundings surroundings,
+                  bool through_null, const Draws& draws, std::uint32_t dimension);
+
+/// The next surface that is there, and what absorbing media leave of `throughput` on the way. `ray` and `surroundings`
+/// are those of the last step. False when there is none.
+bool travel(const World& world, Ray& ray, Surroundings& surroundings, float u_layer, Rgb& throughput, Interaction& at);
+
+}  // namespace photonproof

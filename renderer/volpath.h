@@ -1,0 +1,11 @@
+// The `volpath` integrator: path tracing through participating media and nested dielectrics.
+#pragma once
+
+#include "renderer/integrator.h"
+
+namespace photonproof {
+
+void render_volpath(const Scene& scene, const IntegratorDescription& description, const RenderJob& job, Film& film,
+                    RenderStats& stats);
+
+}  // namespace photonproof

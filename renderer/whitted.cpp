@@ -1,0 +1,106 @@
+// Ray tracing after Whitted (1980), "An Improved Illumination Model for Shaded Display": mirrors and both branches of
+// smooth dielectrics are followed, everything else gets direct light alone, from one point of each light a sample. No
+// light goes from diffuse surface to diffuse surface, and none through glass or by mirrors to diffuse ones. Branches
+// end at max_depth edges, and where they could change the pixel by less than `faint` of what the branch sees.
+
+#include "renderer/whitted.h"
+
+#include <array>
+
+#include "renderer/plan.h"
+#include "renderer/scalar_passes.h"
+#include "renderer/world_camera.h"
+#include "renderer/world_lights.h"
+
+namespace photonproof {
+namespace {
+
+constexpr float faint = 1.0f / 1024;
+constexpr std::uint32_t deepest = 64;  ///< of unlimited branches: two facing mirrors of reflectance 1 never get faint
+
+namespace dimension {
+constexpr std::uint32_t in_pixel = 0, lens = 1, first_hit = 2;
+}  // namespace dimension
+
+class WhittedTracer {
+ public:
+  WhittedTracer(const Scene& scene, const PathLimits& limits, int grid)
+      : world_(scene),
+        lights_(world_),
+        camera_(world_, std::int64_t{scene.width} * scene.height),
+        grid_(grid),
+        hide_emitters_(limits.hide_emitters),
+        max_edges_(limits.max_depth < 0 ? deepest : static_cast<std::uint32_t>(limits.max_depth)) {}
+
+  Rgb sample(int x, int y, const Draws& draws, ScalarWork& work) const {
+    const std::optional<Ray> first = camera_.ray(x, y, draws, grid_, dimension::in_pixel, draws.two(dimension::lens));
+    if (!first) return Rgb(0.0f);
+    ++work.rays.camera;
+    std::uint32_t dimension = dimension::first_hit;
+    return follow(*first, Rgb(1.0f), 1, draws, dimension, work);
+  }
+
+ private:
+  /// Radiance along a ray that is the path's edge number `edges`, times throughput.
+  Rgb follow(const Ray& ray, const Rgb& throughput, std::uint32_t edges, const Draws& draws, std::uint32_t& dimension,
+             ScalarWork& work) const {
+    Interaction at;
+    if (edges > max_edges_) return Rgb(0.0f);
+    if (!world_.intersect(ray, draws.one(dimension++), at))
+      return edges == 1 && hide_emitters_ ? Rgb(0.0f) : throughput * lights_.environment(ray.direction);
+    if (edges == 1 && camera_.beyond_far_plane(at.p)) return Rgb(0.0f);
+    const Vec3f wo = -ray.direction;
+    Rgb radiance(0.0f);
+    if (at.light != no_index && !(edges == 1 && hide_emitters_)) radiance += throughput * lights_.radiance(at, wo);
+    if (edges + 1 > max_edges_) return radiance;
+    if (has_smooth(at.bsdf)) radiance += throughput * direct_light(at, wo, draws, dimension, work);
+
+    // The lobes of a BSDF share [0,1) among them: its ends give every delta lobe of the kinds there are.
+    std::array<Scattering, 2> lobes{scatter(at, wo, 0.0f, {0.5f, 0.5f}, TransportMode::radiance),
+                                    scatter(at, wo, 1 - 0x1p-24f, {0.5f, 0.5f}, TransportMode::radiance)};
+    if (lobes[0].valid && lobes[1].valid && lobes[0].delta && lobes[1].delta &&
+        dot(lobes[0].wi, lobes[1].wi) > 0.999999f)
+      lobes[1].valid = false;
+    for (const Scattering& lobe : lobes) {
+      if (!lobe.valid || !lobe.delta) continue;
+      const Rgb on = throughput * lobe.weight * lobe.pdf;  // the choice of the lobe taken back
+      if (max_component(on) < faint) continue;
+      ++work.rays.bounce;
+      radiance += follow(world_.leave(at, lobe.wi), on, edges + 1, draws, dimension, work);
+    }
+    return radiance;
+  }
+
+  Rgb direct_light(const Interaction& at, const Vec3f& wo, const Draws& draws, std::uint32_t& dimension,
+                   ScalarWork& work) const {
+    Rgb sum(0.0f);
+    for (std::uint32_t light = 0; light < lights_.count(); ++light) {
+      const LightSeen seen = lights_.sample_of(light, at.p, draws.two(dimension++));
+      if (!(seen.pdf > 0)) continue;
+      const Rgb value = evaluate(at, wo, seen.wi) * seen.radiance * (cosine(at.frame.n, seen.wi) / seen.pdf);
+      if (!(max_component(value) > 0)) continue;
+      ++work.rays.shadow;
+      if (world_.visible(end_at(at), seen.end)) sum += value;
+    }
+    return sum;
+  }
+
+  World world_;
+  WorldLights lights_;
+  WorldCamera camera_;
+  int grid_;
+  bool hide_emitters_;
+  std::uint32_t max_edges_;
+};
+
+}  // namespace
+
+void render_whitted(const Scene& scene, const IntegratorDescription& description, const RenderJob& job, Film& film,
+                    RenderStats& stats) {
+  stats.skipped = plan_render(scene, description, job).skipped();
+  const WhittedTracer tracer(scene, std::get<WhittedDescription>(description.method), job.grid);
+  render_samples(job, Stream::whitted, "ray tracing", film, stats,
+                 [&](int x, int y, const Draws& draws, ScalarWork& work) { return tracer.sample(x, y, draws, work); });
+}
+
+}  // namespace photonproof

@@ -1,0 +1,11 @@
+// The `whitted` integrator: classical ray tracing.
+#pragma once
+
+#include "renderer/integrator.h"
+
+namespace photonproof {
+
+void render_whitted(const Scene& scene, const IntegratorDescription& description, const RenderJob& job, Film& film,
+                    RenderStats& stats);
+
+}  // namespace photonproof

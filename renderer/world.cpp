@@ -1,0 +1,135 @@
+#include "renderer/world.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "renderer/kernels/rays.h"
+#include "renderer/scene_lights.h"
+#include "renderer/surface_detail.h"
+
+namespace photonproof {
+namespace {
+
+/// BSDFs with a lobe that leaves the direction as it is.
+template <class B>
+constexpr bool goes_straight = requires(const B& b, const Vec3f& wo) {
+  b.straight_through(wo);
+};
+
+Vec3f moved_off(const SegmentEnd& end, const Vec3f& direction, float coordinate_floor) {
+  return end.normal == Vec3f(0.0f) ? end.p : offset_from(end.p, end.normal, direction, coordinate_floor);
+}
+
+/// Whether a segment that arrives along `direction` comes to a convex body from its inside, having crossed it before.
+bool arrives_from_inside(const Scene& scene, const SegmentEnd& end, const Vec3f& direction) {
+  if (end.surface == no_index) return false;
+  const auto* sphere = std::get_if<Sphere>(&scene.surfaces[end.surface].geometry);
+  return sphere != nullptr && dot(end.p - sphere->center, direction) > 0;
+}
+
+}  // namespace
+
+World::World(const Scene& scene)
+    : scene_(scene),
+      far_away_(4 * std::max(scene.scene_lights().ball().radius,
+                             length(scene.view().camera.origin - scene.scene_lights().ball().center))),
+      has_media_or_bodies_(!scene.media.media.empty() || scene.media.any_priority),
+      has_null_surfaces_(std::any_of(scene.bsdfs.begin(), scene.bsdfs.end(), [](const Bsdf& bsdf) {
+        return std::visit([](const auto& b) { return goes_straight<std::decay_t<decltype(b)>>; }, bsdf);
+      })) {}
+
+bool World::intersect(const Ray& ray, float u_choice, Interaction& hit) const {
+  const SurfaceHit<float> found = closest_hit<float>(view(), ray.origin, ray.direction, ray.from, true, false);
+  if (!found.valid) return false;
+  const Surface& surface = scene_.surfaces[found.surface];
+  hit.p = found.p;
+  hit.ng = found.normal;
+  hit.surface = found.surface;
+  hit.primitive = found.primitive;
+  hit.light = surface.light;
+  if (!view().detailed) {
+    hit.frame = Frame<float>(found.normal);
+    hit.side = found.normal;
+    hit.leaf = surface.bsdf;
+    hit.bsdf = scene_.bsdfs[surface.bsdf];
+    return true;
+  }
+  SurfaceDetail detail;
+  detail_at(view(), found.surface, found.primitive, found.p, found.normal, ray.direction, u_choice, detail);
+  hit.frame = shading_frame(detail);
+  hit.side = detail.side;
+  hit.leaf = detail.bsdf;
+  BsdfKinds::for_each([&]<template <class> class Kind>(std::uint32_t kind) {
+    if (kind != detail.kind) return;
+    Kind<float> bsdf;
+    std::memcpy(&bsdf, detail.record, sizeof bsdf);
+    hit.bsdf = bsdf;
+  });
+  return true;
+}
+
+bool World::visible(const SegmentEnd& from, const SegmentEnd& to) const {
+  const SceneView& scene = view();
+  const Vec3f along = to.p - from.p;
+  const Vec3f origin = moved_off(from, along, scene.coordinate_floor);
+  if (!scene.small)
+    return !occluded<float>(scene, origin, moved_off(to, -along, scene.coordinate_floor) - origin, no_index, no_index,
+                            true);
+  // What a segment ends on is no obstacle, unless it is a body that the segment crosses before.
+  if (to.primitive == no_index || (to.primitive != from.primitive && arrives_from_inside(scene_, to, along)))
+    return !occluded<float>(scene, origin, moved_off(to, -along, scene.coordinate_floor) - origin, from.primitive,
+                            no_index, true);
+  return !occluded<float>(scene, origin, to.p - origin, from.primitive, to.primitive, true);
+}
+
+Ray World::leave(const SegmentEnd& at, const Vec3f& direction) const {
+  return {moved_off(at, direction, view().coordinate_floor), direction, at.primitive};
+}
+
+Rgb evaluate(const Interaction& at, const Vec3f& to_camera, const Vec3f& to_light) {
+  if (!at.keeps_side(to_light)) return Rgb(0.0f);
+  const Vec3f wo = at.frame.to_local(to_camera), wi = at.frame.to_local(to_light);
+  return std::visit([&](const auto& b) { return b.eval(wo, wi); }, at.bsdf);
+}
+
+float scatter_pdf(const Interaction& at, const Vec3f& wo, const Vec3f& wi) {
+  const Vec3f wo_local = at.frame.to_local(wo), wi_local = at.frame.to_local(wi);
+  return std::visit([&](const auto& b) { return b.pdf(wo_local, wi_local); }, at.bsdf);
+}
+
+Scattering scatter(const Interaction& at, const Vec3f& wo, float u_lobe, const Vec2<float>& u_direction,
+                   TransportMode mode) {
+  const Vec3f wo_local = at.frame.to_local(wo);
+  return std::visit(
+      [&](const auto& b) -> Scattering {
+        const BsdfSample<float> s = b.sample(wo_local, u_lobe, u_direction, mode);
+        if (!s.valid || !(max_component(s.weight) > 0) || !(s.pdf > 0)) return {};
+        const Vec3f wi = normalize(at.frame.to_world(s.wi_local));
+        if (!at.keeps_side(mode == TransportMode::radiance ? wi : wo)) return {};
+        const bool straight =
+            goes_straight<std::decay_t<decltype(b)>> && s.delta && dot(s.wi_local, wo_local) < -0.9999f;
+        return {wi, s.weight, s.pdf, s.eta, s.delta, straight, true};
+      },
+      at.bsdf);
+}
+
+std::optional<Rgb> straight_through(const Interaction& at, const Vec3f& wo) {
+  const Vec3f wo_local = at.frame.to_local(wo);
+  return std::visit(
+      [&](const auto& b) -> std::optional<Rgb> {
+        if constexpr (goes_straight<std::decay_t<decltype(b)>>)
+          return b.straight_through(wo_local);
+        else
+          return std::nullopt;
+      },
+      at.bsdf);
+}
+
+float adjoint_correction(const Interaction& at, const Vec3f& to_light, const Vec3f& to_camera) {
+  const float above = cosine(at.frame.n, to_light) * cosine(at.ng, to_camera);
+  const float below = cosine(at.ng, to_light) * cosine(at.frame.n, to_camera);
+  return below > 0 ? above / below : 0;
+}
+
+}  // namespace photonproof
