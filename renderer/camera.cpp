@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "renderer/reconstruction_filter.h"
+
 namespace photonproof {
 namespace {
 
@@ -25,25 +27,84 @@ Vec2<double> half_tangents(const PerspectiveDescription& camera, double width, d
   }
 }
 
+/// Sets what depends on the kind of camera, for a film of this size.
+struct Lens {
+  CameraView& view;
+  const Transform& to_world;
+  double film_width, film_height;
+
+  void operator()(const PerspectiveDescription& camera) const {
+    const Vec2<double> tangents = half_tangents(camera, film_width, film_height);
+    set(tangents.x, tangents.y, camera.near_clip, camera.far_clip);
+    // As in Mitsuba, the offset is added to where a pixel is looked up.
+    view.center_x -= static_cast<float>(2 * camera.principal_x);
+    view.center_y -= static_cast<float>(2 * camera.principal_y);
+  }
+  void operator()(const ThinLensDescription& camera) const {
+    (*this)(camera.perspective);
+    view.kind = CameraKind::thin_lens;
+    view.lens_radius = static_cast<float>(camera.aperture_radius);
+    view.focus_distance = static_cast<float>(camera.focus_distance);
+  }
+  void operator()(const OrthographicDescription& camera) const {
+    view.kind = CameraKind::orthographic;
+    // Mitsuba scales the near plane by to_world, but not the distance from there to the far plane.
+    const double near = camera.near_clip * length(to_world.vector({0, 0, 1}));
+    set(length(to_world.vector({1, 0, 0})), length(to_world.vector({0, 1, 0})) * film_height / film_width, near,
+        near + camera.far_clip - camera.near_clip);
+  }
+  void operator()(const FisheyeDescription& camera) const {
+    view.kind = CameraKind::fisheye;
+    const double angle = camera.fov_degrees * std::numbers::pi / 360, shorter = std::min(film_width, film_height);
+    view.max_angle = static_cast<float>(angle);
+    set(angle * film_width / shorter, angle * film_height / shorter, camera.near_clip, camera.far_clip);
+  }
+
+ private:
+  void set(double half_width, double half_height, double near, double far) const {
+    view.tan_x = static_cast<float>(half_width);
+    view.tan_y = static_cast<float>(half_height);
+    view.near = static_cast<float>(near);
+    view.far = static_cast<float>(far);
+  }
+};
+
 }  // namespace
 
 CameraView compile_camera(const SensorDescription& sensor, int width, int height, const Vec3d& moved) {
-  const auto& perspective = std::get<PerspectiveDescription>(sensor.camera);
-  const Vec2<double> tangents = half_tangents(perspective, width, height);
-  return {.origin = Vec3f(sensor.to_world.point({0, 0, 0}) + moved),
-          .right = Vec3f(normalize(sensor.to_world.vector({-1, 0, 0}))),
-          .up = Vec3f(normalize(sensor.to_world.vector({0, 1, 0}))),
-          .forward = Vec3f(normalize(sensor.to_world.vector({0, 0, 1}))),
-          .tan_x = static_cast<float>(tangents.x),
-          .tan_y = static_cast<float>(tangents.y),
-          .inverse_width = 1 / static_cast<float>(width),
-          .inverse_height = 1 / static_cast<float>(height),
-          .near = static_cast<float>(perspective.near_clip),
-          .far = static_cast<float>(perspective.far_clip)};
+  const FilmDescription& film = sensor.film;
+  const FilmDescription::Crop crop = film.crop.value_or(FilmDescription::Crop{0, 0, film.width, film.height});
+  // The whole film, in pixels of the size rendered.
+  const double scale_x = film.crop ? double(width) / crop.width : 1,
+               scale_y = film.crop ? double(height) / crop.height : 1;
+  const double film_width = film.crop ? scale_x * film.width : width;
+  const double film_height = film.crop ? scale_y * film.height : height;
+  CameraView view{.origin = Vec3f(sensor.to_world.point({0, 0, 0}) + moved),
+                  .right = Vec3f(normalize(sensor.to_world.vector({-1, 0, 0}))),
+                  .up = Vec3f(normalize(sensor.to_world.vector({0, 1, 0}))),
+                  .forward = Vec3f(normalize(sensor.to_world.vector({0, 0, 1}))),
+                  .inverse_width = 1 / static_cast<float>(film_width),
+                  .inverse_height = 1 / static_cast<float>(film_height),
+                  .center_x = static_cast<float>(1 - 2 * scale_x * crop.x / film_width),
+                  .center_y = static_cast<float>(1 - 2 * scale_y * crop.y / film_height),
+                  .width = static_cast<float>(width),
+                  .height = static_cast<float>(height),
+                  .filter = compile_filter(film.filter)};
+  std::visit(Lens{view, sensor.to_world, film_width, film_height}, sensor.camera);
+  return view;
 }
 
 float pixel_footprint(const CameraView& camera, const Vec3f& p_world) {
-  return 2 * camera.tan_y * camera.inverse_height * dot(p_world - camera.origin, camera.forward);
+  const float at_unit_distance = 2 * camera.tan_y * camera.inverse_height;
+  const Vec3f from_camera = p_world - camera.origin;
+  switch (camera.kind) {
+    case CameraKind::orthographic:
+      return at_unit_distance;
+    case CameraKind::fisheye:
+      return at_unit_distance * length(from_camera);
+    default:
+      return at_unit_distance * dot(from_camera, camera.forward);
+  }
 }
 
 }  // namespace photonproof

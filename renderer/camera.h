@@ -1,16 +1,16 @@
-// Perspective camera with Mitsuba's conventions: local +z forward, +y up, +x to the left of the image.
+// Cameras with Mitsuba's conventions: local +z forward, +y up, +x to the left of the image.
 #pragma once
 
-#include "renderer/scene_view.h"
+#include "renderer/camera_view.h"
 #include "scenes/description.h"
 
 namespace photonproof {
 
-/// `width`, `height` in pixels: the size rendered, which fixes the aspect and so the fields of view. `moved` is added
-/// to the camera's position in the world.
+/// `width`, `height` in pixels: the size rendered, of the film's crop if it has one, which fixes the aspect and so the
+/// fields of view. `moved` is added to the camera's position in the world.
 CameraView compile_camera(const SensorDescription& sensor, int width, int height, const Vec3d& moved);
 
-/// World height of a pixel at the depth of `p_world`.
+/// World height of a pixel at p_world.
 float pixel_footprint(const CameraView& camera, const Vec3f& p_world);
 
 }  // namespace photonproof

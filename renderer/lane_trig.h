@@ -34,4 +34,28 @@ SinCos<F> sincos_turn(const F& u) {
   return {select(negative_sin, -s, s), select(negative_cos, -c, c)};
 }
 
+/// Arc tangent of y / x for y >= 0, in [0, pi]; 0 where both are 0. Polynomial of Moshier's Cephes, to 2e-7.
+template <class F>
+F angle_of(const F& y, const F& x) {
+  const F abs_x = lane_abs(x);
+  const F large = lane_max(y, abs_x);
+  const F ratio = lane_min(y, abs_x) / select(large > 0, large, F(1.0f));
+  const Mask<F> steep = ratio > 0.41421356f;  // tan(pi/8): beyond it, around pi/4
+  const F t = select(steep, (ratio - 1) / (ratio + 1), ratio);
+  const F t2 = t * t;
+  const F series = mul_add(
+      t2, mul_add(t2, mul_add(t2, F(8.05374449538e-2f), F(-1.38776856032e-1f)), F(1.99777106478e-1f)),
+      F(-3.33329491539e-1f));
+  const F acute = mul_add(F(series * t2), t, t) + select(steep, F(0.785398163397f), F(0.0f));
+  const F first_quadrant = select(y > abs_x, 1.57079632679f - acute, acute);
+  return select(x < 0, 3.14159265359f - first_quadrant, first_quadrant);
+}
+
+/// Between unit vectors, in [0, pi]; small angles keep their digits.
+template <class F>
+F angle_between(const Vec3<F>& a, const Vec3<F>& b) {
+  const Vec3<F> across = cross(a, b);
+  return angle_of(F(lane_sqrt(dot(across, across))), F(dot(a, b)));
+}
+
 }  // namespace photonproof

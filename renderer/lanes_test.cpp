@@ -14,6 +14,7 @@
 #include "renderer/light_table.h"
 #include "renderer/sampler.h"
 #include "renderer/small_scene_tables.h"
+#include "renderer/reconstruction_filter.h"
 #include "renderer/test_lanes.h"
 #include "renderer/warp.h"
 
@@ -386,16 +387,18 @@ TEST(lanes, every_light_agrees) {
       const F* rest = &in[record];
       const Vec3<F> p = vec3(rest), q = vec3(rest + 3), normal = vec3(rest + 6);
       const Vec2<F> u{rest[9], rest[10]}, v{rest[11], rest[12]};
-      std::array<F, 29> out;
+      std::array<F, 37> out;
       std::size_t k = 0;
       for (const F& word : words_of<13, F>(light.sample(p, u))) out[k++] = word;
-      for (const F& word : words_of<9, F>(light.emit(u, v))) out[k++] = word;
+      for (const F& word : words_of<12, F>(light.emit(u, v))) out[k++] = word;
       for (const F& word : words(light.flux())) out[k++] = word;
-      for (const F& word : words(light.emitted_radiance(rest[0]))) out[k++] = word;
+      for (const F& word : words(light.leaving(normal, q))) out[k++] = word;
+      for (const F& word : words(light.flux_towards(normal, q))) out[k++] = word;
+      for (const F& word : words_of<2, F>(light.emit_pdfs(normal, q))) out[k++] = word;
       out[k++] = light.pdf(p, q, normal);
       return out;
     };
-    expect_lanes_agree<n, 29>("light " + std::to_string(kind), f, [](Random& random) {
+    expect_lanes_agree<n, 37>("light " + std::to_string(kind), f, [](Random& random) {
       Floats<n> in;
       const bool tame = random.next() < 0.5f;
       for (float& v : in) v = tame ? 4 * random.next() - 2 : anything(random);
@@ -452,8 +455,28 @@ TEST(lanes, rays_leave_surfaces_alike) {
 
 TEST(lanes, camera_rays_agree) {
   SceneView scene;
-  scene.camera = {{0.1f, 2, -3}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, 0.7f, 0.4f, 1.0f / 97, 1.0f / 61, 0.01f, 1000};
-  for (const int grid : {0, 3}) {
+  CameraView& camera = scene.camera;
+  camera.origin = {0.1f, 2, -3};
+  camera.right = {1, 0, 0};
+  camera.up = {0, 1, 0};
+  camera.forward = {0, 0, 1};
+  camera.tan_x = 0.7f;
+  camera.tan_y = 0.4f;
+  camera.inverse_width = 1.0f / 97;
+  camera.inverse_height = 1.0f / 61;
+  camera.near = 0.01f;
+  camera.lens_radius = 0.1f;
+  camera.focus_distance = 2;
+  camera.max_angle = 1;
+  camera.filter = compile_filter(ReconstructionFilter{ReconstructionFilter::Kind::gaussian, 0.5, 1});
+  struct Case {
+    CameraKind kind;
+    int grid;
+  };
+  for (const auto& [kind, grid] : {Case{CameraKind::perspective, 0}, Case{CameraKind::perspective, 3},
+                                   Case{CameraKind::thin_lens, 0}, Case{CameraKind::orthographic, 0},
+                                   Case{CameraKind::fisheye, 0}}) {
+    camera.kind = kind;
     CameraTask task{};
     task.x0 = 80;
     task.y0 = 48;

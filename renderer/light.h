@@ -1,29 +1,30 @@
-// The closed set of lights. Each lives in light_<name>.h as a struct of floats (or packs) that offers
-//   sample(p, u)      a point of the light seen from p (next-event estimation), density per solid angle at p
-//   pdf(p, q, n)      that density for a ray from p that found the light's point q by itself (for MIS)
-//   emit(u, v)        a photon's start
-//   emit_pdf(c)       density per solid angle of emit's direction, whose cosine to the normal is c
-//   flux()            total emitted flux, W per channel
-//   emitted_radiance  from a point whose normal makes `cos_emit` with the direction of travel; 0 from behind
+// Every kind of light, as the host sees it: those of light_kinds.h, which kernels also sample in their lanes, and those
+// that need tables, which offer the same as classes. Code that does not care which it has asks scene_lights.h.
 #pragma once
 
-#include "renderer/kind_list.h"
-#include "renderer/light_point.h"
-#include "renderer/light_quad.h"
-#include "renderer/light_sample.h"
-#include "renderer/light_sphere.h"
+#include "renderer/light_area.h"
+#include "renderer/light_environment.h"
+#include "renderer/light_ies.h"
+#include "renderer/light_kinds.h"
+#include "renderer/light_textured_spot.h"
 
 namespace photonproof {
 
-/// One row a light.
-using LightKinds = KindList<QuadLight, SphereLight, PointLight>;
+using Light = std::variant<QuadLight<float>, SphereLight<float>, PointLight<float>, DiskLight<float>, SpotLight<float>,
+                           DirectionalLight<float>, AreaLight, EnvironmentLight, IesLight, TexturedSpotLight>;
+static_assert(std::is_same_v<std::variant_alternative_t<LightKinds::count, Light>, AreaLight>,
+              "a light's index is its kind in the kernels' tables");
 
-/// A light of the scene, as the host sees it.
-using Light = LightKinds::Variant;
-
+/// What LightWords::kind says.
+inline std::uint32_t kernel_kind(const Light& light) {
+  return std::min(static_cast<std::uint32_t>(light.index()), general_light_kind);
+}
 /// A delta light cannot be found by a ray.
 inline bool is_delta(const Light& light) {
   return std::visit([](const auto& l) { return l.is_delta; }, light);
+}
+inline bool is_infinite(const Light& light) {
+  return std::visit([](const auto& l) { return l.is_infinite; }, light);
 }
 inline Rgb flux(const Light& light) {
   return std::visit([](const auto& l) { return l.flux(); }, light);

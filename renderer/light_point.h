@@ -8,7 +8,7 @@ namespace photonproof {
 
 template <class F>
 struct PointLight {
-  static constexpr bool is_delta = true;
+  static constexpr bool is_delta = true, is_infinite = false;
   Vec3<F> position;
   Vec3<F> intensity;  ///< W sr^-1
 
@@ -20,10 +20,13 @@ struct PointLight {
             select(distance2 > 0, F(1.0f), F(0.0f))};
   }
   F pdf(const Vec3<F>&, const Vec3<F>&, const Vec3<F>&) const { return F(0.0f); }
-  Emission<F> emit(const Vec2<F>&, const Vec2<F>& u) const { return {position, Vec3<F>(F(0.0f)), square_to_sphere(u)}; }
-  F emit_pdf(const F&) const { return F(1 / (4 * pi)); }
+  Emission<F> emit(const Vec2<F>&, const Vec2<F>& u) const {
+    return {position, Vec3<F>(F(0.0f)), square_to_sphere(u), flux()};
+  }
+  EmissionPdfs<F> emit_pdfs(const Vec3<F>&, const Vec3<F>&) const { return {F(1.0f), F(1 / (4 * pi))}; }
+  Vec3<F> flux_towards(const Vec3<F>&, const Vec3<F>&) const { return intensity; }
+  Vec3<F> leaving(const Vec3<F>&, const Vec3<F>&) const { return intensity; }
   Vec3<F> flux() const { return intensity * (4 * pi); }
-  Vec3<F> emitted_radiance(const F&) const { return Vec3<F>(F(0.0f)); }
 };
 
 }  // namespace photonproof

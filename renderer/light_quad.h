@@ -8,7 +8,7 @@ namespace photonproof {
 
 template <class F>
 struct QuadLight {
-  static constexpr bool is_delta = false;
+  static constexpr bool is_delta = false, is_infinite = false;
   Vec3<F> corner, edge_u, edge_v, normal;
   F area;
   Vec3<F> radiance;  ///< W m^-2 sr^-1
@@ -25,11 +25,18 @@ struct QuadLight {
     return area_to_solid_angle(F(1 / area), p, p_light, normal_light);
   }
   Emission<F> emit(const Vec2<F>& u_position, const Vec2<F>& u_direction) const {
-    return {at(u_position), normal, Frame<F>(normal).to_world(square_to_cosine_hemisphere(u_direction))};
+    return {at(u_position), normal, Frame<F>(normal).to_world(square_to_cosine_hemisphere(u_direction)), flux()};
   }
-  F emit_pdf(const F& cos_emit) const { return cosine_hemisphere_pdf(cos_emit); }
+  EmissionPdfs<F> emit_pdfs(const Vec3<F>& n, const Vec3<F>& direction) const {
+    return {1 / area, cosine_hemisphere_pdf(F(dot(n, direction)))};
+  }
+  Vec3<F> flux_towards(const Vec3<F>& n, const Vec3<F>& direction) const {
+    return flux() * cosine_hemisphere_pdf(F(dot(n, direction)));
+  }
+  Vec3<F> leaving(const Vec3<F>& n, const Vec3<F>& direction) const {
+    return select(dot(n, direction) > 0, radiance, Vec3<F>(F(0.0f)));
+  }
   Vec3<F> flux() const { return radiance * (pi * area); }
-  Vec3<F> emitted_radiance(const F& cos_emit) const { return select(cos_emit > 0, radiance, Vec3<F>(F(0.0f))); }
 
  private:
   Vec3<F> at(const Vec2<F>& u) const { return advance(advance(corner, u.x, edge_u), u.y, edge_v); }

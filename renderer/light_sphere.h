@@ -9,7 +9,7 @@ namespace photonproof {
 
 template <class F>
 struct SphereLight {
-  static constexpr bool is_delta = false;
+  static constexpr bool is_delta = false, is_infinite = false;
   Vec3<F> center;
   F radius;
   F side;            ///< 1: emits outward, -1: inward
@@ -35,11 +35,18 @@ struct SphereLight {
     const Vec3<F> outward = square_to_sphere(u_position);
     const Vec3<F> normal = outward * side;
     return {advance(center, radius, outward), normal,
-            Frame<F>(normal).to_world(square_to_cosine_hemisphere(u_direction))};
+            Frame<F>(normal).to_world(square_to_cosine_hemisphere(u_direction)), flux()};
   }
-  F emit_pdf(const F& cos_emit) const { return cosine_hemisphere_pdf(cos_emit); }
+  EmissionPdfs<F> emit_pdfs(const Vec3<F>& n, const Vec3<F>& direction) const {
+    return {1 / area(), cosine_hemisphere_pdf(F(dot(n, direction)))};
+  }
+  Vec3<F> flux_towards(const Vec3<F>& n, const Vec3<F>& direction) const {
+    return flux() * cosine_hemisphere_pdf(F(dot(n, direction)));
+  }
+  Vec3<F> leaving(const Vec3<F>& n, const Vec3<F>& direction) const {
+    return select(dot(n, direction) > 0, radiance, Vec3<F>(F(0.0f)));
+  }
   Vec3<F> flux() const { return radiance * (pi * area()); }
-  Vec3<F> emitted_radiance(const F& cos_emit) const { return select(cos_emit > 0, radiance, Vec3<F>(F(0.0f))); }
 
  private:
   F area() const { return 4 * pi * radius * radius; }

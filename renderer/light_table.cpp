@@ -1,5 +1,9 @@
 #include "renderer/light_table.h"
 
+#include <algorithm>
+#include <array>
+#include <cstring>
+
 #include "renderer/ray.h"
 
 namespace photonproof {
@@ -7,18 +11,24 @@ namespace photonproof {
 std::vector<LightWords> light_table(const std::vector<Light>& lights) {
   const std::size_t count = lights.size();
   std::vector<double> share(count);
-  double total = 0;
+  std::array<double, 2> power{};  // of finite and infinite lights
   for (std::size_t i = 0; i < count; ++i) {
     const Rgb f = flux(lights[i]);
-    share[i] = (double{f.x} + f.y + f.z) / 3;
-    total += share[i];
+    share[i] = std::max((double{f.x} + f.y + f.z) / 3, 0.0);
+    power[is_infinite(lights[i]) ? 1 : 0] += share[i];
   }
+  if (power[0] > 0 && power[1] > 0) {
+    const double infinite = std::clamp(power[1] / (power[0] + power[1]), 0.25, 0.75);
+    for (std::size_t i = 0; i < count; ++i)
+      share[i] *= is_infinite(lights[i]) ? infinite / power[1] : (1 - infinite) / power[0];
+    power = {1 - infinite, infinite};
+  }
+  const double total = power[0] + power[1];
   std::vector<LightWords> table(count);
   std::vector<std::size_t> poor, rich;
   for (std::size_t i = 0; i < count; ++i) {
     const double p = total > 0 ? share[i] / total : 1.0 / static_cast<double>(count);
-    table[i] = {static_cast<std::uint32_t>(lights[i].index()), static_cast<float>(p), 1, static_cast<std::uint32_t>(i),
-                no_index};
+    table[i] = {kernel_kind(lights[i]), static_cast<float>(p), 1, static_cast<std::uint32_t>(i), no_index};
     share[i] = p * static_cast<double>(count);
     (share[i] < 1 ? poor : rich).push_back(i);
   }
@@ -34,6 +44,18 @@ std::vector<LightWords> light_table(const std::vector<Light>& lights) {
     poor.push_back(giver);
   }
   return table;
+}
+
+std::vector<float> light_records(const std::vector<Light>& lights) {
+  std::vector<float> records(lights.size() * LightKinds::stride, 0.0f);
+  for (std::size_t i = 0; i < lights.size(); ++i)
+    std::visit(
+        [&](const auto& light) {
+          if constexpr (std::is_constructible_v<LightKinds::Variant, decltype(light)>)
+            std::memcpy(&records[i * LightKinds::stride], &light, sizeof light);
+        },
+        lights[i]);
+  return records;
 }
 
 }  // namespace photonproof

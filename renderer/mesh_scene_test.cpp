@@ -81,25 +81,5 @@ TEST(mesh_scene, takes_little_memory_a_triangle) {
   EXPECT_GT(static_cast<double>(scene.memory_bytes()) / 80'000, 20);
 }
 
-TEST(mesh_scene, what_a_mesh_cannot_be_yet_is_refused_by_name) {
-  const auto message = [](bool face_normals, bool emits) -> std::string {
-    SceneDescription d;
-    d.files = {"scene.xml"};
-    ShapeDescription& shape = test::add_shape(
-        d, MeshDescription{MeshDescription::Format::ply, "square.ply", face_normals, false, square_mesh()}, {},
-        test::add_bsdf(d, DiffuseDescription{}));
-    if (emits) shape.radiance = RgbD(1);
-    try {
-      const Scene scene(d, 4, 4);
-    } catch (const InputError& e) {
-      return e.what();
-    }
-    return "";
-  };
-  EXPECT_NE(message(false, false).find("smooth normals are not supported yet: set face_normals to true"),
-            std::string::npos);
-  EXPECT_NE(message(true, true).find("a mesh cannot be a light yet"), std::string::npos);
-}
-
 }  // namespace
 }  // namespace photonproof

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "renderer/kernels/camera_rays.h"
+
 namespace photonproof {
 namespace {
 
@@ -21,10 +23,10 @@ float median_pixel_footprint(const Scene& scene) {
   std::vector<float> footprints;
   for (int row = 0; row < lattice; ++row) {
     for (int column = 0; column < lattice; ++column) {
-      const auto centre = [](int i) { return 2 * (static_cast<float>(i) + 0.5f) / lattice - 1; };
-      const Vec3f through =
-          camera.forward + camera.right * (centre(column) * camera.tan_x) - camera.up * (centre(row) * camera.tan_y);
-      const Hit hit = scene.intersect(camera.origin + through * camera.near, normalize(through));
+      const auto share = [](int i) { return (static_cast<float>(i) + 0.5f) / lattice; };
+      CameraRay<float> ray;
+      set_ray<float>(camera, {share(column) * camera.width, share(row) * camera.height}, {0.5f, 0.5f}, ray);
+      const Hit hit = ray.valid ? scene.intersect(ray.origin, ray.direction) : Hit{};
       if (hit.valid()) footprints.push_back(pixel_footprint(camera, hit.p_world));
     }
   }

@@ -3,12 +3,15 @@
 
 #include <cstdint>
 
+#include "renderer/camera_view.h"
 #include "renderer/ray.h"
 #include "renderer/sampler.h"
 
 namespace photonproof {
 
+class SceneLights;
 class Tracer;
+struct DetailTables;
 
 /// A flat primitive: the plane n.x = k (n unit, on the side that counts as front) and, for a point x of it,
 /// u = edge_u . x + u0, v likewise, which run from 0 to 1 along the edges.
@@ -39,7 +42,8 @@ struct SmallSceneView {
 
 struct SurfaceWords {
   std::uint32_t bsdf_kind, bsdf, light;
-  static constexpr std::uint32_t stride = 3;
+  std::uint32_t interior, exterior;  ///< media, no_index where there is none
+  static constexpr std::uint32_t stride = 5;
 };
 
 struct LightWords {
@@ -58,25 +62,24 @@ struct AimTarget {
   static constexpr std::uint32_t stride = 4;
 };
 
-struct CameraView {
-  Vec3f origin, right, up, forward;
-  float tan_x = 1, tan_y = 1;
-  float inverse_width = 1, inverse_height = 1;
-  float near = 0, far = 0;  ///< distances along `forward`
-};
-
 struct SceneView {
   bool one_light = false;         ///< none is chosen
   bool one_bsdf_kind = false;     ///< lanes need no sorting
   bool dark_shadow_rays = false;  ///< shadow rays are traced even where they can bring no light
   bool small = false;             ///< `primitives` holds everything, `tracer` is not needed
+  bool detailed = false;          ///< hits go through detail_at (surface_detail.h)
+  bool maps_normals = false;      ///< some of them by bump or normal maps
   SmallSceneView primitives;
+  const DetailTables* detail = nullptr;
   const Tracer* tracer = nullptr;
   const SurfaceWords* surfaces = nullptr;
   const float* bsdfs = nullptr;   ///< BsdfKinds::stride floats each
   const float* lights = nullptr;  ///< LightKinds::stride floats each
   const LightWords* light_words = nullptr;
   std::uint32_t light_count = 0;
+  const SceneLights* general_lights = nullptr;  ///< all lights, for those that need tables
+  bool lights_by_position = false;              ///< they are chosen by `general_lights`
+  std::uint32_t environment = no_index;         ///< the light that rays see which leave the scene
   const AimTarget* aim_targets = nullptr;  ///< one for each specular surface
   std::uint32_t aim_target_count = 0;
   std::uint32_t bsdf_kinds = 0;  ///< bit k: a surface has a BSDF of kind k

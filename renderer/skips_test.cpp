@@ -95,20 +95,23 @@ TEST(skips, the_plan_says_what_the_scene_does_not_need_and_why) {
   RenderJob job;
   job.isa = "scalar";
   const IntegratorDescription mapper = with_integrator(description.integrator, "photonmapper");
-  EXPECT_EQ(plan_text(plan_render(scene, mapper, job)),
-            "photonmapper, kernels scalar (1 lane)\n"
-            "runs\n"
-            "  camera paths        to their first diffuse surface, where photons within a fixed radius are looked up; "
-            "paths of any length\n"
-            "  rays                packed kernel over all primitives\n"
-            "skips\n"
-            "  global-map          the global photon map: no two diffuse surfaces see each other\n"
-            "  caustic-map         the caustic photon map: no specular surface\n"
-            "  bvh                 Embree and its hierarchy: 1 primitive, tested one after the other\n"
-            "  bsdf-groups         sorting lanes by the kind of their BSDF: all BSDFs are of one kind\n"
-            "  light-choice        the random choice among lights: 1 light\n"
-            "  shadow-rays         shadow rays to lights that a cosine of 0 hides: where the light or the BSDF gives "
-            "nothing, none is traced\n");
+  EXPECT_EQ(
+      plan_text(plan_render(scene, mapper, job)),
+      "photonmapper, kernels scalar (1 lane)\n"
+      "runs\n"
+      "  camera paths        to their first diffuse surface, where photons within a fixed radius are looked up; "
+      "paths of any length\n"
+      "  rays                packed kernel over all primitives\n"
+      "skips\n"
+      "  global-map          the global photon map: no two diffuse surfaces see each other\n"
+      "  caustic-map         the caustic photon map: no specular surface\n"
+      "  bvh                 Embree and its hierarchy: 1 primitive, tested one after the other\n"
+      "  bsdf-groups         sorting lanes by the kind of their BSDF: all BSDFs are of one kind\n"
+      "  surface-detail      texture coordinates, shading normals and nested BSDFs of every hit: no textures, shading "
+      "normals, tangents or nested BSDFs\n"
+      "  light-choice        the random choice among lights: 1 light\n"
+      "  shadow-rays         shadow rays to lights that a cosine of 0 hides: where the light or the BSDF gives "
+      "nothing, none is traced\n");
 }
 
 TEST(skips, a_switch_that_is_off_is_in_the_plan) {
@@ -143,7 +146,7 @@ TEST(skips, an_unknown_name_is_refused_with_the_known_ones) {
     EXPECT_STREQ(
         e.what(),
         "--no-skip: error: there is no skip 'bhv', expected one of bvh, mis, light-choice, bsdf-groups, shadow-rays, "
-        "global-map, caustic-map, stray-photons, all");
+        "global-map, caustic-map, stray-photons, surface-detail, all");
   }
 }
 

@@ -1,4 +1,6 @@
-// Photons from the lights through the scene (Jensen 2001, chapters 5 and 7.2), over a batch of lanes.
+// Photons from the lights through the scene (Jensen 2001, chapters 5 and 7.2), over a batch of lanes. They are stored
+// on Lambertian surfaces; every other surface, rough ones too, counts as specular: camera paths go on from there as
+// well.
 #pragma once
 
 #include "renderer/kernels/aim.h"
@@ -34,6 +36,7 @@ class PhotonKernel : public BatchKernel<PhotonKernel<F>, PhotonState, F> {
   static constexpr std::uint32_t diffusely = 1, specularly = 2;  // in PhotonState::bounced
   static constexpr std::uint32_t emission_dimensions = 3;        // position, direction, light
   static constexpr std::uint32_t dimensions_an_edge = 3;         // direction, lobe, roulette
+  static constexpr std::uint32_t surface_dimensions = 1u << 24;  // one an edge: which of a surface's BSDFs
   /// Roulette by albedo keeps the photons' flux even. Only long histories also die at random where nothing is absorbed,
   /// so that a lossless closed scene ends.
   static constexpr std::uint32_t always_mortal_from = 32;
@@ -49,23 +52,33 @@ class PhotonKernel : public BatchKernel<PhotonKernel<F>, PhotonState, F> {
     const Vec2<F> u_position = draw(s, 0u);
     const Vec2<F> u_direction = draw(s, 1u);
     Vec3<F> normal(F(0.0f));
-    for_each_light_kind<F>(scene_, choice.light, lanes, [&](const auto& light, const Mask<F>& of_kind) {
-      Emission<F> start = light.emit(u_position, u_direction);
-      Vec3<F> flux = light.flux();
-      if (task_.aimed) {
-        const F u_target = draw_independent<F>(U(task_.seed), U(s.path + task_.first), U(2u));
-        const AimedDirection<F> aimed = aim(scene_, start.p_world, u_target, u_direction);
-        start.direction = aimed.direction;
-        flux *= light.emit_pdf(dot(start.normal, aimed.direction)) / aimed.pdf;
-      }
+    s.from = choice.primitive;
+    const auto keep = [&](const Emission<F>& start, const Mask<F>& of_kind) {
       s.origin = select(of_kind, start.p_world, s.origin);
       normal = select(of_kind, start.normal, normal);
       s.direction = select(of_kind, start.direction, s.direction);
-      s.flux = select(of_kind, flux, s.flux);
-    });
+      s.flux = select(of_kind, start.flux, s.flux);
+    };
+    const auto aim_from = [&](const Vec3<F>& p) {
+      const F u_target = draw_independent<F>(U(task_.seed), U(s.path + task_.first), U(2u));
+      return aim(scene_, p, u_target, u_direction);
+    };
+    for_each_light_kind<F>(
+        scene_, choice.light, lanes,
+        [&](const auto& light, const Mask<F>& of_kind) {
+          Emission<F> start = light.emit(u_position, u_direction);
+          if (task_.aimed && !light.is_infinite) {  // what comes from infinity goes where it goes
+            const AimedDirection<F> aimed = aim_from(start.p_world);
+            start.direction = aimed.direction;
+            start.flux = light.flux_towards(start.normal, aimed.direction) * (1 / aimed.pdf);
+          }
+          keep(start, of_kind);
+        },
+        [&](const Mask<F>& of_kind) {
+          keep(emit_from_table(s, choice, u_position, u_direction, aim_from, of_kind), of_kind);
+        });
     s.flux *= F(task_.share) / choice.probability;
     s.origin = offset_from(s.origin, normal, s.direction, scene_.coordinate_floor);
-    s.from = choice.primitive;
     s.edges = U(0u);
     s.bounced = U(0u);
     return lanes && max_component(s.flux) > 0;
@@ -77,15 +90,18 @@ class PhotonKernel : public BatchKernel<PhotonKernel<F>, PhotonState, F> {
     if (!any(hit.valid)) return;
     s.from = hit.primitive;
     s.edges += 1u;
-    Base::wait({s, hit.p, hit.normal, hit.surface}, hit.surface, hit.valid);
+    Base::wait({s, hit.p, hit.normal, hit.surface}, hit.valid, [&] {
+      return draw_independent<F>(U(task_.seed), U(s.path + task_.first), U(s.edges + surface_dimensions));
+    });
   }
 
   template <template <class> class Kind>
   [[gnu::flatten]] void shade(AtSurface<PhotonState, F>& at, const Mask<F>& active) {
     PhotonState<F>& s = at.history;
-    const Frame<F> frame(at.normal);
+    const Shading<Kind, F> bsdf = Base::template shading_at<Kind>(at, active);
+    const Frame<F>& frame = bsdf.frame;
     const Vec3<F> wo_local = frame.to_local(Vec3<F>(-s.direction));
-    if constexpr (Kind<F>::is_delta) {
+    if constexpr (!Kind<F>::is_lambertian) {
       s.bounced |= U(specularly);
     } else {
       const std::uint32_t wanted = task_.kind == PhotonKind::global ? diffusely : specularly;
@@ -97,10 +113,9 @@ class PhotonKernel : public BatchKernel<PhotonKernel<F>, PhotonState, F> {
     if (task_.max_edges >= 0) alive = alive && as_mask<F>(s.edges < U(static_cast<std::uint32_t>(task_.max_edges)));
     if (!any(alive)) return;
 
-    const Kind<F> bsdf = Base::template bsdf_at<Kind>(at.surface, active);
     const U dimension = s.edges * dimensions_an_edge + emission_dimensions;
     Vec2<F> u_direction{F(0.0f), F(0.0f)};
-    if constexpr (!Kind<F>::is_delta) u_direction = draw(s, dimension);
+    if constexpr (Kind<F>::has_smooth) u_direction = draw(s, dimension);
     const U key(task_.seed);
     const U index = s.path + task_.first;
     const F u_lobe = draw_independent<F>(key, index, U(dimension + 1u));
@@ -116,6 +131,35 @@ class PhotonKernel : public BatchKernel<PhotonKernel<F>, PhotonState, F> {
 
  private:
   using Base::scene_;
+
+  /// From lights that need tables.
+  template <class Aim>
+  Emission<F> emit_from_table(PhotonState<F>& s, const LightChoice<F>& choice, const Vec2<F>& u_position,
+                              const Vec2<F>& u_direction, const Aim& aim_from, const Mask<F>& lanes) const {
+    auto block = ask<LightEmitBlock, F>(choice.light, lanes);
+    store_from(u_position.x, block.position_x);
+    store_from(u_position.y, block.position_y);
+    store_from(u_direction.x, block.direction_x);
+    store_from(u_direction.y, block.direction_y);
+    emit_from_lights(*scene_.general_lights, block);
+    Emission<F> start{take3<F>(block.origin), take3<F>(block.normal), take3<F>(block.direction), take3<F>(block.flux)};
+    // A primitive of a small scene; elsewhere rays leave by their offset.
+    const Mask<F> on_mesh = lanes && !equal<F>(s.from, U(no_index));
+    s.from = select(on_mesh, s.from + take_words<F>(block.triangle), s.from);
+    const Mask<F> aimable = lanes && take_mask<F>(block.can_be_aimed);
+    if (!task_.aimed || !any(aimable)) return start;
+
+    const AimedDirection<F> aimed = aim_from(start.p_world);
+    auto towards = ask<LightTowardsBlock, F>(choice.light, aimable);
+    put(towards.normal, start.normal);
+    put(towards.direction, aimed.direction);
+    std::memcpy(towards.uv_x, block.uv_x, sizeof block.uv_x);
+    std::memcpy(towards.uv_y, block.uv_y, sizeof block.uv_y);
+    flux_towards(*scene_.general_lights, towards);
+    start.direction = select(aimable, aimed.direction, start.direction);
+    start.flux = select(aimable, take3<F>(towards.flux) * (1 / aimed.pdf), start.flux);
+    return start;
+  }
 
   Vec2<F> draw(const PhotonState<F>& s, const U& dimension) const {
     return draw2<F>(task_.sampler, U(task_.seed), U(s.path + task_.first), dimension);

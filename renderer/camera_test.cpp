@@ -1,0 +1,256 @@
+// Cameras of every kind: the way back from the scene is the inverse of the rays, importance is a density of the raster,
+// filters are drawn as they are evaluated.
+
+#include "renderer/camera.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "renderer/camera_connection.h"
+#include "renderer/chi_square.h"
+#include "renderer/kernels/camera_rays.h"
+#include "renderer/reconstruction_filter.h"
+#include "renderer/test_scenes.h"
+
+namespace photonproof {
+namespace {
+
+using test::Random;
+
+constexpr int image_width = 30, image_height = 20;
+
+struct Named {
+  const char* name;
+  decltype(SensorDescription::camera) camera;
+  Transform scaled;  ///< to_world's innermost part
+};
+
+std::vector<Named> cameras() {
+  PerspectiveDescription shifted;
+  shifted.fov_degrees = 70;
+  shifted.principal_x = 0.1;
+  shifted.principal_y = -0.2;
+  return {{"perspective", PerspectiveDescription{}, {}},
+          {"shifted", shifted, {}},
+          {"thinlens", ThinLensDescription{PerspectiveDescription{}, 0.2, 3}, {}},
+          {"orthographic", OrthographicDescription{}, Transform::scale({3, 2, 1})},
+          {"fisheye", FisheyeDescription{200, 1e-2, 1e4}, {}}};
+}
+
+CameraView view_of(const Named& named, const std::optional<FilmDescription::Crop>& crop = {}) {
+  SensorDescription sensor;
+  sensor.camera = named.camera;
+  sensor.to_world = Transform::look_at({1, 2, 3}, {-2, 1, 0}, {0.1, 1, 0}) * named.scaled;
+  sensor.film.width = image_width;
+  sensor.film.height = image_height;
+  sensor.film.crop = crop;
+  return crop ? compile_camera(sensor, crop->width, crop->height, {0, 0, 0})
+              : compile_camera(sensor, image_width, image_height, {0, 0, 0});
+}
+
+TEST(cameras, the_way_back_is_the_inverse_of_the_ray) {
+  for (const Named& named : cameras()) {
+    const CameraView camera = view_of(named);
+    int checked = 0;
+    for (std::uint64_t i = 0; i < 5000; ++i) {
+      Random r(400, i);
+      const Vec2<float> raster{r.next() * image_width, r.next() * image_height};
+      const Vec2<float> u_lens = r.next2();
+      CameraRay<float> ray;
+      set_ray<float>(camera, raster, u_lens, ray);
+      if (!ray.valid) continue;
+      const Vec3f p = ray.origin + ray.direction * (0.5f + 5 * r.next());
+      const CameraConnection c = connect_to_camera(camera, p, u_lens);
+      ASSERT_TRUE(c.visible) << named.name;
+      EXPECT_NEAR(c.raster.x, raster.x, 2e-3f) << named.name;
+      EXPECT_NEAR(c.raster.y, raster.y, 2e-3f) << named.name;
+      EXPECT_NEAR(length(c.direction - ray.direction), 0, 1e-5f) << named.name;
+      EXPECT_NEAR(length(c.origin - ray.origin), 0, 1e-4f) << named.name;
+      EXPECT_NEAR(c.distance, length(p - ray.origin), 1e-4f) << named.name;
+      ++checked;
+    }
+    EXPECT_GT(checked, 2000) << named.name;
+  }
+}
+
+TEST(cameras, importance_is_the_raster_area_an_area_across_the_ray_covers) {
+  // The Jacobian by differences: the parallelogram of two small steps across the ray, on the raster.
+  for (const Named& named : cameras()) {
+    const CameraView camera = view_of(named);
+    for (std::uint64_t i = 0; i < 200; ++i) {
+      Random r(410, i);
+      const Vec2<float> u_lens = r.next2();
+      CameraRay<float> ray;
+      set_ray<float>(camera, {(0.1f + 0.8f * r.next()) * image_width, (0.1f + 0.8f * r.next()) * image_height}, u_lens,
+                     ray);
+      if (!ray.valid) continue;
+      const Vec3f p = ray.origin + ray.direction * 2.0f;
+      const CameraConnection c = connect_to_camera(camera, p, u_lens);
+      if (!c.visible) continue;
+      const Frame<float> frame(ray.direction);
+      constexpr float step = 4e-3f;
+      const auto at = [&](const Vec3f& moved) { return connect_to_camera(camera, p + moved, u_lens).raster; };
+      const Vec2<float> a = at(frame.s * step), b = at(frame.s * -step), d = at(frame.t * step),
+                        e = at(frame.t * -step);
+      const float area = std::abs((a.x - b.x) * (d.y - e.y) - (a.y - b.y) * (d.x - e.x)) / (4 * step * step);
+      EXPECT_NEAR(area, c.importance, 0.02f * c.importance) << named.name;
+    }
+  }
+}
+
+TEST(cameras, densities_of_rays_integrate_to_one_over_the_image) {
+  // Over directions through raster points inside of it; of the orthographic camera over its area, 6 x 4 scaled by
+  // nothing but to_world's (3, 2): width 6, height 2 x 2 x 20/30.
+  for (const Named& named : cameras()) {
+    const CameraView camera = view_of(named);
+    if (has_delta_direction(camera)) {
+      EXPECT_NEAR(1 / camera_ray_pdfs(camera, camera.forward).position, 6 * 4 * 2 / 3.0f, 1e-4f);
+      continue;
+    }
+    double sum = 0;
+    constexpr int samples = 6'000'000;
+    for (int i = 0; i < samples; ++i) {
+      const Vec3f d = square_to_sphere(Random(420, static_cast<std::uint64_t>(i)).next2());
+      const CameraConnection c = connect_to_camera(camera, camera.origin + d * 2.0f, {0.5f, 0.5f});
+      if (c.visible) sum += double{camera_ray_pdfs(camera, c.direction).direction};
+    }
+    sum *= 4 * std::numbers::pi / samples;
+    // A fisheye's circle fills pi/4 of a square of 20 x 20 pixels; u_lens (0.5, 0.5) is the lens's middle.
+    const double image = camera.kind == CameraKind::fisheye ? std::numbers::pi / 4 * 400 / 600 : 1;
+    EXPECT_NEAR(sum, image, 0.015 * image) << named.name;
+  }
+}
+
+TEST(cameras, a_crop_shows_its_part_of_the_image) {
+  for (const Named& named : cameras()) {
+    const CameraView whole = view_of(named), part = view_of(named, FilmDescription::Crop{7, 4, 10, 12});
+    CameraRay<float> a, b;
+    set_ray<float>(whole, {7 + 3.25f, 4 + 5.5f}, {0.3f, 0.6f}, a);
+    set_ray<float>(part, {3.25f, 5.5f}, {0.3f, 0.6f}, b);
+    EXPECT_NEAR(length(a.direction - b.direction), 0, 1e-6f) << named.name;
+    EXPECT_NEAR(length(a.origin - b.origin), 0, 1e-5f) << named.name;
+  }
+}
+
+TEST(cameras, the_principal_point_moves_pixels_by_its_share_of_the_film) {
+  PerspectiveDescription camera;
+  camera.principal_x = 0.1;  // 3 of 30 pixels
+  camera.principal_y = -0.2;
+  CameraRay<float> plain, moved;
+  set_ray<float>(view_of({"", PerspectiveDescription{}, {}}), {10, 10}, {}, plain);
+  set_ray<float>(view_of({"", camera, {}}), {7, 14}, {}, moved);
+  EXPECT_NEAR(length(plain.direction - moved.direction), 0, 1e-6f);
+}
+
+TEST(cameras, a_thin_lens_is_sharp_at_its_distance) {
+  const CameraView camera = view_of(cameras()[2]);
+  CameraRay<float> a, b;
+  set_ray<float>(camera, {11, 4}, {0.1f, 0.9f}, a);
+  set_ray<float>(camera, {11, 4}, {0.8f, 0.2f}, b);
+  const auto sharp = [&](const CameraRay<float>& ray) {
+    const float t = (3 - dot(ray.origin - camera.origin, camera.forward)) / dot(ray.direction, camera.forward);
+    return ray.origin + ray.direction * t;
+  };
+  EXPECT_NEAR(length(sharp(a) - sharp(b)), 0, 1e-5f);
+  EXPECT_GT(length(a.origin - b.origin), 0.1f);
+}
+
+TEST(cameras, an_orthographic_film_spans_local_x_from_one_to_minus_one) {
+  // Left is +x; rays start on the near plane and are parallel. Height follows the aspect: y from 2/3 to -2/3.
+  SensorDescription sensor;
+  sensor.camera = OrthographicDescription{};
+  const CameraView camera = compile_camera(sensor, image_width, image_height, {0, 0, 0});
+  CameraRay<float> ray;
+  set_ray<float>(camera, {0, 0}, {}, ray);
+  EXPECT_NEAR(ray.origin.x, 1, 1e-6f);
+  EXPECT_NEAR(ray.origin.y, 2 / 3.0f, 1e-6f);
+  EXPECT_NEAR(ray.origin.z, 0.01f, 1e-6f);
+  EXPECT_EQ(ray.direction, Vec3f(0, 0, 1));
+}
+
+TEST(cameras, a_fisheyes_angle_grows_with_the_distance_from_the_middle) {
+  SensorDescription sensor;
+  sensor.camera = FisheyeDescription{180, 1e-2, 1e4};
+  const CameraView camera = compile_camera(sensor, image_width, image_height, {0, 0, 0});
+  CameraRay<float> ray;
+  set_ray<float>(camera, {15, 5}, {}, ray);  // half way up: 45 degrees
+  EXPECT_NEAR(ray.direction.y, std::sqrt(0.5f), 1e-6f);
+  EXPECT_NEAR(ray.direction.z, std::sqrt(0.5f), 1e-6f);
+  set_ray<float>(camera, {2, 10}, {}, ray);
+  EXPECT_FALSE(ray.valid);
+}
+
+// --- filters ---------------------------------------------------------------------------------------------------------
+
+std::vector<ReconstructionFilter> filters() {
+  using Kind = ReconstructionFilter::Kind;
+  return {{Kind::tent, 0.5, 1}, {Kind::tent, 0.5, 2.5}, {Kind::gaussian, 0.5, 1}, {Kind::gaussian, 0.8, 1}};
+}
+
+TEST(filters, offsets_are_drawn_as_the_filter_weighs) {
+  for (const ReconstructionFilter& filter : filters()) {
+    const FilterKernel kernel(filter);
+    const FilterView view = compile_filter(filter);
+    constexpr int cells = 64, samples = 1'000'000;
+    std::vector<double> observed(cells), expected(cells);
+    double mean_square = 0;
+    for (int i = 0; i < samples; ++i) {
+      const double x = double{filter_offset(view, Random(430, static_cast<std::uint64_t>(i)).next())};
+      ASSERT_LE(std::abs(x), kernel.radius() * (1 + 1e-6));
+      mean_square += x * x / samples;
+      observed[static_cast<std::size_t>(
+          std::clamp(static_cast<int>((x / kernel.radius() + 1) / 2 * cells), 0, cells - 1))] += 1;
+    }
+    const auto cumulative = [&](double x) { return x < 0 ? -kernel.half_integral(-x) : kernel.half_integral(x); };
+    double second_moment = 0;
+    for (int i = 0; i < cells; ++i) {
+      const double a = (2.0 * i / cells - 1) * kernel.radius(), b = (2.0 * (i + 1) / cells - 1) * kernel.radius();
+      expected[static_cast<std::size_t>(i)] = samples * (cumulative(b) - cumulative(a));
+    }
+    constexpr int steps = 20'000;
+    for (int i = 0; i < steps; ++i) {
+      const double x = (2 * (i + 0.5) / steps - 1) * kernel.radius();
+      second_moment += x * x * kernel(x) * 2 * kernel.radius() / steps;
+    }
+    EXPECT_GT(test::chi_square_p_value(observed, expected), test::sidak_level(4));
+    EXPECT_NEAR(mean_square, second_moment, 0.005 * second_moment);
+    EXPECT_NEAR(kernel.half_integral(1e3), 0.5, 1e-12);
+  }
+}
+
+TEST(filters, splats_of_evenly_spread_points_give_every_pixel_one) {
+  std::vector<ReconstructionFilter> all = filters();
+  all.push_back({ReconstructionFilter::Kind::box, 0.5, 1});
+  for (const ReconstructionFilter& filter : all) {
+    const FilterKernel kernel(filter);
+    double sum = 0, pixel = 0;
+    constexpr int steps = 40, size = 15;
+    for (int i = 0; i < steps * size; ++i)
+      for (int j = 0; j < steps * size; ++j)
+        kernel.for_each_pixel({(static_cast<float>(i) + 0.5f) / steps, (static_cast<float>(j) + 0.5f) / steps}, size,
+                              size, [&](int x, int y, float weight) {
+                                if (x == 7 && y == 7) pixel += double{weight};
+                                sum += double{weight};
+                              });
+    EXPECT_NEAR(pixel / (steps * steps), 1, 2e-3);
+    EXPECT_LE(sum / (steps * steps), size * size * 1.001);
+  }
+}
+
+TEST(filters, a_box_splat_falls_into_the_pixel_that_holds_it) {
+  const FilterKernel box(ReconstructionFilter{ReconstructionFilter::Kind::box, 0.5, 1});
+  for (const Vec2<float> at : {Vec2<float>{3.0f, 4.5f}, Vec2<float>{3.999f, 4.0f}}) {
+    int count = 0;
+    box.for_each_pixel(at, 10, 10, [&](int x, int y, float weight) {
+      EXPECT_EQ(x, 3);
+      EXPECT_EQ(y, 4);
+      EXPECT_EQ(weight, 1);
+      ++count;
+    });
+    EXPECT_EQ(count, 1);
+  }
+}
+
+}  // namespace
+}  // namespace photonproof

@@ -1,0 +1,39 @@
+// The compiled camera as kernels and light tracing see it. Raster coordinates are pixels of the rendered image from its
+// top left corner, pixel (x, y) from x to x + 1.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "scenes/vec.h"
+
+namespace photonproof {
+
+enum class CameraKind : std::uint32_t { perspective, thin_lens, orthographic, fisheye };
+
+/// How a pixel weighs the image around its middle: separable, symmetric. Samples are drawn with that density, so that
+/// all weigh the same.
+struct FilterView {
+  /// Of the distance along an axis, at 1 - sqrt(1 - u) = i / steps for u uniform: more of them where tails are thin.
+  static constexpr std::uint32_t steps = 128;
+  bool is_box = true;  ///< the pixel itself
+  float radius = 0.5f;
+  std::array<float, steps + 1> quantiles{};
+  FilterView() = default;
+};
+
+struct CameraView {
+  Vec3f origin, right, up, forward;  ///< axes unit
+  /// Half the image at the distance 1: of an orthographic camera in scene units, of a fisheye in radians.
+  float tan_x = 1, tan_y = 1;
+  float inverse_width = 1, inverse_height = 1;  ///< of the whole film in pixels, of which a crop is rendered
+  float near = 0, far = 0;                      ///< distances along `forward`; of a fisheye along rays
+  float center_x = 1, center_y = 1;             ///< twice where the axis meets the film, in its widths and heights
+  float width = 1, height = 1;                  ///< of the rendered image in pixels
+  CameraKind kind = CameraKind::perspective;
+  float lens_radius = 0, focus_distance = 1;  ///< thin lens; the sharp plane's distance along `forward`
+  float max_angle = 0;                        ///< fisheye: beyond it there is no image
+  FilterView filter;
+};
+
+}  // namespace photonproof

@@ -1,0 +1,49 @@
+// Lambertian emission from one side of an ellipse (a disc under an affine map), sampled uniformly by area.
+#pragma once
+
+#include "renderer/light_sample.h"
+#include "renderer/warp.h"
+
+namespace photonproof {
+
+template <class F>
+struct DiskLight {
+  static constexpr bool is_delta = false, is_infinite = false;
+  Vec3<F> center, half_axis_u, half_axis_v;  ///< points: center + a half_axis_u + b half_axis_v, a^2 + b^2 <= 1
+  Vec3<F> normal;
+  F area;
+  Vec3<F> radiance;  ///< W m^-2 sr^-1
+
+  LightSample<F> sample(const Vec3<F>& p, const Vec2<F>& u) const {
+    const Vec3<F> p_light = at(u);
+    const Vec3<F> d = p_light - p;
+    const F distance2 = dot(d, d);
+    const Vec3<F> wi = d * (1 / lane_sqrt(distance2));
+    const F cos_light = -dot(normal, wi);
+    return {p_light, normal, wi, radiance, select(cos_light > 0, distance2 / (area * cos_light), F(0.0f))};
+  }
+  F pdf(const Vec3<F>& p, const Vec3<F>& p_light, const Vec3<F>& normal_light) const {
+    return area_to_solid_angle(F(1 / area), p, p_light, normal_light);
+  }
+  Emission<F> emit(const Vec2<F>& u_position, const Vec2<F>& u_direction) const {
+    return {at(u_position), normal, Frame<F>(normal).to_world(square_to_cosine_hemisphere(u_direction)), flux()};
+  }
+  EmissionPdfs<F> emit_pdfs(const Vec3<F>& n, const Vec3<F>& direction) const {
+    return {1 / area, cosine_hemisphere_pdf(F(dot(n, direction)))};
+  }
+  Vec3<F> flux_towards(const Vec3<F>& n, const Vec3<F>& direction) const {
+    return flux() * cosine_hemisphere_pdf(F(dot(n, direction)));
+  }
+  Vec3<F> flux() const { return radiance * (pi * area); }
+  Vec3<F> leaving(const Vec3<F>& n, const Vec3<F>& direction) const {
+    return select(dot(n, direction) > 0, radiance, Vec3<F>(F(0.0f)));
+  }
+
+ private:
+  Vec3<F> at(const Vec2<F>& u) const {
+    const Vec2<F> d = square_to_disc(u);  // an affine map keeps the density uniform
+    return advance(advance(center, d.x, half_axis_u), d.y, half_axis_v);
+  }
+};
+
+}  // namespace photonproof

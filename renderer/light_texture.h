@@ -1,0 +1,13 @@
+// What lights know of textures: a function of uv.
+#pragma once
+
+#include <functional>
+
+#include "scenes/vec.h"
+
+namespace photonproof {
+
+/// Linear Rec.709 colour at uv.
+using LightTexture = std::function<Rgb(const Vec2<float>& uv)>;
+
+}  // namespace photonproof

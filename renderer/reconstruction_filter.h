@@ -1,0 +1,49 @@
+// Reconstruction filters as densities: camera samples are drawn from them (kernels/camera_rays.h), splats of light
+// paths are spread by them.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "renderer/camera_view.h"
+#include "scenes/description.h"
+
+namespace photonproof {
+
+FilterView compile_filter(const ReconstructionFilter& filter);
+
+/// The filter's value along an axis, whose integral is 1.
+class FilterKernel {
+ public:
+  explicit FilterKernel(const ReconstructionFilter& filter);
+
+  double radius() const { return radius_; }
+  double operator()(double distance) const;
+  /// Integral from 0 to `distance`, at most 1/2.
+  double half_integral(double distance) const;
+
+  /// Calls visit(x, y, weight) for the pixels of a width x height image that a sample at `raster` reaches. The weights
+  /// are the filter at the pixels' middles: around an interior point they sum to 1 in the mean over its places.
+  template <class Visit>
+  void for_each_pixel(const Vec2<float>& raster, int width, int height, Visit&& visit) const {
+    const auto first = [&](float at) { return std::max(static_cast<int>(std::ceil(double{at} - 0.5 - radius_)), 0); };
+    const auto last = [&](float at, int size) {
+      return std::min(static_cast<int>(std::floor(double{at} - 0.5 + radius_)), size - 1);
+    };
+    for (int y = first(raster.y); y <= last(raster.y, height); ++y) {
+      const double weight_y = (*this)(double{raster.y} - 0.5 - y);
+      for (int x = first(raster.x); x <= last(raster.x, width); ++x) {
+        const double weight = weight_y * (*this)(double{raster.x} - 0.5 - x);
+        if (weight > 0) visit(x, y, static_cast<float>(weight));
+      }
+    }
+  }
+
+ private:
+  ReconstructionFilter::Kind kind_;
+  double radius_ = 0.5;
+  double stddev_ = 1, floor_ = 0;  ///< of the Gaussian: its value at the radius is taken away
+  double inverse_integral_ = 1;
+};
+
+}  // namespace photonproof

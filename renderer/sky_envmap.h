@@ -1,0 +1,44 @@
+// A latitude-longitude image of the radiance from all around, with Mitsuba's conventions: local +y is up, u turns from
+// local -z by way of +x; texel columns are at half-integers of u x width, and rows reach from pole to pole: row 0 is at
+// the zenith, the last at the nadir. Between texels radiance is bilinear.
+#pragma once
+
+#include <vector>
+
+#include "renderer/discrete_distribution.h"
+#include "scenes/image.h"
+#include "scenes/transform.h"
+#include "scenes/vec.h"
+
+namespace photonproof {
+
+class EnvmapSky {
+ public:
+  /// At least 1 x 2 texels, all finite, times `scale`. Of `to_world` the rotation counts; it must be invertible.
+  EnvmapSky(const Image& image, float scale, const Transform& to_world);
+
+  Rgb radiance(const Vec3f& towards_sky) const;
+  Vec3f sample(const Vec2<float>& u) const;
+  float pdf(const Vec3f& towards_sky) const;
+  Rgb irradiance() const { return irradiance_; }
+
+ private:
+  /// A point of the image: the texels around it are (column, row) and the next ones.
+  struct Place {
+    int column, row;
+    float right, down;  ///< in [0,1]
+  };
+  Place place_of(const Vec3f& local) const;
+  Rgb texel(int column, int row) const;
+  double solid_angle(int row) const;  ///< of a cell between four texels
+  int rows() const { return height_ - 1; }
+
+  int width_, height_;
+  std::vector<float> rgb_;
+  Vec3f x_, y_, z_;  ///< local axes in the world, unit
+  DiscreteDistribution by_row_;
+  std::vector<DiscreteDistribution> in_row_;
+  Rgb irradiance_;
+};
+
+}  // namespace photonproof

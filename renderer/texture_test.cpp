@@ -1,0 +1,114 @@
+// Texture look-ups: filters, wrapping, orientation, transforms, gradients. Expected numbers are worked out by hand.
+
+#include "renderer/texture.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace photonproof {
+namespace {
+
+/// Two columns, two rows of grey: 0 1 over 2 4.
+std::shared_ptr<const Image> four_texels() {
+  auto image = std::make_shared<Image>(2, 2);
+  const float values[4] = {0, 1, 2, 4};
+  for (int i = 0; i < 4; ++i)
+    for (int c = 0; c < 3; ++c) image->pixel(i % 2, i / 2)[c] = values[i];
+  return image;
+}
+
+BitmapTexture bitmap(TextureFilter filter, TextureWrap wrap, const Transform& to_uv = {}) {
+  return BitmapTexture({"", four_texels(), true, filter, wrap, to_uv});
+}
+
+float at(const BitmapTexture& texture, float u, float v) { return texture.at({u, v}).x; }
+
+TEST(bitmap, its_first_row_is_at_v_0) {
+  const BitmapTexture t = bitmap(TextureFilter::nearest, TextureWrap::repeat);
+  EXPECT_EQ(at(t, 0.25f, 0.25f), 0);
+  EXPECT_EQ(at(t, 0.75f, 0.25f), 1);
+  EXPECT_EQ(at(t, 0.25f, 0.75f), 2);
+  EXPECT_EQ(at(t, 0.75f, 0.75f), 4);
+}
+
+TEST(bitmap, is_linear_between_the_middles_of_texels) {
+  const BitmapTexture t = bitmap(TextureFilter::bilinear, TextureWrap::clamp);
+  EXPECT_FLOAT_EQ(at(t, 0.25f, 0.25f), 0);
+  EXPECT_FLOAT_EQ(at(t, 0.5f, 0.25f), 0.5f);
+  EXPECT_FLOAT_EQ(at(t, 0.5f, 0.5f), 7.0f / 4);        // the mean of all four
+  EXPECT_FLOAT_EQ(at(t, 0.375f, 0.625f), 31.0f / 16);  // 3/4 of the way down, 1/4 across
+}
+
+TEST(bitmap, wraps_as_it_is_told) {
+  // At u = 1.25 the second period starts with column 0, its mirror image with column 1, and clamping stays at column 1.
+  EXPECT_EQ(at(bitmap(TextureFilter::nearest, TextureWrap::repeat), 1.25f, 0.25f), 0);
+  EXPECT_EQ(at(bitmap(TextureFilter::nearest, TextureWrap::mirror), 1.25f, 0.25f), 1);
+  EXPECT_EQ(at(bitmap(TextureFilter::nearest, TextureWrap::mirror), -0.25f, 0.25f), 0);
+  EXPECT_EQ(at(bitmap(TextureFilter::nearest, TextureWrap::clamp), 7.25f, 0.25f), 1);
+  EXPECT_EQ(at(bitmap(TextureFilter::nearest, TextureWrap::clamp), -7.25f, 0.25f), 0);
+  // On the border linear interpolation takes in the texel beyond it: the other column, or the same.
+  EXPECT_FLOAT_EQ(at(bitmap(TextureFilter::bilinear, TextureWrap::repeat), 0, 0.25f), 0.5f);
+  EXPECT_FLOAT_EQ(at(bitmap(TextureFilter::bilinear, TextureWrap::mirror), 0, 0.25f), 0);
+  EXPECT_FLOAT_EQ(at(bitmap(TextureFilter::bilinear, TextureWrap::clamp), 1, 0.25f), 1);
+}
+
+TEST(bitmap, takes_any_uv) {
+  for (const TextureWrap wrap : {TextureWrap::repeat, TextureWrap::mirror, TextureWrap::clamp})
+    for (const TextureFilter filter : {TextureFilter::bilinear, TextureFilter::nearest})
+      for (const float u : {1e30f, -1e30f, INFINITY, -INFINITY, std::nanf(""), 1e9f, -0.0f, 0x1.fffffep-1f}) {
+        const float value = at(bitmap(filter, wrap), u, -u);
+        EXPECT_GE(value, 0);
+        EXPECT_LE(value, 4);
+      }
+}
+
+TEST(bitmap, is_looked_up_at_the_transformed_uv) {
+  const Transform moved = Transform::translate({0.5, 0, 0}) * Transform::scale({2, 1, 1});
+  const BitmapTexture t = bitmap(TextureFilter::nearest, TextureWrap::repeat, moved);
+  EXPECT_EQ(at(t, 0.125f, 0.25f), 1);  // 2 x 0.125 + 0.5 = 0.75
+  EXPECT_EQ(at(t, 0.375f, 0.75f), 2);  // 1.25
+}
+
+TEST(bitmap, has_the_gradient_of_its_interpolation) {
+  // In the middle: by u the mean of 1 - 0 and 4 - 2 over half a unit, by v that of 2 - 0 and 4 - 1.
+  const Vec2<float> slope = bitmap(TextureFilter::bilinear, TextureWrap::repeat).gradient({0.5f, 0.5f});
+  EXPECT_FLOAT_EQ(slope.x, 3);
+  EXPECT_FLOAT_EQ(slope.y, 5);
+  // Along a turned and stretched u: chain rule. uv' = (v, 3 u), so d/du = 3 d/dv' and d/dv = d/du'.
+  Transform turned;
+  turned.m = {0, 1, 0, 0, 3, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+  const Vec2<float> other = bitmap(TextureFilter::bilinear, TextureWrap::repeat, turned).gradient({0.5f / 3, 0.5f});
+  EXPECT_FLOAT_EQ(other.x, 15);
+  EXPECT_FLOAT_EQ(other.y, 3);
+  EXPECT_EQ(bitmap(TextureFilter::nearest, TextureWrap::repeat).gradient({0.5f, 0.5f}).x, 0);
+}
+
+TEST(checkerboard, alternates_on_half_units) {
+  const std::vector<TextureDescription> board{{{}, "", CheckerboardDescription{RgbD(1), RgbD(0.25), {}}}};
+  const Textures textures(board);
+  EXPECT_EQ(textures.colour(0, {0.25f, 0.25f}).x, 1);
+  EXPECT_EQ(textures.colour(0, {0.75f, 0.25f}).x, 0.25f);
+  EXPECT_EQ(textures.colour(0, {0.25f, 0.75f}).x, 0.25f);
+  EXPECT_EQ(textures.colour(0, {0.75f, 0.75f}).x, 1);
+  EXPECT_EQ(textures.colour(0, {-0.25f, 0.25f}).x, 0.25f);
+}
+
+TEST(checkerboard, may_be_of_textures) {
+  std::vector<TextureDescription> list{
+      {{}, "", BitmapDescription{"", four_texels(), true, TextureFilter::nearest, TextureWrap::repeat, {}}}};
+  list.push_back({{}, "", CheckerboardDescription{TextureIndex{0}, RgbD(0.5), {}}});
+  const Textures textures(list);
+  EXPECT_EQ(textures.colour(1, {0.75f, 0.75f}).x, 4);
+  EXPECT_EQ(textures.colour(1, {0.75f, 0.25f}).x, 0.5f);
+}
+
+TEST(texture, as_a_number_is_its_luminance) {
+  const std::vector<TextureDescription> one{{{}, "", CheckerboardDescription{RgbD{1, 0, 0}, RgbD{1, 1, 1}, {}}}};
+  const Textures textures(one);
+  EXPECT_NEAR(textures.number(0, {0.25f, 0.25f}), 0.2127f, 1e-4f);  // Rec. 709's red
+  EXPECT_NEAR(textures.number(0, {0.75f, 0.25f}), 1, 1e-5f);
+}
+
+}  // namespace
+}  // namespace photonproof
