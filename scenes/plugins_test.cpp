@@ -236,16 +236,19 @@ TEST(plugins, put_nested_bsdfs_before_what_nests_them) {
   EXPECT_EQ(scene.bsdfs[2].id, "leaf");
 }
 
-TEST(plugins, do_not_follow_references_without_end) {
-  std::string chain = "<bsdf type='diffuse' id='b0'/>";
-  for (int i = 1; i < 100000; ++i)
-    chain += "<bsdf type='twosided' id='b" + std::to_string(i) + "'><ref id='b" + std::to_string(i - 1) + "'/></bsdf>";
-  EXPECT_NO_THROW(parse(kSensor + kLight + chain)) << "read in order, none nests another that is not read yet";
-  std::string backwards;
-  for (int i = 100000; i > 0; --i)
-    backwards +=
-        "<bsdf type='twosided' id='b" + std::to_string(i) + "'><ref id='b" + std::to_string(i - 1) + "'/></bsdf>";
-  EXPECT_THROW(parse(kSensor + kLight + backwards + "<bsdf type='diffuse' id='b0'/>"), InputError);
+TEST(plugins, limit_how_deep_references_nest_in_either_order) {
+  const auto link = [](int i) {
+    const std::string below = std::to_string(i - 1);
+    return "<bsdf type='twosided' id='b" + std::to_string(i) + "'><ref id='b" + below + "'/><ref id='b" + below +
+           "'/></bsdf>";
+  };
+  const std::string end = "<bsdf type='diffuse' id='b0'/>";
+  std::string forwards, backwards;
+  for (int i = 1; i < 64; ++i) forwards += link(i);
+  EXPECT_NO_THROW(parse(kSensor + kLight + end + forwards)) << "64 deep, and 2^63 ways down";
+  EXPECT_THROW(parse(kSensor + kLight + end + forwards + link(64)), InputError);
+  for (int i = 64; i > 0; --i) backwards += link(i);
+  EXPECT_THROW(parse(kSensor + kLight + backwards + end), InputError);
 }
 
 class files : public ::testing::Test {
