@@ -76,6 +76,27 @@ double normal_deviate(double t, double freedom) {
   return -bm::quantile(bm::normal(), std::clamp(tail, 1e-300, 0.5));
 }
 
+/// Relative deviation squared of the block's variances, from their median and median absolute deviation, so that an
+/// edge or a lamp in the block does not count.
+double relative_spread_of_variance(const Block& block, const Differences& d) {
+  std::vector<double> values;
+  for_each_pixel(block, [&](int x, int y) { values.push_back(d.variance[d.index(x, y)]); });
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  const double median = *middle;
+  for (double& value : values) value = std::abs(value - median);
+  std::nth_element(values.begin(), middle, values.end());
+  constexpr double of_normal = 1.4826;  // deviation over median absolute deviation
+  return median > 0 ? std::pow(of_normal * *middle / median, 2) : 0;
+}
+
+/// The normal deviate of the probability that a Gamma variable of this shape has more than t deviations above its mean
+/// (Wilson and Hilferty 1931).
+double gamma_deviate(double t, double shape) {
+  if (!(shape < 1e6)) return t;
+  return 3 * std::sqrt(shape) * (std::cbrt(1 + t / std::sqrt(shape)) - 1 + 1 / (9 * shape));
+}
+
 double block_deviate(const Block& block, const Differences& d) {
   const double variance = sum_over(block, d, d.variance);
   if (variance == 0) return 0;  // black in both
@@ -110,9 +131,11 @@ StatisticalVerdict test_pixels(const std::array<Differences, 3>& channels, const
   for (const Differences& d : channels) {
     for (const Block& block : blocks_of(d.width, d.height)) {
       const double least = sum_over(block, d, d.variance) / block.pixels();
+      const double shape = 6 / relative_spread_of_variance(block, d);
       for_each_pixel(block, [&](int x, int y) {
         const double variance = std::max(least, d.variance[d.index(x, y)]);
-        const double deviate = variance > 0 ? std::abs(d.difference[d.index(x, y)]) / std::sqrt(variance) : 0;
+        const double t = variance > 0 ? std::abs(d.difference[d.index(x, y)]) / std::sqrt(variance) : 0;
+        const double deviate = gamma_deviate(t, shape);
         if (deviate > verdict.bound) ++beyond;
         if (deviate <= verdict.observed) return;
         verdict.observed = deviate;

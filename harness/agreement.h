@@ -36,11 +36,15 @@ struct Agreement {
 /// - A pixel that saw none of its rare bright samples looks dark and certain. Its variance therefore is at least the
 ///   mean one of its block, which saw some. Where an image's blocks miss them, too (fewer than about 20 such samples a
 ///   block), no test of variances can know, and it may fail wrongly.
+/// - The mean of a few skewed samples is skewed, and its far tail is not normal's. The samples' kurtosis k shows in how
+///   the variances of alike pixels differ, by (k - 1)/K relative for K estimates; the tail is taken as that of the
+///   Gamma distribution with this excess kurtosis, 6 / shape. Normal samples count as a little skewed by this.
 /// - A block's variance that rests on few bright pixels is uncertain; its deviation is taken as Student's t with the
 ///   degrees of freedom that the spread of the variances over the block shows, 2 (sum v)^2 / sum (v - mean v)^2 at
 ///   least, and turned into the normal deviate of the same probability.
 /// - Rounding of float sums counts as a deviation of 1e-5 of the value, so that pixels without noise compare as equal.
-/// It holds its level from 16 estimates a pixel on (agreement_test.cpp measures how well).
+/// It holds its level from 64 estimates a pixel on, from 16 on where samples are no wilder than exponential
+/// (agreement_test.cpp measures it).
 /// Preconditions: equal sizes, finite values. Throws InputError, naming `reference` or `test`, when one has no
 /// variance.
 Agreement test_agreement(const Rendering& reference, const Rendering& test, double alpha = 0.01);

@@ -216,7 +216,7 @@ void add_compare_verb(CLI::App& program, int& exit_code) {
       ->allow_extra_args(false);
   verb->add_flag("--agreement", options->agreement,
                  "exit with 2 unless both may be noisy images of the same: needs the variance channels of renders with "
-                 "--sampler independent and 16 samples a pixel or more");
+                 "--sampler independent and 64 samples a pixel or more");
   verb->add_option("--heatmaps", options->heatmap_folder, "write <test>-flip.png and <test>-error.png there")
       ->type_name("FOLDER");
   verb->add_flag("--json", options->json, "print one JSON object instead of lines");

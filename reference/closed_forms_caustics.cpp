@@ -1,6 +1,7 @@
 #include "reference/closed_forms_caustics.h"
 
 #include <cmath>
+#include <initializer_list>
 #include <numbers>
 
 #include "reference/closed_forms_glass.h"
@@ -47,7 +48,7 @@ BallRay trace_ball(const BallLens& lens, double h, int order) {
 }
 
 double ball_lens_irradiance(const BallLens& lens, double r, int orders) {
-  constexpr int steps = 4000;
+  constexpr int steps = 1000;
   double sum = r > lens.radius ? 1 : 0;
   for (int order = 0; order <= orders; ++order)
     for (const double side : {r, -r}) {
@@ -74,7 +75,7 @@ double water_irradiance(const SinusoidalWater& water, double x) {
   // No ray is turned by more than the largest slope's angle.
   const double slope = 2 * pi * water.amplitude / water.wavelength;
   const double reach = (water.depth + water.amplitude) * slope;
-  const int steps = 2000 * (1 + static_cast<int>(std::ceil(2 * reach / water.wavelength)));
+  const int steps = 500 * (1 + static_cast<int>(std::ceil(2 * reach / water.wavelength)));
   const auto landing = [&](double from) { return trace_water(water, from).landing; };
   const auto weight = [&](double from) { return trace_water(water, from).transmittance; };
   return sum_over_solutions(landing, weight, x, x - reach, x + reach, steps);

@@ -72,28 +72,33 @@ TEST(ClosedForms, concentric_spheres_and_planes_are_the_sum_of_their_bounces) {
   EXPECT_NEAR(planes.second, planes_expected.second, 1e-11);
 }
 
-/// 1/A1 int int cos cos' / (pi d^2) dA dA' between unit squares, 40^4 midpoints; `other(s, t)` is a point of the second
+/// 1/A1 int int cos cos' / (pi d^2) dA dA' between unit squares, n^4 midpoints; `other(s, t)` is a point of the second
 /// one and `normal` its unit normal. The first is z = 0, normal +z.
-double factor_by_quadrature(const std::function<Vec3d(double, double)>& other, const Vec3d& normal) {
-  constexpr int n = 40;
+double factor_by_quadrature(const std::function<Vec3d(double, double)>& other, const Vec3d& normal, int n) {
+  const double step = 1.0 / n;
   double sum = 0;
   for (int i = 0; i < n * n; ++i)
     for (int j = 0; j < n * n; ++j) {
-      const Vec3d a{(i / n + 0.5) / n, (i % n + 0.5) / n, 0};
-      const Vec3d d = other((j / n + 0.5) / n, (j % n + 0.5) / n) - a;
+      const Vec3d a{(i / n + 0.5) * step, (i % n + 0.5) * step, 0};
+      const Vec3d d = other((j / n + 0.5) * step, (j % n + 0.5) * step) - a;
       const double d2 = length_squared(d);
       sum += d.z * -dot(normal, d) / (pi * d2 * d2);
     }
-  return sum / (double{n} * n * n * n);
+  return sum * std::pow(step, 4);
 }
 
 TEST(ClosedForms, cube_faces_see_each_other_as_quadrature_says) {
-  const double opposite = factor_by_quadrature([](double s, double t) { return Vec3d{s, t, 1}; }, {0, 0, -1});
-  EXPECT_NEAR(cube_factor_opposite(), opposite, 3e-5);
+  // Midpoints err by the square of the step, which two steps tell: (4 F(h) - F(2h)) / 3.
+  const auto opposite = [](int n) {
+    return factor_by_quadrature([](double s, double t) { return Vec3d{s, t, 1}; }, {0, 0, -1}, n);
+  };
+  EXPECT_NEAR(cube_factor_opposite(), (4 * opposite(40) - opposite(20)) / 3, 1e-7);
   EXPECT_NEAR(cube_factor_opposite(), 0.1998, 5e-5) << "the table's value";
-  // The kernel is singular along the common edge, where midpoints converge with the step: within half a percent.
-  const double adjacent = factor_by_quadrature([](double s, double t) { return Vec3d{0, s, t}; }, {1, 0, 0});
-  EXPECT_NEAR(cube_factor_adjacent(), adjacent, 0.005 * adjacent);
+  // The kernel is singular along the common edge: there they err by the step itself, 2 F(h) - F(2h).
+  const auto adjacent = [](int n) {
+    return factor_by_quadrature([](double s, double t) { return Vec3d{0, s, t}; }, {1, 0, 0}, n);
+  };
+  EXPECT_NEAR(cube_factor_adjacent(), 2 * adjacent(40) - adjacent(20), 1e-4);
   EXPECT_NEAR(cube_factor_adjacent(), 0.2000, 5e-5) << "the table's value";
 }
 
