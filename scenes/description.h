@@ -108,7 +108,7 @@ struct DielectricDescription {
   Colour specular_transmittance = RgbD(1.0);
   /// Extension, for bodies that overlap (Schmidt and Budge 2002): inside several, the highest priority's index and
   /// medium count. Without it the surface always separates int_ior from ext_ior.
-  std::optional<int> priority;
+  std::optional<int> priority = {};
   friend bool operator==(const DielectricDescription&, const DielectricDescription&) = default;
 };
 
@@ -229,7 +229,7 @@ struct HomogeneousDescription {
   RgbD sigma_t{1.0};
   RgbD albedo{0.75};
   double scale = 1;
-  std::variant<IsotropicDescription, HenyeyGreensteinDescription> phase;
+  std::variant<IsotropicDescription, HenyeyGreensteinDescription> phase = {};
   friend bool operator==(const HomogeneousDescription&, const HomogeneousDescription&) = default;
 };
 
@@ -345,7 +345,7 @@ struct SpotLightDescription {
   RgbD intensity{1.0};
   double cutoff_degrees = 20;  ///< half angle
   double beam_degrees = 15;    ///< half angle
-  std::optional<TextureIndex> texture;
+  std::optional<TextureIndex> texture = {};
   friend bool operator==(const SpotLightDescription&, const SpotLightDescription&) = default;
 };
 
@@ -450,13 +450,13 @@ struct ReconstructionFilter {
 struct FilmDescription {
   int width = 768;
   int height = 576;
-  ReconstructionFilter filter{ReconstructionFilter::Kind::box};
+  ReconstructionFilter filter = {.kind = ReconstructionFilter::Kind::box};
   /// The part of the image that is rendered: {x, y, width, height}; the whole when empty.
   struct Crop {
     int x = 0, y = 0, width = 0, height = 0;
     friend bool operator==(const Crop&, const Crop&) = default;
   };
-  std::optional<Crop> crop;
+  std::optional<Crop> crop = {};
   friend bool operator==(const FilmDescription&, const FilmDescription&) = default;
 };
 
