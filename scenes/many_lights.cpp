@@ -72,7 +72,7 @@ constexpr const char* kLight =
 
 template <class... Values>
 std::string text(const char* format, Values... values) {
-  std::array<char, 1024> buffer{};
+  std::array<char, 2048> buffer{};
   std::snprintf(buffer.data(), buffer.size(), format, values...);
   return buffer.data();
 }
