@@ -251,7 +251,7 @@ struct SphereDescription {
 struct RectangleDescription {
   friend bool operator==(const RectangleDescription&, const RectangleDescription&) = default;
 };
-/// The unit disc in the local xy plane, normal +z.
+/// The unit disc in the local xy plane, normal +z; `to_world` leaves it a circle.
 struct DiskDescription {
   friend bool operator==(const DiskDescription&, const DiskDescription&) = default;
 };
@@ -265,7 +265,7 @@ struct CylinderDescription {
   double radius = 1;
   friend bool operator==(const CylinderDescription&, const CylinderDescription&) = default;
 };
-/// Extension: the whole local xy plane, normal +z; uv = local xy.
+/// Extension: the whole local xy plane, normal +z; uv = local xy. It does not emit.
 struct PlaneDescription {
   friend bool operator==(const PlaneDescription&, const PlaneDescription&) = default;
 };
@@ -288,15 +288,17 @@ struct MeshDescription {
   }
 };
 
+struct HeightfieldNoise {
+  double frequency_x = 1, frequency_y = 1;  ///< lattice cells per local unit
+  int octaves = 1;                          ///< each twice the frequency and half the height of the one before
+  std::uint32_t seed = 0;
+  friend bool operator==(const HeightfieldNoise&, const HeightfieldNoise&) = default;
+};
+
 /// Extension: z(x, y) over [-1,1]^2 of the local xy plane, columns x rows cells of two triangles, uv over the square.
 /// Heights come from a bitmap (its mean channel times `amplitude`) or from gradient noise in +-amplitude.
 struct HeightfieldDescription {
-  struct Noise {
-    double frequency_x = 1, frequency_y = 1;  ///< lattice cells per local unit
-    int octaves = 1;                          ///< each twice the frequency and half the height of the one before
-    std::uint32_t seed = 0;
-    friend bool operator==(const Noise&, const Noise&) = default;
-  };
+  using Noise = HeightfieldNoise;
   int columns = 64, rows = 64;
   double amplitude = 1;
   bool face_normals = false;
@@ -304,7 +306,7 @@ struct HeightfieldDescription {
   friend bool operator==(const HeightfieldDescription&, const HeightfieldDescription&) = default;
 };
 
-/// A copy of a group of shapes, placed by to_world.
+/// A copy of a group of shapes, placed by to_world. The BSDFs are the group's: the instance's own index means nothing.
 struct InstanceDescription {
   ShapeGroupIndex group;
   friend bool operator==(const InstanceDescription&, const InstanceDescription&) = default;

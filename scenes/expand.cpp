@@ -6,7 +6,6 @@
 
 #include "scenes/atomic_file.h"
 #include "scenes/edit_distance.h"
-#include "scenes/scene_files.h"
 #include "scenes/text_numbers.h"
 #include "scenes/utf8.h"
 
@@ -23,7 +22,8 @@ struct Value {
 
 class Expander {
  public:
-  Expander(Sources& sources, const ParseOptions& options) : sources_(sources), options_(options) {
+  Expander(Sources& sources, SceneFolders& folders, const ParseOptions& options)
+      : sources_(sources), folders_(folders) {
     for (const auto& [name, text] : options.defines) {
       if (!is_name(name))
         throw InputError("-D " + printable(name), in_quotes(name) + " is not a name, expected letters, digits and _");
@@ -74,6 +74,8 @@ class Expander {
       } else if (child.tag == "include") {
         std::vector<Element> included = include(child, depth);
         std::move(included.begin(), included.end(), std::back_inserter(expanded));
+      } else if (child.tag == "path" && parent.tag == "scene") {
+        add_folder(child);
       } else {
         expand_children(child, depth + 1);
         expanded.push_back(std::move(child));
@@ -95,6 +97,13 @@ class Expander {
     if (!is_name(name.value))
       fail_at(sources_, name, in_quotes(name.value) + " is not a name, expected letters, digits and _");
     values_.try_emplace(name.value, Value{value.value, false, false});  // the first one counts, -D before all
+  }
+
+  void add_folder(const Element& element) {
+    check_attributes(sources_, element, {"value"});
+    check_leaf(element);
+    if (++paths_ > kMaxFolders) sources_.fail(element.at, "more than " + std::to_string(kMaxFolders) + " of <path>");
+    folders_.add(require(sources_, element, "value"));
   }
 
   static bool is_name(const std::string& text) {
@@ -157,12 +166,11 @@ class Expander {
     const Attribute& filename = require(sources_, element, "filename");
     if (++includes_ > kMaxIncludes)
       sources_.fail(element.at, "more than " + std::to_string(kMaxIncludes) + " includes");
-    const fs::path shown = fs::path(sources_.name(filename.at.file)).parent_path() / filename.value;
-    const fs::path path = resolve_file(sources_, options_, filename, shown);
-    if (std::find(open_files_.begin(), open_files_.end(), path) != open_files_.end())
+    const SceneFolders::File found = folders_.find_included(filename);
+    if (std::find(open_files_.begin(), open_files_.end(), found.real) != open_files_.end())
       fail_at(sources_, filename, in_quotes(filename.value) + " includes itself");
-    const int file = sources_.add(shown.string(), read_included(path, filename));
-    open_files_.push_back(path);
+    const int file = sources_.add(found.shown.string(), read_included(found.shown, filename));
+    open_files_.push_back(found.real);
     Element root = read_root(file);
     expand_children(root, depth + 1);
     open_files_.pop_back();
@@ -178,18 +186,19 @@ class Expander {
   }
 
   Sources& sources_;
-  const ParseOptions& options_;
+  SceneFolders& folders_;
   std::map<std::string, Value> values_;
   std::vector<fs::path> open_files_;
   std::size_t includes_ = 0;
+  std::size_t paths_ = 0;
   std::size_t elements_ = 0;
   std::size_t substituted_bytes_ = 0;
 };
 
 }  // namespace
 
-Element expand_scene(Sources& sources, int file, const ParseOptions& options) {
-  return Expander(sources, options).run(file);
+Element expand_scene(Sources& sources, int file, SceneFolders& folders, const ParseOptions& options) {
+  return Expander(sources, folders, options).run(file);
 }
 
 }  // namespace photonproof::scene_xml

@@ -1,6 +1,8 @@
 // IES photometric files (ANSI/IES LM-63): the luminous intensity of a luminaire by direction.
 #pragma once
 
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace photonproof {
@@ -13,5 +15,13 @@ struct IesProfile {
   std::vector<double> candela;             ///< horizontal x vertical, vertical fastest; finite, >= 0
   friend bool operator==(const IesProfile&, const IesProfile&) = default;
 };
+
+constexpr std::size_t kMaxIesBytes = std::size_t{16} << 20;
+
+/// LM-63-1986, -1991, -1995 and -2002, photometric type C, TILT=NONE. Throws InputError with file:line:col.
+IesProfile read_ies(const std::string& path);
+
+/// The same for text already in memory; `file` stands for the file in messages.
+IesProfile parse_ies(std::string_view text, const std::string& file);
 
 }  // namespace photonproof

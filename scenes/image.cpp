@@ -2,6 +2,7 @@
 
 #include <OpenImageIO/imageio.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
@@ -91,9 +92,13 @@ void check_size(const std::string& path, const Image& image) {
   if (!whole) throw InputError(path, "cannot be written: the image has no pixels or too few for its size");
 }
 
-}  // namespace
+struct Decoded {
+  OIIO::ImageSpec spec;
+  Channels colour;
+  std::vector<float> data;  // all channels, interleaved
+};
 
-Rendering read_rendering(const std::string& path) {
+Decoded decode(const std::string& path) {
   std::error_code ignored;
   if (!std::filesystem::exists(path, ignored)) throw InputError(path, "no such file");
   if (!std::filesystem::is_regular_file(path, ignored)) throw InputError(path, "not a regular file");
@@ -110,16 +115,39 @@ Rendering read_rendering(const std::string& path) {
                           static_cast<std::size_t>(spec.height));
   if (!in->read_image(0, 0, 0, spec.nchannels, OIIO::TypeFloat, data.data()))
     throw InputError(path, "cannot be read, truncated or damaged: " + first_line(in->geterror()));
+  return {spec, *colour, std::move(data)};
+}
 
+Image colour_of(const Decoded& decoded, bool raw) {
+  Image image = pick(decoded.data, decoded.spec, decoded.colour);
+  if (!raw && !decoded.spec.format.is_floating_point())
+    for (float& v : image.rgb) v = decode_srgb(v);
+  return image;
+}
+
+}  // namespace
+
+Rendering read_rendering(const std::string& path) {
+  const Decoded decoded = decode(path);
   Rendering rendering;
-  rendering.mean = pick(data, spec, *colour);
-  if (!spec.format.is_floating_point())
-    for (float& v : rendering.mean.rgb) v = decode_srgb(v);
-  if (const auto variance = find_rgb(spec, "variance.")) rendering.variance = pick(data, spec, *variance);
-  for (const auto& attribute : spec.extra_attribs)
+  rendering.mean = colour_of(decoded, false);
+  if (const auto variance = find_rgb(decoded.spec, "variance."))
+    rendering.variance = pick(decoded.data, decoded.spec, *variance);
+  for (const auto& attribute : decoded.spec.extra_attribs)
     if (attribute.type() == OIIO::TypeString && is_metadata(attribute.name().string()))
       rendering.metadata[attribute.name().string()] = attribute.get_string();
   return rendering;
+}
+
+Image read_texture_image(const std::string& path, bool raw) {
+  Image image = colour_of(decode(path), raw);
+  const auto bad =
+      std::find_if(image.rgb.begin(), image.rgb.end(), [](float v) { return !(v >= 0 && std::isfinite(v)); });
+  if (bad == image.rgb.end()) return image;
+  const auto pixel = static_cast<std::size_t>(bad - image.rgb.begin()) / 3,
+             width = static_cast<std::size_t>(image.width);
+  throw InputError(path, std::string(std::isfinite(*bad) ? "has a negative value" : "has a value that is not finite") +
+                             " at column " + std::to_string(pixel % width) + ", row " + std::to_string(pixel / width));
 }
 
 void write_exr(const std::string& path, const Rendering& rendering) {

@@ -38,6 +38,10 @@ struct Rendering {
 Rendering read_rendering(const std::string& path);
 inline Image read_image(const std::string& path) { return read_rendering(path).mean; }
 
+/// The colour of such a file for use as a texture; `raw` takes 8- and 16-bit samples as numbers from 0 to 1 instead of
+/// decoding them. Throws InputError also when a value is negative or not finite.
+Image read_texture_image(const std::string& path, bool raw);
+
 /// 32-bit float EXR, channels R,G,B and variance.R,G,B; written beside the target and renamed, so that a file under
 /// the final name is always whole. Throws InputError when it cannot be written.
 void write_exr(const std::string& path, const Rendering& rendering);

@@ -4,6 +4,8 @@
 #include <array>
 
 #include "scenes/edit_distance.h"
+#include "scenes/scene_objects.h"
+#include "scenes/spectrum_value.h"
 #include "scenes/text_numbers.h"
 #include "scenes/values.h"
 
@@ -11,22 +13,35 @@ namespace photonproof::scene_xml {
 namespace {
 
 const std::vector<std::string>& tags_of(ParamType type) {
-  static const std::map<ParamType, std::vector<std::string>> table = {{ParamType::boolean, {"boolean"}},
-                                                                      {ParamType::integer, {"integer"}},
-                                                                      {ParamType::number, {"float", "integer"}},
-                                                                      {ParamType::string, {"string"}},
-                                                                      {ParamType::ior, {"float", "integer", "string"}},
-                                                                      {ParamType::colour, {"rgb", "spectrum", "float"}},
-                                                                      {ParamType::point, {"point", "vector"}},
-                                                                      {ParamType::transform, {"transform"}}};
+  static const std::map<ParamType, std::vector<std::string>> table = {
+      {ParamType::boolean, {"boolean"}},
+      {ParamType::integer, {"integer"}},
+      {ParamType::number, {"float", "integer"}},
+      {ParamType::string, {"string"}},
+      {ParamType::ior, {"float", "integer", "string"}},
+      {ParamType::colour, {"rgb", "spectrum", "float"}},
+      {ParamType::emission, {"rgb", "spectrum", "float"}},
+      {ParamType::colour_map, {"rgb", "spectrum", "float", "texture"}},
+      {ParamType::emission_map, {"rgb", "spectrum", "float", "texture"}},
+      {ParamType::number_map, {"float", "integer", "texture"}},
+      {ParamType::texture, {"texture"}},
+      {ParamType::point, {"point", "vector"}},
+      {ParamType::transform, {"transform"}}};
   return table.at(type);
 }
+
+bool is_emission(ParamType type) { return type == ParamType::emission || type == ParamType::emission_map; }
 
 std::string in_brackets(const std::vector<std::string>& tags) {
   std::vector<std::string> shown;
   shown.reserve(tags.size());
   for (const std::string& tag : tags) shown.push_back("<" + tag + ">");
   return join_or(shown);
+}
+
+std::string range(double low, double high) {
+  return high < std::numeric_limits<double>::infinity() ? "from " + format_number(low) + " to " + format_number(high)
+                                                        : "at least " + format_number(low);
 }
 
 std::string lower(std::string text) {
@@ -42,10 +57,15 @@ bool is_parameter_tag(std::string_view tag) {
   return std::find(kTags.begin(), kTags.end(), tag) != kTags.end();
 }
 
-Params::Params(const Sources& sources, const Element& object, std::string title, const std::vector<ParamSpec>& specs)
-    : sources_(sources), object_(object), title_(std::move(title)) {
-  for (const Element& child : object.children)
-    if (is_parameter_tag(child.tag)) add(child, specs);
+Params::Params(SceneObjects& objects, const Element& object, std::string title, const std::vector<ParamSpec>& specs,
+               const std::vector<NestedSpec>& nested)
+    : objects_(objects), sources_(objects.sources()), object_(object), title_(std::move(title)) {
+  for (const Element& child : object.children) {
+    if (is_parameter_tag(child.tag))
+      add(child, specs);
+    else
+      add_nested(child, specs, nested);
+  }
 }
 
 void Params::add(const Element& parameter, const std::vector<ParamSpec>& specs) {
@@ -60,19 +80,56 @@ void Params::add(const Element& parameter, const std::vector<ParamSpec>& specs) 
                 join_or(names));
   }
   const auto& tags = tags_of(spec->type);
-  if (std::find(tags.begin(), tags.end(), parameter.tag) == tags.end())
-    sources_.fail(parameter.at, "parameter '" + spec->name + "' of " + title_ + " is <" + parameter.tag +
-                                    ">, expected " + in_brackets(tags));
+  const std::string& tag = objects_.target(parameter).tag;
+  if (std::find(tags.begin(), tags.end(), tag) == tags.end())
+    sources_.fail(parameter.at,
+                  "parameter '" + spec->name + "' of " + title_ + " is <" + tag + ">, expected " + in_brackets(tags));
   if (!given_.emplace(name.value, &parameter).second)
     fail_at(sources_, name, "parameter '" + spec->name + "' of " + title_ + " is given twice");
+  if (is_emission(spec->type)) emissions_.insert(spec->name);
+  if (tag == "texture") return;  // its own reader checks it
   if (spec->type == ParamType::point)
     check_attributes(sources_, parameter, {"name", "x", "y", "z", "value"});
   else if (spec->type == ParamType::transform)
     check_attributes(sources_, parameter, {"name"});
+  else if (parameter.tag == "spectrum")
+    check_attributes(sources_, parameter, {"name", "value", "filename"});
   else
     check_attributes(sources_, parameter, {"name", "value"});
   if (spec->type != ParamType::transform && !parameter.children.empty())
     sources_.fail(parameter.children.front().at, "<" + parameter.tag + "> cannot contain elements");
+}
+
+void Params::add_nested(const Element& child, const std::vector<ParamSpec>& specs,
+                        const std::vector<NestedSpec>& nested) {
+  const std::string& tag = objects_.target(child).tag;
+  const auto spec = std::find_if(nested.begin(), nested.end(), [&](const NestedSpec& s) { return s.tag == tag; });
+  const bool takes_textures =
+      std::any_of(specs.begin(), specs.end(), [](const ParamSpec& s) { return tags_of(s.type).back() == "texture"; });
+  if (tag == "texture" && takes_textures && spec == nested.end()) return add(child, specs);
+  if (spec == nested.end()) {
+    std::vector<std::string> expected = {"parameters"}, tags;
+    for (const NestedSpec& known : nested) {
+      tags.push_back(known.tag);
+      expected.push_back("<" + known.tag + ">");
+    }
+    const std::string found = child.tag == "ref"
+                                  ? in_quotes(require(sources_, child, "id").value) + " is a <" + tag + ">, which"
+                                  : "<" + tag + ">";
+    sources_.fail(child.at, found + " is not supported in " + title_ + did_you_mean(tag, tags) + ", expected " +
+                                join_or(expected));
+  }
+  std::vector<const Element*>& known = nested_[tag];
+  if (known.size() == spec->most)
+    sources_.fail(child.at,
+                  title_ + (spec->most == 1 ? " has a second <" + tag + ">, expected one"
+                                            : " has more than " + std::to_string(spec->most) + " of <" + tag + ">"));
+  known.push_back(&child);
+}
+
+const Element& Params::only_nested(const std::string& tag) {
+  if (nested(tag).empty()) sources_.fail(object_.at, title_ + " has no <" + tag + ">, expected one");
+  return *nested(tag).front();
 }
 
 const Element* Params::read(const std::string& name) {
@@ -132,20 +189,53 @@ std::string Params::string(const std::string& name, const std::string& fallback)
   return element ? require(sources_, *element, "value").value : fallback;
 }
 
+double Params::number_in(const std::string& name, double fallback, double low, double high) {
+  const double value = number(name, fallback);
+  expect(value >= low && value <= high, name, "is " + format_number(value) + ", expected " + range(low, high));
+  return value;
+}
+
 RgbD Params::colour(const std::string& name, const RgbD& fallback, double low, double high) {
   const Element* element = read(name);
   if (!element) return fallback;
-  const Attribute& value = require(sources_, *element, "value");
-  if (element->tag == "spectrum" && value.value.find(':') != std::string::npos)
-    fail(name, "is a spectrum over wavelengths, which is not supported, expected one number or <rgb>");
-  const RgbD colour = element->tag == "rgb" ? rgb_of(sources_, value) : RgbD(number_of(sources_, value));
-  for (const double c : {colour.x, colour.y, colour.z}) {
-    const std::string range = high < std::numeric_limits<double>::infinity()
-                                  ? "from " + format_number(low) + " to " + format_number(high)
-                                  : "at least " + format_number(low);
-    expect(c >= low && c <= high, name, "has the component " + format_number(c) + ", expected " + range);
-  }
+  RgbD colour;
+  if (element->tag == "spectrum")
+    colour = spectrum_of(objects_, *element,
+                         emissions_.count(name) ? SpectrumKind::emission : SpectrumKind::reflectance, high);
+  else if (element->tag == "rgb")
+    colour = rgb_of(sources_, require(sources_, *element, "value"));
+  else
+    colour = RgbD(number_of(sources_, require(sources_, *element, "value")));
+  for (const double c : {colour.x, colour.y, colour.z})
+    expect(c >= low && c <= high, name, "has the component " + format_number(c) + ", expected " + range(low, high));
   return colour;
+}
+
+bool Params::is_texture(const std::string& name) const {
+  const auto found = given_.find(name);
+  return found != given_.end() && objects_.target(*found->second).tag == "texture";
+}
+
+Colour Params::colour_map(const std::string& name, const RgbD& fallback, double low, double high) {
+  if (!is_texture(name)) return colour(name, fallback, low, high);
+  const TextureIndex index = *texture(name);
+  const double most = objects_.largest_value(index);
+  expect(most <= high, name, "has texels up to " + format_number(most) + ", expected " + range(low, high));
+  return index;
+}
+
+Scalar Params::number_map(const std::string& name, double fallback, double low, double high) {
+  if (!is_texture(name)) return number_in(name, fallback, low, high);
+  const TextureIndex index = *texture(name);
+  const double most = objects_.largest_value(index);
+  expect(most <= high, name, "has texels up to " + format_number(most) + ", expected " + range(low, high));
+  return index;
+}
+
+std::optional<TextureIndex> Params::texture(const std::string& name) {
+  const Element* element = read(name);
+  if (!element) return std::nullopt;
+  return objects_.texture(*element);
 }
 
 Vec3d Params::point(const std::string& name, const Vec3d& fallback) {

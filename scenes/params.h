@@ -1,5 +1,6 @@
-// The parameters of one plugin, checked against what the plugin knows and read with their types. Every parameter must
-// be read: what a plugin leaves unread has no effect, and is an error rather than a silent surprise.
+// The parameters and nested objects of one plugin, checked against what the plugin knows and read with their types.
+// Every parameter must be read: what a plugin leaves unread has no effect, and is an error rather than a silent
+// surprise.
 #pragma once
 
 #include <cstdint>
@@ -12,17 +13,40 @@
 #include <string_view>
 #include <vector>
 
-#include "scenes/transform.h"
-#include "scenes/vec.h"
+#include "scenes/description.h"
+#include "scenes/spectrum.h"
 #include "scenes/xml_source.h"
 
 namespace photonproof::scene_xml {
 
-enum class ParamType { boolean, integer, number, string, ior, colour, point, transform };
+class SceneObjects;
+
+/// `colour_map` and `number_map` may be textures, `texture` must be one.
+enum class ParamType {
+  boolean,
+  integer,
+  number,
+  string,
+  ior,
+  colour,
+  emission,
+  colour_map,
+  emission_map,
+  number_map,
+  texture,
+  point,
+  transform
+};
 
 struct ParamSpec {
   std::string name;
   ParamType type;
+};
+
+/// A kind of object that may be nested, directly or by <ref>, and how often at most.
+struct NestedSpec {
+  std::string tag;
+  std::size_t most = 1;
 };
 
 /// True for <float>, <rgb>, <transform> and the other tags that set a parameter.
@@ -30,9 +54,10 @@ bool is_parameter_tag(std::string_view tag);
 
 class Params {
  public:
-  /// Reads the parameter children of `object`, called `title` in messages ("bsdf 'diffuse'"). Throws on an unknown
-  /// name, a repeated one, or a tag of the wrong type.
-  Params(const Sources& sources, const Element& object, std::string title, const std::vector<ParamSpec>& specs);
+  /// Reads the children of `object`, called `title` in messages ("bsdf 'diffuse'"). Throws on an unknown name, a
+  /// repeated one, a tag of the wrong type, and nested objects that are none of `nested`.
+  Params(SceneObjects& objects, const Element& object, std::string title, const std::vector<ParamSpec>& specs,
+         const std::vector<NestedSpec>& nested);
 
   bool has(std::string_view name) const { return given_.count(name) != 0; }
 
@@ -43,8 +68,16 @@ class Params {
   /// A number above 0, also after rounding to float.
   double positive(const std::string& name, double fallback);
   std::string string(const std::string& name, const std::string& fallback);
-  /// <rgb>, a constant <spectrum> or <float>; components from `low` to `high`.
+  /// A number from `low` to `high`.
+  double number_in(const std::string& name, double fallback, double low, double high);
+  /// <rgb>, <spectrum> or <float>; components from `low` to `high`.
   RgbD colour(const std::string& name, const RgbD& fallback, double low, double high);
+  /// The same, or a texture, whose values are checked where it is read.
+  Colour colour_map(const std::string& name, const RgbD& fallback, double low, double high);
+  /// A number from `low` to `high`, or a texture.
+  Scalar number_map(const std::string& name, double fallback, double low, double high);
+  /// The texture `name`, empty when not given.
+  std::optional<TextureIndex> texture(const std::string& name);
   Vec3d point(const std::string& name, const Vec3d& fallback);
   Transform transform(const std::string& name);
   /// The attribute that sets `name`, which must be given.
@@ -60,19 +93,30 @@ class Params {
   /// Throws unless every given parameter was read; `why` completes "parameter 'x' of <title> ...".
   void finish() const;
 
+  /// The nested objects of one kind in the order of the file, each an element of that kind or a <ref> to one.
+  const std::vector<const Element*>& nested(const std::string& tag) { return nested_[tag]; }
+  /// The only nested one; throws when there is none.
+  const Element& only_nested(const std::string& tag);
+
   const std::string& title() const { return title_; }
   const Element& object() const { return object_; }
   const Sources& sources() const { return sources_; }
+  SceneObjects& objects() { return objects_; }
 
  private:
   const Element* read(const std::string& name);
+  bool is_texture(const std::string& name) const;
   void add(const Element& parameter, const std::vector<ParamSpec>& specs);
+  void add_nested(const Element& child, const std::vector<ParamSpec>& specs, const std::vector<NestedSpec>& nested);
 
+  SceneObjects& objects_;
   const Sources& sources_;
   const Element& object_;
   std::string title_;
   std::map<std::string, const Element*, std::less<>> given_;
   std::set<std::string> read_;
+  std::set<std::string> emissions_;  // parameters that are a light's colour
+  std::map<std::string, std::vector<const Element*>> nested_;
 };
 
 }  // namespace photonproof::scene_xml

@@ -1,136 +1,124 @@
 // Scene-level rules: who may stand where, how often, and which id means what. Values are read in plugins_*.cpp.
 #include "scenes/parser.h"
 
-#include <optional>
+#include <algorithm>
 
 #include "scenes/atomic_file.h"
 #include "scenes/expand.h"
 #include "scenes/plugins.h"
+#include "scenes/scene_objects.h"
 
 namespace photonproof {
 namespace {
 
 using namespace scene_xml;
 
+bool is_group(const Element& element) {
+  const Attribute* type = element.find("type");
+  return element.tag == "shape" && type && type->value == "shapegroup";
+}
+
+/// The tables are filled in an order of their own, so that the writer's text, which is in that order, reads back the
+/// same: named textures, media and BSDFs, then shape groups, shapes, emitters and the sensor with what they nest.
 class SceneReader {
  public:
-  SceneReader(const Sources& sources, const Element& root, const ParseOptions& options)
-      : sources_(sources), root_(root), meshes_(sources, options) {}
+  SceneReader(const Sources& sources, const SceneFolders& folders, const Element& root)
+      : sources_(sources), root_(root), files_(sources, folders), objects_(start(), root, files_, scene_) {}
 
   SceneDescription run() {
-    scene_.files = sources_.names();
-    register_ids(root_);
-    read_named_bsdfs(root_);
-    for (const Element& child : root_.children) read_child(child);
-    if (!sensor_) sources_.fail(root_.at, "the scene has no <sensor>, expected one");
-    scene_.sensor = *sensor_;
-    scene_.integrator = integrator_.value_or(IntegratorDescription{sources_.loc(root_.at), PathDescription{}});
+    check_children();
+    objects_.read_named();
+    for_each("shape", [&](const Element& e) {
+      if (is_group(e)) objects_.shape_group(e);
+    });
+    for_each("shape", [&](const Element& e) {
+      if (!is_group(e)) scene_.shapes.push_back(read_shape(objects_, e));
+    });
+    for_each("emitter", [&](const Element& e) { scene_.emitters.push_back(read_emitter(objects_, e)); });
+    scene_.integrator = {sources_.loc(root_.at), PathDescription{}};
+    for_each("sensor", [&](const Element& e) { scene_.sensor = read_sensor(objects_, e); });
+    for_each("integrator", [&](const Element& e) { scene_.integrator = read_integrator(objects_, e); });
     check_lit();
+    check_environments();
     return std::move(scene_);
   }
 
  private:
-  struct Named {
-    const Element* element;
-    std::optional<BsdfIndex> bsdf;
-  };
+  const Sources& start() {
+    scene_.files = sources_.names();
+    return sources_;
+  }
 
-  void register_ids(const Element& element) {
-    if (const Attribute* id = element.tag == "ref" ? nullptr : element.find("id")) {
-      if (id->value.empty()) fail_at(sources_, *id, "the id is empty, expected a name");
-      const auto [known, is_new] = named_.try_emplace(id->value, Named{&element, std::nullopt});
-      if (!is_new)
-        fail_at(sources_, *id,
-                "id " + in_quotes(id->value) + " is already used at " +
-                    scene_.where(sources_.loc(known->second.element->at)));
+  template <class Action>
+  void for_each(const std::string& tag, Action action) {
+    for (const Element& child : root_.children)
+      if (child.tag == tag) action(child);
+  }
+
+  void check_children() {
+    const std::vector<std::string> known = {"bsdf",       "texture", "medium",  "shape", "emitter", "sensor",
+                                            "integrator", "default", "include", "path",  "alias"};
+    int sensors = 0, integrators = 0;
+    for (const Element& child : root_.children) {
+      if (std::find(known.begin(), known.end(), child.tag) == known.end())
+        sources_.fail(child.at, "<" + child.tag + "> is not supported in <scene>" + did_you_mean(child.tag, known) +
+                                    ", expected " + join_or(known));
+      const bool for_others = child.tag == "bsdf" || child.tag == "texture" || child.tag == "medium";
+      if ((for_others || is_group(child)) && !child.find("id"))
+        sources_.fail(child.at, "a <" + child.tag + "> outside a shape needs the attribute 'id' to be of use");
+      if (child.tag == "sensor" && ++sensors > 1) sources_.fail(child.at, "a second <sensor>, expected exactly one");
+      if (child.tag == "integrator" && ++integrators > 1)
+        sources_.fail(child.at, "a second <integrator>, expected at most one");
     }
-    for (const Element& child : element.children) register_ids(child);
+    if (sensors == 0) sources_.fail(root_.at, "the scene has no <sensor>, expected one");
   }
 
-  /// BSDFs with an id come first in the table, in the order of the file, so that a <ref> may precede what it names.
-  void read_named_bsdfs(const Element& element) {
-    for (const Element& child : element.children) {
-      if (child.tag == "bsdf" && child.find("id")) named_.at(id_of(child)).bsdf = add_bsdf(child);
-      if (child.tag == "shape") read_named_bsdfs(child);
-    }
+  bool is_bright(const Colour& colour) {
+    const auto* texture = std::get_if<TextureIndex>(&colour);
+    return (texture ? objects_.largest_value(*texture) : max_component(constant(colour))) > 0;
   }
 
-  BsdfIndex add_bsdf(const Element& element) {
-    scene_.bsdfs.push_back(read_bsdf(sources_, element));
-    return last_bsdf();
-  }
-
-  BsdfIndex last_bsdf() const { return {static_cast<std::uint32_t>(scene_.bsdfs.size() - 1)}; }
-
-  void read_child(const Element& child) {
-    if (child.tag == "bsdf") {
-      if (!child.find("id")) sources_.fail(child.at, "a <bsdf> outside a shape needs the attribute 'id' to be of use");
-    } else if (child.tag == "shape") {
-      scene_.shapes.push_back(read_shape(sources_, child, meshes_));
-      scene_.shapes.back().bsdf = bsdf_of(child);
-    } else if (child.tag == "emitter") {
-      scene_.emitters.push_back(read_emitter(sources_, child));
-    } else if (child.tag == "sensor") {
-      if (sensor_) sources_.fail(child.at, "a second <sensor>, expected exactly one");
-      sensor_ = read_sensor(sources_, child);
-    } else if (child.tag == "integrator") {
-      if (integrator_) sources_.fail(child.at, "a second <integrator>, expected at most one");
-      integrator_ = read_integrator(sources_, child);
-    } else {
-      const std::vector<std::string> known = {"bsdf", "shape", "emitter", "sensor", "integrator", "default", "include"};
-      sources_.fail(child.at, "<" + child.tag + "> is not supported in <scene>" + did_you_mean(child.tag, known) +
-                                  ", expected " + join_or(known));
-    }
-  }
-
-  BsdfIndex bsdf_of(const Element& shape) {
-    const Element* nested = find_nested(shape, "bsdf");
-    const Element* ref = find_nested(shape, "ref");
-    if (nested && ref) sources_.fail(ref->at, title_of(sources_, shape) + " has a second BSDF, expected one");
-    if (ref) return resolve(*ref);
-    if (nested) return nested->find("id") ? *named_.at(id_of(*nested)).bsdf : add_bsdf(*nested);
-    scene_.bsdfs.push_back({sources_.loc(shape.at), "", DiffuseDescription{}});
-    return last_bsdf();
-  }
-
-  BsdfIndex resolve(const Element& ref) const {
-    check_attributes(sources_, ref, {"id", "name"});
-    const Attribute& id = require(sources_, ref, "id");
-    if (!ref.children.empty()) sources_.fail(ref.children.front().at, "<ref> cannot contain elements");
-    const auto found = named_.find(id.value);
-    if (found == named_.end())
-      fail_at(sources_, id, "no bsdf has the id " + in_quotes(id.value) + did_you_mean(id.value, bsdf_ids()));
-    if (!found->second.bsdf)
-      fail_at(sources_, id,
-              in_quotes(id.value) + " is a <" + found->second.element->tag + ">, expected the id of a <bsdf>");
-    return *found->second.bsdf;
-  }
-
-  std::vector<std::string> bsdf_ids() const {
-    std::vector<std::string> ids;
-    for (const auto& [id, named] : named_)
-      if (named.bsdf) ids.push_back(id);
-    return ids;
+  bool is_bright(const EmitterDescription& emitter) {
+    return std::visit(
+        [&](const auto& light) {
+          using Light = std::decay_t<decltype(light)>;
+          if constexpr (std::is_same_v<Light, DirectionalLightDescription>)
+            return is_bright(light.irradiance);
+          else if constexpr (std::is_same_v<Light, ConstantLightDescription>)
+            return is_bright(light.radiance);
+          else if constexpr (std::is_same_v<Light, EnvmapDescription>)
+            return light.scale > 0 && objects_.largest_value(*light.image) > 0;
+          else if constexpr (std::is_same_v<Light, SunSkyDescription>)
+            return light.sun_scale > 0 || light.sky_scale > 0;
+          else
+            return is_bright(light.intensity);
+        },
+        emitter.light);
   }
 
   /// A scene without light would render black without a word.
-  void check_lit() const {
-    const auto emits = [](const RgbD& colour) { return max_component(colour) > 0; };
+  void check_lit() {
     for (const ShapeDescription& shape : scene_.shapes)
-      if (shape.radiance && emits(constant(*shape.radiance))) return;
+      if (shape.radiance && is_bright(*shape.radiance)) return;
     for (const EmitterDescription& emitter : scene_.emitters)
-      if (const auto* point = std::get_if<PointLightDescription>(&emitter.light); !point || emits(point->intensity))
-        return;
+      if (is_bright(emitter)) return;
     sources_.fail(root_.at, "the scene has no light: expected an <emitter> whose radiance or intensity is above 0");
+  }
+
+  void check_environments() {
+    int environments = 0;
+    for_each("emitter", [&](const Element& e) {
+      const std::string& type = require(sources_, e, "type").value;
+      if ((type == "constant" || type == "envmap" || type == "sunsky") && ++environments > 1)
+        sources_.fail(e.at, "a second environment emitter, expected at most one of constant, envmap and sunsky");
+    });
   }
 
   const Sources& sources_;
   const Element& root_;
-  MeshFiles meshes_;
+  SceneFiles files_;
   SceneDescription scene_;
-  std::map<std::string, Named> named_;
-  std::optional<SensorDescription> sensor_;
-  std::optional<IntegratorDescription> integrator_;
+  SceneObjects objects_;
 };
 
 }  // namespace
@@ -144,9 +132,10 @@ SceneDescription parse_scene_text(std::string_view text, const std::string& name
     throw InputError(
         name, "text has " + std::to_string(text.size()) + " bytes, the limit is " + std::to_string(kMaxFileBytes));
   Sources sources;
+  SceneFolders folders(sources, options);
   const int file = sources.add(name, std::string(text));
-  const Element root = expand_scene(sources, file, options);
-  return SceneReader(sources, root, options).run();
+  const Element root = expand_scene(sources, file, folders, options);
+  return SceneReader(sources, folders, root).run();
 }
 
 }  // namespace photonproof

@@ -2,43 +2,40 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
 #include <string>
 #include <vector>
 
 #include "scenes/description.h"
 #include "scenes/edit_distance.h"
 #include "scenes/params.h"
-#include "scenes/scene_files.h"
+#include "scenes/scene_objects.h"
 #include "scenes/text_numbers.h"
 
 namespace photonproof::scene_xml {
+
+constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
 /// A row: the plugin's name, what parameters it takes, what objects may be nested in it, and how its value is built.
 template <class Result>
 struct Plugin {
   std::string type;
   std::vector<ParamSpec> params;
-  std::vector<std::string> nested;
+  std::vector<NestedSpec> nested;
   Result (*build)(Params&);
 };
 
 /// "<tag> '<type>'", what messages call an object.
 std::string title_of(const Sources& sources, const Element& object);
 
-/// Throws unless every child is a parameter or one of `nested`, given at most once each.
-void check_nested(const Sources& sources, const Element& object, const std::vector<std::string>& nested);
-
-/// The row for `object`'s type; checks its attributes and children. Throws on an unknown type, naming the nearest.
+/// The row for `object`'s type; checks its attributes. Throws on an unknown type, naming the nearest.
 template <class Result>
 const Plugin<Result>& find_plugin(const Sources& sources, const Element& object,
                                   const std::vector<Plugin<Result>>& table) {
   check_attributes(sources, object, {"type", "id", "name"});
   const Attribute& type = require(sources, object, "type");
   for (const Plugin<Result>& plugin : table)
-    if (plugin.type == type.value) {
-      check_nested(sources, object, plugin.nested);
-      return plugin;
-    }
+    if (plugin.type == type.value) return plugin;
   std::vector<std::string> names;
   names.reserve(table.size());
   for (const Plugin<Result>& plugin : table) names.push_back(plugin.type);
@@ -49,27 +46,54 @@ const Plugin<Result>& find_plugin(const Sources& sources, const Element& object,
 
 /// Finds the row, reads the parameters and checks that all were used.
 template <class Result>
-Result build_plugin(const Sources& sources, const Element& object, const std::vector<Plugin<Result>>& table) {
-  const Plugin<Result>& plugin = find_plugin(sources, object, table);
-  Params params(sources, object, title_of(sources, object), plugin.params);
+Result build_plugin(SceneObjects& objects, const Element& object, const std::vector<Plugin<Result>>& table) {
+  const Plugin<Result>& plugin = find_plugin(objects.sources(), object, table);
+  Params params(objects, object, title_of(objects.sources(), object), plugin.params, plugin.nested);
   Result result = plugin.build(params);
   params.finish();
   return result;
 }
 
-/// The child with this tag, or null.
-const Element* find_nested(const Element& object, std::string_view tag);
-
 /// The `id` attribute, empty without one.
 std::string id_of(const Element& object);
 
-BsdfDescription read_bsdf(const Sources& sources, const Element& element);
-/// All of a shape but its `bsdf`.
-ShapeDescription read_shape(const Sources& sources, const Element& element, MeshFiles& meshes);
+/// Two tables as one, in the order of the names.
+template <class Result>
+std::vector<Plugin<Result>> merged(std::vector<Plugin<Result>> a, const std::vector<Plugin<Result>>& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  std::sort(a.begin(), a.end(), [](const auto& x, const auto& y) { return x.type < y.type; });
+  return a;
+}
+
+/// "bk7" or a number, above 0.
+double read_ior(Params& params, const std::string& name, double fallback);
+
+/// eta and k, those of a named material, or nothing for the perfect mirror "none".
+std::optional<ComplexIor> read_conductor_ior(Params& params);
+
+/// The images of the local x, y and z axes are perpendicular, to what six printed digits of a matrix leave.
+bool is_perpendicular(const Vec3d& a, const Vec3d& b);
+/// They are so and of one length, not 0: the transform turns, moves, scales and may mirror.
+bool is_even(const Transform& t);
+/// Throws unless `to_world` is so without mirroring; `what` is "a sphere".
+void expect_similarity(Params& params, const std::string& what);
+
+using BsdfModel = decltype(BsdfDescription::model);
+std::vector<Plugin<BsdfModel>> leaf_bsdfs();
+std::vector<Plugin<BsdfModel>> rough_bsdfs();
+std::vector<Plugin<BsdfModel>> nesting_bsdfs();
+
+TextureDescription read_texture(SceneObjects& objects, const Element& element);
+BsdfDescription read_bsdf(SceneObjects& objects, const Element& element);
+MediumDescription read_medium(SceneObjects& objects, const Element& element);
+ShapeDescription read_shape(SceneObjects& objects, const Element& element);
+/// The shapes that an <shape type="shapegroup"> holds.
+ShapeGroupDescription read_shape_group(SceneObjects& objects, const Element& element);
 /// The radiance of an <emitter type="area">.
-RgbD read_area_emitter(const Sources& sources, const Element& element);
-EmitterDescription read_emitter(const Sources& sources, const Element& element);
-SensorDescription read_sensor(const Sources& sources, const Element& element);
-IntegratorDescription read_integrator(const Sources& sources, const Element& element);
+Colour read_area_emitter(SceneObjects& objects, const Element& element);
+EmitterDescription read_emitter(SceneObjects& objects, const Element& element);
+SensorDescription read_sensor(SceneObjects& objects, const Element& element);
+FilmDescription read_film(SceneObjects& objects, const Element& element);
+IntegratorDescription read_integrator(SceneObjects& objects, const Element& element);
 
 }  // namespace photonproof::scene_xml

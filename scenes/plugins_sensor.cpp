@@ -1,4 +1,5 @@
-// Mitsuba 3's perspective sensor with hdrfilm, box filter and independent sampler; defaults are its.
+// Mitsuba 3's perspective, thinlens and orthographic sensors and its samplers, and the extension fisheye; defaults are
+// Mitsuba's.
 #include <cmath>
 #include <numbers>
 
@@ -9,16 +10,9 @@ namespace {
 
 using Camera = decltype(SensorDescription::camera);
 
-constexpr std::int64_t kMaxSide = 65536;
-constexpr std::int64_t kMaxPixels = std::int64_t{1} << 28;
-
-struct Film {
-  FilmDescription description;
-};
 struct Sampler {
   int sample_count;
 };
-struct BoxFilter {};
 
 FovAxis fov_axis_of(Params& params) {
   const std::string axis = params.string("fov_axis", "x");
@@ -40,7 +34,27 @@ double diagonal_fov(Params& params) {
   return 2 * std::atan(std::hypot(36.0, 24.0) / (2 * *millimetres.value)) * (180 / std::numbers::pi);
 }
 
-Camera build_perspective(Params& params) {
+template <class Camera>
+void read_clips(Params& params, Camera& camera) {
+  camera.near_clip = params.positive("near_clip", camera.near_clip);
+  camera.far_clip = params.number("far_clip", camera.far_clip);
+  params.expect(
+      camera.far_clip > camera.near_clip, "far_clip",
+      "is " + format_number(camera.far_clip) + ", expected more than near_clip, " + format_number(camera.near_clip));
+}
+
+/// Turns and moves only: a scaled camera would change what near_clip means.
+void check_rigid(const Params& params, const Transform& t) {
+  constexpr double kTolerance = 1e-3;  // Mitsuba's, on squared lengths
+  const Vec3d axes[3] = {t.vector({1, 0, 0}), t.vector({0, 1, 0}), t.vector({0, 0, 1})};
+  for (int i = 0; i < 3; ++i) {
+    const bool unit = std::abs(length_squared(axes[i]) - 1) <= kTolerance;
+    const bool square = std::abs(dot(axes[i], axes[(i + 1) % 3])) <= kTolerance;
+    params.expect(unit && square, "to_world", "scales or shears the camera, expected a rotation and a translation");
+  }
+}
+
+PerspectiveDescription read_perspective(Params& params) {
   PerspectiveDescription camera;
   params.expect(!(params.has("fov") && params.has("focal_length")), "focal_length",
                 "is given beside fov, expected one or the other");
@@ -55,114 +69,106 @@ Camera build_perspective(Params& params) {
   params.expect(camera.fov_degrees > 0 && camera.fov_degrees < 180, name,
                 "makes the field of view " + format_number(camera.fov_degrees) +
                     " degrees, expected more than 0 and less than 180");
-  camera.near_clip = params.positive("near_clip", camera.near_clip);
-  camera.far_clip = params.number("far_clip", camera.far_clip);
-  params.expect(
-      camera.far_clip > camera.near_clip, "far_clip",
-      "is " + format_number(camera.far_clip) + ", expected more than near_clip, " + format_number(camera.near_clip));
+  read_clips(params, camera);
+  camera.principal_x = params.number("principal_point_offset_x", 0);
+  camera.principal_y = params.number("principal_point_offset_y", 0);
+  check_rigid(params, params.transform("to_world"));
   return camera;
 }
 
-void expect_word(Params& params, const std::string& name, const std::string& only) {
-  const std::string value = params.string(name, only);
-  params.expect(value == only, name, "is " + in_quotes(value) + ", expected " + only + ", the only one supported");
+Camera build_perspective(Params& params) { return read_perspective(params); }
+
+Camera build_thin_lens(Params& params) {
+  ThinLensDescription camera;
+  camera.perspective = read_perspective(params);
+  params.expect(params.has("aperture_radius"), "aperture_radius", "is missing, expected the radius of the lens");
+  camera.aperture_radius = params.number_in("aperture_radius", 0, 0, kUnbounded);
+  camera.focus_distance = params.positive("focus_distance", camera.perspective.far_clip);
+  return camera;
 }
 
-Film build_film(Params& params) {
-  FilmDescription film;
-  film.width = static_cast<int>(params.integer("width", film.width, 1, kMaxSide));
-  film.height = static_cast<int>(params.integer("height", film.height, 1, kMaxSide));
-  params.expect(
-      std::int64_t{film.width} * film.height <= kMaxPixels, "width",
-      "times height is " + std::to_string(std::int64_t{film.width} * film.height) + " pixels, expected at most 2^28");
-  expect_word(params, "pixel_format", "rgb");
-  expect_word(params, "component_format", "float32");
-  expect_word(params, "file_format", "openexr");
-  return {film};
+Camera build_orthographic(Params& params) {
+  OrthographicDescription camera;
+  read_clips(params, camera);
+  const Transform t = params.transform("to_world");
+  params.expect(t.inverse().has_value(), "to_world", "is singular: it flattens the image");
+  const Vec3d x = t.vector({1, 0, 0}), y = t.vector({0, 1, 0}), z = t.vector({0, 0, 1});
+  params.expect(is_perpendicular(x, y) && is_perpendicular(y, z) && is_perpendicular(z, x), "to_world",
+                "shears the camera, expected rotations, translations and scales");
+  return camera;
 }
 
-BoxFilter build_box(Params&) { return {}; }
+Camera build_fisheye(Params& params) {
+  FisheyeDescription camera;
+  camera.fov_degrees = params.number("fov", camera.fov_degrees);
+  params.expect(camera.fov_degrees > 0 && camera.fov_degrees <= 360, "fov",
+                "is " + format_number(camera.fov_degrees) + ", expected more than 0 and at most 360 degrees");
+  read_clips(params, camera);
+  check_rigid(params, params.transform("to_world"));
+  return camera;
+}
 
-Sampler build_independent(Params& params) {
+Sampler build_sampler(Params& params) {
   return {static_cast<int>(params.integer("sample_count", SensorDescription().sample_count, 1, 1 << 30))};
 }
 
+std::vector<ParamSpec> with_common(std::vector<ParamSpec> own) {
+  own.push_back({"near_clip", ParamType::number});
+  own.push_back({"far_clip", ParamType::number});
+  own.push_back({"to_world", ParamType::transform});
+  return own;
+}
+
+std::vector<ParamSpec> with_lens(std::vector<ParamSpec> own) {
+  own.insert(own.begin(), {{"fov", ParamType::number},
+                           {"fov_axis", ParamType::string},
+                           {"focal_length", ParamType::string},
+                           {"principal_point_offset_x", ParamType::number},
+                           {"principal_point_offset_y", ParamType::number}});
+  return with_common(std::move(own));
+}
+
 const std::vector<Plugin<Camera>>& sensor_table() {
-  static const std::vector<Plugin<Camera>> rows = {{"perspective",
-                                                    {{"fov", ParamType::number},
-                                                     {"fov_axis", ParamType::string},
-                                                     {"focal_length", ParamType::string},
-                                                     {"near_clip", ParamType::number},
-                                                     {"far_clip", ParamType::number},
-                                                     {"to_world", ParamType::transform}},
-                                                    {"film", "sampler"},
-                                                    build_perspective}};
+  static const std::vector<NestedSpec> inside = {{"film"}, {"sampler"}, {"medium"}};
+  static const std::vector<Plugin<Camera>> rows = {
+      {"fisheye", with_common({{"fov", ParamType::number}}), inside, build_fisheye},
+      {"orthographic", with_common({}), inside, build_orthographic},
+      {"perspective", with_lens({}), inside, build_perspective},
+      {"thinlens", with_lens({{"aperture_radius", ParamType::number}, {"focus_distance", ParamType::number}}), inside,
+       build_thin_lens},
+  };
   return rows;
 }
 
-const std::vector<Plugin<Film>>& film_table() {
-  static const std::vector<Plugin<Film>> rows = {{"hdrfilm",
-                                                  {{"width", ParamType::integer},
-                                                   {"height", ParamType::integer},
-                                                   {"pixel_format", ParamType::string},
-                                                   {"component_format", ParamType::string},
-                                                   {"file_format", ParamType::string}},
-                                                  {"rfilter"},
-                                                  build_film}};
-  return rows;
-}
-
-const std::vector<Plugin<BoxFilter>>& filter_table() {
-  static const std::vector<Plugin<BoxFilter>> rows = {{"box", {}, {}, build_box}};
-  return rows;
-}
-
+/// All are the renderer's own sampler: the names differ in how samples are spread, not in what they average to.
 const std::vector<Plugin<Sampler>>& sampler_table() {
-  static const std::vector<Plugin<Sampler>> rows = {
-      {"independent", {{"sample_count", ParamType::integer}}, {}, build_independent}};
+  const std::vector<ParamSpec> count = {{"sample_count", ParamType::integer}};
+  static const std::vector<Plugin<Sampler>> rows = {{"independent", count, {}, build_sampler},
+                                                    {"ldsampler", count, {}, build_sampler},
+                                                    {"multijitter", count, {}, build_sampler},
+                                                    {"orthogonal", count, {}, build_sampler},
+                                                    {"stratified", count, {}, build_sampler}};
   return rows;
-}
-
-FilmDescription read_film(const Sources& sources, const Element& sensor) {
-  const std::string filter =
-      "expected <rfilter type=\"box\"/> (without one Mitsuba's filter is gaussian, not supported)";
-  const Element* element = find_nested(sensor, "film");
-  if (!element)
-    sources.fail(sensor.at,
-                 "the sensor has no <film>, expected <film type=\"hdrfilm\"> that names its filter, " + filter);
-  const Film film = build_plugin(sources, *element, film_table());
-  const Element* rfilter = find_nested(*element, "rfilter");
-  if (!rfilter) sources.fail(element->at, "the film names no reconstruction filter, " + filter);
-  build_plugin(sources, *rfilter, filter_table());
-  return film.description;
-}
-
-/// Turns and moves only: a scaled camera would change what near_clip means.
-void check_rigid(const Params& params, const Transform& t) {
-  constexpr double kTolerance = 1e-3;  // Mitsuba's, on squared lengths
-  const Vec3d axes[3] = {t.vector({1, 0, 0}), t.vector({0, 1, 0}), t.vector({0, 0, 1})};
-  for (int i = 0; i < 3; ++i) {
-    const bool unit = std::abs(length_squared(axes[i]) - 1) <= kTolerance;
-    const bool square = std::abs(dot(axes[i], axes[(i + 1) % 3])) <= kTolerance;
-    params.expect(unit && square, "to_world", "scales or shears the camera, expected a rotation and a translation");
-  }
 }
 
 }  // namespace
 
-SensorDescription read_sensor(const Sources& sources, const Element& element) {
+SensorDescription read_sensor(SceneObjects& objects, const Element& element) {
+  const Sources& sources = objects.sources();
   const Plugin<Camera>& plugin = find_plugin(sources, element, sensor_table());
-  Params params(sources, element, title_of(sources, element), plugin.params);
+  Params params(objects, element, title_of(sources, element), plugin.params, plugin.nested);
   SensorDescription sensor;
   sensor.loc = sources.loc(element.at);
   sensor.id = id_of(element);
   sensor.to_world = params.transform("to_world");
-  check_rigid(params, sensor.to_world);
   sensor.camera = plugin.build(params);
   params.finish();
-  sensor.film = read_film(sources, element);
-  if (const Element* sampler = find_nested(element, "sampler"))
-    sensor.sample_count = build_plugin(sources, *sampler, sampler_table()).sample_count;
+  sensor.film.filter = {ReconstructionFilter::Kind::gaussian};
+  if (!params.nested("film").empty()) sensor.film = read_film(objects, objects.target(params.only_nested("film")));
+  if (!params.nested("sampler").empty())
+    sensor.sample_count =
+        build_plugin(objects, objects.target(params.only_nested("sampler")), sampler_table()).sample_count;
+  if (!params.nested("medium").empty()) sensor.medium = objects.medium(params.only_nested("medium"));
   return sensor;
 }
 

@@ -1,43 +1,115 @@
 #include "scenes/scene_files.h"
 
 #include "scenes/atomic_file.h"
+#include "scenes/ies.h"
+#include "scenes/obj.h"
 #include "scenes/ply.h"
 #include "scenes/text_numbers.h"
 
 namespace photonproof::scene_xml {
 namespace fs = std::filesystem;
 
-fs::path resolve_file(const Sources& sources, const ParseOptions& options, const Attribute& filename,
-                      const fs::path& shown) {
-  std::error_code error;
-  if (filename.value.empty() || filename.value.find('\0') != std::string::npos)
-    fail_at(sources, filename, "expected a file name");
-  fs::path path = fs::weakly_canonical(shown, error);
-  if (error) fail_at(sources, filename, "cannot read " + in_quotes(filename.value) + ": " + error.message());
-  const fs::path folder = fs::path(sources.name(0)).parent_path();
-  const fs::path relative =
-      path.lexically_relative(fs::weakly_canonical(folder.empty() ? fs::path(".") : folder, error));
-  if (!options.allow_outside && (relative.empty() || *relative.begin() == ".."))
-    fail_at(sources, filename,
-            in_quotes(filename.value) + " lies outside the scene's folder (--allow-outside permits it)");
-  if (!fs::exists(path, error)) fail_at(sources, filename, "no such file: " + in_quotes(filename.value));
-  return path;
+fs::path SceneFolders::scene_folder() const { return fs::path(sources_.name(0)).parent_path(); }
+
+fs::path SceneFolders::folder_of(const Attribute& attribute) const {
+  const fs::path folder = fs::path(sources_.name(attribute.at.file)).parent_path();
+  const fs::path relative = folder.lexically_relative(scene_folder());
+  if (relative == ".") return {};
+  return relative.empty() ? folder : relative;
 }
 
-std::string MeshFiles::read(const fs::path& path, const Attribute& filename) const {
+bool SceneFolders::is_inside(const fs::path& real) const {
+  std::error_code error;
+  const fs::path folder = scene_folder();
+  const fs::path relative = real.lexically_relative(fs::weakly_canonical(folder.empty() ? "." : folder, error));
+  return !error && !relative.empty() && *relative.begin() != "..";
+}
+
+SceneFolders::File SceneFolders::find_in(const std::vector<fs::path>& folders, const Attribute& name,
+                                         const char* what) const {
+  if (name.value.empty() || name.value.find('\0') != std::string::npos)
+    fail_at(sources_, name, std::string("expected a ") + what + " name");
+  bool left = false;
+  for (const fs::path& folder : folders) {
+    const fs::path spelled = folder / name.value;
+    const fs::path shown = scene_folder() / spelled;
+    std::error_code error;
+    const fs::path real = fs::weakly_canonical(shown, error);
+    if (error) fail_at(sources_, name, "cannot read " + in_quotes(name.value) + ": " + error.message());
+    if (!options_.allow_outside && !is_inside(real))
+      left = true;
+    else if (fs::exists(real, error))
+      return {spelled.string(), shown, real};
+  }
+  if (left)
+    fail_at(sources_, name, in_quotes(name.value) + " lies outside the scene's folder (--allow-outside permits it)");
+  fail_at(sources_, name, std::string("no such ") + what + ": " + in_quotes(name.value));
+}
+
+SceneFolders::File SceneFolders::find(const Attribute& filename) const {
+  std::vector<fs::path> folders = folders_;
+  folders.emplace_back();
+  return find_in(folders, filename, "file");
+}
+
+SceneFolders::File SceneFolders::find_included(const Attribute& filename) const {
+  std::vector<fs::path> folders = folders_;
+  folders.emplace_back();
+  folders.push_back(folder_of(filename));
+  return find_in(folders, filename, "file");
+}
+
+void SceneFolders::add(const Attribute& path) {
+  std::vector<fs::path> folders = folders_;
+  folders.insert(folders.begin(), folder_of(path));
+  folders.emplace_back();
+  const File found = find_in(folders, path, "folder");
+  std::error_code error;
+  if (!fs::is_directory(found.real, error)) fail_at(sources_, path, in_quotes(path.value) + " is not a folder");
+  folders_.insert(folders_.begin(), found.name);
+}
+
+std::string SceneFiles::read(const SceneFolders::File& file, const Attribute& filename, std::size_t most) const {
   try {
-    return read_file(path, kMaxPlyBytes);
+    return read_file(file.shown, most);
   } catch (const InputError& error) {
     fail_at(sources_, filename, "cannot read " + error.summary());
   }
 }
 
-std::shared_ptr<const TriangleMesh> MeshFiles::load(const Attribute& filename) {
-  const fs::path shown = fs::path(sources_.name(0)).parent_path() / filename.value;
-  const fs::path path = resolve_file(sources_, options_, filename, shown);
-  std::shared_ptr<const TriangleMesh>& mesh = loaded_[path];
-  if (!mesh) mesh = std::make_shared<const TriangleMesh>(parse_ply(read(path, filename), shown.string()));
-  return mesh;
+SceneFiles::Loaded<TriangleMesh> SceneFiles::mesh(const Attribute& filename, MeshDescription::Format format) {
+  const SceneFolders::File file = folders_.find(filename);
+  std::shared_ptr<const TriangleMesh>& mesh = meshes_[{file.real, format}];
+  if (!mesh) {
+    const bool is_ply = format == MeshDescription::Format::ply;
+    const std::string bytes = read(file, filename, is_ply ? kMaxPlyBytes : kMaxObjBytes);
+    mesh = std::make_shared<const TriangleMesh>(is_ply ? parse_ply(bytes, file.shown.string())
+                                                       : parse_obj(bytes, file.shown.string()));
+  }
+  return {file.name, mesh};
+}
+
+SceneFiles::Loaded<Image> SceneFiles::image(const Attribute& filename, bool raw) {
+  const SceneFolders::File file = folders_.find(filename);
+  std::shared_ptr<const Image>& image = images_[{file.real, raw}];
+  if (!image) try {
+      image = std::make_shared<const Image>(read_texture_image(file.shown.string(), raw));
+    } catch (const InputError& error) {
+      fail_at(sources_, filename, "cannot use " + error.summary());
+    }
+  return {file.name, image};
+}
+
+SceneFiles::Loaded<IesProfile> SceneFiles::ies(const Attribute& filename) {
+  const SceneFolders::File file = folders_.find(filename);
+  std::shared_ptr<const IesProfile>& profile = profiles_[file.real];
+  if (!profile)
+    profile = std::make_shared<const IesProfile>(parse_ies(read(file, filename, kMaxIesBytes), file.shown.string()));
+  return {file.name, profile};
+}
+
+std::string SceneFiles::text(const Attribute& filename) {
+  return read(folders_.find(filename), filename, std::size_t{1} << 20);
 }
 
 }  // namespace photonproof::scene_xml

@@ -1,0 +1,16 @@
+// Complex indices of refraction of conductors by name.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scenes/description.h"
+
+namespace photonproof {
+
+/// eta and k of one of Mitsuba's named materials in linear RGB, as its rgb variants see them.
+std::optional<ComplexIor> conductor_named(const std::string& material);
+std::vector<std::string> conductor_names();
+
+}  // namespace photonproof

@@ -1,0 +1,13 @@
+// Indices of refraction by the name of the material.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace photonproof {
+
+std::optional<double> ior_named(const std::string& material);
+std::vector<std::string> ior_names();
+
+}  // namespace photonproof

@@ -1,0 +1,15 @@
+// <spectrum>: one number, "wavelength:value" pairs, or a file of them.
+#pragma once
+
+#include "scenes/spectrum.h"
+#include "scenes/xml_source.h"
+
+namespace photonproof::scene_xml {
+
+class SceneObjects;
+
+/// The element's linear RGB. Pairs that make a reflectance of more than `most` in a channel, outside the gamut, give
+/// `most` there, as in Mitsuba; so a single number out of range is still seen by the caller.
+RgbD spectrum_of(SceneObjects& objects, const Element& element, SpectrumKind kind, double most);
+
+}  // namespace photonproof::scene_xml

@@ -1,0 +1,21 @@
+// Where the sun stands: Blanco-Muriel, Alarcon-Padilla, Lopez-Moratalla and Lara-Coira 2001, "Computing the solar
+// vector", Solar Energy 70(5); good to half a minute of arc from 1999 to 2015.
+#pragma once
+
+#include "scenes/vec.h"
+
+namespace photonproof {
+
+/// Local time at a place; the defaults are Mitsuba's, an afternoon in Tokyo.
+struct PlaceAndTime {
+  double latitude_degrees = 35.6894;    ///< north is positive
+  double longitude_degrees = 139.6917;  ///< east is positive
+  double timezone_hours = 9;            ///< ahead of UTC
+  int year = 2010, month = 7, day = 10;
+  double hour = 15, minute = 0, second = 0;
+};
+
+/// Unit vector towards the sun: +x is north, +y east, +z up, as Mitsuba has it. Below the horizon z is negative.
+Vec3d sun_direction(const PlaceAndTime& when);
+
+}  // namespace photonproof
