@@ -4,7 +4,9 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 
+#include "renderer/timer.h"
 #include "scenes/input_error.h"
 
 namespace photonproof {
@@ -27,10 +29,26 @@ void check_writable(const fs::path& file) {
 
 }  // namespace
 
+std::string time_left(double seconds, double done, double left) {
+  constexpr double least_done = 0.002;  // before, the estimate would be noise
+  if (done < least_done || left <= 0) return "";
+  const double expected = seconds * left / done;
+  char text[48];
+  if (expected < 60)
+    std::snprintf(text, sizeof text, ", %.0f s left", expected);
+  else if (expected < 3600)
+    std::snprintf(text, sizeof text, ", %.0f min left", expected / 60);
+  else
+    std::snprintf(text, sizeof text, ", %.1f h left", expected / 3600);
+  return text;
+}
+
 std::function<void(double, const std::string&)> progress_line(bool quiet) {
   if (quiet || isatty(STDERR_FILENO) == 0) return {};
-  return [](double fraction, const std::string& phase) {
-    std::fprintf(stderr, "\r%3.0f %% %s ", 100 * fraction, phase.c_str());
+  return [timer = Timer(), first = std::optional<double>()](double fraction, const std::string& phase) mutable {
+    if (!first) first = fraction;
+    const std::string left = time_left(timer.seconds(), fraction - *first, 1 - fraction);
+    std::fprintf(stderr, "\r%3.0f %% %s%s\033[K", 100 * fraction, phase.c_str(), left.c_str());
     if (fraction >= 1) std::fputs("\r\033[K", stderr);
     std::fflush(stderr);
   };

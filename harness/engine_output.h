@@ -6,6 +6,10 @@
 
 namespace photonproof {
 
+/// ", 40 s left", ", 3 min left" or ", 1.5 h left" after `seconds` in which the fraction `done` of the work was done
+/// and `left` remains; empty where too little is done to say.
+std::string time_left(double seconds, double done, double left);
+
 /// A line on standard error that rewrites itself; empty where standard error is no terminal, or `quiet`.
 std::function<void(double fraction, const std::string& phase)> progress_line(bool quiet);
 

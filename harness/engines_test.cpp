@@ -49,7 +49,7 @@ TEST(Engines, builtin_rows_are_our_two_integrators_and_povray) {
 TEST(Engines, command_of_the_path_tracer_is_as_one_would_type_it) {
   EXPECT_EQ(shell_line(fill_command(builtin(builtin_engines(), "path").command, example_values())),
             "bin/photonproof render 'my scene.xml' --integrator path -o o/image.exr --stats o/stats.json --size 64x48 "
-            "--seed 7 --threads 2 --spp 16");
+            "--seed 7 --threads 2 --checkpoint 0 --spp 16");
 }
 
 TEST(Engines, budget_amounts_are_written_in_full) {

@@ -52,6 +52,18 @@ std::string is_finite_number(const std::string& text) {
   return good ? "" : "'" + text + "' is not a finite number";
 }
 
+std::function<std::string(std::string)> whole_number(std::int64_t least, std::int64_t most) {
+  return [least, most](const std::string& text) {
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const bool whole = error == std::errc{} && end == text.data() + text.size() && value == std::floor(value);
+    if (!whole || value < static_cast<double>(least) || value > static_cast<double>(most))
+      throw CLI::ValidationError("'" + text + "' is not a whole number from " + std::to_string(least) + " to " +
+                                 std::to_string(most));
+    return std::to_string(static_cast<std::int64_t>(value));
+  };
+}
+
 SceneDescription load_scene(const SceneOptions& options) {
   ParseOptions parse;
   parse.allow_outside = options.allow_outside;

@@ -1,6 +1,8 @@
 // The options every verb that reads a scene shares.
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -26,6 +28,10 @@ void add_scene_options(CLI::App& verb, SceneOptions& options);
 /// seed and NaN through every range.
 std::string is_seed(const std::string& text);
 std::string is_finite_number(const std::string& text);
+
+/// The whole number a user may also write as 1e6, in digits. Throws CLI::ValidationError when it is none from `least`
+/// to `most`, which are below 2^53.
+std::function<std::string(std::string)> whole_number(std::int64_t least, std::int64_t most);
 
 /// Parses the scene; its film has the size asked for. Throws InputError.
 SceneDescription load_scene(const SceneOptions& options);

@@ -5,14 +5,17 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "harness/engine_output.h"
 #include "harness/interrupt.h"
+#include "harness/render_identity.h"
 #include "harness/scene_options.h"
 #include "harness/verbs.h"
+#include "renderer/check_supported.h"
 #include "renderer/integrator.h"
 #include "renderer/parallel.h"
 #include "renderer/plan.h"
@@ -33,9 +36,12 @@ struct RenderArguments {
   std::uint64_t seed = 0;
   int threads = 0;
   int grid = 0;
-  SamplerKind sampler = SamplerKind::sobol;
+  std::string sampler = "sobol";
   std::string isa;
   std::vector<std::string> no_skip;
+  std::vector<int> crop;  ///< x, y, width, height; empty: the scene's
+  double checkpoint_seconds = 60;
+  bool resume = false;
   bool plan = false;
   bool json = false;
   bool quiet = false;
@@ -46,7 +52,49 @@ std::size_t non_finite_values(const Image& image) {
       std::count_if(image.rgb.begin(), image.rgb.end(), [](float v) { return !std::isfinite(v); }));
 }
 
-const char* sampler_name(SamplerKind kind) { return kind == SamplerKind::sobol ? "sobol" : "independent"; }
+/// The part of the image that is rendered. Throws InputError when it is none of the image.
+Tile film_window(const FilmDescription& film, const std::vector<int>& asked) {
+  FilmDescription::Crop crop = film.crop.value_or(FilmDescription::Crop{0, 0, film.width, film.height});
+  if (!asked.empty()) crop = {asked[0], asked[1], asked[2], asked[3]};
+  const bool inside = crop.x >= 0 && crop.y >= 0 && crop.width > 0 && crop.height > 0 &&
+                      crop.width <= film.width - crop.x && crop.height <= film.height - crop.y;
+  const auto words = [](int a, int b) { return std::to_string(a) + " " + std::to_string(b); };
+  if (!inside)
+    throw InputError("--crop", words(crop.x, crop.y) + " " + words(crop.width, crop.height) +
+                                   " is no part of the image of " + std::to_string(film.width) + "x" +
+                                   std::to_string(film.height) + " pixels");
+  return {crop.x, crop.y, crop.x + crop.width, crop.y + crop.height};
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
+  return text.empty() ? "none" : text;
+}
+
+/// The budget is no part of it: the checkpoint knows itself how far it may be changed.
+RenderIdentity render_identity(const RenderArguments& arguments, const SceneDescription& description,
+                               const RenderPlan& plan, const Tile& window) {
+  const FilmDescription& film = description.sensor.film;
+  const auto size = [](int width, int height) { return std::to_string(width) + "x" + std::to_string(height); };
+  return {{"program", version_line()},
+          {"scene's content", scene_hash(description, arguments.scene.defines)},
+          {"image", size(film.width, film.height) + ", of which " + size(window.width(), window.height()) + " from " +
+                        std::to_string(window.x0) + "," + std::to_string(window.y0)},
+          {"integrator", plan.integrator},
+          {"seed", std::to_string(arguments.seed)},
+          {"sampler", arguments.sampler},
+          {"grid", std::to_string(arguments.grid)},
+          {"instruction set", plan.isa},
+          {"list of --no-skip", joined(arguments.no_skip)}};
+}
+
+std::filesystem::path checkpoint_path(const std::string& output) { return output + ".checkpoint"; }
+
+void remove_checkpoint(const std::filesystem::path& file) {
+  std::error_code ignored;
+  std::filesystem::remove(file, ignored);
+}
 
 nlohmann::ordered_json plan_json(const RenderPlan& plan) {
   nlohmann::ordered_json runs, skips;
@@ -56,63 +104,119 @@ nlohmann::ordered_json plan_json(const RenderPlan& plan) {
   return {{"integrator", plan.integrator}, {"isa", plan.isa}, {"lanes", plan.lanes}, {"runs", runs}, {"skips", skips}};
 }
 
-nlohmann::ordered_json stats_json(const RenderArguments& arguments, const Scene& scene, const std::string& integrator,
-                                  const RenderStats& stats, const RenderPlan& plan, int threads) {
-  return {{"schema_version", 1},       {"engine", "photonproof " + integrator},
-          {"version", version_line()}, {"scene", arguments.scene.path},
-          {"width", scene.width},      {"height", scene.height},
-          {"seed", arguments.seed},    {"sampler", sampler_name(arguments.sampler)},
-          {"threads", threads},        {"interrupted", stats.interrupted},
-          {"phases", stats.phases},    {"counts", stats.counts},
-          {"skipped", stats.skipped},  {"plan", plan_json(plan)}};
+nlohmann::ordered_json stats_json(const RenderArguments& arguments, const std::string& integrator,
+                                  const RenderStats& stats, const RenderPlan& plan, int threads,
+                                  const Rendering& rendering) {
+  return {{"schema_version", 1},
+          {"engine", "photonproof " + integrator},
+          {"version", version_line()},
+          {"scene", arguments.scene.path},
+          {"width", rendering.mean.width},
+          {"height", rendering.mean.height},
+          {"seed", arguments.seed},
+          {"sampler", arguments.sampler},
+          {"threads", threads},
+          {"interrupted", stats.interrupted},
+          {"phases", stats.phases},
+          {"counts", stats.counts},
+          {"skipped", stats.skipped},
+          {"plan", plan_json(plan)}};
 }
 
-int run_render(const RenderArguments& arguments) {
-  if (arguments.output.empty() && !arguments.plan) throw InputError("--output", "is required, as the EXR to write");
-  const std::string stats_path =
-      arguments.plan ? "" : checked_stats_path(arguments.stats_path, arguments.output, arguments.scene.path);
-  RenderStats stats;
-  const Timer load_timer;
-  SceneDescription description = load_scene(arguments.scene);
-  stats.phases["load"] = load_timer.seconds();
-  const std::string name =
-      arguments.integrator.empty() ? integrator_name(description.integrator) : arguments.integrator;
-  const IntegratorDescription method = with_integrator(description.integrator, name);
+const std::map<std::string, SamplerKind>& sampler_kinds() {
+  static const std::map<std::string, SamplerKind> kinds{{"sobol", SamplerKind::sobol},
+                                                        {"independent", SamplerKind::independent}};
+  return kinds;
+}
 
-  const Timer compile_timer;
-  const FilmDescription film_size = description.sensor.film;
-  const SkipSwitches skips(arguments.no_skip);
-  const Scene scene(description, film_size.width, film_size.height, skips);
-  stats.phases["compile"] = compile_timer.seconds();
+IntegratorDescription method_of(const RenderArguments& arguments, const SceneDescription& description) {
+  if (arguments.integrator.empty()) return description.integrator;
+  return with_integrator(description.integrator, arguments.integrator);
+}
 
-  stats.counts["bytes_scene"] = static_cast<double>(scene.memory_bytes());
-  if (scene.view().tracer != nullptr) stats.counts["bytes_bvh"] = static_cast<double>(scene.view().tracer->bvh_bytes());
-
+RenderJob render_job(const RenderArguments& arguments, const SceneDescription& description) {
   RenderJob job;
   job.budget = {arguments.spp, arguments.photons, arguments.seconds};
   job.seed = arguments.seed;
   job.threads = arguments.threads;
   job.grid = arguments.grid;
-  job.sampler = arguments.sampler;
+  job.sampler = sampler_kinds().at(arguments.sampler);
   job.isa = arguments.isa;
-  job.skips = skips;
+  job.skips = SkipSwitches(arguments.no_skip);
   job.sample_count = description.sensor.sample_count;
   job.interrupt = &interrupt_flag();
   job.progress = progress_line(arguments.quiet);
+  return job;
+}
+
+int print_plan(const RenderArguments& arguments) {
+  if (arguments.resume) throw InputError("--resume", "does nothing with --plan, which renders nothing");
+  const SceneDescription description = load_scene(arguments.scene);
+  const IntegratorDescription method = method_of(arguments, description);
+  const RenderJob job = render_job(arguments, description);
+  check_supported(description, method);
+  check_job(job, method);
+  const FilmDescription& film = description.sensor.film;
+  film_window(film, arguments.crop);
+  const Scene scene(description, film.width, film.height, job.skips, small_scene_limit, ScenePurpose::plan);
+  const RenderPlan plan = plan_render(scene, method, job);
+  std::printf("%s", arguments.json ? (plan_json(plan).dump(2) + "\n").c_str() : plan_text(plan).c_str());
+  return 0;
+}
+
+/// Warnings and the exit code.
+int outcome(const RenderArguments& arguments, const RenderStats& stats, const Film& film, const Rendering& rendering) {
+  const std::size_t broken = non_finite_values(rendering.mean);
+  if (broken > 0) std::fprintf(stderr, "%s: %zu values are not finite\n", arguments.output.c_str(), broken);
+  if (!stats.checkpoint_problem.empty())
+    std::fprintf(stderr, "no checkpoint could be left: %s\n", stats.checkpoint_problem.c_str());
+  if (!stats.interrupted) return broken > 0 ? 1 : 0;
+  std::error_code ignored;
+  const bool resumable = std::filesystem::exists(checkpoint_path(arguments.output), ignored);
+  std::fprintf(stderr, "interrupted: wrote what there was, %.0f samples a pixel at most%s%s\n",
+               stats.counts.at("samples_per_pixel"),
+               film.unsampled_pixels() > 0 ? ", some pixels have none and are black" : "",
+               resumable ? "; --resume goes on from there" : "");
+  return 130;
+}
+
+int run_render(const RenderArguments& arguments) {
+  if (arguments.plan) return print_plan(arguments);
+  if (arguments.output.empty()) throw InputError("--output", "is required, as the EXR to write");
+  const std::string stats_path = checked_stats_path(arguments.stats_path, arguments.output, arguments.scene.path);
+  CheckpointPolicy checkpoint{checkpoint_path(arguments.output), arguments.checkpoint_seconds, arguments.resume, {}};
+  checkpoint.check_file();
+
+  RenderStats stats;
+  const Timer load_timer;
+  const SceneDescription description = load_scene(arguments.scene);
+  stats.phases["load"] = load_timer.seconds();
+  const IntegratorDescription method = method_of(arguments, description);
+  const std::string name = integrator_name(method);
+  RenderJob job = render_job(arguments, description);
+  check_supported(description, method);
+  check_job(job, method);
+
+  const Timer compile_timer;
+  const FilmDescription& film_size = description.sensor.film;
+  const Tile window = film_window(film_size, arguments.crop);
+  const Scene scene(description, film_size.width, film_size.height, job.skips);
+  stats.phases["compile"] = compile_timer.seconds();
+
+  stats.counts["bytes_scene"] = static_cast<double>(scene.memory_bytes());
+  if (scene.view().tracer != nullptr) stats.counts["bytes_bvh"] = static_cast<double>(scene.view().tracer->bvh_bytes());
 
   const RenderPlan plan = plan_render(scene, method, job);
-  if (arguments.plan) {
-    std::printf("%s", arguments.json ? (plan_json(plan).dump(2) + "\n").c_str() : plan_text(plan).c_str());
-    return 0;
-  }
+  checkpoint.identity = render_identity(arguments, description, plan, window);
+  job.checkpoint = checkpoint;
 
-  Film film(scene.width, scene.height);
+  Film film(window);
   find_integrator(name)->render(scene, method, job, film, stats);
 
   const Timer write_timer;
   Rendering rendering = film.develop();
   rendering.metadata["photonproof:version"] = version_line();
-  rendering.metadata["photonproof:sampler"] = sampler_name(arguments.sampler);
+  rendering.metadata["photonproof:sampler"] = arguments.sampler;
   rendering.metadata["photonproof:isa"] = plan.isa;
   rendering.metadata["photonproof:command"] =
       arguments.scene.path + " --integrator " + name + " --seed " + std::to_string(arguments.seed) + " --spp " +
@@ -121,26 +225,21 @@ int run_render(const RenderArguments& arguments) {
   stats.phases["write"] = write_timer.seconds();
 
   const nlohmann::ordered_json json =
-      stats_json(arguments, scene, name, stats, plan, Threads(arguments.threads).count());
+      stats_json(arguments, name, stats, plan, Threads(arguments.threads).count(), rendering);
   write_file_atomically(stats_path, json.dump(2) + "\n");
+  if (!stats.interrupted && (checkpoint.interval_seconds > 0 || checkpoint.resume)) remove_checkpoint(checkpoint.file);
 
   if (arguments.json) {
     std::printf("%s\n", json.dump(2).c_str());
   } else {
-    std::printf("%s: %s, %dx%d, %.0f samples a pixel, %.2f s\n", arguments.output.c_str(), name.c_str(), scene.width,
-                scene.height, stats.counts["samples_per_pixel"], load_timer.seconds());
+    std::printf("%s: %s, %dx%d, %.0f samples a pixel, %.2f s\n", arguments.output.c_str(), name.c_str(),
+                rendering.mean.width, rendering.mean.height, stats.counts["samples_per_pixel"], load_timer.seconds());
     std::string left_out;
     for (const RenderPlan::Decision& d : plan.decisions)
       if (d.skipped) left_out += (left_out.empty() ? "" : ", ") + std::string(skip_row(d.skip).name);
     if (!left_out.empty()) std::printf("skipped %s (--plan says why)\n", left_out.c_str());
   }
-  const std::size_t broken = non_finite_values(rendering.mean);
-  if (broken > 0) std::fprintf(stderr, "%s: %zu values are not finite\n", arguments.output.c_str(), broken);
-  if (!stats.interrupted) return broken > 0 ? 1 : 0;
-  std::fprintf(stderr, "interrupted: wrote what there was, %.0f samples a pixel at most%s\n",
-               stats.counts["samples_per_pixel"],
-               film.unsampled_pixels() > 0 ? ", some pixels have none and are black" : "");
-  return 130;
+  return outcome(arguments, stats, film, rendering);
 }
 
 }  // namespace
@@ -156,9 +255,11 @@ void add_render_verb(CLI::App& program, int& exit_code) {
   for (const Integrator& row : integrators()) names.emplace_back(row.name);
   verb->add_option("--integrator", arguments->integrator, "instead of the scene's own")->check(CLI::IsMember(names));
   verb->add_option("--spp", arguments->spp, "samples a pixel (default: the scene's)")
-      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 32));
+      ->transform(whole_number(1, std::int64_t{1} << 32))
+      ->type_name("N");
   verb->add_option("--photons", arguments->photons, "photons emitted for each map over the whole render")
-      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 40));
+      ->transform(whole_number(1, std::int64_t{1} << 40))
+      ->type_name("N");
   verb->add_option("--seconds", arguments->seconds, "wall time to render for, instead of --spp")
       ->check(CLI::Range(1e-3, 1e7))
       ->check(is_finite_number)
@@ -168,9 +269,7 @@ void add_render_verb(CLI::App& program, int& exit_code) {
   verb->add_option("--grid", arguments->grid, "samples on the centres of a KxK grid in each pixel")
       ->check(CLI::Range(0, 1024));
   verb->add_option("--sampler", arguments->sampler, "sobol (Owen-scrambled) or independent, to check the other against")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, SamplerKind>{{"sobol", SamplerKind::sobol}, {"independent", SamplerKind::independent}}))
-      ->type_name("NAME");
+      ->check(CLI::IsMember({"sobol", "independent"}));
   std::vector<std::string> isas;
   for (const Kernels* kernels : available_kernels()) isas.emplace_back(kernels->isa);
   verb->add_option("--isa", arguments->isa, "instruction set of the kernels (default: the best this processor has)")
@@ -179,6 +278,16 @@ void add_render_verb(CLI::App& program, int& exit_code) {
                    "do what the plan would skip: a name that --plan prints, or 'all'; may be repeated")
       ->type_name("NAME")
       ->allow_extra_args(false);
+  verb->add_option("--crop", arguments->crop,
+                   "render this part of the image alone, in pixels from its upper left corner")
+      ->expected(4)
+      ->type_name("X Y WIDTH HEIGHT");
+  verb->add_option("--checkpoint", arguments->checkpoint_seconds,
+                   "seconds between checkpoints, left as OUTPUT.checkpoint until the render is complete; 0: none")
+      ->check(CLI::Range(0.0, 1e7))
+      ->check(is_finite_number)
+      ->capture_default_str();
+  verb->add_flag("--resume", arguments->resume, "go on from OUTPUT.checkpoint; same bits as a render never stopped");
   verb->add_flag("--plan", arguments->plan, "print what would run and what would be skipped, and why; render nothing");
   verb->add_flag("--json", arguments->json, "print the stats as JSON");
   verb->add_flag("--quiet", arguments->quiet, "no progress line");

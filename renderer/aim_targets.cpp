@@ -1,6 +1,7 @@
 #include "renderer/aim_targets.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace photonproof {
@@ -24,13 +25,31 @@ AimTarget ball_around(const Mesh& mesh) {
   return {(low + high) * 0.5f, length(high - low) * 0.5f};
 }
 
+AimTarget ball_around(const Disk& disk) { return {disk.center, std::hypot(length(disk.axis_x), length(disk.axis_y))}; }
+
+AimTarget ball_around(const Cylinder& cylinder) {
+  return {cylinder.base + cylinder.axis * (0.5f * cylinder.length),
+          std::hypot(0.5f * cylinder.length, cylinder.radius)};
+}
+
+/// As good as everywhere; its cone is the whole sphere.
+AimTarget ball_around(const Plane& plane) { return {Vec3f(plane.point), 1e18f}; }
+
+/// The placement's largest stretch is at most the root of the sum of its axes' squares.
+AimTarget ball_around(const MeshInstance& copy) {
+  const AimTarget local = ball_around(*copy.mesh);
+  const AffineMap& map = *copy.placement;
+  return {map.point(local.center), local.radius * std::sqrt(dot(map.x, map.x) + dot(map.y, map.y) + dot(map.z, map.z))};
+}
+
 }  // namespace
 
-std::vector<AimTarget> aim_targets(const std::vector<Surface>& surfaces, const std::vector<Bsdf>& bsdfs) {
+std::vector<AimTarget> aim_targets(const std::vector<Surface>& surfaces,
+                                   const std::function<bool(const Surface&)>& is_specular) {
   constexpr float margin = 1 + 1e-4f;  // what rounding could leave outside
   std::vector<AimTarget> targets;
   for (const Surface& surface : surfaces) {
-    if (!is_delta(bsdfs[surface.bsdf])) continue;
+    if (!is_specular(surface)) continue;
     AimTarget target = std::visit([](const auto& g) { return ball_around(g); }, surface.geometry);
     target.radius *= margin;
     targets.push_back(target);

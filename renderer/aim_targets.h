@@ -1,10 +1,10 @@
-// Where caustics begin: balls around the specular surfaces. Photons of the caustic map are sent into their cones only
+// Where caustics begin: balls around the specular surfaces, which are all that are not Lambertian. Photons of the caustic map are sent into their cones only
 // (Jensen 2001, section 5.2.1, "projection maps", in closed form).
 #pragma once
 
+#include <functional>
 #include <vector>
 
-#include "renderer/bsdf.h"
 #include "renderer/scene_view.h"
 #include "renderer/surface.h"
 
@@ -13,7 +13,8 @@ namespace photonproof {
 /// More cones than this cost more to weigh than they save.
 inline constexpr std::size_t most_aim_targets = 16;
 
-/// One ball for each specular surface, which it holds.
-std::vector<AimTarget> aim_targets(const std::vector<Surface>& surfaces, const std::vector<Bsdf>& bsdfs);
+/// One ball for each surface that is specular, which it holds.
+std::vector<AimTarget> aim_targets(const std::vector<Surface>& surfaces,
+                                   const std::function<bool(const Surface&)>& is_specular);
 
 }  // namespace photonproof

@@ -8,7 +8,8 @@ namespace photonproof {
 
 template <class F>
 struct ConductorBsdf {
-  static constexpr bool is_delta = true;
+  static constexpr bool has_smooth = false;
+  static constexpr bool is_lambertian = false;
   Vec3<F> reflectance;
   F has_ior{0.0f};  ///< 1 or 0
   Vec3<F> eta, k;
@@ -20,7 +21,7 @@ struct ConductorBsdf {
     const Mask<F> with_ior = has_ior > 0;
     Vec3<F> weight = reflectance;
     if (any(with_ior)) weight = select(with_ior, reflectance * fresnel_conductor(wo.z, eta, k), reflectance);
-    return {{-wo.x, -wo.y, wo.z}, weight, F(1.0f), F(1.0f), wo.z > 0};
+    return {{-wo.x, -wo.y, wo.z}, weight, F(1.0f), F(1.0f), as_mask<F>(true), wo.z > 0};
   }
 };
 

@@ -8,7 +8,8 @@ namespace photonproof {
 
 template <class F>
 struct DielectricBsdf {
-  static constexpr bool is_delta = true;
+  static constexpr bool has_smooth = false;
+  static constexpr bool is_lambertian = false;
   F eta;  ///< interior ior / exterior ior
   Vec3<F> reflectance, transmittance;
 
@@ -28,7 +29,7 @@ struct DielectricBsdf {
     const F scale = mode == TransportMode::radiance ? F(to_path * to_path) : F(1.0f);
     return {select(reflects, reflected, refracted), select(reflects, reflectance, transmittance * scale),
             select(reflects, fresnel.reflectance, 1 - fresnel.reflectance), select(reflects, F(1.0f), eta_path),
-            wo.z != 0};
+            as_mask<F>(true), wo.z != 0};
   }
 };
 

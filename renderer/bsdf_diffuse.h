@@ -8,8 +8,8 @@ namespace photonproof {
 
 template <class F>
 struct DiffuseBsdf {
-  static constexpr bool is_delta = false;
-  static constexpr bool is_lambertian = true;  ///< eval does not depend on the directions
+  static constexpr bool has_smooth = true;
+  static constexpr bool is_lambertian = true;
   Vec3<F> reflectance;
 
   Vec3<F> eval(const Vec3<F>& wo, const Vec3<F>& wi) const {
@@ -18,7 +18,7 @@ struct DiffuseBsdf {
   F pdf(const Vec3<F>& wo, const Vec3<F>& wi) const { return select(wo.z > 0, cosine_hemisphere_pdf(wi.z), F(0.0f)); }
   BsdfSample<F> sample(const Vec3<F>& wo, const F&, const Vec2<F>& u, TransportMode) const {
     const Vec3<F> wi = square_to_cosine_hemisphere(u);
-    return {wi, reflectance, cosine_hemisphere_pdf(wi.z), F(1.0f), wo.z > 0 && wi.z > 0};
+    return {wi, reflectance, cosine_hemisphere_pdf(wi.z), F(1.0f), as_mask<F>(false), wo.z > 0 && wi.z > 0};
   }
 };
 

@@ -15,6 +15,7 @@ struct BsdfSample {
   Vec3<F> weight;  ///< f cos / pdf
   F pdf;           ///< per solid angle; of a delta sample: the probability of the lobe
   F eta;           ///< ior of the side entered / ior of the side left; 1 unless refracted
+  Mask<F> delta;   ///< the direction was drawn from a Dirac, which eval and pdf leave out
   Mask<F> valid;   ///< where false the history is absorbed and the rest is undefined
 };
 

@@ -85,7 +85,8 @@ TEST(conductor, mirrors_about_the_normal_and_absorbs_from_behind) {
   const Bsdf bsdf = ConductorBsdf<float>{{0.9f, 0.8f, 0.7f}, 0, {}, {}};
   const auto drawn = sample(bsdf, {0.6f, 0, 0.8f}, 0.3f, {0.1f, 0.9f}, TransportMode::radiance);
   ASSERT_TRUE(drawn);
-  EXPECT_TRUE(is_delta(bsdf));
+  EXPECT_TRUE(drawn->delta);
+  EXPECT_FALSE(has_smooth(bsdf));
   EXPECT_EQ(drawn->wi_local, Vec3f(-0.6f, 0, 0.8f));
   EXPECT_EQ(drawn->weight, Rgb(0.9f, 0.8f, 0.7f));
   EXPECT_FALSE(sample(bsdf, {0.6f, 0, -0.8f}, 0.3f, {0.1f, 0.9f}, TransportMode::radiance));

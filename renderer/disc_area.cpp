@@ -71,6 +71,4 @@ float disc_area(const Sphere& sphere, const Vec3f&, float radius) {
   return std::numbers::pi_v<float> * chord * chord;
 }
 
-float disc_area(const Mesh&, const Vec3f&, float radius) { return std::numbers::pi_v<float> * radius * radius; }
-
 }  // namespace photonproof

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "renderer/surface.h"
+#include "renderer/warp.h"
 
 namespace photonproof {
 
@@ -12,7 +13,10 @@ float disc_area(const Quad& quad, const Vec3f& p, float radius);
 /// `p` on the sphere; points of it within the chord length `radius` of p have area pi radius^2 (Archimedes).
 float disc_area(const Sphere& sphere, const Vec3f& p, float radius);
 
-/// The full disc: a mesh is taken to be flat and to go on around p.
-float disc_area(const Mesh& mesh, const Vec3f& p, float radius);
+/// The full disc: other shapes are taken to be flat and to go on around p.
+template <class Shape>
+float disc_area(const Shape&, const Vec3f&, float radius) {
+  return pi * radius * radius;
+}
 
 }  // namespace photonproof

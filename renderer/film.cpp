@@ -2,17 +2,19 @@
 
 #include <algorithm>
 
+#include "renderer/checkpoint.h"
+
 namespace photonproof {
 
-Film::Film(int width, int height)
-    : width_(width), height_(height), pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
+Film::Film(const Tile& window)
+    : window_(window), pixels_(static_cast<std::size_t>(window.width()) * static_cast<std::size_t>(window.height())) {}
 
 Rendering Film::develop() const {
   Rendering rendering;
-  rendering.mean = Image(width_, height_);
+  rendering.mean = Image(width(), height());
   const bool has_variance =
       std::all_of(pixels_.begin(), pixels_.end(), [](const Pixel& p) { return p.estimates >= 2; });
-  if (has_variance) rendering.variance = Image(width_, height_);
+  if (has_variance) rendering.variance = Image(width(), height());
   const auto store = [](float* out, const RgbD& v) {
     out[0] = static_cast<float>(v.x);
     out[1] = static_cast<float>(v.y);
@@ -26,7 +28,7 @@ Rendering Film::develop() const {
     if (!has_variance) continue;
     const RgbD spread = p.sum_of_squares / p.weight - mean * mean;
     const RgbD clamped{std::max(0.0, spread.x), std::max(0.0, spread.y), std::max(0.0, spread.z)};
-    store(&rendering.variance->rgb[3 * i], clamped / (p.estimates - 1));
+    store(&rendering.variance->rgb[3 * i], clamped / static_cast<double>(p.estimates - 1));
   }
   return rendering;
 }
@@ -34,6 +36,16 @@ Rendering Film::develop() const {
 std::size_t Film::unsampled_pixels() const {
   return static_cast<std::size_t>(
       std::count_if(pixels_.begin(), pixels_.end(), [](const Pixel& p) { return p.estimates == 0; }));
+}
+
+void Film::save(StateWriter& out) const {
+  out.value(window_);
+  out.vector(pixels_);
+}
+
+void Film::restore(StateReader& in) {
+  if (in.value<Tile>() != window_) in.refuse("it is of another part of the image");
+  in.vector(pixels_);
 }
 
 }  // namespace photonproof

@@ -2,20 +2,27 @@
 // time, added in a fixed order, so that the image does not depend on threads.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
+#include "renderer/parallel.h"
 #include "scenes/image.h"
 #include "scenes/vec.h"
 
 namespace photonproof {
 
+class StateReader;
+class StateWriter;
+
 class Film {
  public:
-  Film(int width, int height);
+  Film(int width, int height) : Film(Tile{0, 0, width, height}) {}
+  /// A part of the image. Its pixels keep the coordinates they have in the whole.
+  explicit Film(const Tile& window);
 
   /// One independent estimate of the pixel's radiance, itself the mean of `weight` samples.
   void add(int x, int y, const RgbD& radiance, double weight) {
-    Pixel& p = pixels_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x)];
+    Pixel& p = pixels_[index(x, y)];
     p.sum += radiance * weight;
     p.sum_of_squares += radiance * radiance * weight;
     p.weight += weight;
@@ -23,30 +30,42 @@ class Film {
   }
 
   /// Several independent estimates of weight 1 at once: their sum, the sum of their squares, their number.
-  void add(int x, int y, const RgbD& sum, const RgbD& sum_of_squares, int estimates) {
-    Pixel& p = pixels_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x)];
+  void add(int x, int y, const RgbD& sum, const RgbD& sum_of_squares, std::int64_t estimates) {
+    Pixel& p = pixels_[index(x, y)];
     p.sum += sum;
     p.sum_of_squares += sum_of_squares;
-    p.weight += estimates;
+    p.weight += static_cast<double>(estimates);
     p.estimates += estimates;
   }
 
   /// Mean and, where every pixel has at least two estimates, the variance of the mean:
   /// sum w (x - m)^2 / ((n - 1) sum w), unbiased where an estimate's variance is inverse to its weight.
+  /// The image is of the window's size.
   Rendering develop() const;
   /// Pixels no estimate reached (an interrupted first pass).
   std::size_t unsampled_pixels() const;
 
-  int width() const { return width_; }
-  int height() const { return height_; }
+  const Tile& window() const { return window_; }
+  int width() const { return window_.width(); }
+  int height() const { return window_.height(); }
+
+  /// Every sum, to the bit.
+  void save(StateWriter& out) const;
+  /// Throws InputError when what is stored is of another window.
+  void restore(StateReader& in);
 
  private:
   struct Pixel {
     RgbD sum{0.0}, sum_of_squares{0.0};
     double weight = 0;
-    int estimates = 0;
+    std::int64_t estimates = 0;
   };
-  int width_, height_;
+  std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y - window_.y0) * static_cast<std::size_t>(window_.width()) +
+           static_cast<std::size_t>(x - window_.x0);
+  }
+
+  Tile window_;
   std::vector<Pixel> pixels_;
 };
 

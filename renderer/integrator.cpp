@@ -1,5 +1,6 @@
 #include "renderer/integrator.h"
 
+#include "renderer/direct_integrator.h"
 #include "renderer/path_integrator.h"
 #include "renderer/photon_mapper.h"
 
@@ -8,8 +9,11 @@ namespace photonproof {
 const std::vector<Integrator>& integrators() {
   static const std::vector<Integrator> table{
       {"path", "unbiased path tracing: next-event estimation, MIS, Russian roulette", render_path},
-      {"photonmapper", "global and caustic photon maps of fixed radius, direct light by next-event estimation",
-       render_photon_mapper},
+      {"photonmapper",
+       "global and caustic photon maps of fixed radius, direct light by next-event estimation",
+       render_photon_mapper,
+       {.photons = true}},
+      {"direct", "emission and light reflected once: next-event estimation and BSDF sampling, MIS", render_direct},
   };
   return table;
 }
@@ -20,25 +24,33 @@ const Integrator* find_integrator(const std::string& name) {
   return nullptr;
 }
 
+namespace {
+
+using Method = decltype(IntegratorDescription::method);
+
+/// The scene file's name of each description, in the order of the variant.
+constexpr const char* method_names[] = {"path", "photonmapper", "volpath", "bdpt", "ptracer", "direct", "whitted"};
+static_assert(std::size(method_names) == std::variant_size_v<Method>);
+
+/// The alternative of that name with default parameters.
+template <std::size_t... Index>
+Method method_named(const std::string& name, std::index_sequence<Index...>) {
+  Method method;
+  ((name == method_names[Index] ? void(method.emplace<Index>()) : void()), ...);
+  return method;
+}
+
+}  // namespace
+
 std::string integrator_name(const IntegratorDescription& description) {
-  constexpr const char* names[] = {"path", "photonmapper", "volpath", "bdpt", "ptracer", "direct", "whitted"};
-  static_assert(std::size(names) == std::variant_size_v<decltype(IntegratorDescription::method)>);
-  return names[description.method.index()];
+  return method_names[description.method.index()];
 }
 
 IntegratorDescription with_integrator(const IntegratorDescription& description, const std::string& name) {
   if (integrator_name(description) == name) return description;
-  const auto carry_over = [&](auto method) {
-    std::visit(
-        [&](const auto& asked) {
-          method.max_depth = asked.max_depth;
-          method.rr_depth = asked.rr_depth;
-          method.hide_emitters = asked.hide_emitters;
-        },
-        description.method);
-    return IntegratorDescription{description.loc, method};
-  };
-  return name == "path" ? carry_over(PathDescription{}) : carry_over(PhotonMapperDescription{});
+  Method method = method_named(name, std::make_index_sequence<std::variant_size_v<Method>>{});
+  std::visit([&](PathLimits& limits) { limits = description.limits(); }, method);
+  return {description.loc, method};
 }
 
 }  // namespace photonproof

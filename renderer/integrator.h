@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "renderer/checkpoint.h"
 #include "renderer/film.h"
 #include "renderer/isa.h"
 #include "renderer/scene.h"
@@ -33,6 +34,7 @@ struct RenderJob {
   SkipSwitches skips;  ///< the ones the scene was compiled with
   std::string isa;     ///< instruction set of the kernels; empty: the best there is
   const std::atomic<bool>* interrupt = nullptr;
+  std::optional<CheckpointPolicy> checkpoint;                               ///< render_loop.h sees to it
   std::function<void(double fraction, const std::string& phase)> progress;  ///< from one thread at a time; may be empty
 
   /// Throws InputError where `isa` names none.
@@ -45,14 +47,26 @@ struct RenderStats {
   std::map<std::string, double> counts;  ///< rays by kind, photons emitted and stored, passes, samples a pixel, radii
   std::vector<std::string> skipped;      ///< "what: why"
   bool interrupted = false;
+  std::string checkpoint_problem;  ///< why the last checkpoint that was due could not be written; empty: it was
 };
 
 /// Renders into the film until the budget or an interrupt ends it. Deterministic for a given number of samples and
-/// photons: neither threads nor time enter the estimates.
+/// photons: neither threads nor time enter the estimates. Passes go through render_loop.h, which gives an integrator
+/// budget, progress, Ctrl-C, checkpoints and --resume. The film may be a window of the image: pixels outside of it are
+/// not asked for.
 struct Integrator {
   const char* name;
   const char* summary;
   void (*render)(const Scene&, const IntegratorDescription&, const RenderJob&, Film&, RenderStats&);
+  /// What of a job it heeds; the rest is refused rather than ignored (check_supported.h).
+  struct Heeds {
+    bool photons = false;  ///< the budget's
+    bool grid = true;
+    bool isa = true;
+  } heeds = {};
+  /// What of a scene it can do.
+  enum class Media { none, absorbing, all } media = Media::none;
+  bool dielectric_priorities = false;
 };
 
 const std::vector<Integrator>& integrators();
@@ -61,7 +75,7 @@ const Integrator* find_integrator(const std::string& name);
 /// The name of the integrator a scene file asks for.
 std::string integrator_name(const IntegratorDescription& description);
 /// The same request for another integrator: path depth, roulette depth and hidden emitters are kept, what the scene
-/// file does not say takes its default. `name` must be in the table.
+/// file does not say takes its default. `name` must be one that a scene file may use.
 IntegratorDescription with_integrator(const IntegratorDescription& description, const std::string& name);
 
 }  // namespace photonproof

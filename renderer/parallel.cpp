@@ -2,6 +2,7 @@
 
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
@@ -19,15 +20,39 @@ void Threads::for_each(std::size_t n, const std::function<void(std::size_t)>& bo
   });
 }
 
-void for_each_tile(const Threads& threads, int width, int height, const std::function<void(const Tile&)>& body) {
-  constexpr int size = 16;
-  const int across = (width + size - 1) / size;
-  const int down = (height + size - 1) / size;
-  threads.for_each(static_cast<std::size_t>(across) * static_cast<std::size_t>(down), [&](std::size_t i) {
-    const int x0 = static_cast<int>(i) % across * size;
-    const int y0 = static_cast<int>(i) / across * size;
-    body({x0, y0, std::min(x0 + size, width), std::min(y0 + size, height)});
+std::size_t Threads::for_each_in_order(std::size_t first, std::size_t n, const std::function<bool()>& stop,
+                                       const std::function<void(std::size_t)>& body,
+                                       const std::function<void(std::size_t)>& commit) const {
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(count_));
+  tbb::task_arena arena(count_);
+  std::size_t next = first;
+  const auto begin = [&](tbb::flow_control& control) -> std::size_t {
+    if (next < n && !stop()) return next++;
+    control.stop();
+    return n;
+  };
+  const auto work = [&](std::size_t i) {
+    body(i);
+    return i;
+  };
+  arena.execute([&] {
+    tbb::parallel_pipeline(in_flight(),
+                           tbb::make_filter<void, std::size_t>(tbb::filter_mode::serial_in_order, begin) &
+                               tbb::make_filter<std::size_t, std::size_t>(tbb::filter_mode::parallel, work) &
+                               tbb::make_filter<std::size_t, void>(tbb::filter_mode::serial_in_order, commit));
   });
+  return next;
+}
+
+Tiles::Tiles(const Tile& window)
+    : window_(window),
+      across_(static_cast<std::size_t>((window.width() + size - 1) / size)),
+      down_(static_cast<std::size_t>((window.height() + size - 1) / size)) {}
+
+Tile Tiles::at(std::size_t i) const {
+  const int x0 = window_.x0 + static_cast<int>(i % across_) * size;
+  const int y0 = window_.y0 + static_cast<int>(i / across_) * size;
+  return {x0, y0, std::min(x0 + size, window_.x1), std::min(y0 + size, window_.y1)};
 }
 
 }  // namespace photonproof

@@ -15,15 +15,39 @@ class Threads {
   /// Calls body(i) for every i in [0, n), in any order, on any thread. Rethrows the first exception.
   void for_each(std::size_t n, const std::function<void(std::size_t)>& body) const;
 
+  /// Indices that `for_each_in_order` has between `body` and `commit` at any time lie within this many.
+  std::size_t in_flight() const { return 4 * static_cast<std::size_t>(count_); }
+  /// For i = first, first + 1, ... below n: body(i) in any order on any thread, then commit(i) one after the other in
+  /// the order of i. Before each i it asks stop(); what was begun by then is committed. Returns the first i that was
+  /// not begun, n when all were. i % in_flight() is a slot that no other index uses between its body and its commit.
+  std::size_t for_each_in_order(std::size_t first, std::size_t n, const std::function<bool()>& stop,
+                                const std::function<void(std::size_t)>& body,
+                                const std::function<void(std::size_t)>& commit) const;
+
  private:
   int count_;
 };
 
+/// Pixels with x0 <= x < x1 and y0 <= y < y1.
 struct Tile {
-  int x0, y0, x1, y1;
+  int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+  int width() const { return x1 - x0; }
+  int height() const { return y1 - y0; }
+  bool contains(int x, int y) const { return x >= x0 && x < x1 && y >= y0 && y < y1; }
+  friend bool operator==(const Tile&, const Tile&) = default;
 };
 
-/// Calls body(tile) for 16x16 tiles that cover the image.
-void for_each_tile(const Threads& threads, int width, int height, const std::function<void(const Tile&)>& body);
+/// A window cut into tiles of 16x16 pixels, row by row; smaller ones at its right and lower border.
+class Tiles {
+ public:
+  explicit Tiles(const Tile& window);
+  std::size_t count() const { return across_ * down_; }
+  Tile at(std::size_t i) const;
+
+ private:
+  static constexpr int size = 16;
+  Tile window_;
+  std::size_t across_, down_;
+};
 
 }  // namespace photonproof

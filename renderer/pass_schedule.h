@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <optional>
+#include <utility>
 
 #include "renderer/timer.h"
 
@@ -16,21 +17,45 @@ class PassSchedule {
   PassSchedule(std::int64_t total_samples, std::optional<double> seconds, std::int64_t longest = 64)
       : total_(total_samples), seconds_(seconds), longest_(longest) {}
 
+  /// Goes on where another run stopped that had taken `seconds`: the next pass takes `samples` from sample `first` on;
+  /// of 0 samples, it is the one that follows.
+  void resume(std::int64_t first, std::int64_t samples, double seconds) {
+    done_ = first;
+    begun_ = samples;
+    seconds_before_ = seconds;
+  }
+
   /// Samples a pixel of the next pass; 0 when the render is done.
   std::int64_t next() {
-    if (done_ == 0) return started(1);
-    if (!seconds_) return started(std::min<std::int64_t>({total_ - done_, done_, longest_}));
-    const double per_sample = timer_.seconds() / static_cast<double>(done_);
-    const auto affordable = static_cast<std::int64_t>((*seconds_ - timer_.seconds()) / per_sample);
+    if (begun_ > 0) return started(std::exchange(begun_, 0));
+    if (!seconds_ || done_ == 0) return started(length_from(done_));
+    const double per_sample = seconds_spent() / static_cast<double>(done_);
+    const auto affordable = static_cast<std::int64_t>((*seconds_ - seconds_spent()) / per_sample);
     return started(std::clamp<std::int64_t>(affordable, 0, std::min(done_, longest_)));
   }
+
+  /// Whether a render of this number of samples makes, from its start, a pass of `samples` from sample `first` on; with
+  /// 0 samples, whether a pass ends there. Time makes no promises, so that any pass is one of a budget of seconds.
+  bool makes_pass(std::int64_t first, std::int64_t samples) const {
+    if (seconds_) return true;
+    std::int64_t at = 0;
+    while (at < first && at < total_) at += length_from(at);
+    return at == first && (samples == 0 || samples == length_from(at));
+  }
+
   std::int64_t samples_done() const { return done_; }
-  double fraction() const {
-    return seconds_ ? std::min(1.0, timer_.seconds() / *seconds_)
-                    : static_cast<double>(done_) / static_cast<double>(total_);
+  double seconds_spent() const { return seconds_before_ + timer_.seconds(); }
+  /// Done, when `part` of the pass that was begun last is.
+  double fraction(std::int64_t pass_samples, double part) const {
+    if (seconds_) return std::min(1.0, seconds_spent() / *seconds_);
+    return (static_cast<double>(done_) - (1 - part) * static_cast<double>(pass_samples)) / static_cast<double>(total_);
   }
 
  private:
+  /// Of the pass from sample `done` on, where samples are the budget: a pass is as long as all before it.
+  std::int64_t length_from(std::int64_t done) const {
+    return done == 0 ? 1 : std::min<std::int64_t>({total_ - done, done, longest_});
+  }
   std::int64_t started(std::int64_t samples) {
     done_ += samples;
     return samples;
@@ -40,6 +65,8 @@ class PassSchedule {
   std::optional<double> seconds_;
   std::int64_t longest_;
   std::int64_t done_ = 0;
+  std::int64_t begun_ = 0;
+  double seconds_before_ = 0;
   Timer timer_;
 };
 

@@ -4,30 +4,20 @@
 
 #include <algorithm>
 
-#include "renderer/parallel.h"
-#include "renderer/pass_schedule.h"
 #include "renderer/plan.h"
-#include "renderer/ray_totals.h"
+#include "renderer/render_loop.h"
 #include "renderer/tile_film.h"
 
 namespace photonproof {
 
-void render_path(const Scene& scene, const IntegratorDescription& description, const RenderJob& job, Film& film,
-                 RenderStats& stats) {
-  const auto asked = std::get<PathDescription>(description.method);
-  const RenderPlan plan = plan_render(scene, description, job);
-  stats.skipped = plan.skipped();
-  const PathSettings settings{asked.max_depth, asked.rr_depth, asked.hide_emitters, !plan.skips(Skip::mis)};
-
-  const PhaseTimer phase(stats.phases["render"]);
+void trace_path_passes(const Scene& scene, const PathSettings& settings, const RenderJob& job, const std::string& phase,
+                       Film& film, RenderStats& stats) {
+  const PhaseTimer timer(stats.phases["render"]);
   const Threads threads(job.threads);
-  RayTotals totals;
-  PassSchedule passes(job.budget.spp.value_or(job.sample_count), job.budget.seconds);
-  for (std::int64_t samples = passes.next(); samples > 0; samples = passes.next()) {
-    const std::int64_t first = passes.samples_done() - samples;
-    for_each_tile(threads, scene.width, scene.height, [&](const Tile& tile) {
-      if (first > 0 && job.interrupted()) return;
-      const CameraTask camera = camera_task(job, tile, first, samples);
+  RenderLoop loop(job, threads, film, stats, {.phase = phase});
+  while (loop.next()) {
+    loop.for_each_tile([&](const Tile& tile) {
+      const CameraTask camera = camera_task(job, tile, loop.first(), loop.samples());
       std::vector<float> radiance(3 * std::size_t{camera.paths()});
       std::vector<std::uint32_t> scratch(job.kernels().path_scratch);
       PathTask task{.scene = &scene.view(),
@@ -37,16 +27,18 @@ void render_path(const Scene& scene, const IntegratorDescription& description, c
                     .scratch = scratch.data()};
       job.kernels().trace_paths(task);
       add_samples(film, camera, radiance);
-      totals.add(task.counts);
+      loop.rays().add(task.counts);
     });
-    if (job.progress) job.progress(passes.fraction(), "path tracing");
-    if (job.interrupted()) {
-      stats.interrupted = true;
-      break;
-    }
   }
-  totals.store(stats);
-  stats.counts["samples_per_pixel"] = static_cast<double>(passes.samples_done());
+}
+
+void render_path(const Scene& scene, const IntegratorDescription& description, const RenderJob& job, Film& film,
+                 RenderStats& stats) {
+  const auto asked = std::get<PathDescription>(description.method);
+  const RenderPlan plan = plan_render(scene, description, job);
+  stats.skipped = plan.skipped();
+  trace_path_passes(scene, {asked.max_depth, asked.rr_depth, asked.hide_emitters, !plan.skips(Skip::mis)}, job,
+                    "path tracing", film, stats);
 }
 
 }  // namespace photonproof

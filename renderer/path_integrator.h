@@ -2,8 +2,13 @@
 #pragma once
 
 #include "renderer/integrator.h"
+#include "renderer/kernels/tasks.h"
 
 namespace photonproof {
+
+/// The passes of the path kernel, with these settings.
+void trace_path_passes(const Scene& scene, const PathSettings& settings, const RenderJob& job, const std::string& phase,
+                       Film& film, RenderStats& stats);
 
 void render_path(const Scene& scene, const IntegratorDescription& description, const RenderJob& job, Film& film,
                  RenderStats& stats);

@@ -11,13 +11,12 @@
 #include <limits>
 
 #include "renderer/disc_area.h"
-#include "renderer/parallel.h"
-#include "renderer/pass_schedule.h"
 #include "renderer/photon_map.h"
 #include "renderer/photon_radius.h"
 #include "renderer/photon_tracing.h"
 #include "renderer/plan.h"
 #include "renderer/query_order.h"
+#include "renderer/render_loop.h"
 #include "renderer/tile_film.h"
 
 namespace photonproof {
@@ -26,6 +25,13 @@ namespace {
 constexpr std::int64_t photons_per_sample = 50'000;  // with a time budget: emitted for each camera sample a pixel
 constexpr std::uint64_t pilot_photons = 20'000;
 constexpr std::uint64_t most_photons_in_a_pass = 10'000'000;  // a map of them takes about a gigabyte
+
+/// What a pass leaves to the next one: its photons are gone by then.
+struct PhotonCounts {
+  std::uint64_t emitted = 0;
+  std::uint64_t stored = 0;
+  std::uint64_t rays = 0;
+};
 
 /// One of the two maps, with what it takes to refill it every pass.
 struct MapState {
@@ -37,8 +43,7 @@ struct MapState {
   bool aimed = false;      ///< emitted towards specular surfaces only
   std::int64_t total = 0;  ///< photons to emit over the whole render
   float radius = 0;
-  std::uint64_t emitted = 0;
-  std::uint64_t stored = 0;
+  PhotonCounts counts{};
   PhotonMap map{};
 };
 
@@ -91,27 +96,32 @@ void choose_radii(const Scene& scene, const PhotonMapperDescription& settings, c
   }
 }
 
+/// Replaces the map's photons by the `count` that follow those emitted before.
 void refill(MapState& state, const Scene& scene, const PhotonMapperDescription& settings, const RenderJob& job,
-            std::uint64_t count, const Threads& threads, RayTotals& totals, RenderStats& stats) {
+            std::uint64_t count, const Threads& threads, RenderStats& stats) {
   Photons photons;
   {
     const PhaseTimer phase(stats.phases[std::string("photons_") + state.name]);
     const int max_edges = settings.max_depth >= 0 ? settings.max_depth - 1 : -1;
-    photons = trace_photons(scene, {state.kind, state.stream, job.seed, state.emitted, count, max_edges, state.aimed},
-                            {job.kernels(), job.sampler}, threads, totals);
+    RayTotals rays;
+    photons =
+        trace_photons(scene, {state.kind, state.stream, job.seed, state.counts.emitted, count, max_edges, state.aimed},
+                      {job.kernels(), job.sampler}, threads, rays);
+    state.counts.rays += rays.counts().photon;
   }
   const PhaseTimer phase(stats.phases["build"]);
   state.map.build(std::move(photons), state.radius, threads);
-  state.emitted += count;
-  state.stored += state.map.size();
+  state.counts.emitted += count;
+  state.counts.stored += state.map.size();
 }
 
 void store_counts(const MapState& state, RenderStats& stats) {
   if (!state.wanted) return;
   const std::string name = state.name;
-  stats.counts["photons_emitted_" + name] = static_cast<double>(state.emitted);
-  stats.counts["photons_stored_" + name] = static_cast<double>(state.stored);
+  stats.counts["photons_emitted_" + name] = static_cast<double>(state.counts.emitted);
+  stats.counts["photons_stored_" + name] = static_cast<double>(state.counts.stored);
   stats.counts["radius_" + name] = state.radius;
+  stats.counts["rays_photon"] += static_cast<double>(state.counts.rays);
 }
 
 /// Photons of a map for the pass that takes samples [first, last) of `spp`; at least one, so that a pass has a map.
@@ -135,7 +145,6 @@ void render_photon_mapper(const Scene& scene, const IntegratorDescription& descr
                           Film& film, RenderStats& stats) {
   const auto settings = std::get<PhotonMapperDescription>(description.method);
   const Threads threads(job.threads);
-  RayTotals totals;
   Maps maps;
   const RenderPlan plan = plan_render(scene, description, job);
   stats.skipped = plan.skipped();
@@ -146,34 +155,41 @@ void render_photon_mapper(const Scene& scene, const IntegratorDescription& descr
   maps.caustic.total = job.budget.photons.value_or(settings.caustic_photons);
   {
     const PhaseTimer phase(stats.phases["pilot"]);
-    choose_radii(scene, settings, job, maps, threads, totals);
+    RayTotals pilot_rays;
+    choose_radii(scene, settings, job, maps, threads, pilot_rays);
+    pilot_rays.store(stats);
   }
 
   const std::int64_t spp = job.budget.spp.value_or(job.sample_count);
   // Sixteen passes give a usable variance; with a time budget every pass is one sample, so that the image depends on
   // the number of passes alone.
-  const std::int64_t longest = job.budget.seconds ? 1 : std::max<std::int64_t>(1, spp / 16);
-  PassSchedule schedule(spp, job.budget.seconds, longest);
-  std::int64_t passes = 0;
-  for (std::int64_t samples = schedule.next(); samples > 0; samples = schedule.next(), ++passes) {
-    const std::int64_t last = schedule.samples_done();
-    const std::int64_t first = last - samples;
+  PassPlan passes{.phase = "photon mapping", .longest = job.budget.seconds ? 1 : std::max<std::int64_t>(1, spp / 16)};
+  // The radii and every pass's photons follow from the totals.
+  passes.budget =
+      std::to_string(maps.global.total) + " global and " + std::to_string(maps.caustic.total) + " caustic photons";
+  if (!job.budget.seconds) passes.budget += " over " + std::to_string(spp) + " samples a pixel";
+  RenderLoop loop(job, threads, film, stats, passes);
+  std::int64_t pass_count = 0;
+  loop.keep_between_passes(pass_count);
+  for (MapState* state : {&maps.global, &maps.caustic}) loop.keep_between_passes(state->counts);
+  for (; loop.next(); ++pass_count) {
     for (MapState* state : {&maps.global, &maps.caustic}) {
       if (!state->wanted) continue;
-      const std::uint64_t count = job.budget.seconds ? static_cast<std::uint64_t>(photons_per_sample * samples)
-                                                     : photons_for_pass(*state, first, last, spp);
-      refill(*state, scene, settings, job, count, threads, totals, stats);
+      const std::uint64_t count = job.budget.seconds
+                                      ? static_cast<std::uint64_t>(photons_per_sample * loop.samples())
+                                      : photons_for_pass(*state, loop.first(), loop.first() + loop.samples(), spp);
+      refill(*state, scene, settings, job, count, threads, stats);
     }
     const PhaseTimer phase(stats.phases["render"]);
-    for_each_tile(threads, scene.width, scene.height, [&](const Tile& tile) {
-      if (first > 0 && job.interrupted()) return;
-      const CameraTask camera = camera_task(job, tile, first, samples);
+    loop.for_each_tile([&](const Tile& tile) {
+      const CameraTask camera = camera_task(job, tile, loop.first(), loop.samples());
       std::vector<float> radiance(3 * std::size_t{camera.paths()});
       std::vector<GatherPoint> points(camera.paths());
       std::vector<std::uint32_t> scratch(job.kernels().path_scratch);
       PathTask task{.scene = &scene.view(),
                     .camera = camera,
-                    .settings = {settings.max_depth, settings.rr_depth, settings.hide_emitters, false},
+                    .settings = {settings.max_depth, settings.rr_depth, settings.hide_emitters,
+                                 scene.view().lights_can_be_hit},
                     .radiance = radiance.data(),
                     .scratch = scratch.data(),
                     .gather_points = points.data()};
@@ -182,19 +198,11 @@ void render_photon_mapper(const Scene& scene, const IntegratorDescription& descr
       for (const MapState* state : {&maps.caustic, &maps.global})
         add_photons(*state, scene, job.kernels(), settings.max_depth, points, radiance);
       add_means(film, camera, radiance);
-      totals.add(task.counts);
+      loop.rays().add(task.counts);
     });
-    if (job.progress) job.progress(schedule.fraction(), "photon mapping");
-    if (job.interrupted()) {
-      stats.interrupted = true;
-      ++passes;
-      break;
-    }
   }
-  totals.store(stats);
   for (const MapState* state : {&maps.global, &maps.caustic}) store_counts(*state, stats);
-  stats.counts["samples_per_pixel"] = static_cast<double>(schedule.samples_done());
-  stats.counts["passes"] = static_cast<double>(passes);
+  stats.counts["passes"] = static_cast<double>(pass_count);
 }
 
 }  // namespace photonproof

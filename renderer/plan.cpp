@@ -4,6 +4,7 @@
 #include <bit>
 
 #include "renderer/aim_targets.h"
+#include "renderer/direct_integrator.h"
 #include "renderer/scene_facts.h"
 
 namespace photonproof {
@@ -35,8 +36,10 @@ class Planner {
   void rays() {
     const std::string primitives = counted(scene_.primitive_count(), "primitive", "primitives");
     const bool few = scene_.primitive_count() <= small_scene_limit;
-    const bool skipped = decide(Skip::bvh, few, primitives + ", tested one after the other",
-                                primitives + ", more than " + std::to_string(small_scene_limit));
+    const bool simple = scene_.has_simple_primitives();
+    const bool skipped = decide(Skip::bvh, few && simple, primitives + ", tested one after the other",
+                                !simple ? "not all shapes are parallelograms, triangles and spheres"
+                                        : primitives + ", more than " + std::to_string(small_scene_limit));
     run("rays", skipped ? "packed kernel over all primitives" : "Embree, camera rays in packets, others one by one");
   }
   void direct_light(bool weighted_by_method) {
@@ -52,6 +55,8 @@ class Planner {
     const bool one_kind = std::has_single_bit(scene_.view().bsdf_kinds);
     decide(Skip::bsdf_groups, one_kind, "all BSDFs are of one kind",
            counted(std::size_t(std::popcount(scene_.view().bsdf_kinds)), "kind", "kinds") + " of BSDF");
+    decide(Skip::surface_detail, !scene_.needs_detail(), "no textures, shading normals, tangents or nested BSDFs",
+           "there are textures, shading normals, tangents or nested BSDFs");
   }
 
   void path(const PathDescription& method) {
@@ -59,6 +64,17 @@ class Planner {
     rays();
     groups();
     direct_light(true);
+  }
+
+  void direct(const DirectDescription& method) {
+    const std::int64_t paths = paths_a_sample(method);
+    run("camera paths", "of at most 2 edges, " + counted(std::size_t(paths), "path", "paths") + " a camera sample");
+    run("direct light", method.bsdf_samples == 0      ? "samples of the lights alone"
+                        : method.emitter_samples == 0 ? "rays that meet the lights alone"
+                                                      : "samples of the lights, weighted against rays that meet them");
+    rays();
+    groups();
+    direct_light(method.emitter_samples > 0 && method.bsdf_samples > 0);
   }
 
   void photon_mapper(const PhotonMapperDescription& method) {
@@ -125,6 +141,7 @@ RenderPlan plan_render(const Scene& scene, const IntegratorDescription& method, 
   Planner planner(scene, job, plan);
   if (const auto* path = std::get_if<PathDescription>(&method.method)) planner.path(*path);
   if (const auto* mapper = std::get_if<PhotonMapperDescription>(&method.method)) planner.photon_mapper(*mapper);
+  if (const auto* direct = std::get_if<DirectDescription>(&method.method)) planner.direct(*direct);
   return plan;
 }
 

@@ -17,11 +17,20 @@ class RayTotals {
     shadow_ += c.shadow;
     photon_ += c.photon;
   }
+  /// Not while others add.
+  RayCounts counts() const { return {camera_, bounce_, shadow_, photon_}; }
+  void set(const RayCounts& c) {
+    camera_ = c.camera;
+    bounce_ = c.bounce;
+    shadow_ = c.shadow;
+    photon_ = c.photon;
+  }
+  /// Adds them to the counts of the stats.
   void store(RenderStats& stats) const {
-    stats.counts["rays_camera"] = static_cast<double>(camera_);
-    stats.counts["rays_bounce"] = static_cast<double>(bounce_);
-    stats.counts["rays_shadow"] = static_cast<double>(shadow_);
-    stats.counts["rays_photon"] = static_cast<double>(photon_);
+    stats.counts["rays_camera"] += static_cast<double>(camera_);
+    stats.counts["rays_bounce"] += static_cast<double>(bounce_);
+    stats.counts["rays_shadow"] += static_cast<double>(shadow_);
+    stats.counts["rays_photon"] += static_cast<double>(photon_);
   }
 
  private:

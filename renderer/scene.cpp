@@ -4,18 +4,31 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <set>
 
 #include "renderer/aim_targets.h"
 #include "renderer/kernels/rays.h"
 #include "renderer/light_table.h"
 #include "renderer/scene_frame.h"
+#include "renderer/scene_shapes.h"
 #include "renderer/small_scene_tables.h"
 
 namespace photonproof {
 namespace {
 
-Bsdf compile(const DiffuseDescription& d) { return DiffuseBsdf<float>{Rgb(constant(d.reflectance))}; }
-Bsdf compile(const ConductorDescription& d) {
+using Slots = std::vector<TextureSlot>;
+
+/// The colour, or the slot of the texture that gives it.
+Rgb colour(const Colour& c, std::uint32_t word, Slots& slots) {
+  if (const auto* texture = std::get_if<TextureIndex>(&c)) {
+    slots.push_back({texture->value, word, true});
+    return Rgb(0.0f);
+  }
+  return Rgb(constant(c));
+}
+
+Bsdf compile(const DiffuseDescription& d, Slots& slots) { return DiffuseBsdf<float>{colour(d.reflectance, 0, slots)}; }
+Bsdf compile(const ConductorDescription& d, Slots&) {
   ConductorBsdf<float> bsdf{Rgb(constant(d.specular_reflectance)), 0, {}, {}};
   if (d.ior) {
     bsdf.has_ior = 1;
@@ -24,13 +37,13 @@ Bsdf compile(const ConductorDescription& d) {
   }
   return bsdf;
 }
-Bsdf compile(const DielectricDescription& d) {
+Bsdf compile(const DielectricDescription& d, Slots&) {
   return DielectricBsdf<float>{static_cast<float>(d.int_ior / d.ext_ior), Rgb(constant(d.specular_reflectance)),
                                Rgb(constant(d.specular_transmittance))};
 }
 
 template <class Other>
-Bsdf compile(const Other&) {
+Bsdf compile(const Other&, Slots&) {
   throw InputError("bsdf", "is not supported yet");
 }
 
@@ -49,26 +62,6 @@ Light surface_light(const Sphere& s, const Rgb& radiance) {
   return SphereLight<float>{s.center, s.radius, s.inward ? -1.0f : 1.0f, radiance};
 }
 
-/// Local-to-face transforms of the cube's six sides: each maps [-1,1]^2 (normal +z) onto one side, normal outward.
-std::array<Transform, 6> cube_faces() {
-  const Vec3d x{1, 0, 0}, y{0, 1, 0};
-  const Transform top = Transform::translate({0, 0, 1});
-  return {top,
-          Transform::rotate(y, 180) * top,
-          Transform::rotate(y, 90) * top,
-          Transform::rotate(y, -90) * top,
-          Transform::rotate(x, 90) * top,
-          Transform::rotate(x, -90) * top};
-}
-
-/// Estimators divide by areas and normalise by them: both must stay finite with room to spare.
-bool has_usable_size(const Geometry& geometry) {
-  const auto usable = [](float area) { return area > 1e-30f && area < 1e30f; };
-  if (const auto* quad = std::get_if<Quad>(&geometry)) return usable(quad->area);
-  if (const auto* sphere = std::get_if<Sphere>(&geometry)) return usable(sphere->area());
-  return true;
-}
-
 float mean_channel(const Rgb& rgb) { return (rgb.x + rgb.y + rgb.z) / 3; }
 
 /// The variants' records one after the other, `List::stride` floats each.
@@ -84,31 +77,36 @@ std::vector<float> flat_records(const std::vector<typename List::Variant>& varia
 }  // namespace
 
 Scene::Scene(const SceneDescription& description, int width_, int height_, const SkipSwitches& skips,
-             std::size_t small_limit)
-    : width(width_), height(height_) {
+             std::size_t small_limit, ScenePurpose purpose)
+    : width(width_), height(height_), textures(description.textures), detail_(surfaces, textures) {
   const SceneFrame frame = scene_frame(description);
   moved_ = frame.moved;
-  for (const BsdfDescription& b : description.bsdfs)
-    bsdfs.push_back(std::visit([](const auto& model) { return compile(model); }, b.model));
-  for (const ShapeDescription& shape : description.shapes) add_shape(description, shape);
+  compile_bsdfs(description);
+  SceneShapes shapes(description, textures, moved_);
+  surfaces = std::move(shapes.surfaces);
+  primitives_ = shapes.primitives;
+  add_lights(description, shapes);
   for (const EmitterDescription& e : description.emitters)
     lights.push_back(std::visit([&](const auto& light) { return compile(light, moved_); }, e.light));
 
   view_.camera = compile_camera(description.sensor, width, height, moved_);
   view_.coordinate_floor = frame.coordinate_floor;
 
-  small_ = primitives_ <= small_limit && skips.on(Skip::bvh) ? std::make_unique<SmallSceneTables>(surfaces) : nullptr;
-  if (small_ == nullptr) tracer_ = std::make_unique<Tracer>(surfaces);
+  simple_ = shapes.simple;
+  small_ = primitives_ <= small_limit && simple_ && skips.on(Skip::bvh) ? std::make_unique<SmallSceneTables>(surfaces)
+                                                                        : nullptr;
+  if (small_ == nullptr && purpose == ScenePurpose::render) tracer_ = std::make_unique<Tracer>(surfaces);
   view_.small = small_ != nullptr;
   if (small_ != nullptr) view_.primitives = small_->view();
   view_.tracer = tracer_.get();
 
   for (const Surface& surface : surfaces) {
     const auto kind = static_cast<std::uint32_t>(bsdfs[surface.bsdf].index());
-    surface_words_.push_back({kind, surface.bsdf, surface.light});
-    view_.bsdf_kinds |= 1u << kind;
+    surface_words_.push_back({kind, surface.bsdf, surface.light, surface.interior, surface.exterior});
+    for_each_leaf(surface.bsdf, [&](const Bsdf& leaf, bool) { view_.bsdf_kinds |= 1u << leaf.index(); });
   }
-  if (surface_words_.empty()) surface_words_.push_back({0, 0, no_index});  // what rays that miss gather
+  if (surface_words_.empty())  // what rays that miss gather
+    surface_words_.push_back({0, 0, no_index, no_index, no_index});
   bsdf_records_ = flat_records<BsdfKinds>(bsdfs);
   light_records_ = flat_records<LightKinds>(lights);
   light_words_ = light_table(lights);
@@ -119,12 +117,18 @@ Scene::Scene(const SceneDescription& description, int width_, int height_, const
     view_.light_kinds |= 1u << light.index();
     view_.lights_can_be_hit |= !is_delta(light);
   }
+  detail_.uv_frames = std::move(shapes.uv_frames);
+  compile_detail(skips);
   view_.surfaces = surface_words_.data();
   view_.bsdfs = bsdf_records_.data();
   view_.lights = light_records_.data();
   view_.light_words = light_words_.data();
   view_.light_count = static_cast<std::uint32_t>(lights.size());
-  aim_targets_ = aim_targets(surfaces, bsdfs);
+  aim_targets_ = aim_targets(surfaces, [&](const Surface& surface) {
+    bool specular = false;
+    for_each_leaf(surface.bsdf, [&](const Bsdf& leaf, bool) { specular = specular || !is_lambertian(leaf); });
+    return specular;
+  });
   view_.aim_targets = aim_targets_.data();
   view_.aim_target_count = static_cast<std::uint32_t>(aim_targets_.size());
   view_.one_light = lights.size() == 1 && skips.on(Skip::light_choice);
@@ -134,75 +138,74 @@ Scene::Scene(const SceneDescription& description, int width_, int height_, const
 
 Scene::~Scene() = default;
 
-void Scene::add_shape(const SceneDescription& description, const ShapeDescription& shape) {
-  const std::size_t first = surfaces.size();
-  const Transform to_world = Transform::translate(moved_) * shape.to_world;
-  if (const auto* sphere = std::get_if<SphereDescription>(&shape.geometry)) {
-    add_surface(Sphere{Vec3f(to_world.point(sphere->center)),
-                       static_cast<float>(sphere->radius * shape.to_world.similarity_scale()), shape.flip_normals},
-                shape);
-  } else if (const auto* ply = std::get_if<MeshDescription>(&shape.geometry)) {
-    add_mesh(description, shape, *ply, to_world);
-    return;
-  } else if (std::holds_alternative<RectangleDescription>(shape.geometry)) {
-    add_quad(shape, to_world);
-  } else {
-    for (const Transform& face : cube_faces()) add_quad(shape, to_world * face);
-  }
-  primitives_ += surfaces.size() - first;
-  for (auto surface = surfaces.begin() + static_cast<std::ptrdiff_t>(first); surface != surfaces.end(); ++surface)
-    if (!has_usable_size(surface->geometry))
-      throw InputError(description.where(shape.loc), "the shape's area is outside what single precision can hold");
-  if (shape.radiance && !lights.empty() && !std::isfinite(mean_channel(flux(lights.back()))))
-    throw InputError(description.where(shape.loc), "the light's flux is too large for single precision");
-}
-
-void Scene::add_surface(Geometry geometry, const ShapeDescription& shape) {
-  Surface surface{std::move(geometry), shape.bsdf.value, no_index};
-  if (shape.radiance) {
-    surface.light = static_cast<std::uint32_t>(lights.size());
+void Scene::add_lights(const SceneDescription& description, const SceneShapes& shapes) {
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    const ShapeDescription& shape = *shapes.shape_of[i];
+    if (!shape.radiance) continue;
+    surfaces[i].light = static_cast<std::uint32_t>(lights.size());
     const Rgb radiance(constant(*shape.radiance));
-    if (const auto* quad = std::get_if<Quad>(&surface.geometry)) lights.push_back(surface_light(*quad, radiance));
-    if (const auto* sphere = std::get_if<Sphere>(&surface.geometry)) lights.push_back(surface_light(*sphere, radiance));
+    if (const auto* quad = std::get_if<Quad>(&surfaces[i].geometry))
+      lights.push_back(surface_light(*quad, radiance));
+    else if (const auto* sphere = std::get_if<Sphere>(&surfaces[i].geometry))
+      lights.push_back(surface_light(*sphere, radiance));
+    else
+      throw InputError(description.where(shape.loc), "only rectangles, cubes and spheres can be lights yet");
+    if (!std::isfinite(mean_channel(flux(lights.back()))))
+      throw InputError(description.where(shape.loc), "the light's flux is too large for single precision");
   }
-  surfaces.push_back(std::move(surface));
 }
 
-void Scene::add_quad(const ShapeDescription& shape, const Transform& face_to_world) {
-  const Vec3d corner = face_to_world.point({-1, -1, 0});
-  const Vec3d edge_u = face_to_world.vector({2, 0, 0});
-  const Vec3d edge_v = face_to_world.vector({0, 2, 0});
-  const Vec3d n = cross(edge_u, edge_v);
-  const double area = length(n);
-  // A mirrored transform turns the winding round but not the side Mitsuba's normal (inverse transpose) points to.
-  const bool mirrored = shape.to_world.determinant() < 0;
-  const Vec3d normal = n / area * (shape.flip_normals != mirrored ? -1.0 : 1.0);
-  add_surface(Quad{Vec3f(corner), Vec3f(edge_u), Vec3f(edge_v), Vec3f(normal), static_cast<float>(area)}, shape);
+void Scene::compile_bsdfs(const SceneDescription& description) {
+  detail_.tree = bsdf_tree(description.bsdfs);
+  bool has_holes = false;
+  for (std::size_t i = 0; i < description.bsdfs.size(); ++i) {
+    const BsdfDescription& b = description.bsdfs[i];
+    has_holes = has_holes || detail_.tree[i].kind == BsdfNode::Kind::mask;
+    if (detail_.tree[i].kind == BsdfNode::Kind::leaf)
+      bsdfs.push_back(std::visit([&](const auto& model) { return compile(model, detail_.tree[i].slots); }, b.model));
+    else
+      bsdfs.emplace_back();  // never looked at
+  }
+  detail_.nothing = static_cast<std::uint32_t>(bsdfs.size());
+  if (has_holes) {
+    bsdfs.emplace_back(NullBsdf<float>{});
+    detail_.tree.emplace_back();
+  }
+  for (const Bsdf& bsdf : bsdfs) detail_.kinds.push_back(static_cast<std::uint32_t>(bsdf.index()));
 }
 
-void Scene::add_mesh(const SceneDescription& description, const ShapeDescription& shape, const MeshDescription& ply,
-                     const Transform& to_world) {
-  const std::string where = description.where(shape.loc);
-  if (!ply.face_normals) throw InputError(where, "smooth normals are not supported yet: set face_normals to true");
-  if (shape.radiance) throw InputError(where, "a mesh cannot be a light yet");
-  const TriangleMesh& source = *ply.mesh;
-  Mesh mesh;
-  mesh.positions.reserve(source.positions.size() + 1);
-  for (const Vec3f& p : source.positions) mesh.positions.push_back(Vec3f(to_world.point(Vec3d(p))));
-  mesh.positions.emplace_back();
-  mesh.source = ply.mesh;
-  mesh.inward = shape.flip_normals;  // as Mitsuba, which lets a mirroring transform turn a mesh over
-  primitives_ += mesh.triangle_count();
-  add_surface(std::move(mesh), shape);
+void Scene::compile_detail(const SkipSwitches& skips) {
+  for (const Surface& surface : surfaces) {
+    const BsdfNode& node = detail_.tree[surface.bsdf];
+    const bool plain = node.kind == BsdfNode::Kind::leaf && node.slots.empty() && !node.has_directions &&
+                       !has_shading_normals(surface);
+    detail_.plain.push_back(plain ? 1 : 0);
+    needs_detail_ = needs_detail_ || !plain;
+  }
+  for (const BsdfNode& node : detail_.tree)
+    view_.maps_normals |= node.kind == BsdfNode::Kind::bump || node.kind == BsdfNode::Kind::normal_map;
+  if (small_ != nullptr) detail_.triangles = small_->triangles();
+  view_.detail = &detail_;
+  view_.detailed = needs_detail_ || !skips.on(Skip::surface_detail);
 }
 
 std::size_t Scene::memory_bytes() const {
   const auto bytes = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
   std::size_t total = bytes(surfaces) + bytes(bsdfs) + bytes(lights) + bytes(surface_words_) + bytes(light_words_) +
-                      bytes(bsdf_records_) + bytes(light_records_);
-  for (const Surface& surface : surfaces)
-    if (const auto* mesh = std::get_if<Mesh>(&surface.geometry))
-      total += bytes(mesh->positions) + bytes(mesh->source->positions) + bytes(mesh->source->triangles);
+                      bytes(bsdf_records_) + bytes(light_records_) + bytes(detail_.uv_frames) + bytes(detail_.plain) +
+                      textures.bytes();
+  std::set<const void*> counted;  // what shapes share counts once
+  const auto add_mesh = [&](const Mesh& mesh) {
+    if (!counted.insert(&mesh).second) return;
+    total += bytes(mesh.positions) + bytes(mesh.normals);
+    const TriangleMesh& source = *mesh.source;
+    if (!counted.insert(&source).second) return;
+    total += bytes(source.positions) + bytes(source.triangles) + bytes(source.normals) + bytes(source.uvs);
+  };
+  for (const Surface& surface : surfaces) {
+    if (const auto* mesh = std::get_if<Mesh>(&surface.geometry)) add_mesh(*mesh);
+    if (const auto* copy = std::get_if<MeshInstance>(&surface.geometry)) add_mesh(*copy->mesh);
+  }
   return total;
 }
 

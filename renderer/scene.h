@@ -11,11 +11,13 @@
 #include "renderer/scene_view.h"
 #include "renderer/skips.h"
 #include "renderer/surface.h"
+#include "renderer/surface_detail.h"
 #include "renderer/trace.h"
 #include "scenes/description.h"
 
 namespace photonproof {
 
+class SceneShapes;
 class SmallSceneTables;
 
 /// Up to this many primitives are tested one after the other instead of through Embree. Measured among random
@@ -23,12 +25,15 @@ class SmallSceneTables;
 /// and 4 lanes, and Embree does better than there where primitives do not overlap.
 inline constexpr std::size_t small_scene_limit = 128;
 
+/// A scene that is only planned has no hierarchy and cannot be traced.
+enum class ScenePurpose { render, plan };
+
 class Scene {
  public:
   /// `width`, `height` override the film's size; at most `small_limit` primitives make a small scene. Throws InputError
   /// at an entity it cannot represent.
   Scene(const SceneDescription& description, int width, int height, const SkipSwitches& skips = {},
-        std::size_t small_limit = small_scene_limit);
+        std::size_t small_limit = small_scene_limit, ScenePurpose purpose = ScenePurpose::render);
   ~Scene();
   Scene(const Scene&) = delete;
   Scene& operator=(const Scene&) = delete;
@@ -38,29 +43,44 @@ class Scene {
   /// Closest surface along a ray with a unit direction: for the host's few own rays.
   Hit intersect(const Vec3f& origin, const Vec3f& direction) const;
 
-  /// Parallelograms, spheres and triangles.
+  /// Of all shapes; those of a shape group count once, and each instance as one.
   std::size_t primitive_count() const { return primitives_; }
   /// Bytes of geometry and tables, the description's meshes included, Embree's hierarchy not.
   std::size_t memory_bytes() const;
 
+  /// Whether all primitives are parallelograms, triangles and spheres: what the packed kernel knows.
+  bool has_simple_primitives() const { return simple_; }
+  /// Whether hits need more than their surface's BSDF record and geometric normal (surface_detail.h).
+  bool needs_detail() const { return needs_detail_; }
+
+  /// Calls visit(const Bsdf&, bool textured) for every BSDF that a hit on a surface with this one may get.
+  template <class Visit>
+  void for_each_leaf(std::uint32_t bsdf, Visit&& visit) const {
+    photonproof::for_each_leaf(detail_.tree, bsdf, detail_.nothing,
+                               [&](std::uint32_t leaf) { visit(bsdfs[leaf], !detail_.tree[leaf].slots.empty()); });
+  }
+  /// Whether the BSDF wraps no other.
+  bool is_leaf(std::uint32_t bsdf) const { return detail_.tree[bsdf].kind == BsdfNode::Kind::leaf; }
+
   const int width, height;
-  std::vector<Bsdf> bsdfs;
+  const Textures textures;
+  std::vector<Bsdf> bsdfs;  ///< by the description's indices; of those that wrap others there is nothing here
   std::vector<Light> lights;
   std::vector<Surface> surfaces;
 
  private:
-  void add_shape(const SceneDescription& description, const ShapeDescription& shape);
-  void add_surface(Geometry geometry, const ShapeDescription& shape);
-  void add_mesh(const SceneDescription& description, const ShapeDescription& shape, const MeshDescription& ply,
-                const Transform& to_world);
-  void add_quad(const ShapeDescription& shape, const Transform& face_to_world);
+  void compile_bsdfs(const SceneDescription& description);
+  void add_lights(const SceneDescription& description, const SceneShapes& shapes);
+  void compile_detail(const SkipSwitches& skips);
 
   Vec3d moved_;  ///< what was added to the description's coordinates
   std::size_t primitives_ = 0;
+  bool simple_ = true, needs_detail_ = false;
   std::vector<SurfaceWords> surface_words_;
   std::vector<LightWords> light_words_;
   std::vector<float> bsdf_records_, light_records_;
   std::vector<AimTarget> aim_targets_;
+  DetailTables detail_;
   std::unique_ptr<SmallSceneTables> small_;
   std::unique_ptr<Tracer> tracer_;
   SceneView view_;

@@ -6,10 +6,18 @@
 namespace photonproof {
 namespace {
 
+/// A textured reflectance counts as one that is not black everywhere.
 bool reflects_diffusely(const Scene& scene, const Surface& surface) {
-  const auto* diffuse = std::get_if<DiffuseBsdf<float>>(&scene.bsdfs[surface.bsdf]);
-  return diffuse != nullptr && max_component(diffuse->reflectance) > 0;
+  bool reflects = false;
+  scene.for_each_leaf(surface.bsdf, [&](const Bsdf& leaf, bool textured) {
+    const auto* diffuse = std::get_if<DiffuseBsdf<float>>(&leaf);
+    reflects = reflects || (diffuse != nullptr && (textured || max_component(diffuse->reflectance) > 0));
+  });
+  return reflects;
 }
+
+/// A front that is lit alone: rays from behind see nothing of it.
+bool is_one_sided(const Scene& scene, const Surface& surface) { return scene.is_leaf(surface.bsdf); }
 
 /// Whether some point of `other` lies in front of the quad. Corners decide for a quad, the nearest point for a sphere.
 bool has_part_in_front(const Quad& quad, const Surface& other) {
@@ -23,24 +31,26 @@ bool has_part_in_front(const Quad& quad, const Surface& other) {
   return std::any_of(corners.begin(), corners.end(), [&](const Vec3f& p) { return height(p) > 1e-6f * extent; });
 }
 
-bool faces(const Surface& surface, const Surface& other) {
+bool faces(const Scene& scene, const Surface& surface, const Surface& other) {
   const auto* quad = std::get_if<Quad>(&surface.geometry);
-  return quad == nullptr || has_part_in_front(*quad, other);
+  return quad == nullptr || !is_one_sided(scene, surface) || has_part_in_front(*quad, other);
 }
 
-bool sees_itself(const Surface& surface) {
-  if (std::holds_alternative<Mesh>(surface.geometry)) return true;
-  const auto* sphere = std::get_if<Sphere>(&surface.geometry);
-  return sphere != nullptr && sphere->inward;
+bool sees_itself(const Scene& scene, const Surface& surface) {
+  const Geometry& geometry = surface.geometry;
+  if (std::holds_alternative<Mesh>(geometry) || std::holds_alternative<MeshInstance>(geometry)) return true;
+  if (const auto* cylinder = std::get_if<Cylinder>(&geometry)) return cylinder->inward || !is_one_sided(scene, surface);
+  if (const auto* sphere = std::get_if<Sphere>(&geometry)) return sphere->inward || !is_one_sided(scene, surface);
+  return false;
 }
 
-bool can_interreflect(const std::vector<const Surface*>& diffuse) {
+bool can_interreflect(const Scene& scene, const std::vector<const Surface*>& diffuse) {
   constexpr std::size_t pairs_worth_testing = 1000;  // beyond, the answer is hardly ever no
   if (diffuse.size() > pairs_worth_testing) return true;
   for (std::size_t i = 0; i < diffuse.size(); ++i) {
-    if (sees_itself(*diffuse[i])) return true;
+    if (sees_itself(scene, *diffuse[i])) return true;
     for (std::size_t j = 0; j < i; ++j)
-      if (faces(*diffuse[i], *diffuse[j]) && faces(*diffuse[j], *diffuse[i])) return true;
+      if (faces(scene, *diffuse[i], *diffuse[j]) && faces(scene, *diffuse[j], *diffuse[i])) return true;
   }
   return false;
 }
@@ -51,13 +61,14 @@ SceneFacts analyse(const Scene& scene) {
   SceneFacts facts;
   std::vector<const Surface*> diffuse;
   for (const Surface& surface : scene.surfaces) {
-    if (is_delta(scene.bsdfs[surface.bsdf])) facts.any_specular = true;
+    scene.for_each_leaf(surface.bsdf,
+                        [&](const Bsdf& leaf, bool) { facts.any_specular = facts.any_specular || !is_lambertian(leaf); });
     if (reflects_diffusely(scene, surface)) diffuse.push_back(&surface);
     if (surface.light != no_index) facts.any_light_surface = true;
   }
   facts.any_diffuse = !diffuse.empty();
   // By way of a mirror even one plane sees itself.
-  facts.diffuse_interreflection = facts.any_diffuse && (facts.any_specular || can_interreflect(diffuse));
+  facts.diffuse_interreflection = facts.any_diffuse && (facts.any_specular || can_interreflect(scene, diffuse));
   return facts;
 }
 

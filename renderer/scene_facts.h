@@ -6,7 +6,7 @@
 namespace photonproof {
 
 struct SceneFacts {
-  bool any_specular = false;             ///< a surface with a delta BSDF: caustics are possible
+  bool any_specular = false;             ///< a surface that is not Lambertian: caustics are possible
   bool any_diffuse = false;              ///< a surface that reflects diffusely with albedo above 0
   bool diffuse_interreflection = false;  ///< light can go from a diffuse surface to a diffuse surface
   bool any_light_surface = false;        ///< a ray can hit a light

@@ -2,37 +2,24 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 namespace photonproof {
 namespace {
 
-struct Extent {
-  Vec3d low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
-  void add(const Vec3d& p) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+/// The corners of a local box.
+void add_corners(Extent& extent, const Transform& to_world, const Vec3d& low, const Vec3d& high) {
+  for (int corner = 0; corner < 8; ++corner) {
+    const auto pick = [&](int bit, double a, double b) { return (corner >> bit & 1) != 0 ? b : a; };
+    extent.add(to_world.point({pick(0, low.x, high.x), pick(1, low.y, high.y), pick(2, low.z, high.z)}));
   }
-};
+}
 
-Extent extent_of(const ShapeDescription& shape) {
-  Extent extent;
-  if (const auto* sphere = std::get_if<SphereDescription>(&shape.geometry)) {
-    const Vec3d center = shape.to_world.point(sphere->center);
-    const Vec3d reach(sphere->radius * shape.to_world.similarity_scale());
-    extent.add(center - reach);
-    extent.add(center + reach);
-  } else if (const auto* ply = std::get_if<MeshDescription>(&shape.geometry)) {
-    for (const Vec3f& p : ply->mesh->positions) extent.add(shape.to_world.point(Vec3d(p)));
-  } else {
-    const bool flat = std::holds_alternative<RectangleDescription>(shape.geometry);
-    for (int corner = 0; corner < 8; ++corner) {
-      const auto sign = [&](int bit) { return (corner >> bit & 1) != 0 ? 1.0 : -1.0; };
-      extent.add(shape.to_world.point({sign(0), sign(1), flat ? 0.0 : sign(2)}));
-    }
-  }
-  return extent;
+void add_ball(Extent& extent, const Transform& to_world, const Vec3d& center, double radius) {
+  const Vec3d middle = to_world.point(center);
+  const Vec3d reach(radius * to_world.similarity_scale());
+  extent.add(middle - reach);
+  extent.add(middle + reach);
 }
 
 /// The mean of the two middle ones of an even number.
@@ -44,17 +31,53 @@ double median(std::vector<double> values) {
 
 }  // namespace
 
+void Extent::add(const Vec3d& p) {
+  low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+  high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+}
+
+void Extent::add(const Extent& other) {
+  add(other.low);
+  add(other.high);
+}
+
+Extent extent_of(const SceneDescription& description, const ShapeDescription& shape) {
+  Extent extent;
+  if (const auto* sphere = std::get_if<SphereDescription>(&shape.geometry)) {
+    add_ball(extent, shape.to_world, sphere->center, sphere->radius);
+  } else if (const auto* cylinder = std::get_if<CylinderDescription>(&shape.geometry)) {
+    add_ball(extent, shape.to_world, cylinder->p0, cylinder->radius);
+    add_ball(extent, shape.to_world, cylinder->p1, cylinder->radius);
+  } else if (const auto* mesh = std::get_if<MeshDescription>(&shape.geometry)) {
+    for (const Vec3f& p : mesh->mesh->positions) extent.add(shape.to_world.point(Vec3d(p)));
+  } else if (const auto* instance = std::get_if<InstanceDescription>(&shape.geometry)) {
+    Extent group;
+    for (const ShapeDescription& member : description.groups[instance->group.value].shapes) {
+      if (std::holds_alternative<InstanceDescription>(member.geometry)) continue;
+      const Extent part = extent_of(description, member);
+      if (part.is_usable()) group.add(part);
+    }
+    if (group.is_usable()) add_corners(extent, shape.to_world, group.low, group.high);
+  } else if (!std::holds_alternative<PlaneDescription>(shape.geometry)) {
+    const auto* field = std::get_if<HeightfieldDescription>(&shape.geometry);
+    const bool cube = std::holds_alternative<CubeDescription>(shape.geometry);
+    const double height = field != nullptr ? std::abs(field->amplitude) : cube ? 1 : 0;
+    add_corners(extent, shape.to_world, {-1, -1, -height}, {1, 1, height});
+  }
+  return extent;
+}
+
 SceneFrame scene_frame(const SceneDescription& description) {
   std::vector<Extent> extents;
   for (const ShapeDescription& shape : description.shapes) {
-    const Extent extent = extent_of(shape);
-    if (is_finite(extent.low) && is_finite(extent.high)) extents.push_back(extent);
+    const Extent extent = extent_of(description, shape);
+    if (extent.is_usable()) extents.push_back(extent);
   }
   if (extents.empty()) return {};
 
   std::vector<double> x, y, z, reach;
   for (const Extent& e : extents) {
-    const Vec3d middle = (e.low + e.high) * 0.5;
+    const Vec3d middle = e.middle();
     x.push_back(middle.x);
     y.push_back(middle.y);
     z.push_back(middle.z);

@@ -9,6 +9,7 @@
 namespace photonproof {
 
 class Tracer;
+struct DetailTables;
 
 /// A flat primitive: the plane n.x = k (n unit, on the side that counts as front) and, for a point x of it,
 /// u = edge_u . x + u0, v likewise, which run from 0 to 1 along the edges.
@@ -39,7 +40,8 @@ struct SmallSceneView {
 
 struct SurfaceWords {
   std::uint32_t bsdf_kind, bsdf, light;
-  static constexpr std::uint32_t stride = 3;
+  std::uint32_t interior, exterior;  ///< media, no_index where there is none
+  static constexpr std::uint32_t stride = 5;
 };
 
 struct LightWords {
@@ -70,7 +72,10 @@ struct SceneView {
   bool one_bsdf_kind = false;     ///< lanes need no sorting
   bool dark_shadow_rays = false;  ///< shadow rays are traced even where they can bring no light
   bool small = false;             ///< `primitives` holds everything, `tracer` is not needed
+  bool detailed = false;          ///< hits go through detail_at (surface_detail.h)
+  bool maps_normals = false;      ///< some of them by bump or normal maps
   SmallSceneView primitives;
+  const DetailTables* detail = nullptr;
   const Tracer* tracer = nullptr;
   const SurfaceWords* surfaces = nullptr;
   const float* bsdfs = nullptr;   ///< BsdfKinds::stride floats each

@@ -16,7 +16,8 @@ enum class Skip : std::uint32_t {
   shadow_rays,
   global_map,
   caustic_map,
-  stray_photons
+  stray_photons,
+  surface_detail
 };
 
 struct SkipRow {

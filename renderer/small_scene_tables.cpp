@@ -17,7 +17,10 @@ Plate plate(const Vec3d& corner, const Vec3d& edge_u, const Vec3d& edge_v, const
 }  // namespace
 
 SmallSceneTables::SmallSceneTables(const std::vector<Surface>& surfaces) : first_primitive_(surfaces.size(), 0) {
-  const auto add = [&](std::uint32_t surface) { surface_of_primitive_.push_back(surface); };
+  const auto add = [&](std::uint32_t surface, std::size_t triangle = 0) {
+    surface_of_primitive_.push_back(surface);
+    triangle_of_primitive_.push_back(static_cast<std::uint32_t>(triangle));
+  };
   const auto start = [&](std::uint32_t surface) {
     first_primitive_[surface] = static_cast<std::uint32_t>(surface_of_primitive_.size());
   };
@@ -39,7 +42,7 @@ SmallSceneTables::SmallSceneTables(const std::vector<Surface>& surfaces) : first
       const Vec3d edge_v = Vec3d(mesh->corner(t, 2)) - corner;
       const Vec3d n = cross(edge_u, edge_v) * (mesh->inward ? -1.0 : 1.0);
       if (dot(n, n) == 0) continue;
-      add(i);
+      add(i, t);
       plates_.push_back(plate(corner, edge_u, edge_v, normalize(n)));
     }
   }

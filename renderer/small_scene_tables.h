@@ -15,11 +15,13 @@ class SmallSceneTables {
   SmallSceneView view() const;
   /// Number of the surface's first primitive.
   std::uint32_t first_primitive(std::uint32_t surface) const { return first_primitive_[surface]; }
+  /// Which triangle of its mesh each primitive is; 0 of what is none.
+  const std::uint32_t* triangles() const { return triangle_of_primitive_.data(); }
 
  private:
   std::vector<Plate> plates_;
   std::vector<Ball> balls_;
-  std::vector<std::uint32_t> surface_of_primitive_;
+  std::vector<std::uint32_t> surface_of_primitive_, triangle_of_primitive_;
   std::vector<std::uint32_t> first_primitive_;
   std::uint32_t parallelograms_ = 0;
 };

@@ -57,7 +57,7 @@ inline SceneDescription floor_under_point_light(int size) {
 inline SceneDescription room(int size, bool with_balls) {
   SceneDescription scene;
   const BsdfIndex white = add_bsdf(scene, DiffuseDescription{RgbD(0.7)});
-  const BsdfIndex red = add_bsdf(scene, DiffuseDescription{{0.6, 0.1, 0.1}});
+  const BsdfIndex red = add_bsdf(scene, DiffuseDescription{RgbD{0.6, 0.1, 0.1}});
   const Transform inward = Transform::translate({0, 0, -1});  // then turned to each side
   add_shape(scene, RectangleDescription{}, inward, white);
   add_shape(scene, RectangleDescription{}, Transform::rotate({1, 0, 0}, -90) * inward, white);
@@ -70,7 +70,10 @@ inline SceneDescription room(int size, bool with_balls) {
                 add_bsdf(scene, DiffuseDescription{RgbD(0)}));
   lamp.radiance = RgbD(10);
   if (with_balls) {
-    add_shape(scene, SphereDescription{{0.4, -0.6, 0.2}, 0.35}, {}, add_bsdf(scene, DielectricDescription{1.5, 1.0}));
+    DielectricDescription glass;
+    glass.int_ior = 1.5;
+    glass.ext_ior = 1.0;
+    add_shape(scene, SphereDescription{{0.4, -0.6, 0.2}, 0.35}, {}, add_bsdf(scene, glass));
     add_shape(scene, SphereDescription{{-0.4, -0.6, -0.3}, 0.35}, {}, add_bsdf(scene, ConductorDescription{}));
   }
   set_camera(scene, Transform::look_at({0, 0, 3.9}, {0, 0, 0}, {0, 1, 0}), 36, size);

@@ -13,71 +13,111 @@
 #include <limits>
 #include <stdexcept>
 
+#include "renderer/curved_shapes.h"
+
 namespace photonproof {
 namespace {
 
 constexpr unsigned quad_geometry = 0;
 constexpr unsigned sphere_geometry = 1;
-constexpr unsigned first_mesh = 2;
+constexpr unsigned disk_geometry = 2;
+constexpr unsigned cylinder_geometry = 3;
+constexpr unsigned first_mesh = 4;  // then the instances
 
-/// Quads, spheres and meshes apart, each with the index of its surface. Meshes are geometries of their own.
+/// Shapes of one kind, each with the index of its surface.
+template <class Shape>
+struct Table {
+  std::vector<const Shape*> shapes;
+  std::vector<std::uint32_t> surface;
+  void add(const Shape& shape, std::uint32_t index) {
+    shapes.push_back(&shape);
+    surface.push_back(index);
+  }
+};
+
+/// The meshes of a shape group and their hierarchy, built once for all instances.
+struct Group {
+  std::vector<const Mesh*> parts;
+  RTCScene scene = nullptr;
+};
+
+struct Instance {
+  std::uint32_t group = 0;
+  const AffineMap* placement = nullptr;
+  std::vector<std::uint32_t> surface;  ///< of each part
+};
+
 struct Tables {
-  std::vector<const Quad*> quads;
-  std::vector<std::uint32_t> quad_surface;
-  std::vector<const Sphere*> spheres;
-  std::vector<std::uint32_t> sphere_surface;
-  std::vector<const Mesh*> meshes;
-  std::vector<std::uint32_t> mesh_surface;
+  Table<Quad> quads;
+  Table<Sphere> spheres;
+  Table<Disk> disks;
+  Table<Cylinder> cylinders;
+  Table<Plane> planes;  ///< tested one after the other: boxes around them would be of no use
+  Table<Mesh> meshes;   ///< geometries of their own
+  std::vector<Group> groups;
+  std::vector<Instance> instances;
+
+  explicit Tables(const std::vector<Surface>& surfaces);
+  void add(const MeshInstance& copy, std::uint32_t surface);
 };
 
 struct SurfacePoint {
   Vec3f p, normal;
   std::uint32_t surface = no_index;
+  std::uint32_t primitive = 0;
 };
 
-/// The smallest root in [t_near, t_far] of |o + t d - c| = r, or a negative value. Double precision: in float the
-/// discriminant of a distant or grazing ray loses all its digits.
-double intersect_sphere(const Sphere& sphere, const RTCRay& ray) {
-  const Vec3d d{ray.dir_x, ray.dir_y, ray.dir_z};
-  const Vec3d to_center = Vec3d(sphere.center) - Vec3d{ray.org_x, ray.org_y, ray.org_z};
-  const double a = dot(d, d);
-  const double b = dot(d, to_center);
-  const Vec3d nearest = to_center - d * (b / a);
-  const double radius = sphere.radius;
-  const double discriminant = radius * radius - dot(nearest, nearest);
-  if (!(discriminant > 0)) return -1;
-  const double root = std::sqrt(discriminant / a);
-  // A ray that leaves the sphere starts on it as far as single precision can tell, and does not meet it there.
-  const double grain = 0x1p-21 * std::max({radius, std::abs(double{sphere.center.x}), std::abs(double{sphere.center.y}),
-                                           std::abs(double{sphere.center.z})});
-  const double nearest_t = std::max<double>(ray.tnear, grain / std::sqrt(a));
-  const double t0 = b / a - root;
-  if (t0 >= nearest_t && t0 <= ray.tfar) return t0;
-  const double t1 = b / a + root;
-  if (t1 >= nearest_t && t1 <= ray.tfar) return t1;
-  return -1;
+Tables::Tables(const std::vector<Surface>& surfaces) {
+  for (std::uint32_t i = 0; i < surfaces.size(); ++i) {
+    const Geometry& geometry = surfaces[i].geometry;
+    if (const auto* quad = std::get_if<Quad>(&geometry)) quads.add(*quad, i);
+    if (const auto* sphere = std::get_if<Sphere>(&geometry)) spheres.add(*sphere, i);
+    if (const auto* disk = std::get_if<Disk>(&geometry)) disks.add(*disk, i);
+    if (const auto* cylinder = std::get_if<Cylinder>(&geometry)) cylinders.add(*cylinder, i);
+    if (const auto* plane = std::get_if<Plane>(&geometry)) planes.add(*plane, i);
+    if (const auto* mesh = std::get_if<Mesh>(&geometry)) meshes.add(*mesh, i);
+    if (const auto* copy = std::get_if<MeshInstance>(&geometry)) add(*copy, i);
+  }
 }
 
-void sphere_bounds(const RTCBoundsFunctionArguments* args) {
-  const Sphere& s = *static_cast<const Tables*>(args->geometryUserPtr)->spheres[args->primID];
-  const float r = s.radius * (1 + 0x1p-20f);
+void Tables::add(const MeshInstance& copy, std::uint32_t surface) {
+  if (copy.group >= groups.size()) groups.resize(copy.group + 1);
+  std::vector<const Mesh*>& parts = groups[copy.group].parts;
+  if (copy.part >= parts.size()) parts.resize(copy.part + 1);
+  parts[copy.part] = copy.mesh.get();
+  if (copy.instance >= instances.size()) instances.resize(copy.instance + 1);
+  Instance& instance = instances[copy.instance];
+  instance.group = copy.group;
+  instance.placement = copy.placement.get();
+  if (copy.part >= instance.surface.size()) instance.surface.resize(copy.part + 1, no_index);
+  instance.surface[copy.part] = surface;
+}
+
+ShapeRay shape_ray(const RTCRay& ray) {
+  return {{ray.org_x, ray.org_y, ray.org_z}, {ray.dir_x, ray.dir_y, ray.dir_z}, ray.tnear, ray.tfar};
+}
+
+template <class Shape>
+void bounds_callback(const RTCBoundsFunctionArguments* args) {
+  const ShapeBox box = box_around(*static_cast<const Table<Shape>*>(args->geometryUserPtr)->shapes[args->primID]);
   RTCBounds& b = *args->bounds_o;
-  b.lower_x = s.center.x - r;
-  b.lower_y = s.center.y - r;
-  b.lower_z = s.center.z - r;
-  b.upper_x = s.center.x + r;
-  b.upper_y = s.center.y + r;
-  b.upper_z = s.center.z + r;
+  b.lower_x = box.low.x;
+  b.lower_y = box.low.y;
+  b.lower_z = box.low.z;
+  b.upper_x = box.high.x;
+  b.upper_y = box.high.y;
+  b.upper_z = box.high.z;
 }
 
 // Called with one ray or with a packet of them.
-void sphere_intersect(const RTCIntersectFunctionNArguments* args) {
-  const Sphere& sphere = *static_cast<const Tables*>(args->geometryUserPtr)->spheres[args->primID];
+template <class Shape>
+void intersect_callback(const RTCIntersectFunctionNArguments* args) {
+  const Shape& shape = *static_cast<const Table<Shape>*>(args->geometryUserPtr)->shapes[args->primID];
   RTCRayN* rays = RTCRayHitN_RayN(args->rayhit, args->N);
   RTCHitN* hits = RTCRayHitN_HitN(args->rayhit, args->N);
   for (unsigned i = 0; i < args->N; ++i) {
     if (args->valid[i] == 0) continue;
-    const double t = intersect_sphere(sphere, rtcGetRayFromRayN(rays, args->N, i));
+    const double t = hit_distance(shape, shape_ray(rtcGetRayFromRayN(rays, args->N, i)));
     if (t < 0) continue;
     RTCRayN_tfar(rays, args->N, i) = static_cast<float>(t);
     RTCHitN_geomID(hits, args->N, i) = args->geomID;
@@ -86,11 +126,12 @@ void sphere_intersect(const RTCIntersectFunctionNArguments* args) {
   }
 }
 
-void sphere_occluded(const RTCOccludedFunctionNArguments* args) {
-  const Sphere& sphere = *static_cast<const Tables*>(args->geometryUserPtr)->spheres[args->primID];
+template <class Shape>
+void occluded_callback(const RTCOccludedFunctionNArguments* args) {
+  const Shape& shape = *static_cast<const Table<Shape>*>(args->geometryUserPtr)->shapes[args->primID];
   for (unsigned i = 0; i < args->N; ++i) {
     if (args->valid[i] == 0) continue;
-    if (intersect_sphere(sphere, rtcGetRayFromRayN(args->ray, args->N, i)) >= 0)
+    if (hit_distance(shape, shape_ray(rtcGetRayFromRayN(args->ray, args->N, i))) >= 0)
       RTCRayN_tfar(args->ray, args->N, i) = -std::numeric_limits<float>::infinity();
   }
 }
@@ -172,108 +213,165 @@ struct Tracer::Impl {
   RTCScene scene = nullptr;
   std::atomic<std::int64_t> bytes{0};
 
+  explicit Impl(const std::vector<Surface>& surfaces) : tables(surfaces) {}
   ~Impl() {
     if (scene != nullptr) rtcReleaseScene(scene);
+    for (const Group& group : tables.groups)
+      if (group.scene != nullptr) rtcReleaseScene(group.scene);
     if (device != nullptr) rtcReleaseDevice(device);
   }
+  RTCScene new_scene() const;
+  /// Hands the geometry over.
+  static void attach(RTCScene to, RTCGeometry geometry, unsigned id);
   void attach_quads();
-  void attach_spheres();
-  void attach_mesh(const Mesh& mesh, unsigned id);
-  SurfacePoint locate(unsigned geometry, unsigned primitive, float u, float v, const Vec3f& near) const;
+  template <class Shape>
+  void attach_shapes(Table<Shape>& table, unsigned id);
+  void attach_mesh(RTCScene to, const Mesh& mesh, unsigned id);
+  void build_group(Group& group);
+  void attach_instance(const Instance& instance, unsigned id);
+
+  unsigned first_instance() const { return first_mesh + static_cast<unsigned>(tables.meshes.shapes.size()); }
+  /// The plane that the ray meets first before its end, which moves there; no_index if none.
+  std::uint32_t meet_planes(RTCRay& ray) const;
+  SurfacePoint locate(unsigned instance, unsigned geometry, unsigned primitive, float u, float v,
+                      const Vec3d& near) const;
 };
 
+RTCScene Tracer::Impl::new_scene() const {
+  RTCScene made = rtcNewScene(device);
+  rtcSetSceneFlags(made, RTC_SCENE_FLAG_ROBUST);
+  rtcSetSceneBuildQuality(made, RTC_BUILD_QUALITY_MEDIUM);
+  return made;
+}
+
+void Tracer::Impl::attach(RTCScene to, RTCGeometry geometry, unsigned id) {
+  rtcSetGeometryMask(geometry, 0xFFFFFFFFu);
+  rtcCommitGeometry(geometry);
+  rtcAttachGeometryByID(to, geometry, id);
+  rtcReleaseGeometry(geometry);
+}
+
 void Tracer::Impl::attach_quads() {
-  if (tables.quads.empty()) return;
+  if (tables.quads.shapes.empty()) return;
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_QUAD);
-  const std::size_t count = tables.quads.size();
+  const std::size_t count = tables.quads.shapes.size();
   auto* vertices = static_cast<Vec3f*>(
       rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(Vec3f), 4 * count));
   auto* indices = static_cast<unsigned*>(
       rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT4, 4 * sizeof(unsigned), count));
   if (vertices == nullptr || indices == nullptr) fail(device, "allocating quads");
   for (std::size_t i = 0; i < count; ++i) {
-    const Quad& q = *tables.quads[i];
+    const Quad& q = *tables.quads.shapes[i];
     vertices[4 * i] = q.corner;
     vertices[4 * i + 1] = q.corner + q.edge_u;
     vertices[4 * i + 2] = q.corner + q.edge_u + q.edge_v;
     vertices[4 * i + 3] = q.corner + q.edge_v;
     for (std::size_t k = 0; k < 4; ++k) indices[4 * i + k] = static_cast<unsigned>(4 * i + k);
   }
-  rtcSetGeometryMask(geometry, 0xFFFFFFFFu);
-  rtcCommitGeometry(geometry);
-  rtcAttachGeometryByID(scene, geometry, quad_geometry);
-  rtcReleaseGeometry(geometry);
+  attach(scene, geometry, quad_geometry);
 }
 
-void Tracer::Impl::attach_spheres() {
-  if (tables.spheres.empty()) return;
+template <class Shape>
+void Tracer::Impl::attach_shapes(Table<Shape>& table, unsigned id) {
+  if (table.shapes.empty()) return;
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
-  rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(tables.spheres.size()));
-  rtcSetGeometryUserData(geometry, &tables);
-  rtcSetGeometryBoundsFunction(geometry, sphere_bounds, nullptr);
-  rtcSetGeometryIntersectFunction(geometry, sphere_intersect);
-  rtcSetGeometryOccludedFunction(geometry, sphere_occluded);
-  rtcSetGeometryMask(geometry, 0xFFFFFFFFu);
-  rtcCommitGeometry(geometry);
-  rtcAttachGeometryByID(scene, geometry, sphere_geometry);
-  rtcReleaseGeometry(geometry);
+  rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(table.shapes.size()));
+  rtcSetGeometryUserData(geometry, &table);
+  rtcSetGeometryBoundsFunction(geometry, bounds_callback<Shape>, nullptr);
+  rtcSetGeometryIntersectFunction(geometry, intersect_callback<Shape>);
+  rtcSetGeometryOccludedFunction(geometry, occluded_callback<Shape>);
+  attach(scene, geometry, id);
 }
 
-void Tracer::Impl::attach_mesh(const Mesh& mesh, unsigned id) {
+void Tracer::Impl::attach_mesh(RTCScene to, const Mesh& mesh, unsigned id) {
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
   rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, mesh.positions.data(), 0,
                              sizeof(Vec3f), mesh.positions.size() - 1);
   rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh.source->triangles.data(), 0,
                              sizeof(TriangleMesh::Triangle), mesh.triangle_count());
-  rtcSetGeometryMask(geometry, 0xFFFFFFFFu);
-  rtcCommitGeometry(geometry);
-  rtcAttachGeometryByID(scene, geometry, id);
-  rtcReleaseGeometry(geometry);
+  attach(to, geometry, id);
 }
 
-SurfacePoint Tracer::Impl::locate(unsigned geometry, unsigned primitive, float u, float v, const Vec3f& near) const {
-  if (geometry == quad_geometry) {
-    const Quad& quad = *tables.quads[primitive];
-    return {quad.corner + quad.edge_u * u + quad.edge_v * v, quad.normal, tables.quad_surface[primitive]};
-  }
-  if (geometry == sphere_geometry) {
-    const Sphere& sphere = *tables.spheres[primitive];
-    const Vec3f along = near - sphere.center;
-    const Vec3f p = sphere.center + along * (sphere.radius / length(along));
-    return {p, normalize(sphere.normal_at(p)), tables.sphere_surface[primitive]};
-  }
-  const Mesh& mesh = *tables.meshes[geometry - first_mesh];
-  const Vec3f corner = mesh.corner(primitive, 0);
-  const Vec3f edge_u = mesh.corner(primitive, 1) - corner;
-  const Vec3f edge_v = mesh.corner(primitive, 2) - corner;
-  const Vec3f normal = normalize(cross(edge_u, edge_v));
-  return {corner + edge_u * u + edge_v * v, mesh.inward ? -normal : normal, tables.mesh_surface[geometry - first_mesh]};
+void Tracer::Impl::build_group(Group& group) {
+  group.scene = new_scene();
+  for (std::size_t part = 0; part < group.parts.size(); ++part)
+    attach_mesh(group.scene, *group.parts[part], static_cast<unsigned>(part));
+  rtcCommitScene(group.scene);
 }
 
-Tracer::Tracer(const std::vector<Surface>& surfaces) : impl_(std::make_unique<Impl>()) {
-  Tables& tables = impl_->tables;
-  for (std::uint32_t i = 0; i < surfaces.size(); ++i) {
-    if (const auto* quad = std::get_if<Quad>(&surfaces[i].geometry)) {
-      tables.quads.push_back(quad);
-      tables.quad_surface.push_back(i);
-    } else if (const auto* sphere = std::get_if<Sphere>(&surfaces[i].geometry)) {
-      tables.spheres.push_back(sphere);
-      tables.sphere_surface.push_back(i);
-    } else {
-      tables.meshes.push_back(&std::get<Mesh>(surfaces[i].geometry));
-      tables.mesh_surface.push_back(i);
+void Tracer::Impl::attach_instance(const Instance& instance, unsigned id) {
+  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
+  rtcSetGeometryInstancedScene(geometry, tables.groups[instance.group].scene);
+  rtcSetGeometryTimeStepCount(geometry, 1);
+  const AffineMap& m = *instance.placement;
+  const float columns[12] = {m.x.x, m.x.y, m.x.z, m.y.x,      m.y.y,      m.y.z,
+                             m.z.x, m.z.y, m.z.z, m.origin.x, m.origin.y, m.origin.z};
+  rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, columns);
+  attach(scene, geometry, id);
+}
+
+std::uint32_t Tracer::Impl::meet_planes(RTCRay& ray) const {
+  std::uint32_t met = no_index;
+  for (std::uint32_t i = 0; i < tables.planes.shapes.size(); ++i) {
+    const double t = hit_distance(*tables.planes.shapes[i], shape_ray(ray));
+    if (t < 0) continue;
+    ray.tfar = static_cast<float>(t);
+    met = i;
+  }
+  return met;
+}
+
+SurfacePoint Tracer::Impl::locate(unsigned instance, unsigned geometry, unsigned primitive, float u, float v,
+                                  const Vec3d& near) const {
+  const auto on = [&](const auto& table) -> SurfacePoint {
+    const ShapePoint point = point_on(*table.shapes[primitive], near);
+    return {point.p, point.normal, table.surface[primitive]};
+  };
+  const auto on_triangle = [&](const Mesh& mesh, std::uint32_t surface) -> SurfacePoint {
+    const Vec3f corner = mesh.corner(primitive, 0);
+    const Vec3f edge_u = mesh.corner(primitive, 1) - corner;
+    const Vec3f edge_v = mesh.corner(primitive, 2) - corner;
+    const Vec3f normal = normalize(cross(edge_u, edge_v));
+    return {corner + edge_u * u + edge_v * v, mesh.inward ? -normal : normal, surface, primitive};
+  };
+  if (instance != RTC_INVALID_GEOMETRY_ID) {
+    const Instance& copy = tables.instances[instance - first_instance()];
+    SurfacePoint point = on_triangle(*tables.groups[copy.group].parts[geometry], copy.surface[geometry]);
+    point.p = copy.placement->point(point.p);
+    point.normal = normalize(copy.placement->normal(point.normal));
+    return point;
+  }
+  switch (geometry) {
+    case quad_geometry: {
+      const Quad& quad = *tables.quads.shapes[primitive];
+      return {quad.corner + quad.edge_u * u + quad.edge_v * v, quad.normal, tables.quads.surface[primitive]};
     }
+    case sphere_geometry:
+      return on(tables.spheres);
+    case disk_geometry:
+      return on(tables.disks);
+    case cylinder_geometry:
+      return on(tables.cylinders);
+    default:
+      return on_triangle(*tables.meshes.shapes[geometry - first_mesh], tables.meshes.surface[geometry - first_mesh]);
   }
+}
+
+Tracer::Tracer(const std::vector<Surface>& surfaces) : impl_(std::make_unique<Impl>(surfaces)) {
+  Tables& tables = impl_->tables;
   impl_->device = rtcNewDevice(nullptr);
   if (impl_->device == nullptr) fail(nullptr, "opening the device");
   rtcSetDeviceMemoryMonitorFunction(impl_->device, count_bytes, &impl_->bytes);
-  impl_->scene = rtcNewScene(impl_->device);
-  rtcSetSceneFlags(impl_->scene, RTC_SCENE_FLAG_ROBUST);
-  rtcSetSceneBuildQuality(impl_->scene, RTC_BUILD_QUALITY_MEDIUM);
+  impl_->scene = impl_->new_scene();
   impl_->attach_quads();
-  impl_->attach_spheres();
-  for (std::size_t i = 0; i < tables.meshes.size(); ++i)
-    impl_->attach_mesh(*tables.meshes[i], static_cast<unsigned>(first_mesh + i));
+  impl_->attach_shapes(tables.spheres, sphere_geometry);
+  impl_->attach_shapes(tables.disks, disk_geometry);
+  impl_->attach_shapes(tables.cylinders, cylinder_geometry);
+  for (std::size_t i = 0; i < tables.meshes.shapes.size(); ++i)
+    impl_->attach_mesh(impl_->scene, *tables.meshes.shapes[i], static_cast<unsigned>(first_mesh + i));
+  for (Group& group : tables.groups) impl_->build_group(group);
+  for (std::size_t i = 0; i < tables.instances.size(); ++i)
+    impl_->attach_instance(tables.instances[i], static_cast<unsigned>(impl_->first_instance() + i));
   rtcCommitScene(impl_->scene);
   if (rtcGetDeviceError(impl_->device) != RTC_ERROR_NONE) fail(impl_->device, "building the scene");
 }
@@ -285,11 +383,18 @@ std::size_t Tracer::bvh_bytes() const { return static_cast<std::size_t>(std::max
 void Tracer::intersect(const RayBlock& rays, HitBlock& hits, bool coherent) const {
   const std::uint32_t lanes = traceable(rays);
   std::fill_n(hits.surface, RayBlock::width, no_index);
-  const auto store = [&](std::size_t i, unsigned geometry, unsigned primitive, float u, float v, float t) {
-    if (geometry == RTC_INVALID_GEOMETRY_ID) return;
-    const Vec3f near{rays.origin_x[i] + t * rays.direction_x[i], rays.origin_y[i] + t * rays.direction_y[i],
-                     rays.origin_z[i] + t * rays.direction_z[i]};
-    const SurfacePoint point = impl_->locate(geometry, primitive, u, v, near);
+  const bool planes = !impl_->tables.planes.shapes.empty();
+  const auto store = [&](std::size_t i, std::uint32_t plane, const RTCHit& hit, float t) {
+    if (hit.geomID == RTC_INVALID_GEOMETRY_ID && plane == no_index) return;
+    const Vec3d near = Vec3d{rays.origin_x[i], rays.origin_y[i], rays.origin_z[i]} +
+                       Vec3d{rays.direction_x[i], rays.direction_y[i], rays.direction_z[i]} * double{t};
+    SurfacePoint point;
+    if (hit.geomID != RTC_INVALID_GEOMETRY_ID) {
+      point = impl_->locate(hit.instID[0], hit.geomID, hit.primID, hit.u, hit.v, near);
+    } else {
+      const ShapePoint on_plane = point_on(*impl_->tables.planes.shapes[plane], near);
+      point = {on_plane.p, on_plane.normal, impl_->tables.planes.surface[plane]};
+    }
     hits.p_x[i] = point.p.x;
     hits.p_y[i] = point.p.y;
     hits.p_z[i] = point.p.z;
@@ -297,9 +402,11 @@ void Tracer::intersect(const RayBlock& rays, HitBlock& hits, bool coherent) cons
     hits.normal_y[i] = point.normal.y;
     hits.normal_z[i] = point.normal.z;
     hits.surface[i] = point.surface;
+    hits.primitive[i] = point.primitive;
   };
   if (coherent && std::popcount(lanes) > 1) {
     RTCRayHit16 query{};
+    std::uint32_t plane[16];
     alignas(64) int valid[16];  // as Embree's packets are: it may load it with aligned instructions
     for (std::size_t i = 0; i < 16; ++i) {
       valid[i] = (lanes >> i & 1u) != 0 ? -1 : 0;
@@ -316,11 +423,18 @@ void Tracer::intersect(const RayBlock& rays, HitBlock& hits, bool coherent) cons
       query.ray.mask[i] = 0xFFFFFFFFu;
       query.ray.flags[i] = 0;
       query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+      query.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
+      plane[i] = no_index;
+      if (!planes) continue;
+      RTCRay ray = ray_of_lane(rays, i, std::numeric_limits<float>::infinity());
+      plane[i] = impl_->meet_planes(ray);
+      query.ray.tfar[i] = ray.tfar;
     }
     intersect_packet(impl_->scene, valid, query);
     for (std::size_t i = 0; i < 16; ++i)
       if (valid[i] != 0)
-        store(i, query.hit.geomID[i], query.hit.primID[i], query.hit.u[i], query.hit.v[i], query.ray.tfar[i]);
+        store(i, plane[i], rtcGetHitFromHitN(reinterpret_cast<RTCHitN*>(&query.hit), 16, static_cast<unsigned>(i)),
+              query.ray.tfar[i]);
     return;
   }
   for (std::uint32_t bits = lanes; bits != 0; bits &= bits - 1) {
@@ -328,16 +442,20 @@ void Tracer::intersect(const RayBlock& rays, HitBlock& hits, bool coherent) cons
     RTCRayHit query{};
     query.ray = ray_of_lane(rays, i, std::numeric_limits<float>::infinity());
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+    const std::uint32_t plane = planes ? impl_->meet_planes(query.ray) : no_index;
     intersect_one(impl_->scene, query);
-    store(i, query.hit.geomID, query.hit.primID, query.hit.u, query.hit.v, query.ray.tfar);
+    store(i, plane, query.hit, query.ray.tfar);
   }
 }
 
 void Tracer::occluded(const RayBlock& rays, std::uint32_t* blocked) const {
   std::fill_n(blocked, RayBlock::width, 0u);
+  const bool planes = !impl_->tables.planes.shapes.empty();
   for (std::uint32_t bits = traceable(rays); bits != 0; bits &= bits - 1) {
     const auto i = static_cast<std::size_t>(std::countr_zero(bits));
-    blocked[i] = is_occluded(impl_->scene, ray_of_lane(rays, i, segment_end)) ? 1 : 0;
+    RTCRay ray = ray_of_lane(rays, i, segment_end);
+    blocked[i] = (planes && impl_->meet_planes(ray) != no_index) || is_occluded(impl_->scene, ray) ? 1 : 0;
   }
 }
 

@@ -25,10 +25,11 @@ struct alignas(64) HitBlock {
   float p_x[RayBlock::width], p_y[RayBlock::width], p_z[RayBlock::width];
   float normal_x[RayBlock::width], normal_y[RayBlock::width], normal_z[RayBlock::width];
   std::uint32_t surface[RayBlock::width];
+  std::uint32_t primitive[RayBlock::width];  ///< the triangle of a mesh, else 0
 };
 
-/// Immutable once built; safe for any number of threads. Quads and triangles are Embree's (ROBUST), spheres are user
-/// geometry solved in double precision.
+/// Immutable once built; safe for any number of threads. Quads and triangles are Embree's (ROBUST), spheres, discs and
+/// cylinders user geometry solved in double precision; planes are tested apart.
 class Tracer {
  public:
   /// Throws std::runtime_error with Embree's message when it cannot build. `surfaces` must outlive the tracer.

@@ -21,6 +21,8 @@ struct Frame {
     s = {1.0f + sign * n.x * n.x * a, sign * b, -sign * n.x};
     t = {b, sign + n.y * n.y * a, -n.y};
   }
+  /// `tangent` is unit and perpendicular to the normal.
+  Frame(const Vec3<F>& normal, const Vec3<F>& tangent) : s(tangent), t(cross(normal, tangent)), n(normal) {}
   Vec3<F> to_local(const Vec3<F>& v) const { return {dot(v, s), dot(v, t), dot(v, n)}; }
   Vec3<F> to_world(const Vec3<F>& v) const { return advance(advance(n * v.z, v.y, t), v.x, s); }
 };

@@ -12,6 +12,7 @@
 #include "renderer/bsdf.h"
 #include "renderer/kernels/lane_batch.h"
 #include "renderer/scene_view.h"
+#include "renderer/surface_detail.h"
 
 namespace photonproof {
 
@@ -19,8 +20,8 @@ namespace photonproof {
 template <template <class> class History, class F>
 struct AtSurface {
   History<F> history;
-  Vec3<F> p, normal;
-  UInt<F> surface;
+  Vec3<F> p, normal;  ///< geometric
+  UInt<F> surface;    ///< while it waits in a detailed scene: the number of its SurfaceDetail
 
   static constexpr std::size_t column_count = History<F>::column_count + 7;
   template <class Self, class Visit>
@@ -28,6 +29,28 @@ struct AtSurface {
     History<F>::columns(s.history, visit);
     visit(s.p.x), visit(s.p.y), visit(s.p.z), visit(s.normal.x), visit(s.normal.y), visit(s.normal.z);
     visit(s.surface);
+  }
+};
+
+/// What a pack is shaded with: the records of its BSDFs in the frames of the shading normals. Where normals are mapped,
+/// light that only the map lets through the surface is dropped, as Mitsuba does.
+template <template <class> class Kind, class F>
+struct Shading {
+  Kind<F> bsdf;
+  Frame<F> frame;
+  bool has_side = false;
+  Vec3<F> side_local{};  ///< shading normal without the map
+
+  Mask<F> keeps_side(const Vec3<F>& wi) const { return dot(side_local, wi) * wi.z > 0; }
+  Vec3<F> eval(const Vec3<F>& wo, const Vec3<F>& wi) const {
+    const Vec3<F> f = bsdf.eval(wo, wi);
+    return has_side ? select(keeps_side(wi), f, Vec3<F>(F(0.0f))) : f;
+  }
+  F pdf(const Vec3<F>& wo, const Vec3<F>& wi) const { return bsdf.pdf(wo, wi); }
+  BsdfSample<F> sample(const Vec3<F>& wo, const F& u_lobe, const Vec2<F>& u, TransportMode mode) const {
+    BsdfSample<F> drawn = bsdf.sample(wo, u_lobe, u, mode);
+    if (has_side) drawn.valid = drawn.valid && keeps_side(drawn.wi_local);
+    return drawn;
   }
 };
 
@@ -59,6 +82,7 @@ class BatchKernel {
         started += lanes;
       }
       for (Queue& queue : queues_) queue.clear();
+      detail_count_ = 0;
       for (std::size_t row = 0; row < current_.size(); row += width) {
         History<F> state;
         current_.load_rows(row, state);
@@ -82,25 +106,47 @@ class BatchKernel {
         next_(scratch + Batch::words(capacity), capacity),
         queues_(make_queues(scratch + 2 * Batch::words(capacity), std::make_index_sequence<BsdfKinds::count>())) {}
 
-  /// Lets lanes at `surface` wait until their BSDF's kind is shaded.
-  void wait(const Waiting<F>& state, const UInt<F>& surface, const Mask<F>& alive) {
-    if (scene_.one_bsdf_kind) {
+  /// Lets lanes wait until their BSDF's kind is shaded. `draw_choice()` is uniform in [0,1), for detail_at.
+  template <class Draw>
+  void wait(Waiting<F>&& state, const Mask<F>& alive, Draw&& draw_choice) {
+    if (scene_.detailed) {
+      const UInt<F> kind = add_details(state, alive, draw_choice());
+      append_by_kind(state, kind, alive);
+    } else if (scene_.one_bsdf_kind) {
       queues_[static_cast<std::size_t>(std::countr_zero(scene_.bsdf_kinds))].append(state, alive);
-      return;
+    } else {
+      append_by_kind(state, surface_word(state.surface, &SurfaceWords::bsdf_kind), alive);
     }
-    const UInt<F> kind = surface_word(surface, &SurfaceWords::bsdf_kind);
-    for (std::uint32_t k = 0; k < BsdfKinds::count; ++k)
-      if ((scene_.bsdf_kinds >> k & 1u) != 0) queues_[k].append(state, alive && equal<F>(kind, UInt<F>(k)));
   }
   void go_on(const History<F>& state, const Mask<F>& alive) { next_.append(state, alive); }
 
   UInt<F> surface_word(const UInt<F>& surface, std::uint32_t SurfaceWords::*word) const {
     return gather(&(scene_.surfaces->*word), UInt<F>(surface * SurfaceWords::stride));
   }
+  /// What waiting lanes are shaded with; `at.surface` is their surface from here on.
   template <template <class> class Kind>
-  Kind<F> bsdf_at(const UInt<F>& surface, const Mask<F>& active) const {
-    const UInt<F> valid = select(active, surface, UInt<F>(0u));
-    return gather_record<Kind, F>(scene_.bsdfs, surface_word(valid, &SurfaceWords::bsdf), BsdfKinds::stride);
+  Shading<Kind, F> shading_at(Waiting<F>& at, const Mask<F>& active) const {
+    const UInt<F> valid = select(active, at.surface, UInt<F>(0u));
+    if (!scene_.detailed) {
+      const UInt<F> bsdf = surface_word(valid, &SurfaceWords::bsdf);
+      return {gather_record<Kind, F>(scene_.bsdfs, bsdf, BsdfKinds::stride), Frame<F>(at.normal)};
+    }
+    const auto gather3 = [&](const Vec3f SurfaceDetail::*member) {
+      const float* base = &(details_.front().*member).x;
+      const UInt<F> first = valid * SurfaceDetail::stride;
+      return Vec3<F>{gather(base, first), gather(base + 1, first), gather(base + 2, first)};
+    };
+    at.surface = gather(&details_.front().surface, UInt<F>(valid * SurfaceDetail::stride));
+    Frame<F> frame(gather3(&SurfaceDetail::normal));
+    const Vec3<F> tangent = gather3(&SurfaceDetail::tangent);
+    const Mask<F> has_tangent = dot(tangent, tangent) > 0;
+    if (any(has_tangent)) {
+      const Frame<F> along(frame.n, tangent);
+      frame.s = select(has_tangent, along.s, frame.s);
+      frame.t = select(has_tangent, along.t, frame.t);
+    }
+    return {gather_record<Kind, F>(details_.front().record, valid, SurfaceDetail::stride), frame, scene_.maps_normals,
+            scene_.maps_normals ? frame.to_local(gather3(&SurfaceDetail::side)) : Vec3<F>{}};
   }
 
   const SceneView& scene_;
@@ -112,8 +158,44 @@ class BatchKernel {
     return {Queue(memory + kind * Queue::words(capacity), capacity)...};
   }
 
+  void append_by_kind(const Waiting<F>& state, const UInt<F>& kind, const Mask<F>& alive) {
+    for (std::uint32_t k = 0; k < BsdfKinds::count; ++k)
+      if ((scene_.bsdf_kinds >> k & 1u) != 0) queues_[k].append(state, alive && equal<F>(kind, UInt<F>(k)));
+  }
+
+  /// Looks the lanes' details up, lets `state.surface` number them and returns the kinds of their BSDFs.
+  UInt<F> add_details(Waiting<F>& state, const Mask<F>& alive, const F& u_choice) {
+    const auto spread = [](const auto& value, auto* to) { store_from(value, to); };
+    float p[3][width], normal[3][width], direction[3][width], u[width];
+    std::uint32_t surface[width], primitive[width], kind[width] = {};
+    const auto spread3 = [&](const Vec3<F>& v, float(&to)[3][width]) {
+      spread(v.x, to[0]), spread(v.y, to[1]), spread(v.z, to[2]);
+    };
+    spread3(state.p, p);
+    spread3(state.normal, normal);
+    spread3(state.history.direction, direction);
+    spread(u_choice, u);
+    spread(state.surface, surface);
+    spread(state.history.from, primitive);
+    const auto lane_of = [](const float(&v)[3][width], std::size_t i) { return Vec3f(v[0][i], v[1][i], v[2][i]); };
+    for (std::uint32_t bits = to_bits(alive); bits != 0; bits &= bits - 1) {
+      const auto i = static_cast<std::size_t>(std::countr_zero(bits));
+      SurfaceDetail& detail = details_[detail_count_];
+      detail_at(scene_, surface[i], primitive[i], lane_of(p, i), lane_of(normal, i), lane_of(direction, i), u[i],
+                detail);
+      kind[i] = detail.kind;
+      surface[i] = static_cast<std::uint32_t>(detail_count_++);
+    }
+    load_into(state.surface, surface);
+    UInt<F> kinds;
+    load_into(kinds, kind);
+    return kinds;
+  }
+
   Batch current_, next_;
-  std::array<Queue, BsdfKinds::count> queues_;  ///< by BSDF kind
+  std::array<Queue, BsdfKinds::count> queues_;   ///< by BSDF kind
+  std::array<SurfaceDetail, capacity> details_;  ///< of the round's waiting lanes, in detailed scenes
+  std::size_t detail_count_ = 0;
 };
 
 }  // namespace photonproof

@@ -2,7 +2,7 @@
 // over a batch of lanes.
 //   L = sum over vertices of throughput x (w_bsdf Le(hit) + w_light f Le(light sample) cos / pdf)
 // A lane that ends leaves its radiance in the slot of its path, so that nothing depends on when it ended. The photon
-// mapper's camera paths are the same up to their first diffuse surface, where they leave a gather point instead.
+// mapper's camera paths are the same up to their first Lambertian surface, where they leave a gather point instead.
 #pragma once
 
 #include "renderer/kernels/batch_kernel.h"
@@ -36,7 +36,8 @@ template <class F>
 class PathKernel : public BatchKernel<PathKernel<F>, PathState, F> {
   using Base = BatchKernel<PathKernel<F>, PathState, F>;
   using U = UInt<F>;
-  static constexpr std::uint32_t dimensions_a_vertex = 5;  // light point, direction, light, lobe, roulette
+  static constexpr std::uint32_t dimensions_a_vertex = 5;        // light point, direction, light, lobe, roulette
+  static constexpr std::uint32_t surface_dimensions = 1u << 24;  // one a vertex: which of a surface's BSDFs
 
  public:
   explicit PathKernel(PathTask& task) : Base(*task.scene, task.scratch), task_(task) {}
@@ -75,28 +76,32 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, F> {
     retire(s, active && !alive);
     if (!any(alive)) return;
     s.from = hit.primitive;
-    Base::wait({s, hit.p, hit.normal, hit.surface}, hit.surface, alive);
+    Base::wait({s, hit.p, hit.normal, hit.surface}, alive,
+               [&] { return draw_independent<F>(s.key, s.index, U(s.vertex + surface_dimensions)); });
   }
 
   /// Adds direct light, draws the next direction and plays roulette.
   template <template <class> class Kind>
   [[gnu::flatten]] void shade(AtSurface<PathState, F>& at, const Mask<F>& active) {
     PathState<F>& s = at.history;
-    const Kind<F> bsdf = Base::template bsdf_at<Kind>(at.surface, active);
-    const Frame<F> frame(at.normal);
+    const Shading<Kind, F> bsdf = Base::template shading_at<Kind>(at, active);
+    const Frame<F>& frame = bsdf.frame;
     const Vec3<F> wo_local = frame.to_local(Vec3<F>(-s.direction));
     const U dimension = s.vertex * dimensions_a_vertex + 1u;
-    if constexpr (!Kind<F>::is_delta) {
-      if (scene_.light_count > 0) add_direct_light(at, bsdf, frame, wo_local, dimension, active);
-      static_assert(Kind<F>::is_lambertian, "a gather point has no direction: its weight is for any photon");
-      if (task_.gather_points != nullptr) {
+    const bool gathers = Kind<F>::is_lambertian && task_.gather_points != nullptr;
+    if constexpr (Kind<F>::has_smooth) {
+      if (scene_.light_count > 0 && task_.settings.sample_lights)
+        add_direct_light(at, bsdf, frame, wo_local, dimension, !gathers, active);
+    }
+    if constexpr (Kind<F>::is_lambertian) {  // a gather point has no direction: its weight is for any photon
+      if (gathers) {
         leave_gather_points(at, bsdf.eval(wo_local, Vec3<F>(F(0.0f), F(0.0f), F(1.0f))), active);
         retire(s, active);
         return;
       }
     }
     Vec2<F> u_direction{F(0.0f), F(0.0f)};
-    if constexpr (!Kind<F>::is_delta) u_direction = draw2<F>(task_.camera.sampler, s.key, s.index, U(dimension + 1u));
+    if constexpr (Kind<F>::has_smooth) u_direction = draw2<F>(task_.camera.sampler, s.key, s.index, U(dimension + 1u));
     const F u_lobe = draw_independent<F>(s.key, s.index, U(dimension + 3u));
     const BsdfSample<F> next = bsdf.sample(wo_local, u_lobe, u_direction, TransportMode::radiance);
     s.throughput *= next.weight;
@@ -105,7 +110,7 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, F> {
     alive = survive_roulette(s, dimension, alive);
     retire(s, active && !alive);
 
-    s.bsdf_pdf = Kind<F>::is_delta ? F(0.0f) : next.pdf;
+    s.bsdf_pdf = select(next.delta, F(0.0f), next.pdf);
     s.direction = normalize(frame.to_world(next.wi_local));
     s.origin = offset_from(at.p, at.normal, s.direction, scene_.coordinate_floor);
     s.vertex += 1u;
@@ -120,22 +125,25 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, F> {
     const Vec3<F> emitted = emitted_radiance<F>(scene_, light, shines, F(-dot(hit.normal, s.direction)));
     F weight(1.0f);
     const Mask<F> shared = shines && s.bsdf_pdf > 0;  // next-event estimation could have found it too
-    if (any(shared))
+    if (!task_.settings.meet_lights)
+      weight = select(shared, F(0.0f), F(1.0f));
+    else if (task_.settings.weighted && any(shared))
       weight = select(shared,
                       mis_weight(s.bsdf_pdf, direct_light_pdf<F>(scene_, light, shared, s.origin, hit.p, hit.normal)),
                       F(1.0f));
     s.radiance = select(shines, Vec3<F>(s.radiance + s.throughput * emitted * weight), s.radiance);
   }
 
+  /// `goes_on`: the path may meet the same light by itself.
   template <class B>
   void add_direct_light(AtSurface<PathState, F>& at, const B& bsdf, const Frame<F>& frame, const Vec3<F>& wo_local,
-                        const U& dimension, const Mask<F>& active) {
+                        const U& dimension, bool goes_on, const Mask<F>& active) {
     PathState<F>& s = at.history;
     F u_choice(0.0f);
     if (!scene_.one_light) u_choice = draw_independent<F>(s.key, s.index, U(dimension + 2u));
     const Vec2<F> u_point = draw2<F>(task_.camera.sampler, s.key, s.index, dimension);
     const SurfaceHit<F> hit{active, at.p, at.normal, at.surface, s.from};
-    s.radiance += s.throughput * estimate_direct<F>(scene_, hit, bsdf, frame, wo_local, task_.settings.weighted,
+    s.radiance += s.throughput * estimate_direct<F>(scene_, hit, bsdf, frame, wo_local, task_.settings.weighted && goes_on,
                                                     u_choice, u_point, active, task_.counts);
   }
 

@@ -1,4 +1,5 @@
-// Photons from the lights through the scene (Jensen 2001, chapters 5 and 7.2), over a batch of lanes.
+// Photons from the lights through the scene (Jensen 2001, chapters 5 and 7.2), over a batch of lanes. They are stored on
+// Lambertian surfaces; every other surface, rough ones too, counts as specular: camera paths go on from there as well.
 #pragma once
 
 #include "renderer/kernels/aim.h"
@@ -34,6 +35,7 @@ class PhotonKernel : public BatchKernel<PhotonKernel<F>, PhotonState, F> {
   static constexpr std::uint32_t diffusely = 1, specularly = 2;  // in PhotonState::bounced
   static constexpr std::uint32_t emission_dimensions = 3;        // position, direction, light
   static constexpr std::uint32_t dimensions_an_edge = 3;         // direction, lobe, roulette
+  static constexpr std::uint32_t surface_dimensions = 1u << 24;  // one an edge: which of a surface's BSDFs
   /// Roulette by albedo keeps the photons' flux even. Only long histories also die at random where nothing is absorbed,
   /// so that a lossless closed scene ends.
   static constexpr std::uint32_t always_mortal_from = 32;
@@ -77,15 +79,18 @@ class PhotonKernel : public BatchKernel<PhotonKernel<F>, PhotonState, F> {
     if (!any(hit.valid)) return;
     s.from = hit.primitive;
     s.edges += 1u;
-    Base::wait({s, hit.p, hit.normal, hit.surface}, hit.surface, hit.valid);
+    Base::wait({s, hit.p, hit.normal, hit.surface}, hit.valid, [&] {
+      return draw_independent<F>(U(task_.seed), U(s.path + task_.first), U(s.edges + surface_dimensions));
+    });
   }
 
   template <template <class> class Kind>
   [[gnu::flatten]] void shade(AtSurface<PhotonState, F>& at, const Mask<F>& active) {
     PhotonState<F>& s = at.history;
-    const Frame<F> frame(at.normal);
+    const Shading<Kind, F> bsdf = Base::template shading_at<Kind>(at, active);
+    const Frame<F>& frame = bsdf.frame;
     const Vec3<F> wo_local = frame.to_local(Vec3<F>(-s.direction));
-    if constexpr (Kind<F>::is_delta) {
+    if constexpr (!Kind<F>::is_lambertian) {
       s.bounced |= U(specularly);
     } else {
       const std::uint32_t wanted = task_.kind == PhotonKind::global ? diffusely : specularly;
@@ -97,10 +102,9 @@ class PhotonKernel : public BatchKernel<PhotonKernel<F>, PhotonState, F> {
     if (task_.max_edges >= 0) alive = alive && as_mask<F>(s.edges < U(static_cast<std::uint32_t>(task_.max_edges)));
     if (!any(alive)) return;
 
-    const Kind<F> bsdf = Base::template bsdf_at<Kind>(at.surface, active);
     const U dimension = s.edges * dimensions_an_edge + emission_dimensions;
     Vec2<F> u_direction{F(0.0f), F(0.0f)};
-    if constexpr (!Kind<F>::is_delta) u_direction = draw(s, dimension);
+    if constexpr (Kind<F>::has_smooth) u_direction = draw(s, dimension);
     const U key(task_.seed);
     const U index = s.path + task_.first;
     const F u_lobe = draw_independent<F>(key, index, U(dimension + 1u));

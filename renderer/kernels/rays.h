@@ -40,7 +40,7 @@ SurfaceHit<F> closest_hit(const SceneView& scene, const Vec3<F>& origin, const V
   load_into(hit.surface, hits.surface);
   hit.valid = active && !equal<F>(hit.surface, UInt<F>(no_index));
   hit.surface = select(hit.valid, hit.surface, UInt<F>(0u));
-  hit.primitive = UInt<F>(no_index);
+  load_into(hit.primitive, hits.primitive);
   return hit;
 }
 

@@ -28,7 +28,9 @@ struct PathSettings {
   int max_depth = -1;
   int rr_depth = 5;
   bool hide_emitters = false;
-  bool weighted = true;  ///< multiple importance sampling: some light can be hit
+  bool weighted = true;       ///< multiple importance sampling: some light can be hit
+  bool sample_lights = true;  ///< next-event estimation; without it rays must meet the lights
+  bool meet_lights = true;    ///< without it rays see only lights that next-event estimation cannot have found
 };
 
 /// Where a camera path meets its first diffuse surface: radiance there is weight x irradiance.

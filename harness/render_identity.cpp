@@ -1,0 +1,76 @@
+#include "harness/render_identity.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "scenes/atomic_file.h"
+
+namespace photonproof {
+namespace {
+
+class SceneHash {
+ public:
+  void text(const std::string& s) {
+    const std::uint64_t size = s.size();
+    checksum_.add(&size, sizeof size);
+    checksum_.add(s.data(), s.size());
+  }
+  template <class T>
+  void vector(const std::vector<T>& values) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    const std::uint64_t size = values.size();
+    checksum_.add(&size, sizeof size);
+    if (size > 0) checksum_.add(values.data(), values.size() * sizeof(T));
+  }
+  void asset(const Image& image) {
+    text(std::to_string(image.width));
+    vector(image.rgb);
+  }
+  void asset(const TriangleMesh& mesh) {
+    vector(mesh.positions);
+    vector(mesh.triangles);
+    vector(mesh.normals);
+    vector(mesh.uvs);
+  }
+  void asset(const IesProfile& profile) {
+    vector(profile.vertical_degrees);
+    vector(profile.horizontal_degrees);
+    vector(profile.candela);
+  }
+  /// Of any description that refers to one.
+  template <class Description>
+  void assets_of(const Description& d) {
+    if constexpr (requires { *d.image; })
+      if (d.image) asset(*d.image);
+    if constexpr (requires { *d.mesh; })
+      if (d.mesh) asset(*d.mesh);
+    if constexpr (requires { *d.profile; })
+      if (d.profile) asset(*d.profile);
+  }
+  std::string hex() const {
+    char digits[17];
+    std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(checksum_.value()));
+    return digits;
+  }
+
+ private:
+  Checksum checksum_;
+};
+
+}  // namespace
+
+std::string scene_hash(const SceneDescription& scene, std::vector<std::string> defines) {
+  SceneHash hash;
+  std::sort(defines.begin(), defines.end());
+  for (const std::string& define : defines) hash.text(define);
+  for (const std::string& file : scene.files) hash.text(read_file(file));
+  const auto add = [&](const auto& description) { hash.assets_of(description); };
+  for (const TextureDescription& texture : scene.textures) std::visit(add, texture.pattern);
+  for (const ShapeDescription& shape : scene.shapes) std::visit(add, shape.geometry);
+  for (const ShapeGroupDescription& group : scene.groups)
+    for (const ShapeDescription& shape : group.shapes) std::visit(add, shape.geometry);
+  for (const EmitterDescription& emitter : scene.emitters) std::visit(add, emitter.light);
+  return hash.hex();
+}
+
+}  // namespace photonproof

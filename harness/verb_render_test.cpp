@@ -1,0 +1,179 @@
+// photonproof render as a user and a machine that fails treat it: kill -9 and --resume, Ctrl-C, crops, options that
+// make no sense. Images are compared as bytes of the EXR, metadata included.
+
+#include <sys/wait.h>
+
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <thread>
+
+#include "harness/test_folder.h"
+#include "reference/process.h"
+#include "scenes/image.h"
+
+namespace photonproof {
+namespace {
+
+const std::string library = PHOTONPROOF_SOURCE_DIR "/scenes/library/";
+
+class RenderVerb : public FolderTest {
+ protected:
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  std::vector<std::string> argv(const std::string& output, const std::vector<std::string>& more) const {
+    std::vector<std::string> all{PHOTONPROOF_BINARY, "render", scene_, "-o", path(output)};
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  }
+  ProcessOutcome render(const std::string& output, const std::vector<std::string>& more) const {
+    return run_process(argv(output, more), {.wall_limit_seconds = 120});
+  }
+  /// Starts the program, sends it the signal after `seconds`, and gives the status of wait.
+  int signalled_after(double seconds, int signal_number, const std::string& output,
+                      const std::vector<std::string>& more) const {
+    std::vector<std::string> words = argv(output, more);
+    const pid_t pid = fork();
+    if (pid == 0) {
+      std::vector<char*> pointers;
+      for (std::string& word : words) pointers.push_back(word.data());
+      pointers.push_back(nullptr);
+      freopen("/dev/null", "w", stdout);
+      freopen(path("stderr").c_str(), "w", stderr);
+      execv(pointers[0], pointers.data());
+      _exit(127);
+    }
+    std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
+    kill(pid, signal_number);
+    int status = 0;
+    waitpid(pid, &status, 0);
+    return status;
+  }
+  /// Kills the render over and over, at other moments and thread counts, until it ends by itself; the number of kills.
+  int kill_until_done(const std::string& output, const std::vector<std::string>& options) const {
+    int kills = 0;
+    for (; kills < 60; ++kills) {
+      std::vector<std::string> now = options;
+      now.insert(now.end(), {"--checkpoint", "0.05", "--threads", std::to_string(1 + kills % 3)});
+      if (has(output + ".checkpoint")) now.emplace_back("--resume");
+      // Moments of a golden-ratio sequence: spread over what a checkpoint takes to come and the time between two.
+      const double moment = 0.25 + 0.35 * std::fmod(0.618 * kills, 1.0);
+      const int status = signalled_after(moment, SIGKILL, output, now);
+      if (WIFEXITED(status)) {
+        EXPECT_EQ(WEXITSTATUS(status), 0) << get("stderr");
+        return kills;
+      }
+    }
+    ADD_FAILURE() << "never done";
+    return kills;
+  }
+
+  std::string scene_ = library + "cornell-spheres/scene.xml";
+};
+
+TEST_F(RenderVerb, killed_and_resumed_gives_the_bytes_of_a_render_never_stopped) {
+  const std::vector<std::vector<std::string>> renders{
+      {"--integrator", "path", "--size", "96x96", "--spp", "400", "--seed", "3"},
+      {"--integrator", "photonmapper", "--size", "96x96", "--spp", "64", "--photons", "2e6", "--seed", "3"},
+      {"--integrator", "direct", "--size", "192x192", "--spp", "600", "--crop", "11", "20", "150", "120"}};
+  for (const std::vector<std::string>& options : renders) {
+    const ProcessOutcome whole = render("whole.exr", options);
+    ASSERT_TRUE(whole.ok()) << whole.standard_error;
+    const int kills = kill_until_done("killed.exr", options);
+    std::printf("%s: %d kills\n", options[1].c_str(), kills);
+    EXPECT_GE(kills, 2) << options[1] << ": nothing was tested";
+    EXPECT_EQ(get("killed.exr"), get("whole.exr")) << options[1];
+    EXPECT_FALSE(has("killed.exr.checkpoint"));
+  }
+}
+
+TEST_F(RenderVerb, interrupted_writes_what_there_is_and_can_be_resumed) {
+  const std::vector<std::string> options{"--size", "96x96", "--spp", "1500"};
+  ASSERT_TRUE(render("whole.exr", options).ok());
+  const int status = signalled_after(0.4, SIGINT, "a.exr", options);
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 130);
+  EXPECT_NE(get("stderr").find("--resume goes on from there"), std::string::npos) << get("stderr");
+  EXPECT_EQ(read_image(path("a.exr")).width, 96);
+  ASSERT_TRUE(has("a.exr.checkpoint"));
+
+  const ProcessOutcome anew = render("a.exr", options);
+  EXPECT_EQ(anew.exit_code, 2);
+  EXPECT_EQ(anew.standard_error,
+            path("a.exr.checkpoint") +
+                ": error: an unfinished render left this checkpoint: go on from it with --resume, or delete it\n");
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.end(), options.begin(), options.end());
+    return render("a.exr", more);
+  };
+  EXPECT_EQ(with({"--resume", "--seed", "9"}).standard_error,
+            path("a.exr.checkpoint") +
+                ": error: the checkpoint is not one of this render: its seed is 0, this render's is 9\n");
+  EXPECT_NE(with({"--resume", "-D", "spp=5"}).standard_error.find("its scene's content is "), std::string::npos);
+
+  const ProcessOutcome resumed = with({"--resume", "--json"});
+  EXPECT_TRUE(resumed.ok()) << resumed.standard_error;
+  EXPECT_NE(resumed.standard_output.find("\"resumed_from_samples\""), std::string::npos);
+  EXPECT_EQ(get("a.exr"), get("whole.exr"));
+
+  EXPECT_EQ(
+      with({"--resume"}).standard_error,
+      path("a.exr.checkpoint") + ": error: there is no such checkpoint: the render was never begun, or is complete\n");
+}
+
+TEST_F(RenderVerb, damaged_checkpoint_is_refused_and_left_alone) {
+  put("a.exr.checkpoint", "my notes");
+  const ProcessOutcome outcome = render("a.exr", {"--size", "8x8", "--resume"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.standard_error, path("a.exr.checkpoint") + ": error: is not a checkpoint of a render\n");
+  EXPECT_EQ(get("a.exr.checkpoint"), "my notes");
+  EXPECT_TRUE(render("a.exr", {"--size", "8x8", "--checkpoint", "0"}).ok());  // which touches none
+  EXPECT_EQ(get("a.exr.checkpoint"), "my notes");
+}
+
+TEST_F(RenderVerb, crop_has_the_bits_of_the_whole_image) {
+  for (const char* integrator : {"path", "photonmapper"}) {
+    const std::vector<std::string> options{"--size", "50x40", "--spp", "4", "--integrator", integrator};
+    ASSERT_TRUE(render("whole.exr", options).ok());
+    std::vector<std::string> cropped = options;
+    cropped.insert(cropped.end(), {"--crop", "13", "5", "30", "20"});
+    ASSERT_TRUE(render("part.exr", cropped).ok());
+    const Image whole = read_image(path("whole.exr"));
+    const Image part = read_image(path("part.exr"));
+    ASSERT_EQ(part.width, 30);
+    ASSERT_EQ(part.height, 20);
+    for (int y = 0; y < 20; ++y)
+      for (int x = 0; x < 30; ++x)
+        for (int c = 0; c < 3; ++c)
+          ASSERT_EQ(part.pixel(x, y)[c], whole.pixel(x + 13, y + 5)[c]) << integrator << " " << x << " " << y;
+  }
+}
+
+TEST_F(RenderVerb, whole_numbers_may_be_written_with_an_exponent) {
+  ASSERT_TRUE(render("a.exr", {"--size", "8x8", "--spp", "1e1"}).ok());
+  EXPECT_NE(get("a.stats.json").find("\"samples_per_pixel\": 10.0"), std::string::npos);
+  for (const char* spp : {"1.5", "0", "-3", "many", "1e99", "nan"}) {
+    const ProcessOutcome outcome = render("a.exr", {"--spp", spp});
+    EXPECT_EQ(outcome.exit_code, 2) << spp;
+    EXPECT_NE(outcome.standard_error.find("'" + std::string(spp) + "' is not a whole number from 1 to 4294967296"),
+              std::string::npos)
+        << outcome.standard_error;
+  }
+}
+
+TEST_F(RenderVerb, options_that_make_no_sense_are_refused) {
+  const auto refusal = [&](const std::vector<std::string>& options) { return render("a.exr", options).standard_error; };
+  EXPECT_EQ(refusal({"--integrator", "path", "--photons", "1000"}),
+            "--photons: error: does nothing with integrator 'path', which stores no photons\n");
+  EXPECT_EQ(refusal({"--plan", "--integrator", "path", "--photons", "1000"}),
+            "--photons: error: does nothing with integrator 'path', which stores no photons\n");
+  EXPECT_EQ(refusal({"--plan", "--resume"}), "--resume: error: does nothing with --plan, which renders nothing\n");
+  for (const char* plan : {"--plan", "--quiet"})
+    EXPECT_EQ(refusal({plan, "--size", "50x40", "--crop", "30", "0", "21", "40"}),
+              "--crop: error: 30 0 21 40 is no part of the image of 50x40 pixels\n");
+  EXPECT_FALSE(has("a.exr"));
+  const std::string help = run_process({PHOTONPROOF_BINARY, "render", "--help"}).standard_output;
+  EXPECT_NE(help.find("sobol,independent"), std::string::npos) << help;
+}
+
+}  // namespace
+}  // namespace photonproof

@@ -1,0 +1,21 @@
+// No surface: histories go straight on. A border between media, or where a mask has a hole.
+#pragma once
+
+#include "renderer/bsdf_sample.h"
+
+namespace photonproof {
+
+template <class F>
+struct NullBsdf {
+  static constexpr bool has_smooth = false;
+  static constexpr bool is_lambertian = false;
+  Vec3<F> transmittance{F(1.0f)};
+
+  Vec3<F> eval(const Vec3<F>&, const Vec3<F>&) const { return Vec3<F>(F(0.0f)); }
+  F pdf(const Vec3<F>&, const Vec3<F>&) const { return F(0.0f); }
+  BsdfSample<F> sample(const Vec3<F>& wo, const F&, const Vec2<F>&, TransportMode) const {
+    return {-wo, transmittance, F(1.0f), F(1.0f), as_mask<F>(true), as_mask<F>(true)};
+  }
+};
+
+}  // namespace photonproof

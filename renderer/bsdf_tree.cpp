@@ -1,0 +1,41 @@
+#include "renderer/bsdf_tree.h"
+
+namespace photonproof {
+namespace {
+
+using Kind = BsdfNode::Kind;
+
+TexturedNumber textured(const Scalar& scalar) {
+  if (const auto* texture = std::get_if<TextureIndex>(&scalar)) return {0, texture->value};
+  return {static_cast<float>(std::get<double>(scalar)), no_index};
+}
+
+BsdfNode wrapper(Kind kind, BsdfIndex first, BsdfIndex second, const TexturedNumber& number) {
+  return {kind, first.value, second.value, number, {}, false};
+}
+
+BsdfNode node(const TwoSidedDescription& d) { return wrapper(Kind::two_sided, d.front, d.back, {}); }
+BsdfNode node(const MaskDescription& d) { return wrapper(Kind::mask, d.nested, d.nested, textured(d.opacity)); }
+BsdfNode node(const BlendDescription& d) { return wrapper(Kind::blend, d.first, d.second, textured(d.weight)); }
+BsdfNode node(const BumpMapDescription& d) {
+  return wrapper(Kind::bump, d.nested, d.nested, {static_cast<float>(d.scale), d.height.value});
+}
+BsdfNode node(const NormalMapDescription& d) {
+  return wrapper(Kind::normal_map, d.nested, d.nested, {1, d.normals.value});
+}
+template <class Leaf>
+BsdfNode node(const Leaf&) {
+  return {};
+}
+
+}  // namespace
+
+std::vector<BsdfNode> bsdf_tree(const std::vector<BsdfDescription>& bsdfs) {
+  std::vector<BsdfNode> tree;
+  tree.reserve(bsdfs.size());
+  for (const BsdfDescription& b : bsdfs)
+    tree.push_back(std::visit([](const auto& model) { return node(model); }, b.model));
+  return tree;
+}
+
+}  // namespace photonproof

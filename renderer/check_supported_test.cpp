@@ -1,0 +1,97 @@
+// What is refused, where and in which words.
+#include "renderer/check_supported.h"
+
+#include <gtest/gtest.h>
+
+#include "renderer/test_scenes.h"
+
+namespace photonproof {
+namespace {
+
+template <class Action>
+std::string said(const Action& action) {
+  try {
+    action();
+    return "";
+  } catch (const InputError& error) {
+    return error.summary();
+  }
+}
+
+std::string refusal(const SceneDescription& scene, const char* integrator) {
+  return said([&] { check_supported(scene, with_integrator(scene.integrator, integrator)); });
+}
+
+SceneDescription room_of_file() {
+  SceneDescription scene = test::room(8, true);
+  scene.files = {"room.xml"};
+  return scene;
+}
+
+TEST(check_supported, lets_every_integrator_do_a_plain_room) {
+  for (const Integrator& row : integrators()) EXPECT_EQ(refusal(room_of_file(), row.name), "") << row.name;
+}
+
+TEST(check_supported, refuses_media_at_the_medium_for_integrators_that_do_none) {
+  for (const char* integrator : {"path", "direct", "photonmapper"}) {
+    SceneDescription scene = room_of_file();
+    scene.media.push_back({{0, 7, 3}, "fog", HomogeneousDescription{}});
+    EXPECT_EQ(refusal(scene, integrator), "") << "nothing is in it";
+    const std::string expected =
+        "room.xml:7:3: error: integrator '" + std::string(integrator) + "' does not do media: use 'volpath'";
+    scene.shapes[2].exterior = MediumIndex{0};
+    EXPECT_EQ(refusal(scene, integrator), expected);
+    scene.shapes[2].exterior.reset();
+    scene.sensor.medium = MediumIndex{0};
+    EXPECT_EQ(refusal(scene, integrator), expected);
+    scene.sensor.medium.reset();
+    scene.groups.push_back({{}, "g", {scene.shapes[0]}});
+    scene.groups[0].shapes[0].interior = MediumIndex{0};
+    EXPECT_EQ(refusal(scene, integrator), expected);
+  }
+}
+
+TEST(check_supported, refuses_priorities_at_the_dielectric) {
+  SceneDescription scene = room_of_file();
+  DielectricDescription water;
+  water.priority = 2;
+  scene.bsdfs.push_back({{0, 4, 5}, "water", water});
+  EXPECT_EQ(refusal(scene, "path"),
+            "room.xml:4:5: error: integrator 'path' does not do priorities of dielectrics: use 'volpath'");
+}
+
+TEST(check_supported, refuses_direct_light_without_a_sample) {
+  SceneDescription scene = room_of_file();
+  DirectDescription direct;
+  direct.emitter_samples = direct.bsdf_samples = 0;
+  scene.integrator = {{0, 2, 1}, direct};
+  EXPECT_EQ(refusal(scene, "direct"),
+            "room.xml:2:1: error: emitter_samples and bsdf_samples must not be negative, nor both 0");
+}
+
+TEST(check_job, refuses_options_that_would_do_nothing) {
+  RenderJob job;
+  const auto refusal_of = [&](const char* integrator) {
+    return said([&] { check_job(job, with_integrator({}, integrator)); });
+  };
+  EXPECT_EQ(refusal_of("path"), "");
+  job.budget.photons = 1000;
+  EXPECT_EQ(refusal_of("path"), "--photons: error: does nothing with integrator 'path', which stores no photons");
+  EXPECT_EQ(refusal_of("photonmapper"), "");
+  job.budget.seconds = 1;
+  EXPECT_EQ(refusal_of("photonmapper"),
+            "--photons: error: does nothing with --seconds, which decides how many there are");
+}
+
+TEST(with_integrator, keeps_what_all_integrators_know) {
+  const IntegratorDescription asked{{0, 3, 4}, PathDescription{{7, 3, true}}};
+  for (const char* name : {"path", "photonmapper", "volpath", "bdpt", "ptracer", "direct", "whitted"}) {
+    const IntegratorDescription other = with_integrator(asked, name);
+    EXPECT_EQ(integrator_name(other), name);
+    EXPECT_EQ(other.limits(), (PathLimits{7, 3, true})) << name;
+    EXPECT_EQ(other.loc, asked.loc);
+  }
+}
+
+}  // namespace
+}  // namespace photonproof

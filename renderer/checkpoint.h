@@ -1,0 +1,115 @@
+// The file a long render can go on from: what it is a checkpoint of, as lines of text, then the state, then a checksum.
+// It is for the program that wrote it, on a machine of the same byte order; anything else is refused by name.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace photonproof {
+
+/// What decides the bits of an image, as (what it is called, its value): a checkpoint fits a render of equal identity.
+using RenderIdentity = std::vector<std::pair<std::string, std::string>>;
+
+/// Whether and where a render leaves checkpoints.
+struct CheckpointPolicy {
+  std::filesystem::path file;
+  double interval_seconds = 60;  ///< 0: none is written
+  bool resume = false;           ///< go on from `file`
+  RenderIdentity identity;
+
+  /// Before the work begins. Throws InputError when there is nothing to resume, or when a render that starts anew
+  /// would replace a checkpoint, which may be hours of somebody's work.
+  void check_file() const;
+};
+
+/// A 64-bit hash of bytes that come in pieces. It finds damage; it does not withstand intent.
+class Checksum {
+ public:
+  void add(const void* bytes, std::size_t count);
+  std::uint64_t value() const;
+
+ private:
+  void add_block(const char* bytes);
+
+  static constexpr std::size_t block = 64;
+  std::uint64_t lanes_[4] = {1, 2, 3, 4};
+  std::uint64_t length_ = 0;
+  char rest_[block] = {};
+  std::size_t rest_count_ = 0;
+};
+
+/// Collects a checkpoint in memory, so that the render stands still no longer than that takes.
+class StateWriter {
+ public:
+  explicit StateWriter(std::string& out) : out_(out) {}
+
+  void bytes(const void* data, std::size_t count);
+  template <class T>
+  void value(const T& v) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    bytes(&v, sizeof v);
+  }
+  template <class T>
+  void vector(const std::vector<T>& v) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    value(std::uint64_t{v.size()});
+    bytes(v.data(), v.size() * sizeof(T));
+  }
+  void text(const std::string& s);
+
+ private:
+  std::string& out_;
+};
+
+/// Throws InputError naming the file where it ends too early or holds what does not fit.
+class StateReader {
+ public:
+  StateReader(const std::filesystem::path& file, std::ifstream& in, std::uint64_t bytes_left)
+      : file_(file), in_(in), left_(bytes_left) {}
+
+  void bytes(void* data, std::size_t count);
+  template <class T>
+  T value() {
+    static_assert(std::is_trivially_copyable_v<T>);
+    T v;
+    bytes(&v, sizeof v);
+    return v;
+  }
+  /// Into a vector that has its size already.
+  template <class T>
+  void vector(std::vector<T>& v) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    if (value<std::uint64_t>() != v.size()) refuse("its tables have another size");
+    bytes(v.data(), v.size() * sizeof(T));
+  }
+  std::string text();
+  std::uint64_t bytes_left() const { return left_; }
+  [[noreturn]] void refuse(const std::string& why) const;
+
+ private:
+  const std::filesystem::path& file_;
+  std::ifstream& in_;
+  std::uint64_t left_;
+};
+
+/// Puts a checkpoint of what `state` writes into `content`, whose memory is used again.
+void fill_checkpoint(std::string& content, const RenderIdentity& identity,
+                     const std::function<void(StateWriter&)>& state);
+
+/// Replaces `file` atomically: after kill -9 at any moment there is the old one or the new one. Throws InputError when
+/// it cannot be written.
+void write_checkpoint(const std::filesystem::path& file, const std::string& content);
+
+/// Reads what `write_checkpoint` wrote. Throws InputError when the file is missing, no checkpoint, damaged, or of a
+/// render of another identity, naming the first difference; all this before `state` is called.
+void read_checkpoint(const std::filesystem::path& file, const RenderIdentity& identity,
+                     const std::function<void(StateReader&)>& state);
+
+}  // namespace photonproof

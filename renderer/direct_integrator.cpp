@@ -1,0 +1,41 @@
+// Direct light is the path tracer's, cut after two edges (Veach and Guibas 1995: both strategies under the balance of
+// their densities; with one of them alone its weight is 1).
+
+#include "renderer/direct_integrator.h"
+
+#include <algorithm>
+
+#include "renderer/path_integrator.h"
+#include "renderer/plan.h"
+
+namespace photonproof {
+
+std::int64_t paths_a_sample(const DirectDescription& description) {
+  return std::max(description.emitter_samples, description.bsdf_samples);
+}
+
+void render_direct(const Scene& scene, const IntegratorDescription& description, const RenderJob& job, Film& film,
+                   RenderStats& stats) {
+  const auto asked = std::get<DirectDescription>(description.method);
+  const RenderPlan plan = plan_render(scene, description, job);
+  stats.skipped = plan.skipped();
+  PathSettings settings{.max_depth = 2, .hide_emitters = asked.hide_emitters};
+  settings.sample_lights = asked.emitter_samples > 0;
+  settings.meet_lights = asked.bsdf_samples > 0;
+  settings.weighted = settings.sample_lights && settings.meet_lights && !plan.skips(Skip::mis);
+  settings.rr_depth = settings.max_depth + 1;  // a path this short is not worth ending early
+
+  const std::int64_t paths = paths_a_sample(asked);
+  const std::int64_t samples = job.budget.spp.value_or(job.sample_count);
+  constexpr std::int64_t most_samples = std::int64_t{1} << 32;  // indices of the sampler
+  if (samples > most_samples / paths)
+    throw InputError("--spp", std::to_string(samples) + " samples a pixel of " + std::to_string(paths) +
+                                  " paths each are more than 2^32");
+  RenderJob multiplied = job;
+  multiplied.budget.spp = samples * paths;
+  trace_path_passes(scene, settings, multiplied, "direct light", film, stats);
+  stats.counts["paths_per_sample"] = static_cast<double>(paths);
+  stats.counts["samples_per_pixel"] /= static_cast<double>(paths);
+}
+
+}  // namespace photonproof

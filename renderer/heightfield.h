@@ -1,0 +1,13 @@
+// A heightfield as the mesh that is traced in its place.
+#pragma once
+
+#include "renderer/texture.h"
+#include "scenes/description.h"
+
+namespace photonproof {
+
+/// In the shape's local space: columns x rows cells of two triangles over [-1,1]^2, facing +z, uv over the square.
+/// Noise is scaled so that the sum of its octaves stays within the amplitude.
+TriangleMesh make_heightfield(const HeightfieldDescription& description, const Textures& textures);
+
+}  // namespace photonproof

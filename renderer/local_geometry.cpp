@@ -1,0 +1,118 @@
+#include "renderer/local_geometry.h"
+
+#include <cmath>
+
+#include "renderer/warp.h"
+
+namespace photonproof {
+namespace {
+
+/// The angle of (x, y) in [0, 1) of a turn.
+float turn_of(float x, float y) {
+  const float turn = std::atan2(y, x) / (2 * pi);
+  return turn < 0 ? turn + 1 : turn;
+}
+
+LocalGeometry on_square(const AffineMap& frame, const Vec3f& p, const Vec3f& normal) {
+  const Vec3f local = frame.local_point(p);
+  return {{local.x, local.y}, frame.x, frame.y, normal};
+}
+
+LocalGeometry on_sphere(const AffineMap& frame, const Vec3f& p, const Vec3f& normal) {
+  const Vec3f local = frame.local_point(p);
+  const float from_axis = std::hypot(local.x, local.y);
+  const float cos_phi = from_axis > 0 ? local.x / from_axis : 1, sin_phi = from_axis > 0 ? local.y / from_axis : 0;
+  return {{turn_of(local.x, local.y), std::atan2(from_axis, local.z) / pi},
+          frame.vector({-2 * pi * local.y, 2 * pi * local.x, 0}),
+          frame.vector({pi * local.z * cos_phi, pi * local.z * sin_phi, -pi * from_axis}),
+          normal};
+}
+
+LocalGeometry on_disk(const AffineMap& frame, const Vec3f& p, const Vec3f& normal) {
+  const Vec3f local = frame.local_point(p);
+  const float r = std::hypot(local.x, local.y);
+  const float cos_phi = r > 0 ? local.x / r : 1, sin_phi = r > 0 ? local.y / r : 0;
+  return {{r, turn_of(local.x, local.y)},
+          frame.vector({cos_phi, sin_phi, 0}),
+          frame.vector({-sin_phi, cos_phi, 0}),
+          normal};
+}
+
+LocalGeometry on_cylinder(const AffineMap& frame, const Vec3f& p, const Vec3f& normal) {
+  const Vec3f local = frame.local_point(p);
+  return {
+      {turn_of(local.x, local.y), local.z}, frame.vector({-2 * pi * local.y, 2 * pi * local.x, 0}), frame.z, normal};
+}
+
+/// `p` in the mesh's own space.
+LocalGeometry on_mesh(const Mesh& mesh, std::uint32_t triangle, const Vec3f& p, const Vec3f& face_normal) {
+  const auto& corners = mesh.source->triangles[triangle];
+  const Vec3f p0 = mesh.positions[corners[0]];
+  const Vec3f edge_u = mesh.positions[corners[1]] - p0, edge_v = mesh.positions[corners[2]] - p0;
+  // Barycentric coordinates, those of the point of the triangle's plane nearest to p.
+  const Vec3d e(edge_u), f(edge_v), q(p - p0);
+  const double ee = dot(e, e), ef = dot(e, f), ff = dot(f, f), qe = dot(q, e), qf = dot(q, f);
+  const double determinant = ee * ff - ef * ef;
+  const auto b1 = static_cast<float>((qe * ff - qf * ef) / determinant);
+  const auto b2 = static_cast<float>((qf * ee - qe * ef) / determinant);
+  const float b0 = 1 - b1 - b2;
+
+  const float side = mesh.inward ? -1.0f : 1.0f;
+  const Tangents around = any_tangents(face_normal * side);
+  LocalGeometry local{{b1, b2}, around.s, around.t, face_normal};
+  if (!mesh.source->uvs.empty()) {
+    const auto uv_of = [&](std::size_t k) {
+      const Vec2<float> uv = mesh.source->uvs[corners[k]];
+      return Vec2<float>{uv.x, mesh.flip_v ? 1 - uv.y : uv.y};
+    };
+    const Vec2<float> uv0 = uv_of(0), uv1 = uv_of(1), uv2 = uv_of(2);
+    local.uv = {uv0.x * b0 + uv1.x * b1 + uv2.x * b2, uv0.y * b0 + uv1.y * b1 + uv2.y * b2};
+    const Vec2<float> du{uv1.x - uv0.x, uv2.x - uv0.x}, dv{uv1.y - uv0.y, uv2.y - uv0.y};  // along the two edges
+    const float area = du.x * dv.y - dv.x * du.y;
+    if (area != 0) {
+      local.dp_du = (edge_u * dv.y - edge_v * dv.x) / area;
+      local.dp_dv = (edge_v * du.x - edge_u * du.y) / area;
+    }
+  }
+  if (!mesh.normals.empty()) {
+    const Vec3f n = mesh.normals[corners[0]] * b0 + mesh.normals[corners[1]] * b1 + mesh.normals[corners[2]] * b2;
+    const float norm = length(n);
+    if (norm > 0) local.normal = n * (side / norm);
+  }
+  return local;
+}
+
+LocalGeometry on_instance(const MeshInstance& copy, std::uint32_t triangle, const Vec3f& p) {
+  const AffineMap& map = *copy.placement;
+  const Mesh& mesh = *copy.mesh;
+  const Vec3f corner = mesh.corner(triangle, 0);
+  const Vec3f winding = normalize(cross(mesh.corner(triangle, 1) - corner, mesh.corner(triangle, 2) - corner));
+  const LocalGeometry local = on_mesh(mesh, triangle, map.local_point(p), mesh.inward ? -winding : winding);
+  return {local.uv, map.vector(local.dp_du), map.vector(local.dp_dv), normalize(map.normal(local.normal))};
+}
+
+}  // namespace
+
+LocalGeometry local_geometry(const Surface& surface, const AffineMap* frame, std::uint32_t triangle, const Vec3f& p,
+                             const Vec3f& normal) {
+  const Geometry& geometry = surface.geometry;
+  if (const auto* mesh = std::get_if<Mesh>(&geometry)) return on_mesh(*mesh, triangle, p, normal);
+  if (const auto* copy = std::get_if<MeshInstance>(&geometry)) return on_instance(*copy, triangle, p);
+  if (std::holds_alternative<Sphere>(geometry)) return on_sphere(*frame, p, normal);
+  if (std::holds_alternative<Disk>(geometry)) return on_disk(*frame, p, normal);
+  if (std::holds_alternative<Cylinder>(geometry)) return on_cylinder(*frame, p, normal);
+  return on_square(*frame, p, normal);
+}
+
+bool has_shading_normals(const Surface& surface) {
+  if (const auto* mesh = std::get_if<Mesh>(&surface.geometry)) return !mesh->normals.empty();
+  if (const auto* copy = std::get_if<MeshInstance>(&surface.geometry)) return !copy->mesh->normals.empty();
+  return false;
+}
+
+Tangents any_tangents(const Vec3f& n) {
+  const Frame<float> frame(n);
+  return {frame.s, frame.t};
+}
+
+}  // namespace photonproof

@@ -1,0 +1,15 @@
+// Normals of a mesh's vertices where its file has none.
+#pragma once
+
+#include <vector>
+
+#include "scenes/mesh.h"
+
+namespace photonproof {
+
+/// Means of the adjoining triangles' normals, weighted by their angles at the vertex (Thuermer and Wuethrich 1998),
+/// unit; zero at vertices of no triangle. `positions` are the mesh's, wherever a transform put them.
+std::vector<Vec3f> vertex_normals(const std::vector<TriangleMesh::Triangle>& triangles,
+                                  const std::vector<Vec3f>& positions, std::size_t vertex_count);
+
+}  // namespace photonproof

@@ -1,0 +1,192 @@
+#include "renderer/render_loop.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cstring>
+
+#include "scenes/input_error.h"
+
+namespace photonproof {
+namespace {
+
+constexpr double seconds_between_progress = 0.1;
+
+std::int64_t total_samples(const RenderJob& job) { return job.budget.spp.value_or(job.sample_count); }
+
+}  // namespace
+
+RenderLoop::RenderLoop(const RenderJob& job, const Threads& threads, Film& film, RenderStats& stats, PassPlan plan)
+    : job_(job),
+      threads_(threads),
+      film_(film),
+      stats_(stats),
+      plan_(std::move(plan)),
+      schedule_(total_samples(job), job.budget.seconds, plan_.longest) {
+  keep(film);
+}
+
+void RenderLoop::keep(Film& film) {
+  kept_.push_back({[&film](StateWriter& out) { film.save(out); }, [&film](StateReader& in) { film.restore(in); }});
+}
+
+bool RenderLoop::next() {
+  if (!begun_) {
+    begun_ = true;
+    if (job_.checkpoint && job_.checkpoint->resume) {
+      read_checkpoint(job_.checkpoint->file, job_.checkpoint->identity, [&](StateReader& in) { restore(in); });
+      stats_.counts["resumed_from_samples"] = static_cast<double>(schedule_.samples_done());
+      stats_.counts["resumed_after_seconds"] = schedule_.seconds_spent();
+    }
+  } else {
+    if (pass_is_open()) return ended(true);
+    done_.clear();
+    units_done_ = 0;
+  }
+  samples_ = 0;
+  if (schedule_.samples_done() > 0 && !resumed_pass_ && job_.interrupted()) return ended(true);
+  if (!resumed_pass_ && due()) write();
+  samples_ = schedule_.next();
+  if (samples_ == 0) return ended(false);
+  for (KeptBetween& kept : between_) std::memcpy(kept.at_start.data(), kept.data, kept.at_start.size());
+  if (job_.progress) job_.progress(schedule_.fraction(samples_, 0), plan_.phase);
+  return true;
+}
+
+bool RenderLoop::ended(bool interrupted) {
+  stats_.interrupted = interrupted;
+  if (interrupted && writes()) write();
+  finish_write();
+  if (job_.progress && !interrupted) job_.progress(1, plan_.phase);
+  rays_.store(stats_);
+  stats_.counts["samples_per_pixel"] = static_cast<double>(schedule_.samples_done());
+  return false;
+}
+
+void RenderLoop::begin_units(std::size_t count) {
+  if (resumed_pass_ && done_.size() != count)
+    throw InputError(job_.checkpoint->file.string(),
+                     "the checkpoint is not one of this render: its passes have other parts");
+  if (!resumed_pass_) {
+    done_.assign(count, 0);
+    units_done_ = 0;
+  }
+  resumed_pass_ = false;
+}
+
+void RenderLoop::unit_is_done(std::size_t unit) {
+  const std::lock_guard lock(progress_mutex_);
+  done_[unit] = 1;
+  ++units_done_;
+  if (!job_.progress || since_progress_.seconds() < seconds_between_progress) return;
+  since_progress_ = Timer();
+  const double part = static_cast<double>(units_done_) / static_cast<double>(done_.size());
+  job_.progress(std::min(schedule_.fraction(samples_, part), 0.999), plan_.phase);
+}
+
+void RenderLoop::for_each_tile(const std::function<void(const Tile&)>& body) {
+  const Tiles tiles(film_.window());
+  begin_units(tiles.count());
+  while (pass_is_open() && !stops()) {
+    if (due()) write();
+    std::vector<std::size_t> left;
+    for (std::size_t i = 0; i < done_.size(); ++i)
+      if (done_[i] == 0) left.push_back(i);
+    threads_.for_each(left.size(), [&](std::size_t i) {
+      const bool waits = i > 0 && due();  // one tile is made however often checkpoints are due
+      if (waits || stops()) return;
+      body(tiles.at(left[i]));
+      unit_is_done(left[i]);
+    });
+  }
+}
+
+void RenderLoop::for_each_in_order(std::size_t units, const std::function<void(std::size_t, std::size_t)>& body,
+                                   const std::function<void(std::size_t, std::size_t)>& commit) {
+  begin_units(units);
+  while (pass_is_open() && !stops()) {
+    if (due()) write();
+    const std::size_t first = units_done_;
+    bool begun = false;
+    const auto waits = [&] { return (std::exchange(begun, true) && due()) || stops(); };
+    threads_.for_each_in_order(
+        first, units, waits, [&](std::size_t unit) { body(unit, unit % slots()); },
+        [&](std::size_t unit) {
+          commit(unit, unit % slots());
+          unit_is_done(unit);
+        });
+  }
+}
+
+void RenderLoop::write() {
+  finish_write();
+  const PhaseTimer phase(stats_.phases["checkpoint"]);
+  fill_checkpoint(content_, job_.checkpoint->identity, [&](StateWriter& out) { save(out); });
+  writing_ = std::async(std::launch::async, [this] {
+    const Timer timer;
+    Written written;
+    try {
+      write_checkpoint(job_.checkpoint->file, content_);
+    } catch (const InputError& error) {  // a full disk must not end a render that could still finish
+      written.problem = error.summary();
+    }
+    written.seconds = timer.seconds();
+    return written;
+  });
+  since_write_ = Timer();
+}
+
+void RenderLoop::finish_write() {
+  if (!writing_.valid()) return;
+  const PhaseTimer phase(stats_.phases["checkpoint"]);
+  const Written written = writing_.get();
+  stats_.checkpoint_problem = written.problem;
+  if (written.problem.empty()) stats_.counts["checkpoints"] += 1;
+  stats_.counts["checkpoint_write_seconds"] += written.seconds;
+}
+
+void RenderLoop::save(StateWriter& out) const {
+  out.text(job_.budget.seconds ? "--seconds" : "--spp");
+  out.text(plan_.budget);
+  out.value(total_samples(job_));
+  const bool open = pass_is_open();
+  out.value(open ? first() : schedule_.samples_done());
+  out.value(open ? samples_ : std::int64_t{0});
+  out.value(schedule_.seconds_spent());
+  out.value(std::uint64_t{open ? done_.size() : 0});
+  out.vector(open ? done_ : std::vector<std::uint8_t>{});
+  out.value(rays_.counts());
+  for (const KeptBetween& kept : between_) {
+    const char* data = open ? kept.at_start.data() : kept.data;
+    out.bytes(data, kept.at_start.size());
+  }
+  for (const Kept& kept : kept_) kept.save(out);
+}
+
+void RenderLoop::restore(StateReader& in) {
+  const auto expect = [&](const char* name, const std::string& ours) {
+    const std::string theirs = in.text();
+    if (theirs != ours) in.refuse(std::string("its ") + name + " is " + theirs + ", this render's is " + ours);
+  };
+  expect("kind of budget", job_.budget.seconds ? "--seconds" : "--spp");
+  expect("budget", plan_.budget);
+  const auto total = in.value<std::int64_t>();
+  const auto first = in.value<std::int64_t>();
+  const auto samples = in.value<std::int64_t>();
+  const auto seconds = in.value<double>();
+  const auto units = in.value<std::uint64_t>();
+  if (first < 0 || samples < 0 || units > in.bytes_left()) in.refuse("its pass makes no sense");
+  if (!schedule_.makes_pass(first, samples))
+    in.refuse("it stands at sample " + std::to_string(first + samples) + " of --spp " + std::to_string(total) +
+              ", in a pass that --spp " + std::to_string(total_samples(job_)) + " does not make");
+  done_.resize(static_cast<std::size_t>(units));
+  in.vector(done_);
+  for (std::uint8_t& unit : done_) unit = unit != 0 ? 1 : 0;
+  units_done_ = static_cast<std::size_t>(std::count(done_.begin(), done_.end(), 1));
+  resumed_pass_ = samples > 0;
+  schedule_.resume(first, samples, seconds);
+  rays_.set(in.value<RayCounts>());
+  for (KeptBetween& kept : between_) in.bytes(kept.data, kept.at_start.size());
+  for (const Kept& kept : kept_) kept.restore(in);
+}
+
+}  // namespace photonproof

@@ -1,0 +1,137 @@
+// The passes of a render, and all that must not be lost or left undone around them: budget, progress, Ctrl-C,
+// checkpoints. Every integrator runs its passes through it:
+//
+//   RenderLoop loop(job, threads, film, stats, {.phase = "path tracing"});
+//   while (loop.next())
+//     loop.for_each_tile([&](const Tile& tile) { ... samples [loop.first(), loop.first() + loop.samples()) ... });
+//
+// A checkpoint holds the film, the rays counted, which units of the current pass (tiles, or chunks of light paths) are
+// done, and what the integrator asks to `keep`. It is copied between units, when none is being worked on, so a pass may
+// be longer than the time between checkpoints; the copy, as large as the film, is written while rendering goes on. A
+// render that is resumed does the units that were not done, from random numbers that depend on nothing but their
+// indices, and so ends with the bits of one that was never stopped.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <future>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "renderer/checkpoint.h"
+#include "renderer/film.h"
+#include "renderer/integrator.h"
+#include "renderer/parallel.h"
+#include "renderer/pass_schedule.h"
+#include "renderer/ray_totals.h"
+
+namespace photonproof {
+
+struct PassPlan {
+  std::string phase;          ///< for the progress line
+  std::int64_t longest = 64;  ///< samples a pixel of a pass, at most
+  /// What else of the budget decides a pass's estimates; only a render of the same can be resumed. Without it a render
+  /// may be resumed with more samples, where the passes made so far are those of the longer render.
+  std::string budget = {};
+};
+
+class RenderLoop {
+ public:
+  RenderLoop(const RenderJob& job, const Threads& threads, Film& film, RenderStats& stats, PassPlan plan);
+  RenderLoop(const RenderLoop&) = delete;
+  RenderLoop& operator=(const RenderLoop&) = delete;
+
+  // --- before the first pass: what checkpoints hold besides, of trivially copyable types ---
+
+  /// Changed by the units themselves, one at a time (a second film, what commits sum up).
+  void keep(Film& film);
+  template <class T>
+  void keep(T& value) {
+    kept_.push_back(
+        {[&value](StateWriter& out) { out.value(value); }, [&value](StateReader& in) { value = in.value<T>(); }});
+  }
+  template <class T>
+  void keep(std::vector<T>& values) {
+    kept_.push_back(
+        {[&values](StateWriter& out) { out.vector(values); }, [&values](StateReader& in) { in.vector(values); }});
+  }
+  /// Changed at the start of a pass, before its units (how many photons were emitted). Restored as it was before that,
+  /// since a pass that is resumed starts again, with the units left to do.
+  template <class T>
+  void keep_between_passes(T& value) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    between_.push_back({reinterpret_cast<char*>(&value), std::vector<char>(sizeof value)});
+  }
+
+  // --- the passes ---
+
+  /// Begins the next pass. False when the budget is used up or the render was interrupted; then the stats are filled.
+  /// The first call restores the checkpoint to go on from; it throws InputError when that is not one of this render.
+  bool next();
+  std::int64_t first() const { return schedule_.samples_done() - samples_; }  ///< sample of the pass
+  std::int64_t samples() const { return samples_; }                           ///< a pixel, of the pass
+
+  /// Calls body(tile) for the film's tiles, on any thread, in any order: at most once a pass. The body adds to the
+  /// film's pixels in its tile, to rays(), and to nothing else.
+  void for_each_tile(const std::function<void(const Tile&)>& body);
+
+  /// The same for `units` pieces of work whose results meet (light paths splat anywhere): body(unit, slot) in any order
+  /// on any thread leaves its result in a slot, of which there are slots(); commit(unit, slot) is called for one unit
+  /// after the other in their order and adds it to the film or to what is kept. What is added may only be added there.
+  void for_each_in_order(std::size_t units, const std::function<void(std::size_t unit, std::size_t slot)>& body,
+                         const std::function<void(std::size_t unit, std::size_t slot)>& commit);
+  std::size_t slots() const { return threads_.in_flight(); }
+
+  /// Of the units, over the whole render. Rays traced between passes are the integrator's to keep.
+  RayTotals& rays() { return rays_; }
+
+ private:
+  struct Kept {
+    std::function<void(StateWriter&)> save;
+    std::function<void(StateReader&)> restore;
+  };
+  struct KeptBetween {
+    char* data;
+    std::vector<char> at_start;
+  };
+
+  /// Waits for the checkpoint that is being written.
+  void finish_write();
+  bool writes() const { return job_.checkpoint && job_.checkpoint->interval_seconds > 0; }
+  bool due() const { return writes() && since_write_.seconds() >= job_.checkpoint->interval_seconds; }
+  /// The first pass is always made whole, so that no pixel stays black.
+  bool stops() const { return job_.interrupted() && first() > 0; }
+  void begin_units(std::size_t count);
+  bool pass_is_open() const { return units_done_ < done_.size(); }
+  void unit_is_done(std::size_t unit);
+  void write();
+  void save(StateWriter& out) const;
+  void restore(StateReader& in);
+  bool ended(bool interrupted);
+
+  const RenderJob& job_;
+  const Threads& threads_;
+  Film& film_;
+  RenderStats& stats_;
+  PassPlan plan_;
+  PassSchedule schedule_;
+  RayTotals rays_;
+  std::vector<Kept> kept_;
+  std::vector<KeptBetween> between_;
+  std::int64_t samples_ = 0;
+  bool begun_ = false;
+  bool resumed_pass_ = false;       ///< done_ was restored for this pass
+  std::vector<std::uint8_t> done_;  ///< a unit of the pass
+  std::size_t units_done_ = 0;
+  std::mutex progress_mutex_;
+  Timer since_progress_, since_write_;
+  struct Written {
+    double seconds = 0;
+    std::string problem;
+  };
+  std::string content_;           ///< of the checkpoint that is being written
+  std::future<Written> writing_;  ///< the last member: it ends before what it uses
+};
+
+}  // namespace photonproof

@@ -1,0 +1,205 @@
+// Renders that are stopped anywhere and resumed, for every integrator of the table, inside one process: after a number
+// of units given beforehand, at other thread counts, as often as one likes. The program's test kills the real one.
+#include "renderer/render_loop.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+
+#include "renderer/test_scenes.h"
+
+namespace photonproof {
+namespace {
+
+class Resume : public testing::Test {
+ protected:
+  void SetUp() override {
+    const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = std::filesystem::temp_directory_path() /
+              ("photonproof_resume_" + std::string(test->name()) + "_" + std::to_string(getpid()));
+    std::filesystem::create_directories(folder_);
+    file_ = folder_ / "a.checkpoint";
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  CheckpointPolicy policy(bool resume, double interval_seconds = 1e6) const {
+    return {file_, interval_seconds, resume, {{"scene", "room"}}};
+  }
+  static Film film_of(const SceneDescription& scene) { return {scene.sensor.film.width, scene.sensor.film.height}; }
+
+  struct Outcome {
+    Rendering image;
+    RenderStats stats;
+  };
+  /// Renders until `progress` was called `calls` times, then interrupts; -1: to the end.
+  Outcome part(const SceneDescription& description, const std::string& integrator, RenderJob job, bool resume,
+               int calls) const {
+    const Scene scene(description, description.sensor.film.width, description.sensor.film.height);
+    std::atomic<bool> stop{false};
+    job.interrupt = &stop;
+    job.checkpoint = policy(resume);
+    job.progress = [&](double, const std::string&) { stop = stop || --calls == 0; };
+    Film film = film_of(description);
+    Outcome out;
+    find_integrator(integrator)
+        ->render(scene, with_integrator(description.integrator, integrator), job, film, out.stats);
+    out.image = film.develop();
+    return out;
+  }
+  std::string problem(const SceneDescription& description, const std::string& integrator, const RenderJob& job) const {
+    try {
+      part(description, integrator, job, true, -1);
+      return "";
+    } catch (const InputError& error) {
+      return error.summary().substr((file_.string() + ": error: the checkpoint is not one of this render: ").size());
+    }
+  }
+
+  std::filesystem::path folder_, file_;
+};
+
+TEST_F(Resume, gives_the_bits_and_the_counts_of_a_render_never_stopped) {
+  const SceneDescription scene = test::room(48, true);
+  for (const Integrator& row : integrators()) {
+    RenderJob job = test::job_with(24, 30'000);
+    if (!row.heeds.photons) job.budget.photons.reset();
+    job.threads = 2;
+    const test::Rendered whole = test::render(scene, row.name, job);
+    int stops = 0;
+    Outcome last = part(scene, row.name, job, false, 2);
+    for (; last.stats.interrupted; ++stops) {
+      ASSERT_LT(stops, 100);
+      job.threads = 1 + stops % 7;
+      last = part(scene, row.name, job, true, 2);
+    }
+    EXPECT_GE(stops, 3) << row.name;
+    EXPECT_EQ(last.image.mean.rgb, whole.image.mean.rgb) << row.name;
+    EXPECT_EQ(last.image.variance->rgb, whole.image.variance->rgb) << row.name;
+    for (const auto& [name, count] : whole.stats.counts)
+      EXPECT_EQ(last.stats.counts.at(name), count) << row.name << " " << name;
+  }
+}
+
+TEST_F(Resume, of_fewer_or_more_samples_is_for_passes_that_the_whole_render_makes) {
+  const SceneDescription scene = test::room(32, false);
+  // Passes of 1, 1, 2, 4 and 8 samples and so on: the third progress call, at the start of the third pass, stops it.
+  RenderJob job = test::job_with(11);
+  job.budget.photons.reset();
+  const Outcome stopped = part(scene, "path", job, false, 3);
+  ASSERT_TRUE(stopped.stats.interrupted);
+  const std::filesystem::path kept = folder_ / "kept";
+  std::filesystem::copy_file(file_, kept);
+  for (const int spp : {4, 9, 64}) {
+    std::filesystem::copy_file(kept, file_, std::filesystem::copy_options::overwrite_existing);
+    job.budget.spp = spp;
+    EXPECT_EQ(part(scene, "path", job, true, -1).image.mean.rgb, test::render(scene, "path", job).image.mean.rgb)
+        << spp;
+  }
+  job.budget.spp = 1;
+  EXPECT_NE(problem(scene, "path", job).find("in a pass that --spp 1 does not make"), std::string::npos);
+  job.budget.spp.reset();
+  job.budget.seconds = 10;
+  EXPECT_EQ(problem(scene, "path", job), "its kind of budget is --spp, this render's is --seconds");
+}
+
+TEST_F(Resume, of_the_photon_mapper_wants_the_same_photons) {
+  const SceneDescription scene = test::room(32, true);
+  RenderJob job = test::job_with(8, 20'000);
+  ASSERT_TRUE(part(scene, "photonmapper", job, false, 3).stats.interrupted);
+  job.budget.photons = 30'000;
+  EXPECT_EQ(
+      problem(scene, "photonmapper", job),
+      "its budget is 20000 global and 20000 caustic photons over 8 samples a pixel, this render's is 30000 global "
+      "and 30000 caustic photons over 8 samples a pixel");
+}
+
+TEST_F(Resume, takes_the_seconds_already_spent_from_the_budget) {
+  const SceneDescription scene = test::room(32, false);
+  RenderJob job;
+  job.budget.seconds = 1e6;
+  ASSERT_TRUE(part(scene, "path", job, false, 3).stats.interrupted);
+  job.budget.seconds = 1e-6;  // less than were spent: nothing is left to do but the pass that was begun
+  const Outcome out = part(scene, "path", job, true, -1);
+  EXPECT_FALSE(out.stats.interrupted);
+  EXPECT_GT(out.stats.counts.at("resumed_after_seconds"), 1e-6);
+}
+
+TEST_F(Resume, loses_at_most_the_interval_inside_a_pass) {
+  // Checkpoints that are due all the time: one a tile, since a tile is made however often they are due.
+  const SceneDescription description = test::room(40, false);
+  const Scene scene(description, 40, 40);
+  RenderJob job = test::job_with(2);
+  job.threads = 1;
+  job.checkpoint = policy(false, 1e-9);
+  Film film = film_of(description);
+  RenderStats stats;
+  find_integrator("path")->render(scene, description.integrator, job, film, stats);
+  EXPECT_GE(stats.counts.at("checkpoints"), 2 * 9);  // 3 x 3 tiles of 16 pixels, two passes
+  EXPECT_TRUE(std::filesystem::exists(file_));
+  EXPECT_EQ(film.develop().mean.rgb, test::render(description, "path", test::job_with(2)).image.mean.rgb);
+}
+
+TEST_F(Resume, a_checkpoint_that_cannot_be_written_does_not_end_the_render) {
+  const SceneDescription description = test::room(16, false);
+  const Scene scene(description, 16, 16);
+  RenderJob job = test::job_with(4);
+  job.checkpoint = policy(false, 1e-9);
+  job.checkpoint->file = folder_ / "missing/a.checkpoint";
+  Film film = film_of(description);
+  RenderStats stats;
+  find_integrator("path")->render(scene, description.integrator, job, film, stats);
+  EXPECT_FALSE(stats.interrupted);
+  EXPECT_EQ(stats.checkpoint_problem,
+            job.checkpoint->file.string() + ": error: folder '" + (folder_ / "missing").string() + "' does not exist");
+}
+
+/// Units whose results meet: each is added after the sum so far was scaled down, so that their order shows.
+struct OrderedWork {
+  double sum = 1;
+  double run(const RenderJob& job, RenderStats& stats) {
+    Film film(1, 1);
+    const Threads threads(job.threads);
+    RenderLoop loop(job, threads, film, stats, {.phase = "test"});
+    loop.keep(sum);
+    while (loop.next()) {
+      std::vector<double> slots(loop.slots());
+      loop.for_each_in_order(
+          200, [&](std::size_t unit, std::size_t slot) { slots[slot] = double(unit + 1) + double(loop.first()); },
+          [&](std::size_t, std::size_t slot) { sum = 0.999 * sum + slots[slot]; });
+    }
+    return sum;
+  }
+};
+
+TEST_F(Resume, of_units_in_order_gives_the_same_bits) {
+  RenderJob job = test::job_with(6);
+  RenderStats stats;
+  const double whole = OrderedWork().run(job, stats);
+  for (const int threads : {1, 2, 7}) {
+    job.threads = threads;
+    job.checkpoint = policy(false, 1e-9);
+    std::atomic<bool> stop{false};
+    job.interrupt = &stop;
+    int calls = 3;
+    job.progress = [&](double, const std::string&) { stop = stop || --calls == 0; };
+    RenderStats first, second;
+    OrderedWork().run(job, first);
+    EXPECT_TRUE(first.interrupted);
+    stop = false;
+    job.checkpoint->resume = true;
+    EXPECT_EQ(OrderedWork().run(job, second), whole) << threads;
+    std::filesystem::remove(file_);
+  }
+}
+
+TEST(pass_schedule, knows_the_passes_it_makes) {
+  const PassSchedule passes(100, std::nullopt);  // from 0, 1, 2, 4, 8, 16, 32, and 36 samples from 64
+  for (const auto& [first, samples] : {std::pair{0, 1}, {1, 1}, {2, 2}, {32, 32}, {64, 36}, {64, 0}, {100, 0}})
+    EXPECT_TRUE(passes.makes_pass(first, samples)) << first << " " << samples;
+  for (const auto& [first, samples] : {std::pair{0, 2}, {3, 1}, {64, 64}, {65, 0}, {101, 0}, {128, 64}})
+    EXPECT_FALSE(passes.makes_pass(first, samples)) << first << " " << samples;
+}
+
+}  // namespace
+}  // namespace photonproof

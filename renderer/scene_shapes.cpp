@@ -1,0 +1,266 @@
+#include "renderer/scene_shapes.h"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "renderer/heightfield.h"
+#include "renderer/local_geometry.h"
+#include "renderer/mesh_normals.h"
+#include "renderer/scene_frame.h"
+
+namespace photonproof {
+namespace {
+
+/// Local-to-face transforms of the cube's six sides: each maps [-1,1]^2 (normal +z) onto one side, normal outward.
+std::array<Transform, 6> cube_faces() {
+  const Vec3d x{1, 0, 0}, y{0, 1, 0};
+  const Transform top = Transform::translate({0, 0, 1});
+  return {top,
+          Transform::rotate(y, 180) * top,
+          Transform::rotate(y, 90) * top,
+          Transform::rotate(y, -90) * top,
+          Transform::rotate(x, 90) * top,
+          Transform::rotate(x, -90) * top};
+}
+
+/// Where the same sides have uv (0, 0), and the edges along which u and v grow to 1: Mitsuba's cube.
+struct FaceUv {
+  Vec3d corner, along_u, along_v;
+};
+const std::array<FaceUv, 6> cube_uvs{{{{-1, -1, 1}, {0, 2, 0}, {2, 0, 0}},
+                                      {{-1, 1, -1}, {0, -2, 0}, {2, 0, 0}},
+                                      {{1, -1, 1}, {0, 2, 0}, {0, 0, -2}},
+                                      {{-1, -1, -1}, {0, 2, 0}, {0, 0, 2}},
+                                      {{-1, -1, -1}, {0, 0, 2}, {2, 0, 0}},
+                                      {{1, 1, 1}, {-2, 0, 0}, {0, 0, -2}}}};
+
+/// The frame of a flat shape: its two edges and, across it, a unit normal.
+AffineMap flat_frame(const Vec3d& origin, const Vec3d& along_u, const Vec3d& along_v) {
+  return {along_u, along_v, normalize(cross(along_u, along_v)), origin};
+}
+
+bool is_mesh(const ShapeDescription& shape) {
+  return std::holds_alternative<MeshDescription>(shape.geometry) ||
+         std::holds_alternative<HeightfieldDescription>(shape.geometry);
+}
+
+/// Estimators divide by areas and normalise by them: both must stay finite with room to spare.
+bool has_usable_size(const Geometry& geometry) {
+  const auto usable = [](float area) { return area > 1e-30f && area < 1e30f; };
+  if (const auto* quad = std::get_if<Quad>(&geometry)) return usable(quad->area);
+  if (const auto* sphere = std::get_if<Sphere>(&geometry)) return usable(sphere->area());
+  if (const auto* disk = std::get_if<Disk>(&geometry)) return usable(disk->area);
+  if (const auto* cylinder = std::get_if<Cylinder>(&geometry)) return usable(cylinder->area());
+  return true;
+}
+
+/// The normal of the plane of two edges that a transform made of the local x and y axes: the inverse transpose's, which
+/// a mirroring transform does not turn over as it does the winding.
+Vec3d flat_normal(const Vec3d& edge_u, const Vec3d& edge_v, bool turned) {
+  return normalize(cross(edge_u, edge_v)) * (turned ? -1.0 : 1.0);
+}
+
+}  // namespace
+
+SceneShapes::SceneShapes(const SceneDescription& description, const Textures& textures, const Vec3d& moved)
+    : description_(description), textures_(textures) {
+  for (const ShapeDescription& shape : description.shapes) add(shape, Transform::translate(moved) * shape.to_world);
+}
+
+void SceneShapes::add(const ShapeDescription& shape, const Transform& to_world) {
+  const std::size_t first = surfaces.size();
+  if (const auto* sphere = std::get_if<SphereDescription>(&shape.geometry)) {
+    add_sphere(shape, *sphere, to_world);
+  } else if (const auto* cylinder = std::get_if<CylinderDescription>(&shape.geometry)) {
+    add_cylinder(shape, *cylinder, to_world);
+  } else if (std::holds_alternative<DiskDescription>(shape.geometry)) {
+    add_disk(shape, to_world);
+  } else if (std::holds_alternative<PlaneDescription>(shape.geometry)) {
+    add_plane(shape, to_world);
+  } else if (std::holds_alternative<RectangleDescription>(shape.geometry)) {
+    const AffineMap uv =
+        flat_frame(to_world.point({-1, -1, 0}), to_world.vector({2, 0, 0}), to_world.vector({0, 2, 0}));
+    add_quad(shape, to_world, to_world.determinant() < 0, uv);
+  } else if (std::holds_alternative<CubeDescription>(shape.geometry)) {
+    add_cube(shape, to_world);
+  } else if (const auto* instance = std::get_if<InstanceDescription>(&shape.geometry)) {
+    add_instance(shape, *instance, to_world);
+    return;
+  } else {
+    Mesh mesh = compile_mesh(shape, to_world);
+    primitives += mesh.triangle_count();
+    add_surface(std::move(mesh), shape);
+    return;
+  }
+  primitives += surfaces.size() - first;
+  for (std::size_t i = first; i < surfaces.size(); ++i)
+    if (!has_usable_size(surfaces[i].geometry))
+      throw InputError(description_.where(shape.loc), "the shape's area is outside what single precision can hold");
+}
+
+void SceneShapes::require_similarity(const ShapeDescription& shape, const Transform& to_world) const {
+  const Vec3d x = to_world.vector({1, 0, 0}), y = to_world.vector({0, 1, 0}), z = to_world.vector({0, 0, 1});
+  const double scale = dot(x, x);
+  const auto differs = [&](double a, double b) { return std::abs(a - b) > 1e-4 * scale; };
+  if (differs(dot(y, y), scale) || differs(dot(z, z), scale) || differs(dot(x, y), 0) || differs(dot(x, z), 0) ||
+      differs(dot(y, z), 0))
+    throw InputError(description_.where(shape.loc),
+                     "a sphere or cylinder cannot be stretched or sheared, by an instance either");
+}
+
+void SceneShapes::add_sphere(const ShapeDescription& shape, const SphereDescription& sphere,
+                             const Transform& to_world) {
+  require_similarity(shape, to_world);
+  const double radius = sphere.radius * to_world.similarity_scale();
+  const Vec3d center = to_world.point(sphere.center);
+  const AffineMap uv(to_world.vector({sphere.radius, 0, 0}), to_world.vector({0, sphere.radius, 0}),
+                     to_world.vector({0, 0, sphere.radius}), center);
+  add_surface(Sphere{Vec3f(center), static_cast<float>(radius), shape.flip_normals}, shape, uv);
+}
+
+void SceneShapes::add_disk(const ShapeDescription& shape, const Transform& to_world) {
+  const Vec3d center = to_world.point({0, 0, 0});
+  const Vec3d x = to_world.vector({1, 0, 0}), y = to_world.vector({0, 1, 0});
+  const Vec3d normal = flat_normal(x, y, shape.flip_normals != (to_world.determinant() < 0));
+  const double area = std::numbers::pi * length(cross(x, y));
+  add_surface(Disk{Vec3f(center), Vec3f(x), Vec3f(y), Vec3f(normal), static_cast<float>(area)}, shape,
+              flat_frame(center, x, y));
+  simple = false;
+}
+
+void SceneShapes::add_cylinder(const ShapeDescription& shape, const CylinderDescription& cylinder,
+                               const Transform& to_world) {
+  require_similarity(shape, to_world);
+  const Vec3d base = to_world.point(cylinder.p0);
+  const Vec3d along = to_world.point(cylinder.p1) - base;
+  const double radius = cylinder.radius * to_world.similarity_scale();
+  const Tangents around = any_tangents(Vec3f(normalize(cylinder.p1 - cylinder.p0)));
+  const AffineMap uv(to_world.vector(Vec3d(around.s) * cylinder.radius),
+                     to_world.vector(Vec3d(around.t) * cylinder.radius), along, base);
+  const Vec3d axis = normalize(along);
+  add_surface(Cylinder{Vec3f(base), Vec3f(axis), static_cast<float>(length(along)), static_cast<float>(radius),
+                       shape.flip_normals},
+              shape, uv);
+  simple = false;
+}
+
+void SceneShapes::add_plane(const ShapeDescription& shape, const Transform& to_world) {
+  const Vec3d origin = to_world.point({0, 0, 0});
+  const Vec3d x = to_world.vector({1, 0, 0}), y = to_world.vector({0, 1, 0});
+  const Vec3d normal = flat_normal(x, y, shape.flip_normals != (to_world.determinant() < 0));
+  if (!is_finite(normal) || !is_finite(Vec3f(origin)))
+    throw InputError(description_.where(shape.loc), "the plane is outside what single precision can hold");
+  add_surface(Plane{origin, normal}, shape, flat_frame(origin, x, y));
+  simple = false;
+}
+
+void SceneShapes::add_cube(const ShapeDescription& shape, const Transform& to_world) {
+  const std::array<Transform, 6> faces = cube_faces();
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    const FaceUv& uv = cube_uvs[i];
+    add_quad(shape, to_world * faces[i], to_world.determinant() < 0,
+             flat_frame(to_world.point(uv.corner), to_world.vector(uv.along_u), to_world.vector(uv.along_v)));
+  }
+}
+
+void SceneShapes::add_quad(const ShapeDescription& shape, const Transform& face_to_world, bool mirrored,
+                           const AffineMap& uv_frame) {
+  const Vec3d corner = face_to_world.point({-1, -1, 0});
+  const Vec3d edge_u = face_to_world.vector({2, 0, 0});
+  const Vec3d edge_v = face_to_world.vector({0, 2, 0});
+  const Vec3d n = cross(edge_u, edge_v);
+  const double area = length(n);
+  // A mirrored transform turns the winding round but not the side Mitsuba's normal (inverse transpose) points to.
+  const Vec3d normal = n / area * (shape.flip_normals != mirrored ? -1.0 : 1.0);
+  add_surface(Quad{Vec3f(corner), Vec3f(edge_u), Vec3f(edge_v), Vec3f(normal), static_cast<float>(area)}, shape,
+              uv_frame);
+}
+
+Mesh SceneShapes::compile_mesh(const ShapeDescription& shape, const Transform& to_world) const {
+  Mesh mesh;
+  bool flat = false, computes_normals = true;
+  if (const auto* file = std::get_if<MeshDescription>(&shape.geometry)) {
+    mesh.source = file->mesh;
+    mesh.flip_v = file->flip_tex_coords;
+    flat = file->face_normals;
+    computes_normals = file->format == MeshDescription::Format::ply;
+  } else {
+    const auto& field = std::get<HeightfieldDescription>(shape.geometry);
+    mesh.source = std::make_shared<const TriangleMesh>(make_heightfield(field, textures_));
+    flat = field.face_normals;
+  }
+  const TriangleMesh& source = *mesh.source;
+  mesh.positions.reserve(source.positions.size() + 1);
+  for (const Vec3f& p : source.positions) mesh.positions.push_back(Vec3f(to_world.point(Vec3d(p))));
+  mesh.positions.emplace_back();
+  mesh.inward = shape.flip_normals;  // as Mitsuba, which lets a mirroring transform turn a mesh over
+  if (!flat && !source.normals.empty()) {
+    const AffineMap map(to_world);
+    mesh.normals.reserve(source.normals.size());
+    for (const Vec3f& n : source.normals) mesh.normals.push_back(normalize(map.normal(n)));
+  } else if (!flat && computes_normals) {
+    mesh.normals = vertex_normals(source.triangles, mesh.positions, source.positions.size());
+  }
+  return mesh;
+}
+
+const SceneShapes::GroupMeshes& SceneShapes::meshes_of(ShapeGroupIndex index) {
+  const auto known = groups_.find(index);
+  if (known != groups_.end()) return known->second;
+  const ShapeGroupDescription& group = description_.groups[index.value];
+  GroupMeshes made;
+  made.number = static_cast<std::uint32_t>(groups_.size());
+  Extent extent;
+  for (const ShapeDescription& shape : group.shapes)
+    if (is_mesh(shape)) extent.add(extent_of(description_, shape));
+  if (extent.is_usable()) made.middle = Vec3d(Vec3f(extent.middle()));
+  for (const ShapeDescription& shape : group.shapes) {
+    if (!is_mesh(shape)) continue;
+    made.parts.push_back(
+        std::make_shared<const Mesh>(compile_mesh(shape, Transform::translate(-made.middle) * shape.to_world)));
+    primitives += made.parts.back()->triangle_count();
+  }
+  return groups_.emplace(index, std::move(made)).first->second;
+}
+
+void SceneShapes::add_instance(const ShapeDescription& shape, const InstanceDescription& instance,
+                               const Transform& to_world) {
+  if (!to_world.inverse()) throw InputError(description_.where(shape.loc), "the instance's to_world has no inverse");
+  const GroupMeshes& meshes = meshes_of(instance.group);
+  const auto placement = std::make_shared<const AffineMap>(to_world * Transform::translate(meshes.middle));
+  std::uint32_t part = 0;
+  for (const ShapeDescription& member : description_.groups[instance.group.value].shapes) {
+    if (member.radiance) throw InputError(description_.where(member.loc), "a shape of a group cannot emit");
+    if (std::holds_alternative<InstanceDescription>(member.geometry))
+      throw InputError(description_.where(member.loc), "a shape group cannot hold instances");
+    if (is_mesh(member)) {
+      add_surface(MeshInstance{meshes.parts[part], placement, instances_, meshes.number, part}, member);
+      ++part;
+    } else {
+      add(member, to_world * member.to_world);
+    }
+  }
+  if (part == 0) return;
+  ++instances_;
+  ++primitives;
+  simple = false;
+}
+
+void SceneShapes::add_surface(Geometry geometry, const ShapeDescription& shape) {
+  Surface surface;
+  surface.geometry = std::move(geometry);
+  surface.bsdf = shape.bsdf.value;
+  if (shape.interior) surface.interior = shape.interior->value;
+  if (shape.exterior) surface.exterior = shape.exterior->value;
+  surfaces.push_back(std::move(surface));
+  shape_of.push_back(&shape);
+}
+
+void SceneShapes::add_surface(Geometry geometry, const ShapeDescription& shape, const AffineMap& uv_frame) {
+  add_surface(std::move(geometry), shape);
+  surfaces.back().uv_frame = static_cast<std::uint32_t>(uv_frames.size());
+  uv_frames.push_back(uv_frame);
+}
+
+}  // namespace photonproof

@@ -1,0 +1,55 @@
+// Shapes as the description has them, compiled to surfaces. A cube is six of them; an instance has surfaces of its own
+// for every shape of its group, but shares the group's meshes with the other instances.
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "renderer/surface.h"
+#include "renderer/texture.h"
+#include "scenes/description.h"
+
+namespace photonproof {
+
+class SceneShapes {
+ public:
+  /// `moved` is added to the description's coordinates. Throws InputError at a shape that cannot be represented.
+  SceneShapes(const SceneDescription& description, const Textures& textures, const Vec3d& moved);
+
+  std::vector<Surface> surfaces;
+  std::vector<const ShapeDescription*> shape_of;  ///< of each surface, in the description
+  std::vector<AffineMap> uv_frames;               ///< by Surface::uv_frame
+  std::size_t primitives = 0;                     ///< a group's triangles count once, and each instance as one
+  bool simple = true;                             ///< parallelograms, triangles and spheres only
+
+ private:
+  /// The meshes of a group, around their middle.
+  struct GroupMeshes {
+    std::uint32_t number = 0;
+    Vec3d middle;
+    std::vector<std::shared_ptr<const Mesh>> parts;
+  };
+
+  void add(const ShapeDescription& shape, const Transform& to_world);
+  void add_sphere(const ShapeDescription& shape, const SphereDescription& sphere, const Transform& to_world);
+  void add_disk(const ShapeDescription& shape, const Transform& to_world);
+  void add_cylinder(const ShapeDescription& shape, const CylinderDescription& cylinder, const Transform& to_world);
+  void add_plane(const ShapeDescription& shape, const Transform& to_world);
+  void add_cube(const ShapeDescription& shape, const Transform& to_world);
+  /// `face_to_world` maps [-1,1]^2 with normal +z; `uv_to_world` the unit square of uv.
+  void add_quad(const ShapeDescription& shape, const Transform& face_to_world, bool mirrored,
+                const AffineMap& uv_frame);
+  void add_instance(const ShapeDescription& shape, const InstanceDescription& instance, const Transform& to_world);
+  const GroupMeshes& meshes_of(ShapeGroupIndex group);
+  Mesh compile_mesh(const ShapeDescription& shape, const Transform& to_world) const;
+  void add_surface(Geometry geometry, const ShapeDescription& shape);
+  void add_surface(Geometry geometry, const ShapeDescription& shape, const AffineMap& uv_frame);
+  void require_similarity(const ShapeDescription& shape, const Transform& to_world) const;
+
+  const SceneDescription& description_;
+  const Textures& textures_;
+  std::map<ShapeGroupIndex, GroupMeshes> groups_;
+  std::uint32_t instances_ = 0;
+};
+
+}  // namespace photonproof

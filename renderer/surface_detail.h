@@ -1,0 +1,54 @@
+// What a hit needs beyond its surface's one BSDF record and its geometric normal: texture values, shading normals,
+// tangents, and which leaf the wrapping BSDFs come down to. One scalar function, called for every hit of a scene that
+// has any of it (SceneView::detailed); other scenes never come here.
+#pragma once
+
+#include "renderer/bsdf.h"
+#include "renderer/bsdf_tree.h"
+#include "renderer/local_geometry.h"
+#include "renderer/scene_view.h"
+#include "renderer/texture.h"
+
+namespace photonproof {
+
+/// 32-bit words only: kernels gather them.
+struct SurfaceDetail {
+  Vec3f normal;   ///< of the shading frame: unit; on the far side of a twosided BSDF turned towards the ray
+  Vec3f side;     ///< the same before bump and normal maps: what is on one side only by their doing is black
+  Vec3f tangent;  ///< unit, perpendicular to `normal`, along dp/du; 0 where the leaf does not ask for it
+  std::uint32_t surface, bsdf, kind;  ///< bsdf: the leaf, among SceneView::bsdfs; kind: of BsdfKinds
+  float record[BsdfKinds::stride];    ///< of the leaf, texture values in it
+
+  static constexpr std::uint32_t stride = 12 + BsdfKinds::stride;
+};
+static_assert(sizeof(SurfaceDetail) == SurfaceDetail::stride * sizeof(float));
+
+/// The shading frame.
+inline Frame<float> shading_frame(const SurfaceDetail& detail) {
+  return dot(detail.tangent, detail.tangent) > 0 ? Frame<float>(detail.normal, detail.tangent)
+                                                 : Frame<float>(detail.normal);
+}
+
+/// What detail_at looks up; owned by the scene.
+struct DetailTables {
+  DetailTables(const std::vector<Surface>& of_scene, const Textures& its_textures)
+      : surfaces(of_scene), textures(its_textures) {}
+  const std::vector<Surface>& surfaces;
+  const Textures& textures;
+  std::vector<AffineMap> uv_frames;
+  std::vector<BsdfNode> tree;
+  std::vector<std::uint32_t> kinds;  ///< BSDF kind of each leaf
+  std::uint32_t nothing = 0;         ///< the leaf where a mask has holes
+  std::vector<std::uint8_t> plain;   ///< of a surface: its BSDF is a leaf without textures, its normals are geometric
+  const std::uint32_t* triangles = nullptr;  ///< of a small scene: which of its mesh a primitive is
+
+  /// `primitive` as SurfaceHit has it.
+  LocalGeometry local(std::uint32_t surface, std::uint32_t primitive, const Vec3f& p, const Vec3f& normal) const;
+};
+
+/// `primitive`, `p`, `normal` (geometric) of the hit; `direction` of the ray; `u`, uniform in [0,1), chooses between
+/// blended BSDFs and between a masked one and nothing.
+void detail_at(const SceneView& scene, std::uint32_t surface, std::uint32_t primitive, const Vec3f& p,
+               const Vec3f& normal, const Vec3f& direction, float u, SurfaceDetail& detail);
+
+}  // namespace photonproof

@@ -1,0 +1,118 @@
+#include "renderer/texture.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace photonproof {
+namespace {
+
+float luminance(const Rgb& c) { return 0.212671f * c.x + 0.715160f * c.y + 0.072169f * c.z; }
+
+/// The texel that stands for number i of a row of n.
+int wrapped(int i, int n, TextureWrap wrap) {
+  if (wrap == TextureWrap::clamp) return std::clamp(i, 0, n - 1);
+  const int turn = i >= 0 ? i / n : -((n - 1 - i) / n);
+  const int within = i - turn * n;
+  return wrap == TextureWrap::mirror && turn % 2 != 0 ? n - 1 - within : within;
+}
+
+/// A coordinate of the same texels that is small enough to be counted in them.
+float reduced(float t, TextureWrap wrap) {
+  if (!std::isfinite(t)) return 0;
+  if (wrap == TextureWrap::clamp) return std::clamp(t, -1.0f, 2.0f);
+  const float period = wrap == TextureWrap::mirror ? 2 : 1;
+  return t - period * std::floor(t / period);
+}
+
+}  // namespace
+
+UvTransform::UvTransform(const Transform& to_uv)
+    : along_u{static_cast<float>(to_uv.m[0]), static_cast<float>(to_uv.m[4])},
+      along_v{static_cast<float>(to_uv.m[1]), static_cast<float>(to_uv.m[5])},
+      moved{static_cast<float>(to_uv.m[3]), static_cast<float>(to_uv.m[7])} {}
+
+BitmapTexture::BitmapTexture(const BitmapDescription& d)
+    : image_(d.image), filter_(d.filter), wrap_(d.wrap), to_uv_(d.to_uv) {}
+
+Rgb BitmapTexture::texel(int x, int y) const {
+  const float* rgb = image_->pixel(wrapped(x, image_->width, wrap_), wrapped(y, image_->height, wrap_));
+  return {rgb[0], rgb[1], rgb[2]};
+}
+
+Vec2<float> BitmapTexture::in_texels(const Vec2<float>& uv) const {
+  const Vec2<float> at = to_uv_.apply(uv);
+  return {reduced(at.x, wrap_) * static_cast<float>(image_->width),
+          reduced(at.y, wrap_) * static_cast<float>(image_->height)};
+}
+
+BitmapTexture::Corners BitmapTexture::corners(const Vec2<float>& uv) const {
+  const Vec2<float> at = in_texels(uv);
+  const float left = std::floor(at.x - 0.5f), top = std::floor(at.y - 0.5f);
+  const int x = static_cast<int>(left), y = static_cast<int>(top);
+  return {texel(x, y), texel(x + 1, y), texel(x, y + 1), texel(x + 1, y + 1), at.x - 0.5f - left, at.y - 0.5f - top};
+}
+
+Rgb BitmapTexture::at(const Vec2<float>& uv) const {
+  if (filter_ == TextureFilter::nearest) {
+    const Vec2<float> at = in_texels(uv);
+    return texel(static_cast<int>(std::floor(at.x)), static_cast<int>(std::floor(at.y)));
+  }
+  const Corners c = corners(uv);
+  const Rgb upper = c.c00 * (1 - c.x) + c.c10 * c.x;
+  const Rgb lower = c.c01 * (1 - c.x) + c.c11 * c.x;
+  return upper * (1 - c.y) + lower * c.y;
+}
+
+Vec2<float> BitmapTexture::gradient(const Vec2<float>& uv) const {
+  if (filter_ == TextureFilter::nearest) return {};
+  const Corners c = corners(uv);
+  const float f00 = luminance(c.c00), f10 = luminance(c.c10), f01 = luminance(c.c01), f11 = luminance(c.c11);
+  const float by_x = static_cast<float>(image_->width) * ((1 - c.y) * (f10 - f00) + c.y * (f11 - f01));
+  const float by_y = static_cast<float>(image_->height) * ((1 - c.x) * (f01 - f00) + c.x * (f11 - f10));
+  return {to_uv_.along_u.x * by_x + to_uv_.along_u.y * by_y, to_uv_.along_v.x * by_x + to_uv_.along_v.y * by_y};
+}
+
+Textures::Colour2 Textures::compile(const Colour& colour) {
+  if (const auto* texture = std::get_if<TextureIndex>(&colour)) return {Rgb(0.0f), texture->value};
+  return {Rgb(std::get<RgbD>(colour)), no_index};
+}
+
+Textures::Textures(const std::vector<TextureDescription>& descriptions) {
+  for (const TextureDescription& d : descriptions) {
+    if (const auto* bitmap = std::get_if<BitmapDescription>(&d.pattern)) {
+      textures_.emplace_back(BitmapTexture(*bitmap));
+    } else {
+      const auto& board = std::get<CheckerboardDescription>(d.pattern);
+      textures_.emplace_back(Checkerboard{{compile(board.color0), compile(board.color1)}, UvTransform(board.to_uv)});
+    }
+  }
+}
+
+const Textures::Colour2& Textures::square(const Checkerboard& board, const Vec2<float>& uv) {
+  const Vec2<float> at = board.to_uv.apply(uv);
+  const bool right = at.x - std::floor(at.x) > 0.5f, upper = at.y - std::floor(at.y) > 0.5f;
+  return board.colours[right == upper ? 0 : 1];
+}
+
+Rgb Textures::colour(std::uint32_t texture, const Vec2<float>& uv) const {
+  if (const auto* bitmap = std::get_if<BitmapTexture>(&textures_[texture])) return bitmap->at(uv);
+  const Colour2& c = square(std::get<Checkerboard>(textures_[texture]), uv);
+  return c.texture != no_index ? colour(c.texture, uv) : c.value;
+}
+
+float Textures::number(std::uint32_t texture, const Vec2<float>& uv) const { return luminance(colour(texture, uv)); }
+
+Vec2<float> Textures::gradient(std::uint32_t texture, const Vec2<float>& uv) const {
+  if (const auto* bitmap = std::get_if<BitmapTexture>(&textures_[texture])) return bitmap->gradient(uv);
+  const Colour2& c = square(std::get<Checkerboard>(textures_[texture]), uv);
+  return c.texture != no_index ? gradient(c.texture, uv) : Vec2<float>{};
+}
+
+std::size_t Textures::bytes() const {
+  std::size_t total = 0;
+  for (const auto& texture : textures_)
+    if (const auto* bitmap = std::get_if<BitmapTexture>(&texture)) total += bitmap->bytes();
+  return total;
+}
+
+}  // namespace photonproof

@@ -1,0 +1,75 @@
+// Textures of the compiled scene: bitmaps and checkerboards over uv. Meaning as in Mitsuba 3.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "renderer/ray.h"
+#include "scenes/description.h"
+
+namespace photonproof {
+
+/// The part of a transform that moves uv: columns of the linear part and the translation.
+struct UvTransform {
+  Vec2<float> along_u{1, 0}, along_v{0, 1}, moved;
+  explicit UvTransform(const Transform& to_uv);
+  Vec2<float> apply(const Vec2<float>& uv) const {
+    return {along_u.x * uv.x + along_v.x * uv.y + moved.x, along_u.y * uv.x + along_v.y * uv.y + moved.y};
+  }
+};
+
+/// An image over the unit square of uv, linear between the middles of its texels or constant on them.
+class BitmapTexture {
+ public:
+  explicit BitmapTexture(const BitmapDescription& description);
+  Rgb at(const Vec2<float>& uv) const;
+  /// d luminance / d uv, piecewise linear; 0 without interpolation, as in Mitsuba.
+  Vec2<float> gradient(const Vec2<float>& uv) const;
+  std::size_t bytes() const { return image_->rgb.capacity() * sizeof(float); }
+
+ private:
+  /// The four texels around a point and where it lies between them.
+  struct Corners {
+    Rgb c00, c10, c01, c11;
+    float x, y;
+  };
+  Corners corners(const Vec2<float>& uv) const;
+  Rgb texel(int x, int y) const;
+  Vec2<float> in_texels(const Vec2<float>& uv) const;
+
+  std::shared_ptr<const Image> image_;
+  TextureFilter filter_;
+  TextureWrap wrap_;
+  UvTransform to_uv_;
+};
+
+/// All textures of a scene, by the description's indices.
+class Textures {
+ public:
+  explicit Textures(const std::vector<TextureDescription>& descriptions);
+
+  Rgb colour(std::uint32_t texture, const Vec2<float>& uv) const;
+  /// The colour's luminance (Rec. 709), as Mitsuba makes a number of a colour.
+  float number(std::uint32_t texture, const Vec2<float>& uv) const;
+  /// Of `number`, by u and v; 0 where it jumps.
+  Vec2<float> gradient(std::uint32_t texture, const Vec2<float>& uv) const;
+  std::size_t bytes() const;
+
+ private:
+  struct Colour2 {
+    Rgb value;
+    std::uint32_t texture = no_index;
+  };
+  struct Checkerboard {
+    Colour2 colours[2];
+    UvTransform to_uv;
+  };
+  static Colour2 compile(const Colour& colour);
+  /// Which of the checkerboard's colours.
+  static const Colour2& square(const Checkerboard& board, const Vec2<float>& uv);
+
+  std::vector<std::variant<BitmapTexture, Checkerboard>> textures_;
+};
+
+}  // namespace photonproof
