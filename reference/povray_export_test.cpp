@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "scenes/atomic_file.h"
+#include "scenes/expect.h"
 #include "scenes/parser.h"
 
 namespace photonproof {
