@@ -1,10 +1,11 @@
-#include "reference/closed_forms.h"
+#include "reference/closed_forms_lights.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace photonproof {
 namespace {
@@ -92,12 +93,43 @@ TEST(ClosedForms, sphere_agrees_with_quadrature_over_its_cone) {
   EXPECT_NEAR(irradiance_of_sphere(5, center, radius, {{0, 0, 0}, {0, 1, 0}}), expected, 1e-6 * expected);
 }
 
-TEST(ClosedForms, furnace_is_the_limit_of_its_bounces) {
-  // e = 3, rho = 1/2: 3, 4.5, 5.25, ... to 6.
-  EXPECT_DOUBLE_EQ(furnace(3, 0.5, 0), 3);
-  EXPECT_DOUBLE_EQ(furnace(3, 0.5, 1), 4.5);
-  EXPECT_DOUBLE_EQ(furnace(3, 0.5, 2), 5.25);
-  EXPECT_DOUBLE_EQ(furnace(3, 0.5, 60), furnace(3, 0.5));
+TEST(ClosedForms, spot_is_the_point_light_within_its_beam_and_falls_linearly_to_its_cutoff) {
+  // Straight down from height 2: a floor point at the angle t is 2 tan t aside, E = I falloff(t) cos^3 t / 4.
+  const auto at_angle = [](double t) {
+    return irradiance_of_spot(12, {0, 2, 0}, {0, -1, 0}, {0.2, 0.6}, {{2 * std::tan(t), 0, 0}, {0, 1, 0}});
+  };
+  const auto full = [](double t) { return 3 * std::pow(std::cos(t), 3); };
+  EXPECT_NEAR(at_angle(0.1), full(0.1), 1e-14);
+  EXPECT_NEAR(at_angle(0.3), 0.75 * full(0.3), 1e-14);
+  EXPECT_NEAR(at_angle(0.5), 0.25 * full(0.5), 1e-14);
+  EXPECT_EQ(at_angle(0.61), 0);
+}
+
+TEST(ClosedForms, beam_follows_the_cosine) {
+  // cos 60 degrees = 1/2.
+  EXPECT_NEAR(irradiance_of_beam(7, {std::sqrt(0.75), -0.5, 0}, {0, 1, 0}), 3.5, 1e-14);
+  EXPECT_EQ(irradiance_of_beam(7, {0, 1, 0}, {0, 1, 0}), 0) << "from behind";
+}
+
+TEST(ClosedForms, uniform_sky_is_an_endless_ceiling) {
+  const double e = 1e6;
+  const Rectangle endless{{{-e, 1, -e}, {e, 1, -e}, {e, 1, e}, {-e, 1, e}}};
+  EXPECT_NEAR(irradiance_of_uniform_sky(7), irradiance_of_polygon(7, endless, {{0, 0, 0}, {0, 1, 0}}), 1e-4);
+}
+
+TEST(ClosedForms, parallel_disc_is_the_limit_of_polygons) {
+  // An inscribed regular n-gon lacks the part 1 - sin(2 pi/n) n / (2 pi) = (2 pi/n)^2 / 6 of the area: 2.6e-6 here.
+  constexpr int n = 1600;
+  std::vector<Vec3d> outline;
+  for (int i = 0; i < n; ++i) {
+    const double phi = 2 * pi * i / n;
+    outline.push_back({0.7 * std::cos(phi), 1.5, 0.7 * std::sin(phi)});
+  }
+  for (const double offset : {0.0, 0.4, 0.7, 3.0}) {
+    const double expected = irradiance_of_polygon(7, outline, {{offset, 0, 0}, {0, 1, 0}});
+    EXPECT_NEAR(irradiance_of_parallel_disc(7, 0.7, 1.5, offset), expected, 5e-6 * expected) << offset;
+  }
+  EXPECT_NEAR(irradiance_of_parallel_disc(7, 0.7, 1.5, 0), 7 * pi * 0.49 / (0.49 + 2.25), 1e-13) << "on the axis";
 }
 
 }  // namespace

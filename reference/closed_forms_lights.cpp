@@ -1,5 +1,6 @@
-#include "reference/closed_forms.h"
+#include "reference/closed_forms_lights.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -43,12 +44,24 @@ double irradiance_of_sphere(double radiance, const Vec3d& center, double radius,
   return std::numbers::pi * radiance * radius * radius / d2 * dot(at.normal, to_light) / std::sqrt(d2);
 }
 
-double furnace(double emission, double albedo) { return emission / (1 - albedo); }
+double irradiance_of_spot(double intensity, const Vec3d& light, const Vec3d& axis, const SpotCone& cone,
+                          const SurfacePoint& at) {
+  const double angle = std::acos(std::clamp(dot(normalize(at.position - light), axis), -1.0, 1.0));
+  const double falloff = std::clamp((cone.cutoff - angle) / (cone.cutoff - cone.beam), 0.0, 1.0);
+  return falloff * irradiance_of_point(intensity, light, at);
+}
 
-double furnace(double emission, double albedo, int bounces) {
-  double sum = 0;
-  for (int k = bounces; k >= 0; --k) sum = sum * albedo + 1;
-  return emission * sum;
+double irradiance_of_beam(double irradiance, const Vec3d& direction, const Vec3d& normal) {
+  return irradiance * std::max(0.0, -dot(direction, normal));
+}
+
+double irradiance_of_uniform_sky(double radiance) { return std::numbers::pi * radiance; }
+
+double irradiance_of_parallel_disc(double radiance, double radius, double height, double offset) {
+  // Without the division by `offset` of Howell's H = h/a and R = r/a, so that the axis is no special case.
+  const double a2 = offset * offset, h2 = height * height, r2 = radius * radius;
+  const double z = a2 + h2 + r2;
+  return 0.5 * std::numbers::pi * radiance * (1 - (a2 + h2 - r2) / std::sqrt(z * z - 4 * a2 * r2));
 }
 
 }  // namespace photonproof
