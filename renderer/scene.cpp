@@ -114,7 +114,6 @@ void Scene::add_surface_lights(const SceneDescription& description, const SceneS
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     const ShapeDescription& shape = *shapes.shape_of[i];
     if (!shape.radiance) continue;
-    const Transform to_world = Transform::translate(moved_) * shape.to_world;
     surfaces[i].light = static_cast<std::uint32_t>(lights.size());
     const Transform to_world = Transform::translate(moved_) * shape.to_world;
     lights.push_back(compile_surface_light(surfaces[i].geometry, shape, to_world, texture_lookup(textures),
