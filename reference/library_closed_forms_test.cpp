@@ -167,7 +167,7 @@ TEST(library_mean, of_light_envmap) {
       const float* c = image.pixel(x, y);
       sum += RgbD{double{c[0]}, double{c[1]}, double{c[2]}};
     }
-    return sum / double{static_cast<double>(image.width)};
+    return sum / static_cast<double>(image.width);
   };
   constexpr int steps = 20'000;
   RgbD E{0.0};
