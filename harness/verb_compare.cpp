@@ -1,6 +1,7 @@
 // photonproof compare REF TEST: every metric of a pair of images, bounds on them, heat maps.
-// Exit codes are those of OpenImageIO's idiff: 0 ok, 1 a --warn bound broken, 2 a --fail bound broken or a value that
-// is not finite, 3 sizes differ, 4 a file cannot be read or written. (2 is also the program's code for wrong usage.)
+// Exit codes are those of OpenImageIO's idiff: 0 ok, 1 a --warn bound broken, 2 a --fail bound broken, no agreement or
+// a value that is not finite, 3 sizes differ, 4 a file cannot be read or written. (2 is also the program's code for
+// wrong usage.)
 
 #include <CLI/CLI.hpp>
 #include <array>
@@ -10,6 +11,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "harness/agreement.h"
 #include "harness/heatmap.h"
 #include "harness/metric_bounds.h"
 #include "harness/metric_context.h"
@@ -19,6 +21,9 @@
 
 namespace photonproof {
 namespace {
+
+constexpr const char* kNoVariance =
+    "the image has no channels variance.R, variance.G, variance.B, which agreement needs";
 
 enum class Verdict { ok, warn, fail, size_mismatch, file_error };  // in the order of the exit codes
 
@@ -32,6 +37,7 @@ struct CompareOptions {
   MetricOptions metrics;
   std::vector<std::string> warn, fail;  // "metric=bound"
   std::string heatmap_folder;           // empty: none
+  bool agreement = false;
   bool json = false;
 };
 
@@ -44,6 +50,7 @@ struct Finding {
 struct Comparison {
   int width = 0, height = 0;  // of the reference; 0 when it could not be read
   std::vector<Measurement> measurements;
+  std::optional<Agreement> agreement;
   std::vector<Finding> findings;
   HeatmapFiles heatmaps;  // empty paths when there are none
 
@@ -67,11 +74,23 @@ void check_bounds(const std::vector<MetricBound>& bounds, Verdict verdict, Compa
       comparison.findings.push_back({verdict, std::move(*reason)});
 }
 
+/// Throws InputError, naming the file, when one has no variance.
+void check_agreement(const CompareOptions& options, const Rendering& reference, const Rendering& test,
+                     Comparison& comparison) {
+  if (!reference.variance) throw InputError(options.reference, kNoVariance);
+  if (!test.variance) throw InputError(options.test, kNoVariance);
+  comparison.agreement = test_agreement(reference, test);
+  for (const StatisticalVerdict* part : {&comparison.agreement->pixels, &comparison.agreement->blocks})
+    if (!part->pass) comparison.findings.push_back({Verdict::fail, part->sentence});
+}
+
 /// Throws InputError when a file cannot be read or written.
 void compare_files(const CompareOptions& options, const std::vector<MetricBound>& warn,
                    const std::vector<MetricBound>& fail, Comparison& comparison) {
-  const Image reference = read_image(options.reference);
-  const Image test = read_image(options.test);
+  const Rendering reference_rendering = read_rendering(options.reference);
+  const Rendering test_rendering = read_rendering(options.test);
+  const Image& reference = reference_rendering.mean;
+  const Image& test = test_rendering.mean;
   comparison.width = reference.width;
   comparison.height = reference.height;
   for (const ImageDefect& defect : find_defects(reference, test))
@@ -83,6 +102,7 @@ void compare_files(const CompareOptions& options, const std::vector<MetricBound>
   comparison.measurements = measure(context);
   check_bounds(warn, Verdict::warn, comparison);
   check_bounds(fail, Verdict::fail, comparison);
+  if (options.agreement) check_agreement(options, reference_rendering, test_rendering, comparison);
   if (!options.heatmap_folder.empty())
     comparison.heatmaps =
         write_heatmaps(context, options.heatmap_folder, std::filesystem::path(options.test).stem().string());
@@ -99,6 +119,9 @@ void print_text(const CompareOptions& options, const Comparison& comparison) {
     if (!measured.value) notes += std::string(notes.empty() ? "" : "; ") + "undefined: " + measured.row->undefined_when;
     std::printf("%-24s%-16s%s\n", measured.row->name, value.data(), notes.c_str());
   }
+  if (comparison.agreement)
+    std::printf("agreement: %s\n  %s\n  %s\n", comparison.agreement->pass() ? "pass" : "fail",
+                comparison.agreement->pixels.sentence.c_str(), comparison.agreement->blocks.sentence.c_str());
   if (!comparison.heatmaps.flip.empty())
     std::printf("%s: %s\n%s: %s\n", comparison.heatmaps.flip.c_str(), flip_scale_caption,
                 comparison.heatmaps.error.c_str(), error_scale_caption);
@@ -106,6 +129,11 @@ void print_text(const CompareOptions& options, const Comparison& comparison) {
     if (finding.verdict != Verdict::file_error)  // those are on standard error
       std::printf("%s: %s\n", name_of(finding.verdict), finding.sentence.c_str());
   std::printf("verdict: %s\n", name_of(comparison.verdict()));
+}
+
+nlohmann::ordered_json as_json(const StatisticalVerdict& verdict) {
+  return {{"pass", verdict.pass}, {"observed", verdict.observed}, {"bound", verdict.bound},
+          {"n", verdict.n},       {"alpha", verdict.alpha},       {"sentence", verdict.sentence}};
 }
 
 void print_json(const CompareOptions& options, const Comparison& comparison) {
@@ -133,6 +161,10 @@ void print_json(const CompareOptions& options, const Comparison& comparison) {
                  {"verdict", name_of(comparison.verdict())},
                  {"findings", std::move(findings)},
                  {"metrics", std::move(metrics)}};
+  if (comparison.agreement)
+    record["agreement"] = {{"pass", comparison.agreement->pass()},
+                           {"pixels", as_json(comparison.agreement->pixels)},
+                           {"blocks", as_json(comparison.agreement->blocks)}};
   if (!comparison.heatmaps.flip.empty())
     record["heatmaps"] = {{"flip", comparison.heatmaps.flip.string()}, {"error", comparison.heatmaps.error.string()}};
   std::printf("%s\n", record.dump(2, ' ', false, json::error_handler_t::replace).c_str());
@@ -182,14 +214,18 @@ void add_compare_verb(CLI::App& program, int& exit_code) {
       ->type_name("METRIC=BOUND")
       ->take_all()
       ->allow_extra_args(false);
+  verb->add_flag("--agreement", options->agreement,
+                 "exit with 2 unless both may be noisy images of the same: needs the variance channels of renders with "
+                 "--sampler independent and 64 samples a pixel or more");
   verb->add_option("--heatmaps", options->heatmap_folder, "write <test>-flip.png and <test>-error.png there")
       ->type_name("FOLDER");
   verb->add_flag("--json", options->json, "print one JSON object instead of lines");
   std::string names;
   for (const MetricRow& row : metric_rows()) names += (names.empty() ? "" : ", ") + std::string(row.name);
-  verb->footer("Metrics: " + names +
-               ".\nExit codes: 0 ok, 1 warning, 2 failure (a bound, or a value that is not finite), 3 sizes differ, "
-               "4 file error.\nWithout bounds nothing fails: the numbers are only printed.");
+  verb->footer(
+      "Metrics: " + names +
+      ".\nExit codes: 0 ok, 1 warning, 2 failure (a bound, agreement, or a value that is not finite), 3 sizes differ, "
+      "4 file error.\nWithout bounds nothing fails: the numbers are only printed.");
   verb->callback([options, &exit_code] { exit_code = run_compare(*options); });
 }
 

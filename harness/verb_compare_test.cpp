@@ -153,6 +153,25 @@ TEST_F(CompareVerb, json_reports_file_errors_too) {
   EXPECT_EQ(record.at("metrics").size(), 0u);
 }
 
+TEST_F(CompareVerb, agreement_fails_beyond_the_noise_and_needs_variances) {
+  const auto write_noisy = [&](const std::string& name, float value) {
+    write_exr((folder / name).string(),
+              {constant_image(16, 16, value, value, value), constant_image(16, 16, 0.01f, 0.01f, 0.01f), {}});
+    return (folder / name).string();
+  };
+  // Deviations of 0.1 a side: 0.05 is 0.35 of a pixel's difference, but 2.8 of a block's mean: chi^2 of 4 blocks 32.
+  const std::string ref = write_noisy("a.exr", 1);
+  EXPECT_EQ(compare({ref, write_noisy("b.exr", 1.01f), "--agreement"}).exit_code, 0);
+  const Run run = compare({ref, write_noisy("c.exr", 1.05f), "--agreement", "--json"});
+  EXPECT_EQ(run.exit_code, 2);
+  const auto record = nlohmann::json::parse(run.out).at("agreement");
+  EXPECT_EQ(record.at("pass"), false);
+  EXPECT_EQ(record.at("pixels").at("pass"), true);
+  EXPECT_NEAR(record.at("blocks").at("observed"), 32, 0.1);
+  EXPECT_EQ(compare({ref, darker(), "--agreement"}).exit_code, 3) << "sizes differ";
+  EXPECT_EQ(compare({reference(), darker(), "--agreement"}).exit_code, 4) << "no variances";
+}
+
 TEST_F(CompareVerb, wrong_usage_is_refused_before_any_file_is_read) {
   EXPECT_THROW(compare({"missing.exr", "missing.exr", "--fail", "ssmi=1"}), InputError);
   EXPECT_THROW(compare({"missing.exr"}), CLI::ParseError);

@@ -8,7 +8,10 @@
 #include <memory>
 
 #include "harness/verbs.h"
+#include "scenes/atomic_file.h"
 #include "scenes/input_error.h"
+#include "scenes/library_assets.h"
+#include "scenes/many_lights.h"
 #include "scenes/million.h"
 
 namespace photonproof {
@@ -18,6 +21,7 @@ namespace fs = std::filesystem;
 
 struct GenerateArguments {
   std::string triangles;
+  int lights = 1000;
   std::string folder;
   bool force = false;
 };
@@ -33,23 +37,56 @@ std::uint64_t triangle_count(const std::string& text) {
 }
 
 /// Throws InputError when a file would be overwritten without leave.
-void check_free(const fs::path& folder, bool force) {
-  for (const std::string& file : million_files())
+void check_free(const fs::path& folder, const std::vector<std::string>& files, bool force) {
+  for (const std::string& file : files)
     if (!force && fs::exists(folder / file))
       throw InputError((folder / file).string(), "already exists (--force overwrites it)");
+}
+
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw InputError(folder.string(), "cannot be made: " + error.message());
 }
 
 int run_million(const GenerateArguments& arguments) {
   const MillionPlan plan = plan_million(triangle_count(arguments.triangles));
   const fs::path folder = arguments.folder;
-  check_free(folder, arguments.force);
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw InputError(folder.string(), "cannot be made: " + error.message());
+  check_free(folder, million_files(), arguments.force);
+  make_folder(folder);
   write_million(folder, plan);
   std::printf("%s: %llu triangles, of which %u rocks of %d\n", (folder / "scene.xml").c_str(),
               static_cast<unsigned long long>(plan.triangles()), plan.rocks, 20 << (2 * plan.rock_level));
   return 0;
+}
+
+int run_many_lights(const GenerateArguments& arguments) {
+  const fs::path folder = arguments.folder;
+  check_free(folder, {"scene.xml", "expect.toml"}, arguments.force);
+  make_folder(folder);
+  write_file_atomically(folder / "scene.xml", many_lights_scene(arguments.lights));
+  write_file_atomically(folder / "expect.toml", many_lights_expect(arguments.lights));
+  std::printf("%s: %d lights\n", (folder / "scene.xml").c_str(), arguments.lights);
+  return 0;
+}
+
+int run_assets(const GenerateArguments& arguments) {
+  const fs::path folder = arguments.folder;
+  std::vector<std::string> files;
+  for (const LibraryAsset& asset : library_assets()) files.push_back(asset.path);
+  check_free(folder, files, arguments.force);
+  for (const LibraryAsset& asset : library_assets()) {
+    make_folder((folder / asset.path).parent_path());
+    asset.write(folder / asset.path);
+    std::printf("%s\n", (folder / asset.path).c_str());
+  }
+  return 0;
+}
+
+/// Where to write, and whether over what is there: every scene's options.
+void add_folder_options(CLI::App& verb, GenerateArguments& arguments) {
+  verb.add_option("-o,--output", arguments.folder, "folder to write; made when it does not exist")->required();
+  verb.add_flag("--force", arguments.force, "overwrite the files of an earlier scene");
 }
 
 }  // namespace
@@ -60,9 +97,18 @@ void add_generate_verb(CLI::App& program, int& exit_code) {
   auto arguments = std::make_shared<GenerateArguments>();
   CLI::App* million = verb->add_subcommand("million", "A landscape of as many triangles as asked for");
   million->add_option("--triangles", arguments->triangles, "from 1e3 to 1e7, met within 1 %")->required();
-  million->add_option("-o,--output", arguments->folder, "folder to write; made when it does not exist")->required();
-  million->add_flag("--force", arguments->force, "overwrite the files of an earlier scene");
+  add_folder_options(*million, *arguments);
   million->callback([arguments, &exit_code] { exit_code = run_million(*arguments); });
+  CLI::App* many_lights =
+      verb->add_subcommand("many-lights", "Blocks and balls among as many small lights as asked for");
+  many_lights->add_option("--lights", arguments->lights, "how many")
+      ->check(CLI::Range(kFewestLights, kMostLights))
+      ->capture_default_str();
+  add_folder_options(*many_lights, *arguments);
+  many_lights->callback([arguments, &exit_code] { exit_code = run_many_lights(*arguments); });
+  CLI::App* assets = verb->add_subcommand("assets", "The textures, meshes and light data of the scene library");
+  add_folder_options(*assets, *arguments);
+  assets->callback([arguments, &exit_code] { exit_code = run_assets(*arguments); });
 }
 
 }  // namespace photonproof

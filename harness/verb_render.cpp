@@ -186,6 +186,9 @@ int run_render(const RenderArguments& arguments) {
   const std::string stats_path = checked_stats_path(arguments.stats_path, arguments.output, arguments.scene.path);
   CheckpointPolicy checkpoint{checkpoint_path(arguments.output), arguments.checkpoint_seconds, arguments.resume, {}};
   checkpoint.check_file();
+  for (const std::filesystem::path& file :
+       {checkpoint.file, std::filesystem::path(arguments.output), std::filesystem::path(stats_path)})
+    remove_abandoned_temporaries(file);
 
   RenderStats stats;
   const Timer load_timer;

@@ -28,9 +28,10 @@ class RenderVerb : public FolderTest {
   ProcessOutcome render(const std::string& output, const std::vector<std::string>& more) const {
     return run_process(argv(output, more), {.wall_limit_seconds = 120});
   }
-  /// Starts the program, sends it the signal after `seconds`, and gives the status of wait.
-  int signalled_after(double seconds, int signal_number, const std::string& output,
-                      const std::vector<std::string>& more) const {
+  /// Starts the program, lets it write `checkpoints` of them and go on for `seconds`, sends it the signal unless it has
+  /// ended by then, and gives the status of wait. Counting checkpoints makes sure of progress on a busy machine.
+  int signalled(int signal_number, int checkpoints, double seconds, const std::string& output,
+                const std::vector<std::string>& more) const {
     std::vector<std::string> words = argv(output, more);
     const pid_t pid = fork();
     if (pid == 0) {
@@ -42,29 +43,40 @@ class RenderVerb : public FolderTest {
       execv(pointers[0], pointers.data());
       _exit(127);
     }
+    const auto written = [&] {
+      std::error_code none_yet;
+      return std::filesystem::last_write_time(path(output + ".checkpoint"), none_yet);
+    };
+    int status = 0;
+    auto last = written();
+    for (int left = checkpoints; left > 0;) {
+      if (waitpid(pid, &status, WNOHANG) == pid) return status;
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+      if (const auto now = written(); now != last) {
+        last = now;
+        --left;
+      }
+    }
     std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
     kill(pid, signal_number);
-    int status = 0;
     waitpid(pid, &status, 0);
     return status;
   }
   /// Kills the render over and over, at other moments and thread counts, until it ends by itself; the number of kills.
   int kill_until_done(const std::string& output, const std::vector<std::string>& options) const {
-    int kills = 0;
-    for (; kills < 60; ++kills) {
+    for (int kills = 0; kills < 200; ++kills) {
       std::vector<std::string> now = options;
-      now.insert(now.end(), {"--checkpoint", "0.05", "--threads", std::to_string(1 + kills % 3)});
+      now.insert(now.end(), {"--checkpoint", "0.03", "--threads", std::to_string(1 + kills % 3)});
       if (has(output + ".checkpoint")) now.emplace_back("--resume");
-      // Moments of a golden-ratio sequence: spread over what a checkpoint takes to come and the time between two.
-      const double moment = 0.25 + 0.35 * std::fmod(0.618 * kills, 1.0);
-      const int status = signalled_after(moment, SIGKILL, output, now);
-      if (WIFEXITED(status)) {
-        EXPECT_EQ(WEXITSTATUS(status), 0) << get("stderr");
-        return kills;
-      }
+      // A golden-ratio sequence of moments between two checkpoints, while one is written included.
+      const double moment = 0.04 * std::fmod(0.618 * kills, 1.0);
+      const int status = signalled(SIGKILL, 1 + kills % 4, moment, output, now);
+      if (!WIFEXITED(status)) continue;
+      EXPECT_EQ(WEXITSTATUS(status), 0) << get("stderr");
+      return kills;
     }
     ADD_FAILURE() << "never done";
-    return kills;
+    return 0;
   }
 
   std::string scene_ = library + "cornell-spheres/scene.xml";
@@ -72,24 +84,29 @@ class RenderVerb : public FolderTest {
 
 TEST_F(RenderVerb, killed_and_resumed_gives_the_bytes_of_a_render_never_stopped) {
   const std::vector<std::vector<std::string>> renders{
-      {"--integrator", "path", "--size", "96x96", "--spp", "400", "--seed", "3"},
-      {"--integrator", "photonmapper", "--size", "96x96", "--spp", "64", "--photons", "2e6", "--seed", "3"},
-      {"--integrator", "direct", "--size", "192x192", "--spp", "600", "--crop", "11", "20", "150", "120"}};
+      {"--integrator", "path", "--size", "96x96", "--spp", "200", "--seed", "3"},
+      {"--integrator", "photonmapper", "--size", "96x96", "--spp", "32", "--photons", "5e5", "--seed", "3"},
+      {"--integrator", "direct", "--size", "96x96", "--spp", "800", "--crop", "11", "20", "75", "60"}};
   for (const std::vector<std::string>& options : renders) {
     const ProcessOutcome whole = render("whole.exr", options);
     ASSERT_TRUE(whole.ok()) << whole.standard_error;
     const int kills = kill_until_done("killed.exr", options);
     std::printf("%s: %d kills\n", options[1].c_str(), kills);
+    std::fflush(stdout);  // else every child prints it again
     EXPECT_GE(kills, 2) << options[1] << ": nothing was tested";
     EXPECT_EQ(get("killed.exr"), get("whole.exr")) << options[1];
     EXPECT_FALSE(has("killed.exr.checkpoint"));
+    for (const auto& entry : std::filesystem::directory_iterator(folder_))
+      EXPECT_EQ(entry.path().filename().string().find(".partial-"), std::string::npos) << entry.path();
   }
 }
 
 TEST_F(RenderVerb, interrupted_writes_what_there_is_and_can_be_resumed) {
-  const std::vector<std::string> options{"--size", "96x96", "--spp", "1500"};
+  const std::vector<std::string> options{"--size", "96x96", "--spp", "600"};
   ASSERT_TRUE(render("whole.exr", options).ok());
-  const int status = signalled_after(0.4, SIGINT, "a.exr", options);
+  std::vector<std::string> often = options;
+  often.insert(often.end(), {"--checkpoint", "0.03"});
+  const int status = signalled(SIGINT, 2, 0.01, "a.exr", often);
   ASSERT_TRUE(WIFEXITED(status));
   EXPECT_EQ(WEXITSTATUS(status), 130);
   EXPECT_NE(get("stderr").find("--resume goes on from there"), std::string::npos) << get("stderr");
@@ -108,7 +125,7 @@ TEST_F(RenderVerb, interrupted_writes_what_there_is_and_can_be_resumed) {
   EXPECT_EQ(with({"--resume", "--seed", "9"}).standard_error,
             path("a.exr.checkpoint") +
                 ": error: the checkpoint is not one of this render: its seed is 0, this render's is 9\n");
-  EXPECT_NE(with({"--resume", "-D", "spp=5"}).standard_error.find("its scene's content is "), std::string::npos);
+  EXPECT_NE(with({"--resume", "-D", "size=33"}).standard_error.find("its scene's content is "), std::string::npos);
 
   const ProcessOutcome resumed = with({"--resume", "--json"});
   EXPECT_TRUE(resumed.ok()) << resumed.standard_error;

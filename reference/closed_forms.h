@@ -1,41 +1,8 @@
-// Radiometry that can be written down: irradiance of simple lights on a surface element and the radiance in a furnace.
-// Lengths in scene units; irradiance W m^-2, radiance W m^-2 sr^-1, intensity W sr^-1, all a colour channel.
+// Radiometry that can be written down, by topic. Every value is of one colour channel; lengths in scene units.
 #pragma once
 
-#include <span>
-
-#include "scenes/vec.h"
-
-namespace photonproof {
-
-/// A point on a surface with its unit normal; light from behind counts nothing.
-struct SurfacePoint {
-  Vec3d position;
-  Vec3d normal;
-};
-
-/// E = I cos(angle) / d^2 of an isotropic point light.
-double irradiance_of_point(double intensity, const Vec3d& light, const SurfacePoint& at);
-
-/// Lambert's formula for a flat polygon of uniform radiance (Lambert 1760; Arvo 1994, eq. 2.5):
-///   E = L/2 sum_i angle(v_i, v_i+1) dot(n, normalize(v_i x v_i+1)),  v_i from the point to the vertices,
-/// after clipping the polygon at the point's horizon. The polygon is flat and convex and shines on the side from which
-/// its vertices run counter-clockwise; a point that does not see that side gets 0.
-double irradiance_of_polygon(double radiance, std::span<const Vec3d> vertices, const SurfacePoint& at);
-
-/// The same for a rectangle a x b facing the point from the distance h, one corner straight above it (Siegel and
-/// Howell, configuration C-4): E = L/2 [A/sqrt(1+A^2) atan(B/sqrt(1+A^2)) + B/sqrt(1+B^2) atan(A/sqrt(1+B^2))], A=a/h,
-/// B=b/h.
-double irradiance_of_rectangle_corner(double radiance, double a, double b, double h);
-
-/// E = pi L (R/d)^2 cos(angle) of a ball of uniform radiance. Precondition: all of it is above the point's horizon,
-/// d cos(angle) >= R.
-double irradiance_of_sphere(double radiance, const Vec3d& center, double radius, const SurfacePoint& at);
-
-/// Radiance everywhere inside a closed diffuse surface of albedo rho that emits e: e / (1 - rho).
-double furnace(double emission, double albedo);
-
-/// The same after `bounces` bounces: e (1 - rho^(bounces+1)) / (1 - rho).
-double furnace(double emission, double albedo, int bounces);
-
-}  // namespace photonproof
+#include "reference/closed_forms_caustics.h"
+#include "reference/closed_forms_enclosures.h"
+#include "reference/closed_forms_glass.h"
+#include "reference/closed_forms_lights.h"
+#include "reference/closed_forms_media.h"

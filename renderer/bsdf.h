@@ -10,14 +10,23 @@
 #include "renderer/bsdf_conductor.h"
 #include "renderer/bsdf_dielectric.h"
 #include "renderer/bsdf_diffuse.h"
+#include "renderer/bsdf_layered.h"
 #include "renderer/bsdf_null.h"
+#include "renderer/bsdf_phong.h"
+#include "renderer/bsdf_plastic.h"
+#include "renderer/bsdf_roughconductor.h"
+#include "renderer/bsdf_roughdielectric.h"
+#include "renderer/bsdf_roughplastic.h"
 #include "renderer/bsdf_sample.h"
+#include "renderer/bsdf_thindielectric.h"
 #include "renderer/kind_list.h"
 
 namespace photonproof {
 
 /// One row a BSDF.
-using BsdfKinds = KindList<DiffuseBsdf, ConductorBsdf, DielectricBsdf, NullBsdf>;
+using BsdfKinds = KindList<DiffuseBsdf, ConductorBsdf, DielectricBsdf, NullBsdf, RoughConductorBsdf, ThinDielectricBsdf,
+                           RoughDielectricBsdf, PlasticBsdf, RoughPlasticBsdf, PhongBsdf, LayeredDiffuseBsdf,
+                           LayeredConductorBsdf, LayeredRoughConductorBsdf, LayeredPhongBsdf>;
 
 /// A BSDF of the scene, as the host sees it.
 using Bsdf = BsdfKinds::Variant;

@@ -27,9 +27,12 @@ struct DielectricBsdf {
                             select(outside, -fresnel.cos_transmit, fresnel.cos_transmit)};
     // Radiance over ior squared is what refraction keeps; wo is on the side the radiance goes to.
     const F scale = mode == TransportMode::radiance ? F(to_path * to_path) : F(1.0f);
-    return {select(reflects, reflected, refracted), select(reflects, reflectance, transmittance * scale),
-            select(reflects, fresnel.reflectance, 1 - fresnel.reflectance), select(reflects, F(1.0f), eta_path),
-            as_mask<F>(true), wo.z != 0};
+    return {select(reflects, reflected, refracted),
+            select(reflects, reflectance, transmittance * scale),
+            select(reflects, fresnel.reflectance, 1 - fresnel.reflectance),
+            select(reflects, F(1.0f), eta_path),
+            as_mask<F>(true),
+            wo.z != 0};
   }
 };
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "renderer/ray.h"
+#include "renderer/texture_slot.h"
 #include "scenes/description.h"
 
 namespace photonproof {
@@ -14,12 +15,6 @@ namespace photonproof {
 struct TexturedNumber {
   float value = 0;
   std::uint32_t texture = no_index;
-};
-
-/// Words of a leaf's record that come from a texture: one of its number, or three of its colour.
-struct TextureSlot {
-  std::uint32_t texture, word;
-  bool is_colour;
 };
 
 struct BsdfNode {

@@ -75,7 +75,8 @@ CameraView compile_camera(const SensorDescription& sensor, int width, int height
   const FilmDescription& film = sensor.film;
   const FilmDescription::Crop crop = film.crop.value_or(FilmDescription::Crop{0, 0, film.width, film.height});
   // The whole film, in pixels of the size rendered.
-  const double scale_x = film.crop ? double(width) / crop.width : 1, scale_y = film.crop ? double(height) / crop.height : 1;
+  const double scale_x = film.crop ? double(width) / crop.width : 1,
+               scale_y = film.crop ? double(height) / crop.height : 1;
   const double film_width = film.crop ? scale_x * film.width : width;
   const double film_height = film.crop ? scale_y * film.height : height;
   CameraView view{.origin = Vec3f(sensor.to_world.point({0, 0, 0}) + moved),

@@ -14,12 +14,12 @@
 namespace photonproof {
 
 struct CameraConnection {
-  bool visible = false;   ///< p is before the camera, between the clipping planes and within reach of the film
-  Vec2<float> raster;     ///< may lie outside of the image, by what the filter reaches
-  Vec3f origin;           ///< of the camera's ray through p, on the near plane: where shadow segments end
-  Vec3f direction;        ///< unit, of that ray, from the camera to p
-  float distance = 0;     ///< from `origin` to p
-  float importance = 0;   ///< pixels per area across the ray at p
+  bool visible = false;  ///< p is before the camera, between the clipping planes and within reach of the film
+  Vec2<float> raster;    ///< may lie outside of the image, by what the filter reaches
+  Vec3f origin;          ///< of the camera's ray through p, on the near plane: where shadow segments end
+  Vec3f direction;       ///< unit, of that ray, from the camera to p
+  float distance = 0;    ///< from `origin` to p
+  float importance = 0;  ///< pixels per area across the ray at p
 };
 
 /// `u_lens` draws the point of the lens; cameras without do not use it.

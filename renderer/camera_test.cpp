@@ -91,7 +91,8 @@ TEST(cameras, importance_is_the_raster_area_an_area_across_the_ray_covers) {
       const Frame<float> frame(ray.direction);
       constexpr float step = 4e-3f;
       const auto at = [&](const Vec3f& moved) { return connect_to_camera(camera, p + moved, u_lens).raster; };
-      const Vec2<float> a = at(frame.s * step), b = at(frame.s * -step), d = at(frame.t * step), e = at(frame.t * -step);
+      const Vec2<float> a = at(frame.s * step), b = at(frame.s * -step), d = at(frame.t * step),
+                        e = at(frame.t * -step);
       const float area = std::abs((a.x - b.x) * (d.y - e.y) - (a.y - b.y) * (d.x - e.x)) / (4 * step * step);
       EXPECT_NEAR(area, c.importance, 0.02f * c.importance) << named.name;
     }
@@ -108,7 +109,7 @@ TEST(cameras, densities_of_rays_integrate_to_one_over_the_image) {
       continue;
     }
     double sum = 0;
-    constexpr int samples = 400'000;
+    constexpr int samples = 6'000'000;
     for (int i = 0; i < samples; ++i) {
       const Vec3f d = square_to_sphere(Random(420, static_cast<std::uint64_t>(i)).next2());
       const CameraConnection c = connect_to_camera(camera, camera.origin + d * 2.0f, {0.5f, 0.5f});
@@ -198,8 +199,8 @@ TEST(filters, offsets_are_drawn_as_the_filter_weighs) {
       const double x = double{filter_offset(view, Random(430, static_cast<std::uint64_t>(i)).next())};
       ASSERT_LE(std::abs(x), kernel.radius() * (1 + 1e-6));
       mean_square += x * x / samples;
-      observed[static_cast<std::size_t>(std::clamp(
-          static_cast<int>((x / kernel.radius() + 1) / 2 * cells), 0, cells - 1))] += 1;
+      observed[static_cast<std::size_t>(
+          std::clamp(static_cast<int>((x / kernel.radius() + 1) / 2 * cells), 0, cells - 1))] += 1;
     }
     const auto cumulative = [&](double x) { return x < 0 ? -kernel.half_integral(-x) : kernel.half_integral(x); };
     double second_moment = 0;

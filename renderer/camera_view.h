@@ -19,6 +19,7 @@ struct FilterView {
   bool is_box = true;  ///< the pixel itself
   float radius = 0.5f;
   std::array<float, steps + 1> quantiles{};
+  FilterView() = default;
 };
 
 struct CameraView {

@@ -36,10 +36,12 @@ inline double chi_square_p_value(const std::vector<double>& observed, const std:
 }
 
 /// Draws directions and compares their histogram over (cos theta, phi) with the integral of the density over each cell.
-/// `draw(random)` gives a unit Vec3f; `density(direction)` is per solid angle and may integrate to less than 1.
+/// `draw(random)` gives a unit Vec3f; `density(direction)` is per solid angle and may integrate to less than 1. Cells
+/// are integrated on a lattice of sub x sub points, which must be fine where the density jumps.
 template <class Draw, class Density>
-double direction_p_value(const Draw& draw, const Density& density, std::uint64_t seed, int samples = 200'000) {
-  constexpr int rows = 20, columns = 24, sub = 8;
+double direction_p_value(const Draw& draw, const Density& density, std::uint64_t seed, int samples = 200'000,
+                         int sub = 8) {
+  constexpr int rows = 20, columns = 24;
   std::vector<double> observed(rows * columns), expected(rows * columns);
   for (int i = 0; i < samples; ++i) {
     Random random(seed, static_cast<std::uint64_t>(i));

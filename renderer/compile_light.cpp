@@ -55,8 +55,8 @@ CylinderShape cylinder(const CylinderDescription& c, const ShapeDescription& sha
           shape.flip_normals ? -1.0f : 1.0f};
 }
 
-Light plain_light(const Geometry& geometry, const ShapeDescription& shape, const Transform& to_world, const Rgb& radiance,
-                  const std::string& where) {
+Light plain_light(const Geometry& geometry, const ShapeDescription& shape, const Transform& to_world,
+                  const Rgb& radiance, const std::string& where) {
   if (const auto* q = std::get_if<Quad>(&geometry))
     return QuadLight<float>{q->corner, q->edge_u, q->edge_v, q->normal, q->area, radiance};
   if (const auto* s = std::get_if<Sphere>(&geometry))
@@ -99,13 +99,11 @@ struct Compiler {
 
   Light operator()(const SpotLightDescription& d) const {
     constexpr double radians = std::numbers::pi / 180;
-    const SpotLight<float> spot =
-        spot_light(Vec3f(d.to_world.point({0, 0, 0}) + moved), axis(d.to_world, {0, 0, 1}), Rgb(d.intensity),
-                   d.beam_degrees * radians, d.cutoff_degrees * radians);
+    const SpotLight<float> spot = spot_light(Vec3f(d.to_world.point({0, 0, 0}) + moved), axis(d.to_world, {0, 0, 1}),
+                                             Rgb(d.intensity), d.beam_degrees * radians, d.cutoff_degrees * radians);
     if (!d.texture) return spot;
     if (d.cutoff_degrees >= 90) throw InputError(where, "a spot light with a texture needs a cutoff_angle below 90");
-    const auto [right, up] =
-        across(spot.axis, Vec3f(d.to_world.vector({1, 0, 0})), d.to_world.determinant() < 0);
+    const auto [right, up] = across(spot.axis, Vec3f(d.to_world.vector({1, 0, 0})), d.to_world.determinant() < 0);
     return TexturedSpotLight(spot, right, up, texture(*d.texture));
   }
 
@@ -141,7 +139,8 @@ struct Compiler {
 /// Choosing lights divides by their flux.
 Light with_usable_flux(Light light, const std::string& where) {
   const Rgb f = flux(light);
-  if (!std::isfinite((f.x + f.y + f.z) / 3)) throw InputError(where, "the light's flux is too large for single precision");
+  if (!std::isfinite((f.x + f.y + f.z) / 3))
+    throw InputError(where, "the light's flux is too large for single precision");
   return light;
 }
 

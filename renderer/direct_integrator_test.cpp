@@ -45,14 +45,14 @@ TEST(direct, is_the_path_tracer_cut_after_two_edges) {
 TEST(direct, strategies_agree_and_mirrors_show_the_lamp_in_each) {
   // Means over the image within 4 standard errors, of which the films know (an upper bound for stratified samples).
   const SceneDescription scene = test::room(24, true);
-  const test::Rendered both = render_direct_of(scene, 1, 1, 1024);
+  const test::Rendered both = render_direct_of(scene, 1, 1, 4096);
   const auto standard_error = [](const Rendering& image) {
     double variance = 0;
     for (const float v : image.variance->rgb) variance += double{v};
     return std::sqrt(variance / 3) / static_cast<double>(image.mean.pixels());
   };
   for (const auto& [emitter, bsdf] : {std::pair{1, 0}, {0, 1}}) {
-    const test::Rendered one = render_direct_of(scene, emitter, bsdf, 1024);
+    const test::Rendered one = render_direct_of(scene, emitter, bsdf, 4096);
     const double tolerance = 4 * std::hypot(standard_error(both.image), standard_error(one.image));
     EXPECT_NEAR(test::image_mean(one.image.mean), test::image_mean(both.image.mean), tolerance) << emitter;
     EXPECT_LT(tolerance, 0.02 * test::image_mean(both.image.mean));

@@ -196,6 +196,22 @@ UIntPack<A> to_uint(const Pack<A>& v) {
   return stdx::static_simd_cast<UIntPack<A>>(stdx::static_simd_cast<I>(v));
 }
 
+/// The bits of a float, and back.
+template <class F>
+UInt<F> to_word(const F& v) {
+  UInt<F> bits;
+  static_assert(sizeof bits == sizeof v);
+  std::memcpy(static_cast<void*>(&bits), static_cast<const void*>(&v), sizeof v);
+  return bits;
+}
+template <class F>
+F from_word(const UInt<F>& bits) {
+  F v;
+  static_assert(sizeof bits == sizeof v);
+  std::memcpy(static_cast<void*>(&v), static_cast<const void*>(&bits), sizeof v);
+  return v;
+}
+
 /// 0, 1, 2 ...: each lane's number.
 template <class F>
 UInt<F> lane_index() {

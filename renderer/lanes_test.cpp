@@ -14,6 +14,7 @@
 #include "renderer/light_table.h"
 #include "renderer/sampler.h"
 #include "renderer/small_scene_tables.h"
+#include "renderer/reconstruction_filter.h"
 #include "renderer/test_lanes.h"
 #include "renderer/warp.h"
 
@@ -454,8 +455,28 @@ TEST(lanes, rays_leave_surfaces_alike) {
 
 TEST(lanes, camera_rays_agree) {
   SceneView scene;
-  scene.camera = {{0.1f, 2, -3}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, 0.7f, 0.4f, 1.0f / 97, 1.0f / 61, 0.01f, 1000};
-  for (const int grid : {0, 3}) {
+  CameraView& camera = scene.camera;
+  camera.origin = {0.1f, 2, -3};
+  camera.right = {1, 0, 0};
+  camera.up = {0, 1, 0};
+  camera.forward = {0, 0, 1};
+  camera.tan_x = 0.7f;
+  camera.tan_y = 0.4f;
+  camera.inverse_width = 1.0f / 97;
+  camera.inverse_height = 1.0f / 61;
+  camera.near = 0.01f;
+  camera.lens_radius = 0.1f;
+  camera.focus_distance = 2;
+  camera.max_angle = 1;
+  camera.filter = compile_filter(ReconstructionFilter{ReconstructionFilter::Kind::gaussian, 0.5, 1});
+  struct Case {
+    CameraKind kind;
+    int grid;
+  };
+  for (const auto& [kind, grid] : {Case{CameraKind::perspective, 0}, Case{CameraKind::perspective, 3},
+                                   Case{CameraKind::thin_lens, 0}, Case{CameraKind::orthographic, 0},
+                                   Case{CameraKind::fisheye, 0}}) {
+    camera.kind = kind;
     CameraTask task{};
     task.x0 = 80;
     task.y0 = 48;

@@ -49,10 +49,10 @@ struct SphereShape {
 
 /// The curved side: base + radius (cos(2 pi u) start + sin(2 pi u) side) + v axis.
 struct CylinderShape {
-  Vec3f base, axis;        ///< `axis` reaches to the other end
-  Vec3f start, side;       ///< unit
+  Vec3f base, axis;   ///< `axis` reaches to the other end
+  Vec3f start, side;  ///< unit
   float radius = 1;
-  float sign = 1;          ///< 1: outward, -1: inward
+  float sign = 1;  ///< 1: outward, -1: inward
   AreaPoint sample(const Vec2<float>& u) const;
   Vec2<float> uv_at(const Vec3f& p, std::uint32_t triangle) const;
   float area() const;

@@ -34,9 +34,8 @@ void choose_lights(const SceneLights& lights, LightChoiceBlock& block) {
 }
 
 void choice_probabilities(const SceneLights& lights, LightChoiceBlock& block) {
-  for_each_lane(block, [&](std::size_t i) {
-    block.probability[i] = lights.choice_probability(get(block.p, i), block.light[i]);
-  });
+  for_each_lane(
+      block, [&](std::size_t i) { block.probability[i] = lights.choice_probability(get(block.p, i), block.light[i]); });
 }
 
 void sample_lights(const SceneLights& lights, LightSampleBlock& block) {
@@ -63,9 +62,9 @@ void sample_lights(const SceneLights& lights, LightSampleBlock& block) {
 
 void light_pdfs(const SceneLights& lights, LightPdfBlock& block) {
   for_each_lane(block, [&](std::size_t i) {
-    block.pdf[i] = std::visit(
-        [&](const auto& l) { return l.pdf(get(block.p, i), get(block.p_light, i), get(block.normal, i)); },
-        lights.light(block.light[i]));
+    block.pdf[i] =
+        std::visit([&](const auto& l) { return l.pdf(get(block.p, i), get(block.p_light, i), get(block.normal, i)); },
+                   lights.light(block.light[i]));
   });
 }
 

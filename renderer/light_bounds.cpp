@@ -33,8 +33,8 @@ LightBounds shape_bounds(const CylinderShape& s) {
   return round(lower(s.base, end) - Vec3f(s.radius), upper(s.base, end) + Vec3f(s.radius));
 }
 LightBounds shape_bounds(const MeshShape& s) {
-  LightBounds bounds = round(Vec3f(std::numeric_limits<float>::infinity()),
-                             Vec3f(-std::numeric_limits<float>::infinity()));
+  LightBounds bounds =
+      round(Vec3f(std::numeric_limits<float>::infinity()), Vec3f(-std::numeric_limits<float>::infinity()));
   for (const Vec3f& p : s.positions()) {
     bounds.low = lower(bounds.low, p);
     bounds.high = upper(bounds.high, p);
@@ -43,7 +43,9 @@ LightBounds shape_bounds(const MeshShape& s) {
 }
 
 LightBounds bounds_of(const QuadLight<float>& l) { return parallelogram(l.corner, l.edge_u, l.edge_v, l.normal); }
-LightBounds bounds_of(const SphereLight<float>& l) { return round(l.center - Vec3f(l.radius), l.center + Vec3f(l.radius)); }
+LightBounds bounds_of(const SphereLight<float>& l) {
+  return round(l.center - Vec3f(l.radius), l.center + Vec3f(l.radius));
+}
 LightBounds bounds_of(const PointLight<float>& l) { return round(l.position, l.position); }
 LightBounds bounds_of(const DiskLight<float>& l) { return ellipse(l.center, l.half_axis_u, l.half_axis_v, l.normal); }
 LightBounds bounds_of(const SpotLight<float>& l) { return {l.position, l.position, l.axis, 0, l.cutoff, 0}; }

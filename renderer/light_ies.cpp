@@ -29,7 +29,11 @@ double linear_times_sine(double t0, double t1, double f0, double f1) {
 
 IesLight::IesLight(const Vec3f& position, const Vec3f& c0, const Vec3f& c90, const Vec3f& zenith, const Rgb& intensity,
                    const IesProfile& profile)
-    : position_(position), c0_(c0), c90_(c90), zenith_(zenith), intensity_(intensity),
+    : position_(position),
+      c0_(c0),
+      c90_(c90),
+      zenith_(zenith),
+      intensity_(intensity),
       vertical_(profile.vertical_degrees) {
   // The file's planes, mirrored until they go all around.
   const std::size_t rows = vertical_.size();
@@ -58,8 +62,8 @@ IesLight::IesLight(const Vec3f& position, const Vec3f& c0, const Vec3f& c90, con
         return (candela_[column * rows + at] + candela_[(column + 1) * rows + at]) / 2;
       };
       const double width = (horizontal_[column + 1] - horizontal_[column]) * radians;
-      fluxes.push_back(width * linear_times_sine(vertical_[row] * radians, vertical_[row + 1] * radians, mean(row),
-                                                 mean(row + 1)));
+      fluxes.push_back(
+          width * linear_times_sine(vertical_[row] * radians, vertical_[row + 1] * radians, mean(row), mean(row + 1)));
     }
   if (fluxes.empty()) fluxes.push_back(0);
   cells_ = DiscreteDistribution(fluxes);

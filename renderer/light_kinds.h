@@ -25,7 +25,8 @@ namespace photonproof {
 /// One row a light.
 using LightKinds = KindList<QuadLight, SphereLight, PointLight, DiskLight, SpotLight, DirectionalLight>;
 
-/// In LightWords::kind and SceneView::light_kinds: every kind that needs tables, which kernels ask scene_lights.h about.
+/// In LightWords::kind and SceneView::light_kinds: every kind that needs tables, which kernels ask scene_lights.h
+/// about.
 inline constexpr std::uint32_t general_light_kind = LightKinds::count;
 
 }  // namespace photonproof

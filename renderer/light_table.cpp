@@ -28,8 +28,7 @@ std::vector<LightWords> light_table(const std::vector<Light>& lights) {
   std::vector<std::size_t> poor, rich;
   for (std::size_t i = 0; i < count; ++i) {
     const double p = total > 0 ? share[i] / total : 1.0 / static_cast<double>(count);
-    table[i] = {kernel_kind(lights[i]), static_cast<float>(p), 1, static_cast<std::uint32_t>(i),
-                no_index};
+    table[i] = {kernel_kind(lights[i]), static_cast<float>(p), 1, static_cast<std::uint32_t>(i), no_index};
     share[i] = p * static_cast<double>(count);
     (share[i] < 1 ? poor : rich).push_back(i);
   }

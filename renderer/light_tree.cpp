@@ -84,8 +84,7 @@ std::uint32_t LightTree::build(Entry* first, Entry* last, std::uint32_t parent) 
           if (bucket[i]) all = all ? merge(*all, *bucket[i]) : bucket[i];
         return all ? double{all->power} * orientation_cost(*all) * half_surface(*all) : 0.0;
       };
-      const double cost =
-          (cost_of(0, split) + cost_of(split, buckets)) * double{longest / component(extent, axis)};
+      const double cost = (cost_of(0, split) + cost_of(split, buckets)) * double{longest / component(extent, axis)};
       if (cost < best_cost) {
         best_cost = cost;
         best_axis = axis;

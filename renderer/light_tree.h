@@ -41,7 +41,7 @@ class LightTree {
   /// Probability of going left from a node; nothing where no light arrives from either side.
   std::optional<float> left_probability(const Node& node, const Vec3f& p) const;
 
-  std::vector<Node> nodes_;            ///< the root first
+  std::vector<Node> nodes_;             ///< the root first
   std::vector<std::uint32_t> leaf_of_;  ///< by light; no_index where it is not in the tree
 };
 

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "renderer/aim_targets.h"
+#include "renderer/compile_bsdf.h"
 #include "renderer/compile_light.h"
 #include "renderer/kernels/rays.h"
 #include "renderer/light_table.h"
@@ -17,37 +18,6 @@
 
 namespace photonproof {
 namespace {
-
-using Slots = std::vector<TextureSlot>;
-
-/// The colour, or the slot of the texture that gives it.
-Rgb colour(const Colour& c, std::uint32_t word, Slots& slots) {
-  if (const auto* texture = std::get_if<TextureIndex>(&c)) {
-    slots.push_back({texture->value, word, true});
-    return Rgb(0.0f);
-  }
-  return Rgb(constant(c));
-}
-
-Bsdf compile(const DiffuseDescription& d, Slots& slots) { return DiffuseBsdf<float>{colour(d.reflectance, 0, slots)}; }
-Bsdf compile(const ConductorDescription& d, Slots&) {
-  ConductorBsdf<float> bsdf{Rgb(constant(d.specular_reflectance)), 0, {}, {}};
-  if (d.ior) {
-    bsdf.has_ior = 1;
-    bsdf.eta = Rgb(d.ior->eta);
-    bsdf.k = Rgb(d.ior->k);
-  }
-  return bsdf;
-}
-Bsdf compile(const DielectricDescription& d, Slots&) {
-  return DielectricBsdf<float>{static_cast<float>(d.int_ior / d.ext_ior), Rgb(constant(d.specular_reflectance)),
-                               Rgb(constant(d.specular_transmittance))};
-}
-
-template <class Other>
-Bsdf compile(const Other&, Slots&) {
-  throw InputError("bsdf", "is not supported yet");
-}
 
 /// The variants' records one after the other, `List::stride` floats each.
 template <class List>
@@ -154,13 +124,17 @@ void Scene::add_surface_lights(const SceneDescription& description, const SceneS
 void Scene::compile_bsdfs(const SceneDescription& description) {
   detail_.tree = bsdf_tree(description.bsdfs);
   bool has_holes = false;
-  for (std::size_t i = 0; i < description.bsdfs.size(); ++i) {
-    const BsdfDescription& b = description.bsdfs[i];
-    has_holes = has_holes || detail_.tree[i].kind == BsdfNode::Kind::mask;
-    if (detail_.tree[i].kind == BsdfNode::Kind::leaf)
-      bsdfs.push_back(std::visit([&](const auto& model) { return compile(model, detail_.tree[i].slots); }, b.model));
-    else
+  for (std::uint32_t i = 0; i < description.bsdfs.size(); ++i) {
+    BsdfNode& node = detail_.tree[i];
+    has_holes = has_holes || node.kind == BsdfNode::Kind::mask;
+    if (node.kind != BsdfNode::Kind::leaf) {
       bsdfs.emplace_back();  // never looked at
+      continue;
+    }
+    CompiledBsdf compiled = compile_bsdf(description, {i});
+    bsdfs.push_back(compiled.record);
+    node.slots = std::move(compiled.slots);
+    node.has_directions = is_anisotropic(description, {i});
   }
   detail_.nothing = static_cast<std::uint32_t>(bsdfs.size());
   if (has_holes) {

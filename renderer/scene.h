@@ -2,6 +2,7 @@
 // middle of the shapes, so that coordinates are small and rays precise wherever the file puts things.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 

@@ -1,6 +1,7 @@
 #include "renderer/scene_ball.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "renderer/curved_shapes.h"

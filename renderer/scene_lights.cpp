@@ -95,8 +95,7 @@ LightConnection SceneLights::sample(const Vec3f& p, float u_choice, const Vec2<f
 }
 
 float SceneLights::pdf(const Vec3f& p, std::uint32_t light, const Vec3f& p_light, const Vec3f& n) const {
-  return choice_probability(p, light) *
-         std::visit([&](const auto& l) { return l.pdf(p, p_light, n); }, lights_[light]);
+  return choice_probability(p, light) * std::visit([&](const auto& l) { return l.pdf(p, p_light, n); }, lights_[light]);
 }
 
 LightEmission SceneLights::emit(float u_choice, const Vec2<float>& u_position, const Vec2<float>& u_direction) const {

@@ -15,7 +15,8 @@
 // where |cos| is that of the emission's normal, 1 without one: infinite lights count as the disc, facing the scene.
 // A bidirectional estimator's density of the first vertex on a surface y met by the photon is then
 //   finite lights     pdf_direction |cos_y| / distance^2 per area
-//   infinite lights   pdf_position |cos_y| per area, and pdf_direction takes the place of the light vertex's own density
+//   infinite lights   pdf_position |cos_y| per area, and pdf_direction takes the place of the light vertex's own
+//   density
 //
 // The ball holds all shapes but infinite planes, which emission of infinite lights does not cover outside of it:
 // emission_pdfs is 0 there, so that weights of multiple importance sampling hold.
@@ -47,25 +48,25 @@ struct LightConnection {
   Vec3f normal;   ///< of a surface light, unit; else 0
   Vec3f wi;       ///< unit, from the reference point
   float distance = 0;
-  Rgb radiance;                 ///< arriving along wi; of a delta light the irradiance at normal incidence (1/d^2 inside)
-  float pdf = 0;                ///< per solid angle, 1 for a delta light, times `probability`; 0: no light from here
-  float probability = 0;        ///< of having chosen this light
-  std::uint32_t triangle = 0;   ///< of a mesh
-  bool is_delta = false;        ///< no ray finds it: sampling it is the only strategy
+  Rgb radiance;           ///< arriving along wi; of a delta light the irradiance at normal incidence (1/d^2 inside)
+  float pdf = 0;          ///< per solid angle, 1 for a delta light, times `probability`; 0: no light from here
+  float probability = 0;  ///< of having chosen this light
+  std::uint32_t triangle = 0;  ///< of a mesh
+  bool is_delta = false;       ///< no ray finds it: sampling it is the only strategy
   bool is_infinite = false;
 };
 
 struct LightEmission {
   std::uint32_t light = 0;
-  Vec3f origin;             ///< on the light; of an infinite one on the disc before the scene
-  Vec3f normal;             ///< of a surface light, unit; else 0
-  Vec3f direction;          ///< unit
-  Vec2<float> uv;           ///< of a surface light with a texture
-  Rgb radiance;             ///< as the table above says
-  Rgb flux;                 ///< radiance |cos| / (pdf_position pdf_direction probability)
-  float pdf_position = 0;   ///< probability not inside
-  float pdf_direction = 0;  ///< probability not inside
-  float probability = 0;    ///< of having chosen this light
+  Vec3f origin;                     ///< on the light; of an infinite one on the disc before the scene
+  Vec3f normal;                     ///< of a surface light, unit; else 0
+  Vec3f direction;                  ///< unit
+  Vec2<float> uv;                   ///< of a surface light with a texture
+  Rgb radiance;                     ///< as the table above says
+  Rgb flux;                         ///< radiance |cos| / (pdf_position pdf_direction probability)
+  float pdf_position = 0;           ///< probability not inside
+  float pdf_direction = 0;          ///< probability not inside
+  float probability = 0;            ///< of having chosen this light
   bool is_delta_position = false;   ///< a point-like light
   bool is_delta_direction = false;  ///< a directional light
   bool is_infinite = false;

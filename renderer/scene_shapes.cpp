@@ -179,12 +179,11 @@ void SceneShapes::add_quad(const ShapeDescription& shape, const Transform& face_
 
 Mesh SceneShapes::compile_mesh(const ShapeDescription& shape, const Transform& to_world) const {
   Mesh mesh;
-  bool flat = false, computes_normals = true;
+  bool flat = false;
   if (const auto* file = std::get_if<MeshDescription>(&shape.geometry)) {
     mesh.source = file->mesh;
     mesh.flip_v = file->flip_tex_coords;
     flat = file->face_normals;
-    computes_normals = file->format == MeshDescription::Format::ply;
   } else {
     const auto& field = std::get<HeightfieldDescription>(shape.geometry);
     mesh.source = std::make_shared<const TriangleMesh>(make_heightfield(field, textures_));
@@ -199,7 +198,7 @@ Mesh SceneShapes::compile_mesh(const ShapeDescription& shape, const Transform& t
     const AffineMap map(to_world);
     mesh.normals.reserve(source.normals.size());
     for (const Vec3f& n : source.normals) mesh.normals.push_back(normalize(map.normal(n)));
-  } else if (!flat && computes_normals) {
+  } else if (!flat) {
     mesh.normals = vertex_normals(source.triangles, mesh.positions, source.positions.size());
   }
   return mesh;

@@ -78,7 +78,10 @@ TEST(camera, every_path_of_a_task_is_one_sample_of_one_pixel) {
     int grid;
   };
   SceneView view;
-  view.camera = {{}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, 1, 1, 1, 1, 0, 1};
+  view.camera.right = {1, 0, 0};
+  view.camera.up = {0, 1, 0};
+  view.camera.forward = {0, 0, 1};
+  view.camera.far = 1;
   for (const Case& c :
        {Case{16, 16, 1, 0}, Case{16, 16, 3, 0}, Case{5, 13, 7, 0}, Case{1, 1, 11, 0}, Case{16, 9, 99, 0},
         Case{13, 16, 1023, 0}, Case{16, 16, 4096, 0}, Case{16, 16, 4095, 0}, Case{7, 5, 200, 3}}) {

@@ -7,6 +7,7 @@
 #include "renderer/heightfield.h"
 #include "renderer/kernels/rays.h"
 #include "renderer/scene.h"
+#include "renderer/scene_frame.h"
 #include "renderer/test_random.h"
 #include "renderer/test_scenes.h"
 #include "renderer/warp.h"
@@ -31,7 +32,9 @@ LocalGeometry geometry_at(const Scene& scene, const Vec3f& origin, const Vec3f& 
 }
 
 LocalGeometry geometry_at(const Shape& shape, const Vec3f& origin, const Vec3f& direction) {
-  return geometry_at(Scene(only(shape, {}), 4, 4), origin, direction);
+  const SceneDescription description = only(shape, {});
+  const Vec3f moved(scene_frame(description).moved);  // to the compiled scene's coordinates
+  return geometry_at(Scene(description, 4, 4), origin + moved, direction);
 }
 
 constexpr double scales[] = {1e-6, 1e-3, 1, 1e3, 1e6};
@@ -168,7 +171,7 @@ TEST(uv, of_a_plane_are_its_local_coordinates) {
 
 TEST(uv, of_a_cube_are_those_of_mitsubas_faces) {
   // Each face's corner (1, 1) of uv, from the table of Mitsuba's cube; the faces are seen from outside.
-  const Vec3f corners[] = {{1, -1, 1}, {-1, 1, 1}, {1, 1, -1}, {1, 1, 1}, {-1, 1, -1}, {1, -1, -1}};
+  const Vec3f corners[] = {{1, -1, 1}, {-1, 1, -1}, {1, 1, -1}, {1, 1, 1}, {-1, 1, 1}, {1, -1, -1}};
   const Vec3f outward[] = {{0, -1, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 1}, {-1, 0, 0}, {0, 0, -1}};
   for (int face = 0; face < 6; ++face) {
     const Vec3f n = outward[face], c = corners[face];

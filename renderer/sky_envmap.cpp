@@ -89,8 +89,8 @@ EnvmapSky::Place EnvmapSky::place_of(const Vec3f& local) const {
 
 Rgb EnvmapSky::texel(int column, int row) const {
   if (column >= width_) column -= width_;
-  const float* p = &rgb_[3 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(width_) +
-                              static_cast<std::size_t>(column))];
+  const float* p =
+      &rgb_[3 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(column))];
   return {p[0], p[1], p[2]};
 }
 

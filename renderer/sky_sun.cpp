@@ -10,8 +10,8 @@ namespace photonproof {
 namespace {
 
 constexpr double pi_d = std::numbers::pi;
-constexpr double y_integral = 106.856895;            // of the CIE 1931 y function, nm
-constexpr double luminous_efficacy = 683.002;        // lm/W at 555 nm
+constexpr double y_integral = 106.856895;              // of the CIE 1931 y function, nm
+constexpr double luminous_efficacy = 683.002;          // lm/W at 555 nm
 constexpr double real_aperture = 0.5358 * pi_d / 180;  // full angle of the sun
 
 double cone(double full_angle) {
@@ -42,14 +42,13 @@ Vec3d colour_matching(double nm) {
 /// nm^-1; absorption of ozone, cm^-1; of water vapour, cm^-1; of mixed gases, none below 760 nm.
 constexpr double first_nm = 380, step_nm = 10;
 constexpr std::array<double, 38> sun_above_air{
-    165.590, 162.337, 211.275, 258.882, 258.291, 242.323, 267.605, 296.583, 305.454, 300.575,
-    306.637, 288.304, 287.121, 278.250, 271.006, 272.337, 263.613, 255.038, 250.602, 253.116,
-    253.559, 251.342, 246.315, 241.732, 236.853, 232.121, 228.277, 223.398, 219.702, 215.267,
-    210.979, 207.283, 202.404, 198.708, 194.272, 190.724, 186.289, 182.592};
-constexpr std::array<double, 38> ozone{0,    0,    0,    0,    0,     0,     0.003, 0.003, 0.006, 0.009,
-                                       0.014, 0.021, 0.03, 0.04, 0.048, 0.063, 0.075, 0.085, 0.103, 0.12,
-                                       0.12, 0.115, 0.125, 0.13, 0.105, 0.09,  0.079, 0.067, 0.057, 0.048,
-                                       0.036, 0.028, 0.023, 0.018, 0.014, 0.011, 0.01, 0.009};
+    165.590, 162.337, 211.275, 258.882, 258.291, 242.323, 267.605, 296.583, 305.454, 300.575, 306.637, 288.304, 287.121,
+    278.250, 271.006, 272.337, 263.613, 255.038, 250.602, 253.116, 253.559, 251.342, 246.315, 241.732, 236.853, 232.121,
+    228.277, 223.398, 219.702, 215.267, 210.979, 207.283, 202.404, 198.708, 194.272, 190.724, 186.289, 182.592};
+constexpr std::array<double, 38> ozone{0,     0,     0,     0,     0,     0,     0.003, 0.003, 0.006, 0.009,
+                                       0.014, 0.021, 0.03,  0.04,  0.048, 0.063, 0.075, 0.085, 0.103, 0.12,
+                                       0.12,  0.115, 0.125, 0.13,  0.105, 0.09,  0.079, 0.067, 0.057, 0.048,
+                                       0.036, 0.028, 0.023, 0.018, 0.014, 0.011, 0.01,  0.009};
 double water_vapour(std::size_t sample) {
   constexpr std::array<double, 7> from_690nm{0.016, 0.024, 0.0125, 1, 0.87, 0.061, 0.001};
   constexpr std::size_t first = 31;  // 690 nm
@@ -113,7 +112,8 @@ SunSky::SunSky(const SunSkySettings& settings)
   const double half = std::sin(aperture / 4);
   sun_one_minus_cos_ = static_cast<float>(2 * half * half);
   // Where the disc is on the horizon only its upper part shines, as bright as its middle.
-  sun_radiance_ = Rgb(sun_disc_radiance(double{sun_.z}, t) * (settings.sun_scale * cone(real_aperture) / cone(aperture)));
+  sun_radiance_ =
+      Rgb(sun_disc_radiance(double{sun_.z}, t) * (settings.sun_scale * cone(real_aperture) / cone(aperture)));
 
   std::vector<double> weights;
   RgbD total(0.0);

@@ -2,6 +2,9 @@
 
 #include <unistd.h>
 
+#include <cerrno>
+#include <charconv>
+#include <csignal>
 #include <fstream>
 #include <system_error>
 
@@ -9,15 +12,23 @@
 
 namespace photonproof {
 namespace fs = std::filesystem;
+namespace {
+
+fs::path folder_of(const fs::path& target) { return target.has_parent_path() ? target.parent_path() : fs::path("."); }
+
+/// Of a temporary's name: the process that writes it and the target's extension follow.
+std::string temporary_start(const fs::path& target) { return "." + target.stem().string() + ".partial-"; }
+
+}  // namespace
 
 void replace_atomically(const fs::path& target, const std::function<void(const fs::path&)>& produce) {
-  const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+  const fs::path folder = folder_of(target);
   if (!fs::is_directory(folder)) throw InputError(target.string(), "folder '" + folder.string() + "' does not exist");
   if (fs::is_directory(target)) throw InputError(target.string(), "is a folder, expected a file name");
   if (fs::exists(target) && !fs::is_regular_file(target))
     throw InputError(target.string(), "is not a regular file: replacing it would destroy a device or a pipe");
   const fs::path temporary =
-      folder / ("." + target.stem().string() + ".partial-" + std::to_string(getpid()) + target.extension().string());
+      folder / (temporary_start(target) + std::to_string(getpid()) + target.extension().string());
   try {
     produce(temporary);
     fs::rename(temporary, target);
@@ -55,6 +66,22 @@ std::string read_file(const fs::path& path, std::size_t max_bytes) {
   in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   if (!in && !(size == 0 && in.eof())) throw InputError(path.string(), "cannot be read (permission?)");
   return bytes;
+}
+
+void remove_abandoned_temporaries(const fs::path& target) {
+  const std::string start = temporary_start(target);
+  const std::string end = target.extension().string();
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder_of(target), error)) {
+    const std::string name = entry.path().filename().string();
+    if (name.size() <= start.size() + end.size() || !name.starts_with(start) || !name.ends_with(end)) continue;
+    const char* digits_end = name.data() + name.size() - end.size();
+    pid_t process = 0;
+    const auto [stop, problem] = std::from_chars(name.data() + start.size(), digits_end, process);
+    if (problem != std::errc{} || stop != digits_end || process <= 0) continue;
+    std::error_code ignored;
+    if (kill(process, 0) != 0 && errno == ESRCH) fs::remove(entry.path(), ignored);
+  }
 }
 
 }  // namespace photonproof

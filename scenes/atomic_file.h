@@ -14,6 +14,9 @@ namespace photonproof {
 void replace_atomically(const std::filesystem::path& target,
                         const std::function<void(const std::filesystem::path&)>& produce);
 
+/// Removes the temporaries of `target` that processes left which were killed while they wrote it.
+void remove_abandoned_temporaries(const std::filesystem::path& target);
+
 /// Writes text or bytes through replace_atomically.
 void write_file_atomically(const std::filesystem::path& target, std::string_view bytes);
 

@@ -60,5 +60,17 @@ TEST_F(atomic_file, reads_no_more_than_its_limit) {
   EXPECT_THROW(read_file(folder_ / "missing"), InputError);
 }
 
+TEST_F(atomic_file, temporaries_of_killed_processes_are_removed_and_no_others) {
+  // Process numbers end below 2^22 on Linux, so the first is nobody's; the second is this process's own.
+  std::ofstream(folder_ / ".a.exr.partial-2000000000.checkpoint") << "half";
+  std::ofstream(folder_ / (".a.exr.partial-" + std::to_string(getpid()) + ".checkpoint")) << "half";
+  std::ofstream(folder_ / ".a.exr.partial-mine.checkpoint") << "a user's";
+  std::ofstream(folder_ / ".b.exr.partial-2000000000.checkpoint") << "of another target";
+  remove_abandoned_temporaries(folder_ / "a.exr.checkpoint");
+  EXPECT_EQ(count_files(), 3u);
+  EXPECT_FALSE(fs::exists(folder_ / ".a.exr.partial-2000000000.checkpoint"));
+  remove_abandoned_temporaries(folder_ / "missing/a.exr.checkpoint");
+}
+
 }  // namespace
 }  // namespace photonproof

@@ -34,7 +34,7 @@ using ShapeGroupIndex = Index<struct ShapeGroupTag>;
 
 /// A colour, or the texture that gives one at every point.
 using Colour = std::variant<RgbD, TextureIndex>;
-/// A number, or the texture whose mean of channels gives one at every point.
+/// A number, or the texture whose luminance (Rec. 709) gives one at every point.
 using Scalar = std::variant<double, TextureIndex>;
 
 /// The colour of what is known to be no texture.
@@ -43,7 +43,7 @@ inline const RgbD& constant(const Colour& colour) { return std::get<RgbD>(colour
 enum class TextureFilter { bilinear, nearest };
 enum class TextureWrap { repeat, mirror, clamp };
 
-/// An image over the unit square of uv; its first row is at v = 1, as in Mitsuba.
+/// An image over the unit square of uv; its first row is at v = 0, as in Mitsuba.
 struct BitmapDescription {
   std::string filename;                ///< as the scene spells it
   std::shared_ptr<const Image> image;  ///< never null, linear; shared by the textures that name the same file
@@ -273,8 +273,8 @@ struct PlaneDescription {
 /// A mesh of triangles. After to_world the normal of a triangle is that of its corners counter-clockwise: as in
 /// Mitsuba, a mirroring to_world turns it, other than with the shapes above. Unless `face_normals`, shading
 /// interpolates the mesh's vertex normals (transformed by the inverse transpose, normalised); Mitsuba computes the ones
-/// a PLY lacks as the mean of the adjoining triangles' normals, weighted by their angles at the vertex (Thuermer and
-/// Wuethrich 1998), but those of an OBJ not: it is then flat. What is kept here is the file's.
+/// a file lacks as the mean of the adjoining triangles' normals, weighted by their angles at the vertex (Thuermer and
+/// Wuethrich 1998). What is kept here is the file's.
 struct MeshDescription {
   enum class Format { ply, obj };
   Format format = Format::ply;

@@ -36,8 +36,13 @@ class SceneReader {
     });
     for_each("emitter", [&](const Element& e) { scene_.emitters.push_back(read_emitter(objects_, e)); });
     scene_.integrator = {sources_.loc(root_.at), PathDescription{}};
-    for_each("sensor", [&](const Element& e) { scene_.sensor = read_sensor(objects_, e); });
+    bool has_sensor = false;
+    for_each("sensor", [&](const Element& e) {
+      scene_.sensor = read_sensor(objects_, e);
+      has_sensor = true;
+    });
     for_each("integrator", [&](const Element& e) { scene_.integrator = read_integrator(objects_, e); });
+    if (!has_sensor) sources_.fail(root_.at, "the scene has no <sensor>, expected one");
     check_lit();
     check_environments();
     return std::move(scene_);
@@ -64,13 +69,14 @@ class SceneReader {
         sources_.fail(child.at, "<" + child.tag + "> is not supported in <scene>" + did_you_mean(child.tag, known) +
                                     ", expected " + join_or(known));
       const bool for_others = child.tag == "bsdf" || child.tag == "texture" || child.tag == "medium";
-      if ((for_others || is_group(child)) && !child.find("id"))
+      if (for_others && !child.find("id"))
         sources_.fail(child.at, "a <" + child.tag + "> outside a shape needs the attribute 'id' to be of use");
+      if (is_group(child) && !child.find("id"))
+        sources_.fail(child.at, "a shapegroup needs the attribute 'id' to be of use");
       if (child.tag == "sensor" && ++sensors > 1) sources_.fail(child.at, "a second <sensor>, expected exactly one");
       if (child.tag == "integrator" && ++integrators > 1)
         sources_.fail(child.at, "a second <integrator>, expected at most one");
     }
-    if (sensors == 0) sources_.fail(root_.at, "the scene has no <sensor>, expected one");
   }
 
   bool is_bright(const Colour& colour) {

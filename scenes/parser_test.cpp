@@ -22,7 +22,9 @@ Model bsdf(const std::string& type, const std::string& parameters) {
   return std::get<Model>(scene.bsdfs.at(0).model);
 }
 
-RgbD reflectance(const std::string& parameter) { return bsdf<DiffuseDescription>("diffuse", parameter).reflectance; }
+RgbD reflectance(const std::string& parameter) {
+  return constant(bsdf<DiffuseDescription>("diffuse", parameter).reflectance);
+}
 
 ShapeDescription shape(const std::string& type, const std::string& content) {
   return parse("<shape type='" + type + "'>" + content + "</shape>").shapes.at(0);
@@ -60,7 +62,7 @@ TEST(parser, gives_mitsubas_defaults) {
   EXPECT_EQ(std::get<SphereDescription>(scene.shapes[0].geometry), SphereDescription{});
   EXPECT_FALSE(scene.shapes[0].flip_normals);
   EXPECT_FALSE(scene.shapes[0].radiance.has_value());
-  EXPECT_EQ(std::get<DiffuseDescription>(scene.bsdfs[scene.shapes[0].bsdf.value].model).reflectance, RgbD(0.5));
+  EXPECT_EQ(std::get<DiffuseDescription>(scene.bsdfs[scene.shapes[0].bsdf.value].model), DiffuseDescription{});
   EXPECT_EQ(bsdf<DielectricDescription>("dielectric", ""),
             (DielectricDescription{1.5046, 1.000277, RgbD(1.0), RgbD(1.0)}));
 }
@@ -109,7 +111,7 @@ TEST(parser, reads_conductors) {
   const auto mirror = bsdf<ConductorDescription>(
       "conductor", "<string name='material' value='none'/><float name='specular_reflectance' value='0.7'/>");
   EXPECT_FALSE(mirror.ior.has_value());
-  EXPECT_EQ(mirror.specular_reflectance, RgbD(0.7));
+  EXPECT_EQ(mirror.specular_reflectance, Colour(RgbD(0.7)));
   const auto metal =
       bsdf<ConductorDescription>("conductor", "<rgb name='eta' value='0.2, 0.9, 1.1'/><float name='k' value='3'/>");
   ASSERT_TRUE(metal.ior.has_value());
@@ -141,9 +143,9 @@ TEST(parser, reads_area_lights) {
   const auto light = shape("rectangle",
                            "<boolean name='flip_normals' value='True'/><emitter type='area'><rgb name='radiance' "
                            "value='1, 2, 3'/></emitter>");
-  EXPECT_EQ(light.radiance, RgbD(1, 2, 3));
+  EXPECT_EQ(light.radiance, Colour(RgbD(1, 2, 3)));
   EXPECT_TRUE(light.flip_normals);
-  EXPECT_EQ(shape("cube", "<emitter type='area'/>").radiance, RgbD(1.0));
+  EXPECT_EQ(shape("cube", "<emitter type='area'/>").radiance, Colour(RgbD(1.0)));
 }
 
 TEST(parser, places_point_lights_by_position_or_transform) {

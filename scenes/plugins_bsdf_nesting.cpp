@@ -9,29 +9,6 @@ BsdfIndex nested(Params& params, std::size_t i) { return params.objects().bsdf(*
 
 BsdfIndex only_bsdf(Params& params) { return params.objects().bsdf(params.only_nested("bsdf")); }
 
-/// Whether a BSDF or one that it nests lets light through.
-bool transmits(const std::vector<BsdfDescription>& bsdfs, BsdfIndex index) {
-  const auto of = [&](BsdfIndex i) { return transmits(bsdfs, i); };
-  return std::visit(
-      [&](const auto& model) {
-        using Model = std::decay_t<decltype(model)>;
-        if constexpr (std::is_same_v<Model, DielectricDescription> ||
-                      std::is_same_v<Model, ThinDielectricDescription> ||
-                      std::is_same_v<Model, RoughDielectricDescription> || std::is_same_v<Model, NullDescription> ||
-                      std::is_same_v<Model, MaskDescription>)
-          return true;
-        else if constexpr (std::is_same_v<Model, TwoSidedDescription>)
-          return of(model.front) || of(model.back);
-        else if constexpr (std::is_same_v<Model, BlendDescription>)
-          return of(model.first) || of(model.second);
-        else if constexpr (std::is_same_v<Model, BumpMapDescription> || std::is_same_v<Model, NormalMapDescription>)
-          return of(model.nested);
-        else
-          return false;
-      },
-      bsdfs[index.value].model);
-}
-
 /// Whether it is no wrapper around others.
 bool is_leaf(const BsdfModel& model) {
   return std::visit(
@@ -45,7 +22,7 @@ bool is_leaf(const BsdfModel& model) {
 }
 
 BsdfIndex expect_opaque(Params& params, BsdfIndex index, std::size_t child) {
-  if (transmits(params.objects().scene().bsdfs, index))
+  if (params.objects().transmits(index))
     params.sources().fail(params.nested("bsdf")[child]->at,
                           params.title() + " nests a BSDF that lets light through, expected one that reflects only");
   return index;
@@ -70,10 +47,10 @@ BsdfModel build_blend(Params& params) {
   BlendDescription model;
   params.expect(params.has("weight"), "weight", "is missing, expected a number or a texture");
   model.weight = params.number_map("weight", 0.5, 0, 1);
-  if (params.nested("bsdf").size() != 2)
-    params.sources().fail(
-        params.object().at,
-        params.title() + " nests " + std::to_string(params.nested("bsdf").size()) + " BSDFs, expected two");
+  const std::size_t count = params.nested("bsdf").size();
+  if (count != 2)
+    params.sources().fail(params.object().at,
+                          params.title() + " has " + std::to_string(count) + " of <bsdf>, expected two");
   model.first = nested(params, 0);
   model.second = nested(params, 1);
   return model;

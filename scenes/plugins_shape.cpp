@@ -147,9 +147,7 @@ void read_media(Params& params, ShapeDescription& shape) {
 
 BsdfIndex read_surface(Params& params) {
   if (!params.nested("bsdf").empty()) return params.objects().bsdf(*params.nested("bsdf").front());
-  std::vector<BsdfDescription>& bsdfs = params.objects().scene().bsdfs;
-  bsdfs.push_back({params.sources().loc(params.object().at), "", DiffuseDescription{}});
-  return {static_cast<std::uint32_t>(bsdfs.size() - 1)};
+  return params.objects().default_bsdf(params.object());
 }
 
 }  // namespace

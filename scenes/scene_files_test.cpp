@@ -83,8 +83,9 @@ TEST_F(SceneFiles, tells_meshes_apart_by_content) {
   EXPECT_EQ(one.shapes[0].geometry, two.shapes[0].geometry) << "read twice";
   TriangleMesh other = *std::get<MeshDescription>(two.shapes[0].geometry).mesh;
   other.positions[0].x = 0.5f;
-  EXPECT_NE(one.shapes[0].geometry, decltype(ShapeDescription::geometry)(MeshDescription{
-                                        "../two.ply", false, std::make_shared<const TriangleMesh>(other)}));
+  EXPECT_NE(one.shapes[0].geometry,
+            decltype(ShapeDescription::geometry)(MeshDescription{MeshDescription::Format::ply, "../two.ply", false,
+                                                                 false, std::make_shared<const TriangleMesh>(other)}));
 }
 
 TEST_F(SceneFiles, refuses_what_is_missing_or_outside) {

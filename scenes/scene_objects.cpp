@@ -72,7 +72,7 @@ void SceneObjects::read_named_inside(const Element& element, const std::string& 
     const Element& nested = target(child);
     if (nested.tag != tag) continue;
     if (nested.find("id"))
-      read(nested);
+      read(child);
     else
       read_named_inside(nested, tag, read);
   }
@@ -107,32 +107,80 @@ Index<Tag> append(std::vector<Entity>& table, Entity entity) {
 TextureIndex SceneObjects::texture(const Element& element) {
   return find_or_build(textures_, element, [&](const Element& object) {
     read_named_inside(object, "texture", [&](const Element& nested) { texture(nested); });
-    return append<TextureTag>(scene_.textures, read_texture(*this, object));
+    TextureDescription texture = read_texture(*this, object);
+    textures_known_.push_back(facts_of(texture));
+    check_depth(element, textures_known_.back().depth);
+    return append<TextureTag>(scene_.textures, std::move(texture));
   });
 }
 
 BsdfIndex SceneObjects::bsdf(const Element& element) {
   return find_or_build(bsdfs_, element, [&](const Element& object) {
     read_named_inside(object, "bsdf", [&](const Element& nested) { bsdf(nested); });
-    return append<BsdfTag>(scene_.bsdfs, read_bsdf(*this, object));
+    BsdfDescription bsdf = read_bsdf(*this, object);
+    bsdfs_known_.push_back(facts_of(bsdf));
+    check_depth(element, bsdfs_known_.back().depth);
+    return append<BsdfTag>(scene_.bsdfs, std::move(bsdf));
   });
+}
+
+BsdfIndex SceneObjects::default_bsdf(const Element& shape) {
+  bsdfs_known_.push_back({false, 1});
+  return append<BsdfTag>(scene_.bsdfs, {sources_.loc(shape.at), "", DiffuseDescription{}});
+}
+
+void SceneObjects::check_depth(const Element& element, int depth) const {
+  if (depth > kMaxNesting)
+    sources_.fail(element.at,
+                  "objects nest and refer to each other more than " + std::to_string(kMaxNesting) + " deep");
+}
+
+SceneObjects::TextureFacts SceneObjects::facts_of(const TextureDescription& texture) {
+  if (const auto* bitmap = std::get_if<BitmapDescription>(&texture.pattern)) return {largest_value(*bitmap->image), 1};
+  const auto& board = std::get<CheckerboardDescription>(texture.pattern);
+  TextureFacts facts{0, 1};
+  for (const Colour& colour : {board.color0, board.color1}) {
+    const auto* nested = std::get_if<TextureIndex>(&colour);
+    facts.largest = std::max(facts.largest, nested ? largest_value(*nested) : max_component(constant(colour)));
+    if (nested) facts.depth = std::max(facts.depth, 1 + textures_known_[nested->value].depth);
+  }
+  return facts;
+}
+
+SceneObjects::BsdfFacts SceneObjects::facts_of(const BsdfDescription& bsdf) const {
+  std::vector<BsdfIndex> nested;
+  bool transmits = false;
+  std::visit(
+      [&](const auto& model) {
+        using Model = std::decay_t<decltype(model)>;
+        if constexpr (std::is_same_v<Model, DielectricDescription> ||
+                      std::is_same_v<Model, ThinDielectricDescription> ||
+                      std::is_same_v<Model, RoughDielectricDescription> || std::is_same_v<Model, NullDescription>)
+          transmits = true;
+        else if constexpr (std::is_same_v<Model, LayeredDescription>)
+          nested = {model.base};
+        else if constexpr (std::is_same_v<Model, TwoSidedDescription>)
+          nested = {model.front, model.back};
+        else if constexpr (std::is_same_v<Model, BlendDescription>)
+          nested = {model.first, model.second};
+        else if constexpr (std::is_same_v<Model, BumpMapDescription> || std::is_same_v<Model, NormalMapDescription> ||
+                           std::is_same_v<Model, MaskDescription>)
+          nested = {model.nested};
+        if constexpr (std::is_same_v<Model, MaskDescription>) transmits = true;
+      },
+      bsdf.model);
+  BsdfFacts facts{transmits, 1};
+  for (const BsdfIndex index : nested) {
+    facts.transmits = facts.transmits || bsdfs_known_[index.value].transmits;
+    facts.depth = std::max(facts.depth, 1 + bsdfs_known_[index.value].depth);
+  }
+  return facts;
 }
 
 MediumIndex SceneObjects::medium(const Element& element) {
   return find_or_build(media_, element, [&](const Element& object) {
     return append<MediumTag>(scene_.media, read_medium(*this, object));
   });
-}
-
-double SceneObjects::largest_value(TextureIndex texture) {
-  const auto of_colour = [&](const Colour& colour) {
-    const auto* nested = std::get_if<TextureIndex>(&colour);
-    return nested ? largest_value(*nested) : max_component(constant(colour));
-  };
-  const auto& pattern = scene_.textures[texture.value].pattern;
-  if (const auto* board = std::get_if<CheckerboardDescription>(&pattern))
-    return std::max(of_colour(board->color0), of_colour(board->color1));
-  return largest_value(*std::get<BitmapDescription>(pattern).image);
 }
 
 double SceneObjects::largest_value(const Image& image) {

@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "scenes/description.h"
 #include "scenes/scene_files.h"
@@ -32,8 +33,13 @@ class SceneObjects {
   ShapeGroupIndex shape_group(const Element& element);
 
   /// The largest component of a texture's values.
-  double largest_value(TextureIndex texture);
+  double largest_value(TextureIndex texture) const { return textures_known_[texture.value].largest; }
   double largest_value(const Image& image);
+
+  /// Whether a BSDF or one that it nests lets light through.
+  bool transmits(BsdfIndex bsdf) const { return bsdfs_known_[bsdf.value].transmits; }
+  /// What a shape without a BSDF has.
+  BsdfIndex default_bsdf(const Element& shape);
 
   const Sources& sources() const { return sources_; }
   SceneFiles& files() { return files_; }
@@ -42,6 +48,19 @@ class SceneObjects {
  private:
   template <class Table>
   using Known = std::map<const Element*, std::optional<Index<Table>>>;  // empty while it is being read
+
+  // Gathered when an entry is made, so that no chain of references makes the answers slow.
+  struct TextureFacts {
+    double largest;
+    int depth;  // of nesting
+  };
+  struct BsdfFacts {
+    bool transmits;
+    int depth;
+  };
+  TextureFacts facts_of(const TextureDescription& texture);
+  BsdfFacts facts_of(const BsdfDescription& bsdf) const;
+  void check_depth(const Element& element, int depth) const;
 
   void register_ids(const Element& element);
   void register_alias(const Element& element);
@@ -63,6 +82,8 @@ class SceneObjects {
   Known<MediumTag> media_;
   Known<ShapeGroupTag> groups_;
   std::map<const Image*, double> largest_texels_;
+  std::vector<TextureFacts> textures_known_;  // parallel to the scene's tables
+  std::vector<BsdfFacts> bsdfs_known_;
   int depth_ = 0;
 };
 

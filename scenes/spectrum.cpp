@@ -108,6 +108,4 @@ RgbD rgb_of_spectrum(const std::vector<SpectrumSample>& samples, SpectrumKind ki
   return {std::max(rgb.x, 0.0), std::max(rgb.y, 0.0), std::max(rgb.z, 0.0)};
 }
 
-RgbD rgb_of_constant_emission(double value) { return value * rgb_of_xyz(Vec3d(1)); }
-
 }  // namespace photonproof

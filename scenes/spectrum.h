@@ -13,15 +13,13 @@ struct SpectrumSample {
 };
 
 /// What a spectrum describes decides how it becomes a colour: a reflectance is seen under CIE illuminant D65, so that
-/// a constant one is grey; an emission is what the CIE 1931 observer sees of it, so that a constant one is pinkish.
+/// a constant one is grey; an emission is what the CIE 1931 observer sees of it, so that equal values at all wavelengths
+/// are pinkish. A single number instead of a list is grey in both.
 enum class SpectrumKind { reflectance, emission };
 
 /// The colour of a spectrum that is linear between `samples` (at least two, ascending) and zero outside, from 360 to
 /// 830 nm; a unit of `emission` has the luminance 1 when it is constant. Negative components, colours outside
 /// Rec. 709, become 0.
 RgbD rgb_of_spectrum(const std::vector<SpectrumSample>& samples, SpectrumKind kind);
-
-/// The colour of an emission that has the same value at all wavelengths.
-RgbD rgb_of_constant_emission(double value);
 
 }  // namespace photonproof

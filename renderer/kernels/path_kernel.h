@@ -5,6 +5,7 @@
 // mapper's camera paths are the same up to their first Lambertian surface, where they leave a gather point instead.
 #pragma once
 
+#include "renderer/kernels/any_bsdf.h"
 #include "renderer/kernels/batch_kernel.h"
 #include "renderer/kernels/camera_rays.h"
 #include "renderer/kernels/direct_light.h"
@@ -96,8 +97,12 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, F> {
     const U dimension = s.vertex * dimensions_a_vertex + 1u;
     const bool gathers = Kind<F>::is_lambertian && task_.gather_points != nullptr;
     if constexpr (Kind<F>::has_smooth) {
-      if (scene_.light_count > 0 && task_.settings.sample_lights)
-        add_direct_light(at, bsdf, frame, wo_local, dimension, !gathers, active);
+      if (scene_.light_count > 0 && task_.settings.sample_lights) {
+        if constexpr (Kind<F>::is_lambertian)
+          add_direct_light(at, bsdf, frame, wo_local, dimension, !gathers, active);
+        else
+          add_direct_light_once_compiled(at, any_bsdf<F>(bsdf), frame, wo_local, dimension, active);
+      }
     }
     if constexpr (Kind<F>::is_lambertian) {  // a gather point has no direction: its weight is for any photon
       if (gathers) {
@@ -143,7 +148,12 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, F> {
   /// Of rays that met nothing. Next-event estimation could have found the environment too, as any other light.
   void add_environment(PathState<F>& s, const Mask<F>& leaves) {
     const EnvironmentLook<F> sky = look_at_environment(scene_, s.origin, s.direction, leaves);
-    const F weight = select(s.bsdf_pdf > 0, mis_weight(s.bsdf_pdf, sky.pdf), F(1.0f));
+    const Mask<F> shared = s.bsdf_pdf > 0;
+    F weight(1.0f);
+    if (!task_.settings.meet_lights)
+      weight = select(shared, F(0.0f), F(1.0f));
+    else if (task_.settings.weighted)
+      weight = select(shared, mis_weight(s.bsdf_pdf, sky.pdf), F(1.0f));
     s.radiance = select(leaves, Vec3<F>(s.radiance + s.throughput * sky.radiance * weight), s.radiance);
   }
 
@@ -159,6 +169,14 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, F> {
     s.radiance +=
         s.throughput * estimate_direct<F>(scene_, hit, bsdf, frame, wo_local, task_.settings.weighted && goes_on,
                                           u_choice, u_point, active, task_.counts);
+  }
+
+  /// All kinds but the Lambertian share one copy of the code that chooses lights and traces shadow rays: a copy each
+  /// would take minutes to compile, and calls cost them little.
+  [[gnu::noinline]] void add_direct_light_once_compiled(AtSurface<PathState, F>& at, const AnyBsdf<F>& bsdf,
+                                                        const Frame<F>& frame, const Vec3<F>& wo_local,
+                                                        const U& dimension, const Mask<F>& active) {
+    add_direct_light(at, bsdf, frame, wo_local, dimension, true, active);
   }
 
   /// Unbiased: from rr_depth on, survive with probability min(0.95, largest channel) and divide by it.

@@ -1,5 +1,6 @@
-// Photons from the lights through the scene (Jensen 2001, chapters 5 and 7.2), over a batch of lanes. They are stored on
-// Lambertian surfaces; every other surface, rough ones too, counts as specular: camera paths go on from there as well.
+// Photons from the lights through the scene (Jensen 2001, chapters 5 and 7.2), over a batch of lanes. They are stored
+// on Lambertian surfaces; every other surface, rough ones too, counts as specular: camera paths go on from there as
+// well.
 #pragma once
 
 #include "renderer/kernels/aim.h"
@@ -73,7 +74,9 @@ class PhotonKernel : public BatchKernel<PhotonKernel<F>, PhotonState, F> {
           }
           keep(start, of_kind);
         },
-        [&](const Mask<F>& of_kind) { keep(emit_from_table(s, choice, u_position, u_direction, aim_from, of_kind), of_kind); });
+        [&](const Mask<F>& of_kind) {
+          keep(emit_from_table(s, choice, u_position, u_direction, aim_from, of_kind), of_kind);
+        });
     s.flux *= F(task_.share) / choice.probability;
     s.origin = offset_from(s.origin, normal, s.direction, scene_.coordinate_floor);
     s.edges = U(0u);
@@ -139,8 +142,7 @@ class PhotonKernel : public BatchKernel<PhotonKernel<F>, PhotonState, F> {
     store_from(u_direction.x, block.direction_x);
     store_from(u_direction.y, block.direction_y);
     emit_from_lights(*scene_.general_lights, block);
-    Emission<F> start{take3<F>(block.origin), take3<F>(block.normal), take3<F>(block.direction),
-                      take3<F>(block.flux)};
+    Emission<F> start{take3<F>(block.origin), take3<F>(block.normal), take3<F>(block.direction), take3<F>(block.flux)};
     // A primitive of a small scene; elsewhere rays leave by their offset.
     const Mask<F> on_mesh = lanes && !equal<F>(s.from, U(no_index));
     s.from = select(on_mesh, s.from + take_words<F>(block.triangle), s.from);

@@ -1,0 +1,52 @@
+// Do two renderings show the same expected image? The test METRICS calls `agreement`: every pixel's difference against
+// its noise, and the differences of block means, so that a small wide bias shows, too.
+//
+// Both sides need variance layers. Those take the estimates of a pixel for independent, so render with `--sampler
+// independent`: of Sobol samples they say too much, and the test then passes too easily, never fails wrongly.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "scenes/image.h"
+
+namespace photonproof {
+
+struct StatisticalVerdict {
+  bool pass = true;
+  double observed = 0;   ///< the statistic
+  double bound = 0;      ///< what it must not exceed
+  std::size_t n = 0;     ///< values, or blocks a channel, that were tested
+  double alpha = 0;      ///< of one of the tests, corrected for their number
+  std::string sentence;  ///< where and how it is worst: "pixel (3, 4) R is 0.5, reference 0.25: 6.1 deviations"
+};
+
+struct Agreement {
+  /// The largest |difference| in standard deviations over pixels and channels, against the two-sided normal quantile at
+  /// Sidak's level 1 - (1 - alpha)^(1/n).
+  StatisticalVerdict pixels;
+  /// The largest chi^2 of a channel over blocks of 8 x 8 pixels, at Sidak's level for three channels (which need not be
+  /// independent: Sidak 1967).
+  StatisticalVerdict blocks;
+  bool pass() const { return pixels.pass && blocks.pass; }
+};
+
+/// Each of the two tests fails with probability `alpha` where the expected images are equal. What an estimated variance
+/// needs beside the formulas:
+/// - A pixel that saw none of its rare bright samples looks dark and certain. Its variance therefore is at least the
+///   mean one of its block, which saw some. Where an image's blocks miss them, too (fewer than about 20 such samples a
+///   block), no test of variances can know, and it may fail wrongly.
+/// - The mean of a few skewed samples is skewed, and its far tail is not normal's. The samples' kurtosis k shows in how
+///   the variances of alike pixels differ, by (k - 1)/K relative for K estimates; the tail is taken as that of the
+///   Gamma distribution with this excess kurtosis, 6 / shape. Normal samples count as a little skewed by this.
+/// - A block's variance that rests on few bright pixels is uncertain; its deviation is taken as Student's t with the
+///   degrees of freedom that the spread of the variances over the block shows, 2 (sum v)^2 / sum (v - mean v)^2 at
+///   least, and turned into the normal deviate of the same probability.
+/// - Rounding of float sums counts as a deviation of 1e-5 of the value, so that pixels without noise compare as equal.
+/// It holds its level from 64 estimates a pixel on, from 16 on where samples are no wilder than exponential
+/// (agreement_test.cpp measures it).
+/// Preconditions: equal sizes, finite values. Throws InputError, naming `reference` or `test`, when one has no
+/// variance.
+Agreement test_agreement(const Rendering& reference, const Rendering& test, double alpha = 0.01);
+
+}  // namespace photonproof

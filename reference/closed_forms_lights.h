@@ -1,0 +1,54 @@
+// Irradiance of simple lights on a surface element, nothing between them.
+// Lengths in scene units; irradiance W m^-2, radiance W m^-2 sr^-1, intensity W sr^-1, all a colour channel.
+#pragma once
+
+#include <span>
+
+#include "scenes/vec.h"
+
+namespace photonproof {
+
+/// A point on a surface with its unit normal; light from behind counts nothing.
+struct SurfacePoint {
+  Vec3d position;
+  Vec3d normal;
+};
+
+/// E = I cos(angle) / d^2 of an isotropic point light.
+double irradiance_of_point(double intensity, const Vec3d& light, const SurfacePoint& at);
+
+/// Lambert's formula for a flat polygon of uniform radiance (Lambert 1760; Arvo 1994, eq. 2.5):
+///   E = L/2 sum_i angle(v_i, v_i+1) dot(n, normalize(v_i x v_i+1)),  v_i from the point to the vertices,
+/// after clipping the polygon at the point's horizon. The polygon is flat and convex and shines on the side from which
+/// its vertices run counter-clockwise; a point that does not see that side gets 0.
+double irradiance_of_polygon(double radiance, std::span<const Vec3d> vertices, const SurfacePoint& at);
+
+/// The same for a rectangle a x b facing the point from the distance h, one corner straight above it (Siegel and
+/// Howell, configuration C-4): E = L/2 [A/sqrt(1+A^2) atan(B/sqrt(1+A^2)) + B/sqrt(1+B^2) atan(A/sqrt(1+B^2))], A=a/h,
+/// B=b/h.
+double irradiance_of_rectangle_corner(double radiance, double a, double b, double h);
+
+/// E = pi L (R/d)^2 cos(angle) of a ball of uniform radiance. Precondition: all of it is above the point's horizon,
+/// d cos(angle) >= R.
+double irradiance_of_sphere(double radiance, const Vec3d& center, double radius, const SurfacePoint& at);
+
+/// The same of a spot light: in full within `beam` of its unit `axis`, falling linearly with the angle to 0 at `cutoff`
+/// (Mitsuba's falloff). Half angles in radians, beam < cutoff.
+struct SpotCone {
+  double beam, cutoff;
+};
+double irradiance_of_spot(double intensity, const Vec3d& light, const Vec3d& axis, const SpotCone& cone,
+                          const SurfacePoint& at);
+
+/// E = E_0 cos(angle) of a collimated beam that travels along the unit `direction`.
+double irradiance_of_beam(double irradiance, const Vec3d& direction, const Vec3d& normal);
+
+/// E = pi L under a hemisphere of uniform radiance.
+double irradiance_of_uniform_sky(double radiance);
+
+/// E of a disc that faces the point, parallel to its surface, `height` above it, its axis `offset` aside (Howell,
+/// Catalog of Radiation Heat Transfer Configuration Factors, B-13): with H = h/a, R = r/a, Z = 1 + H^2 + R^2,
+///   E = pi L / 2 [1 - (1 + H^2 - R^2) / sqrt(Z^2 - 4 R^2)],  on the axis pi L r^2 / (r^2 + h^2).
+double irradiance_of_parallel_disc(double radiance, double radius, double height, double offset);
+
+}  // namespace photonproof

@@ -1,0 +1,17 @@
+// Homogeneous media along a ray of length d. Coefficients per scene unit, radiance in W m^-2 sr^-1.
+// A medium of albedo 1 in uniform light needs no formula: what scatters out of a ray scatters in, and L stays as it is.
+#pragma once
+
+namespace photonproof {
+
+/// exp(-sigma d) (Bouguer 1729, Lambert 1760, Beer 1852).
+double transmittance(double sigma_t, double distance);
+
+/// Radiance that a medium of emission j (W m^-3 sr^-1) adds along the ray: (j/sigma_a) (1 - exp(-sigma_a d)), at
+/// sigma_a = 0 its limit j d (Chandrasekhar 1950, eq. I.61).
+double emitted_radiance(double emission, double sigma_a, double distance);
+
+/// What is left of a uniform background behind the medium plus what the medium adds.
+double radiance_through(double background, double emission, double sigma_a, double distance);
+
+}  // namespace photonproof

@@ -1,0 +1,182 @@
+// A clear or tinted lacquer over an opaque base, one-sided: a smooth dielectric interface, absorption
+// exp(-sigma_a thickness / cos) on each crossing of the lacquer, the base below (Weidlich and Wilkie 2007, "Arbitrarily
+// Layered Micro-Facet Surfaces"). With wo', wi' the refracted directions, T the interface's transmittance and a the
+// absorption along both,
+//   f = F mirror + T(wo) T(wi) / eta^2 a f_base(wo', wi') (light reflected between base and interface)
+// The last factor makes the model conserve energy:
+//   diffuse part    1 / (1 - rho R), R the share that comes back from the interface through the lacquer: exact
+//   mirror          1 / (1 - rho F a): exact, each round leaves in the same direction
+//   glossy part     1 / (1 - rho min(F(wo), F(wi)) a): symmetric, never above the exact one, which it becomes as the
+//                   base becomes a mirror
+// What a base of two parts reflects inside from one part to the other is lost.
+#pragma once
+
+#include "renderer/bsdf_conductor.h"
+#include "renderer/bsdf_diffuse.h"
+#include "renderer/bsdf_phong.h"
+#include "renderer/bsdf_roughconductor.h"
+
+namespace photonproof {
+
+/// What Layered asks of a base: its diffuse reflectance, its mirror's at a cosine, and the rest, `glossy`, as a BSDF
+/// with a bound below its reflectance. Parts that a base lacks are never asked for.
+template <class Base>
+struct LayeredBase;
+
+template <class F>
+struct LayeredBase<DiffuseBsdf<F>> {
+  static constexpr bool has_diffuse = true, has_mirror = false, has_glossy = false;
+  static Vec3<F> diffuse(const DiffuseBsdf<F>& base) { return base.reflectance; }
+};
+template <class F>
+struct LayeredBase<ConductorBsdf<F>> {
+  static constexpr bool has_diffuse = false, has_mirror = true, has_glossy = false;
+  static Vec3<F> mirror(const ConductorBsdf<F>& base, const F& cos_theta) {
+    return select(base.has_ior > 0, base.reflectance * fresnel_conductor(cos_theta, base.eta, base.k),
+                  base.reflectance);
+  }
+};
+template <class F>
+struct LayeredBase<RoughConductorBsdf<F>> {
+  static constexpr bool has_diffuse = false, has_mirror = false, has_glossy = true;
+  static const RoughConductorBsdf<F>& glossy(const RoughConductorBsdf<F>& base) { return base; }
+  static Vec3<F> glossy_reflectance(const RoughConductorBsdf<F>& base, const Vec3<F>& wo, const Vec3<F>& wi) {
+    return base.facet_reflectance(clamp_to_unit(dot(wo, half_vector(wo, wi))));
+  }
+};
+template <class F>
+struct LayeredBase<PhongBsdf<F>> {
+  static constexpr bool has_diffuse = true, has_mirror = false, has_glossy = true;
+  static Vec3<F> diffuse(const PhongBsdf<F>& base) { return base.diffuse(); }
+  static PhongBsdf<F> glossy(const PhongBsdf<F>& base) {
+    return {base.raw_exponent, Vec3<F>(F(0.0f)), base.specular()};
+  }
+  static Vec3<F> glossy_reflectance(const PhongBsdf<F>& base, const Vec3<F>&, const Vec3<F>&) {
+    return base.specular();
+  }
+};
+
+template <class F, template <class> class Base>
+struct LayeredBsdf {
+  using Parts = LayeredBase<Base<F>>;
+  static constexpr bool has_smooth = Parts::has_diffuse || Parts::has_glossy;
+  static constexpr bool is_lambertian = false;
+  Base<F> base;                  ///< first, so that its words are where they are without a lacquer
+  F eta;                         ///< ior of the lacquer / ior above it
+  Vec3<F> depth;                 ///< sigma_a x thickness
+  Vec3<F> internal_reflectance;  ///< of the interface for diffuse light from the base, with its way through the lacquer
+  Vec3<F> specular;              ///< scales the interface's mirror
+
+  Vec3<F> eval(const Vec3<F>& wo, const Vec3<F>& wi) const {
+    if constexpr (!has_smooth) return Vec3<F>(F(0.0f));
+    const Crossing o = crossing(wo), i = crossing(wi);
+    const Vec3<F> way = o.absorbed * i.absorbed;
+    Vec3<F> f(F(0.0f));
+    if constexpr (Parts::has_diffuse) f = diffuse_reflectance() * F(1 / pi);
+    if constexpr (Parts::has_glossy) {
+      const Vec3<F> rho = Parts::glossy_reflectance(base, o.inside, i.inside);
+      const F back = lane_min(F(1 - o.through), F(1 - i.through));
+      f += Parts::glossy(base).eval(o.inside, i.inside) / (Vec3<F>(F(1.0f)) - rho * way * back);
+    }
+    f = f * way * F(o.through * i.through / (eta * eta));
+    return select(wo.z > 0 && wi.z > 0, f, Vec3<F>(F(0.0f)));
+  }
+
+  F pdf(const Vec3<F>& wo, const Vec3<F>& wi) const {
+    const Choice choice = lobes(crossing(wo));
+    return select(wo.z > 0 && wi.z > 0, smooth_pdf(choice, wo, wi), F(0.0f));
+  }
+
+  BsdfSample<F> sample(const Vec3<F>& wo, const F& u_lobe, const Vec2<F>& u, TransportMode mode) const {
+    const Crossing o = crossing(wo);
+    const Choice choice = lobes(o);
+    const Mask<F> mirrors = u_lobe < choice.mirror;
+    Vec3<F> wi(F(0.0f), F(0.0f), F(1.0f));
+    if constexpr (Parts::has_diffuse) wi = square_to_cosine_hemisphere(u);
+    if constexpr (Parts::has_glossy) {
+      const BsdfSample<F> below = Parts::glossy(base).sample(o.inside, F(0.0f), u, mode);
+      const F sin2 = (1 - below.wi_local.z * below.wi_local.z) * eta * eta;
+      const Mask<F> leaves = below.valid && sin2 < 1;
+      const Vec3<F> out(below.wi_local.x * eta, below.wi_local.y * eta,
+                        select(leaves, lane_sqrt(lane_max(F(1 - sin2), F(0.0f))), F(-1.0f)));
+      wi = select(u_lobe < choice.mirror + choice.glossy, out, wi);
+    }
+    wi = select(mirrors, Vec3<F>(-wo.x, -wo.y, wo.z), wi);
+    Vec3<F> weight = choice.mirror_reflectance * F(1 / choice.mirror);
+    F density = choice.mirror;
+    if constexpr (has_smooth) {
+      density = select(mirrors, density, smooth_pdf(choice, wo, wi));
+      weight = select(mirrors, weight, eval(wo, wi) * F(wi.z / density));
+    }
+    return {wi, weight, density, F(1.0f), mirrors, wo.z > 0 && wi.z > 0 && density > 0};
+  }
+
+ private:
+  /// One crossing of interface and lacquer.
+  struct Crossing {
+    Vec3<F> inside;    ///< the direction refracted, still pointing up
+    F through;         ///< transmittance of the interface
+    Vec3<F> absorbed;  ///< what the lacquer leaves of the light
+  };
+  Crossing crossing(const Vec3<F>& v) const {
+    const DielectricFresnel<F> fresnel = fresnel_dielectric(clamp_to_unit(v.z), eta);
+    const F to_inside = 1 / eta, per_cos = -1 / lane_max(fresnel.cos_transmit, F(1e-6f));
+    return {{v.x * to_inside, v.y * to_inside, fresnel.cos_transmit},
+            1 - fresnel.reflectance,
+            {lane_exp(F(depth.x * per_cos)), lane_exp(F(depth.y * per_cos)), lane_exp(F(depth.z * per_cos))}};
+  }
+
+  Vec3<F> diffuse_reflectance() const {
+    const Vec3<F> rho = Parts::diffuse(base);
+    return rho / (Vec3<F>(F(1.0f)) - rho * internal_reflectance);
+  }
+
+  /// Probabilities of the lobes, in proportion to what they reflect, about; the diffuse one has the rest.
+  struct Choice {
+    F mirror, glossy;
+    Vec3<F> mirror_reflectance;
+  };
+  Choice lobes(const Crossing& o) const {
+    const F fresnel = 1 - o.through;
+    const Vec3<F> way = o.absorbed * o.absorbed;
+    Vec3<F> mirror = specular * fresnel;
+    if constexpr (Parts::has_mirror) {
+      const Vec3<F> below = Parts::mirror(base, o.inside.z) * way;
+      mirror += below * F(o.through * o.through) / (Vec3<F>(F(1.0f)) - below * fresnel);
+    }
+    F glossy(0.0f), diffuse(0.0f);
+    if constexpr (Parts::has_glossy)
+      glossy =
+          o.through * mean_channel(Vec3<F>(way * Parts::glossy_reflectance(base, o.inside, mirrored_up(o.inside))));
+    if constexpr (Parts::has_diffuse)
+      diffuse = o.through * mean_channel(Vec3<F>(o.absorbed * diffuse_reflectance())) * (1 / (eta * eta));
+    const F all_lobes = mean_channel(mirror) + glossy + diffuse;
+    const F scale = select(all_lobes > 0, F(1 / all_lobes), F(0.0f));
+    if constexpr (!has_smooth) return {F(1.0f), F(0.0f), mirror};
+    if constexpr (!Parts::has_diffuse) return {mean_channel(mirror) * scale, 1 - mean_channel(mirror) * scale, mirror};
+    return {mean_channel(mirror) * scale, glossy * scale, mirror};
+  }
+  static Vec3<F> mirrored_up(const Vec3<F>& v) { return {-v.x, -v.y, v.z}; }
+
+  F smooth_pdf(const Choice& choice, const Vec3<F>& wo, const Vec3<F>& wi) const {
+    F density(0.0f);
+    if constexpr (Parts::has_diffuse) density = (1 - choice.mirror - choice.glossy) * cosine_hemisphere_pdf(wi.z);
+    if constexpr (Parts::has_glossy) {
+      const Vec3<F> o = crossing(wo).inside, i = crossing(wi).inside;
+      // d(wi') = d(wi) cos / (eta^2 cos')
+      density += choice.glossy * Parts::glossy(base).pdf(o, i) * wi.z / (eta * eta * lane_max(i.z, F(1e-6f)));
+    }
+    return density;
+  }
+};
+
+template <class F>
+using LayeredDiffuseBsdf = LayeredBsdf<F, DiffuseBsdf>;
+template <class F>
+using LayeredConductorBsdf = LayeredBsdf<F, ConductorBsdf>;
+template <class F>
+using LayeredRoughConductorBsdf = LayeredBsdf<F, RoughConductorBsdf>;
+template <class F>
+using LayeredPhongBsdf = LayeredBsdf<F, PhongBsdf>;
+
+}  // namespace photonproof

@@ -1,0 +1,76 @@
+// Plastic, one-sided: a diffuse base under a smooth dielectric interface. What the base reflects is reflected back
+// inside by the share `internal_reflectance` on average, again and again (Mitsuba's `plastic`; a geometric series as in
+// Kubelka and Munk's Saunderson correction, 1942):
+//   f = T(wo) T(wi) / (pi eta^2) rho / (1 - internal_reflectance)        linear
+//                                ... / (1 - rho internal_reflectance)    nonlinear, as light does
+// plus a mirror of Fresnel's reflectance.
+#pragma once
+
+#include "renderer/bsdf_sample.h"
+#include "renderer/fresnel.h"
+#include "renderer/warp.h"
+
+namespace photonproof {
+
+template <class F>
+F mean_channel(const Vec3<F>& c) {
+  return (c.x + c.y + c.z) * (1.0f / 3);
+}
+
+/// What a diffuse base shows through an interface, per crossing of it.
+template <class F>
+Vec3<F> saturated(const Vec3<F>& diffuse, const F& internal_reflectance, const F& nonlinear) {
+  const Vec3<F> each = select(nonlinear > 0, diffuse * internal_reflectance, Vec3<F>(internal_reflectance));
+  return diffuse / (Vec3<F>(F(1.0f)) - each);
+}
+
+/// Probability of the specular one of two lobes of these strengths, 0 where both have none.
+template <class F>
+F lobe_probability(const F& specular, const F& diffuse) {
+  const F both = specular + diffuse;
+  return select(both > 0, F(specular / both), F(0.0f));
+}
+
+template <class F>
+struct PlasticBsdf {
+  static constexpr bool has_smooth = true;
+  static constexpr bool is_lambertian = false;
+  F eta;                   ///< ior of the plastic / ior above it
+  F internal_reflectance;  ///< of the interface for diffuse light from below
+  F nonlinear;             ///< 1 or 0
+  Vec3<F> diffuse, specular;
+
+  Vec3<F> eval(const Vec3<F>& wo, const Vec3<F>& wi) const {
+    const F crossing = transmittance(wo.z) * transmittance(wi.z) / (eta * eta) * (1 / pi);
+    return select(wo.z > 0 && wi.z > 0, Vec3<F>(saturated(diffuse, internal_reflectance, nonlinear) * crossing),
+                  Vec3<F>(F(0.0f)));
+  }
+  F pdf(const Vec3<F>& wo, const Vec3<F>& wi) const {
+    return select(wo.z > 0, F((1 - mirror_probability(wo)) * cosine_hemisphere_pdf(wi.z)), F(0.0f));
+  }
+  BsdfSample<F> sample(const Vec3<F>& wo, const F& u_lobe, const Vec2<F>& u, TransportMode) const {
+    const F p = mirror_probability(wo);
+    const Mask<F> mirrors = u_lobe < p;
+    const Vec3<F> scattered = square_to_cosine_hemisphere(u);
+    const Vec3<F> wi = select(mirrors, Vec3<F>(-wo.x, -wo.y, wo.z), scattered);
+    const F crossing = transmittance(wo.z) * transmittance(wi.z) / (eta * eta * (1 - p));
+    return {wi,
+            select(mirrors, specular * F(fresnel_dielectric(wo.z, eta).reflectance / p),
+                   saturated(diffuse, internal_reflectance, nonlinear) * crossing),
+            select(mirrors, p, F((1 - p) * cosine_hemisphere_pdf(wi.z))),
+            F(1.0f),
+            mirrors,
+            wo.z > 0 && wi.z > 0};
+  }
+
+ private:
+  F transmittance(const F& cos_theta) const {
+    return 1 - fresnel_dielectric(lane_max(cos_theta, F(0.0f)), eta).reflectance;
+  }
+  F mirror_probability(const Vec3<F>& wo) const {
+    const F t = transmittance(wo.z);
+    return lobe_probability(F((1 - t) * mean_channel(specular)), F(t * mean_channel(diffuse)));
+  }
+};
+
+}  // namespace photonproof

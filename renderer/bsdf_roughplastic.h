@@ -1,0 +1,64 @@
+// Rough plastic, one-sided: a diffuse base under a rough dielectric interface (Mitsuba's `roughplastic`). The
+// interface's reflection is that of microfacets; what it lets through is all the rest, T(cos), which bsdf_tables.cpp
+// integrates and fits by a polynomial in sqrt(cos):
+//   f = F D G / (4 cos cos) + T(wo) T(wi) / (pi eta^2) x the base as in bsdf_plastic.h
+#pragma once
+
+#include "renderer/bsdf_plastic.h"
+#include "renderer/microfacet.h"
+
+namespace photonproof {
+
+template <class F>
+struct RoughPlasticBsdf {
+  static constexpr bool has_smooth = true;
+  static constexpr bool is_lambertian = false;
+  static constexpr std::size_t coefficients = 16;
+  Microfacets<F> facets;
+  F eta;                   ///< ior of the plastic / ior above it
+  F internal_reflectance;  ///< of the interface for diffuse light from below
+  F nonlinear;             ///< 1 or 0
+  Vec3<F> diffuse, specular;
+  F through[coefficients];  ///< of Chebyshev's polynomials in 2 sqrt(cos) - 1
+
+  /// Share of the light from this angle that reaches the base.
+  F transmittance(const F& cos_theta) const {
+    const F x = 2 * lane_sqrt(clamp_to_unit(cos_theta)) - 1;
+    F later(0.0f), last(0.0f);  // Clenshaw 1955
+    for (std::size_t k = coefficients; k-- > 1;) {
+      const F next = mul_add(F(2 * x), last, F(through[k] - later));
+      later = last;
+      last = next;
+    }
+    return clamp_to_unit(mul_add(x, last, F(through[0] - later)));
+  }
+
+  Vec3<F> eval(const Vec3<F>& wo, const Vec3<F>& wi) const {
+    const Vec3<F> m = half_vector(wo, wi);
+    const F fresnel = fresnel_dielectric(clamp_to_unit(dot(wo, m)), eta).reflectance;
+    const F shape = facets.density(m) * facets.shadowing_by_cos(wo) * facets.shadowing_by_cos(wi) * 0.25f;
+    const F crossing = transmittance(wo.z) * transmittance(wi.z) / (eta * eta) * (1 / pi);
+    const Vec3<F> f = specular * F(fresnel * shape) + saturated(diffuse, internal_reflectance, nonlinear) * crossing;
+    return select(wo.z > 0 && wi.z > 0, f, Vec3<F>(F(0.0f)));
+  }
+  F pdf(const Vec3<F>& wo, const Vec3<F>& wi) const {
+    const Vec3<F> m = half_vector(wo, wi);
+    const F p = gloss_probability(wo);
+    const F density = p * facets.pdf(wo, m) / (4 * lane_abs(dot(wo, m))) + (1 - p) * cosine_hemisphere_pdf(wi.z);
+    return select(wo.z > 0 && wi.z > 0, density, F(0.0f));
+  }
+  BsdfSample<F> sample(const Vec3<F>& wo, const F& u_lobe, const Vec2<F>& u, TransportMode) const {
+    const Mask<F> glossy = u_lobe < gloss_probability(wo);
+    const Vec3<F> wi = select(glossy, mirrored(wo, facets.sample(wo, u)), square_to_cosine_hemisphere(u));
+    const F density = pdf(wo, wi);
+    return {wi, eval(wo, wi) * F(wi.z / density), density, F(1.0f), as_mask<F>(false), density > 0};
+  }
+
+ private:
+  F gloss_probability(const Vec3<F>& wo) const {
+    const F t = transmittance(wo.z);
+    return lobe_probability(F((1 - t) * mean_channel(specular)), F(t * mean_channel(diffuse)));
+  }
+};
+
+}  // namespace photonproof

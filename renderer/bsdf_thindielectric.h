@@ -1,0 +1,33 @@
+// A pane of smooth dielectric, both interfaces at once: reflections between them are summed,
+//   R + T R T (1 + R^2 + R^4 + ...) = 2 R / (1 + R),
+// and what passes goes straight on.
+#pragma once
+
+#include "renderer/bsdf_sample.h"
+#include "renderer/fresnel.h"
+
+namespace photonproof {
+
+template <class F>
+struct ThinDielectricBsdf {
+  static constexpr bool has_smooth = false;
+  static constexpr bool is_lambertian = false;
+  F eta;  ///< ior of the pane / ior around it
+  Vec3<F> reflectance, transmittance;
+
+  Vec3<F> eval(const Vec3<F>&, const Vec3<F>&) const { return Vec3<F>(F(0.0f)); }
+  F pdf(const Vec3<F>&, const Vec3<F>&) const { return F(0.0f); }
+  BsdfSample<F> sample(const Vec3<F>& wo, const F& u, const Vec2<F>&, TransportMode) const {
+    const F once = fresnel_dielectric(lane_abs(wo.z), eta).reflectance;
+    const F both = 2 * once / (1 + once);
+    const Mask<F> reflects = u < both;
+    return {select(reflects, Vec3<F>(-wo.x, -wo.y, wo.z), -wo),
+            select(reflects, reflectance, transmittance),
+            select(reflects, both, F(1 - both)),
+            F(1.0f),
+            as_mask<F>(true),
+            wo.z != 0};
+  }
+};
+
+}  // namespace photonproof

@@ -1,0 +1,31 @@
+// From the description of a BSDF to the record that kernels gather. Parameters that a texture gives are left at 0.5 in
+// the record and listed as slots: whoever knows the point writes the texture's values there. Everything that follows
+// from such a parameter (limits of roughness, probabilities of lobes) the record's methods work out from the value.
+#pragma once
+
+#include <vector>
+
+#include "renderer/bsdf.h"
+#include "renderer/texture_slot.h"
+#include "scenes/description.h"
+
+namespace photonproof {
+
+struct CompiledBsdf {
+  Bsdf record;
+  std::vector<TextureSlot> slots;
+};
+
+/// False for what only chooses or turns other BSDFs: twosided, mask, blendbsdf, bumpmap, normalmap.
+bool is_bsdf_leaf(const BsdfDescription& bsdf);
+/// The BSDFs that one nests, in the order of its description; none of a leaf but the base of `layered`, which is
+/// compiled into its record.
+std::vector<BsdfIndex> nested_bsdfs(const BsdfDescription& bsdf);
+
+/// Whether a leaf looks different when it is turned about its normal, and so asks for the tangent along dp/du.
+bool is_anisotropic(const SceneDescription& scene, BsdfIndex bsdf);
+
+/// Throws InputError where parameters cannot work together or the BSDF is no leaf.
+CompiledBsdf compile_bsdf(const SceneDescription& scene, BsdfIndex bsdf);
+
+}  // namespace photonproof

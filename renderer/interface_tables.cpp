@@ -1,0 +1,69 @@
+#include "renderer/interface_tables.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace photonproof {
+namespace {
+
+double fresnel(double cos_incident, double eta) {
+  return static_cast<double>(
+      fresnel_dielectric(static_cast<float>(std::min(1.0, cos_incident)), static_cast<float>(eta)).reflectance);
+}
+
+}  // namespace
+
+double diffuse_fresnel_reflectance(double eta) { return diffuse_fresnel_reflectance(eta, 0); }
+
+double diffuse_fresnel_reflectance(double eta, double depth) {
+  constexpr int cells = 20'000;  // midpoint rule; the kink at total reflection costs cells^-1.5 = 4e-7
+  double sum = 0;
+  for (int i = 0; i < cells; ++i) {
+    const double cos_theta = (i + 0.5) / cells;
+    sum += 2 * cos_theta * fresnel(cos_theta, eta) * std::exp(-2 * depth / cos_theta);
+  }
+  return sum / cells;
+}
+
+double rough_reflectance(const Microfacets<float>& facets, double cos_wo, double eta) {
+  constexpr int cells = 48;  // of each of the sample's two numbers
+  const Vec3f wo{static_cast<float>(std::sqrt(1 - cos_wo * cos_wo)), 0, static_cast<float>(cos_wo)};
+  double sum = 0;
+  for (int i = 0; i < cells * cells; ++i) {
+    const Vec2<float> u{(static_cast<float>(i % cells) + 0.5f) / cells, (static_cast<float>(i / cells) + 0.5f) / cells};
+    const Vec3f m = facets.sample(wo, u);
+    const Vec3f wi = mirrored(wo, m);
+    const float cos_facet = dot(wo, m);
+    if (wi.z <= 0 || cos_facet <= 0) continue;
+    sum += fresnel(static_cast<double>(cos_facet), eta) * static_cast<double>(facets.shadowing(wi));
+  }
+  return sum / (cells * cells);
+}
+
+RoughInterface rough_interface(Microfacets<float> facets, double eta) {
+  facets.sample_visible = 1;
+  RoughInterface result;
+  constexpr int nodes = 32;
+  std::array<double, nodes> angle, through;
+  for (std::size_t j = 0; j < nodes; ++j) {
+    angle[j] = std::numbers::pi * (static_cast<double>(j) + 0.5) / nodes;
+    const double root = 0.5 * (std::cos(angle[j]) + 1);
+    through[j] = 1 - rough_reflectance(facets, root * root, eta);
+  }
+  for (std::size_t k = 0; k < result.through.size(); ++k) {
+    double sum = 0;
+    for (std::size_t j = 0; j < nodes; ++j) sum += through[j] * std::cos(static_cast<double>(k) * angle[j]);
+    result.through[k] = static_cast<float>(sum * (k == 0 ? 1.0 : 2.0) / nodes);
+  }
+  constexpr int cosines = 64;
+  double inside = 0;
+  for (int i = 0; i < cosines; ++i) {
+    const double cos_theta = std::max(1e-6, i / (cosines - 1.0));
+    inside += 2 * cos_theta * rough_reflectance(facets, cos_theta, 1 / eta);
+  }
+  result.internal_reflectance = static_cast<float>(inside / cosines);
+  return result;
+}
+
+}  // namespace photonproof

@@ -1,0 +1,28 @@
+// Numbers of dielectric interfaces that BSDF records carry ready-made: integrals over all directions of light.
+#pragma once
+
+#include <array>
+
+#include "renderer/bsdf_roughplastic.h"
+
+namespace photonproof {
+
+/// Share of diffuse light that a smooth interface reflects: 2 times the integral of F(cos) cos over cos in [0,1].
+/// `eta` = ior of the far side / ior of the side the light is on.
+double diffuse_fresnel_reflectance(double eta);
+
+/// The same for light that crosses an absorbing layer on its way to the interface and back: with exp(-2 depth / cos).
+double diffuse_fresnel_reflectance(double eta, double depth);
+
+struct RoughInterface {
+  std::array<float, RoughPlasticBsdf<float>::coefficients> through;  ///< RoughPlasticBsdf::through
+  float internal_reflectance;
+};
+/// `eta` = ior below / ior above. As Mitsuba has them: what microfacets do not reflect upward counts as let through,
+/// and the reflectance from inside is the mean over 64 evenly spaced cosines from 0 to 1, 1 to 5 % below its integral.
+RoughInterface rough_interface(Microfacets<float> facets, double eta);
+
+/// Share of the light from direction wo that facets of the interface reflect to wo's side.
+double rough_reflectance(const Microfacets<float>& facets, double cos_wo, double eta);
+
+}  // namespace photonproof

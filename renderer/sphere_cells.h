@@ -1,0 +1,169 @@
+// Chi-square tests of directions whose density may be as narrow as a rough mirror's: the cells follow the samples, and
+// what a cell should hold is integrated as finely as it takes. Test code only.
+#pragma once
+
+#include <array>
+
+#include "renderer/chi_square.h"
+
+namespace photonproof::test {
+
+/// A hemisphere on a square, area-preserving and precise at the pole: on a disc by (x, y) / sqrt(1 + |z|), and from
+/// there as Shirley and Chiu 1997. Solid angle = pi/2 of the square's area.
+struct SpherePoint {
+  double a = 0, b = 0;  ///< in [-1,1]
+  bool upper = true;
+
+  static SpherePoint of(const Vec3f& direction) {
+    const Vec3d v = normalize(Vec3d(direction));
+    const double r = std::sqrt((v.x * v.x + v.y * v.y) / (1 + std::abs(v.z)));
+    const double eighths = std::atan2(v.y, v.x) / (std::numbers::pi / 4);  // (-4, 4]
+    const double quarter = std::round(eighths / 2);                        // the side of the square
+    const double along = r * (eighths - 2 * quarter);
+    const int side = (static_cast<int>(quarter) + 4) % 4;
+    const std::array<double, 2> point = side == 0   ? std::array{r, along}
+                                        : side == 1 ? std::array{-along, r}
+                                        : side == 2 ? std::array{-r, -along}
+                                                    : std::array{along, -r};
+    return {point[0], point[1], direction.z >= 0};
+  }
+  Vec3f direction() const {
+    const bool wide = std::abs(a) > std::abs(b);
+    const double r = wide ? a : b;
+    const double angle = r == 0 ? 0 : std::numbers::pi / 4 * (wide ? b / a : 2 - a / b);
+    const double z = 1 - r * r, scale = r * std::sqrt(1 + z);
+    return {static_cast<float>(scale * std::cos(angle)), static_cast<float>(scale * std::sin(angle)),
+            static_cast<float>(upper ? z : -z)};
+  }
+};
+
+struct SphereCell {
+  std::array<double, 2> low{-1, -1}, high{1, 1};
+  bool upper = true;
+  std::vector<SpherePoint> points;  ///< draws in and around it: where the integral must look closely
+
+  bool holds(const SpherePoint& p) const {
+    return p.upper == upper && p.a >= low[0] && p.a < high[0] && p.b >= low[1] && p.b < high[1];
+  }
+  /// Within its own size around it.
+  bool is_near(const SpherePoint& p) const {
+    const double width = high[0] - low[0], height = high[1] - low[1];
+    return p.a >= low[0] - width && p.a < high[0] + width && p.b >= low[1] - height && p.b < high[1] + height;
+  }
+};
+
+/// Integral of a density per solid angle over a cell, to about `tolerance`.
+template <class Density>
+double cell_mass(const SphereCell& cell, const Density& density, double tolerance) {
+  constexpr std::array<double, 3> node{-0.7745966692414834, 0, 0.7745966692414834},
+      weight{5.0 / 18, 8.0 / 18, 5.0 / 18};
+  const auto rule = [&](const SphereCell& c) {  // Gauss and Legendre's of three points
+    double sum = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j) {
+        const SpherePoint p{0.5 * (c.low[0] + c.high[0] + node[i] * (c.high[0] - c.low[0])),
+                            0.5 * (c.low[1] + c.high[1] + node[j] * (c.high[1] - c.low[1])), c.upper};
+        sum += weight[i] * weight[j] * static_cast<double>(density(p.direction()));
+      }
+    return std::numbers::pi / 2 * sum * (c.high[0] - c.low[0]) * (c.high[1] - c.low[1]);
+  };
+  const auto refine = [&](const auto& self, const SphereCell& c, double coarse, double allowed, int depth) -> double {
+    std::array<SphereCell, 4> parts;
+    std::array<double, 4> mass;
+    double fine = 0;
+    for (std::size_t k = 0; k < 4; ++k) {
+      parts[k].low = c.low;
+      parts[k].high = c.high;
+      parts[k].upper = c.upper;
+      for (std::size_t axis = 0; axis < 2; ++axis) {
+        const double middle = 0.5 * (c.low[axis] + c.high[axis]);
+        ((k >> axis & 1) != 0 ? parts[k].low[axis] : parts[k].high[axis]) = middle;
+      }
+      for (const SpherePoint& p : c.points)
+        if (parts[k].is_near(p)) parts[k].points.push_back(p);
+      fine += mass[k] = rule(parts[k]);
+    }
+    // Single precision leaves noise in the densities of narrow lobes, hence the relative part.
+    if (depth >= 20 || (c.points.size() < 4 && std::abs(fine - coarse) < std::max(allowed, 3e-4 * fine))) return fine;
+    double sum = 0;
+    for (std::size_t k = 0; k < 4; ++k) sum += self(self, parts[k], mass[k], 0.5 * allowed, depth + 1);
+    return sum;
+  };
+  return refine(refine, cell, rule(cell), tolerance, 0);
+}
+
+/// Halves the cells at the medians of the points in them, along the longer side, until few points are left in each.
+inline void split_cells(const SphereCell& cell, std::vector<SpherePoint>& points, std::size_t first, std::size_t last,
+                        std::size_t most, std::vector<SphereCell>& cells) {
+  const std::size_t axis = cell.high[0] - cell.low[0] >= cell.high[1] - cell.low[1] ? 0 : 1;
+  const auto at = [&](const SpherePoint& p) { return axis == 0 ? p.a : p.b; };
+  const std::size_t middle = (first + last) / 2;
+  if (last - first > most) {
+    const auto begin = points.begin();
+    std::nth_element(begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(middle),
+                     begin + static_cast<std::ptrdiff_t>(last),
+                     [&](const SpherePoint& a, const SpherePoint& b) { return at(a) < at(b); });
+    const double cut = at(points[middle]);
+    if (cut > cell.low[axis] && cut < cell.high[axis]) {
+      SphereCell below = cell, above = cell;
+      below.high[axis] = above.low[axis] = cut;
+      split_cells(below, points, first, middle, most, cells);
+      split_cells(above, points, middle, last, most, cells);
+      return;
+    }
+  }
+  cells.push_back(cell);
+  for (const SpherePoint& p : points)
+    if (cell.is_near(p)) cells.back().points.push_back(p);
+}
+
+/// p-value of Pearson's test of draws against a density per solid angle. `draw(random, d)` returns false where nothing
+/// is drawn; the density integrates to the share of the others. Cells come from draws of their own.
+template <class Draw, class Density>
+double sphere_p_value(const Draw& draw, const Density& density, std::uint64_t seed, int samples = 1'000'000) {
+  std::vector<SphereCell> cells;
+  constexpr std::uint64_t pilots = 20'000, in_a_cell = 160;
+  for (const bool upper : {true, false}) {
+    std::vector<SpherePoint> points;
+    for (std::uint64_t i = 0; i < pilots; ++i) {
+      Random random(seed, i, 1);
+      Vec3f d;
+      if (!draw(random, d)) continue;
+      const SpherePoint p = SpherePoint::of(d);
+      if (p.upper == upper) points.push_back(p);
+    }
+    split_cells({{-1, -1}, {1, 1}, upper, {}}, points, 0, points.size(), in_a_cell, cells);
+  }
+  // Found through a grid over each disc, whose entries list the cells that reach in.
+  constexpr int side = 256;
+  std::vector<std::vector<std::uint32_t>> grid(2 * side * side);
+  const auto row = [](double v) { return std::clamp(static_cast<int>((v + 1) / 2 * side), 0, side - 1); };
+  for (std::uint32_t c = 0; c < cells.size(); ++c)
+    for (int i = row(cells[c].low[0]); i <= row(cells[c].high[0]); ++i)
+      for (int j = row(cells[c].low[1]); j <= row(cells[c].high[1]); ++j)
+        grid[static_cast<std::size_t>((cells[c].upper ? 0 : side * side) + i * side + j)].push_back(c);
+
+  std::vector<double> observed(cells.size() + 1), expected(cells.size() + 1);
+  for (int i = 0; i < samples; ++i) {
+    Random random(seed, static_cast<std::uint64_t>(i), 2);
+    Vec3f d;
+    std::size_t found = cells.size();
+    if (draw(random, d)) {
+      const SpherePoint p = SpherePoint::of(d);
+      for (const std::uint32_t c :
+           grid[static_cast<std::size_t>((p.upper ? 0 : side * side) + row(p.a) * side + row(p.b))])
+        if (cells[c].holds(p)) found = c;
+    }
+    observed[found] += 1;
+  }
+  double total = 0;
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    const double mass = cell_mass(cells[c], density, 2e-7);
+    expected[c] = samples * mass;
+    total += mass;
+  }
+  expected.back() = samples * std::max(0.0, 1 - total);
+  return chi_square_p_value(observed, expected);
+}
+
+}  // namespace photonproof::test

@@ -1,0 +1,85 @@
+// One of each BSDF over a range of parameters, extremes included, for tests that hold for all.
+#pragma once
+
+#include <string>
+
+#include "renderer/compile_bsdf.h"
+
+namespace photonproof::test {
+
+struct NamedBsdf {
+  std::string name;
+  Bsdf bsdf;
+  bool lossless = false;  ///< reflects and transmits all it gets, the parameters being white
+};
+
+inline Bsdf compiled(const decltype(BsdfDescription::model)& model,
+                     const decltype(BsdfDescription::model)& base = DiffuseDescription{}) {
+  SceneDescription scene;
+  scene.files = {"test.xml"};
+  scene.bsdfs.push_back({{}, "", base});
+  scene.bsdfs.push_back({{}, "", model});
+  return compile_bsdf(scene, {1}).record;
+}
+
+/// Copper at 650, 550, 450 nm or about: eta, k.
+inline ComplexIor copper() { return {{0.21, 1.04, 1.16}, {3.67, 2.59, 2.42}}; }
+
+/// BSDFs with a smooth part, white ones. `alphas` are the roughnesses of the microfacets.
+inline std::vector<NamedBsdf> white_bsdfs(const std::vector<double>& alphas) {
+  std::vector<NamedBsdf> all;
+  const auto add = [&](const std::string& name, const Bsdf& bsdf, bool lossless) {
+    all.push_back({name, bsdf, lossless});
+  };
+  const RgbD one(1.0);
+  add("diffuse", compiled(DiffuseDescription{one}), true);
+  for (const double eta : {1.5, 1 / 1.5, 2.4}) {
+    const std::string with_eta = " eta " + std::to_string(eta);
+    add("plastic" + with_eta, compiled(PlasticDescription{one, one, eta, 1.0, false}), true);
+    add("lacquer on diffuse" + with_eta,
+        compiled(LayeredDescription{{0}, eta, 1.0, RgbD(0.0), 1, one}, DiffuseDescription{one}), true);
+    add("tinted lacquer on diffuse" + with_eta,
+        compiled(LayeredDescription{{0}, eta, 1.0, {0.2, 1, 5}, 0.5, one}, DiffuseDescription{one}), false);
+    add("lacquer on phong" + with_eta,
+        compiled(LayeredDescription{{0}, eta, 1.0, {0.1, 0.0, 0.3}, 1, one},
+                 PhongDescription{40.0, RgbD(0.6), RgbD(0.4)}),
+        false);
+  }
+  add("nonlinear plastic", compiled(PlasticDescription{RgbD{0.9, 0.5, 0.1}, one, 1.5, 1.0, true}), false);
+  for (const double n : {0.0, 1.0, 30.0, 1e4})
+    add("phong " + std::to_string(n), compiled(PhongDescription{n, RgbD(0.5), RgbD(0.5)}), false);
+  for (const MicrofacetDistribution d : {MicrofacetDistribution::beckmann, MicrofacetDistribution::ggx})
+    for (const double alpha : alphas) {
+      const std::string what = (d == MicrofacetDistribution::ggx ? " ggx " : " beckmann ") + std::to_string(alpha);
+      add("roughconductor" + what, compiled(RoughConductorDescription{d, alpha, alpha, true, {}, one}), false);
+      add("roughconductor by area" + what, compiled(RoughConductorDescription{d, alpha, alpha, false, {}, one}), false);
+      add("anisotropic roughconductor" + what,
+          compiled(RoughConductorDescription{d, alpha, std::min(1.0, 5 * alpha), true, copper(), one}), false);
+      for (const double eta : {1.5, 1 / 1.5})
+        add("roughdielectric" + what + " eta " + std::to_string(eta),
+            compiled(RoughDielectricDescription{d, alpha, alpha, true, eta, 1.0, one, one}), false);
+      add("roughdielectric by area" + what,
+          compiled(RoughDielectricDescription{d, alpha, alpha, false, 1.5, 1.0, one, one}), false);
+      add("roughplastic" + what, compiled(RoughPlasticDescription{d, alpha, true, one, one, 1.5, 1.0, false}), false);
+      add("lacquer on roughconductor" + what,
+          compiled(LayeredDescription{{0}, 1.5, 1.0, RgbD(0.0), 1, one},
+                   RoughConductorDescription{d, alpha, alpha, true, {}, one}),
+          false);
+    }
+  return all;
+}
+
+/// Directions to the surface: steep, slanted, all but grazing, on both sides.
+inline std::vector<Vec3f> test_directions(bool both_sides) {
+  std::vector<Vec3f> all;
+  for (const double degrees : {0.0, 50.0, 88.0}) {
+    const double theta = degrees * std::numbers::pi / 180, phi = degrees / 20;
+    const Vec3f d{static_cast<float>(std::sin(theta) * std::cos(phi)),
+                  static_cast<float>(std::sin(theta) * std::sin(phi)), static_cast<float>(std::cos(theta))};
+    all.push_back(d);
+    if (both_sides) all.push_back(-d);
+  }
+  return all;
+}
+
+}  // namespace photonproof::test

@@ -1,0 +1,17 @@
+// The scene `many-lights`: blocks and balls among as many small lights as asked for, to measure how engines choose.
+#pragma once
+
+#include <string>
+
+namespace photonproof {
+
+constexpr int kFewestLights = 1, kMostLights = 100'000;
+
+/// scene.xml. The lights together shine the same flux, however many there are. Deterministic to the byte.
+/// Precondition: kFewestLights <= lights <= kMostLights.
+std::string many_lights_scene(int lights);
+
+/// expect.toml beside it.
+std::string many_lights_expect(int lights);
+
+}  // namespace photonproof

@@ -1,0 +1,17 @@
+// What every reader of meshes promises, for the tests and fuzzers of all of them.
+#pragma once
+
+#include <string>
+
+#include "scenes/input_error.h"
+#include "scenes/mesh.h"
+
+namespace photonproof {
+
+/// Empty when indices and numbers are sound and the mesh is padded; else what is wrong.
+std::string problem_with(const TriangleMesh& mesh);
+
+/// Empty when the message is valid UTF-8 about `file`.
+std::string problem_with(const InputError& error, const std::string& file);
+
+}  // namespace photonproof

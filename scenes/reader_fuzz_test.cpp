@@ -1,0 +1,30 @@
+// The corpora of the OBJ and IES fuzzers as ordinary tests, so that what they once found stays found in every build.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "scenes/atomic_file.h"
+#include "scenes/ies_fuzz.h"
+#include "scenes/obj_fuzz.h"
+
+namespace photonproof {
+namespace {
+
+template <class Check>
+void check_folder(const std::string& folder, Check check) {
+  int files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(PHOTONPROOF_SOURCE_DIR "/scenes/" + folder)) {
+    const std::string bytes = read_file(entry.path());
+    for (std::size_t length = 0; length <= bytes.size(); ++length)
+      EXPECT_EQ(check(std::string_view(bytes).substr(0, length)), "") << entry.path() << " cut at " << length;
+    ++files;
+  }
+  EXPECT_GE(files, 3);
+}
+
+TEST(reader_fuzz, obj_corpus_gives_messages_or_sound_meshes) { check_folder("obj_corpus", check_obj); }
+
+TEST(reader_fuzz, ies_corpus_gives_messages_or_sound_profiles) { check_folder("ies_corpus", check_ies); }
+
+}  // namespace
+}  // namespace photonproof
