@@ -11,23 +11,30 @@ namespace photonproof {
 std::vector<LightWords> light_table(const std::vector<Light>& lights) {
   const std::size_t count = lights.size();
   std::vector<double> share(count);
-  std::array<double, 2> power{};  // of finite and infinite lights
+  std::array<double, 2> power{};        // of finite and infinite lights
+  std::array<std::size_t, 2> shining{};  // how many they are
   for (std::size_t i = 0; i < count; ++i) {
     const Rgb f = flux(lights[i]);
     share[i] = std::max((double{f.x} + f.y + f.z) / 3, 0.0);
     power[is_infinite(lights[i]) ? 1 : 0] += share[i];
+    if (share[i] > 0) ++shining[is_infinite(lights[i]) ? 1 : 0];
   }
-  if (power[0] > 0 && power[1] > 0) {
-    const double infinite = std::clamp(power[1] / (power[0] + power[1]), 0.25, 0.75);
-    for (std::size_t i = 0; i < count; ++i)
-      share[i] *= is_infinite(lights[i]) ? infinite / power[1] : (1 - infinite) / power[0];
-    power = {1 - infinite, infinite};
+  std::array<double, 2> together{1, 1};  // shares of the two groups
+  if (shining[0] > 0 && shining[1] > 0) {
+    const auto equal = static_cast<double>(shining[1]) / static_cast<double>(shining[0] + shining[1]);
+    together[1] = std::clamp(power[1] / (power[0] + power[1]), std::min(equal, 0.5), 0.5);
+    together[0] = 1 - together[1];
   }
-  const double total = power[0] + power[1];
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t group = is_infinite(lights[i]) ? 1 : 0;
+    if (share[i] > 0)
+      share[i] = together[group] * 0.5 * (share[i] / power[group] + 1 / static_cast<double>(shining[group]));
+  }
+  const bool any_shines = shining[0] + shining[1] > 0;
   std::vector<LightWords> table(count);
   std::vector<std::size_t> poor, rich;
   for (std::size_t i = 0; i < count; ++i) {
-    const double p = total > 0 ? share[i] / total : 1.0 / static_cast<double>(count);
+    const double p = any_shines ? share[i] : 1.0 / static_cast<double>(count);
     table[i] = {kernel_kind(lights[i]), static_cast<float>(p), 1, static_cast<std::uint32_t>(i), no_index};
     share[i] = p * static_cast<double>(count);
     (share[i] < 1 ? poor : rich).push_back(i);

@@ -84,7 +84,7 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, F> {
     if (!any(alive)) return;
     s.from = hit.primitive;
     Base::wait({s, hit.p, hit.normal, hit.surface}, alive,
-               [&] { return draw_independent<F>(s.key, s.index, U(s.vertex + surface_dimensions)); });
+               [&] { return draw2<F>(task_.camera.sampler, s.key, s.index, U(s.vertex + surface_dimensions)).x; });
   }
 
   /// Adds direct light, draws the next direction and plays roulette.
@@ -113,7 +113,7 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, F> {
     }
     Vec2<F> u_direction{F(0.0f), F(0.0f)};
     if constexpr (Kind<F>::has_smooth) u_direction = draw2<F>(task_.camera.sampler, s.key, s.index, U(dimension + 1u));
-    const F u_lobe = draw_independent<F>(s.key, s.index, U(dimension + 3u));
+    const F u_lobe = draw2<F>(task_.camera.sampler, s.key, s.index, U(dimension + 3u)).x;
     const BsdfSample<F> next = bsdf.sample(wo_local, u_lobe, u_direction, TransportMode::radiance);
     s.throughput *= next.weight;
     s.refraction_scale *= next.eta * next.eta;
@@ -163,7 +163,7 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, F> {
                         const U& dimension, bool goes_on, const Mask<F>& active) {
     PathState<F>& s = at.history;
     F u_choice(0.0f);
-    if (!scene_.one_light) u_choice = draw_independent<F>(s.key, s.index, U(dimension + 2u));
+    if (!scene_.one_light) u_choice = draw2<F>(task_.camera.sampler, s.key, s.index, U(dimension + 2u)).x;
     const Vec2<F> u_point = draw2<F>(task_.camera.sampler, s.key, s.index, dimension);
     const SurfaceHit<F> hit{active, at.p, at.normal, at.surface, s.from};
     s.radiance +=
