@@ -18,8 +18,7 @@ struct ThinDielectricBsdf {
   Vec3<F> eval(const Vec3<F>&, const Vec3<F>&) const { return Vec3<F>(F(0.0f)); }
   F pdf(const Vec3<F>&, const Vec3<F>&) const { return F(0.0f); }
   BsdfSample<F> sample(const Vec3<F>& wo, const F& u, const Vec2<F>&, TransportMode) const {
-    const F once = fresnel_dielectric(lane_abs(wo.z), eta).reflectance;
-    const F both = 2 * once / (1 + once);
+    const F both = reflected_share(wo);
     const Mask<F> reflects = u < both;
     return {select(reflects, Vec3<F>(-wo.x, -wo.y, wo.z), -wo),
             select(reflects, reflectance, transmittance),
@@ -27,6 +26,14 @@ struct ThinDielectricBsdf {
             F(1.0f),
             as_mask<F>(true),
             wo.z != 0};
+  }
+  /// Of light that travels along -wo: as in Mitsuba, a pane does not end the straight way of light behind it.
+  Vec3<F> straight_through(const Vec3<F>& wo) const { return transmittance * F(1 - reflected_share(wo)); }
+
+ private:
+  F reflected_share(const Vec3<F>& wo) const {
+    const F once = fresnel_dielectric(lane_abs(wo.z), eta).reflectance;
+    return 2 * once / (1 + once);
   }
 };
 
