@@ -158,17 +158,23 @@ TEST(library_mean, of_light_directional_and_constant) {
 TEST(library_mean, of_light_envmap) {
   const auto scene = load("light-envmap");
   const auto& sky = std::get<EnvmapDescription>(scene.emitters.at(0).light);
-  // The map as its pixels say, each uniform over its part of the sphere: E = sum L (sin^2 t1 - sin^2 t0) / 2 dphi over
-  // rows from t0 to t1. A look-up that interpolates between pixels differs by the curvature, (pi/64)^2.
+  // Mitsuba's look-up: the first row is the zenith, the last the nadir, linear between. E = 2 pi int L cos sin dt, L
+  // the mean along the horizon, by the midpoint rule.
   const Image& image = *sky.image;
-  RgbD E{0.0};
-  for (int y = 0; y < image.height / 2; ++y) {
-    const double t0 = pi * y / image.height, t1 = pi * (y + 1) / image.height;
-    const double weight = (std::pow(std::sin(t1), 2) - std::pow(std::sin(t0), 2)) * pi / image.width;
+  const auto row_mean = [&](int y) {
+    RgbD sum{0.0};
     for (int x = 0; x < image.width; ++x) {
       const float* c = image.pixel(x, y);
-      E += RgbD{double{c[0]}, double{c[1]}, double{c[2]}} * weight;
+      sum += RgbD{double{c[0]}, double{c[1]}, double{c[2]}};
     }
+    return sum / static_cast<double>(image.width);
+  };
+  constexpr int steps = 20'000;
+  RgbD E{0.0};
+  for (int i = 0; i < steps; ++i) {
+    const double t = pi / 2 * (i + 0.5) / steps, at = t / pi * (image.height - 1), part = at - std::floor(at);
+    const int y = static_cast<int>(at);
+    E += (row_mean(y) * (1 - part) + row_mean(y + 1) * part) * (2 * pi * std::cos(t) * std::sin(t) * pi / 2 / steps);
   }
   expect_stated_mean("light-envmap", E * (sky.scale * 0.5 / pi));
 }

@@ -67,7 +67,8 @@ class BidirectionalTracer {
     Ray ray = world_.leave(start.end, start.direction);
     ++work.rays.photon;
     Vertex v;
-    v.throughput = start.weight;
+    v.throughput = start.weight * arriving_from_infinity(world_, start.infinite, outer_);
+    if (!(max_component(v.throughput) > 0)) return;
     if (world_.has_media_or_bodies()) v.around = surroundings_at(world_, start.end.p, outer_);
     for (v.edges = 1;; ++v.edges) {
       // One edge more leads to the lens.
@@ -183,7 +184,7 @@ class BidirectionalTracer {
   Rgb meet_light(const Vertex& v, const Vec3f& before) const {
     const Rgb emitted = lights_.radiance(v.at, v.back);
     if (!(max_component(emitted) > 0)) return Rgb(0.0f);
-    if (v.edges == 1) return limits_.hide_emitters ? Rgb(0.0f) : emitted;
+    if (v.edges == 1) return limits_.hide_emitters ? Rgb(0.0f) : v.throughput * emitted;
     const EmissionPdf pdf = lights_.emit_pdf(v.at.light, v.at.p, v.at.ng, v.back);
     const double g = cosine(v.at.ng, v.back) / length_squared(v.at.p - before);
     const double drawn_anew = g * lights_.sample_pdf(before, v.at);

@@ -36,7 +36,7 @@ class ParticleTracer {
     if (!limits_.hide_emitters) show_light(draws, work);
     const LightStart start =
         lights_.emit(draws.one(dimension::light), draws.two(dimension::position), draws.two(dimension::direction));
-    Rgb throughput = start.weight;
+    Rgb throughput = start.weight * arriving_from_infinity(world_, start.infinite, outer_);
     if (!(max_component(throughput) > 0)) return;
     const Rgb first_throughput = throughput;
     Ray ray = world_.leave(start.end, start.direction);

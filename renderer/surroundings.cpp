@@ -97,6 +97,11 @@ std::uint32_t outer_medium(const World& world) {
   return surroundings.medium();
 }
 
+Rgb arriving_from_infinity(const World& world, bool from_infinity, std::uint32_t outer) {
+  if (!from_infinity || outer == no_index) return Rgb(1.0f);
+  return world.scene().media.media[outer].transmittance(std::numeric_limits<float>::infinity());
+}
+
 Surroundings surroundings_at(const World& world, const Vec3f& p, std::uint32_t outer) {
   Surroundings surroundings(outer);
   if (world.has_media_or_bodies())
@@ -150,6 +155,9 @@ bool travel(const World& world, Ray& ray, Surroundings& surroundings, float u_la
     surroundings.cross(world, at, ray.direction);
     ray = world.leave(at, ray.direction);
   }
+  if (surroundings.medium() != no_index)
+    throughput *=
+        world.scene().media.media[surroundings.medium()].transmittance(std::numeric_limits<float>::infinity());
   return false;
 }
 

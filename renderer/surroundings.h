@@ -54,6 +54,8 @@ class Surroundings {
 
 /// The medium far outside, where the camera's is unless a border lies between.
 std::uint32_t outer_medium(const World& world);
+/// What a medium without end leaves of light paths that start at infinity; of others it is 1.
+Rgb arriving_from_infinity(const World& world, bool from_infinity, std::uint32_t outer);
 /// What is at p, found by following a ray there from far outside. Borders of media and bodies are taken to be closed.
 Surroundings surroundings_at(const World& world, const Vec3f& p, std::uint32_t outer);
 
