@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <sstream>
 
+#include "reference/unrepresentable.h"
 #include "scenes/atomic_file.h"
 #include "scenes/expect.h"
 #include "scenes/parser.h"

@@ -1,5 +1,5 @@
-// Where caustics begin: balls around the specular surfaces, which are all that are not Lambertian. Photons of the caustic map are sent into their cones only
-// (Jensen 2001, section 5.2.1, "projection maps", in closed form).
+// Where caustics begin: balls around the specular surfaces, which are all that are not Lambertian. Photons of the
+// caustic map are sent into their cones only (Jensen 2001, section 5.2.1, "projection maps", in closed form).
 #pragma once
 
 #include <functional>

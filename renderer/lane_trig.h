@@ -43,9 +43,9 @@ F angle_of(const F& y, const F& x) {
   const Mask<F> steep = ratio > 0.41421356f;  // tan(pi/8): beyond it, around pi/4
   const F t = select(steep, (ratio - 1) / (ratio + 1), ratio);
   const F t2 = t * t;
-  const F series = mul_add(
-      t2, mul_add(t2, mul_add(t2, F(8.05374449538e-2f), F(-1.38776856032e-1f)), F(1.99777106478e-1f)),
-      F(-3.33329491539e-1f));
+  const F series =
+      mul_add(t2, mul_add(t2, mul_add(t2, F(8.05374449538e-2f), F(-1.38776856032e-1f)), F(1.99777106478e-1f)),
+              F(-3.33329491539e-1f));
   const F acute = mul_add(F(series * t2), t, t) + select(steep, F(0.785398163397f), F(0.0f));
   const F first_quadrant = select(y > abs_x, 1.57079632679f - acute, acute);
   return select(x < 0, 3.14159265359f - first_quadrant, first_quadrant);

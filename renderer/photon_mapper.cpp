@@ -186,13 +186,13 @@ void render_photon_mapper(const Scene& scene, const IntegratorDescription& descr
       std::vector<float> radiance(3 * std::size_t{camera.paths()});
       std::vector<GatherPoint> points(camera.paths());
       std::vector<std::uint32_t> scratch(job.kernels().path_scratch);
-      PathTask task{.scene = &scene.view(),
-                    .camera = camera,
-                    .settings = {settings.max_depth, settings.rr_depth, settings.hide_emitters,
-                                 scene.view().lights_can_be_hit},
-                    .radiance = radiance.data(),
-                    .scratch = scratch.data(),
-                    .gather_points = points.data()};
+      PathTask task{
+          .scene = &scene.view(),
+          .camera = camera,
+          .settings = {settings.max_depth, settings.rr_depth, settings.hide_emitters, scene.view().lights_can_be_hit},
+          .radiance = radiance.data(),
+          .scratch = scratch.data(),
+          .gather_points = points.data()};
       job.kernels().trace_paths(task);
       points.resize(task.gather_count);
       for (const MapState* state : {&maps.caustic, &maps.global})

@@ -61,8 +61,8 @@ SceneFacts analyse(const Scene& scene) {
   SceneFacts facts;
   std::vector<const Surface*> diffuse;
   for (const Surface& surface : scene.surfaces) {
-    scene.for_each_leaf(surface.bsdf,
-                        [&](const Bsdf& leaf, bool) { facts.any_specular = facts.any_specular || !is_lambertian(leaf); });
+    scene.for_each_leaf(
+        surface.bsdf, [&](const Bsdf& leaf, bool) { facts.any_specular = facts.any_specular || !is_lambertian(leaf); });
     if (reflects_diffusely(scene, surface)) diffuse.push_back(&surface);
     if (surface.light != no_index) facts.any_light_surface = true;
   }

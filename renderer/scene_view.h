@@ -80,7 +80,7 @@ struct SceneView {
   const SceneLights* general_lights = nullptr;  ///< all lights, for those that need tables
   bool lights_by_position = false;              ///< they are chosen by `general_lights`
   std::uint32_t environment = no_index;         ///< the light that rays see which leave the scene
-  const AimTarget* aim_targets = nullptr;  ///< one for each specular surface
+  const AimTarget* aim_targets = nullptr;       ///< one for each specular surface
   std::uint32_t aim_target_count = 0;
   std::uint32_t bsdf_kinds = 0;  ///< bit k: a surface has a BSDF of kind k
   std::uint32_t light_kinds = 0;
