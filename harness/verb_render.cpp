@@ -158,7 +158,8 @@ int print_plan(const RenderArguments& arguments) {
   check_job(job, method);
   const FilmDescription& film = description.sensor.film;
   film_window(film, arguments.crop);
-  const Scene scene(description, film.width, film.height, job.skips, small_scene_limit, ScenePurpose::plan);
+  const Scene scene(description, film.width, film.height, job.skips,
+                    find_integrator(integrator_name(method))->small_limit(), ScenePurpose::plan);
   const RenderPlan plan = plan_render(scene, method, job);
   std::printf("%s", arguments.json ? (plan_json(plan).dump(2) + "\n").c_str() : plan_text(plan).c_str());
   return 0;
@@ -203,7 +204,7 @@ int run_render(const RenderArguments& arguments) {
   const Timer compile_timer;
   const FilmDescription& film_size = description.sensor.film;
   const Tile window = film_window(film_size, arguments.crop);
-  const Scene scene(description, film_size.width, film_size.height, job.skips);
+  const Scene scene(description, film_size.width, film_size.height, job.skips, find_integrator(name)->small_limit());
   stats.phases["compile"] = compile_timer.seconds();
 
   stats.counts["bytes_scene"] = static_cast<double>(scene.memory_bytes());

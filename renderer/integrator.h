@@ -67,6 +67,9 @@ struct Integrator {
   /// What of a scene it can do.
   enum class Media { none, absorbing, all } media = Media::none;
   bool dielectric_priorities = false;
+
+  /// Up to how many primitives it traces rays without Embree.
+  std::size_t small_limit() const { return heeds.isa ? small_scene_limit : small_scene_limit_of_single_rays; }
 };
 
 const std::vector<Integrator>& integrators();

@@ -27,6 +27,9 @@ class SmallSceneTables;
 /// parallelograms (rays_bench.cpp, "threshold"): at 128 the packed kernel is 1.8, 1.4 and 0.9 times as fast with 16, 8
 /// and 4 lanes, and Embree does better than there where primitives do not overlap.
 inline constexpr std::size_t small_scene_limit = 128;
+/// The same for integrators that trace one ray at a time: bdpt on `cornell` (12 parallelograms) is 1.4 times as fast
+/// through Embree, on `cornell-spheres` (8 primitives) as fast.
+inline constexpr std::size_t small_scene_limit_of_single_rays = 8;
 
 /// A scene that is only planned has no hierarchy and cannot be traced.
 enum class ScenePurpose { render, plan };

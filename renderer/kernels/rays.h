@@ -26,8 +26,12 @@ SurfaceHit<F> closest_hit(const SceneView& scene, const Vec3<F>& origin, const V
     hit.valid = hit.valid && active;
     return hit;
   }
-  RayBlock rays{};
-  HitBlock hits{};
+  RayBlock rays;
+  HitBlock hits;
+  if constexpr (lane_count<F> > 1) {  // packets read the idle lanes too
+    rays = {};
+    hits = {};
+  }
   fill_block(rays, origin, direction, active);
   scene.tracer->intersect(rays, hits, coherent);
   SurfaceHit<F> hit;
@@ -49,7 +53,8 @@ template <class F>
 Mask<F> occluded(const SceneView& scene, const Vec3<F>& origin, const Vec3<F>& segment, const UInt<F>& from,
                  const UInt<F>& target, const Mask<F>& active) {
   if (scene.small) return active && occluded_small(scene.primitives, origin, segment, from, target);
-  RayBlock rays{};
+  RayBlock rays;
+  if constexpr (lane_count<F> > 1) rays = {};
   fill_block(rays, origin, segment, active);
   std::uint32_t blocked[RayBlock::width];
   scene.tracer->occluded(rays, blocked);
