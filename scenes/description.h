@@ -362,8 +362,8 @@ struct ConstantLightDescription {
   friend bool operator==(const ConstantLightDescription&, const ConstantLightDescription&) = default;
 };
 
-/// Latitude-longitude image of the radiance from all around: +y up, the middle of the image towards local -z,
-/// as Mitsuba has it.
+/// Latitude-longitude image of the radiance from all around: +y up, the middle of the image towards local +z, +x to the
+/// left of it, as in Mitsuba.
 struct EnvmapDescription {
   std::string filename;
   std::shared_ptr<const Image> image;  ///< never null
