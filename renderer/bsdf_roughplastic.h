@@ -1,6 +1,6 @@
 // Rough plastic, one-sided: a diffuse base under a rough dielectric interface (Mitsuba's `roughplastic`). The
-// interface's reflection is that of microfacets; what it lets through is all the rest, T(cos), which bsdf_tables.cpp
-// integrates and fits by a polynomial in sqrt(cos):
+// interface's reflection is that of microfacets, and so is the share T(cos) that it lets through, which
+// interface_tables.cpp integrates and fits by a polynomial in sqrt(cos):
 //   f = F D G / (4 cos cos) + T(wo) T(wi) / (pi eta^2) x the base as in bsdf_plastic.h
 #pragma once
 

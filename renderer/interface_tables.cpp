@@ -12,6 +12,23 @@ double fresnel(double cos_incident, double eta) {
       fresnel_dielectric(static_cast<float>(std::min(1.0, cos_incident)), static_cast<float>(eta)).reflectance);
 }
 
+Vec3f at_cosine(double cos_theta) {
+  return {static_cast<float>(std::sqrt(1 - cos_theta * cos_theta)), 0, static_cast<float>(cos_theta)};
+}
+
+/// Over the facets that wo sees, by a midpoint rule in the two numbers that choose one.
+template <class Value>
+double mean_over_facets(const Microfacets<float>& facets, const Vec3f& wo, const Value& value) {
+  constexpr int cells = 48;
+  double sum = 0;
+  for (int i = 0; i < cells * cells; ++i) {
+    const Vec2<float> u{(static_cast<float>(i % cells) + 0.5f) / cells, (static_cast<float>(i / cells) + 0.5f) / cells};
+    const Vec3f m = facets.sample(wo, u);
+    if (dot(wo, m) > 0) sum += value(m);
+  }
+  return sum / (cells * cells);
+}
+
 }  // namespace
 
 double diffuse_fresnel_reflectance(double eta) { return diffuse_fresnel_reflectance(eta, 0); }
@@ -27,18 +44,23 @@ double diffuse_fresnel_reflectance(double eta, double depth) {
 }
 
 double rough_reflectance(const Microfacets<float>& facets, double cos_wo, double eta) {
-  constexpr int cells = 48;  // of each of the sample's two numbers
-  const Vec3f wo{static_cast<float>(std::sqrt(1 - cos_wo * cos_wo)), 0, static_cast<float>(cos_wo)};
-  double sum = 0;
-  for (int i = 0; i < cells * cells; ++i) {
-    const Vec2<float> u{(static_cast<float>(i % cells) + 0.5f) / cells, (static_cast<float>(i / cells) + 0.5f) / cells};
-    const Vec3f m = facets.sample(wo, u);
+  const Vec3f wo = at_cosine(cos_wo);
+  return mean_over_facets(facets, wo, [&](const Vec3f& m) -> double {
     const Vec3f wi = mirrored(wo, m);
+    const DielectricFresnel<float> facet = fresnel_dielectric(clamp_to_unit(dot(wo, m)), static_cast<float>(eta));
+    return wi.z > 0 ? static_cast<double>(facet.reflectance * facets.shadowing(wi)) : 0;
+  });
+}
+
+double rough_transmittance(const Microfacets<float>& facets, double cos_wo, double eta) {
+  const Vec3f wo = at_cosine(cos_wo);
+  const auto to_path = static_cast<float>(1 / eta);
+  return mean_over_facets(facets, wo, [&](const Vec3f& m) -> double {
     const float cos_facet = dot(wo, m);
-    if (wi.z <= 0 || cos_facet <= 0) continue;
-    sum += fresnel(static_cast<double>(cos_facet), eta) * static_cast<double>(facets.shadowing(wi));
-  }
-  return sum / (cells * cells);
+    const DielectricFresnel<float> facet = fresnel_dielectric(clamp_to_unit(cos_facet), static_cast<float>(eta));
+    const Vec3f wi = advance(Vec3f(-wo * to_path), cos_facet * to_path - facet.cos_transmit, m);
+    return wi.z < 0 ? static_cast<double>((1 - facet.reflectance) * facets.shadowing(wi)) : 0;
+  });
 }
 
 RoughInterface rough_interface(Microfacets<float> facets, double eta) {
@@ -49,7 +71,7 @@ RoughInterface rough_interface(Microfacets<float> facets, double eta) {
   for (std::size_t j = 0; j < nodes; ++j) {
     angle[j] = std::numbers::pi * (static_cast<double>(j) + 0.5) / nodes;
     const double root = 0.5 * (std::cos(angle[j]) + 1);
-    through[j] = 1 - rough_reflectance(facets, root * root, eta);
+    through[j] = rough_transmittance(facets, root * root, eta);
   }
   for (std::size_t k = 0; k < result.through.size(); ++k) {
     double sum = 0;

@@ -18,11 +18,13 @@ struct RoughInterface {
   std::array<float, RoughPlasticBsdf<float>::coefficients> through;  ///< RoughPlasticBsdf::through
   float internal_reflectance;
 };
-/// `eta` = ior below / ior above. As Mitsuba has them: what microfacets do not reflect upward counts as let through,
-/// and the reflectance from inside is the mean over 64 evenly spaced cosines from 0 to 1, 1 to 5 % below its integral.
+/// `eta` = ior below / ior above. As Mitsuba 3 has them: only what microfacets let through at once reaches the base, and
+/// the reflectance from inside is the mean over 64 evenly spaced cosines from 0 to 1, 1 to 5 % below its integral.
 RoughInterface rough_interface(Microfacets<float> facets, double eta);
 
 /// Share of the light from direction wo that facets of the interface reflect to wo's side.
 double rough_reflectance(const Microfacets<float>& facets, double cos_wo, double eta);
+/// Share of it that they refract to the other side. What a second facet stops is in neither.
+double rough_transmittance(const Microfacets<float>& facets, double cos_wo, double eta);
 
 }  // namespace photonproof

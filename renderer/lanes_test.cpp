@@ -15,6 +15,7 @@
 #include "renderer/sampler.h"
 #include "renderer/small_scene_tables.h"
 #include "renderer/reconstruction_filter.h"
+#include "renderer/test_bsdf_records.h"
 #include "renderer/test_lanes.h"
 #include "renderer/warp.h"
 
@@ -364,15 +365,16 @@ TEST(lanes, every_bsdf_agrees) {
         return out;
       };
       expect_lanes_agree<n, 13>("BSDF " + std::to_string(kind), f, [](Random& random) {
+        Kind<float> bsdf;
+        test::randomise(bsdf, random);
         Floats<n> in;
-        const bool tame = random.next() < 0.5f;
-        for (std::size_t k = 0; k < record; ++k) in[k] = tame ? 3 * random.next() : anything(random);
-        const Vec3f wo = test::mostly_direction(random), wi = test::mostly_direction(random);
+        std::memcpy(in.data(), static_cast<const void*>(&bsdf), sizeof bsdf);
+        const Vec3f wo = test::direction(random), wi = test::direction(random);
         in[record] = wo.x, in[record + 1] = wo.y, in[record + 2] = wo.z;
         in[record + 3] = wi.x, in[record + 4] = wi.y, in[record + 5] = wi.z;
         for (std::size_t k = record + 6; k < n; ++k) in[k] = test::unit(random);
         return in;
-      });
+      }, 20'000);
     }
   });
 }
@@ -525,9 +527,13 @@ struct Clutter {
     }
     auto source = std::make_shared<TriangleMesh>();
     source->triangles = triangles;
-    Mesh mesh{positions, source};
+    Mesh mesh;
+    mesh.positions = positions;
+    mesh.source = source;
     mesh.positions.emplace_back();
-    surfaces.push_back({std::move(mesh)});
+    Surface surface;
+    surface.geometry = std::move(mesh);
+    surfaces.push_back(std::move(surface));
   }
 };
 
