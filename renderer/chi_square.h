@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -35,35 +36,96 @@ inline double chi_square_p_value(const std::vector<double>& observed, const std:
   return boost::math::cdf(boost::math::complement(boost::math::chi_squared(cells - 1), statistic));
 }
 
-/// Draws directions and compares their histogram over (cos theta, phi) with the integral of the density over each cell.
-/// `draw(random)` gives a unit Vec3f; `density(direction)` is per solid angle and may integrate to less than 1. Cells
-/// are integrated on a lattice of sub x sub points, which must be fine where the density jumps.
+/// The integral of g(x, y) over a rectangle by the midpoint rule. Where quarters or corners differ the rectangle is
+/// divided again, `depth` times at most, so that a jump of g is followed to 2^-depth of the rectangle.
+template <class G>
+double integrate_rectangle(const G& g, double x, double y, double width, double height, int depth) {
+  double sum = 0, low = std::numeric_limits<double>::infinity(), high = 0;
+  const auto look = [&](double across, double up) {
+    const double value = g(x + width * across, y + height * up);
+    low = std::min(low, value);
+    high = std::max(high, value);
+    return value;
+  };
+  for (int i = 0; i < 4; ++i) sum += look(i % 2 * 0.5 + 0.25, i / 2 * 0.5 + 0.25);
+  if (depth > 0)
+    for (int i = 0; i < 4; ++i) look(i % 2, i / 2);
+  if (depth == 0 || high - low <= 0.01 * high) return sum / 4 * width * height;
+  sum = 0;
+  for (int i = 0; i < 4; ++i)
+    sum += integrate_rectangle(g, x + width / 2 * (i % 2), y + height / 2 * (i / 2), width / 2, height / 2, depth - 1);
+  return sum;
+}
+
+/// Directions within a cone, in coordinates whose cells have equal solid angles.
+class DirectionCells {
+ public:
+  /// `reach`: 1 - cos of the cone's half-angle; 2 is the sphere.
+  explicit DirectionCells(const Vec3f& axis = {0, 0, 1}, double reach = 2) : reach_(reach), n_(normalize(Vec3d(axis))) {
+    const Vec3d aside = std::abs(n_.z) < 0.9 ? Vec3d(0, 0, -1) : Vec3d(0, 1, 0);
+    s_ = normalize(cross(aside, n_));
+    t_ = cross(n_, s_);
+  }
+  bool is_cone() const { return reach_ < 2; }
+  double solid_angle() const { return 2 * std::numbers::pi * reach_; }
+
+  /// Both in [0,1); `down` is (1 - cos) / reach, 1 and more outside of the cone.
+  struct Place {
+    double down, around;
+  };
+  Place place(const Vec3f& d) const {
+    const Vec3d direction = normalize(Vec3d(d)), apart = direction - n_;
+    return {dot(apart, apart) / 2 / reach_,
+            std::atan2(dot(direction, t_), dot(direction, s_)) / (2 * std::numbers::pi) + 0.5};
+  }
+  Vec3f direction(const Place& at) const {
+    const double versine = at.down * reach_, phi = (at.around - 0.5) * 2 * std::numbers::pi;
+    const double r = std::sqrt(std::max(versine * (2 - versine), 0.0));
+    return Vec3f(s_ * (r * std::cos(phi)) + t_ * (r * std::sin(phi)) + n_ * (1 - versine));
+  }
+
+ private:
+  double reach_;
+  Vec3d s_, t_, n_;
+};
+
+/// Draws directions and compares their histogram over cells of equal solid angles with the integral of the density over
+/// each. `draw(random)` gives a unit Vec3f, or zeros for none; `density(direction)` is per solid angle and may
+/// integrate to less than 1 over the sphere, but if `cells` are a cone, what is missing there must be beside the cone.
+/// Integrals begin on a lattice of sub x sub rectangles in each cell, which must see every feature of the density.
 template <class Draw, class Density>
 double direction_p_value(const Draw& draw, const Density& density, std::uint64_t seed, int samples = 200'000,
-                         int sub = 8) {
+                         int sub = 8, const DirectionCells& cells = DirectionCells()) {
   constexpr int rows = 20, columns = 24;
-  std::vector<double> observed(rows * columns), expected(rows * columns);
+  std::vector<double> observed(rows * columns + 1), expected(rows * columns + 1);  // the last is beside the cone
   for (int i = 0; i < samples; ++i) {
     Random random(seed, static_cast<std::uint64_t>(i));
     const Vec3f d = draw(random);
-    const int row = std::clamp(static_cast<int>((d.z + 1) / 2 * rows), 0, rows - 1);
-    const double phi = std::atan2(d.y, d.x) / (2 * std::numbers::pi) + 0.5;
-    const int column = std::clamp(static_cast<int>(phi * columns), 0, columns - 1);
-    observed[static_cast<std::size_t>(row * columns + column)] += 1;
-  }
-  // Midpoint rule on a lattice of equal solid angles within each cell.
-  for (int row = 0; row < rows * sub; ++row) {
-    for (int column = 0; column < columns * sub; ++column) {
-      const double z = (row + 0.5) / (rows * sub) * 2 - 1;
-      const double phi = ((column + 0.5) / (columns * sub) - 0.5) * 2 * std::numbers::pi;
-      const double r = std::sqrt(1 - z * z);
-      const Vec3f d{static_cast<float>(r * std::cos(phi)), static_cast<float>(r * std::sin(phi)),
-                    static_cast<float>(z)};
-      const double solid_angle = 4 * std::numbers::pi / (rows * columns * sub * sub);
-      expected[static_cast<std::size_t>(row / sub * columns + column / sub)] +=
-          samples * solid_angle * static_cast<double>(density(d));
+    if (d == Vec3f(0.0f)) {
+      if (cells.is_cone()) observed.back() += 1;
+      continue;
     }
+    const auto [down, around] = cells.place(d);
+    const int row = static_cast<int>(down * rows);
+    const int column = std::clamp(static_cast<int>(around * columns), 0, columns - 1);
+    const bool beside = row >= rows && cells.is_cone();
+    observed[static_cast<std::size_t>(beside ? rows * columns : std::min(row, rows - 1) * columns + column)] += 1;
   }
+  constexpr int depth = 5;
+  const auto at = [&](double down, double around) {
+    return static_cast<double>(density(cells.direction({down, around})));
+  };
+  double inside = 0;
+  for (int row = 0; row < rows * sub; ++row)
+    for (int column = 0; column < columns * sub; ++column) {
+      const double height = 1.0 / (rows * sub), width = 1.0 / (columns * sub);
+      const double mass = integrate_rectangle([&](double x, double y) { return at(y, x); }, column * width,
+                                              row * height, width, height, depth) *
+                          cells.solid_angle();
+      expected[static_cast<std::size_t>(row / sub * columns + column / sub)] += samples * mass;
+      inside += mass;
+    }
+  if (cells.is_cone()) expected.back() = std::max(samples * (1 - inside), 0.0);
   return chi_square_p_value(observed, expected);
 }
 

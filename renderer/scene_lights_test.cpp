@@ -9,23 +9,15 @@
 #include <functional>
 
 #include "renderer/chi_square.h"
-#include "renderer/light_table.h"
+#include "renderer/test_lights.h"
 
 namespace photonproof {
 namespace {
 
+using test::Lights;
 using test::Random;
 
 constexpr double pi_d = std::numbers::pi;
-
-/// One or more lights with what a scene keeps beside them.
-struct Lights {
-  std::vector<Light> lights;
-  std::vector<LightWords> words;
-  SceneLights scene;
-  explicit Lights(std::vector<Light> all, const SceneBall& ball = {{0, 0, 0}, 2})
-      : lights(std::move(all)), words(light_table(lights)), scene(lights, words, ball) {}
-};
 
 Image sky_image() {
   Image image(8, 5);
@@ -102,7 +94,7 @@ TEST(scene_lights, directions_to_an_environment_match_their_density) {
     const double p_value =
         test::direction_p_value([&](Random& r) { return lights.scene.sample(p, 0.5f, r.next2()).wi; },
                                 [&](const Vec3f& d) { return lights.scene.environment_pdf(p, d); },
-                                static_cast<std::uint64_t>(++seed), 1'000'000, 64);
+                                static_cast<std::uint64_t>(++seed), 1'000'000);
     EXPECT_GT(p_value, test::sidak_level(static_cast<int>(all.size()))) << sky.name;
     EXPECT_NEAR(over_sphere([&](const Vec3f& d) { return double{lights.scene.environment_pdf(p, d)}; }), 1, 5e-3)
         << sky.name;
@@ -256,7 +248,7 @@ TEST(scene_lights, directions_of_photons_of_point_like_lights_match_their_densit
     EXPECT_GT(
         test::direction_p_value([&](Random& r) { return lights.scene.emit(0, r.next2(), r.next2()).direction; },
                                 [&](const Vec3f& d) { return lights.scene.emission_pdfs(0, {}, {}, d).direction; },
-                                ++seed, 1'000'000, 64),
+                                ++seed, 1'000'000),
         test::sidak_level(static_cast<int>(all.size())))
         << named.name;
     // The flux is the integral of the intensity.
