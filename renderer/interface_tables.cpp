@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 
 namespace photonproof {
@@ -16,17 +17,18 @@ Vec3f at_cosine(double cos_theta) {
   return {static_cast<float>(std::sqrt(1 - cos_theta * cos_theta)), 0, static_cast<float>(cos_theta)};
 }
 
-/// Over the facets that wo sees, by a midpoint rule in the two numbers that choose one.
+/// Over the facets that wo sees, by a Fibonacci lattice in the two numbers that choose one: rows and columns would lie
+/// along the circles where facets begin to reflect totally.
 template <class Value>
 double mean_over_facets(const Microfacets<float>& facets, const Vec3f& wo, const Value& value) {
-  constexpr int cells = 48;
+  constexpr std::uint64_t points = 6765, step = 4181;
   double sum = 0;
-  for (int i = 0; i < cells * cells; ++i) {
-    const Vec2<float> u{(static_cast<float>(i % cells) + 0.5f) / cells, (static_cast<float>(i / cells) + 0.5f) / cells};
-    const Vec3f m = facets.sample(wo, u);
+  for (std::uint64_t i = 0; i < points; ++i) {
+    const auto fraction = [](std::uint64_t k) { return (static_cast<float>(k) + 0.5f) / points; };
+    const Vec3f m = facets.sample(wo, {fraction(i), fraction(i * step % points)});
     if (dot(wo, m) > 0) sum += value(m);
   }
-  return sum / (cells * cells);
+  return sum / points;
 }
 
 }  // namespace

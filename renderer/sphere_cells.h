@@ -84,7 +84,7 @@ double cell_mass(const SphereCell& cell, const Density& density, double toleranc
       fine += mass[k] = rule(parts[k]);
     }
     // Single precision leaves noise in the densities of narrow lobes, hence the relative part.
-    if (depth >= 20 || (c.points.size() < 4 && std::abs(fine - coarse) < std::max(allowed, 3e-4 * fine))) return fine;
+    if (depth >= 20 || (c.points.size() < 16 && std::abs(fine - coarse) < std::max(allowed, 3e-4 * fine))) return fine;
     double sum = 0;
     for (std::size_t k = 0; k < 4; ++k) sum += self(self, parts[k], mass[k], 0.5 * allowed, depth + 1);
     return sum;

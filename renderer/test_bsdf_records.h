@@ -38,8 +38,13 @@ inline void randomise(PlasticBsdf<float>& b, Random& random) {
   b = {some_eta(random), 0.9f * random.next(), some_switch(random), some_colour(random), some_colour(random)};
 }
 inline void randomise(RoughPlasticBsdf<float>& b, Random& random) {
-  b = {some_facets(random), some_eta(random),    0.9f * random.next(), some_switch(random),
-       some_colour(random), some_colour(random), {}};
+  b = {some_facets(random),
+       some_eta(random),
+       0.9f * random.next(),
+       some_switch(random),
+       some_colour(random),
+       some_colour(random),
+       {}};
   for (float& c : b.through) c = random.next() / RoughPlasticBsdf<float>::coefficients;
 }
 inline void randomise(PhongBsdf<float>& b, Random& random) {

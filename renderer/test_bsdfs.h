@@ -69,15 +69,19 @@ inline std::vector<NamedBsdf> white_bsdfs(const std::vector<double>& alphas) {
   return all;
 }
 
+/// A direction at this angle to the normal, in no plane of the axes.
+inline Vec3f slanted(double degrees) {
+  const double theta = degrees * std::numbers::pi / 180, phi = degrees / 20;
+  return {static_cast<float>(std::sin(theta) * std::cos(phi)), static_cast<float>(std::sin(theta) * std::sin(phi)),
+          static_cast<float>(std::cos(theta))};
+}
+
 /// Directions to the surface: steep, slanted, all but grazing, on both sides.
 inline std::vector<Vec3f> test_directions(bool both_sides) {
   std::vector<Vec3f> all;
   for (const double degrees : {0.0, 50.0, 88.0}) {
-    const double theta = degrees * std::numbers::pi / 180, phi = degrees / 20;
-    const Vec3f d{static_cast<float>(std::sin(theta) * std::cos(phi)),
-                  static_cast<float>(std::sin(theta) * std::sin(phi)), static_cast<float>(std::cos(theta))};
-    all.push_back(d);
-    if (both_sides) all.push_back(-d);
+    all.push_back(slanted(degrees));
+    if (both_sides) all.push_back(-all.back());
   }
   return all;
 }
