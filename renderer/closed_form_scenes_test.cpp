@@ -19,24 +19,31 @@ struct Mean {
 
 const std::string kLibrary = std::string(PHOTONPROOF_SOURCE_DIR) + "/scenes/library/";
 
-/// The film takes Sobol samples for independent, so its error is an upper bound: the 0.1 % below are what is strict.
+/// Over renders that differ in their seed alone, whose spread is the error: the film takes Sobol samples for
+/// independent and would state an error that is many times too large.
 Mean mean_of(const std::string& name, const char* integrator, std::int64_t spp) {
+  constexpr int kSeeds = 16;
   const SceneDescription scene = parse_scene_file(kLibrary + name + "/scene.xml");
-  const Rendering image = test::render(scene, integrator, test::job_with(spp)).image;
-  std::array<double, 3> sum{}, variance{};
-  for (std::size_t i = 0; i < image.mean.rgb.size(); ++i) {
-    sum[i % 3] += double{image.mean.rgb[i]};
-    variance[i % 3] += double{image.variance->rgb[i]};
+  RgbD sum(0.0), squares(0.0);
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    const Image image = test::render(scene, integrator, test::job_with(spp / kSeeds, 0, seed)).image.mean;
+    std::array<double, 3> total{};
+    for (std::size_t i = 0; i < image.rgb.size(); ++i) total[i % 3] += double{image.rgb[i]};
+    const RgbD mean = RgbD{total[0], total[1], total[2]} / static_cast<double>(image.pixels());
+    sum = sum + mean;
+    squares = squares + mean * mean;
   }
-  const auto n = static_cast<double>(image.mean.pixels());
-  return {RgbD{sum[0], sum[1], sum[2]} / n,
-          RgbD{std::sqrt(variance[0]), std::sqrt(variance[1]), std::sqrt(variance[2])} / n};
+  const RgbD mean = sum / double{kSeeds};
+  const auto error = [](double square, double m) {
+    return std::sqrt(std::max(0.0, square / kSeeds - m * m) / (kSeeds - 1));
+  };
+  return {mean, RgbD{error(squares.x, mean.x), error(squares.y, mean.y), error(squares.z, mean.z)}};
 }
 
 struct Case {
   const char* scene;
   const char* integrator;
-  std::int64_t spp;
+  std::int64_t spp;  ///< of all seeds together
 };
 void PrintTo(const Case& c, std::ostream* out) { *out << c.scene << " by " << c.integrator; }
 
@@ -67,15 +74,15 @@ INSTANTIATE_TEST_SUITE_P(library, ClosedFormScene,
                                          Case{"furnace-twosided", "path", 256}, Case{"furnace-mask", "path", 256},
                                          Case{"furnace-blendbsdf", "path", 256}, Case{"furnace-null", "path", 256},
                                          Case{"light-area", "path", 256}, Case{"light-sphere", "path", 256},
-                                         Case{"light-disk", "path", 256}, Case{"light-cylinder", "path", 256},
-                                         Case{"light-mesh", "path", 256}, Case{"light-point", "path", 256},
-                                         Case{"light-spot", "path", 1024}, Case{"light-directional", "path", 16},
+                                         Case{"light-disk", "path", 256}, Case{"light-cylinder", "path", 1024},
+                                         Case{"light-mesh", "path", 1024}, Case{"light-point", "path", 256},
+                                         Case{"light-spot", "path", 256}, Case{"light-directional", "path", 16},
                                          Case{"light-constant", "path", 256}, Case{"light-envmap", "path", 256},
-                                         Case{"light-ies", "path", 256}, Case{"integrating-sphere", "path", 256},
+                                         Case{"light-ies", "path", 256}, Case{"integrating-sphere", "path", 1024},
                                          Case{"concentric-spheres", "path", 256}, Case{"parallel-planes", "path", 256},
-                                         Case{"glass-slab", "path", 256}, Case{"invisible-glass", "path", 64},
-                                         Case{"ball-lens", "ptracer", 256}, Case{"water-caustic", "ptracer", 256},
-                                         Case{"absorption", "volpath", 64}, Case{"albedo-one", "volpath", 64}),
+                                         Case{"glass-slab", "path", 1024}, Case{"invisible-glass", "path", 256},
+                                         Case{"ball-lens", "ptracer", 1024}, Case{"water-caustic", "ptracer", 4096},
+                                         Case{"absorption", "volpath", 64}, Case{"albedo-one", "volpath", 256}),
                          [](const auto& test) {
                            std::string name = std::string(test.param.scene) + "_by_" + test.param.integrator;
                            std::replace(name.begin(), name.end(), '-', '_');
@@ -83,20 +90,38 @@ INSTANTIATE_TEST_SUITE_P(library, ClosedFormScene,
                          });
 
 /// What models without multiple scattering, and shading normals, lose is theirs; they must not gain.
-class LossyFurnace : public testing::TestWithParam<const char*> {};
+struct Loss {
+  const char* scene;
+  double least, most;  ///< of the image's mean
+};
+void PrintTo(const Loss& loss, std::ostream* out) { *out << loss.scene; }
 
-TEST_P(LossyFurnace, loses_a_little_and_gains_nothing) {
-  const Mean got = mean_of(GetParam(), "path", 256);
-  std::printf("%s: %.6g of 2, standard error %.2g\n", GetParam(), got.value.x, got.error.x);
-  EXPECT_LT(got.value.x, 2 + 3 * got.error.x);
-  EXPECT_GT(got.value.x, 1.9) << "more than 5 % over the image, of which the object is a third";
+class LossyFurnace : public testing::TestWithParam<Loss> {};
+
+TEST_P(LossyFurnace, loses_what_its_model_loses_and_gains_nothing) {
+  const auto [scene, least, most] = GetParam();
+  const Mean got = mean_of(scene, "path", 256);
+  std::printf("%s: %.6g of 2, standard error %.2g\n", scene, got.value.x, got.error.x);
+  EXPECT_GT(got.value.x, least);
+  EXPECT_LT(got.value.x, most);
 }
 
+// The first three were calculated apart from this program: directional albedos by drawing facets (Heitz 2018) or the
+// lobe, the wall's radiance by the balance of two concentric spheres, and both averaged over the view, to 0.5 %:
+// - conductor: its albedo is 0.842 in the mean, 0.88 from above: GGX's tail at roughness 0.3 sends as much below the
+//   surface. Image 1.811.
+// - plastic: 0.743, since what its interface reflects inside counts one scattering only, 0.42 of diffuse light instead
+//   of a smooth interface's 0.60, and the base is fed by that. Image 1.700.
+// - phong: 0.867. Image 1.833.
+// Of the others it is known only that they lose, glass twice, bumps as much as they hide from themselves.
 INSTANTIATE_TEST_SUITE_P(library, LossyFurnace,
-                         testing::Values("furnace-roughconductor", "furnace-roughdielectric", "furnace-roughplastic",
-                                         "furnace-phong", "furnace-bumpmap", "furnace-normalmap"),
+                         testing::Values(Loss{"furnace-roughconductor", 1.802, 1.820},
+                                         Loss{"furnace-roughplastic", 1.691, 1.708},
+                                         Loss{"furnace-phong", 1.824, 1.842},
+                                         Loss{"furnace-roughdielectric", 1.6, 1.812}, Loss{"furnace-bumpmap", 1.9, 2.0},
+                                         Loss{"furnace-normalmap", 1.9, 2.0}),
                          [](const auto& test) {
-                           std::string name = test.param;
+                           std::string name = test.param.scene;
                            std::replace(name.begin(), name.end(), '-', '_');
                            return name;
                          });
