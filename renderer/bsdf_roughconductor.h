@@ -39,12 +39,13 @@ struct RoughConductorBsdf {
     const F cos_facet = dot(wo, m);
     const Vec3<F> wi = mirrored(wo, m);
     const F shape = facets.shadowing_by_cos(wo) * facets.shadowing(wi) * facets.sampling_ratio(wo, m);
+    const F density = facets.pdf(wo, m) / (4 * cos_facet);
     return {wi,
             facet_reflectance(clamp_to_unit(cos_facet)) * shape,
-            F(facets.pdf(wo, m) / (4 * cos_facet)),
+            density,
             F(1.0f),
             as_mask<F>(false),
-            wo.z > 0 && wi.z > 0 && cos_facet > 0};
+            wo.z > 0 && wi.z > 0 && density > 0};
   }
 };
 

@@ -55,13 +55,14 @@ struct RoughDielectricBsdf {
     const F per_direction = select(reflects, F(fresnel.reflectance / (4 * cos_wo)),
                                    F((1 - fresnel.reflectance) * eta_path * eta_path * fresnel.cos_transmit /
                                      lane_max(F(along * along), F(1e-30f))));
+    const F density = facets.pdf(wo_up, m) * per_direction;
     const Mask<F> right_side = select(reflects, wi_up.z, F(-wi_up.z)) > 0;
     return {wi,
             select(reflects, reflectance * shape, transmittance * F(shape * scale)),
-            facets.pdf(wo_up, m) * per_direction,
+            density,
             select(reflects, F(1.0f), eta_path),
             as_mask<F>(false),
-            wo.z != 0 && cos_wo > 0 && right_side};
+            wo.z != 0 && cos_wo > 0 && density > 0 && right_side};
   }
 
  private:

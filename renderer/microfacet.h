@@ -162,7 +162,7 @@ struct Microfacets {
       b = b - excess / (1 - x * tan_theta);
     }
     b = select(b >= low && b <= high, b, F(0.5f * (low + high)));
-    const F along = lane_erfinv(b), across = lane_erfinv(F(2 * u.y - 1));
+    const F along = lane_erfinv(b), across = lane_erfinv(F(2 * lane_max(u.y, F(0x1p-25f)) - 1));
     const F slope_x = phi.x * along - phi.y * across, slope_y = phi.y * along + phi.x * across;
     return normalize(Vec3<F>(-au * slope_x, -av * slope_y, F(1.0f)));
   }
