@@ -47,8 +47,9 @@ TEST_P(AgreementScene, is_the_same_by_every_integrator) {
     }
 }
 
-// Light paths alone show no scene where the camera sees mirrors or glass, through which none can be connected, and need
-// too many samples where lamps cover slivers of pixels (many-lights). Light from a direction or a point that comes
+// Light paths alone show no scene where the camera sees mirrors, glass, clear coats or holes, through which none can be
+// connected, and need too many samples where lamps cover slivers of pixels (many-lights) or the view is a speck of the
+// scene (parallel-planes). Light from a direction or a point that comes
 // through glass is found by them alone (ball-lens, water-caustic).
 const std::vector<const char*> kNoLightTracing = {"path", "bdpt"}, kLightTracing = {"ptracer", "bdpt"},
                                kMedia = {"volpath", "bdpt"};
@@ -61,15 +62,15 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"light-directional", 128}, Case{"light-constant", 128}, Case{"light-envmap", 128},
                     Case{"light-sunsky", 128}, Case{"integrating-sphere", 64}, Case{"concentric-spheres", 64},
                     Case{"furnace-normalmap", 64}, Case{"furnace-bumpmap", 64}, Case{"furnace-roughplastic", 64},
-                    Case{"furnace-mask", 64}, Case{"furnace-phong", 64}, Case{"furnace-layered", 64}, Case{"lens", 128},
-                    Case{"million", 64}, Case{"parallel-planes", 64}, Case{"many-lights", 128, kNoLightTracing},
+                    Case{"furnace-mask", 64, kNoLightTracing}, Case{"furnace-phong", 64},
+                    Case{"furnace-layered", 64, kNoLightTracing}, Case{"lens", 128}, Case{"million", 64},
+                    Case{"parallel-planes", 64, kNoLightTracing}, Case{"many-lights", 128, kNoLightTracing},
                     Case{"cornell-spheres", 256, kNoLightTracing}, Case{"course-1", 256, kNoLightTracing},
                     Case{"fisheye", 128, kNoLightTracing}, Case{"roughness", 128, kNoLightTracing},
-                    Case{"daylight", 128, kNoLightTracing}, Case{"keyhole", 256, kNoLightTracing},
+                    Case{"daylight", 128, kNoLightTracing}, Case{"keyhole", 128, kNoLightTracing},
                     Case{"course-2", 64, kNoLightTracing}, Case{"course-3", 64, kNoLightTracing},
-                    Case{"whitted", 64, kNoLightTracing}, Case{"ball-lens", 128, kLightTracing},
-                    Case{"water-caustic", 128, kLightTracing}, Case{"absorption", 64, kMedia},
-                    Case{"pool", 128, kMedia}),
+                    Case{"ball-lens", 128, kLightTracing}, Case{"water-caustic", 128, kLightTracing},
+                    Case{"absorption", 64, kMedia}, Case{"pool", 64, kMedia}),
     [](const auto& test) {
       std::string name = test.param.scene;
       std::replace(name.begin(), name.end(), '-', '_');

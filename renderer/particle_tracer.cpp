@@ -3,7 +3,8 @@
 // image of P pixels a vertex of throughput b adds to the pixel it is seen in
 //   P/N b f |cos| q V
 // where q is the density, over the whole image, with which camera rays would have ended there (CameraSeen::density):
-// what a pixel measures is the mean over its own camera rays.
+// what a pixel measures is the mean over its own camera rays. Light from infinity that meets nothing has no vertex to
+// connect: what the camera sees of it comes from one camera ray a sample.
 
 #include "renderer/particle_tracer.h"
 
@@ -20,7 +21,8 @@ namespace {
 namespace dimension {
 constexpr std::uint32_t light = 0, position = 1, direction = 2, seen_light = 3, seen_position = 4, seen_lens = 5;
 constexpr std::uint32_t segment = 0x80000000u;
-constexpr std::uint32_t first_vertex = 8, of_vertex = 5;  // from there: lens, direction, lobe, roulette, layer
+constexpr std::uint32_t in_pixel = 0, lens = 1, layer = 2;  // of the camera's ray, which has a sequence of its own
+constexpr std::uint32_t first_vertex = 8, of_vertex = 5;    // from there: lens, direction, lobe, roulette, layer
 constexpr std::uint32_t at_vertex(std::uint32_t vertex, std::uint32_t what) {
   return first_vertex + vertex * of_vertex + what;
 }
@@ -29,7 +31,12 @@ constexpr std::uint32_t at_vertex(std::uint32_t vertex, std::uint32_t what) {
 class ParticleTracer {
  public:
   ParticleTracer(const Scene& scene, const PathLimits& limits, std::int64_t pixels)
-      : world_(scene), lights_(world_), camera_(world_, pixels), limits_(limits), outer_(outer_medium(world_)) {}
+      : world_(scene),
+        lights_(world_),
+        camera_(world_, pixels),
+        limits_(limits),
+        outer_(outer_medium(world_)),
+        around_camera_(surroundings_at(world_, scene.view().camera.origin, outer_)) {}
 
   void trace(const Draws& draws, ScalarWork& work) const {
     if (lights_.count() == 0) return;
@@ -63,6 +70,19 @@ class ParticleTracer {
       ray = world_.leave(at, next.wi);
       ++work.rays.bounce;
     }
+  }
+
+  /// What the camera sees of the environment itself.
+  Rgb environment(int x, int y, const Draws& draws, ScalarWork& work) const {
+    if (!lights_.has_environment() || limits_.hide_emitters || !within(1)) return Rgb(0.0f);
+    std::optional<Ray> ray = camera_.ray(x, y, draws, 0, dimension::in_pixel, draws.two(dimension::lens));
+    if (!ray) return Rgb(0.0f);
+    ++work.rays.camera;
+    Rgb throughput(1.0f);
+    Surroundings around = around_camera_;
+    Interaction at;
+    if (travel(world_, *ray, around, draws.one(dimension::layer), throughput, at)) return Rgb(0.0f);
+    return throughput * lights_.environment(ray->direction);
   }
 
  private:
@@ -106,6 +126,7 @@ class ParticleTracer {
   WorldCamera camera_;
   PathLimits limits_;
   std::uint32_t outer_;
+  Surroundings around_camera_;
 };
 
 }  // namespace
@@ -121,7 +142,7 @@ void render_particle_tracer(const Scene& scene, const IntegratorDescription& des
       const auto pixel = static_cast<std::uint64_t>(y - film.window().y0) * static_cast<std::uint64_t>(film.width()) +
                          static_cast<std::uint64_t>(x - film.window().x0);
       tracer.trace(draws_of_history(job.sampler, job.seed, Stream::light_tracing, draws.index * pixels + pixel), work);
-      return Rgb(0.0f);
+      return tracer.environment(x, y, draws, work);
     };
   });
 }
