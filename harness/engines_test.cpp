@@ -34,14 +34,17 @@ constexpr const char* good_row =
     "name = 'mine'\ntitle = 'Mine'\ncommand = ['./mine', '{scene}', '{output}']\nbudgets = ['spp']\ntrust = "
     "'external'\n";
 
-TEST(Engines, builtin_rows_are_our_two_integrators_and_povray) {
+TEST(Engines, builtin_rows_are_our_integrators_and_povray) {
   const std::vector<Engine> engines = builtin_engines();
-  ASSERT_EQ(engines.size(), 3u);
-  EXPECT_EQ(builtin(engines, "path").trust, Trust::unbiased);
+  ASSERT_EQ(engines.size(), 6u);
+  for (const char* name : {"path", "bdpt", "ptracer", "volpath"}) {
+    EXPECT_EQ(builtin(engines, name).trust, Trust::unbiased) << name;
+    EXPECT_TRUE(builtin(engines, name).accepts("spp")) << name;
+    EXPECT_TRUE(builtin(engines, name).accepts("seconds")) << name;
+    EXPECT_FALSE(builtin(engines, name).accepts("photons")) << name;
+  }
   EXPECT_EQ(builtin(engines, "photonmapper").trust, Trust::biased);
   EXPECT_EQ(builtin(engines, "povray").trust, Trust::biased);
-  EXPECT_TRUE(builtin(engines, "path").accepts("spp"));
-  EXPECT_FALSE(builtin(engines, "path").accepts("photons"));
   EXPECT_TRUE(builtin(engines, "photonmapper").accepts("photons"));
   EXPECT_TRUE(builtin(engines, "povray").accepts("quality"));
 }

@@ -11,7 +11,7 @@ namespace photonproof {
 std::vector<LightWords> light_table(const std::vector<Light>& lights) {
   const std::size_t count = lights.size();
   std::vector<double> share(count);
-  std::array<double, 2> power{};        // of finite and infinite lights
+  std::array<double, 2> power{};         // of finite and infinite lights
   std::array<std::size_t, 2> shining{};  // how many they are
   for (std::size_t i = 0; i < count; ++i) {
     const Rgb f = flux(lights[i]);

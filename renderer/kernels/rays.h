@@ -28,7 +28,7 @@ SurfaceHit<F> closest_hit(const SceneView& scene, const Vec3<F>& origin, const V
   }
   RayBlock rays;
   HitBlock hits;
-  if constexpr (lane_count<F> > 1) {  // packets read the idle lanes too
+  if constexpr (lane_count < F >> 1) {  // packets read the idle lanes too
     rays = {};
     hits = {};
   }
@@ -54,7 +54,7 @@ Mask<F> occluded(const SceneView& scene, const Vec3<F>& origin, const Vec3<F>& s
                  const UInt<F>& target, const Mask<F>& active) {
   if (scene.small) return active && occluded_small(scene.primitives, origin, segment, from, target);
   RayBlock rays;
-  if constexpr (lane_count<F> > 1) rays = {};
+  if constexpr (lane_count < F >> 1) rays = {};
   fill_block(rays, origin, segment, active);
   std::uint32_t blocked[RayBlock::width];
   scene.tracer->occluded(rays, blocked);
