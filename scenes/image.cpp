@@ -48,12 +48,12 @@ float decode_srgb(float v) { return v <= 0.04045f ? v / 12.92f : std::pow((v + 0
 
 float encode_srgb(float v) { return v <= 0.0031308f ? v * 12.92f : 1.055f * std::pow(v, 1 / 2.4f) - 0.055f; }
 
-Image pick(const std::vector<float>& data, const OIIO::ImageSpec& spec, const Channels& channels) {
-  Image image(spec.width, spec.height);
-  const auto stride = static_cast<std::size_t>(spec.nchannels);
-  for (std::size_t p = 0; p < image.pixels(); ++p)
-    for (std::size_t c = 0; c < 3; ++c) image.rgb[3 * p + c] = data[p * stride + static_cast<std::size_t>(channels[c])];
-  return image;
+/// Adds rows to the end of an image: three of the interleaved channels of `rows`.
+void append(Image& image, const std::vector<float>& rows, int width, std::size_t stride, const Channels& channels) {
+  image.width = width;
+  image.height += static_cast<int>(rows.size() / stride / static_cast<std::size_t>(width));
+  for (std::size_t at = 0; at < rows.size(); at += stride)
+    for (const int c : channels) image.rgb.push_back(rows[at + static_cast<std::size_t>(c)]);
 }
 
 /// False for what describes the file rather than the rendering in it.
@@ -94,9 +94,26 @@ void check_size(const std::string& path, const Image& image) {
 
 struct Decoded {
   OIIO::ImageSpec spec;
-  Channels colour;
-  std::vector<float> data;  // all channels, interleaved
+  Image colour;
+  std::optional<Image> variance;
 };
+
+/// Rows to read at once: few, so that a header cannot claim much more memory than its file has pixels for.
+int rows_at_once(const OIIO::ImageSpec& spec) {
+  constexpr std::int64_t kValues = std::int64_t{1} << 20;
+  if (spec.tile_height > 0) return spec.tile_height;
+  return static_cast<int>(std::clamp<std::int64_t>(kValues / (std::int64_t{spec.nchannels} * spec.width), 1, 256));
+}
+
+bool read_rows(OIIO::ImageInput& in, const OIIO::ImageSpec& spec, int begin, int end, std::vector<float>& rows) {
+  rows.resize(static_cast<std::size_t>(spec.nchannels) * static_cast<std::size_t>(spec.width) *
+              static_cast<std::size_t>(end - begin));
+  const int y = spec.y + begin, y_end = spec.y + end;
+  if (spec.tile_height > 0)
+    return in.read_tiles(0, 0, spec.x, spec.x + spec.width, y, y_end, spec.z, spec.z + 1, 0, spec.nchannels,
+                         OIIO::TypeFloat, rows.data());
+  return in.read_scanlines(0, 0, y, y_end, spec.z, 0, spec.nchannels, OIIO::TypeFloat, rows.data());
+}
 
 Decoded decode(const std::string& path) {
   std::error_code ignored;
@@ -111,31 +128,41 @@ Decoded decode(const std::string& path) {
   const auto colour = find_colour(spec);
   if (!colour) throw InputError(path, "image has no colour: expected channels R, G, B or a single grey one");
 
-  std::vector<float> data(static_cast<std::size_t>(spec.nchannels) * static_cast<std::size_t>(spec.width) *
-                          static_cast<std::size_t>(spec.height));
-  if (!in->read_image(0, 0, 0, spec.nchannels, OIIO::TypeFloat, data.data()))
-    throw InputError(path, "cannot be read, truncated or damaged: " + first_line(in->geterror()));
-  return {spec, *colour, std::move(data)};
+  Decoded decoded{spec, {}, {}};
+  const auto variance = find_rgb(spec, "variance.");
+  if (variance) decoded.variance.emplace();
+  // Reserved memory that is never written to takes no page.
+  const std::size_t values = 3 * static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height);
+  decoded.colour.rgb.reserve(values);
+  if (variance) decoded.variance->rgb.reserve(values);
+  const auto stride = static_cast<std::size_t>(spec.nchannels);
+  std::vector<float> rows;
+  for (int y = 0, end = 0; y < spec.height; y = end) {
+    end = std::min(spec.height, y + rows_at_once(spec));
+    if (!read_rows(*in, spec, y, end, rows))
+      throw InputError(path, "cannot be read, truncated or damaged: " + first_line(in->geterror()));
+    append(decoded.colour, rows, spec.width, stride, *colour);
+    if (variance) append(*decoded.variance, rows, spec.width, stride, *variance);
+  }
+  return decoded;
 }
 
-Image colour_of(const Decoded& decoded, bool raw) {
-  Image image = pick(decoded.data, decoded.spec, decoded.colour);
+Image colour_of(Decoded&& decoded, bool raw) {
   if (!raw && !decoded.spec.format.is_floating_point())
-    for (float& v : image.rgb) v = decode_srgb(v);
-  return image;
+    for (float& v : decoded.colour.rgb) v = decode_srgb(v);
+  return std::move(decoded.colour);
 }
 
 }  // namespace
 
 Rendering read_rendering(const std::string& path) {
-  const Decoded decoded = decode(path);
+  Decoded decoded = decode(path);
   Rendering rendering;
-  rendering.mean = colour_of(decoded, false);
-  if (const auto variance = find_rgb(decoded.spec, "variance."))
-    rendering.variance = pick(decoded.data, decoded.spec, *variance);
   for (const auto& attribute : decoded.spec.extra_attribs)
     if (attribute.type() == OIIO::TypeString && is_metadata(attribute.name().string()))
       rendering.metadata[attribute.name().string()] = attribute.get_string();
+  rendering.variance = std::move(decoded.variance);
+  rendering.mean = colour_of(std::move(decoded), false);
   return rendering;
 }
 

@@ -1,6 +1,7 @@
 #include "scenes/image.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <bit>
 #include <cmath>
@@ -163,6 +164,19 @@ TEST_F(image, that_is_truncated_is_refused_at_every_length) {
     std::ofstream(path("cut.exr"), std::ios::binary) << bytes.substr(0, length);
     EXPECT_THROW(read_rendering(path("cut.exr")), InputError) << length << " of " << bytes.size() << " bytes";
   }
+}
+
+TEST_F(image, that_claims_more_pixels_than_it_holds_costs_no_memory_for_them) {
+  // 16384 x 16384 pixels of three floats would be 3 GB; the file has four pixels.
+  std::ofstream(path("claims.pfm"), std::ios::binary) << "PF\n16384 16384\n-1.0\n" << std::string(48, '\0');
+  const auto peak_kilobytes = [] {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return usage.ru_maxrss;
+  };
+  const long before = peak_kilobytes();
+  EXPECT_THROW(read_image(path("claims.pfm")), InputError);
+  EXPECT_LT(peak_kilobytes() - before, 100'000);
 }
 
 TEST_F(image, that_is_missing_or_something_else_is_refused_by_name) {

@@ -21,7 +21,8 @@ fs::path SceneFolders::folder_of(const Attribute& attribute) const {
 bool SceneFolders::is_inside(const fs::path& real) const {
   std::error_code error;
   const fs::path folder = scene_folder();
-  const fs::path relative = real.lexically_relative(fs::weakly_canonical(folder.empty() ? "." : folder, error));
+  const fs::path relative =
+      real.lexically_relative(fs::weakly_canonical(fs::absolute(folder.empty() ? "." : folder), error));
   return !error && !relative.empty() && *relative.begin() != "..";
 }
 
@@ -34,7 +35,8 @@ SceneFolders::File SceneFolders::find_in(const std::vector<fs::path>& folders, c
     const fs::path spelled = folder / name.value;
     const fs::path shown = scene_folder() / spelled;
     std::error_code error;
-    const fs::path real = fs::weakly_canonical(shown, error);
+    // Absolute first: of a relative path none of whose parts exist, weakly_canonical makes no absolute one.
+    const fs::path real = fs::weakly_canonical(fs::absolute(shown), error);
     if (error) fail_at(sources_, name, "cannot read " + in_quotes(name.value) + ": " + error.message());
     if (!options_.allow_outside && !is_inside(real))
       left = true;

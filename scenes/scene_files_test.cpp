@@ -30,11 +30,14 @@ class SceneFiles : public ::testing::Test {
     return "<shape type='ply'><string name='filename' value='" + filename + "'/>" + more + "</shape>";
   }
   SceneDescription parse(const std::string& shapes, bool allow_outside = false) const {
+    return parse_named(folder_ / "scene/scene.xml", shapes, allow_outside);
+  }
+  static SceneDescription parse_named(const fs::path& name, const std::string& shapes, bool allow_outside = false) {
     return parse_scene_text(
         "<scene version='3.0.0'><sensor type='perspective'><film type='hdrfilm'><rfilter type='box'/></film></sensor>"
         "<emitter type='point'/>\n" +
             shapes + "</scene>",
-        (folder_ / "scene/scene.xml").string(), {{}, allow_outside});
+        name.string(), {{}, allow_outside});
   }
   std::string message(const std::string& shapes) const {
     try {
@@ -95,6 +98,19 @@ TEST_F(SceneFiles, refuses_what_is_missing_or_outside) {
   EXPECT_EQ(message(shape("../two.ply")),
             "scene/scene.xml:2:43: error: '../two.ply' lies outside the scene's folder (--allow-outside permits it)");
   EXPECT_EQ(parse(shape("../two.ply"), true).shapes.size(), 1u);
+}
+
+TEST_F(SceneFiles, says_what_is_missing_beside_a_scene_named_without_a_folder) {
+  const fs::path before = fs::current_path();
+  fs::current_path(folder_ / "scene");
+  std::string summary;
+  try {
+    parse_named("scene.xml", shape("none.ply"));
+  } catch (const InputError& error) {
+    summary = error.summary();
+  }
+  fs::current_path(before);
+  EXPECT_EQ(summary, "scene.xml:2:43: error: no such file: 'none.ply'");
 }
 
 TEST_F(SceneFiles, refuses_a_link_that_leads_outside) {
