@@ -1,4 +1,4 @@
-// How lights are chosen: with probability proportional to flux, in constant time.
+// How lights are chosen without looking at the place: half by flux, half evenly, in constant time.
 #pragma once
 
 #include <vector>
@@ -9,9 +9,10 @@
 namespace photonproof {
 
 /// One entry a light, an alias table of Vose (1991): slot i, drawn uniformly, keeps light i with probability
-/// alias_threshold and stands for `alias` otherwise. Lights without any flux share one probability. Where finite and
-/// infinite lights both shine, neither gets less than a quarter together: the flux of infinite ones is that into the
-/// ball around the scene, which says little about what lights a place. `primitive` is left to the caller.
+/// alias_threshold and stands for `alias` otherwise. A light's probability is the mean of its share of the flux and
+/// of an even share: a weak lamp next to a surface is found often enough. Lights without any flux get none. Infinite
+/// lights together get at least an even share and at most half: their flux is that into the ball around the scene, which
+/// says little about what lights a place. `primitive` is left to the caller.
 std::vector<LightWords> light_table(const std::vector<Light>& lights);
 
 /// The records of lights that kernels sample in lanes, LightKinds::stride floats each; of others there is none.

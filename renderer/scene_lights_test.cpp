@@ -331,8 +331,8 @@ TEST(ies_light, interpolates_between_angles_and_mirrors_quadrants) {
 TEST(scene_lights, an_environment_beside_lamps_keeps_a_share) {
   const Lights lights(
       {PointLight<float>{{0, 0, 0}, Rgb(1e-3f)}, EnvironmentLight(ConstantSky{Rgb(100)}, {0, 0, 0}, 2)});
-  EXPECT_NEAR(lights.scene.choice_probability({}, 0), 0.25f, 1e-6f);
-  EXPECT_NEAR(lights.scene.emission_probability(1), 0.75f, 1e-6f);
+  EXPECT_NEAR(lights.scene.choice_probability({}, 0), 0.5f, 1e-6f);
+  EXPECT_NEAR(lights.scene.emission_probability(1), 0.5f, 1e-6f);
 }
 
 TEST(scene_lights, nothing_shines_without_lights) {
