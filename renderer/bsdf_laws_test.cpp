@@ -157,7 +157,9 @@ TEST(bsdf_laws, rough_ones_become_smooth) {
         reflected += up ? 1 : 0;
         const auto sharp = test::sample(clear, wo, up ? 0.0f : 0.9999f, {}, TransportMode::radiance);
         // Facets beyond 100 times their roughness are one in 10,000 of GGX.
-        if (i < 100) EXPECT_LT(length(rough->wi_local - sharp->wi_local), 0.02f) << degrees;
+        if (i < 100) {
+          EXPECT_LT(length(rough->wi_local - sharp->wi_local), 0.02f) << degrees;
+        }
       }
       EXPECT_NEAR(reflected / static_cast<double>(samples), static_cast<double>(smooth), 4 * std::sqrt(0.25 / samples))
           << degrees;
