@@ -1,6 +1,7 @@
 #include "renderer/film.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "renderer/checkpoint.h"
 
@@ -8,6 +9,19 @@ namespace photonproof {
 
 Film::Film(const Tile& window)
     : window_(window), pixels_(static_cast<std::size_t>(window.width()) * static_cast<std::size_t>(window.height())) {}
+
+namespace {
+
+/// Never below zero, where rounding can put it, nor beyond what a float holds: the square of a radiance that is a float
+/// need not be one.
+RgbD variance_of_mean(const RgbD& spread, std::int64_t estimates) {
+  const auto component = [&](double v) {
+    return std::clamp(v / static_cast<double>(estimates - 1), 0.0, double{std::numeric_limits<float>::max()});
+  };
+  return {component(spread.x), component(spread.y), component(spread.z)};
+}
+
+}  // namespace
 
 Rendering Film::develop() const {
   Rendering rendering;
@@ -27,8 +41,7 @@ Rendering Film::develop() const {
     store(&rendering.mean.rgb[3 * i], mean);
     if (!has_variance) continue;
     const RgbD spread = p.sum_of_squares / p.weight - mean * mean;
-    const RgbD clamped{std::max(0.0, spread.x), std::max(0.0, spread.y), std::max(0.0, spread.z)};
-    store(&rendering.variance->rgb[3 * i], clamped / static_cast<double>(p.estimates - 1));
+    store(&rendering.variance->rgb[3 * i], variance_of_mean(spread, p.estimates));
   }
   return rendering;
 }

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "renderer/film.h"
 #include "renderer/kernels/lights.h"
@@ -246,6 +247,15 @@ TEST(film, means_and_variance_of_the_mean_follow_the_weights) {
   film.add(0, 0, RgbD(4), 2);
   EXPECT_EQ(film.develop().mean.rgb[0], 3);
   EXPECT_NEAR(film.develop().variance->rgb[1], 2, 1e-6f);
+}
+
+TEST(film, variance_beyond_a_float_is_the_largest_float) {
+  // Estimates 0 and 1e30: variance of the mean 2.5e59.
+  Film film(1, 1);
+  film.add(0, 0, RgbD(0), 1);
+  film.add(0, 0, RgbD(1e30), 1);
+  EXPECT_EQ(film.develop().mean.rgb[0], 5e29f);
+  EXPECT_EQ(film.develop().variance->rgb[0], std::numeric_limits<float>::max());
 }
 
 }  // namespace

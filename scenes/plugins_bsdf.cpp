@@ -6,7 +6,12 @@
 namespace photonproof::scene_xml {
 
 double read_ior(Params& params, const std::string& name, double fallback) {
-  if (params.tag(name) != "string") return params.positive(name, fallback);
+  if (params.tag(name) != "string") {
+    const double ior = params.positive(name, fallback);
+    // Beyond any matter, and single precision then holds no Fresnel term.
+    params.expect(ior >= 1e-3 && ior <= 1e3, name, "is " + format_number(ior) + ", expected from 0.001 to 1000");
+    return ior;
+  }
   const std::string material = params.string(name, "");
   if (const auto ior = ior_named(material)) return *ior;
   const std::vector<std::string> names = ior_names();

@@ -101,6 +101,7 @@ class RandomScene {
   bool coin() { return pick(2) == 1; }
   double unit() { return std::uniform_real_distribution<double>(0, 1)(random_); }
   double positive() { return std::exp(std::uniform_real_distribution<double>(-80, 80)(random_)); }
+  double refraction() { return std::exp(std::uniform_real_distribution<double>(-6.9, 6.9)(random_)); }
   double number() { return coin() ? positive() : -positive(); }
   Vec3d vector() { return {number(), number(), number()}; }
   RgbD rgb() { return {unit(), coin() ? 0.0 : 1.0, unit()}; }
@@ -167,7 +168,7 @@ class RandomScene {
     return {static_cast<std::uint32_t>(scene_.bsdfs.size() - 1)};
   }
   BsdfIndex add_opaque() {
-    scene_.bsdfs.push_back({{}, "", PlasticDescription{rgb(), rgb(), positive(), positive(), coin()}});
+    scene_.bsdfs.push_back({{}, "", PlasticDescription{rgb(), rgb(), refraction(), refraction(), coin()}});
     return {static_cast<std::uint32_t>(scene_.bsdfs.size() - 1)};
   }
 
@@ -186,25 +187,25 @@ class RandomScene {
         return m;
       }
       case 3: {
-        DielectricDescription m{positive(), positive(), colour(), rgb(), std::nullopt};
+        DielectricDescription m{refraction(), refraction(), colour(), rgb(), std::nullopt};
         if (coin()) m.priority = static_cast<int>(pick(1000));
         return m;
       }
       case 4:
-        return ThinDielectricDescription{positive(), positive(), rgb(), colour()};
+        return ThinDielectricDescription{refraction(), refraction(), rgb(), colour()};
       case 5: {
-        RoughDielectricDescription m{distribution(), 0.1, 0.1, coin(), positive(), positive()};
+        RoughDielectricDescription m{distribution(), 0.1, 0.1, coin(), refraction(), refraction()};
         m.alpha_u = m.alpha_v = scalar(3);
         m.specular_transmittance = colour();
         return m;
       }
       case 6: {
-        PlasticDescription m{rgb(), rgb(), positive(), positive(), coin()};
+        PlasticDescription m{rgb(), rgb(), refraction(), refraction(), coin()};
         (coin() ? m.diffuse_reflectance : m.specular_reflectance) = colour();
         return m;
       }
       case 7: {
-        RoughPlasticDescription m{distribution(), positive(), coin(), rgb(), rgb(), positive(), positive(), coin()};
+        RoughPlasticDescription m{distribution(), positive(), coin(), rgb(), rgb(), refraction(), refraction(), coin()};
         (coin() ? m.diffuse_reflectance : m.specular_reflectance) = colour();
         return m;
       }
@@ -218,7 +219,7 @@ class RandomScene {
   decltype(BsdfDescription::model) nesting(int depth) {
     switch (pick(6)) {
       case 0: {
-        LayeredDescription m{{}, positive(), positive(), bright(), positive(), colour()};
+        LayeredDescription m{{}, refraction(), refraction(), bright(), positive(), colour()};
         m.base = add_opaque();
         return m;
       }
