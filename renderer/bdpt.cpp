@@ -63,7 +63,8 @@ class BidirectionalTracer {
     if (!within(2)) return;
     const LightStart start =
         lights_.emit(draws.one(dimension::light), draws.two(dimension::position), draws.two(dimension::direction));
-    if (!(max_component(start.weight) > 0)) return;
+    // Along the lamp's own surface its density is 0, which rounding draws once in some ten million.
+    if (!(max_component(start.weight) > 0 && start.pdf.direction > 0 && start.pdf.position > 0)) return;
     Ray ray = world_.leave(start.end, start.direction);
     ++work.rays.photon;
     Vertex v;
@@ -73,7 +74,7 @@ class BidirectionalTracer {
     for (v.edges = 1;; ++v.edges) {
       // One edge more leads to the lens.
       const Vec3f before = ray.origin;
-      if (!within(v.edges + 1) || !meet(ray, draws, v)) return;
+      if (!within(v.edges + 1) || !meet(ray, draws, v) || !has_density(v, before)) return;
       if (v.edges == 1)
         v.weights = first_light_weights(start, v.at);
       else
@@ -102,6 +103,7 @@ class BidirectionalTracer {
       const Vec3f before = ray.origin;
       if (!within(v.edges)) return radiance;
       if (!meet(ray, draws, v)) return lights_.has_environment() ? radiance + meet_environment(v, before) : radiance;
+      if (!has_density(v, before)) return radiance;
       if (v.edges == 1) {
         if (camera_.beyond_far_plane(v.at.p)) return radiance;
         const double density = camera_.density(v.at.p, u_lens) * cosine(v.at.ng, v.back);
@@ -125,6 +127,12 @@ class BidirectionalTracer {
     v.back = -ray.direction;
     return travel(world_, ray, v.around, draws.one(dimension::at_vertex(v.edges, dimension::layer)), v.throughput,
                   v.at);
+  }
+
+  /// Where a ray meets a surface edge-on, or where it starts, no density per area exists. Such rays have no share of any
+  /// image.
+  static bool has_density(const Vertex& v, const Vec3f& before) {
+    return cosine(v.at.ng, v.back) > 0 && length_squared(v.at.p - before) > 0;
   }
 
   /// What arrives of light between the vertex and another point.
