@@ -1,5 +1,6 @@
 // Every plugin's defaults and parameters as SceneDescription has them.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
@@ -284,7 +285,8 @@ class files : public ::testing::Test {
     }
   }
 
-  const fs::path folder_ = fs::canonical(::testing::TempDir()) / "photonproof_plugins_test";
+  const fs::path folder_ =
+      fs::canonical(::testing::TempDir()) / ("photonproof_plugins_test_" + std::to_string(getpid()));
 };
 
 TEST_F(files, of_textures_are_decoded_unless_raw_and_read_once) {

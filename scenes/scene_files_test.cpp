@@ -2,6 +2,7 @@
 #include "scenes/scene_files.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 
@@ -51,7 +52,8 @@ class SceneFiles : public ::testing::Test {
     }
   }
 
-  const fs::path folder_ = fs::canonical(::testing::TempDir()) / "photonproof_scene_files_test";
+  const fs::path folder_ =
+      fs::canonical(::testing::TempDir()) / ("photonproof_scene_files_test_" + std::to_string(getpid()));
 };
 
 TEST_F(SceneFiles, gives_a_mesh_with_mitsubas_defaults) {

@@ -1,6 +1,7 @@
 #include "scenes/writer.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
@@ -37,7 +38,7 @@ TEST(writer, gives_back_every_library_scene) {
 /// A folder with a file of every kind that scenes name.
 class Files {
  public:
-  Files() : folder_(fs::path(::testing::TempDir()) / "photonproof_writer_test") {
+  Files() : folder_(fs::path(::testing::TempDir()) / ("photonproof_writer_test_" + std::to_string(getpid()))) {
     const fs::path corpora = PHOTONPROOF_SOURCE_DIR "/scenes";
     fs::remove_all(folder_);
     fs::create_directories(folder_);
