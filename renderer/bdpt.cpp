@@ -129,8 +129,8 @@ class BidirectionalTracer {
                   v.at);
   }
 
-  /// Where a ray meets a surface edge-on, or where it starts, no density per area exists. Such rays have no share of any
-  /// image.
+  /// Where a ray meets a surface edge-on, or where it starts, no density per area exists. Such rays have no share of
+  /// any image.
   static bool has_density(const Vertex& v, const Vec3f& before) {
     return cosine(v.at.ng, v.back) > 0 && length_squared(v.at.p - before) > 0;
   }
