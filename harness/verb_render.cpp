@@ -12,7 +12,6 @@
 
 #include "harness/engine_output.h"
 #include "harness/interrupt.h"
-#include "harness/render_identity.h"
 #include "harness/scene_options.h"
 #include "harness/verbs.h"
 #include "renderer/check_supported.h"
@@ -22,6 +21,7 @@
 #include "renderer/timer.h"
 #include "renderer/version.h"
 #include "scenes/atomic_file.h"
+#include "scenes/scene_hash.h"
 
 namespace photonproof {
 namespace {
