@@ -167,7 +167,7 @@ class ChannelDeviations {
     const double mean = sums.mean / sums.pixels;
     out_.whole[c_] =
         deviation(mean, sums.reference / sums.pixels, {variance_of_block(all, mean) / channel_.images, freedom_},
-                  sums.reference_variance / (sums.pixels * sums.pixels));
+                  {sums.reference_variance / (sums.pixels * sums.pixels), infinity});
   }
 
   const Channel& channel_;

@@ -88,7 +88,7 @@ std::string folder_from(const char* variable) {
   return value == nullptr ? "" : value;
 }
 
-bool exists(const fs::path& file) {
+bool is_there(const fs::path& file) {
   std::error_code ignored;
   return fs::exists(file, ignored);
 }
@@ -111,11 +111,11 @@ StoredReference read_reference(const fs::path& exr, const std::string& hash, int
 StoredReference load_reference(const fs::path& scene_file, int width, int height) {
   const std::string hash = scene_hash(parse_scene_file(scene_file.string()));
   const fs::path beside = committed_reference_path(scene_file, width, height);
-  if (exists(beside) || exists(provenance_path(beside)))
+  if (is_there(beside) || is_there(provenance_path(beside)))
     return read_reference(beside, hash, width, height, reference_command(scene_file, width, height, true));
   const std::string command = reference_command(scene_file, width, height, false);
   const fs::path cached = cached_reference_folder(hash, width, height) / "reference.exr";
-  if (exists(provenance_path(cached))) return read_reference(cached, hash, width, height, command);
+  if (is_there(provenance_path(cached))) return read_reference(cached, hash, width, height, command);
   throw InputError(scene_file.string(), "has no reference of " + size_text(width, height) + " pixels, neither " +
                                             beside.filename().string() + " beside it nor in the cache " +
                                             cache_folder().string() + "; make it with: " + command);
@@ -148,7 +148,7 @@ Provenance commit_reference(const fs::path& scene_file, const Rendering& renderi
   const fs::path exr = committed_reference_path(scene_file, width, height);
   std::optional<Provenance> old;
   bool good = false;
-  if (exists(provenance_path(exr))) {
+  if (is_there(provenance_path(exr))) {
     try {
       old = parse_provenance(read_file(provenance_path(exr)), exr.string());
       good = checked(exr, provenance.scene_hash, width, height).provenance == *old;
@@ -156,6 +156,7 @@ Provenance commit_reference(const fs::path& scene_file, const Rendering& renderi
       // A damaged one needs no reason to be replaced, nor does one of other content.
     }
   }
+  if (good && old->date == provenance.date && old->seeds == provenance.seeds) return *old;  // there already
   if (good && reason.empty())
     throw InputError(exr.string(), "is a good reference of this scene: say why it is replaced with --reason TEXT");
   if (old) provenance.history = old->history;
