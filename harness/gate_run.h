@@ -4,9 +4,11 @@
 #include <atomic>
 #include <filesystem>
 #include <map>
+#include <span>
 #include <string>
 
 #include "harness/gate_images.h"
+#include "harness/gate_statistics.h"
 #include "harness/gate_suite.h"
 #include "reference/reference_store.h"
 
