@@ -106,6 +106,7 @@ std::unique_ptr<DrawnImage> ImageStream::draw_one(std::uint64_t seed) const {
   const std::string key = content_key({{"scene", content_.scene_hash},
                                        {"engine", engine_text},
                                        {"version", content_.engine_version},
+                                       {"fault", options_.fault},
                                        {"budget", budget_.label()},
                                        {"seed", std::to_string(seed)},
                                        {"size", std::to_string(scene_.width) + "x" + std::to_string(scene_.height)},
@@ -138,6 +139,7 @@ std::unique_ptr<DrawnImage> ImageStream::draw_one(std::uint64_t seed) const {
   values.budget = budget_;
   std::vector<std::string> argv = fill_command(engine_.command, values);
   argv.insert(argv.end(), options_.further.begin(), options_.further.end());
+  if (!options_.fault.empty()) argv.insert(argv.begin(), {"env", "PHOTONPROOF_FAULT=" + options_.fault});
   std::optional<Result> result = run_cell({cell, std::move(argv), values.output, values.stats, folder, scene_.width,
                                            scene_.height, suite_.limits, options_.interrupt});
   if (!result) return nullptr;

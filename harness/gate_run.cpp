@@ -3,13 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
-#include "harness/deviations.h"
 #include "harness/engine_version.h"
 #include "harness/folder_lock.h"
+#include "harness/gate_look.h"
 #include "harness/gate_pictures.h"
-#include "harness/gate_statistics.h"
 #include "harness/host.h"
 #include "scenes/expect.h"
 #include "scenes/input_error.h"
@@ -18,36 +16,6 @@ namespace photonproof {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::vector<double> values_of(const MetricRow& metric, const Image& reference, double exposure,
-                              std::span<const Image* const> images) {
-  std::vector<double> values;
-  for (const Image* image : images) {
-    const MetricContext context(reference, *image, {.exposure = exposure});
-    const std::optional<double> value = metric.value(context);
-    if (!value) throw InputError(metric.name, std::string("is undefined: ") + metric.undefined_when);
-    constexpr double as_good_as_equal = 1000;  // dB
-    values.push_back(std::min(*value, as_good_as_equal));
-  }
-  return values;
-}
-
-/// The least variance of a pixel of one image, from the reference, where that is the same integrator's: its batches
-/// had at least as many samples, of which each counts for no less in a small image than in a large one. Without what
-/// rounding to half floats added at most (reference/half_rounding.h).
-std::optional<Image> least_variance(const Gate& gate, const StoredReference& reference) {
-  const Provenance& provenance = reference.provenance;
-  if (provenance.estimator != gate.engine || gate.budget.kind != "spp" || provenance.seeds.empty()) return std::nullopt;
-  const auto samples = static_cast<double>(provenance.samples);
-  if (samples / static_cast<double>(provenance.seeds.size()) < gate.budget.amount) return std::nullopt;
-  Image least = *reference.rendering.variance;
-  for (std::size_t i = 0; i < least.rgb.size(); ++i) {
-    const double rounding = std::ldexp(double{reference.rendering.mean.rgb[i]}, -11);
-    const double noise = std::max(0.0, double{least.rgb[i]} - rounding * rounding);
-    least.rgb[i] = static_cast<float>(noise * samples / gate.budget.amount);
-  }
-  return least;
-}
 
 class Run {
  public:
@@ -211,27 +179,6 @@ std::size_t GateSummary::count(GateVerdict verdict) const {
 
 GateSummary run_gates(const GateSuite& suite, const GateOptions& options, GateObserver& observer) {
   return Run(suite, options, observer).run();
-}
-
-Judgement look_at(const Gate& gate, const StoredReference& reference, double exposure,
-                  std::span<const Image* const> images) {
-  const double alpha = gate.alpha / gate.looks;
-  const bool block_bias = gate.metric == block_bias_metric;
-  if (gate.metric == agreement_metric || gate.metric == bias_metric || block_bias) {
-    const double freedom = static_cast<double>(std::max<std::size_t>(2, reference.provenance.seeds.size()) - 1);
-    const std::optional<Image> least = least_variance(gate, reference);
-    const Deviations deviations = measure_deviations(reference.rendering, freedom, images, least ? &*least : nullptr);
-    if (gate.metric == agreement_metric)
-      return judge_agreement(deviations, {gate.bound, gate.block_bound}, alpha);
-    return judge_bias(deviations, block_bias, gate.bound, alpha);
-  }
-  const MetricRow& metric = *find_metric(gate.metric);
-  return judge_metric(gate.metric, values_of(metric, reference.rendering.mean, exposure, images), metric.bound,
-                      gate.bound, alpha);
-}
-
-double exposure_of(const SuiteScene& scene) {
-  return scene.exposure ? *scene.exposure : read_expect(expect_path_of(scene.path.string())).exposure;
 }
 
 }  // namespace photonproof

@@ -4,11 +4,9 @@
 #include <atomic>
 #include <filesystem>
 #include <map>
-#include <span>
 #include <string>
 
 #include "harness/gate_images.h"
-#include "harness/gate_statistics.h"
 #include "harness/gate_suite.h"
 #include "reference/reference_store.h"
 
@@ -42,13 +40,5 @@ struct GateSummary {
 /// Throws InputError for a suite or reference that cannot be used, before anything is drawn. Whatever an engine does is
 /// a verdict.
 GateSummary run_gates(const GateSuite& suite, const GateOptions& options, GateObserver& observer);
-
-/// One look: what the images say so far, at the gate's part of alpha for a look. Metrics use the scene's `exposure`.
-/// Preconditions as in deviations.h.
-Judgement look_at(const Gate& gate, const StoredReference& reference, double exposure,
-                  std::span<const Image* const> images);
-
-/// As the suite says it, else the scene's expect.toml. Throws InputError.
-double exposure_of(const SuiteScene& scene);
 
 }  // namespace photonproof

@@ -7,6 +7,7 @@
 
 #include "reference/process.h"
 #include "reference/reference_store.h"
+#include "scenes/atomic_file.h"
 #include "scenes/input_error.h"
 
 namespace photonproof {

@@ -10,11 +10,15 @@
 #include <nlohmann/json.hpp>
 
 #include "harness/engine_command.h"
+#include "harness/engine_output.h"
+#include "harness/gate_accept.h"
 #include "harness/gate_run.h"
+#include "harness/gate_self_test.h"
 #include "harness/interrupt.h"
 #include "harness/verbs.h"
 #include "harness/versions.h"
 #include "reports/formats.h"
+#include "scenes/atomic_file.h"
 #include "scenes/input_error.h"
 
 namespace photonproof {
@@ -26,6 +30,10 @@ struct GateArguments {
   std::string suite, output, only;
   std::uint64_t seed = 1;
   bool resume = false, json = false, report = true, annotations = false;
+  bool self_test = false;
+  int runs = 100, pool = 64, other_pool = 16;
+  std::string accept, reason;
+  std::optional<double> standard_error;
 };
 
 // On standard error: one line a decided gate; on a terminal also a line that rewrites itself.
@@ -129,8 +137,55 @@ GateOptions options_of(const GateArguments& arguments, const GateSuite& suite) {
   return options;
 }
 
+fs::path faulty_program(const fs::path& program) {
+  fs::path faulty = program.parent_path() / "photonproof-faulty";
+  if (!fs::exists(faulty))
+    throw InputError("--self-test", "needs the program with faults, '" + faulty.string() +
+                                        "': cmake --build --preset release --target photonproof_faulty");
+  return faulty;
+}
+
+int self_test(const GateArguments& arguments, const GateSuite& suite) {
+  SelfTestOptions options;
+  options.gates = options_of(arguments, suite);
+  options.gates.folder /= "self-test";
+  options.faulty = faulty_program(options.gates.program);
+  options.runs = arguments.runs;
+  options.pool = arguments.pool;
+  options.other_pool = arguments.other_pool;
+  options.progress = progress_line(arguments.json);
+  const SelfTest test = run_self_test(suite, options);
+  if (test.interrupted) {
+    std::printf("interrupted; --resume goes on from here\n");
+    return 130;
+  }
+  const std::string table = self_test_table(
+      suite, test, fmt::format("photonproof gate {} --self-test --runs {} --pool {} --other-pool {} --seed {}",
+                               arguments.suite, arguments.runs, arguments.pool, arguments.other_pool, arguments.seed));
+  write_file_atomically(options.gates.folder / "power.md", table);
+  std::printf("%s", table.c_str());
+  return self_test_passes(test) ? 0 : 1;
+}
+
+int accept(const GateArguments& arguments, const GateSuite& suite) {
+  AcceptOptions options;
+  options.program = fs::read_symlink("/proc/self/exe");
+  options.gate = arguments.accept;
+  options.reason = arguments.reason;
+  options.who = name_of_user();
+  options.standard_error = arguments.standard_error;
+  options.interrupt = &interrupt_flag();
+  const std::optional<Accepted> accepted = accept_reference(suite, options);
+  if (!accepted) return 130;
+  std::printf("reference: %s\n%s\n", accepted->file.c_str(), accepted->sentence.c_str());
+  return 0;
+}
+
 int run(const GateArguments& arguments) {
   const GateSuite suite = read_gate_suite(arguments.suite);
+  if (!arguments.accept.empty()) return accept(arguments, suite);
+  if (!arguments.reason.empty()) throw InputError("--reason", "is for --accept");
+  if (arguments.self_test) return self_test(arguments, suite);
   ProgressLines progress;
   const GateSummary summary = run_gates(suite, options_of(arguments, suite), progress);
   const std::vector<fs::path> reports = arguments.report ? write_reports(summary) : std::vector<fs::path>{};
@@ -162,6 +217,23 @@ void add_gate_verb(CLI::App& program, int& exit_code) {
   verb->add_flag("--annotations", arguments->annotations,
                  "print a GitHub annotation for each gate that does not pass (default where GITHUB_ACTIONS is true)");
   verb->add_flag("--report,!--no-report", arguments->report, "write report.html and junit.xml (default)");
+  verb->add_flag("--self-test", arguments->self_test,
+                 "plant faults and measure, for every gate, how often it finds them and how often it fails without: exit "
+                 "code 0 when the suite finds every fault in 99 of 100 runs");
+  verb->add_option("--runs", arguments->runs, "of the self-test, for each fault; five times as many without")
+      ->check(CLI::Range(1, 1'000'000))
+      ->capture_default_str();
+  verb->add_option("--pool", arguments->pool, "images that the self-test's runs draw from, a scene, engine and budget")
+      ->check(CLI::Range(2, 1'000'000))
+      ->capture_default_str();
+  verb->add_option("--other-pool", arguments->other_pool, "the same for each fault, and other conditions, of the engine")
+      ->check(CLI::Range(2, 1'000'000))
+      ->capture_default_str();
+  verb->add_option("--accept", arguments->accept,
+                   "instead: render the reference of this gate's scene anew and put it in place of the committed one");
+  verb->add_option("--reason", arguments->reason, "why, for --accept; kept in the reference's provenance");
+  verb->add_option("--standard-error", arguments->standard_error, "of what --accept renders (default: the old one's)")
+      ->check(CLI::Range(1e-6, 1.0));
   verb->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }
 
