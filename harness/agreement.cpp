@@ -62,13 +62,6 @@ double relative_spread_of_variance(const Block& block, const Differences& d) {
   return median > 0 ? std::pow(of_normal * *middle / median, 2) : 0;
 }
 
-/// The normal deviate of the probability that a Gamma variable of this shape has more than t deviations above its mean
-/// (Wilson and Hilferty 1931).
-double gamma_deviate(double t, double shape) {
-  if (!(shape < 1e6)) return t;
-  return 3 * std::sqrt(shape) * (std::cbrt(1 + t / std::sqrt(shape)) - 1 + 1 / (9 * shape));
-}
-
 double block_deviate(const Block& block, const Differences& d) {
   const double variance = sum_over(block, d, d.variance);
   if (variance == 0) return 0;  // black in both

@@ -15,21 +15,28 @@ struct Channel {
   std::size_t width = 0;
   double images = 0;
   std::vector<double> mean, variance;  ///< of one image, a pixel
+  std::vector<double> cubes;           ///< third central moment of one image
   std::vector<double> reference, reference_variance;
 };
 
 Channel channel_of(const Rendering& reference, std::span<const Image* const> images, std::size_t c,
                    const Image* least_variance) {
-  Channel channel{static_cast<std::size_t>(reference.mean.width), static_cast<double>(images.size()), {}, {}, {}, {}};
+  Channel channel{static_cast<std::size_t>(reference.mean.width), static_cast<double>(images.size()), {}, {}, {}, {}, {}};
   for (std::size_t i = c; i < reference.mean.rgb.size(); i += 3) {
-    double mean = 0, squares = 0;
+    double mean = 0, squares = 0, cubes = 0;
     for (const Image* image : images) mean += double{image->rgb[i]};
     mean /= channel.images;
-    for (const Image* image : images) squares += (double{image->rgb[i]} - mean) * (double{image->rgb[i]} - mean);
+    for (const Image* image : images) {
+      const double off = double{image->rgb[i]} - mean;
+      squares += off * off;
+      cubes += off * off * off;
+    }
     double variance = squares / (channel.images - 1);
     if (least_variance) variance = std::max(variance, double{least_variance->rgb[i]});
     channel.mean.push_back(mean);
     channel.variance.push_back(variance);
+    const double n = channel.images;
+    channel.cubes.push_back(n > 2 ? cubes * n / ((n - 1) * (n - 2)) : 0);
     channel.reference.push_back(double{reference.mean.rgb[i]});
     channel.reference_variance.push_back(double{reference.variance->rgb[i]});
   }
@@ -58,7 +65,7 @@ Deviation deviation(double mean, double reference, const Known& of_mean, const K
 }
 
 struct BlockSums {
-  double pixels = 0, noisy_pixels = 0, variance = 0, variance_squared = 0, reference = 0, reference_variance = 0,
+  double pixels = 0, noisy_pixels = 0, variance = 0, variance_squared = 0, variance_cubed = 0, skewed = 0, reference = 0, reference_variance = 0,
          mean = 0;
 };
 
@@ -93,6 +100,8 @@ class ChannelDeviations {
       sums.mean += channel_.mean[i];
       if (channel_.variance[i] > 0) sums.noisy_pixels += 1;
       sums.variance += channel_.variance[i];
+      sums.variance_cubed += std::pow(channel_.variance[i], 3);
+      sums.skewed += channel_.cubes[i] * std::pow(channel_.variance[i], 1.5);
       sums.variance_squared += channel_.variance[i] * channel_.variance[i];
       sums.reference += channel_.reference[i];
       sums.reference_variance += channel_.reference_variance[i];
@@ -111,6 +120,9 @@ class ChannelDeviations {
       for_each_pixel(out_.places[b],
                      [&](int x, int y) { ratios.push_back(mean > 0 ? channel_.variance[index(x, y)] / mean : 0); });
       const Known expectation{mean, freedom_of_expectation(ratios, freedom_)};
+      // Least squares of the third moments on the cubed deviations: the noisiest pixels count most.
+      const double of_one = sums_[b].variance_cubed > 0 ? sums_[b].skewed / sums_[b].variance_cubed : 0;
+      const double skewness = std::max(0.0, of_one) / std::sqrt(channel_.images);
       for_each_pixel(out_.places[b], [&](int x, int y) {
         const std::size_t i = index(x, y);
         Known known = steadied({channel_.variance[i], freedom_}, expectation);
@@ -118,6 +130,7 @@ class ChannelDeviations {
         // As agreement.h does: a pixel that saw none of its rare bright samples looks dark and certain.
         const Known of_reference{std::max(reference_mean, channel_.reference_variance[i]), reference_freedom_};
         pixels[i] = deviation(channel_.mean[i], channel_.reference[i], known, of_reference);
+        pixels[i].skewness = skewness;
       });
     }
   }
@@ -181,10 +194,13 @@ class ChannelDeviations {
 
 }  // namespace
 
-double Deviation::deviate() const {
+double Deviation::errors() const {
   if (difference == 0) return 0;
-  return std::copysign(normal_deviate(difference / standard_error, freedom), difference);
+  const double t = difference / standard_error;
+  return t > 0 && skewness > 0 ? gamma_deviate(t, 4 / (skewness * skewness)) : t;
 }
+
+double Deviation::deviate() const { return std::copysign(normal_deviate(errors(), freedom), difference); }
 
 double Deviation::margin(double tail) const { return t_quantile(tail, freedom) * standard_error; }
 

@@ -7,6 +7,8 @@
 //   independent, times the mean factor by which the blocks differ from that (light tracers and photon maps correlate
 //   pixels). How much these expectations are worth is measured, too, a block or a channel at a time.
 // - What is left of not knowing is in the degrees of freedom of Student's t.
+// - A pixel's mean of a few skewed images is skewed, and its upper tail longer than normal's: it is taken as that of the
+//   Gamma distribution with the skewness that the block's pixels show together.
 // - The whole image's variance has no neighbours: it has the degrees of freedom of the images' number.
 // - Rounding counts as a deviation of 1e-5 of the value, so that pixels without noise compare as equal.
 #pragma once
@@ -26,6 +28,9 @@ struct Deviation {
   double standard_error = 0;                                 ///< of `difference`
   double freedom = std::numeric_limits<double>::infinity();  ///< of the standard error
   double expected = 0;                                       ///< the reference's mean
+  double skewness = 0;                                       ///< of `difference`, where that matters
+  /// In standard errors, signed; less above the reference where skewness explains a part.
+  double errors() const;
   /// In units of the normal distribution, signed.
   double deviate() const;
   /// The normal or t quantile that `difference` exceeds by chance with probability `tail`, times the standard error.

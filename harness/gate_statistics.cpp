@@ -27,8 +27,8 @@ double scale_of(const Deviation& block, const Deviation& whole) {
 
 bool beyond(const Deviation& d, double tail) {
   // The normal quantile is the smallest of all: most deviations are under it and need no t.
-  return std::abs(d.difference) > t_quantile(tail, std::numeric_limits<double>::infinity()) * d.standard_error &&
-         std::abs(d.difference) > d.margin(tail);
+  const double errors = std::abs(d.errors());
+  return errors > t_quantile(tail, std::numeric_limits<double>::infinity()) && errors > t_quantile(tail, d.freedom);
 }
 
 /// The largest of the channels' relative deviations, with the interval it was judged by.

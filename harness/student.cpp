@@ -38,6 +38,11 @@ double normal_deviate(double t, double freedom) {
   return -bm::quantile(bm::normal(), std::clamp(tail, 1e-300, 0.5));
 }
 
+double gamma_deviate(double t, double shape) {
+  if (!(shape < as_good_as_infinite)) return t;
+  return 3 * std::sqrt(shape) * (std::cbrt(1 + t / std::sqrt(shape)) - 1 + 1 / (9 * shape));
+}
+
 double t_quantile(double tail, double freedom) {
   if (freedom > as_good_as_infinite) return -bm::quantile(bm::normal(), tail);
   return -bm::quantile(bm::students_t(freedom), tail);

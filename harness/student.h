@@ -9,6 +9,10 @@ namespace photonproof {
 /// freedom is allowed here and below.
 double normal_deviate(double t, double freedom);
 
+/// The normal deviate of the probability that a Gamma variable of this shape has more than t deviations above its mean
+/// (Wilson and Hilferty 1931). Its skewness is 2/sqrt(shape).
+double gamma_deviate(double t, double shape);
+
 /// The t that is exceeded with probability `tail`, 0 < tail <= 0.5.
 double t_quantile(double tail, double freedom);
 
