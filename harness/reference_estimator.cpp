@@ -9,8 +9,8 @@ namespace {
 
 bool scatters(const MediumDescription& medium) {
   const auto& m = std::get<HomogeneousDescription>(medium.model);
-  const auto channel = [&](double sigma_t, double albedo) { return sigma_t * albedo * m.scale > 0; };
-  return channel(m.sigma_t.r, m.albedo.r) || channel(m.sigma_t.g, m.albedo.g) || channel(m.sigma_t.b, m.albedo.b);
+  const RgbD scattering = m.sigma_t * m.albedo * m.scale;
+  return std::max({scattering.x, scattering.y, scattering.z}) > 0;
 }
 
 /// Bodies that gather light. Plastic and lacquer do not: their base dims what their thin gloss could focus.
@@ -34,7 +34,7 @@ std::vector<std::string> estimators_for(const SceneDescription& scene) {
   const bool only_surrounded = std::any_of(scene.emitters.begin(), scene.emitters.end(), surrounds) &&
                                std::all_of(scene.emitters.begin(), scene.emitters.end(), surrounds) &&
                                std::none_of(scene.shapes.begin(), scene.shapes.end(),
-                                            [](const auto& shape) { return shape.emission.has_value(); });
+                                            [](const auto& shape) { return shape.radiance.has_value(); });
   const bool caustics = std::any_of(scene.bsdfs.begin(), scene.bsdfs.end(), focuses) && !only_surrounded;
   if (caustics) return {"bdpt", "volpath", "path", "ptracer"};
   return {"path", "volpath", "bdpt", "ptracer"};
