@@ -25,9 +25,10 @@ double orientation_cost(const LightBounds& b) {
               std::cos(spread));
 }
 
+/// With a little of the diagonal: a row of points has no surface, and every split of it would cost nothing.
 double half_surface(const LightBounds& b) {
   const Vec3d d(b.high - b.low);
-  return d.x * d.y + d.y * d.z + d.z * d.x;
+  return d.x * d.y + d.y * d.z + d.z * d.x + 1e-3 * dot(d, d);
 }
 
 }  // namespace
