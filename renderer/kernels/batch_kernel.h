@@ -109,15 +109,13 @@ class BatchKernel {
   /// Lets lanes wait until their BSDF's kind is shaded. `draw_choice()` is uniform in [0,1), for detail_at.
   template <class Draw>
   void wait(Waiting<F>&& state, const Mask<F>& alive, Draw&& draw_choice) {
-    UInt<F> kind(0u);
-    if (scene_.detailed)
-      kind = add_details(state, alive, draw_choice());
-    else if (!scene_.one_bsdf_kind)
-      kind = surface_word(state.surface, &SurfaceWords::bsdf_kind);
-    const bool one_kind = scene_.one_bsdf_kind && !scene_.detailed;
-    for (std::uint32_t bits = scene_.bsdf_kinds; bits != 0; bits &= bits - 1) {
-      const auto k = static_cast<std::uint32_t>(std::countr_zero(bits));
-      queues_[k].append(state, one_kind ? alive : alive && equal<F>(kind, UInt<F>(k)));
+    if (scene_.detailed) {
+      const UInt<F> kind = add_details(state, alive, draw_choice());
+      append_by_kind(state, kind, alive);
+    } else if (scene_.one_bsdf_kind) {
+      queues_[static_cast<std::size_t>(std::countr_zero(scene_.bsdf_kinds))].append(state, alive);
+    } else {
+      append_by_kind(state, surface_word(state.surface, &SurfaceWords::bsdf_kind), alive);
     }
   }
   void go_on(const History<F>& state, const Mask<F>& alive) { next_.append(state, alive); }
@@ -160,9 +158,13 @@ class BatchKernel {
     return {Queue(memory + kind * Queue::words(capacity), capacity)...};
   }
 
-  /// Looks the lanes' details up, lets `state.surface` number them and returns the kinds of their BSDFs. A call: its
-  /// arrays would crowd the loops of scenes that need none of this.
-  [[gnu::noinline]] UInt<F> add_details(Waiting<F>& state, const Mask<F>& alive, const F& u_choice) {
+  void append_by_kind(const Waiting<F>& state, const UInt<F>& kind, const Mask<F>& alive) {
+    for (std::uint32_t k = 0; k < BsdfKinds::count; ++k)
+      if ((scene_.bsdf_kinds >> k & 1u) != 0) queues_[k].append(state, alive && equal<F>(kind, UInt<F>(k)));
+  }
+
+  /// Looks the lanes' details up, lets `state.surface` number them and returns the kinds of their BSDFs.
+  UInt<F> add_details(Waiting<F>& state, const Mask<F>& alive, const F& u_choice) {
     const auto spread = [](const auto& value, auto* to) { store_from(value, to); };
     float p[3][width], normal[3][width], direction[3][width], u[width];
     std::uint32_t surface[width], primitive[width], kind[width] = {};

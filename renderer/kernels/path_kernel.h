@@ -146,7 +146,7 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, F> {
   }
 
   /// Of rays that met nothing. Next-event estimation could have found the environment too, as any other light.
-  [[gnu::noinline]] void add_environment(PathState<F>& s, const Mask<F>& leaves) {
+  void add_environment(PathState<F>& s, const Mask<F>& leaves) {
     const EnvironmentLook<F> sky = look_at_environment(scene_, s.origin, s.direction, leaves);
     const Mask<F> shared = s.bsdf_pdf > 0;
     F weight(1.0f);
