@@ -193,7 +193,8 @@ TEST_F(RenderVerb, what_does_not_fit_in_memory_is_one_error_that_says_what_to_ch
       << film.standard_error;
   // 2^24 cells have 2^25 triangles: 12 bytes of indices each and 2^24 vertices of 12 bytes are over half a gigabyte.
   put("field.xml",
-      "<scene version='3.0.0'><integrator type='path'/><sensor type='perspective'/><shape type='heightfield'><integer "
+      "<scene version='3.0.0'><integrator type='path'/><sensor type='perspective'/><emitter type='constant'/><shape "
+      "type='heightfield'><integer "
       "name='columns' value='4096'/><integer name='rows' value='4096'/></shape></scene>");
   scene_ = path("field.xml");
   const ProcessOutcome field = limited("900000", {"--size", "8x8", "--threads", "1"});
