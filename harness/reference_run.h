@@ -19,7 +19,7 @@ struct ReferenceRun {
   int width = 0, height = 0;
   std::string integrator;
   double standard_error = 0;      ///< to reach (relative_standard_error)
-  std::optional<double> seconds;  ///< wall time after which no batch is begun
+  std::optional<double> seconds;  ///< wall time after which the batch at work is stopped
   int threads = 0;
   std::filesystem::path folder;  ///< exists; for this scene, size, integrator and program alone
   const std::atomic<bool>* interrupt = nullptr;

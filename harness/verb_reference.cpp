@@ -224,7 +224,7 @@ void add_reference_verb(CLI::App& program, int& exit_code) {
   verb->add_option("--integrator", arguments->integrator, "an unbiased one; auto: by what the scene holds")
       ->check(CLI::IsMember({"auto", "path", "bdpt", "volpath", "ptracer"}))
       ->capture_default_str();
-  verb->add_option("--seconds", arguments->seconds, "wall time after which no further batch is begun")
+  verb->add_option("--seconds", arguments->seconds, "wall time after which it stops; the same command goes on")
       ->check(CLI::Range(1e-3, 1e7))
       ->check(is_finite_number);
   verb->add_option("--threads", arguments->threads, "worker threads (default: every core)")->check(CLI::Range(0, 1024));

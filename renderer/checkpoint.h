@@ -26,9 +26,10 @@ struct CheckpointPolicy {
   bool resume = false;           ///< go on from `file`
   RenderIdentity identity;
 
-  /// Before the work begins. Throws InputError when there is nothing to resume, or when a render that starts anew
-  /// would replace a checkpoint, which may be hours of somebody's work.
-  void check_file() const;
+  /// Before the work begins. Where there is nothing to go on from, `resume` is switched off and the answer is no: a
+  /// script may ask for it always. Throws InputError when a render that starts anew would replace a checkpoint, which
+  /// may be hours of somebody's work.
+  bool finds_what_it_resumes();
 };
 
 /// Collects a checkpoint in memory, so that the render stands still no longer than that takes.
