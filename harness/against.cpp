@@ -209,7 +209,8 @@ class Comparisons {
       const bool known = std::any_of(old_.results.begin(), old_.results.end(), [&](const Result& old) {
         return old.cell.scene == cell.scene && old.cell.engine == cell.engine;
       });
-      if (!known || cell.label().find(run_.only) == std::string::npos) continue;
+      const bool is_control = !run_.suite.control.empty() && cell.engine == control_name(run_.suite.control);
+      if (!known || is_control || cell.label().find(run_.only) == std::string::npos) continue;
       const auto same = std::find_if(cells.begin(), cells.end(), [&](const Cell& other) {
         return other.scene == cell.scene && other.engine == cell.engine && other.budget.kind == cell.budget.kind;
       });
