@@ -63,6 +63,8 @@ class Bench {
         created_(utc_now()) {}
 
   BenchSummary run() {
+    const Clock::time_point start = Clock::now();
+    const double own_before = own_cpu_seconds();
     const std::vector<Cell> to_run = choose_cells();
     if (to_run.empty()) keep_session();
     if (options_.fresh && !to_run.empty()) set_old_record_aside();
@@ -76,6 +78,8 @@ class Bench {
     compare_found_cells();
     conclude(!to_run.empty());
     save();
+    summary_.seconds = seconds_since(start);
+    summary_.harness_cpu_seconds = own_cpu_seconds() - own_before;
     if (options_.against && !summary_.interrupted) compare_with_old();
     count();
     return summary_;
@@ -138,6 +142,7 @@ class Bench {
     const CellCommand command = command_of(planned.cell, cell_folder);
     std::optional<Result> result = run_cell(cell_run(planned.cell, command, suite_.limits));
     if (!result) return false;
+    summary_.engine_seconds += result->wall_seconds.value_or(0);
     result->key = planned.key;
     result->engine_version = version_of(planned.cell.engine);
     if (fs::exists(command.image)) result->image = cell_folder + "/" + command.image.filename().string();
@@ -161,7 +166,7 @@ class Bench {
   }
 
   // What an engine does once and never again (reading its files from disk, waking the processors) is not measured.
-  void warm_up(const std::vector<Cell>& to_run) const {
+  void warm_up(const std::vector<Cell>& to_run) {
     std::map<std::string, std::vector<const Cell*>> by_engine;
     for (const Cell& cell : to_run) by_engine[cell.engine].push_back(&cell);
     const fs::path folder = options_.results_folder / "warm-up";
@@ -171,7 +176,9 @@ class Bench {
       fs::create_directories(folder, ignored);
       Limits limits = suite_.limits;
       limits.seconds = std::min(limits.seconds, warm_up_seconds);
-      run_cell(cell_run(*cells.front(), command_of(*cells.front(), folder.filename().string()), limits));
+      const auto result =
+          run_cell(cell_run(*cells.front(), command_of(*cells.front(), folder.filename().string()), limits));
+      if (result) summary_.engine_seconds += result->wall_seconds.value_or(0);
       fs::remove_all(folder, ignored);
     }
   }

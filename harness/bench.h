@@ -42,6 +42,9 @@ struct BenchSummary {
   std::size_t missing = 0;   ///< without a result: interrupted, or not among `only`
   std::map<Status, std::size_t> by_status;
   std::map<Change, std::size_t> by_change;  ///< against the older run
+  double seconds = 0;                       ///< of it all, but not of the comparison with an older run
+  double engine_seconds = 0;                ///< of that, while an engine ran
+  double harness_cpu_seconds = 0;           ///< processor time of this program itself
   bool interrupted = false;
 };
 

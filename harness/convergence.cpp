@@ -18,8 +18,12 @@ namespace fs = std::filesystem;
 // An error of which the reference's noise is more than this share is as much the reference's.
 constexpr double tolerated_reference_share = 0.1;
 
+// A curve of which less than this share of the time is rendering is one of the start-up.
+constexpr double least_rendering_share = 0.5;
+
 struct Reference {
   Rendering rendering;
+  ReferenceVariance known = ReferenceVariance::upper_bound;
   double relative_variance = 0;
 };
 
@@ -37,7 +41,9 @@ std::optional<Reference> reference_of(const Results& results, const SceneRecord&
   if (file.empty()) return std::nullopt;
   std::optional<Rendering> rendering = read_if_there(folder / file);
   if (!rendering) return std::nullopt;
-  Reference reference{std::move(*rendering), 0};
+  // A stored reference has its variance from independent batches.
+  Reference reference{std::move(*rendering),
+                      scene.reference ? ReferenceVariance::exact : ReferenceVariance::upper_bound};
   if (reference.rendering.variance)
     reference.relative_variance = relative_variance(reference.rendering.mean, *reference.rendering.variance);
   return reference;
@@ -51,6 +57,18 @@ std::optional<double> relmse_of(const Result& result) {
 
 using Cells = std::vector<const Result*>;
 
+// Of the wall time, as the engine's phases tell it; empty where it tells none.
+std::optional<double> rendering_share(const Cells& cells) {
+  std::vector<double> shares;
+  for (const Result* cell : cells) {
+    double sum = 0;
+    for (const auto& [phase, seconds] : cell->phases)
+      if (phase != "load" && phase != "write") sum += seconds;
+    if (!cell->phases.empty() && cell->wall_seconds.value_or(0) > 0) shares.push_back(sum / *cell->wall_seconds);
+  }
+  return shares.empty() ? std::nullopt : std::optional(median_of(shares));
+}
+
 void add_error(const Cells& cells, const Reference* reference, const fs::path& folder, CurvePoint& point) {
   std::vector<Image> images;
   for (const Result* cell : cells) {
@@ -60,7 +78,8 @@ void add_error(const Cells& cells, const Reference* reference, const fs::path& f
   }
   if (images.size() == cells.size()) {
     const auto& variance = reference->rendering.variance;
-    ErrorSplit split = split_error(reference->rendering.mean, variance ? &*variance : nullptr, images);
+    ErrorSplit split =
+        split_error(reference->rendering.mean, variance ? &*variance : nullptr, images, reference->known);
     point.relmse = split.relmse;
     point.bias2 = split.bias2;
     point.variance = split.variance;
@@ -104,6 +123,17 @@ std::map<double, Cells> cells_by_amount(const Results& results, const Cell& like
         result.cell.budget.kind == like.budget.kind && !is_reference(results, result))
       cells[result.cell.budget.amount].push_back(&result);
   return cells;
+}
+
+// Of the largest budget concerned; the smaller ones are too.
+void add_start_up_caveat(const std::map<double, Cells>& cells, Convergence& curve) {
+  for (auto budget = cells.rbegin(); budget != cells.rend(); ++budget) {
+    const std::optional<double> share = rendering_share(budget->second);
+    if (!share || *share >= least_rendering_share) continue;
+    curve.caveats.push_back(fmt::format("up to {} most of the time is start-up (at that budget {:.0f} % is rendering)",
+                                        budget->second.front()->cell.budget.label(), 100 * *share));
+    return;
+  }
 }
 
 using Points = std::vector<std::pair<double, double>>;
@@ -199,6 +229,7 @@ std::vector<Convergence> convergence_of(const Results& results, const fs::path& 
         curve.target_relmse = target->second;
       for (const auto& [amount, seeds] : cells)
         add_point(seeds.front()->cell.budget, seeds, reference ? &*reference : nullptr, folder, curve);
+      add_start_up_caveat(cells, curve);
       conclude(curve);
       curves.push_back(std::move(curve));
     }

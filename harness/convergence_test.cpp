@@ -115,6 +115,19 @@ TEST_F(ConvergenceOfImages, lost_image_leaves_the_recorded_metric) {
   EXPECT_EQ(convergence_of(results_, folder_, {})[0].points[0].relmse, (Estimate{0.04, {}}));
 }
 
+// Rendering takes 0.1 of 1 s, 0.4 of 1 s and 3.9 of 4 s.
+TEST_F(ConvergenceOfImages, budgets_that_are_mostly_start_up_are_named) {
+  add({"s", "path", {"spp", 1}, 1}, 0.02f, 1);
+  results_.results.back().phases = {{"load", 0.5}, {"render", 0.1}};
+  add({"s", "path", {"spp", 4}, 1}, 0.02f, 1);
+  results_.results.back().phases = {{"load", 0.5}, {"render", 0.4}};
+  add({"s", "path", {"spp", 64}, 1}, 0.02f, 4);
+  results_.results.back().phases = {{"load", 0.1}, {"render", 3.9}};
+  EXPECT_EQ(convergence_of(results_, folder_, {})[0].caveats,
+            (std::vector<std::string>{"up to spp=4 most of the time is start-up (at that budget 40 % is rendering)",
+                                      "one seed: neither spread nor bias is known"}));
+}
+
 TEST_F(ConvergenceOfImages, slow_seed_is_named_as_an_outlier) {
   for (std::uint64_t seed = 0; seed < 6; ++seed)
     add({"s", "path", {"spp", 4}, seed}, 0.02f, seed == 4 ? 3 : 1 + 0.02 * static_cast<double>(seed));

@@ -111,11 +111,14 @@ Estimate relmse_of(const std::vector<BlockSums>& blocks, std::size_t images) {
 
 }  // namespace
 
-ErrorSplit split_error(const Image& reference, const Image* reference_variance, std::span<const Image> images) {
+ErrorSplit split_error(const Image& reference, const Image* reference_variance, std::span<const Image> images,
+                       ReferenceVariance known) {
   const std::vector<BlockSums> blocks = sums_of_blocks(reference, reference_variance, images);
   ErrorSplit split{relmse_of(blocks, images.size()), {}, {}};
   if (images.size() < 2) return split;
   split.bias2 = resampled(blocks, [](const BlockSums& block) { return block.bias2; });
+  if (known == ReferenceVariance::upper_bound && reference_variance != nullptr && split.bias2->interval)
+    split.bias2->interval->high += relative_variance(reference, *reference_variance);
   split.variance = resampled(blocks, [](const BlockSums& block) { return block.variance; });
   return split;
 }

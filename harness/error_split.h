@@ -23,9 +23,12 @@ struct ErrorSplit {
 /// bias2 is unbiased, so that it is as often negative as positive where there is no bias. The intervals of bias2 and
 /// variance resample blocks of pixels (BCa), those of relmse come from the spread over images, block by block or as a
 /// whole, whichever is wider: noise that is correlated over more than a block is only seen by the latter.
-/// `reference_variance` may be null: then v = 0. Precondition: images and reference have one size and are finite; there
-/// is at least one image.
-ErrorSplit split_error(const Image& reference, const Image* reference_variance, std::span<const Image> images);
+/// `reference_variance` may be null: then v = 0. Where v is only known not to be too small (a render estimates it as if
+/// its samples were independent, and those of a Sobol sequence do better), bias2's interval reaches up to where it
+/// would with v = 0. Precondition: images and reference have one size and are finite; there is at least one image.
+enum class ReferenceVariance { exact, upper_bound };
+ErrorSplit split_error(const Image& reference, const Image* reference_variance, std::span<const Image> images,
+                       ReferenceVariance known = ReferenceVariance::exact);
 
 /// Mean of w v: what the reference's own noise adds to every relmse.
 double relative_variance(const Image& reference, const Image& reference_variance);

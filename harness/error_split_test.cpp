@@ -77,6 +77,16 @@ TEST(ErrorSplit, noise_of_the_reference_is_not_taken_for_bias) {
   EXPECT_LE(held_without, 5);
 }
 
+// v is stated twice as large as it is: taken as exact, bias2 seems to be -v; taken as a bound, 0 is within reach.
+TEST(ErrorSplit, overstated_noise_of_the_reference_is_no_negative_bias) {
+  std::mt19937_64 generator(11);
+  const Image reference = noisy(0.025, 1, generator), variance = variance_image(0.025 * std::sqrt(2.0));
+  std::vector<Image> images;
+  for (int k = 0; k < 8; ++k) images.push_back(noisy(0.05, 1, generator));
+  EXPECT_FALSE(holds(split_error(reference, &variance, images).bias2->interval, 0));
+  EXPECT_TRUE(holds(split_error(reference, &variance, images, ReferenceVariance::upper_bound).bias2->interval, 0));
+}
+
 // Everything 5 % too bright: bias2 = mean of (0.05 r)^2 / (r^2 + 0.01).
 TEST(ErrorSplit, planted_bias_is_recovered) {
   double expected = 0;

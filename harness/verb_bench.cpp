@@ -99,6 +99,9 @@ void print_json(const BenchSummary& summary, const std::vector<fs::path>& report
                                  {"measured", summary.measured},
                                  {"kept", summary.kept},
                                  {"missing", summary.missing},
+                                 {"seconds", summary.seconds},
+                                 {"engine_seconds", summary.engine_seconds},
+                                 {"harness_cpu_seconds", summary.harness_cpu_seconds},
                                  {"interrupted", summary.interrupted},
                                  {"status", nlohmann::json::object()}};
   for (const fs::path& report : reports) json["reports"].push_back(report.string());
