@@ -107,7 +107,8 @@ std::string latex_text(std::string_view text) {
       {"–", "--"},
       {"∞", "$\\infty$"},
       {"\u202F", "\\,"},
-      {"±", "$\\pm$"},      {"α", "$\\alpha$"},
+      {"±", "$\\pm$"},
+      {"α", "$\\alpha$"},
       {"⁻", "\\textsuperscript{$-$}"},
       {"²", "\\textsuperscript{2}"},
       {"³", "\\textsuperscript{3}"},
@@ -135,6 +136,14 @@ std::string latex_text(std::string_view text) {
     }
   }
   return out;
+}
+
+std::string shell_word(const std::string& text) {
+  constexpr std::string_view plain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-._/=:+,@%";
+  if (!text.empty() && text.find_first_not_of(plain) == std::string::npos) return text;
+  std::string quoted = "'";
+  for (const char c : text) quoted += c == '\'' ? "'\\''" : std::string(1, c);
+  return quoted + "'";
 }
 
 std::string json_in_html(const std::string& json) {
