@@ -14,7 +14,7 @@ namespace photonproof::reports {
 namespace {
 
 // The drawing's box and the frame of the axes inside it, in SVG units; style.css has the sizes of text.
-constexpr double width = 640, height = 400, frame_left = 64, frame_right = 624, frame_top = 12, frame_bottom = 348;
+constexpr double width = 640, height = 400, frame_left = 82, frame_right = 624, frame_top = 12, frame_bottom = 348;
 
 struct Scale {
   LogAxis axis;
@@ -60,7 +60,7 @@ std::string grid(const Scale& x, const Scale& y) {
   return "<g class=\"grid\">" + lines + "</g>\n<g class=\"frame\">" + frame + "</g>\n<g class=\"labels\">" + labels +
          fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">wall-clock seconds</text>",
                      (frame_left + frame_right) / 2, height - 8) +
-         fmt::format("<text transform=\"translate(14 {:.1f}) rotate(-90)\" text-anchor=\"middle\">relMSE</text></g>\n",
+         fmt::format("<text transform=\"translate(13 {:.1f}) rotate(-90)\" text-anchor=\"middle\">relMSE</text></g>\n",
                      middle);
 }
 

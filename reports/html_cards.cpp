@@ -1,5 +1,7 @@
 #include "reports/html_cards.h"
 
+#include <algorithm>
+
 #include "reports/html_data.h"
 #include "reports/text.h"
 #include "reports/viewer_data.h"
@@ -80,10 +82,18 @@ Gallery gallery(const View& view, const SceneView& scene, const std::vector<Scen
                 const std::string& scene_id, std::size_t allowance) {
   Gallery out;
   std::vector<Embedded> embedded;
+  std::size_t whole = 0;  // bytes of all pictures as they are
+  int longest = 0;        // side of the largest
   for (const int side : {4096, 512, 384, 256, 192, 128, 96, 64, 32}) {
+    // Bytes go with the area: sizes that would take more than twice the allowance are not tried.
+    const double part = static_cast<double>(side) / std::max(longest, 1);
+    if (whole > 0 && static_cast<double>(whole) * part * part > 2.0 * static_cast<double>(allowance)) continue;
     out.longest_side = side;
     embedded = embed_all(images, folder, has_reference(scene), out.longest_side, out.bytes);
     if (out.bytes <= allowance) break;
+    if (whole > 0) continue;
+    whole = out.bytes;
+    for (const Embedded& each : embedded) longest = std::max({longest, each.image.width, each.image.height});
   }
   out.cards = data(data::type::list);
   for (std::size_t i = 0; i < images.size(); ++i) {

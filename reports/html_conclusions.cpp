@@ -79,7 +79,7 @@ data table_data(const PlainTable& table, std::size_t numbers_from) {
   return out;
 }
 
-void set_gates(data& object, const View& view, const std::vector<const GateRecord*>& gates) {
+void set_gates(data& object, const std::vector<const GateRecord*>& gates, bool with_commands) {
   constexpr std::size_t numbers_from = 4;
   const PlainTable table = gates_table(gates);
   data rows(data::type::list);
@@ -87,11 +87,9 @@ void set_gates(data& object, const View& view, const std::vector<const GateRecor
     data row;
     set_verdict(row, gates[i]->verdict);
     row.set("cells", cells_data(table.rows[i], 1, numbers_from));
-    row.set("scene", printable(gates[i]->scene));
-    row.set("href", scene_id(view, gates[i]->scene));
     row.set("sentence", text_or_false(gates[i]->sentence));
-    row.set("command", text_or_false(gates[i]->command));
-    row.set("width_of_table", std::to_string(table.header.size() + 1));
+    row.set("command", with_commands ? text_or_false(gates[i]->command) : data(false));
+    row.set("width_of_table", std::to_string(table.header.size()));
     rows.push_back(row);
   }
   object.set("has_gates", !gates.empty());

@@ -16,8 +16,8 @@ void set_verdict(kainjow::mustache::data& object, GateVerdict verdict);
 /// {has_table, header, rows: {cells: {text, number}}}: cells from `numbers_from` on are right-aligned.
 kainjow::mustache::data table_data(const PlainTable& table, std::size_t numbers_from);
 
-/// {has_gates, gates}: each with its row, sentence, command and a link to its scene.
-void set_gates(kainjow::mustache::data& object, const View& view, const std::vector<const GateRecord*>& gates);
+/// {has_gates, gate_header, gates}: each gate with its row and sentence, and with its command where that is wanted.
+void set_gates(kainjow::mustache::data& object, const std::vector<const GateRecord*>& gates, bool with_commands);
 
 /// {has_tiles, tiles}: all failing tiles, worst first, each with the scene and place that the viewer knows it by.
 void set_tiles(kainjow::mustache::data& page, const View& view);

@@ -103,7 +103,7 @@ void write_html_report(const Results& results, const std::filesystem::path& resu
   set_header(page, results, view);
   set_failures(page, view);
   set_columns(page, view);
-  set_gates(page, view, view.gates);
+  set_gates(page, view.gates, false);
   set_tiles(page, view);
   set_changes(page, view);
   set_templates(page);

@@ -164,7 +164,7 @@ data scene_data(const View& view, const SceneView& scene, const fs::path& folder
   }
   set_images(out, view, scene, folder, id, thumbnail_bytes);
   set_curves(out, view, scene);
-  set_gates(out, view, scene.gates);
+  set_gates(out, scene.gates, true);
   data rows = rows_data(view, scene);
   out.set("has_rows", rows.is_non_empty_list());
   out.set("rows", rows);

@@ -3,6 +3,7 @@
 #include <zlib.h>
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "reports/sample_results.h"
@@ -78,7 +79,11 @@ class PixelDataOfFolder : public testing::Test {
  protected:
   PixelDataOfFolder() {
     Image image(64, 64);
-    for (std::size_t i = 0; i < image.rgb.size(); ++i) image.rgb[i] = static_cast<float>(i * 2654435761u % 1000) / 1000;
+    std::uint32_t state = 1;
+    for (float& value : image.rgb) {
+      state = state * 1664525u + 1013904223u;
+      value = static_cast<float>(state >> 8) / 0x1p24f;
+    }
     write_exr((folder.path() / "a.exr").string(), {image, std::nullopt, {}});
     write_png((folder.path() / "a.png").string(), image, 1);
   }

@@ -294,14 +294,15 @@ std::string totals_text(const Results& results) {
 
 std::string verdicts_text(const std::vector<const GateRecord*>& gates) {
   if (gates.empty()) return {};
-  const auto having = [&](GateVerdict verdict) { return std::ranges::count(gates, verdict, &GateRecord::verdict); };
-  std::string text = fmt::format("{} gate{}: ", gates.size(), gates.size() == 1 ? "" : "s");
-  const auto passed = having(GateVerdict::pass), failed = having(GateVerdict::fail),
-             open = having(GateVerdict::inconclusive);
-  text += fmt::format("{} pass{}", passed, passed == 1 ? "es" : "");
-  if (failed > 0) text += fmt::format(", {} fail{}", failed, failed == 1 ? "s" : "");
-  if (open > 0) text += fmt::format(", {} inconclusive", open);
-  return text;
+  std::string text;
+  const auto add = [&](GateVerdict verdict, const char* one, const char* several) {
+    const auto n = std::ranges::count(gates, verdict, &GateRecord::verdict);
+    if (n > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", n, n == 1 ? one : several);
+  };
+  add(GateVerdict::pass, "passes", "pass");
+  add(GateVerdict::fail, "fails", "fail");
+  add(GateVerdict::inconclusive, "inconclusive", "inconclusive");
+  return fmt::format("{} gate{}: {}", gates.size(), gates.size() == 1 ? "" : "s", text);
 }
 
 std::size_t engine_index(const View& view, const std::string& name) {

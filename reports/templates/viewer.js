@@ -74,7 +74,7 @@ class Viewer {
       return {canvas, indices, root: element("figure", {class: "pane"}, canvas, element("figcaption", {}, ...captions))};
     });
     this.stage.replaceChildren(...this.panes.map((pane) => pane.root));
-    this.stage.style.setProperty("--columns", state.mode === "all" ? Math.min(this.panes.length, 3) : this.panes.length);
+    this.stage.style.setProperty("--columns", this.panes.length > 4 ? 3 : this.panes.length);
     if (state.mode === "split") this.panes[0].root.append(this.makeDivider());
   }
 

@@ -10,13 +10,8 @@ function element(tag, attributes, ...children) {
 function label(image) {
   const node = element("span", {class: "image-label"});
   if (image.shape) {
-    const swatch = document.createElementNS("http://www.w3.org/2000/svg", "svg");
-    swatch.setAttribute("class", "swatch");
-    swatch.setAttribute("viewBox", "0 0 12 12");
-    swatch.setAttribute("aria-hidden", "true");
-    swatch.style.color = image.color;
-    swatch.innerHTML = image.shape;  // one of ours, never the record's
-    node.append(swatch, " ");
+    node.innerHTML = `<svg class="swatch" viewBox="0 0 12 12" aria-hidden="true">${image.shape}</svg> `;  // all ours
+    node.firstChild.style.color = image.color;
   }
   node.append(image.title);
   return node;
@@ -57,7 +52,7 @@ function exposureSlider(state) {
   const show = () => {
     input.value = state.stops;
     const total = state.layer === "error" ? state.stops : state.data.exposure + state.stops;
-    output.textContent = `${total < 0 ? "−" : "+"}${Math.abs(total)} EV`;
+    output.textContent = `${total < 0 ? "−" : total > 0 ? "+" : ""}${Math.abs(total)} EV`;
     input.setAttribute("aria-valuetext", output.textContent);
   };
   return {root: element("label", {class: "exposure"}, "Exposure ", input, " ", output), show};

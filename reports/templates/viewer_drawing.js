@@ -7,7 +7,7 @@ class Pictures {
     this.kept = new Map();
   }
 
-  // A canvas or <img>, or null when the layer has nothing for this image.
+  // A canvas or a picture of the page, or null when the layer has nothing for this image.
   of(index, layer, stops) {
     const key = `${index} ${layer} ${stops}`;
     if (this.kept.size > 64) this.kept.clear();
