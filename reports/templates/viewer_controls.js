@@ -63,7 +63,7 @@ function layerLegend() {
   const root = element("p", {class: "layer-legend"});
   const show = (state) => {
     root.hidden = state.layer === "image";
-    const range = 100 / 2 ** state.stops, percent = range.toPrecision(range < 1 ? 1 : 3).replace(/\.?0+$/, "");
+    const percent = Number((100 / 2 ** state.stops).toPrecision(3));
     root.replaceChildren(...(state.layer === "error"
         ? [`−${percent} % too dark `, element("span", {class: "error-ramp"}), ` +${percent} % too bright, of √(r² + 0.01)`]
         : ["FLIP 0 ", element("span", {class: "magma"}), " 1"]));
