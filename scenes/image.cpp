@@ -179,7 +179,7 @@ Image read_texture_image(const std::string& path, bool raw) {
                              " at column " + std::to_string(pixel % width) + ", row " + std::to_string(pixel / width));
 }
 
-void write_exr(const std::string& path, const Rendering& rendering) {
+void write_exr(const std::string& path, const Rendering& rendering, ExrColour colour) {
   check_size(path, rendering.mean);
   const bool has_variance = rendering.variance.has_value();
   if (has_variance) {
@@ -191,6 +191,10 @@ void write_exr(const std::string& path, const Rendering& rendering) {
   OIIO::ImageSpec spec(rendering.mean.width, rendering.mean.height, channels, OIIO::TypeFloat);
   spec.channelnames = {"R", "G", "B"};
   if (has_variance) spec.channelnames.insert(spec.channelnames.end(), {"variance.R", "variance.G", "variance.B"});
+  if (colour == ExrColour::half) {
+    spec.channelformats.assign(static_cast<std::size_t>(channels), OIIO::TypeFloat);
+    std::fill_n(spec.channelformats.begin(), 3, OIIO::TypeHalf);
+  }
   for (const auto& [name, value] : rendering.metadata) spec.attribute(name, value);
   spec.attribute("compression", "zip");
   spec.attribute("DateTime", "");  // else OpenImageIO writes the current time, and equal renderings differ in bytes

@@ -42,9 +42,12 @@ inline Image read_image(const std::string& path) { return read_rendering(path).m
 /// decoding them. Throws InputError also when a value is negative or not finite.
 Image read_texture_image(const std::string& path, bool raw);
 
+/// Samples of the channels R,G,B of an EXR; those of the variance always are 32-bit floats.
+enum class ExrColour { single, half };
+
 /// 32-bit float EXR, channels R,G,B and variance.R,G,B; written beside the target and renamed, so that a file under
 /// the final name is always whole. Throws InputError when it cannot be written.
-void write_exr(const std::string& path, const Rendering& rendering);
+void write_exr(const std::string& path, const Rendering& rendering, ExrColour colour = ExrColour::single);
 
 /// 8-bit sRGB PNG of 2^exposure * image, clamped to [0,1]; the same atomic rename.
 void write_png(const std::string& path, const Image& image, double exposure = 0);
