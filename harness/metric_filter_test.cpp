@@ -28,23 +28,47 @@ TEST(MetricFilter, gaussian_sums_to_one_and_falls_off_as_it_should) {
 
 TEST(MetricFilter, taps_read_the_neighbours_on_either_side) {
   // A ramp of slope 1 along x and 100 along y: an even kernel of sum 1 returns the middle, an odd one the slope times
-  // sum_k 2 k w_k = 2 (1 + 2 + 3 + 4 + 5) = 30.
-  const int reach = 5, width = 21, height = 4;
-  const std::size_t stride = width + 2 * reach;
+  // sum_k 2 k w_k = 2 (1 + ... + 9) = 90 where all w_k are 1.
+  const int reach = 10;
+  const std::size_t width = 21, height = 4, stride = width + 2 * reach;
   std::vector<double> plane(stride * (height + 2 * reach));
   for (std::size_t y = 0; y < height + 2 * reach; ++y)
-    for (std::size_t x = 0; x < stride; ++x)
-      plane[y * stride + x] = static_cast<double>(x) + 100 * static_cast<double>(y);
-  Taps odd{reach, {0, 1, 1, 1, 1, 1}};
+    for (std::size_t x = 0; x < stride; ++x) plane[y * stride + x] = static_cast<double>(x) + 100 * static_cast<double>(y);
+  const Taps odd{9, {0, 1, 1, 1, 1, 1, 1, 1, 1, 1}};
   const double* core = plane.data() + reach * stride + reach;
-  std::vector<double> out(width * height);
+  std::vector<double> out(width * height), other(width * height);
+  const FilterSpan across{core, stride, 1, width, height};
+  const FilterSpan down{core, stride, static_cast<std::ptrdiff_t>(stride), width, height};
   for (const PixelLoops* loops : every_instruction_set()) {
-    loops->filter_even(gaussian_taps(2, reach), {core, stride, 1, out.data(), width, width, height});
-    EXPECT_NEAR(out[width + 7], core[stride + 7], 1e-12) << loops->isa;
-    loops->filter_odd(odd, {core, stride, 1, out.data(), width, width, height});
-    EXPECT_NEAR(out[20], 30, 1e-12) << loops->isa;
-    loops->filter_odd(odd, {core, stride, static_cast<std::ptrdiff_t>(stride), out.data(), width, width, height});
-    EXPECT_NEAR(out[3 * width], 3000, 1e-10) << loops->isa;
+    for (const int radius : {5, 7, 9, 10}) {
+      const Taps taps = gaussian_taps(2, radius);
+      loops->filter(across, {taps, out.data(), width});
+      EXPECT_NEAR(out[width + 7], core[stride + 7], 1e-11) << loops->isa;
+      loops->filter(down, {taps, out.data(), width});
+      EXPECT_NEAR(out[3 * width + 20], core[3 * stride + 20], 1e-11) << loops->isa;
+    }
+    const Taps wide = gaussian_taps(3, 10), narrow = gaussian_taps(2, 10), even = gaussian_taps(2, 9);
+    loops->filter_twice(down, {wide, out.data(), width}, {narrow, other.data(), width});
+    EXPECT_NEAR(out[5], core[5], 1e-11) << loops->isa;
+    EXPECT_NEAR(other[width + 5], core[stride + 5], 1e-11) << loops->isa;
+    loops->filter_odd_even(across, {odd, out.data(), width}, {even, other.data(), width});
+    EXPECT_NEAR(out[20], 90, 1e-11) << loops->isa;
+    EXPECT_NEAR(other[20], core[20], 1e-11) << loops->isa;
+    loops->filter_odd_even(down, {odd, out.data(), width}, {even, other.data(), width});
+    EXPECT_NEAR(out[3 * width], 9000, 1e-9) << loops->isa;
+  }
+}
+
+TEST(MetricFilter, weights_meet_the_values_at_their_distance) {
+  // Of an impulse every kernel returns itself.
+  const std::size_t width = 21;
+  std::vector<double> plane(width + 20), out(width);
+  plane[20] = 1;
+  const Taps taps = gaussian_taps(2, 7);
+  for (const PixelLoops* loops : every_instruction_set()) {
+    loops->filter({plane.data() + 10, width + 20, 1, width, 1}, {taps, out.data(), width});
+    for (int x = 0; x < 21; ++x)
+      EXPECT_EQ(out[static_cast<std::size_t>(x)], std::abs(x - 10) <= 7 ? taps.weight[std::abs(x - 10)] : 0.0);
   }
 }
 

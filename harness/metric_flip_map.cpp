@@ -107,47 +107,46 @@ class OpponentTile {
   /// What an observer makes of the colours: filtered, clamped to displayable ones, Hunt-adjusted L*a*b*.
   void perceive(const LabPlanes& lab) {
     const TileMemory::Frame frame(memory_);
-    const double* y = blur(planes_[0], kernels().achromatic);
-    const double* xy = blur(planes_[1], kernels().red_green);
-    const double* wide = blur(planes_[2], kernels().wide);
-    const double* narrow = blur(planes_[2], kernels().narrow);
-    pixel_loops().perceived(y, xy, wide, narrow, kernels().wide_share, width_ * height_, lab);
+    const FlipKernels& k = kernels();
+    const double* y = down(across(planes_[0], k.achromatic), k.achromatic);
+    const double* xy = down(across(planes_[1], k.red_green), k.red_green);
+    double *across_wide = band(), *across_narrow = band();
+    pixel_loops().filter_twice(across_span(planes_[2]), {k.wide, across_wide, width_}, {k.narrow, across_narrow, width_});
+    const double *wide = down(across_wide, k.wide), *narrow = down(across_narrow, k.narrow);
+    pixel_loops().perceived(y, xy, wide, narrow, k.wide_share, width_ * height_, lab);
   }
 
   /// Magnitudes, over both directions, of what the detectors find at each pixel.
   void detect(const FeaturePlanes& features) {
     const TileMemory::Frame frame(memory_);
-    const PixelLoops& loops = pixel_loops();
-    const double* smooth = across(loops.filter_even, planes_[0], kernels().smooth);
-    const double* edge_x =
-        down(loops.filter_even, across(loops.filter_odd, planes_[0], kernels().edge), kernels().smooth);
-    const double* edge_y = down(loops.filter_odd, smooth, kernels().edge);
-    loops.magnitude(edge_x, edge_y, width_ * height_, features.edge);
-    const double* point_x =
-        down(loops.filter_even, across(loops.filter_even, planes_[0], kernels().point), kernels().smooth);
-    const double* point_y = down(loops.filter_even, smooth, kernels().point);
-    loops.magnitude(point_x, point_y, width_ * height_, features.point);
+    const FlipKernels& k = kernels();
+    double *across_edge = band(), *across_point = band();
+    pixel_loops().filter_odd_even(across_span(planes_[0]), {k.edge, across_edge, width_},
+                                  {k.point, across_point, width_});
+    double *edge_y = tile(), *point_y = tile();
+    pixel_loops().filter_odd_even(down_span(across(planes_[0], k.smooth)), {k.edge, edge_y, width_},
+                                  {k.point, point_y, width_});
+    pixel_loops().magnitude(down(across_edge, k.smooth), edge_y, width_ * height_, features.edge);
+    pixel_loops().magnitude(down(across_point, k.smooth), point_y, width_ * height_, features.point);
   }
 
  private:
-  using Filter = void (*)(const Taps&, const FilterSpan&);
   std::size_t rows() const { return height_ + 2 * kReach; }
-
-  /// The tile's columns of all rows.
-  const double* across(Filter filter, const double* plane, const Taps& taps) {
-    auto* out = memory_.take<double>(width_ * rows());
-    filter(taps, {plane + kReach, stride_, 1, out, width_, width_, rows()});
+  double* band() { return memory_.take<double>(width_ * rows()); }  // the tile's columns, of all rows
+  double* tile() { return memory_.take<double>(width_ * height_); }
+  FilterSpan across_span(const double* plane) const { return {plane + kReach, stride_, 1, width_, rows()}; }
+  FilterSpan down_span(const double* filtered) const {
+    return {filtered + kReach * width_, width_, static_cast<std::ptrdiff_t>(width_), width_, height_};
+  }
+  const double* across(const double* plane, const Taps& taps) {
+    double* out = band();
+    pixel_loops().filter(across_span(plane), {taps, out, width_});
     return out;
   }
-  /// The tile itself, of what `across` left.
-  const double* down(Filter filter, const double* plane, const Taps& taps) {
-    auto* out = memory_.take<double>(width_ * height_);
-    filter(taps, {plane + kReach * width_, width_, static_cast<std::ptrdiff_t>(width_), out, width_, width_, height_});
+  const double* down(const double* filtered, const Taps& taps) {
+    double* out = tile();
+    pixel_loops().filter(down_span(filtered), {taps, out, width_});
     return out;
-  }
-  const double* blur(const double* plane, const Taps& taps) {
-    const Filter even = pixel_loops().filter_even;
-    return down(even, across(even, plane, taps), taps);
   }
 
   std::size_t width_, height_, stride_;

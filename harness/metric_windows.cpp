@@ -29,9 +29,9 @@ SimilarityMaps similarity_maps(const TilePlane& reference, const TilePlane& test
                              moments[2] + y * stride, moments[3] + y * stride);
   }
   for (std::size_t m = 0; m < 4; ++m) {
-    loops.filter_even(taps, {moments[m] + r, stride, 1, across[m], width, width, height + 2 * r});
-    loops.filter_even(
-        taps, {across[m] + r * width, width, static_cast<std::ptrdiff_t>(width), means[m], width, width, height});
+    loops.filter({moments[m] + r, stride, 1, width, height + 2 * r}, {taps, across[m], width});
+    loops.filter({across[m] + r * width, width, static_cast<std::ptrdiff_t>(width), width, height},
+                 {taps, means[m], width});
   }
   loops.similarity(means[0], means[1], means[2], means[3], width * height, maps.ssim, maps.structure);
   return maps;

@@ -33,7 +33,10 @@ class TileMemory {
   };
 
  private:
-  std::vector<std::vector<double>> blocks_;
+  struct alignas(64) Line {
+    std::byte bytes[64];
+  };
+  std::vector<std::vector<Line>> blocks_;
   std::size_t used_ = 0;
 };
 
@@ -53,7 +56,7 @@ struct RowBlock {
 
 /// Where an image pair's tiles are cut.
 struct TileGrid {
-  static constexpr int tile_width = 256, tile_height = 64;
+  static constexpr int tile_width = 128, tile_height = 128;
   int width, height;
   int across() const { return (width + tile_width - 1) / tile_width; }
 };
@@ -121,11 +124,10 @@ class PairTile {
 
 template <class T>
 T* TileMemory::take(std::size_t count) {
-  static_assert(alignof(T) <= alignof(double));
   if (used_ == blocks_.size()) blocks_.emplace_back();
-  std::vector<double>& block = blocks_[used_++];
-  const std::size_t doubles = (count * sizeof(T) + sizeof(double) - 1) / sizeof(double);
-  if (block.size() < doubles) block.resize(doubles);
+  std::vector<Line>& block = blocks_[used_++];
+  const std::size_t lines = (count * sizeof(T) + sizeof(Line) - 1) / sizeof(Line);
+  if (block.size() < lines) block.resize(lines);
   return reinterpret_cast<T*>(block.data());
 }
 

@@ -103,41 +103,91 @@ void encode(const double* restrict linear, std::size_t n, double* restrict out) 
 
 // --- filters ---------------------------------------------------------------------------------------------------------
 
-template <int radius, bool even>
-void filter(const Taps& taps, const FilterSpan& span) {
-  double weight[radius + 1];
-  for (int k = 0; k <= radius; ++k) weight[k] = taps.weight[k];
-  const std::ptrdiff_t step = span.step;
-  for (std::size_t y = 0; y < span.height; ++y) {
-    const double* restrict in = span.in + y * span.in_stride;
-    double* restrict out = span.out + y * span.out_stride;
-    for (std::size_t x = 0; x < span.width; ++x) {
-      const double* middle = in + x;
-      double sum = even ? weight[0] * *middle : 0;
+// One row of one to three kernels: values are loaded and folded once for all of them. `ivdep`: results never overlap what
+// is read.
+
+template <int radius>
+inline void row_even(const double* in, std::ptrdiff_t step, std::size_t width, const double* weight, double* out) {
+#pragma GCC ivdep
+  for (std::size_t x = 0; x < width; ++x) {
+    const double* middle = in + x;
+    double sum = weight[0] * *middle;
 #pragma GCC unroll 10
-      for (int k = 1; k <= radius; ++k) {
-        const double before = middle[-k * step], after = middle[k * step];
-        sum += weight[k] * (even ? after + before : after - before);
-      }
-      out[x] = sum;
-    }
+    for (int k = 1; k <= radius; ++k) sum += weight[k] * (middle[k * step] + middle[-k * step]);
+    out[x] = sum;
   }
 }
 
-template <bool even>
-void filter_of_any_radius(const Taps& taps, const FilterSpan& span) {
-  switch (taps.radius) {
+template <int radius>
+inline void row_twice(const double* in, std::ptrdiff_t step, std::size_t width, const double* weight_a,
+                      const double* weight_b, double* out_a, double* out_b) {
+#pragma GCC ivdep
+  for (std::size_t x = 0; x < width; ++x) {
+    const double* middle = in + x;
+    double a = weight_a[0] * *middle, b = weight_b[0] * *middle;
+#pragma GCC unroll 10
+    for (int k = 1; k <= radius; ++k) {
+      const double fold = middle[k * step] + middle[-k * step];
+      a += weight_a[k] * fold;
+      b += weight_b[k] * fold;
+    }
+    out_a[x] = a;
+    out_b[x] = b;
+  }
+}
+
+template <int radius>
+inline void row_odd_even(const double* in, std::ptrdiff_t step, std::size_t width, const double* weight_odd,
+                         const double* weight_even, double* out_odd, double* out_even) {
+#pragma GCC ivdep
+  for (std::size_t x = 0; x < width; ++x) {
+    const double* middle = in + x;
+    double odd = 0, even = weight_even[0] * *middle;
+#pragma GCC unroll 10
+    for (int k = 1; k <= radius; ++k) {
+      const double before = middle[-k * step], after = middle[k * step];
+      odd += weight_odd[k] * (after - before);
+      even += weight_even[k] * (after + before);
+    }
+    out_odd[x] = odd;
+    out_even[x] = even;
+  }
+}
+
+template <int radius>
+void filter_of(const FilterSpan& span, const FilterResult& even) {
+  for (std::size_t y = 0; y < span.height; ++y)
+    row_even<radius>(span.in + y * span.in_stride, span.step, span.width, even.taps.weight,
+                     even.out + y * even.out_stride);
+}
+
+void filter(const FilterSpan& span, const FilterResult& even) {
+  switch (even.taps.radius) {
     case 5:
-      return filter<5, even>(taps, span);
+      return filter_of<5>(span, even);
     case 7:
-      return filter<7, even>(taps, span);
+      return filter_of<7>(span, even);
     case 9:
-      return filter<9, even>(taps, span);
+      return filter_of<9>(span, even);
     case 10:
-      return filter<10, even>(taps, span);
+      return filter_of<10>(span, even);
     default:
       __builtin_trap();
   }
+}
+
+void filter_twice(const FilterSpan& span, const FilterResult& a, const FilterResult& b) {
+  if (a.taps.radius != 10 || b.taps.radius != 10) __builtin_trap();
+  for (std::size_t y = 0; y < span.height; ++y)
+    row_twice<10>(span.in + y * span.in_stride, span.step, span.width, a.taps.weight, b.taps.weight,
+                  a.out + y * a.out_stride, b.out + y * b.out_stride);
+}
+
+void filter_odd_even(const FilterSpan& span, const FilterResult& odd, const FilterResult& even) {
+  if (odd.taps.radius != 9 || even.taps.radius != 9) __builtin_trap();
+  for (std::size_t y = 0; y < span.height; ++y)
+    row_odd_even<9>(span.in + y * span.in_stride, span.step, span.width, odd.taps.weight, even.taps.weight,
+                    odd.out + y * odd.out_stride, even.out + y * even.out_stride);
 }
 
 // --- ssim ------------------------------------------------------------------------------------------------------------
@@ -250,18 +300,8 @@ void flip_error(LabPlanes lab_a, LabPlanes lab_b, FeaturePlanes features_a, Feat
 }  // namespace
 
 extern const PixelLoops PHOTONPROOF_PIXEL_LOOPS;
-const PixelLoops PHOTONPROOF_PIXEL_LOOPS = {PHOTONPROOF_ISA,
-                                            split_rgb,
-                                            expose,
-                                            tone_map,
-                                            encode,
-                                            filter_of_any_radius<true>,
-                                            filter_of_any_radius<false>,
-                                            sum_and_difference,
-                                            similarity,
-                                            opponents,
-                                            perceived,
-                                            magnitude,
-                                            flip_error};
+const PixelLoops PHOTONPROOF_PIXEL_LOOPS = {
+    PHOTONPROOF_ISA, split_rgb,          expose,     tone_map,  encode,    filter,    filter_twice,
+    filter_odd_even, sum_and_difference, similarity, opponents, perceived, magnitude, flip_error};
 
 }  // namespace photonproof

@@ -14,15 +14,19 @@ struct Taps {
   double weight[greatest_radius + 1] = {};
 };
 
-/// Where a filter reads and writes. `in` is the value under the first result's middle tap, `step` the distance of
-/// neighbouring taps: 1 along a row, in_stride along a column.
+/// What a filter reads. `in` is the value under the first result's middle tap, `step` the distance of neighbouring taps:
+/// 1 along a row, in_stride along a column.
 struct FilterSpan {
   const double* in;
   std::size_t in_stride;
   std::ptrdiff_t step;
+  std::size_t width, height;
+};
+/// And where one of its results goes.
+struct FilterResult {
+  const Taps& taps;
   double* out;
   std::size_t out_stride;
-  std::size_t width, height;
 };
 
 /// L*, a*, b* of n pixels each.
@@ -45,9 +49,12 @@ struct PixelLoops {
   void (*tone_map)(const float* linear, std::size_t n, double scale, double* out);
   /// The sRGB transfer of values in [0, 1], within 1e-14 of itself.
   void (*encode)(const double* linear, std::size_t n, double* out);
-  /// sum_k weight[k] (in[-k] + in[k]), the middle once; and with in[k] - in[-k]. Radius 5, 7, 9 or 10.
-  void (*filter_even)(const Taps& taps, const FilterSpan& span);
-  void (*filter_odd)(const Taps& taps, const FilterSpan& span);
+  /// Even kernels, sum_k weight[k] (in[-k] + in[k]) with the middle once, of radius 5, 7, 9 or 10.
+  void (*filter)(const FilterSpan& span, const FilterResult& even);
+  /// Two kernels on the same values: even ones of radius 10; of radius 9 an odd one, sum_k weight[k] (in[k] - in[-k]), and
+  /// an even one.
+  void (*filter_twice)(const FilterSpan& span, const FilterResult& even, const FilterResult& other_even);
+  void (*filter_odd_even)(const FilterSpan& span, const FilterResult& odd, const FilterResult& even);
 
   /// s = r + x, d = r - x and their squares.
   void (*sum_and_difference)(const double* r, const double* x, std::size_t n, double* s, double* d, double* ss,
