@@ -33,7 +33,8 @@ TEST(MetricFilter, taps_read_the_neighbours_on_either_side) {
   const std::size_t width = 21, height = 4, stride = width + 2 * reach;
   std::vector<double> plane(stride * (height + 2 * reach));
   for (std::size_t y = 0; y < height + 2 * reach; ++y)
-    for (std::size_t x = 0; x < stride; ++x) plane[y * stride + x] = static_cast<double>(x) + 100 * static_cast<double>(y);
+    for (std::size_t x = 0; x < stride; ++x)
+      plane[y * stride + x] = static_cast<double>(x) + 100 * static_cast<double>(y);
   const Taps odd{9, {0, 1, 1, 1, 1, 1, 1, 1, 1, 1}};
   const double* core = plane.data() + reach * stride + reach;
   std::vector<double> out(width * height), other(width * height);

@@ -111,7 +111,8 @@ class OpponentTile {
     const double* y = down(across(planes_[0], k.achromatic), k.achromatic);
     const double* xy = down(across(planes_[1], k.red_green), k.red_green);
     double *across_wide = band(), *across_narrow = band();
-    pixel_loops().filter_twice(across_span(planes_[2]), {k.wide, across_wide, width_}, {k.narrow, across_narrow, width_});
+    pixel_loops().filter_twice(across_span(planes_[2]), {k.wide, across_wide, width_},
+                               {k.narrow, across_narrow, width_});
     const double *wide = down(across_wide, k.wide), *narrow = down(across_narrow, k.narrow);
     pixel_loops().perceived(y, xy, wide, narrow, k.wide_share, width_ * height_, lab);
   }

@@ -65,6 +65,17 @@ TEST(Metrics, one_wrong_pixel_counts_by_its_share_of_the_image) {
   EXPECT_DOUBLE_EQ(value_of("relmse", reference, test), 0.25 / 1.01 / 6000);
 }
 
+TEST(Metrics, relative_metrics_of_other_tools_have_their_own_denominators) {
+  // x = 1.5 against r = 0.5 in every value: (x-r)^2 = 1, |x-r| = 1.
+  const Image reference = constant_image(12, 12, 0.5f, 0.5f, 0.5f), test = constant_image(12, 12, 1.5f, 1.5f, 1.5f);
+  EXPECT_NEAR(value_of("relmse_jeri", reference, test), 1 / (0.25 + 1e-4), 1e-12);
+  EXPECT_NEAR(value_of("mrse_pbrt", reference, test), 1 / (0.51 * 0.51), 1e-12);
+  EXPECT_NEAR(value_of("smape", reference, test), 2 / (1.5 + 0.5 + 0.02), 1e-12);
+  // Signs: |x| + |r| of -0.5 and 1.5 is the same 2, but they are 2 apart.
+  const Image negative = constant_image(12, 12, -0.5f, -0.5f, -0.5f);
+  EXPECT_NEAR(value_of("smape", negative, test), 4 / 2.02, 1e-12);
+}
+
 TEST(Metrics, relmse_trimmed_leaves_out_one_pixel_in_a_thousand) {
   // 2000 pixels of which two may go. Three are off by 1, 2 and 3 in all channels of r = 1: what is left is the least,
   // 1/1.01 over the 1998 that stay.

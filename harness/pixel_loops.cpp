@@ -103,8 +103,8 @@ void encode(const double* restrict linear, std::size_t n, double* restrict out) 
 
 // --- filters ---------------------------------------------------------------------------------------------------------
 
-// One row of one to three kernels: values are loaded and folded once for all of them. `ivdep`: results never overlap what
-// is read.
+// One row of one to three kernels: values are loaded and folded once for all of them. `ivdep`: results never overlap
+// what is read.
 
 template <int radius>
 inline void row_even(const double* in, std::ptrdiff_t step, std::size_t width, const double* weight, double* out) {

@@ -14,8 +14,8 @@ struct Taps {
   double weight[greatest_radius + 1] = {};
 };
 
-/// What a filter reads. `in` is the value under the first result's middle tap, `step` the distance of neighbouring taps:
-/// 1 along a row, in_stride along a column.
+/// What a filter reads. `in` is the value under the first result's middle tap, `step` the distance of neighbouring
+/// taps: 1 along a row, in_stride along a column.
 struct FilterSpan {
   const double* in;
   std::size_t in_stride;
@@ -51,8 +51,8 @@ struct PixelLoops {
   void (*encode)(const double* linear, std::size_t n, double* out);
   /// Even kernels, sum_k weight[k] (in[-k] + in[k]) with the middle once, of radius 5, 7, 9 or 10.
   void (*filter)(const FilterSpan& span, const FilterResult& even);
-  /// Two kernels on the same values: even ones of radius 10; of radius 9 an odd one, sum_k weight[k] (in[k] - in[-k]), and
-  /// an even one.
+  /// Two kernels on the same values: even ones of radius 10; of radius 9 an odd one, sum_k weight[k] (in[k] - in[-k]),
+  /// and an even one.
   void (*filter_twice)(const FilterSpan& span, const FilterResult& even, const FilterResult& other_even);
   void (*filter_odd_even)(const FilterSpan& span, const FilterResult& odd, const FilterResult& even);
 
