@@ -117,9 +117,9 @@ class Run {
         maps_(maps) {
     const PairFacts pair = facts();
     for (const MetricRow& row : metric_rows()) {
-      if (row.on_request && !options_.hdr_flip) continue;
-      rows_.push_back(&row);
-      if (std::ranges::find(makers_, row.pass) != makers_.end()) continue;
+      const bool wanted = is_wanted(row), shown = maps && (row.pass == flip_pass || row.pass == relmse_pass);
+      if (wanted) rows_.push_back(&row);
+      if (!(wanted || shown) || std::ranges::find(makers_, row.pass) != makers_.end()) continue;
       makers_.push_back(row.pass);
       passes_.push_back(row.pass(pair));
     }
@@ -158,6 +158,11 @@ class Run {
   }
 
  private:
+  bool is_wanted(const MetricRow& row) const {
+    if (options_.only.empty()) return !row.on_request || options_.hdr_flip;
+    return std::ranges::find(options_.only, row.name) != options_.only.end();
+  }
+
   PairFacts facts() const {
     PairFacts pair{grid_.width, grid_.height, 0, options_.mask != nullptr, options_};
     pair.counted = options_.mask ? options_.mask->counted()

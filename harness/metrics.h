@@ -36,6 +36,7 @@ struct MetricOptions {
   std::shared_ptr<const PixelMask> mask{};
   /// As if both images had been cropped to this before.
   std::optional<PixelRegion> region{};
+  std::vector<std::string> only{};  ///< names of the table; empty: all that are not on request
   std::string mask_name{};  ///< for the parameters that are printed
 };
 

@@ -232,8 +232,13 @@ int run_compare(CompareOptions options) {
   if (const auto& part = options.region; !part.empty())
     options.metrics.region = PixelRegion{part[0], part[1], part[2], part[3]};
   if (!options.exposures.empty()) options.metrics.hdr_exposures = parse_exposures(options.exposures);
+  std::vector<std::string>& only = options.metrics.only;
+  for (const std::string& name : only) options.metrics.hdr_flip |= metric_named("--metrics", name).on_request;
   for (const auto* bounds : {&warn, &fail})
-    for (const MetricBound& bound : *bounds) options.metrics.hdr_flip |= bound.metric->on_request;
+    for (const MetricBound& bound : *bounds) {
+      options.metrics.hdr_flip |= bound.metric->on_request;
+      if (!only.empty()) only.emplace_back(bound.metric->name);
+    }
   Comparison comparison;
   try {
     compare_files(options, warn, fail, comparison);
@@ -266,6 +271,10 @@ void add_compare_verb(CLI::App& program, int& exit_code) {
       ->check(check_exposure)
       ->type_name("STOPS")
       ->capture_default_str();
+  verb->add_option("--metrics", options->metrics.only, "compute these and those with a bound, instead of all")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->type_name("NAME,...");
   verb->add_option("--region", options->region, "compare this part alone, as if both images had been cropped to it")
       ->expected(4)
       ->type_name("X Y WIDTH HEIGHT");

@@ -165,6 +165,25 @@ TEST_F(CompareVerb, region_or_mask_that_cannot_be_is_one_error) {
   EXPECT_EQ(run.err, small + ": error: mask is 2x2 pixels, what it should choose from 12x14\n");
 }
 
+TEST_F(CompareVerb, metrics_that_are_named_are_computed_alone_with_those_that_have_a_bound) {
+  const std::string ref = reference(), test = darker();
+  const auto names = [](const Run& run) {
+    std::vector<std::string> found;
+    const auto record = nlohmann::json::parse(run.out);
+    for (const auto& metric : record.at("metrics")) found.push_back(metric.at("name"));
+    return found;
+  };
+  EXPECT_EQ(names(compare({ref, test, "--json", "--metrics", "ssim,mse"})), (std::vector<std::string>{"mse", "ssim"}));
+  EXPECT_EQ(names(compare({ref, test, "--json", "--metrics", "mse", "--warn", "flip=0.1"})),
+            (std::vector<std::string>{"mse", "flip"}));
+  EXPECT_THROW(compare({ref, test, "--metrics", "mse,ssmi"}), InputError);
+  // Heat maps show the same whatever is printed.
+  compare({ref, test, "--heatmaps", (folder / "all").string()});
+  compare({ref, test, "--metrics", "mse", "--heatmaps", (folder / "few").string()});
+  for (const std::string name : {"darker-flip.png", "darker-error.png"})
+    EXPECT_EQ(read_file(folder / "all" / name), read_file(folder / "few" / name));
+}
+
 TEST_F(CompareVerb, hdr_flip_is_computed_for_a_bound_or_by_name) {
   const std::string ref = reference(), test = darker();
   EXPECT_EQ(compare({ref, test}).out.find("hdr_flip"), std::string::npos);
