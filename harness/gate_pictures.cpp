@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "harness/heatmap.h"
-#include "harness/metric_context.h"
 
 namespace photonproof {
 namespace {
@@ -28,10 +27,12 @@ void store_pictures(const Image& mean, const StoredReference& reference, double 
   write_exr((folder / record.image).string(), {mean, {}, {}});
   record.pictures["image"] = place + "/mean.png";
   write_png((folder / record.pictures["image"]).string(), mean, exposure);
-  const MetricContext context(reference.rendering.mean, mean, {.exposure = exposure});
-  const HeatmapFiles maps = write_heatmaps(context, folder / place, "map");
-  record.pictures["flip"] = place + "/" + maps.flip.filename().string();
-  record.pictures["error"] = place + "/" + maps.error.filename().string();
+  HeatmapWriter maps(mean.width, mean.height, folder / place, "map");
+  ImageSource reference_rows(reference.rendering.mean), mean_rows(mean);
+  measure_pair(reference_rows, mean_rows, {.exposure = exposure}, &maps);
+  const HeatmapFiles files = maps.finish();
+  record.pictures["flip"] = place + "/" + files.flip.filename().string();
+  record.pictures["error"] = place + "/" + files.error.filename().string();
 }
 
 ReferenceRecord store_reference(const StoredReference& reference, const std::string& scene, double exposure,
