@@ -162,7 +162,8 @@ class ChannelDeviations {
       factor += ratios.back();
       counted += 1;
     }
-    if (counted > 0) factor /= counted;
+    // Pixels of one image may share light, they do not avoid each other's: below 1 is chance.
+    factor = counted > 0 ? std::max(1.0, factor / counted) : 1;
     const double worth = freedom_of_expectation(ratios, freedom_);
     for (std::size_t b = 0; b < sums_.size(); ++b) {
       const BlockSums& sums = sums_[b];

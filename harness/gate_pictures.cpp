@@ -24,7 +24,9 @@ void store_pictures(const Image& mean, const StoredReference& reference, double 
   const std::string place = "gates/" + folder_name(record.name);
   fs::create_directories(folder / place);
   record.image = place + "/mean.exr";
-  write_exr((folder / record.image).string(), {mean, {}, {}});
+  Rendering rendering;
+  rendering.mean = mean;
+  write_exr((folder / record.image).string(), rendering);
   record.pictures["image"] = place + "/mean.png";
   write_png((folder / record.pictures["image"]).string(), mean, exposure);
   HeatmapWriter maps(mean.width, mean.height, folder / place, "map");

@@ -27,9 +27,15 @@ class FakeGateTest : public FakeSuiteTest {
       for (int y = 4; y < 8; ++y)
         for (int x = 3; x < 6; ++x)
           for (int c = 0; c < 3; ++c) dim.pixel(x, y)[c] *= 0.5f;
-      write_exr((folder_ / ("good-" + number)).string(), {good, {}, {}});
-      write_exr((folder_ / ("dim-" + number)).string(), {dim, {}, {}});
+      write_image("good-" + number, good);
+      write_image("dim-" + number, dim);
     }
+  }
+
+  void write_image(const std::string& name, const Image& image) const {
+    Rendering rendering;
+    rendering.mean = image;
+    write_exr((folder_ / name).string(), rendering);
   }
 
   static double expected(int x, int y, int c) { return (x < 7 ? 0.2 : 0.6) + 0.02 * y + 0.1 * c; }
