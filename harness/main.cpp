@@ -1,11 +1,13 @@
 // The program: parses the verb, runs it, turns exceptions into exit codes. Nothing else exits.
-// 0 done, 2 bad input or usage, 70 a defect of ours, 130 interrupted (partial results kept); verbs document their own.
+// 0 done, 2 bad input, usage or too little memory for it, 70 a defect of ours, 130 interrupted (partial results kept);
+// verbs document their own.
 
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
+#include <new>
 
 #include "harness/verbs.h"
 #include "renderer/version.h"
@@ -32,6 +34,9 @@ int main(int argc, char** argv) {
   } catch (const InputError& error) {
     const bool terminal = isatty(STDERR_FILENO) != 0;
     std::fprintf(stderr, "%s\n", terminal ? error.what() : error.summary().c_str());
+    return 2;
+  } catch (const std::bad_alloc&) {
+    std::fprintf(stderr, "photonproof: out of memory: make the image, the meshes or the number of photons smaller\n");
     return 2;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "photonproof: internal error: %s\n", error.what());

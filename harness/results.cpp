@@ -75,6 +75,16 @@ Status status_from_string(const std::string& name) {
   throw InputError(name, "not a status; expected ok, timeout, crash, bad_image or unsupported");
 }
 
+std::string to_string(GateVerdict verdict) {
+  constexpr const char* names[] = {"pass", "fail", "inconclusive"};
+  return names[static_cast<int>(verdict)];
+}
+
+std::string to_string(Change change) {
+  constexpr const char* names[] = {"regression", "improvement", "unchanged", "inconclusive"};
+  return names[static_cast<int>(change)];
+}
+
 std::string Budget::amount_text() const {
   // Whole numbers in full (1000000, not 1e+06): engines take them as integers. 2^53 is where doubles stop counting.
   if (amount == std::floor(amount) && std::abs(amount) < 0x1p53) return std::to_string(static_cast<long long>(amount));

@@ -43,6 +43,19 @@ struct MetricValue {
   std::string parameters;  ///< e.g. "exposure=0, sigma=1.5", empty when it has none
 };
 
+/// Ends of a 95 % confidence interval, unless its owner says otherwise.
+struct Interval {
+  double low = 0, high = 0;
+  friend bool operator==(const Interval&, const Interval&) = default;
+};
+
+/// A number and what is known of its uncertainty.
+struct Estimate {
+  double value = 0;
+  std::optional<Interval> interval;
+  friend bool operator==(const Estimate&, const Estimate&) = default;
+};
+
 struct Result {
   Cell cell;
   std::string
@@ -52,6 +65,7 @@ struct Result {
   std::optional<double> wall_seconds;           ///< of the child process
   std::optional<double> cpu_seconds;            ///< user + system, of the child and its children
   std::optional<std::uint64_t> peak_bytes;      ///< peak resident set
+  std::optional<std::uint64_t> instructions;    ///< retired in user mode, where the kernel counts them
   std::vector<MetricValue> metrics;             ///< against the scene's reference; empty for the reference itself
   std::string image;                            ///< EXR, relative to results.json; empty when there is none
   std::map<std::string, std::string> pictures;  ///< PNGs relative to results.json by role: "image", "flip", "error"
@@ -63,13 +77,23 @@ struct Result {
   std::vector<std::string> caveats;  ///< e.g. "host was busy (load 3.1)"
 };
 
+/// A stored reference that a scene was compared with, and where it came from.
+struct ReferenceRecord {
+  std::string file;                               ///< as opened
+  std::string image;                              ///< a copy, relative to results.json; empty when there is none
+  std::string picture;                            ///< PNG, relative to results.json; empty when there is none
+  std::map<std::string, std::string> provenance;  ///< "estimator", "samples", "standard_error", "scene_hash", ...
+  friend bool operator==(const ReferenceRecord&, const ReferenceRecord&) = default;
+};
+
 struct SceneRecord {
   std::string name;
   std::string path;     ///< as given in the suite
   std::string purpose;  ///< one sentence from expect.toml
   int width = 0, height = 0;
   double exposure = 0;          ///< stops; for every display-referred metric and picture
-  std::string reference_label;  ///< Cell::label of the Result that serves as the reference
+  std::string reference_label;  ///< Cell::label of the Result that serves as the reference; empty when one is stored
+  std::optional<ReferenceRecord> reference{};  ///< the stored one
 };
 
 struct EngineRecord {
@@ -85,6 +109,75 @@ struct Host {
   std::uint64_t memory_bytes = 0;
 };
 
+/// One budget of an engine on a scene, over its seeds.
+struct CurvePoint {
+  Budget budget;
+  int seeds = 0;                     ///< finished cells
+  Estimate seconds;                  ///< median wall time
+  std::optional<Estimate> relmse;    ///< mean; absent without a reference
+  std::optional<Estimate> bias2;     ///< relative, as relmse; needs two seeds. May be negative: it is unbiased itself
+  std::optional<Estimate> variance;  ///< relative, of one image; needs two seeds
+  friend bool operator==(const CurvePoint&, const CurvePoint&) = default;
+};
+
+/// Error against time of one engine on one scene (METRICS in README).
+struct Convergence {
+  std::string scene, engine;
+  std::vector<CurvePoint> points;             ///< of one kind of budget, ascending
+  std::optional<Estimate> slope;              ///< least squares of log relmse on log seconds
+  std::optional<Estimate> efficiency;         ///< 1/(relmse seconds) at the largest budget
+  std::optional<double> target_relmse;        ///< of the scene, when the suite states one
+  std::optional<Estimate> seconds_to_target;  ///< interpolated between measured budgets, never beyond them
+  std::vector<std::string> caveats;
+  friend bool operator==(const Convergence&, const Convergence&) = default;
+};
+
+enum class GateVerdict { pass, fail, inconclusive };
+std::string to_string(GateVerdict verdict);
+
+/// A part of an image where a gate failed, in pixels, row 0 on top.
+struct FailingTile {
+  int x = 0, y = 0, width = 0, height = 0;
+  double score = 0;      ///< how far beyond what noise explains, in standard errors; tiles rank by it
+  std::string sentence;  ///< "+6 % at the floor's contact, 41 px"
+  friend bool operator==(const FailingTile&, const FailingTile&) = default;
+};
+
+/// What one gate decided.
+struct GateRecord {
+  std::string name;  ///< unique within a run
+  std::string scene, engine, metric;
+  GateVerdict verdict = GateVerdict::inconclusive;
+  std::string sentence;  ///< where and how
+  std::optional<Estimate> observed;
+  std::optional<double> bound;
+  double alpha = 0;                             ///< false-alarm rate of this gate over all its looks
+  int looks = 0;                                ///< how often the samples were judged
+  std::uint64_t samples = 0;                    ///< a pixel, in all
+  double seconds = 0;                           ///< wall time of the engine's processes
+  std::vector<FailingTile> tiles;               ///< worst first
+  std::string image;                            ///< EXR of the engine's mean, relative to results.json; may be empty
+  std::map<std::string, std::string> pictures;  ///< as Result::pictures
+  std::vector<std::string> skipped;             ///< as Result::skipped
+  std::string command;                          ///< how to repeat it
+  friend bool operator==(const GateRecord&, const GateRecord&) = default;
+};
+
+/// This run against an older one: one quantity of one engine on one scene.
+enum class Change { regression, improvement, unchanged, inconclusive };
+std::string to_string(Change change);
+
+struct ChangeRecord {
+  std::string scene, engine;
+  Budget budget;
+  std::string quantity;             ///< "seconds" or "relmse"
+  Estimate ratio;                   ///< new / old
+  std::optional<Interval> control;  ///< the same ratio of an engine with itself (A/A)
+  Change change = Change::inconclusive;
+  std::string sentence;
+  friend bool operator==(const ChangeRecord&, const ChangeRecord&) = default;
+};
+
 struct Results {
   std::string suite;
   std::string created;  ///< UTC, ISO 8601
@@ -94,6 +187,11 @@ struct Results {
   std::vector<SceneRecord> scenes;
   std::vector<EngineRecord> engines;
   std::vector<Result> results;  ///< references included
+  // What the harness concluded from them; reports compute no statistics of their own.
+  std::vector<Convergence> convergence;
+  std::vector<GateRecord> gates;
+  std::vector<ChangeRecord> changes;
+  std::vector<std::string> caveats;  ///< of the session: "the control's interval excludes 1: this machine is noisy"
 
   const Result* find(const std::string& cell_label) const;
 };

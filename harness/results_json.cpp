@@ -4,15 +4,12 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "harness/results_json_parts.h"
+
 namespace photonproof {
 namespace {
 
 using nlohmann::json;
-
-double finite(double value, const std::string& what) {
-  if (!std::isfinite(value)) throw std::logic_error("a result's " + what + " is not finite");
-  return value;
-}
 
 json numbers_to_json(const std::map<std::string, double>& numbers, const std::string& what) {
   json object = json::object();
@@ -20,37 +17,37 @@ json numbers_to_json(const std::map<std::string, double>& numbers, const std::st
   return object;
 }
 
-template <class T>
-std::optional<T> optional_at(const json& object, const char* key) {
-  const auto found = object.find(key);
-  return found == object.end() ? std::nullopt : std::optional<T>(found->get<T>());
-}
-
 json cell_to_json(const Cell& cell) {
-  return {{"scene", cell.scene},
-          {"engine", cell.engine},
-          {"budget", {{"kind", cell.budget.kind}, {"amount", finite(cell.budget.amount, "budget")}}},
-          {"seed", cell.seed}};
+  return {{"scene", cell.scene}, {"engine", cell.engine}, {"budget", budget_to_json(cell.budget)}, {"seed", cell.seed}};
 }
 
 Cell cell_from_json(const json& j) {
-  const json& budget = j.at("budget");
-  return {j.at("scene"), j.at("engine"), {budget.at("kind"), budget.at("amount")}, j.at("seed")};
+  return {j.at("scene"), j.at("engine"), budget_from_json(j.at("budget")), j.at("seed")};
 }
 
 json scene_to_json(const SceneRecord& scene) {
-  return {{"name", scene.name},
-          {"path", scene.path},
-          {"purpose", scene.purpose},
-          {"width", scene.width},
-          {"height", scene.height},
-          {"exposure", finite(scene.exposure, "exposure")},
-          {"reference_label", scene.reference_label}};
+  json j = {{"name", scene.name},
+            {"path", scene.path},
+            {"purpose", scene.purpose},
+            {"width", scene.width},
+            {"height", scene.height},
+            {"exposure", finite(scene.exposure, "exposure")},
+            {"reference_label", scene.reference_label}};
+  if (const auto& reference = scene.reference)
+    j["reference"] = {{"file", reference->file},
+                      {"image", reference->image},
+                      {"picture", reference->picture},
+                      {"provenance", reference->provenance}};
+  return j;
 }
 
 SceneRecord scene_from_json(const json& j) {
-  return {j.at("name"),   j.at("path"),     j.at("purpose"),        j.at("width"),
-          j.at("height"), j.at("exposure"), j.at("reference_label")};
+  SceneRecord scene{j.at("name"),   j.at("path"),     j.at("purpose"),        j.at("width"),
+                    j.at("height"), j.at("exposure"), j.at("reference_label")};
+  if (const auto found = j.find("reference"); found != j.end())
+    scene.reference = ReferenceRecord{found->at("file"), found->at("image"), found->at("picture"),
+                                      found->at("provenance").get<std::map<std::string, std::string>>()};
+  return scene;
 }
 
 json engine_to_json(const EngineRecord& engine) {
@@ -72,6 +69,17 @@ Host host_from_json(const json& j) {
 }
 
 }  // namespace
+
+double finite(double value, const std::string& what) {
+  if (!std::isfinite(value)) throw std::logic_error("a result's " + what + " is not finite");
+  return value;
+}
+
+json budget_to_json(const Budget& budget) {
+  return {{"kind", budget.kind}, {"amount", finite(budget.amount, "budget")}};
+}
+
+Budget budget_from_json(const json& j) { return {j.at("kind"), j.at("amount")}; }
 
 json result_to_json(const Result& result) {
   json metrics = json::array();
@@ -95,6 +103,7 @@ json result_to_json(const Result& result) {
   if (result.wall_seconds) j["wall_seconds"] = finite(*result.wall_seconds, "wall time");
   if (result.cpu_seconds) j["cpu_seconds"] = finite(*result.cpu_seconds, "CPU time");
   if (result.peak_bytes) j["peak_bytes"] = *result.peak_bytes;
+  if (result.instructions) j["instructions"] = *result.instructions;
   return j;
 }
 
@@ -107,6 +116,7 @@ Result result_from_json(const json& j) {
   result.wall_seconds = optional_at<double>(j, "wall_seconds");
   result.cpu_seconds = optional_at<double>(j, "cpu_seconds");
   result.peak_bytes = optional_at<std::uint64_t>(j, "peak_bytes");
+  result.instructions = optional_at<std::uint64_t>(j, "instructions");
   for (const json& metric : j.at("metrics"))
     result.metrics.push_back({metric.at("name"), metric.at("value"), metric.at("parameters")});
   result.image = j.at("image");
@@ -125,15 +135,17 @@ json results_to_json(const Results& results) {
   for (const SceneRecord& scene : results.scenes) scenes.push_back(scene_to_json(scene));
   for (const EngineRecord& engine : results.engines) engines.push_back(engine_to_json(engine));
   for (const Result& result : results.results) rows.push_back(result_to_json(result));
-  return {{"schema_version", results_schema_version},
-          {"suite", results.suite},
-          {"created", results.created},
-          {"command", results.command},
-          {"host", host_to_json(results.host)},
-          {"versions", results.versions},
-          {"scenes", std::move(scenes)},
-          {"engines", std::move(engines)},
-          {"results", std::move(rows)}};
+  json document = {{"schema_version", results_schema_version},
+                   {"suite", results.suite},
+                   {"created", results.created},
+                   {"command", results.command},
+                   {"host", host_to_json(results.host)},
+                   {"versions", results.versions},
+                   {"scenes", std::move(scenes)},
+                   {"engines", std::move(engines)},
+                   {"results", std::move(rows)}};
+  conclusions_to_json(results, document);
+  return document;
 }
 
 Results results_from_json(const json& j) {
@@ -148,6 +160,7 @@ Results results_from_json(const json& j) {
     results.engines.push_back(
         {engine.at("name"), engine.at("title"), engine.at("version"), engine.value("trust", std::string())});
   for (const json& result : j.at("results")) results.results.push_back(result_from_json(result));
+  conclusions_from_json(j, results);
   return results;
 }
 

@@ -87,6 +87,60 @@ Results example() {
   return results;
 }
 
+Results example_with_conclusions() {
+  Results results = example();
+  results.results[0].instructions = 123456789012345;
+  results.scenes[0].reference = ReferenceRecord{"box.exr", "reference.exr", "reference.png", {{"samples", "4096"}}};
+
+  CurvePoint point;
+  point.budget = {"spp", 4};
+  point.seeds = 3;
+  point.seconds = {0.25, Interval{0.1, 0.5}};
+  point.relmse = Estimate{0.01, {}};
+  point.bias2 = Estimate{-1e-5, {}};
+  Convergence curve;
+  curve.scene = "cornell";
+  curve.engine = "path";
+  curve.points.push_back(point);
+  curve.slope = Estimate{-1.02, Interval{-1.1, -0.9}};
+  curve.target_relmse = 1e-3;
+  curve.caveats.emplace_back("few seeds");
+  results.convergence.push_back(curve);
+
+  GateRecord gate;
+  gate.name = "box agrees";
+  gate.scene = "cornell";
+  gate.engine = "path";
+  gate.metric = "agreement";
+  gate.verdict = GateVerdict::fail;
+  gate.sentence = "a hole at (3, 4)";
+  gate.observed = Estimate{0.2, Interval{0.1, 0.3}};
+  gate.bound = 0.02;
+  gate.alpha = 1e-3;
+  gate.looks = 2;
+  gate.samples = 128;
+  gate.seconds = 1.5;
+  gate.tiles.push_back({0, 8, 16, 16, 6.5, "-20 %, 12 px"});
+  gate.image = "mean.exr";
+  gate.pictures["image"] = "mean.png";
+  gate.skipped.emplace_back("caustic map: none");
+  gate.command = "photonproof gate x";
+  results.gates.push_back(gate);
+
+  ChangeRecord change;
+  change.scene = "cornell";
+  change.engine = "path";
+  change.budget = {"spp", 4};
+  change.quantity = "seconds";
+  change.ratio = {1.03, Interval{1.01, 1.05}};
+  change.control = Interval{0.99, 1.01};
+  change.change = Change::regression;
+  change.sentence = "3 % slower";
+  results.changes.push_back(change);
+  results.caveats.emplace_back("noisy");
+  return results;
+}
+
 void expect_same(const Result& a, const Result& b) {
   EXPECT_EQ(a.cell.label(), b.cell.label());
   EXPECT_EQ(a.key, b.key);
@@ -109,6 +163,18 @@ void expect_same(const Result& a, const Result& b) {
   EXPECT_EQ(a.engine_version, b.engine_version);
   EXPECT_EQ(a.command, b.command);
   EXPECT_EQ(a.caveats, b.caveats);
+}
+
+TEST_F(ResultsFile, round_trip_keeps_every_conclusion) {
+  const Results written = example_with_conclusions();
+  write_results(path_, written);
+  const Results read = read_results(path_);
+  EXPECT_EQ(read.results[0].instructions, written.results[0].instructions);
+  EXPECT_EQ(read.scenes[0].reference, written.scenes[0].reference);
+  EXPECT_EQ(read.convergence, written.convergence);
+  EXPECT_EQ(read.gates, written.gates);
+  EXPECT_EQ(read.changes, written.changes);
+  EXPECT_EQ(read.caveats, written.caveats);
 }
 
 TEST_F(ResultsFile, round_trip_keeps_every_field) {

@@ -1,5 +1,8 @@
 #include "renderer/checkpoint.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <bit>
 #include <cstring>
@@ -47,6 +50,16 @@ std::uint64_t verify(const std::filesystem::path& file, std::ifstream& in) {
   return state_bytes;
 }
 
+/// Whether a file's bytes are on the disk: kill -9 does not ask for it, but after a power failure the new name must not
+/// stand for bytes that were never written. It takes time, the writing thread's alone.
+bool reaches_disk(const std::filesystem::path& file) {
+  const int descriptor = open(file.c_str(), O_WRONLY | O_CLOEXEC);
+  if (descriptor < 0) return false;
+  const bool done = fsync(descriptor) == 0;
+  close(descriptor);
+  return done;
+}
+
 void check_identity(StateReader& in, const RenderIdentity& identity) {
   const auto count = in.value<std::uint64_t>();
   for (const auto& [name, value] : identity) {
@@ -60,14 +73,17 @@ void check_identity(StateReader& in, const RenderIdentity& identity) {
 
 }  // namespace
 
-void CheckpointPolicy::check_file() const {
+bool CheckpointPolicy::finds_what_it_resumes() {
   std::error_code ignored;
   const bool exists = std::filesystem::exists(file, ignored);
-  if (resume && !exists)
-    throw InputError(file.string(), "there is no such checkpoint: the render was never begun, or is complete");
+  if (resume && !exists) {
+    resume = false;
+    return false;
+  }
   if (!resume && exists && interval_seconds > 0)
     throw InputError(file.string(),
                      "an unfinished render left this checkpoint: go on from it with --resume, or delete it");
+  return true;
 }
 
 void Checksum::add_block(const char* bytes) {
@@ -161,7 +177,8 @@ void write_checkpoint(const std::filesystem::path& file, const std::string& cont
     out.write(content.data(), static_cast<std::streamsize>(content.size()));
     out.write(reinterpret_cast<const char*>(&sum), sizeof sum);
     out.close();
-    if (!out) throw InputError(file.string(), "cannot be written (permission or disk full)");
+    if (!out || !reaches_disk(temporary))
+      throw InputError(file.string(), "cannot be written (permission or disk full)");
   });
 }
 

@@ -24,9 +24,10 @@ struct CheckpointPolicy {
   bool resume = false;           ///< go on from `file`
   RenderIdentity identity;
 
-  /// Before the work begins. Throws InputError when there is nothing to resume, or when a render that starts anew
-  /// would replace a checkpoint, which may be hours of somebody's work.
-  void check_file() const;
+  /// Before the work begins. Where there is nothing to go on from, `resume` is switched off and the answer is no: a
+  /// script may ask for it always. Throws InputError when a render that starts anew would replace a checkpoint, which
+  /// may be hours of somebody's work.
+  bool finds_what_it_resumes();
 };
 
 /// A 64-bit hash of bytes that come in pieces. It finds damage; it does not withstand intent.

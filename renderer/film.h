@@ -44,6 +44,8 @@ class Film {
   Rendering develop() const;
   /// Pixels no estimate reached (an interrupted first pass).
   std::size_t unsampled_pixels() const;
+  /// Of memory, for each pixel.
+  static constexpr std::size_t bytes_a_pixel() { return sizeof(Pixel); }
 
   const Tile& window() const { return window_; }
   int width() const { return window_.width(); }

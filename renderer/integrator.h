@@ -30,6 +30,7 @@ struct RenderJob {
   int threads = 0;       ///< 0: every core
   int grid = 0;          ///< k > 0: samples on the centres of a k x k grid in the pixel, as POV-Ray's are; 0: random
   int sample_count = 4;  ///< of the scene file
+  std::string integrator_place = "the scene";  ///< where it asks for the integrator, for messages
   SamplerKind sampler = SamplerKind::sobol;
   SkipSwitches skips;  ///< the ones the scene was compiled with
   std::string isa;     ///< instruction set of the kernels; empty: the best there is

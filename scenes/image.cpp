@@ -11,6 +11,7 @@
 
 #include "scenes/atomic_file.h"
 #include "scenes/input_error.h"
+#include "scenes/png_check.h"
 
 namespace photonproof {
 namespace {
@@ -130,6 +131,7 @@ class OpenImage {
     std::error_code ignored;
     if (!std::filesystem::exists(path, ignored)) throw InputError(path, "no such file");
     if (!std::filesystem::is_regular_file(path, ignored)) throw InputError(path, "not a regular file");
+    check_png(path);
     OIIO::ImageSpec wanted;
     wanted.attribute("oiio:UnassociatedAlpha", 1);  // alpha is ignored, so it must not have scaled the colour either
     in_ = OIIO::ImageInput::open(path, &wanted);

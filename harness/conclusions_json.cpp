@@ -1,0 +1,196 @@
+// The conclusions in results.json: convergence, gates, changes against an older run.
+
+#include <array>
+
+#include "harness/results_json_parts.h"
+
+namespace photonproof {
+namespace {
+
+using nlohmann::json;
+
+json interval_to_json(const Interval& interval) {
+  return json::array({finite(interval.low, "interval"), finite(interval.high, "interval")});
+}
+
+Interval interval_from_json(const json& j) { return {j.at(0), j.at(1)}; }
+
+json estimate_to_json(const Estimate& estimate) {
+  json j = {{"value", finite(estimate.value, "estimate")}};
+  if (estimate.interval) j["interval"] = interval_to_json(*estimate.interval);
+  return j;
+}
+
+Estimate estimate_from_json(const json& j) {
+  Estimate estimate{j.at("value"), {}};
+  if (const auto found = j.find("interval"); found != j.end()) estimate.interval = interval_from_json(*found);
+  return estimate;
+}
+
+void set_estimate(json& j, const char* key, const std::optional<Estimate>& estimate) {
+  if (estimate) j[key] = estimate_to_json(*estimate);
+}
+
+std::optional<Estimate> optional_estimate(const json& j, const char* key) {
+  const auto found = j.find(key);
+  return found == j.end() ? std::nullopt : std::optional(estimate_from_json(*found));
+}
+
+json point_to_json(const CurvePoint& point) {
+  json j = {
+      {"budget", budget_to_json(point.budget)}, {"seeds", point.seeds}, {"seconds", estimate_to_json(point.seconds)}};
+  set_estimate(j, "relmse", point.relmse);
+  set_estimate(j, "bias2", point.bias2);
+  set_estimate(j, "variance", point.variance);
+  return j;
+}
+
+CurvePoint point_from_json(const json& j) {
+  return {budget_from_json(j.at("budget")),    j.at("seeds"),
+          estimate_from_json(j.at("seconds")), optional_estimate(j, "relmse"),
+          optional_estimate(j, "bias2"),       optional_estimate(j, "variance")};
+}
+
+json convergence_to_json(const Convergence& curve) {
+  json j = {{"scene", curve.scene}, {"engine", curve.engine}, {"caveats", curve.caveats}, {"points", json::array()}};
+  for (const CurvePoint& point : curve.points) j["points"].push_back(point_to_json(point));
+  set_estimate(j, "slope", curve.slope);
+  set_estimate(j, "efficiency", curve.efficiency);
+  if (curve.target_relmse) j["target_relmse"] = finite(*curve.target_relmse, "target");
+  set_estimate(j, "seconds_to_target", curve.seconds_to_target);
+  return j;
+}
+
+Convergence convergence_from_json(const json& j) {
+  Convergence curve;
+  curve.scene = j.at("scene");
+  curve.engine = j.at("engine");
+  for (const json& point : j.at("points")) curve.points.push_back(point_from_json(point));
+  curve.slope = optional_estimate(j, "slope");
+  curve.efficiency = optional_estimate(j, "efficiency");
+  curve.target_relmse = optional_at<double>(j, "target_relmse");
+  curve.seconds_to_target = optional_estimate(j, "seconds_to_target");
+  curve.caveats = j.at("caveats").get<std::vector<std::string>>();
+  return curve;
+}
+
+json gate_to_json(const GateRecord& gate) {
+  json tiles = json::array();
+  for (const FailingTile& tile : gate.tiles)
+    tiles.push_back({{"x", tile.x},
+                     {"y", tile.y},
+                     {"width", tile.width},
+                     {"height", tile.height},
+                     {"score", finite(tile.score, "tile score")},
+                     {"sentence", tile.sentence}});
+  json j = {{"name", gate.name},
+            {"scene", gate.scene},
+            {"engine", gate.engine},
+            {"metric", gate.metric},
+            {"verdict", to_string(gate.verdict)},
+            {"sentence", gate.sentence},
+            {"alpha", finite(gate.alpha, "alpha")},
+            {"looks", gate.looks},
+            {"samples", gate.samples},
+            {"seconds", finite(gate.seconds, "gate time")},
+            {"tiles", std::move(tiles)},
+            {"image", gate.image},
+            {"pictures", gate.pictures},
+            {"skipped", gate.skipped},
+            {"command", gate.command}};
+  set_estimate(j, "observed", gate.observed);
+  if (gate.bound) j["bound"] = finite(*gate.bound, "bound");
+  return j;
+}
+
+// The schema has checked that the name is one of them.
+template <class Enum, std::size_t N>
+Enum from_name(const std::array<Enum, N>& values, const std::string& name) {
+  for (const Enum value : values)
+    if (to_string(value) == name) return value;
+  return values.back();
+}
+
+GateRecord gate_from_json(const json& j) {
+  using enum GateVerdict;
+  GateRecord gate;
+  gate.name = j.at("name");
+  gate.scene = j.at("scene");
+  gate.engine = j.at("engine");
+  gate.metric = j.at("metric");
+  gate.verdict = from_name(std::array{pass, fail, inconclusive}, j.at("verdict"));
+  gate.sentence = j.at("sentence");
+  gate.observed = optional_estimate(j, "observed");
+  gate.bound = optional_at<double>(j, "bound");
+  gate.alpha = j.at("alpha");
+  gate.looks = j.at("looks");
+  gate.samples = j.at("samples");
+  gate.seconds = j.at("seconds");
+  for (const json& tile : j.at("tiles"))
+    gate.tiles.push_back(
+        {tile.at("x"), tile.at("y"), tile.at("width"), tile.at("height"), tile.at("score"), tile.at("sentence")});
+  gate.image = j.at("image");
+  gate.pictures = j.at("pictures").get<std::map<std::string, std::string>>();
+  gate.skipped = j.at("skipped").get<std::vector<std::string>>();
+  gate.command = j.at("command");
+  return gate;
+}
+
+json change_to_json(const ChangeRecord& record) {
+  json j = {{"scene", record.scene},
+            {"engine", record.engine},
+            {"budget", budget_to_json(record.budget)},
+            {"quantity", record.quantity},
+            {"ratio", estimate_to_json(record.ratio)},
+            {"change", to_string(record.change)},
+            {"sentence", record.sentence}};
+  if (record.control) j["control"] = interval_to_json(*record.control);
+  return j;
+}
+
+ChangeRecord change_from_json(const json& j) {
+  using enum Change;
+  ChangeRecord record;
+  record.scene = j.at("scene");
+  record.engine = j.at("engine");
+  record.budget = budget_from_json(j.at("budget"));
+  record.quantity = j.at("quantity");
+  record.ratio = estimate_from_json(j.at("ratio"));
+  if (const auto found = j.find("control"); found != j.end()) record.control = interval_from_json(*found);
+  record.change = from_name(std::array{regression, improvement, unchanged, inconclusive}, j.at("change"));
+  record.sentence = j.at("sentence");
+  return record;
+}
+
+template <class T>
+void list_to_json(json& document, const char* key, const std::vector<T>& records, json (*to_json)(const T&)) {
+  if (records.empty()) return;
+  json list = json::array();
+  for (const T& record : records) list.push_back(to_json(record));
+  document[key] = std::move(list);
+}
+
+template <class T>
+void list_from_json(const json& document, const char* key, std::vector<T>& records, T (*from_json)(const json&)) {
+  const auto found = document.find(key);
+  if (found == document.end()) return;
+  for (const json& record : *found) records.push_back(from_json(record));
+}
+
+}  // namespace
+
+void conclusions_to_json(const Results& results, json& document) {
+  list_to_json(document, "convergence", results.convergence, convergence_to_json);
+  list_to_json(document, "gates", results.gates, gate_to_json);
+  list_to_json(document, "changes", results.changes, change_to_json);
+  if (!results.caveats.empty()) document["caveats"] = results.caveats;
+}
+
+void conclusions_from_json(const json& document, Results& results) {
+  list_from_json(document, "convergence", results.convergence, convergence_from_json);
+  list_from_json(document, "gates", results.gates, gate_from_json);
+  list_from_json(document, "changes", results.changes, change_from_json);
+  results.caveats = document.value("caveats", std::vector<std::string>{});
+}
+
+}  // namespace photonproof
