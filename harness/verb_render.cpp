@@ -13,7 +13,6 @@
 #include "harness/available_memory.h"
 #include "harness/engine_output.h"
 #include "harness/interrupt.h"
-#include "harness/render_identity.h"
 #include "harness/scene_options.h"
 #include "harness/verbs.h"
 #include "renderer/check_supported.h"
@@ -23,6 +22,7 @@
 #include "renderer/timer.h"
 #include "renderer/version.h"
 #include "scenes/atomic_file.h"
+#include "scenes/scene_hash.h"
 
 namespace photonproof {
 namespace {
