@@ -128,9 +128,14 @@ BenchPlan plan_bench(const Suite& suite, const fs::path& program, const Host& ho
                                {"memory_mb", std::to_string(suite.limits.memory_mb)},
                                {"threads", std::to_string(threads_of(suite, host))},
                                {"host", host.cpu + "/" + std::to_string(host.cores)}});
+    // The same work, to be measured a second time.
+    const bool is_control = !suite.control.empty() && cell.engine == control_name(suite.control);
+    if (is_control) planned.key = content_key({{"control", planned.key}});
     planned.unsupported = versions[cell.engine].problem;
-    if (const auto& expect = expectations[cell.scene]; expect && expect->unsupported.count(cell.engine) != 0)
-      planned.unsupported = expect->unsupported.at(cell.engine);
+    if (const auto& expect = expectations[cell.scene]; expect)
+      if (const auto why = expect->unsupported.find(is_control ? suite.control : cell.engine);
+          why != expect->unsupported.end())
+        planned.unsupported = why->second;
     if (!planned.unsupported) planned.found = store.latest(planned.key);
   }
   return plan;

@@ -1,11 +1,13 @@
 // The program: parses the verb, runs it, turns exceptions into exit codes. Nothing else exits.
-// 0 done, 2 bad input or usage, 70 a defect of ours, 130 interrupted (partial results kept); verbs document their own.
+// 0 done, 2 bad input, usage or too little memory for it, 70 a defect of ours, 130 interrupted (partial results kept);
+// verbs document their own.
 
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
+#include <new>
 
 #include "harness/verbs.h"
 #include "renderer/version.h"
@@ -23,6 +25,7 @@ int main(int argc, char** argv) {
   add_povray_verb(program, exit_code);
   add_compare_verb(program, exit_code);
   add_bench_verb(program, exit_code);
+  add_reference_verb(program, exit_code);
   add_report_verb(program, exit_code);
 
   try {
@@ -32,6 +35,9 @@ int main(int argc, char** argv) {
   } catch (const InputError& error) {
     const bool terminal = isatty(STDERR_FILENO) != 0;
     std::fprintf(stderr, "%s\n", terminal ? error.what() : error.summary().c_str());
+    return 2;
+  } catch (const std::bad_alloc&) {
+    std::fprintf(stderr, "photonproof: out of memory: make the image, the meshes or the number of photons smaller\n");
     return 2;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "photonproof: internal error: %s\n", error.what());

@@ -97,6 +97,10 @@ SuiteScene scene_from_toml(const TomlTable& table, const Suite& suite) {
   scene.height = bounded_integer(table, "height", 1, max_side);
   if (table.has("exposure")) scene.exposure = table.number("exposure");
   scene.reference = reference_from_toml(table, scene.name, suite.engines);
+  if (table.has("target_relmse")) {
+    scene.target_relmse = table.number("target_relmse");
+    if (*scene.target_relmse <= 0) throw table.error("target_relmse", "'target_relmse' must be positive");
+  }
   table.expect_no_other_keys();
   return scene;
 }
@@ -135,7 +139,35 @@ void add_run(const TomlTable& run, Suite& suite, std::set<std::string>& labels) 
       }
 }
 
+void add_control(const TomlTable& document, Suite& suite) {
+  if (!document.has("bench")) return;
+  const TomlTable table = document.table("bench");
+  if (table.has("control")) {
+    suite.control = table.string("control");
+    const Engine* engine = find_named(suite.engines, suite.control);
+    if (engine == nullptr)
+      throw table.error("control", "unknown engine '" + suite.control + "'; known: " + names_of(suite.engines));
+    Engine twin = *engine;
+    twin.name = control_name(suite.control);
+    twin.title += ", a second time";
+    if (find_named(suite.engines, twin.name) != nullptr)
+      throw table.error("control", "there is an engine '" + twin.name + "' already");
+    suite.engines.push_back(std::move(twin));
+    std::vector<Cell> twins;
+    for (Cell cell : suite.cells) {
+      if (cell.engine != suite.control) continue;
+      cell.engine = control_name(suite.control);
+      twins.push_back(std::move(cell));
+    }
+    if (twins.empty()) throw table.error("control", "engine '" + suite.control + "' has no [[run]]");
+    suite.cells.insert(suite.cells.end(), twins.begin(), twins.end());
+  }
+  table.expect_no_other_keys();
+}
+
 }  // namespace
+
+std::string control_name(const std::string& engine) { return engine + "-control"; }
 
 const Engine& Suite::engine(const std::string& engine_name) const { return *find_named(engines, engine_name); }
 
@@ -167,6 +199,7 @@ Suite read_suite(const fs::path& file) {
   for (const TomlTable& table : document.tables("scene")) suite.scenes.push_back(scene_from_toml(table, suite));
   std::set<std::string> labels;
   for (const TomlTable& run : document.tables("run")) add_run(run, suite, labels);
+  add_control(document, suite);
   document.expect_no_other_keys();
   if (suite.scenes.empty()) throw document.error("the suite has no [[scene]]");
   return suite;

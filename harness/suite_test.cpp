@@ -90,7 +90,7 @@ TEST_F(SuiteFile, mistakes_are_named_with_their_place) {
             "s.toml:1:8: error: 'name' may hold letters, digits, '_', '.' and '-' and not start with '.'");
   EXPECT_EQ(with("[[run]]", "sets = 1\n[[run]]"),
             "s.toml:16:1: error: unknown key 'sets'; known here: exposure, height, "
-            "name, path, reference, width");
+            "name, path, reference, target_relmse, width");
   EXPECT_EQ(with("[[scene]]", "[limits]\nsecs = 1\n[[scene]]"),
             "s.toml:4:1: error: unknown key 'secs'; known here: memory_mb, seconds, threads");
   EXPECT_EQ(with("[[scene]]", "[limits]\nseconds = 0\n[[scene]]"), "s.toml:4:11: error: 'seconds' must be positive");
@@ -114,7 +114,7 @@ TEST_F(SuiteFile, mistakes_are_named_with_their_place) {
             "itself");
   EXPECT_EQ(error(head), "s.toml:1:1: error: the suite has no [[scene]]");
   EXPECT_EQ(with("[[run]]", "[[rnu]]"),
-            "s.toml:16:3: error: unknown key 'rnu'; known here: engine, limits, name, run, scene, title");
+            "s.toml:16:3: error: unknown key 'rnu'; known here: bench, engine, limits, name, run, scene, title");
 }
 
 TEST_F(SuiteFile, missing_suite_is_named) {

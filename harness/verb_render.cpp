@@ -10,9 +10,9 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "harness/available_memory.h"
 #include "harness/engine_output.h"
 #include "harness/interrupt.h"
-#include "harness/render_identity.h"
 #include "harness/scene_options.h"
 #include "harness/verbs.h"
 #include "renderer/check_supported.h"
@@ -22,6 +22,7 @@
 #include "renderer/timer.h"
 #include "renderer/version.h"
 #include "scenes/atomic_file.h"
+#include "scenes/scene_hash.h"
 
 namespace photonproof {
 namespace {
@@ -32,7 +33,7 @@ struct RenderArguments {
   std::string stats_path;
   std::string integrator;
   std::optional<std::int64_t> spp, photons;
-  std::optional<double> seconds;
+  std::optional<double> seconds, target_error;
   std::uint64_t seed = 0;
   int threads = 0;
   int grid = 0;
@@ -64,6 +65,23 @@ Tile film_window(const FilmDescription& film, const std::vector<int>& asked) {
                                    " is no part of the image of " + std::to_string(film.width) + "x" +
                                    std::to_string(film.height) + " pixels");
   return {crop.x, crop.y, crop.x + crop.width, crop.y + crop.height};
+}
+
+/// Throws InputError when the image alone would take more memory than there is, before it is filled for hours.
+void check_memory(const SceneDescription& description, const Tile& window, double checkpoint_seconds) {
+  const std::optional<std::uint64_t> available = available_memory();
+  // A checkpoint is a copy of the film. At the end, mean and variance stand beside it, and once more as the file's
+  // rows.
+  constexpr std::size_t written = 2 * 6 * sizeof(float);
+  const std::size_t copies = checkpoint_seconds > 0 ? std::max(Film::bytes_a_pixel(), written) : written;
+  const std::uint64_t bytes = std::uint64_t{Film::bytes_a_pixel() + copies} *
+                              static_cast<std::uint64_t>(window.width()) * static_cast<std::uint64_t>(window.height());
+  if (!available || bytes <= *available) return;
+  const auto megabytes = [](std::uint64_t n) { return std::to_string(n >> 20) + " MB"; };
+  throw InputError(description.where(description.sensor.loc),
+                   "an image of " + std::to_string(window.width()) + "x" + std::to_string(window.height()) +
+                       " pixels takes " + megabytes(bytes) + " of memory, of which " + megabytes(*available) +
+                       " are free: render it smaller or, by --crop, in parts");
 }
 
 std::string joined(const std::vector<std::string>& words) {
@@ -136,7 +154,7 @@ IntegratorDescription method_of(const RenderArguments& arguments, const SceneDes
 
 RenderJob render_job(const RenderArguments& arguments, const SceneDescription& description) {
   RenderJob job;
-  job.budget = {arguments.spp, arguments.photons, arguments.seconds};
+  job.budget = {arguments.spp, arguments.photons, arguments.seconds, arguments.target_error};
   job.seed = arguments.seed;
   job.threads = arguments.threads;
   job.grid = arguments.grid;
@@ -144,6 +162,7 @@ RenderJob render_job(const RenderArguments& arguments, const SceneDescription& d
   job.isa = arguments.isa;
   job.skips = SkipSwitches(arguments.no_skip);
   job.sample_count = description.sensor.sample_count;
+  job.integrator_place = description.where(description.integrator.loc);
   job.interrupt = &interrupt_flag();
   job.progress = progress_line(arguments.quiet);
   return job;
@@ -186,7 +205,9 @@ int run_render(const RenderArguments& arguments) {
   if (arguments.output.empty()) throw InputError("--output", "is required, as the EXR to write");
   const std::string stats_path = checked_stats_path(arguments.stats_path, arguments.output, arguments.scene.path);
   CheckpointPolicy checkpoint{checkpoint_path(arguments.output), arguments.checkpoint_seconds, arguments.resume, {}};
-  checkpoint.check_file();
+  if (!checkpoint.finds_what_it_resumes())
+    std::fprintf(stderr, "%s: no such checkpoint, the render starts from the beginning\n",
+                 checkpoint.file.string().c_str());
   for (const std::filesystem::path& file :
        {checkpoint.file, std::filesystem::path(arguments.output), std::filesystem::path(stats_path)})
     remove_abandoned_temporaries(file);
@@ -204,6 +225,7 @@ int run_render(const RenderArguments& arguments) {
   const Timer compile_timer;
   const FilmDescription& film_size = description.sensor.film;
   const Tile window = film_window(film_size, arguments.crop);
+  check_memory(description, window, arguments.checkpoint_seconds);
   const Scene scene(description, film_size.width, film_size.height, job.skips, find_integrator(name)->small_limit());
   stats.phases["compile"] = compile_timer.seconds();
 
@@ -268,6 +290,14 @@ void add_render_verb(CLI::App& program, int& exit_code) {
       ->check(CLI::Range(1e-3, 1e7))
       ->check(is_finite_number)
       ->excludes("--spp");
+  verb->add_option(
+          "--target-error", arguments->target_error,
+          "render until the image's relative standard error, as its samples tell it, is at most this: 0.05 for "
+          "a relmse of 0.0025")
+      ->check(CLI::Range(1e-6, 10.0))
+      ->check(is_finite_number)
+      ->excludes("--spp")
+      ->excludes("--seconds");
   verb->add_option("--seed", arguments->seed, "of the random numbers: same seed, same bits")->check(is_seed);
   verb->add_option("--threads", arguments->threads, "worker threads (default: every core)")->check(CLI::Range(0, 1024));
   verb->add_option("--grid", arguments->grid, "samples on the centres of a KxK grid in each pixel")
@@ -291,7 +321,8 @@ void add_render_verb(CLI::App& program, int& exit_code) {
       ->check(CLI::Range(0.0, 1e7))
       ->check(is_finite_number)
       ->capture_default_str();
-  verb->add_flag("--resume", arguments->resume, "go on from OUTPUT.checkpoint; same bits as a render never stopped");
+  verb->add_flag("--resume", arguments->resume,
+                 "go on from OUTPUT.checkpoint, to the same bits as a render never stopped; without one, begin anew");
   verb->add_flag("--plan", arguments->plan, "print what would run and what would be skipped, and why; render nothing");
   verb->add_flag("--json", arguments->json, "print the stats as JSON");
   verb->add_flag("--quiet", arguments->quiet, "no progress line");

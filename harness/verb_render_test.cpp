@@ -132,9 +132,11 @@ TEST_F(RenderVerb, interrupted_writes_what_there_is_and_can_be_resumed) {
   EXPECT_NE(resumed.standard_output.find("\"resumed_from_samples\""), std::string::npos);
   EXPECT_EQ(get("a.exr"), get("whole.exr"));
 
-  EXPECT_EQ(
-      with({"--resume"}).standard_error,
-      path("a.exr.checkpoint") + ": error: there is no such checkpoint: the render was never begun, or is complete\n");
+  const ProcessOutcome again = with({"--resume", "--quiet"});  // complete: there is none, so it begins anew
+  EXPECT_TRUE(again.ok());
+  EXPECT_EQ(again.standard_error,
+            path("a.exr.checkpoint") + ": no such checkpoint, the render starts from the beginning\n");
+  EXPECT_EQ(get("a.exr"), get("whole.exr"));
 }
 
 TEST_F(RenderVerb, damaged_checkpoint_is_refused_and_left_alone) {
@@ -175,6 +177,30 @@ TEST_F(RenderVerb, whole_numbers_may_be_written_with_an_exponent) {
               std::string::npos)
         << outcome.standard_error;
   }
+}
+
+TEST_F(RenderVerb, what_does_not_fit_in_memory_is_one_error_that_says_what_to_change) {
+  const auto limited = [&](const char* kilobytes, const std::vector<std::string>& options) {
+    std::vector<std::string> words{"/bin/sh", "-c", "ulimit -v $0; exec \"$@\"", kilobytes};
+    for (const std::string& word : argv("a.exr", options)) words.push_back(word);
+    return run_process(words, {.wall_limit_seconds = 120});
+  };
+  // A film's pixel is 64 bytes, once more in a checkpoint: 128 x 2^28 bytes are 32768 MB.
+  const ProcessOutcome film = limited("8000000", {"--size", "16384x16384", "--spp", "1"});
+  EXPECT_EQ(film.exit_code, 2);
+  EXPECT_NE(film.standard_error.find(": error: an image of 16384x16384 pixels takes 32768 MB of memory, of which "),
+            std::string::npos)
+      << film.standard_error;
+  // 2^24 cells have 2^25 triangles: 12 bytes of indices each and 2^24 vertices of 12 bytes are over half a gigabyte.
+  put("field.xml",
+      "<scene version='3.0.0'><integrator type='path'/><sensor type='perspective'/><emitter type='constant'/><shape "
+      "type='heightfield'><integer "
+      "name='columns' value='4096'/><integer name='rows' value='4096'/></shape></scene>");
+  scene_ = path("field.xml");
+  const ProcessOutcome field = limited("900000", {"--size", "8x8", "--threads", "1"});
+  EXPECT_EQ(field.exit_code, 2);
+  EXPECT_EQ(field.standard_error,
+            "photonproof: out of memory: make the image, the meshes or the number of photons smaller\n");
 }
 
 TEST_F(RenderVerb, options_that_make_no_sense_are_refused) {

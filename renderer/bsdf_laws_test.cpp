@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "renderer/test_bsdfs.h"
@@ -43,12 +44,40 @@ Mean albedo(const Bsdf& bsdf, const Vec3f& wo, int samples) {
   return {mean, std::sqrt(std::max(0.0, squares / samples - mean * mean) / samples)};
 }
 
+/// The same over 16 lattices that differ in their random shift, whose spread is the error: of smooth
+/// materials a tenth of the above at the same cost. Steps are powers of the root of x^4 = x + 1, which fill the cube
+/// evenly.
+Mean albedo_on_lattices(const Bsdf& bsdf, const Vec3f& wo, int points) {
+  constexpr int lattices = 16;
+  const std::array<double, 3> steps{0.8191725133961645, 0.6710436067037893, 0.5497004779019703};
+  double sum = 0, squares = 0;
+  for (std::uint64_t k = 0; k < lattices; ++k) {
+    test::Random random(35, k);
+    const std::array<double, 3> shift{random.next(), random.next(), random.next()};
+    double mean = 0;
+    for (int i = 0; i < points; ++i) {
+      const auto coordinate = [&](std::size_t axis) {
+        const double x = shift[axis] + i * steps[axis];
+        return std::min(static_cast<float>(x - std::floor(x)), 1 - 0x1p-24f);
+      };
+      const auto drawn =
+          test::sample(bsdf, wo, coordinate(0), {coordinate(1), coordinate(2)}, TransportMode::importance);
+      mean += drawn ? static_cast<double>(max_component(drawn->weight)) / points : 0;
+    }
+    sum += mean;
+    squares += mean * mean;
+  }
+  const double mean = sum / lattices;
+  return {mean, std::sqrt(std::max(0.0, squares / lattices - mean * mean) / (lattices - 1))};
+}
+
 TEST(bsdf_laws, nothing_makes_energy) {
-  // Walter's approximation of Beckmann's shadowing may be 0.35 % above the exact one; the rest is the sample's error.
+  // Not even Beckmann's with Walter's approximation of its shadowing, which may be 0.35 % above the exact one: where
+  // it is, more than that is lost to the shadowing of the other direction.
   for (const NamedBsdf& named : furnace_bsdfs())
     for (const Vec3f& wo : test::test_directions(transmits(named.bsdf))) {
-      const Mean a = albedo(named.bsdf, wo, 20'000);
-      EXPECT_LE(a.value, 1.0035 + 4 * a.error) << named.name << " from " << wo.z;
+      const Mean a = albedo_on_lattices(named.bsdf, wo, 4000);
+      EXPECT_LE(a.value, 1 + 1e-3 + 4 * a.error) << named.name << " from " << wo.z;
     }
 }
 

@@ -1,5 +1,8 @@
 #include "renderer/checkpoint.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <bit>
 #include <cstring>
@@ -13,11 +16,6 @@ namespace {
 constexpr char magic[] = "photonproof checkpoint 1\n";
 constexpr std::size_t magic_bytes = sizeof magic - 1;
 constexpr std::uint64_t longest_text = 1 << 16;
-
-std::uint64_t mixed(std::uint64_t x) {
-  x = (x ^ x >> 32) * 0x9e3779b97f4a7c15u;
-  return x ^ x >> 29;
-}
 
 /// The whole file but its last 8 bytes must hash to those. Leaves `in` behind the magic; returns the bytes of the
 /// state.
@@ -47,6 +45,16 @@ std::uint64_t verify(const std::filesystem::path& file, std::ifstream& in) {
   return state_bytes;
 }
 
+/// Whether a file's bytes are on the disk: kill -9 does not ask for it, but after a power failure the new name must not
+/// stand for bytes that were never written. It takes time, the writing thread's alone.
+bool reaches_disk(const std::filesystem::path& file) {
+  const int descriptor = open(file.c_str(), O_WRONLY | O_CLOEXEC);
+  if (descriptor < 0) return false;
+  const bool done = fsync(descriptor) == 0;
+  close(descriptor);
+  return done;
+}
+
 void check_identity(StateReader& in, const RenderIdentity& identity) {
   const auto count = in.value<std::uint64_t>();
   for (const auto& [name, value] : identity) {
@@ -60,52 +68,17 @@ void check_identity(StateReader& in, const RenderIdentity& identity) {
 
 }  // namespace
 
-void CheckpointPolicy::check_file() const {
+bool CheckpointPolicy::finds_what_it_resumes() {
   std::error_code ignored;
   const bool exists = std::filesystem::exists(file, ignored);
-  if (resume && !exists)
-    throw InputError(file.string(), "there is no such checkpoint: the render was never begun, or is complete");
+  if (resume && !exists) {
+    resume = false;
+    return false;
+  }
   if (!resume && exists && interval_seconds > 0)
     throw InputError(file.string(),
                      "an unfinished render left this checkpoint: go on from it with --resume, or delete it");
-}
-
-void Checksum::add_block(const char* bytes) {
-  std::uint64_t words[block / 8];
-  std::memcpy(words, bytes, block);
-  for (std::size_t i = 0; i < block / 8; ++i) {
-    std::uint64_t& lane = lanes_[i % 4];
-    lane = std::rotl((lane ^ words[i]) * 0x9e3779b97f4a7c15u, 29);
-  }
-}
-
-void Checksum::add(const void* bytes, std::size_t count) {
-  const auto* from = static_cast<const char*>(bytes);
-  length_ += count;
-  if (rest_count_ > 0) {
-    const std::size_t taken = std::min(count, block - rest_count_);
-    std::memcpy(rest_ + rest_count_, from, taken);
-    rest_count_ += taken;
-    from += taken;
-    count -= taken;
-    if (rest_count_ < block) return;
-    add_block(rest_);
-    rest_count_ = 0;
-  }
-  for (; count >= block; from += block, count -= block) add_block(from);
-  if (count > 0) std::memcpy(rest_, from, count);
-  rest_count_ = count;
-}
-
-std::uint64_t Checksum::value() const {
-  Checksum end = *this;
-  if (end.rest_count_ > 0) {
-    std::memset(end.rest_ + end.rest_count_, 0, block - end.rest_count_);
-    end.add_block(end.rest_);
-  }
-  std::uint64_t hash = mixed(end.length_);
-  for (const std::uint64_t lane : end.lanes_) hash = mixed(hash ^ lane);
-  return hash;
+  return true;
 }
 
 void StateWriter::bytes(const void* data, std::size_t count) {
@@ -161,7 +134,8 @@ void write_checkpoint(const std::filesystem::path& file, const std::string& cont
     out.write(content.data(), static_cast<std::streamsize>(content.size()));
     out.write(reinterpret_cast<const char*>(&sum), sizeof sum);
     out.close();
-    if (!out) throw InputError(file.string(), "cannot be written (permission or disk full)");
+    if (!out || !reaches_disk(temporary))
+      throw InputError(file.string(), "cannot be written (permission or disk full)");
   });
 }
 

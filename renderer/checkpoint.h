@@ -12,6 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "scenes/checksum.h"
+
 namespace photonproof {
 
 /// What decides the bits of an image, as (what it is called, its value): a checkpoint fits a render of equal identity.
@@ -24,25 +26,10 @@ struct CheckpointPolicy {
   bool resume = false;           ///< go on from `file`
   RenderIdentity identity;
 
-  /// Before the work begins. Throws InputError when there is nothing to resume, or when a render that starts anew
-  /// would replace a checkpoint, which may be hours of somebody's work.
-  void check_file() const;
-};
-
-/// A 64-bit hash of bytes that come in pieces. It finds damage; it does not withstand intent.
-class Checksum {
- public:
-  void add(const void* bytes, std::size_t count);
-  std::uint64_t value() const;
-
- private:
-  void add_block(const char* bytes);
-
-  static constexpr std::size_t block = 64;
-  std::uint64_t lanes_[4] = {1, 2, 3, 4};
-  std::uint64_t length_ = 0;
-  char rest_[block] = {};
-  std::size_t rest_count_ = 0;
+  /// Before the work begins. Where there is nothing to go on from, `resume` is switched off and the answer is no: a
+  /// script may ask for it always. Throws InputError when a render that starts anew would replace a checkpoint, which
+  /// may be hours of somebody's work.
+  bool finds_what_it_resumes();
 };
 
 /// Collects a checkpoint in memory, so that the render stands still no longer than that takes.

@@ -105,18 +105,19 @@ TEST_F(Checkpoint, that_holds_tables_of_another_size_is_refused) {
   EXPECT_EQ(problem(), "the checkpoint is not one of this render: its tables have another size");
 }
 
-TEST_F(Checkpoint, policy_wants_a_file_to_resume_and_none_to_start) {
+TEST_F(Checkpoint, policy_resumes_from_a_file_if_there_is_one_and_wants_none_to_start) {
   const auto said = [&](bool resume, double seconds) -> std::string {
     try {
-      CheckpointPolicy{file_, seconds, resume, {}}.check_file();
-      return "";
+      CheckpointPolicy policy{file_, seconds, resume, {}};
+      const bool found = policy.finds_what_it_resumes();
+      EXPECT_EQ(policy.resume, resume && found);
+      return found ? "" : "nothing to resume";
     } catch (const InputError& error) {
       return error.summary();
     }
   };
   EXPECT_EQ(said(false, 60), "");
-  EXPECT_EQ(said(true, 60),
-            file_.string() + ": error: there is no such checkpoint: the render was never begun, or is complete");
+  EXPECT_EQ(said(true, 60), "nothing to resume");
   write();
   EXPECT_EQ(said(true, 60), "");
   EXPECT_EQ(

@@ -22,6 +22,7 @@ struct RenderBudget {
   std::optional<std::int64_t> spp;      ///< camera samples a pixel
   std::optional<std::int64_t> photons;  ///< emitted over the whole render, for each map the scene needs
   std::optional<double> seconds;        ///< wall time of the render, photon passes included
+  std::optional<double> target_error;   ///< Film::relative_standard_error that is small enough
 };
 
 struct RenderJob {
@@ -30,6 +31,7 @@ struct RenderJob {
   int threads = 0;       ///< 0: every core
   int grid = 0;          ///< k > 0: samples on the centres of a k x k grid in the pixel, as POV-Ray's are; 0: random
   int sample_count = 4;  ///< of the scene file
+  std::string integrator_place = "the scene";  ///< where it asks for the integrator, for messages
   SamplerKind sampler = SamplerKind::sobol;
   SkipSwitches skips;  ///< the ones the scene was compiled with
   std::string isa;     ///< instruction set of the kernels; empty: the best there is
@@ -63,6 +65,7 @@ struct Integrator {
     bool photons = false;  ///< the budget's
     bool grid = true;
     bool isa = true;
+    bool target_error = false;  ///< its film tells its error after every pass
   } heeds = {};
   /// What of a scene it can do.
   enum class Media { none, absorbing, all } media = Media::none;

@@ -97,19 +97,38 @@ LightBounds merge(const LightBounds& a, const LightBounds& b) {
   return both;
 }
 
-float importance(const LightBounds& bounds, const Vec3f& p) {
-  const Vec3f center = (bounds.low + bounds.high) * 0.5f;
-  const float radius = length(bounds.high - bounds.low) * 0.5f;
-  const Vec3f d = p - center;
-  const float distance = length(d);
-  const float nearest2 = std::max(distance * distance, radius * radius);
-  if (distance <= radius || !(distance > 0)) return nearest2 > 0 ? bounds.power / nearest2 : bounds.power;
-  // The smallest angle that any normal can make with the direction to p, over all points of the box.
-  constexpr float slack = 1e-3f;  // of the angles' rounding: light must not be lost at a cone's border
-  const float seen = std::asin(radius / distance);
-  const float angle = std::max(angle_between(bounds.axis, d / distance) - bounds.spread - seen - slack, 0.0f);
-  if (angle >= bounds.emission) return 0;
-  return bounds.power * std::max(std::cos(angle), slack) / nearest2;
+LightImportance::LightImportance(const LightBounds& bounds)
+    : center_((bounds.low + bounds.high) * 0.5f),
+      axis_(bounds.axis),
+      radius_(length(bounds.high - bounds.low) * 0.5f),
+      power_(bounds.power) {
+  const float spread = std::min(bounds.spread + slack, half_turn);
+  cos_spread_ = std::cos(spread);
+  sin_spread_ = spread < half_turn ? std::sin(spread) : 0;
+  cos_emission_ = std::cos(std::min(bounds.emission, half_turn));
+}
+
+float LightImportance::at(const Vec3f& p) const {
+  const Vec3f d = p - center_;
+  const float distance2 = dot(d, d), radius2 = radius_ * radius_;
+  const float nearest2 = std::max(distance2, radius2);
+  if (distance2 <= radius2 || !(distance2 > 0)) return nearest2 > 0 ? power_ / nearest2 : power_;
+  // The smallest angle that any normal can make with the direction to p, over all points of the box: that with the axis
+  // less the spread, less what the box is seen under, no less than 0.
+  struct Angle {
+    float cos, sin;
+    Angle less(float cos_other, float sin_other) const {
+      if (cos >= cos_other) return {1, 0};
+      return {cos * cos_other + sin * sin_other, sin * cos_other - cos * sin_other};
+    }
+  };
+  const auto sine = [](float squared_cosine) { return std::sqrt(std::max(0.0f, 1 - squared_cosine)); };
+  const float cos_axis = std::clamp(dot(axis_, d) / std::sqrt(distance2), -1.0f, 1.0f);
+  const float seen2 = radius2 / distance2;
+  const Angle angle =
+      Angle{cos_axis, sine(cos_axis * cos_axis)}.less(cos_spread_, sin_spread_).less(sine(seen2), std::sqrt(seen2));
+  if (angle.cos <= cos_emission_) return 0;
+  return power_ * std::max(angle.cos, slack) / nearest2;
 }
 
 }  // namespace photonproof

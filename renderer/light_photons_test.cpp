@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
 #include <string>
 
 #include "renderer/chi_square.h"
@@ -35,6 +36,22 @@ std::vector<Case> spots() {
   return all;
 }
 
+/// The texture changes what a photon carries, not where to it leaves.
+std::vector<Case> textured_spots() {
+  std::vector<Case> all;
+  std::uint64_t seed = 710;
+  for (const double cutoff : {2e-3, 0.3, 1.2, 1.55}) {
+    Random r(++seed);
+    const Frame<float> frame(square_to_sphere(r.next2()));
+    const double half = std::sin(cutoff / 2);
+    all.push_back({"textured spot of " + std::to_string(cutoff),
+                   TexturedSpotLight(spot_light({0, 0, 0}, frame.n, Rgb(1), cutoff * double{r.next()}, cutoff), frame.s,
+                                     frame.t, [](const Vec2<float>& uv) { return Rgb(uv.x, uv.y, 1); }),
+                   DirectionCells(frame.n, 2.1 * half * half)});
+  }
+  return all;
+}
+
 /// Lamps of random angles and candelas, some of them 0; whole turns, halves, quarters and round ones.
 std::vector<Case> lamps() {
   std::vector<Case> all;
@@ -55,6 +72,7 @@ std::vector<Case> lamps() {
 
 TEST(light_photons, of_point_like_lights_match_their_density) {
   std::vector<Case> all = spots();
+  for (Case& spot : textured_spots()) all.push_back(std::move(spot));
   for (Case& lamp : lamps()) all.push_back(std::move(lamp));
   all.push_back({"point", PointLight<float>{{1, 2, 3}, Rgb(1)}, DirectionCells()});
   std::uint64_t seed = 740;
@@ -67,6 +85,44 @@ TEST(light_photons, of_point_like_lights_match_their_density) {
         test::sidak_level(static_cast<int>(all.size())))
         << c.name;
   }
+}
+
+TEST(light_photons, from_infinity_enter_evenly_through_the_disc_that_covers_the_scene) {
+  // Binned by the square of the distance from the middle of the disc and by the azimuth: cells of equal areas.
+  constexpr int rings = 16, sectors = 32, cells = rings * sectors;
+  int tests = 0;
+  for (const float radius : {1e-3f, 2.0f, 1e5f})
+    for (const bool sky : {false, true}) {
+      Random of(760, static_cast<std::uint64_t>(++tests));
+      const Vec3f direction = square_to_sphere(of.next2()), center = square_to_sphere(of.next2()) * (3 * radius);
+      const Lights lights({sky ? Light(EnvironmentLight(ConstantSky{Rgb(1)}, center, radius))
+                               : Light(DirectionalLight<float>{direction, Rgb(1), center, radius})},
+                          {center, radius});
+      std::vector<double> observed(cells), expected(cells), tilted(cells);
+      int wrong = 0;
+      for (int i = 0; i < samples; ++i) {
+        Random r(760 + static_cast<std::uint64_t>(tests), static_cast<std::uint64_t>(i));
+        const Vec2<float> u = r.next2();
+        const LightEmission e = lights.scene.emit(0, u, r.next2());
+        const Vec3d d(e.direction), at = (Vec3d(e.origin) - Vec3d(center)) / double{radius};
+        const Vec3d s = normalize(cross(std::abs(d.x) < 0.6 ? Vec3d(1, 0, 0) : Vec3d(0, 1, 0), d));
+        const double x = dot(at, s), y = dot(at, cross(d, s)), turns = std::atan2(y, x) / (2 * std::numbers::pi) + 0.5;
+        observed[static_cast<std::size_t>(std::min(static_cast<int>((x * x + y * y) * rings), rings - 1) * sectors +
+                                          std::min(static_cast<int>(turns * sectors), sectors - 1))] += 1;
+        // On the disc that faces the scene, a radius before its middle, to a few roundings of 4 radii.
+        wrong += std::abs(dot(at, d) + 1) > 4e-6 || x * x + y * y > 1 + 4e-6 || (!sky && e.direction != direction);
+        wrong += e.pdf_position != lights.scene.emission_pdfs(0, center, {}, e.direction).position;
+      }
+      EXPECT_EQ(wrong, 0);
+      const double disc = std::numbers::pi * double{radius} * double{radius};
+      const double density = lights.scene.emission_pdfs(0, center, {}, direction).position;
+      for (std::size_t i = 0; i < cells; ++i) {
+        expected[i] = samples * density * disc / cells;
+        tilted[i] = expected[i] * (i < cells / 2 ? 1.02 : 0.98);
+      }
+      EXPECT_GT(test::chi_square_p_value(observed, expected), test::sidak_level(6)) << radius << sky;
+      EXPECT_LT(test::chi_square_p_value(observed, tilted), test::sidak_level(6)) << "an error of 2 % is not noticed";
+    }
 }
 
 }  // namespace

@@ -25,9 +25,10 @@ double orientation_cost(const LightBounds& b) {
               std::cos(spread));
 }
 
+/// With a little of the diagonal: a row of points has no surface, and every split of it would cost nothing.
 double half_surface(const LightBounds& b) {
   const Vec3d d(b.high - b.low);
-  return d.x * d.y + d.y * d.z + d.z * d.x;
+  return d.x * d.y + d.y * d.z + d.z * d.x + 1e-3 * dot(d, d);
 }
 
 }  // namespace
@@ -46,7 +47,7 @@ std::uint32_t LightTree::build(Entry* first, Entry* last, std::uint32_t parent) 
   nodes_[index].parent = parent;
   LightBounds bounds = first->bounds;
   if (last - first == 1) {
-    nodes_[index].bounds = bounds;
+    nodes_[index].importance = LightImportance(bounds);
     nodes_[index].light = first->light;
     leaf_of_[first->light] = index;
     return index;
@@ -58,7 +59,7 @@ std::uint32_t LightTree::build(Entry* first, Entry* last, std::uint32_t parent) 
     low = {std::min(low.x, sum.x), std::min(low.y, sum.y), std::min(low.z, sum.z)};
     high = {std::max(high.x, sum.x), std::max(high.y, sum.y), std::max(high.z, sum.z)};
   }
-  nodes_[index].bounds = bounds;
+  nodes_[index].importance = LightImportance(bounds);
 
   constexpr std::size_t buckets = 12;
   const Vec3f extent = high - low;
@@ -104,7 +105,7 @@ std::uint32_t LightTree::build(Entry* first, Entry* last, std::uint32_t parent) 
 }
 
 std::optional<float> LightTree::left_probability(const Node& node, const Vec3f& p) const {
-  const float left = importance(nodes_[node.left].bounds, p), right = importance(nodes_[node.right].bounds, p);
+  const float left = nodes_[node.left].importance.at(p), right = nodes_[node.right].importance.at(p);
   const float both = left + right;
   if (!(both > 0)) return std::nullopt;
   if (!std::isfinite(both)) return std::isfinite(right) ? 1.0f : std::isfinite(left) ? 0.0f : 0.5f;
@@ -112,7 +113,7 @@ std::optional<float> LightTree::left_probability(const Node& node, const Vec3f& 
 }
 
 std::optional<LightTree::Choice> LightTree::choose(const Vec3f& p, float u) const {
-  if (!(importance(nodes_[0].bounds, p) > 0)) return std::nullopt;
+  if (!(nodes_[0].importance.at(p) > 0)) return std::nullopt;
   float probability = 1;
   const Node* node = &nodes_[0];
   while (!node->is_leaf()) {
@@ -129,7 +130,7 @@ std::optional<LightTree::Choice> LightTree::choose(const Vec3f& p, float u) cons
 
 float LightTree::probability(const Vec3f& p, std::uint32_t light) const {
   std::uint32_t at = leaf_of_[light];
-  if (at == no_index || !(importance(nodes_[0].bounds, p) > 0)) return 0;
+  if (at == no_index || !(nodes_[0].importance.at(p) > 0)) return 0;
   float probability = 1;
   while (nodes_[at].parent != no_index) {
     const Node& parent = nodes_[nodes_[at].parent];

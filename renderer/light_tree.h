@@ -27,7 +27,7 @@ class LightTree {
 
  private:
   struct Node {
-    LightBounds bounds;
+    LightImportance importance;
     std::uint32_t parent = 0;
     std::uint32_t left = 0, right = 0;  ///< equal in a leaf
     std::uint32_t light = 0;            ///< of a leaf

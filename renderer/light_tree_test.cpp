@@ -107,14 +107,35 @@ TEST(light_tree, no_light_that_shines_on_a_point_is_left_out) {
 }
 
 TEST(light_tree, the_nearest_of_equal_lamps_is_chosen_far_more_often_than_by_flux) {
+  // Sixteen lamps in a corridor: pairs 1 apart, pairs of pairs 10, then 100 and 1000. Whatever a split costs, the one
+  // in the widest gap is the cheapest, so that the tree is known: lamp i turns right where bit k of i is set, and its
+  // node at level k is the lamps from `first` to first + 2^(k+1) - 1. Lamps shine everywhere; what a node promises is
+  // its power over the squared distance of its box's middle, or over its box's half diagonal squared where p is nearer.
+  const auto at = [](std::uint32_t i) { return i % 2 + 10 * (i / 2 % 2) + 100 * (i / 4 % 2) + 1000.0 * (i / 8); };
   std::vector<Light> lights;
-  for (int i = 0; i < 100; ++i) lights.emplace_back(PointLight<float>{{static_cast<float>(i), 0, 0}, Rgb(1)});
+  for (std::uint32_t i = 0; i < 16; ++i) lights.emplace_back(PointLight<float>{Vec3f(Vec3d(at(i), 2, -1)), Rgb(3)});
   const LightTree tree(lights);
-  // By flux: 1/100. All others together bring a few hundredths of its light, but a node's importance is that of its
-  // middle, so that every level but the last few gives much away.
-  EXPECT_GT(tree.probability({70, 0.1f, 0}, 70), 0.05f);
-  EXPECT_LT(tree.probability({70, 0.1f, 0}, 0), 0.01f);
-  EXPECT_GT(tree.probability({70, 0.1f, 0}, 0), 0);
+  const Vec3d p(100, 2.1, -1);  // 0.1 from lamp 4
+  const auto promise = [&](std::uint32_t first, std::uint32_t count) {
+    const double middle = (at(first) + at(first + count - 1)) / 2, half = (at(first + count - 1) - at(first)) / 2;
+    const Vec3d d = p - Vec3d(middle, 2, -1);
+    return count / std::max(dot(d, d), half * half);
+  };
+  double sum = 0;
+  for (std::uint32_t i = 0; i < 16; ++i) {
+    double expected = 1, rounding = 0;  // what is not left's share is 1 minus it, as rounded as 1 is
+    for (std::uint32_t count = 8; count > 0; count /= 2) {
+      const std::uint32_t mine = i / count * count, other = mine ^ count;
+      const double share = promise(mine, count) / (promise(mine, count) + promise(other, count));
+      expected *= share;
+      rounding += 0x1p-22 / share;
+    }
+    EXPECT_NEAR(tree.probability(Vec3f(p), i), expected, rounding * expected) << i;
+    sum += expected;
+  }
+  EXPECT_NEAR(sum, 1, 1e-12);
+  // By flux it would be 1/16; of lamp 4's nodes these are the shares.
+  EXPECT_NEAR(tree.probability(Vec3f(p), 4), 0.99664 * 0.99662 * 0.99765 * 0.99020, 1e-4);
 }
 
 TEST(light_tree, lamps_in_one_place_do_no_harm) {

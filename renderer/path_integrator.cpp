@@ -6,6 +6,7 @@
 
 #include "renderer/plan.h"
 #include "renderer/render_loop.h"
+#include "renderer/scratch_pool.h"
 #include "renderer/tile_film.h"
 
 namespace photonproof {
@@ -15,17 +16,16 @@ void trace_path_passes(const Scene& scene, const PathSettings& settings, const R
   const PhaseTimer timer(stats.phases["render"]);
   const Threads threads(job.threads);
   RenderLoop loop(job, threads, film, stats, {.phase = phase});
+  ScratchPool scratch(job.kernels().path_scratch);
   while (loop.next()) {
     loop.for_each_tile([&](const Tile& tile) {
       const CameraTask camera = camera_task(job, tile, loop.first(), loop.samples());
       std::vector<float> radiance(3 * std::size_t{camera.paths()});
-      std::vector<std::uint32_t> scratch(job.kernels().path_scratch);
-      PathTask task{.scene = &scene.view(),
-                    .camera = camera,
-                    .settings = settings,
-                    .radiance = radiance.data(),
-                    .scratch = scratch.data()};
-      job.kernels().trace_paths(task);
+      PathTask task{.scene = &scene.view(), .camera = camera, .settings = settings, .radiance = radiance.data()};
+      scratch.lend([&](std::uint32_t* words) {
+        task.scratch = words;
+        job.kernels().trace_paths(task);
+      });
       add_samples(film, camera, radiance);
       loop.rays().add(task.counts);
     });

@@ -17,6 +17,7 @@
 #include "renderer/plan.h"
 #include "renderer/query_order.h"
 #include "renderer/render_loop.h"
+#include "renderer/scratch_pool.h"
 #include "renderer/tile_film.h"
 
 namespace photonproof {
@@ -126,16 +127,19 @@ void store_counts(const MapState& state, RenderStats& stats) {
 
 /// Photons of a map for the pass that takes samples [first, last) of `spp`; at least one, so that a pass has a map.
 /// Throws InputError when they would not fit in memory.
-std::uint64_t photons_for_pass(const MapState& state, std::int64_t first, std::int64_t last, std::int64_t spp) {
+std::uint64_t photons_for_pass(const MapState& state, const RenderJob& job, std::int64_t first, std::int64_t last,
+                               std::int64_t spp) {
   const auto until = [&](std::int64_t s) {
     return static_cast<std::int64_t>(static_cast<double>(state.total) * static_cast<double>(s) /
                                      static_cast<double>(spp));
   };
   const auto count = static_cast<std::uint64_t>(std::max<std::int64_t>(1, until(last) - until(first)));
   if (count > most_photons_in_a_pass)
-    throw InputError("--photons", std::to_string(count) + " in one pass are more than " +
-                                      std::to_string(most_photons_in_a_pass) +
-                                      ", the most that are kept at once; more samples a pixel make more passes");
+    throw InputError(job.budget.photons ? "--photons" : job.integrator_place,
+                     (job.budget.photons ? std::string() : std::string(state.name) + "_photons: ") +
+                         std::to_string(count) + " in one pass are more than " +
+                         std::to_string(most_photons_in_a_pass) +
+                         ", the most that are kept at once; more samples a pixel make more passes");
   return count;
 }
 
@@ -169,6 +173,7 @@ void render_photon_mapper(const Scene& scene, const IntegratorDescription& descr
       std::to_string(maps.global.total) + " global and " + std::to_string(maps.caustic.total) + " caustic photons";
   if (!job.budget.seconds) passes.budget += " over " + std::to_string(spp) + " samples a pixel";
   RenderLoop loop(job, threads, film, stats, passes);
+  ScratchPool scratch(job.kernels().path_scratch);
   std::int64_t pass_count = 0;
   loop.keep_between_passes(pass_count);
   for (MapState* state : {&maps.global, &maps.caustic}) loop.keep_between_passes(state->counts);
@@ -177,7 +182,7 @@ void render_photon_mapper(const Scene& scene, const IntegratorDescription& descr
       if (!state->wanted) continue;
       const std::uint64_t count = job.budget.seconds
                                       ? static_cast<std::uint64_t>(photons_per_sample * loop.samples())
-                                      : photons_for_pass(*state, loop.first(), loop.first() + loop.samples(), spp);
+                                      : photons_for_pass(*state, job, loop.first(), loop.first() + loop.samples(), spp);
       refill(*state, scene, settings, job, count, threads, stats);
     }
     const PhaseTimer phase(stats.phases["render"]);
@@ -185,15 +190,16 @@ void render_photon_mapper(const Scene& scene, const IntegratorDescription& descr
       const CameraTask camera = camera_task(job, tile, loop.first(), loop.samples());
       std::vector<float> radiance(3 * std::size_t{camera.paths()});
       std::vector<GatherPoint> points(camera.paths());
-      std::vector<std::uint32_t> scratch(job.kernels().path_scratch);
       PathTask task{
           .scene = &scene.view(),
           .camera = camera,
           .settings = {settings.max_depth, settings.rr_depth, settings.hide_emitters, scene.view().lights_can_be_hit},
           .radiance = radiance.data(),
-          .scratch = scratch.data(),
           .gather_points = points.data()};
-      job.kernels().trace_paths(task);
+      scratch.lend([&](std::uint32_t* words) {
+        task.scratch = words;
+        job.kernels().trace_paths(task);
+      });
       points.resize(task.gather_count);
       for (const MapState* state : {&maps.caustic, &maps.global})
         add_photons(*state, scene, job.kernels(), settings.max_depth, points, radiance);

@@ -102,6 +102,21 @@ TEST(photon_mapper, refuses_more_photons_in_a_pass_than_memory_holds) {
               "--photons: error: 250000000 in one pass are more than 10000000, the most that are kept at once; more "
               "samples a pixel make more passes");
   }
+  SceneDescription room = test::room(4, false);
+  room.integrator = with_integrator(room.integrator, "photonmapper");
+  std::get<PhotonMapperDescription>(room.integrator.method).global_photons = 1'000'000'000;
+  RenderJob job = job_with(4, 1);
+  job.budget.photons.reset();
+  job.integrator_place = "room.xml:2:3";
+  try {
+    render(room, "photonmapper", job);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(
+        error.summary(),
+        "room.xml:2:3: error: global_photons: 250000000 in one pass are more than 10000000, the most that are kept "
+        "at once; more samples a pixel make more passes");
+  }
 }
 
 }  // namespace

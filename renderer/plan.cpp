@@ -6,6 +6,7 @@
 #include "renderer/aim_targets.h"
 #include "renderer/direct_integrator.h"
 #include "renderer/scene_facts.h"
+#include "renderer/scene_lights.h"
 
 namespace photonproof {
 namespace {
@@ -45,6 +46,10 @@ class Planner {
   void direct_light(bool weighted_by_method) {
     const std::size_t count = scene_.lights.size();
     decide(Skip::light_choice, count <= 1, counted(count, "light", "lights"), counted(count, "light", "lights"));
+    if (count > 1)
+      decide(Skip::far_lights, scene_.view().general_lights->has_tree(),
+             counted(count, "light", "lights") + ", chosen by a tree over where they are and shine to",
+             counted(count, "light", "lights") + ", chosen by their flux");
     decide(Skip::shadow_rays, true, "where the light or the BSDF gives nothing, none is traced", "");
     if (!weighted_by_method) return;
     decide(Skip::mis, !scene_.view().lights_can_be_hit,

@@ -94,7 +94,7 @@ Scene::Scene(const SceneDescription& description, int width_, int height_, const
   view_.light_words = light_words_.data();
   view_.light_count = static_cast<std::uint32_t>(lights.size());
   view_.general_lights = scene_lights_.get();
-  view_.lights_by_position = scene_lights_->has_tree() && skips.on(Skip::light_choice);
+  view_.lights_by_position = scene_lights_->has_tree() && skips.on(Skip::far_lights);
   view_.environment = scene_lights_->environment().value_or(no_index);
   aim_targets_ = aim_targets(surfaces, [&](const Surface& surface) {
     bool specular = false;

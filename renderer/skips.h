@@ -12,6 +12,7 @@ enum class Skip : std::uint32_t {
   bvh,
   mis,
   light_choice,
+  far_lights,
   bsdf_groups,
   shadow_rays,
   global_map,

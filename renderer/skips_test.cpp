@@ -89,6 +89,29 @@ TEST(skips, photons_aimed_at_specular_surfaces_bring_the_same_light_as_all) {
   EXPECT_GT(stored[0], 3 * stored[1]);
 }
 
+TEST(skips, lights_chosen_by_place_bring_the_same_light_as_those_chosen_by_flux) {
+  // 20 lamps, more than are chosen from a table, in a row over a floor: means over seeds agree within 4 standard errors
+  // of their difference.
+  SceneDescription scene = test::floor_under_point_light(16);
+  scene.emitters.clear();
+  for (int i = 0; i < 20; ++i)
+    scene.emitters.push_back({{}, "", PointLightDescription{{0.5 * i - 4.75, 0.5, 0}, RgbD(1)}});
+  constexpr int seeds = 12;
+  double mean[2] = {}, variance[2] = {};
+  for (int off = 0; off < 2; ++off) {
+    std::vector<double> means;
+    for (int seed = 1; seed <= seeds; ++seed) {
+      RenderJob job = test::job_with(16, 0, static_cast<std::uint64_t>(seed));
+      if (off == 1) job.skips = SkipSwitches({"far-lights"});
+      means.push_back(test::image_mean(test::render(scene, "path", job).image.mean));
+    }
+    for (const double v : means) mean[off] += v / seeds;
+    for (const double v : means) variance[off] += (v - mean[off]) * (v - mean[off]) / (seeds - 1) / seeds;
+  }
+  EXPECT_NEAR(mean[0], mean[1], 4 * std::sqrt(variance[0] + variance[1]));
+  EXPECT_NE(mean[0], mean[1]) << "the switch does nothing";
+}
+
 TEST(skips, the_plan_says_what_the_scene_does_not_need_and_why) {
   const SceneDescription description = test::floor_under_point_light(8);
   const Scene scene(description, 8, 8);
@@ -145,8 +168,8 @@ TEST(skips, an_unknown_name_is_refused_with_the_known_ones) {
   } catch (const InputError& e) {
     EXPECT_STREQ(
         e.what(),
-        "--no-skip: error: there is no skip 'bhv', expected one of bvh, mis, light-choice, bsdf-groups, shadow-rays, "
-        "global-map, caustic-map, stray-photons, surface-detail, all");
+        "--no-skip: error: there is no skip 'bhv', expected one of bvh, mis, light-choice, far-lights, bsdf-groups, "
+        "shadow-rays, global-map, caustic-map, stray-photons, surface-detail, all");
   }
 }
 

@@ -11,6 +11,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <new>
 #include <stdexcept>
 
 #include "renderer/curved_shapes.h"
@@ -200,9 +201,10 @@ bool count_bytes(void* total, ssize_t bytes, bool) {
   return true;
 }
 
-[[noreturn]] void fail(RTCDevice device, const char* what) {
+[[noreturn]] void fail(RTCError error, const char* what) {
+  if (error == RTC_ERROR_OUT_OF_MEMORY) throw std::bad_alloc();
   throw std::runtime_error(std::string("Embree: ") + what + " failed (error " +
-                           std::to_string(static_cast<int>(rtcGetDeviceError(device))) + ")");
+                           std::to_string(static_cast<int>(error)) + ")");
 }
 
 }  // namespace
@@ -259,7 +261,7 @@ void Tracer::Impl::attach_quads() {
       rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(Vec3f), 4 * count));
   auto* indices = static_cast<unsigned*>(
       rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT4, 4 * sizeof(unsigned), count));
-  if (vertices == nullptr || indices == nullptr) fail(device, "allocating quads");
+  if (vertices == nullptr || indices == nullptr) fail(rtcGetDeviceError(device), "allocating quads");
   for (std::size_t i = 0; i < count; ++i) {
     const Quad& q = *tables.quads.shapes[i];
     vertices[4 * i] = q.corner;
@@ -360,7 +362,7 @@ SurfacePoint Tracer::Impl::locate(unsigned instance, unsigned geometry, unsigned
 Tracer::Tracer(const std::vector<Surface>& surfaces) : impl_(std::make_unique<Impl>(surfaces)) {
   Tables& tables = impl_->tables;
   impl_->device = rtcNewDevice(nullptr);
-  if (impl_->device == nullptr) fail(nullptr, "opening the device");
+  if (impl_->device == nullptr) fail(rtcGetDeviceError(nullptr), "opening the device");
   rtcSetDeviceMemoryMonitorFunction(impl_->device, count_bytes, &impl_->bytes);
   impl_->scene = impl_->new_scene();
   impl_->attach_quads();
@@ -373,7 +375,9 @@ Tracer::Tracer(const std::vector<Surface>& surfaces) : impl_(std::make_unique<Im
   for (std::size_t i = 0; i < tables.instances.size(); ++i)
     impl_->attach_instance(tables.instances[i], static_cast<unsigned>(impl_->first_instance() + i));
   rtcCommitScene(impl_->scene);
-  if (rtcGetDeviceError(impl_->device) != RTC_ERROR_NONE) fail(impl_->device, "building the scene");
+  // Reading an error clears it.
+  if (const RTCError error = rtcGetDeviceError(impl_->device); error != RTC_ERROR_NONE)
+    fail(error, "building the scene");
 }
 
 Tracer::~Tracer() = default;

@@ -166,6 +166,27 @@ TEST_F(image, that_is_truncated_is_refused_at_every_length) {
   }
 }
 
+TEST_F(image, png_that_is_cut_or_changed_is_refused_without_a_line_of_libpngs_own) {
+  write_png(path("whole.png"), ramp(16, 16, 0.37f));
+  const std::string bytes = read_file(path("whole.png"));
+  const auto said = [&](const std::string& content) {
+    std::ofstream(path("bad.png"), std::ios::binary) << content;
+    testing::internal::CaptureStderr();
+    const std::string message = message_of([&] { read_image(path("bad.png")); });
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+    return message;
+  };
+  const std::string damaged = path("bad.png") + ": error: cannot be read, truncated or damaged: ";
+  for (const std::size_t length : {std::size_t{20}, bytes.size() / 2, bytes.size() - 1})
+    EXPECT_EQ(said(bytes.substr(0, length)), damaged + "it ends before its last chunk") << length;
+  // After the 8 bytes of the signature, a header of 8 + 13 + 4: the width's last byte is number 19.
+  std::string other = bytes;
+  other[19] = static_cast<char>(other[19] ^ 1);
+  EXPECT_EQ(said(other), damaged + "the checksum of chunk IHDR does not fit");
+  std::ofstream(path("bad.png"), std::ios::binary) << bytes;
+  EXPECT_EQ(read_image(path("bad.png")).width, 16);
+}
+
 TEST_F(image, that_claims_more_pixels_than_it_holds_costs_no_memory_for_them) {
   // 16384 x 16384 pixels of three floats would be 3 GB; the file has four pixels.
   std::ofstream(path("claims.pfm"), std::ios::binary) << "PF\n16384 16384\n-1.0\n" << std::string(48, '\0');

@@ -9,7 +9,7 @@ namespace {
 using Geometry = decltype(ShapeDescription::geometry);
 using Row = Plugin<Geometry>;
 
-constexpr std::int64_t kMaxCells = std::int64_t{1} << 26;  ///< of a heightfield
+constexpr std::int64_t kMaxCells = std::int64_t{1} << 24;  ///< of a heightfield
 
 Geometry build_sphere(Params& params) {
   SphereDescription sphere;
@@ -73,7 +73,7 @@ Geometry build_heightfield(Params& params) {
   field.rows = static_cast<int>(params.integer("rows", field.rows, 1, 1 << 20));
   params.expect(
       std::int64_t{field.columns} * field.rows <= kMaxCells, "columns",
-      "times rows is " + std::to_string(std::int64_t{field.columns} * field.rows) + " cells, expected at most 2^26");
+      "times rows is " + std::to_string(std::int64_t{field.columns} * field.rows) + " cells, expected at most 2^24");
   field.amplitude = params.number("amplitude", field.amplitude);
   field.face_normals = params.boolean("face_normals", field.face_normals);
   if (const auto height = params.texture("height")) {

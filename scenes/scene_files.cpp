@@ -79,14 +79,24 @@ std::string SceneFiles::read(const SceneFolders::File& file, const Attribute& fi
   }
 }
 
+template <class Parse>
+auto SceneFiles::parsed(const SceneFolders::File& file, const Attribute& filename, std::size_t most,
+                        const Parse& parse) const {
+  const std::string bytes = read(file, filename, most);
+  try {
+    return parse(bytes, file.shown.string());
+  } catch (const InputError& error) {
+    fail_at(sources_, filename, "cannot use " + error.summary());
+  }
+}
+
 SceneFiles::Loaded<TriangleMesh> SceneFiles::mesh(const Attribute& filename, MeshDescription::Format format) {
   const SceneFolders::File file = folders_.find(filename);
   std::shared_ptr<const TriangleMesh>& mesh = meshes_[{file.real, format}];
   if (!mesh) {
     const bool is_ply = format == MeshDescription::Format::ply;
-    const std::string bytes = read(file, filename, is_ply ? kMaxPlyBytes : kMaxObjBytes);
-    mesh = std::make_shared<const TriangleMesh>(is_ply ? parse_ply(bytes, file.shown.string())
-                                                       : parse_obj(bytes, file.shown.string()));
+    mesh = std::make_shared<const TriangleMesh>(is_ply ? parsed(file, filename, kMaxPlyBytes, parse_ply)
+                                                       : parsed(file, filename, kMaxObjBytes, parse_obj));
   }
   return {file.name, mesh};
 }
@@ -105,8 +115,7 @@ SceneFiles::Loaded<Image> SceneFiles::image(const Attribute& filename, bool raw)
 SceneFiles::Loaded<IesProfile> SceneFiles::ies(const Attribute& filename) {
   const SceneFolders::File file = folders_.find(filename);
   std::shared_ptr<const IesProfile>& profile = profiles_[file.real];
-  if (!profile)
-    profile = std::make_shared<const IesProfile>(parse_ies(read(file, filename, kMaxIesBytes), file.shown.string()));
+  if (!profile) profile = std::make_shared<const IesProfile>(parsed(file, filename, kMaxIesBytes, parse_ies));
   return {file.name, profile};
 }
 

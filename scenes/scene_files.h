@@ -43,7 +43,7 @@ class SceneFolders {
 };
 
 /// Loads what shapes, textures and lights name, each file once however many share it. All throw InputError at
-/// `filename` or in the file.
+/// `filename`, with the place in the file where that is to blame.
 class SceneFiles {
  public:
   SceneFiles(const Sources& sources, const SceneFolders& folders) : sources_(sources), folders_(folders) {}
@@ -62,6 +62,9 @@ class SceneFiles {
 
  private:
   std::string read(const SceneFolders::File& file, const Attribute& filename, std::size_t most) const;
+  /// What parse(bytes, name of the file) makes of it.
+  template <class Parse>
+  auto parsed(const SceneFolders::File& file, const Attribute& filename, std::size_t most, const Parse& parse) const;
 
   const Sources& sources_;
   const SceneFolders& folders_;

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 
+#include "scenes/atomic_file.h"
 #include "scenes/ply.h"
 
 namespace photonproof {
@@ -113,6 +114,12 @@ TEST_F(SceneFiles, says_what_is_missing_beside_a_scene_named_without_a_folder) {
   }
   fs::current_path(before);
   EXPECT_EQ(summary, "scene.xml:2:43: error: no such file: 'none.ply'");
+}
+
+TEST_F(SceneFiles, names_the_line_of_the_scene_and_that_of_a_broken_file) {
+  write_file_atomically(folder_ / "scene/bad.ply", "ply\nformat ascii 2.0\n");
+  const std::string said = message(shape("bad.ply"));
+  EXPECT_TRUE(said.starts_with("scene/scene.xml:2:43: error: cannot use scene/bad.ply:2:")) << said;
 }
 
 TEST_F(SceneFiles, refuses_a_link_that_leads_outside) {

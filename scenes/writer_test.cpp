@@ -291,7 +291,7 @@ class RandomScene {
         emits = false;
         break;
       case 6: {
-        HeightfieldDescription field{1 + static_cast<int>(pick(5000)), 1 + static_cast<int>(pick(5000)), number(),
+        HeightfieldDescription field{1 + static_cast<int>(pick(4000)), 1 + static_cast<int>(pick(4000)), number(),
                                      coin(), HeightfieldNoise{unit(), 2 * unit(), 5, 4294967295u}};
         if (coin()) field.height = texture();
         result.geometry = field;

@@ -1,16 +1,15 @@
-// What a checkpoint must have in common with the render that goes on from it: everything that decides a bit.
+// What a scene says, as a few digits: checkpoints and references belong to one content.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "renderer/checkpoint.h"
 #include "scenes/description.h"
 
 namespace photonproof {
 
 /// Hash of what the scene says: the bytes of its XML files, the values given to its $names, and the meshes, images and
 /// profiles that were read. Where the files lie does not matter.
-std::string scene_hash(const SceneDescription& scene, std::vector<std::string> defines);
+std::string scene_hash(const SceneDescription& scene, std::vector<std::string> defines = {});
 
 }  // namespace photonproof

@@ -1,9 +1,9 @@
-#include "harness/render_identity.h"
+#include "scenes/scene_hash.h"
 
 #include <algorithm>
-#include <cstdio>
 
 #include "scenes/atomic_file.h"
+#include "scenes/checksum.h"
 
 namespace photonproof {
 namespace {
@@ -47,11 +47,7 @@ class SceneHash {
     if constexpr (requires { *d.profile; })
       if (d.profile) asset(*d.profile);
   }
-  std::string hex() const {
-    char digits[17];
-    std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(checksum_.value()));
-    return digits;
-  }
+  std::string hex() const { return checksum_.hex(); }
 
  private:
   Checksum checksum_;

@@ -1,0 +1,120 @@
+// The files under harness/ci that users copy: they are what their tools take them for, and their steps run.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "harness/test_folder.h"
+#include "reference/process.h"
+
+namespace photonproof {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+const std::string source = PHOTONPROOF_SOURCE_DIR;
+const std::string ci = source + "/harness/ci/";
+
+const std::string as_github_runs_it = "#!/usr/bin/env bash\nset -eo pipefail\n";
+
+bool is_installed(const std::string& program) { return run_process({program, "--version"}).ok(); }
+
+json workflow() {
+  const ProcessOutcome outcome = run_process(
+      {"python3", "-c", "import json, sys, yaml; json.dump(yaml.load(open(sys.argv[1]), yaml.BaseLoader), sys.stdout)",
+       ci + "github-actions.yml"});
+  EXPECT_TRUE(outcome.ok()) << outcome.standard_error;
+  return json::parse(outcome.standard_output);
+}
+
+class CiFiles : public FolderTest {
+ protected:
+  /// The complaints about a script for bash; empty when there are none.
+  std::string complaints(const std::string& script) const {
+    put("script.sh", script);
+    const ProcessOutcome outcome = run_process(
+        {"shellcheck", "--exclude=SC1091", (folder_ / "script.sh").string()});  // it need not follow sources
+    return outcome.ok() ? "" : outcome.sentence() + outcome.standard_output + outcome.standard_error;
+  }
+};
+
+TEST_F(CiFiles, shell_example_has_no_complaints_of_shellcheck) {
+  if (!is_installed("shellcheck")) GTEST_SKIP() << "no shellcheck here";
+  EXPECT_EQ(complaints(read_file(ci + "gate.sh")), "");
+  EXPECT_NE(complaints("#!/bin/sh\nrm $1\n"), "");  // it would complain
+}
+
+TEST_F(CiFiles, workflow_is_one_that_github_reads) {
+  if (!run_process({"python3", "-c", "import yaml"}).ok()) GTEST_SKIP() << "no python3-yaml here";
+  const json file = workflow();
+  for (const char* key : {"name", "on", "permissions", "env", "jobs"}) EXPECT_TRUE(file.contains(key)) << key;
+  const json& job = file.at("jobs").at("gate");
+  EXPECT_EQ(job.at("container"), "debian:12");  // the system that the project is tested on
+  const bool shellcheck = is_installed("shellcheck");
+  std::set<std::string> names;
+  for (const json& step : job.at("steps")) {
+    const std::string name = step.at("name");
+    EXPECT_TRUE(names.insert(name).second) << name;
+    EXPECT_NE(step.contains("run"), step.contains("uses")) << name << ": a step is one or the other";
+    if (step.contains("run") && shellcheck) {
+      EXPECT_EQ(complaints(as_github_runs_it + step.at("run").get<std::string>()), "") << name;
+    }
+  }
+  // What must happen even after a gate failed.
+  for (const json& step : job.at("steps"))
+    if (step.at("name") == "Keep the report" || step.at("name") == "Summary") {
+      EXPECT_EQ(step.at("if"), "always()");
+    }
+}
+
+TEST_F(CiFiles, workflow_builds_what_the_repository_has) {
+  if (!run_process({"python3", "-c", "import yaml"}).ok()) GTEST_SKIP() << "no python3-yaml here";
+  const std::string text = workflow().dump();
+  for (const char* file : {"harness/setup/packages.sh", "harness/ci/gate.sh"}) {
+    EXPECT_NE(text.find(std::string("photonproof/") + file), std::string::npos) << file;
+    EXPECT_TRUE(fs::exists(source + "/" + file)) << file;
+  }
+  const json presets = json::parse(read_file(source + "/CMakePresets.json"));
+  const auto& configure = presets.at("configurePresets");
+  EXPECT_TRUE(std::any_of(configure.begin(), configure.end(), [](const json& p) { return p.at("name") == "release"; }));
+}
+
+TEST_F(CiFiles, shell_example_hands_its_arguments_to_the_gate_and_its_exit_code_on) {
+  put("program", "#!/bin/sh\necho \"$@\"\nexit 3\n");
+  fs::permissions(folder_ / "program", fs::perms::owner_all);
+  const ProcessOutcome outcome = run_process({"env", "PHOTONPROOF_PROGRAM=" + (folder_ / "program").string(),
+                                              ci + "gate.sh", "a b.toml", "out dir", "--seed", "7"});
+  EXPECT_EQ(outcome.exit_code, 3);
+  EXPECT_EQ(outcome.standard_output, "gate a b.toml -o out dir --seed 7\n");
+  const ProcessOutcome bare =
+      run_process({"env", "PHOTONPROOF_PROGRAM=" + (folder_ / "program").string(), ci + "gate.sh"});
+  EXPECT_EQ(bare.standard_output, "gate " + source + "/harness/suites/gates.toml -o out/gate\n");
+}
+
+TEST_F(CiFiles, shell_example_calls_a_build_that_fails_a_configuration_error) {
+  // A repository without its CMake files: configuring fails, which must not look like a gate that failed (1).
+  fs::create_directories(folder_ / "harness/ci");
+  fs::create_directories(folder_ / "harness/setup");
+  fs::copy_file(ci + "gate.sh", folder_ / "harness/ci/gate.sh");
+  put("harness/setup/packages.sh",
+      "build_packages=''\ninstall_packages() { :; }\nquietly() { echo \"no CMake files\" >&2; return 1; }\n");
+  const ProcessOutcome outcome = run_process({(folder_ / "harness/ci/gate.sh").string()});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.standard_error, "no CMake files\n");  // once: the build stops at the first failure
+}
+
+TEST_F(CiFiles, container_file_copies_and_runs_what_the_repository_has) {
+  const std::string text = read_file(ci + "Containerfile");
+  for (const char* line :
+       {"FROM debian:12\n", "source harness/setup/packages.sh", "cmake --preset release", "harness/suites/gates.toml"})
+    EXPECT_NE(text.find(line), std::string::npos) << line;
+  // The build's folders and results stay outside.
+  const std::string ignored = read_file(source + "/.dockerignore");
+  for (const char* name : {"build*\n", "out\n", ".git\n"}) EXPECT_NE(ignored.find(name), std::string::npos) << name;
+}
+
+}  // namespace
+}  // namespace photonproof

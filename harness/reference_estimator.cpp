@@ -1,0 +1,58 @@
+#include "harness/reference_estimator.h"
+
+#include <algorithm>
+
+#include "scenes/input_error.h"
+
+namespace photonproof {
+namespace {
+
+bool scatters(const MediumDescription& medium) {
+  const auto& m = std::get<HomogeneousDescription>(medium.model);
+  const RgbD scattering = m.sigma_t * m.albedo * m.scale;
+  return std::max({scattering.x, scattering.y, scattering.z}) > 0;
+}
+
+/// Bodies that gather light. Plastic and lacquer do not: their base dims what their thin gloss could focus.
+bool focuses(const BsdfDescription& bsdf) {
+  const auto& m = bsdf.model;
+  return std::holds_alternative<ConductorDescription>(m) || std::holds_alternative<DielectricDescription>(m) ||
+         std::holds_alternative<RoughConductorDescription>(m) ||
+         std::holds_alternative<RoughDielectricDescription>(m) || std::holds_alternative<ThinDielectricDescription>(m);
+}
+
+/// Light that comes from all around is found by following directions, and from far away badly by following photons.
+bool surrounds(const EmitterDescription& emitter) {
+  return std::holds_alternative<ConstantLightDescription>(emitter.light) ||
+         std::holds_alternative<EnvmapDescription>(emitter.light);
+}
+
+}  // namespace
+
+std::vector<std::string> estimators_for(const SceneDescription& scene) {
+  if (std::any_of(scene.media.begin(), scene.media.end(), scatters)) return {"volpath"};
+  const bool only_surrounded = std::any_of(scene.emitters.begin(), scene.emitters.end(), surrounds) &&
+                               std::all_of(scene.emitters.begin(), scene.emitters.end(), surrounds) &&
+                               std::none_of(scene.shapes.begin(), scene.shapes.end(),
+                                            [](const auto& shape) { return shape.radiance.has_value(); });
+  const bool caustics = std::any_of(scene.bsdfs.begin(), scene.bsdfs.end(), focuses) && !only_surrounded;
+  if (caustics) return {"bdpt", "volpath", "path", "ptracer"};
+  return {"path", "volpath", "bdpt", "ptracer"};
+}
+
+std::string choose_estimator(const SceneDescription& scene, const std::optional<Expect>& expect,
+                             const std::function<std::string(const std::string&)>& refusal) {
+  std::string reasons;
+  for (const std::string& integrator : estimators_for(scene)) {
+    std::string reason;
+    if (expect && expect->unsupported.count(integrator) != 0)
+      reason = expect->unsupported.at(integrator);
+    else
+      reason = refusal(integrator);
+    if (reason.empty()) return integrator;
+    reasons += (reasons.empty() ? "" : "; ") + integrator + ": " + reason;
+  }
+  throw InputError(scene.files.front(), "no unbiased integrator can render this scene (" + reasons + ")");
+}
+
+}  // namespace photonproof

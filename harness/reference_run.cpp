@@ -1,0 +1,156 @@
+#include "harness/reference_run.h"
+
+#include <algorithm>
+#include <bit>
+#include <chrono>
+#include <cmath>
+
+#include "reference/process.h"
+#include "reference/reference_store.h"
+#include "scenes/atomic_file.h"
+#include "scenes/input_error.h"
+
+namespace photonproof {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A batch that is killed, or out of time, loses this much.
+constexpr double checkpoint_seconds = 20;
+constexpr int trial_batches = 4, trial_samples = 16;
+constexpr int first_trial_seed = -trial_batches;  // so that they are no batch's
+
+std::string last_line(const std::string& text) {
+  const std::size_t last = text.find_last_not_of(" \t\r\n");
+  if (last == std::string::npos) return {};
+  const std::size_t before = text.find_last_of("\r\n", last);
+  return text.substr(before == std::string::npos ? 0 : before + 1, last - before);
+}
+
+using End = ReferenceProgress::End;
+
+class Batches {
+ public:
+  explicit Batches(const ReferenceRun& run) : run_(run) {}
+
+  std::optional<double> seconds_left() const {
+    if (!run_.seconds) return std::nullopt;
+    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begun_;
+    return *run_.seconds - spent.count();
+  }
+
+  /// The image of one batch. Where there is none, `end` says why; the batch can then be resumed.
+  std::optional<Image> render(int batch, int samples, End& end) const {
+    const fs::path image = file(batch, ".exr"), whole = file(batch, ".whole.exr");
+    if (fs::exists(whole)) return read_image(whole.string());
+    const fs::path checkpoint = image.string() + ".checkpoint";
+    std::vector<std::string> argv{run_.program.string(),
+                                  "render",
+                                  run_.scene.string(),
+                                  "-o",
+                                  image.string(),
+                                  "--integrator",
+                                  run_.integrator,
+                                  "--size",
+                                  std::to_string(run_.width) + "x" + std::to_string(run_.height),
+                                  "--spp",
+                                  std::to_string(samples),
+                                  "--seed",
+                                  std::to_string(batch_seed(batch)),
+                                  "--threads",
+                                  std::to_string(run_.threads),
+                                  "--checkpoint",
+                                  std::to_string(checkpoint_seconds),
+                                  "--quiet"};
+    if (fs::exists(checkpoint)) argv.emplace_back("--resume");
+    ProcessOptions options;
+    options.interrupt = run_.interrupt;
+    options.wall_limit_seconds = seconds_left();
+    const ProcessOutcome outcome = run_process(argv, options);
+    if (outcome.end == ProcessOutcome::End::interrupted || outcome.end == ProcessOutcome::End::timed_out) {
+      end = outcome.end == ProcessOutcome::End::timed_out ? End::out_of_time : End::interrupted;
+      return std::nullopt;
+    }
+    if (!outcome.ok())
+      throw InputError(run_.scene.string(), "batch " + std::to_string(batch) + " by " + run_.integrator + " " +
+                                                outcome.sentence() + ": " + last_line(outcome.standard_error));
+    fs::rename(image, whole);  // an interrupted render leaves an image, too
+    return read_image(whole.string());
+  }
+
+  void remove(int batch) const {
+    for (const char* extension : {".whole.exr", ".stats.json", ".exr", ".exr.checkpoint"}) {
+      std::error_code ignored;
+      fs::remove(file(batch, extension), ignored);
+    }
+  }
+
+  std::string where(int batch) const { return "batch " + std::to_string(batch) + " of " + run_.scene.string(); }
+
+ private:
+  fs::path file(int batch, const char* extension) const {
+    return run_.folder / ("batch" + std::to_string(batch) + extension);
+  }
+
+  const ReferenceRun& run_;
+  std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
+};
+
+/// The samples a batch needs for `least_batches` of them to reach the standard error, were its square as 1/samples.
+/// Empty where a batch has no image.
+std::optional<int> samples_for(const ReferenceRun& run, const Batches& batches, End& end) {
+  BatchMeans trial(run.width, run.height, trial_samples);
+  for (int i = first_trial_seed; i < 0; ++i) {
+    const std::optional<Image> image = batches.render(i, trial_samples, end);
+    if (!image) return std::nullopt;
+    trial.add(*image, batches.where(i));
+  }
+  const double ratio = relative_standard_error(trial.rendering()) / run.standard_error;
+  const double samples = trial_batches * trial_samples * ratio * ratio / least_batches;
+  constexpr double least = 16, most = 1 << 20;
+  return static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::clamp(samples, least, most))));
+}
+
+std::optional<double> error_of(const BatchMeans& means) {
+  if (means.batches() < 2) return std::nullopt;
+  return relative_standard_error(means.rendering());
+}
+
+}  // namespace
+
+std::uint64_t batch_seed(int batch) {
+  // The finalizer of splitmix64 (Steele et al. 2014): different for different batches.
+  std::uint64_t z = 0x5265666572656e63u + static_cast<std::uint64_t>(std::int64_t{batch}) * 0x9e3779b97f4a7c15u;
+  z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9u;
+  z = (z ^ z >> 27) * 0x94d049bb133111ebu;
+  return z ^ z >> 31;
+}
+
+ReferenceProgress run_reference(const ReferenceRun& run) {
+  const Batches batches(run);
+  const fs::path state = run.folder / "batches";
+  remove_abandoned_temporaries(state);
+  End end = End::reached;
+  if (!fs::exists(state)) {
+    const std::optional<int> samples = samples_for(run, batches, end);
+    if (!samples) return {BatchMeans(run.width, run.height, trial_samples), std::nullopt, end};
+    BatchMeans(run.width, run.height, *samples).save(state);
+    for (int i = first_trial_seed; i < 0; ++i) batches.remove(i);
+  }
+  BatchMeans means = BatchMeans::load(state);
+  if (means.batches() > 0) batches.remove(means.batches() - 1);  // counted, but killed before it was removed
+  while (true) {
+    const std::optional<double> error = error_of(means);
+    if (run.progress) run.progress(means, error);
+    const int batch = means.batches();
+    if (batch >= least_batches && *error <= run.standard_error) return {means, error, End::reached};
+    if (const auto left = batches.seconds_left(); left && *left <= 0) return {means, error, End::out_of_time};
+    const std::optional<Image> image = batches.render(batch, means.samples_per_batch(), end);
+    if (!image) return {means, error, end};
+    means.add(*image, batches.where(batch));
+    means.save(state);
+    batches.remove(batch);
+  }
+}
+
+}  // namespace photonproof

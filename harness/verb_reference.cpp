@@ -1,0 +1,242 @@
+// photonproof reference: a scene's mean image, as certain as asked, with its variance and provenance.
+// Exit codes: 0 done, 1 the time was over before the standard error was reached, 2 bad input, 130 interrupted (what is
+// finished is kept, and the same command goes on).
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "harness/engine_output.h"
+#include "harness/folder_lock.h"
+#include "harness/host.h"
+#include "harness/interrupt.h"
+#include "harness/reference_estimator.h"
+#include "harness/reference_run.h"
+#include "harness/scene_options.h"
+#include "harness/verbs.h"
+#include "harness/versions.h"
+#include "reference/process.h"
+#include "reference/reference_store.h"
+#include "renderer/version.h"
+#include "scenes/checksum.h"
+#include "scenes/input_error.h"
+#include "scenes/scene_hash.h"
+
+namespace photonproof {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ReferenceArguments {
+  SceneOptions scene;
+  double standard_error = 0.005;
+  std::string integrator = "auto";
+  std::optional<double> seconds;
+  int threads = 0;
+  std::string output;
+  bool commit = false;
+  std::string reason;
+  bool fresh = false;
+  bool json = false;
+  bool quiet = false;
+};
+
+struct Job {
+  const ReferenceArguments& arguments;
+  SceneDescription scene;
+  std::string hash;
+  int width, height;
+  fs::path program, folder;
+  fs::path cached() const { return folder / "reference.exr"; }
+};
+
+Job job_of(const ReferenceArguments& arguments) {
+  SceneDescription scene = load_scene(arguments.scene);
+  const std::string hash = scene_hash(scene);
+  const int width = scene.sensor.film.width, height = scene.sensor.film.height;
+  return {arguments,
+          std::move(scene),
+          hash,
+          width,
+          height,
+          fs::read_symlink("/proc/self/exe"),
+          cached_reference_folder(hash, width, height)};
+}
+
+/// What `render` has against the integrator for this scene; empty when nothing.
+std::string refusal_of(const Job& job, const std::string& integrator) {
+  const ProcessOutcome outcome =
+      run_process({job.program.string(), "render", job.arguments.scene.path, "--integrator", integrator, "--plan"});
+  if (outcome.ok()) return {};
+  const std::size_t end = outcome.standard_error.find_last_not_of("\r\n");
+  return end == std::string::npos ? outcome.sentence() : outcome.standard_error.substr(0, end + 1);
+}
+
+std::string integrator_for(const Job& job) {
+  if (job.arguments.integrator != "auto") return job.arguments.integrator;
+  const std::string path = expect_path_of(job.arguments.scene.path);
+  std::optional<Expect> expect;
+  if (fs::exists(path)) expect = read_expect(path);
+  return choose_estimator(job.scene, expect, [&](const std::string& name) { return refusal_of(job, name); });
+}
+
+/// The cache's, when it is good and by an integrator that will do.
+std::optional<StoredReference> cached_reference(const Job& job) {
+  if (!fs::exists(job.cached())) return std::nullopt;
+  try {
+    StoredReference stored = read_reference(job.cached(), job.hash, job.width, job.height, "");
+    const std::string& asked = job.arguments.integrator;
+    if (asked == "auto" || asked == stored.provenance.estimator) return stored;
+  } catch (const InputError&) {
+    // A damaged one is replaced.
+  }
+  return std::nullopt;
+}
+
+std::string percent(double ratio) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2g %%", 100 * ratio);
+  return text;
+}
+
+Provenance provenance_of(const Job& job, const std::string& integrator, const BatchMeans& means) {
+  Provenance p;
+  p.scene_hash = job.hash;
+  p.estimator = integrator;
+  p.samples = static_cast<std::uint64_t>(means.batches()) * static_cast<std::uint64_t>(means.samples_per_batch());
+  for (int batch = 0; batch < means.batches(); ++batch) p.seeds.push_back(batch_seed(batch));
+  p.versions = program_versions();
+  const Host host = describe_host();
+  p.host = host.cpu + ", " + std::to_string(host.cores) + " cores, " + host.os;
+  p.date = utc_now();
+  return p;
+}
+
+ReferenceProgress render(const Job& job, const std::string& integrator) {
+  Checksum version;
+  version.add(version_line().data(), version_line().size());
+  ReferenceRun run;
+  run.program = job.program;
+  run.scene = job.arguments.scene.path;
+  run.width = job.width;
+  run.height = job.height;
+  run.integrator = integrator;
+  run.standard_error = job.arguments.standard_error;
+  run.seconds = job.arguments.seconds;
+  run.threads = job.arguments.threads;
+  run.folder = job.folder / (integrator + "-" + version.hex());
+  run.interrupt = &interrupt_flag();
+  run.progress = [line = progress_line(job.arguments.quiet), &run](const BatchMeans& means,
+                                                                   std::optional<double> error) {
+    if (!line) return;
+    // The square of the error falls as one over the batches; the least number of them takes as long as it takes.
+    const double by_error = error && *error > 0 ? run.standard_error * run.standard_error / (*error * *error) : 1;
+    const double by_count = double(means.batches()) / least_batches;
+    line(error ? std::min({by_error, by_count, 0.999}) : 0,
+         run.integrator + ", " + std::to_string(means.batches()) + " batches of " +
+             std::to_string(means.samples_per_batch()) + " samples" +
+             (error ? ", standard error " + percent(*error) + " of " + percent(run.standard_error) : ""));
+  };
+  if (job.arguments.fresh) fs::remove_all(run.folder);
+  fs::create_directories(run.folder);
+  ReferenceProgress progress = run_reference(run);
+  if (const auto line = progress_line(job.arguments.quiet)) line(1, "");
+  return progress;
+}
+
+void print(const Job& job, const Provenance& p, const std::vector<fs::path>& files, bool reached) {
+  if (job.arguments.json) {
+    nlohmann::ordered_json json = {{"files", nlohmann::json::array()}, {"reached", reached}};
+    for (const fs::path& file : files) json["files"].push_back(file.string());
+    json["provenance"] = nlohmann::ordered_json::parse(provenance_text(p));
+    std::printf("%s\n", json.dump(2).c_str());
+    return;
+  }
+  std::printf("%s: %s, %dx%d, %zu batches of %llu samples, standard error %s\n", job.arguments.scene.path.c_str(),
+              p.estimator.c_str(), p.width, p.height, p.seeds.size(),
+              static_cast<unsigned long long>(p.samples / p.seeds.size()), percent(p.standard_error).c_str());
+  for (const fs::path& file : files) std::printf("reference: %s\n", file.c_str());
+}
+
+int write_out(const Job& job, const Rendering& rendering, const Provenance& provenance, bool reached) {
+  const ReferenceArguments& arguments = job.arguments;
+  std::vector<fs::path> files{job.cached()};
+  if (!arguments.output.empty()) {
+    write_reference(arguments.output, rendering, provenance, ReferenceSamples::floats);
+    files.emplace_back(arguments.output);
+  }
+  if (arguments.commit) {
+    commit_reference(arguments.scene.path, rendering, provenance, arguments.reason);
+    files.push_back(committed_reference_path(arguments.scene.path, job.width, job.height));
+  }
+  print(job, provenance, files, reached);
+  if (reached) return 0;
+  std::fprintf(stderr, "the time is over before a standard error of %s; the same command goes on from here\n",
+               percent(arguments.standard_error).c_str());
+  return 1;
+}
+
+int unfinished(const ReferenceProgress& progress) {
+  const bool interrupted = progress.end == ReferenceProgress::End::interrupted;
+  std::fprintf(stderr, "%s: kept %d finished batches%s; the same command goes on from here\n",
+               interrupted ? "interrupted" : "the time is over", progress.means.batches(),
+               progress.standard_error ? (", standard error " + percent(*progress.standard_error)).c_str() : "");
+  return interrupted ? 130 : 1;
+}
+
+int run(const ReferenceArguments& arguments) {
+  interrupt_flag();
+  if (!arguments.output.empty() && fs::path(arguments.output).extension() != ".exr")
+    throw InputError("--output", "'" + arguments.output + "' is not the name of an EXR, expected NAME.exr");
+  if (!arguments.reason.empty() && !arguments.commit) throw InputError("--reason", "is for --commit");
+  const Job job = job_of(arguments);
+  const FolderLock lock(job.folder);
+  const std::optional<StoredReference> cached = arguments.fresh ? std::nullopt : cached_reference(job);
+  if (cached && cached->provenance.standard_error <= arguments.standard_error)
+    return write_out(job, cached->rendering, cached->provenance, true);
+
+  const std::string integrator = integrator_for(job);
+  const ReferenceProgress progress = render(job, integrator);
+  using End = ReferenceProgress::End;
+  if (progress.end == End::interrupted || progress.means.batches() < least_batches) return unfinished(progress);
+  const Rendering rendering = progress.means.rendering();
+  Provenance provenance = provenance_of(job, integrator, progress.means);
+  if (cached && cached->provenance.standard_error <= *progress.standard_error)
+    return write_out(job, cached->rendering, cached->provenance, false);
+  provenance = write_reference(job.cached(), rendering, provenance, ReferenceSamples::floats);
+  return write_out(job, rendering, provenance, progress.end == End::reached);
+}
+
+}  // namespace
+
+void add_reference_verb(CLI::App& program, int& exit_code) {
+  auto arguments = std::make_shared<ReferenceArguments>();
+  CLI::App* verb = program.add_subcommand(
+      "reference", "Render a scene's mean image to a stated standard error, with its variance and provenance");
+  verb->add_option("SCENE", arguments->scene.path, "scene XML")->required();
+  verb->add_option("--size", arguments->scene.size, "WIDTHxHEIGHT instead of the film's own");
+  verb->add_option("--standard-error", arguments->standard_error,
+                   "to reach: sqrt(mean of variance/(mean^2 + 0.01)) over pixels and channels")
+      ->check(CLI::Range(1e-6, 1.0))
+      ->check(is_finite_number)
+      ->capture_default_str();
+  verb->add_option("--integrator", arguments->integrator, "an unbiased one; auto: by what the scene holds")
+      ->check(CLI::IsMember({"auto", "path", "bdpt", "volpath", "ptracer"}))
+      ->capture_default_str();
+  verb->add_option("--seconds", arguments->seconds, "wall time after which it stops; the same command goes on")
+      ->check(CLI::Range(1e-3, 1e7))
+      ->check(is_finite_number);
+  verb->add_option("--threads", arguments->threads, "worker threads (default: every core)")->check(CLI::Range(0, 1024));
+  verb->add_option("-o,--output", arguments->output, "EXR to write beside the cache's, its provenance as .json");
+  verb->add_flag("--commit", arguments->commit,
+                 "put it beside the scene as reference-WxH.exr and .json, in half floats (256x256 at most)");
+  verb->add_option("--reason", arguments->reason,
+                   "why --commit replaces a reference that is good; kept in its provenance");
+  verb->add_flag("--fresh", arguments->fresh, "begin anew instead of using what the cache has");
+  verb->add_flag("--json", arguments->json, "print files and provenance as JSON");
+  verb->add_flag("--quiet", arguments->quiet, "no progress line");
+  verb->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+}
+
+}  // namespace photonproof

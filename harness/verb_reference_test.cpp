@@ -1,0 +1,186 @@
+// photonproof reference as a user and a machine that fails treat it.
+
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <cstdlib>
+#include <thread>
+
+#include "harness/test_folder.h"
+#include "reference/process.h"
+#include "reference/reference_store.h"
+
+namespace photonproof {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string library = PHOTONPROOF_SOURCE_DIR "/scenes/library/";
+
+class ReferenceVerb : public FolderTest {
+ protected:
+  void SetUp() override {
+    FolderTest::SetUp();
+    use_cache("cache");
+    copy_scene("cornell");
+  }
+  /// A copy, so that what --commit writes goes to the test's folder.
+  void copy_scene(const std::string& name) {
+    fs::copy_file(library + name + "/scene.xml", folder_ / "scene.xml", fs::copy_options::overwrite_existing);
+    fs::copy_file(library + name + "/expect.toml", folder_ / "expect.toml", fs::copy_options::overwrite_existing);
+  }
+  void use_cache(const std::string& name) const { setenv("PHOTONPROOF_CACHE", path(name).c_str(), 1); }
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  std::vector<std::string> argv(const std::vector<std::string>& more) const {
+    std::vector<std::string> all{PHOTONPROOF_BINARY, "reference", path("scene.xml")};
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  }
+  ProcessOutcome reference(const std::vector<std::string>& more) const {
+    return run_process(argv(more), {.wall_limit_seconds = 600});
+  }
+  /// Starts the program, waits until it has kept `batches` more (or as many trial batches), goes on for `seconds` and
+  /// sends it the signal unless it has ended by then; the status of wait. Counting what is kept makes sure of progress
+  /// on a busy machine.
+  int signalled(int signal_number, int batches, double seconds, const std::vector<std::string>& more) const {
+    std::vector<std::string> words = argv(more);
+    const pid_t pid = fork();
+    if (pid == 0) {
+      std::vector<char*> pointers;
+      for (std::string& word : words) pointers.push_back(word.data());
+      pointers.push_back(nullptr);
+      freopen("/dev/null", "w", stdout);
+      freopen(path("stderr").c_str(), "w", stderr);
+      execv(pointers[0], pointers.data());
+      _exit(127);
+    }
+    int status = 0;
+    auto last = newest_kept();
+    for (int left = batches; left > 0;) {
+      if (waitpid(pid, &status, WNOHANG) == pid) return status;
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+      if (const auto now = newest_kept(); now != last) {
+        last = now;
+        --left;
+      }
+    }
+    std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
+    if (waitpid(pid, &status, WNOHANG) == pid) return status;
+    kill(pid, signal_number);
+    waitpid(pid, &status, 0);
+    return status;
+  }
+  fs::file_time_type newest_kept() const {
+    fs::file_time_type newest{};
+    std::error_code gone;
+    fs::recursive_directory_iterator at(std::getenv("PHOTONPROOF_CACHE"), gone), end;
+    for (; at != end; at.increment(gone)) {
+      const std::string name = at->path().filename().string();
+      if (name != "batches" && !name.ends_with(".whole.exr")) continue;
+      const auto time = at->last_write_time(gone);
+      if (!gone) newest = std::max(newest, time);
+    }
+    return newest;
+  }
+};
+
+TEST_F(ReferenceVerb, killed_and_run_again_gives_the_pixels_of_a_run_never_stopped) {
+  const std::vector<std::string> options{"--size", "8x8", "--standard-error", "0.1", "--integrator", "bdpt"};
+  const auto with_output = [&](const std::string& name) {
+    std::vector<std::string> all = options;
+    all.insert(all.end(), {"-o", path(name)});
+    return all;
+  };
+  const ProcessOutcome whole = reference(with_output("whole.exr"));
+  ASSERT_TRUE(whole.ok()) << whole.standard_error;
+  use_cache("other");
+  int kills = 0;
+  for (; kills < 100; ++kills) {
+    // A golden-ratio sequence of moments: in the trial, in a batch, between two, at another number of threads.
+    const double moment = 0.3 * std::fmod(0.618 * kills, 1.0);
+    std::vector<std::string> now = with_output("killed.exr");
+    now.insert(now.end(), {"--threads", std::to_string(1 + kills % 2)});
+    const int status = signalled(SIGKILL, 1 + 3 * kills, moment, now);
+    if (!WIFEXITED(status)) continue;
+    ASSERT_EQ(WEXITSTATUS(status), 0) << get("stderr");
+    break;
+  }
+  std::printf("%d kills\n", kills);
+  EXPECT_GE(kills, 2) << "nothing was tested";
+  EXPECT_EQ(get("killed.exr"), get("whole.exr"));
+}
+
+TEST_F(ReferenceVerb, interrupted_keeps_what_is_finished_and_goes_on) {
+  const std::vector<std::string> options{"--size", "32x32", "--standard-error", "0.0005"};
+  const int status = signalled(SIGINT, 2, 0.1, options);
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 130);
+  EXPECT_EQ(get("stderr").find("interrupted: kept "), 0u) << get("stderr");
+  EXPECT_NE(get("stderr").find("the same command goes on from here"), std::string::npos);
+}
+
+TEST_F(ReferenceVerb, standard_error_that_it_states_is_the_error_it_has) {
+  // In the furnace every pixel is 2, so the relative error of 4096 pixels (grey: three channels are one) is known. Its
+  // mean square over the stated one is 1, with a deviation of sqrt((2 + 2/31) / 4096) = 2.2 % from the pixels' errors
+  // and from their variances out of 32 batches; 4 deviations of the square are 4.5 % of the root.
+  copy_scene("furnace");
+  const ProcessOutcome outcome = reference({"--size", "64x64", "--standard-error", "0.01", "-o", path("out.exr")});
+  ASSERT_TRUE(outcome.ok()) << outcome.standard_error;
+  const Rendering r = read_rendering(path("out.exr"));
+  double sum = 0;
+  for (const float v : r.mean.rgb) sum += (v - 2.0) * (v - 2.0) / (2.0 * 2.0 + 0.01);
+  const double actual = std::sqrt(sum / static_cast<double>(r.mean.rgb.size()));
+  EXPECT_NEAR(actual / relative_standard_error(r), 1, 0.045);
+  EXPECT_LE(relative_standard_error(r), 0.01);
+}
+
+TEST_F(ReferenceVerb, what_the_cache_has_is_not_rendered_again_and_serves_the_committed_one) {
+  const ProcessOutcome first = reference({"--size", "8x8", "--standard-error", "0.05"});
+  ASSERT_TRUE(first.ok()) << first.standard_error;
+  const StoredReference cached = load_reference(folder_ / "scene.xml", 8, 8);
+  EXPECT_EQ(cached.provenance.estimator, "path");
+  EXPECT_GE(cached.provenance.seeds.size(), 32u);
+
+  const ProcessOutcome second = reference({"--size", "8x8", "--standard-error", "0.05", "--commit"});
+  ASSERT_TRUE(second.ok()) << second.standard_error;
+  const StoredReference committed = load_reference(folder_ / "scene.xml", 8, 8);
+  EXPECT_EQ(committed.file, folder_ / "reference-8x8.exr");
+  EXPECT_EQ(committed.provenance.seeds, cached.provenance.seeds);
+  EXPECT_EQ(committed.provenance.date, cached.provenance.date);
+
+  // More certain than the cache's: the batches there are go on being used, and a reason is asked for.
+  const ProcessOutcome third = reference({"--size", "8x8", "--standard-error", "0.03", "--commit"});
+  EXPECT_EQ(third.exit_code, 2);
+  EXPECT_NE(third.standard_error.find("say why it is replaced with --reason TEXT"), std::string::npos);
+  ASSERT_TRUE(reference({"--size", "8x8", "--standard-error", "0.03", "--commit", "--reason", "more certain"}).ok());
+  const StoredReference better = load_reference(folder_ / "scene.xml", 8, 8);
+  EXPECT_EQ(std::vector(better.provenance.seeds.begin(), better.provenance.seeds.begin() + 32),
+            std::vector(cached.provenance.seeds.begin(), cached.provenance.seeds.begin() + 32));
+  EXPECT_LT(better.provenance.standard_error, 0.031);
+}
+
+TEST_F(ReferenceVerb, time_that_is_over_is_said_and_never_passes_for_done) {
+  const ProcessOutcome few = reference({"--size", "32x32", "--standard-error", "1e-4", "--seconds", "0.01"});
+  EXPECT_EQ(few.exit_code, 1);
+  EXPECT_EQ(few.standard_error.find("the time is over: kept "), 0u) << few.standard_error;
+  EXPECT_NE(input_error_of([&] { load_reference(folder_ / "scene.xml", 32, 32); }).find("has no reference"),
+            std::string::npos);
+}
+
+TEST_F(ReferenceVerb, bad_options_are_refused) {
+  EXPECT_EQ(reference({"--integrator", "photonmapper"}).exit_code, 2);
+  EXPECT_EQ(reference({"--standard-error", "nan"}).exit_code, 2);
+  EXPECT_EQ(reference({"--reason", "why"}).standard_error, "--reason: error: is for --commit\n");
+  EXPECT_EQ(reference({"-o", "a.png"}).standard_error,
+            "--output: error: 'a.png' is not the name of an EXR, expected NAME.exr\n");
+  copy_scene("fog");
+  const ProcessOutcome fog = reference({"--integrator", "path", "--size", "8x8"});
+  EXPECT_EQ(fog.exit_code, 2);
+  EXPECT_NE(fog.standard_error.find("volpath"), std::string::npos) << fog.standard_error;
+}
+
+}  // namespace
+}  // namespace photonproof

@@ -1,0 +1,45 @@
+// Where a stored reference comes from: the JSON beside its EXR, for people, for diffs, and for the checks on reading.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace photonproof {
+
+/// One time that somebody replaced a reference by another, and why.
+struct Acceptance {
+  std::string date;  ///< UTC, ISO 8601
+  std::string reason;
+  std::map<std::string, std::string> before, after;  ///< facts() of the old and of the new one
+  friend bool operator==(const Acceptance&, const Acceptance&) = default;
+};
+
+struct Provenance {
+  std::string scene_hash;  ///< of the scene and its assets (scenes/scene_hash.h)
+  int width = 0, height = 0;
+  std::string estimator;             ///< the integrator: "bdpt"
+  std::uint64_t samples = 0;         ///< a pixel, in all batches
+  std::vector<std::uint64_t> seeds;  ///< one an independent batch; the variance has one degree of freedom less
+  double standard_error = 0;         ///< relative, of the pixels as stored (reference_store.h)
+  std::string pixels;                ///< checksum of the stored mean and variance
+  std::map<std::string, std::string> versions;
+  std::string host;
+  std::string date;                 ///< UTC, ISO 8601
+  std::vector<Acceptance> history;  ///< oldest first
+  friend bool operator==(const Provenance&, const Provenance&) = default;
+};
+
+/// In words: "estimator", "samples", "batches", "standard_error", "scene_hash", "pixels", "date", "host" and
+/// "version". For reports, and for what an Acceptance keeps.
+std::map<std::string, std::string> facts(const Provenance& provenance);
+
+/// Indented JSON that ends in a line break. Precondition: the standard error is finite.
+std::string provenance_text(const Provenance& provenance);
+
+/// Throws InputError, naming `file`, when the text is not JSON, lacks a key, has one that is not known, or a value that
+/// cannot be.
+Provenance parse_provenance(const std::string& text, const std::string& file);
+
+}  // namespace photonproof

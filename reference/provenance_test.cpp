@@ -1,0 +1,61 @@
+#include "reference/provenance.h"
+
+#include <gtest/gtest.h>
+
+#include "harness/test_folder.h"
+
+namespace photonproof {
+namespace {
+
+Provenance sample() {
+  Provenance p;
+  p.scene_hash = "0123456789abcdef";
+  p.width = 64;
+  p.height = 48;
+  p.estimator = "bdpt";
+  p.samples = 32 * 128;
+  p.seeds = {7, 18446744073709551615u};  // 2^64 - 1: no double holds it
+  p.standard_error = 0.1 + 0.2;          // needs 17 digits
+  p.pixels = "fedcba9876543210";
+  p.versions = {{"photonproof", "photonproof 0.1.0 (abc)"}, {"embree", "3.13.5"}};
+  p.host = "A \"CPU\", 2 cores";
+  p.date = "2026-01-31T12:00:00Z";
+  p.history = {{"2026-02-01T00:00:00Z", "the lamp moved", {{"pixels", "1"}}, {{"pixels", "2"}}}};
+  return p;
+}
+
+TEST(Provenance, comes_back_as_it_was_written) {
+  EXPECT_EQ(parse_provenance(provenance_text(sample()), "p.json"), sample());
+}
+
+TEST(Provenance, is_told_in_words) {
+  // 0.3 is 30 %; two seeds are two batches.
+  const auto told = facts(sample());
+  EXPECT_EQ(told.at("standard_error"), "30 %");
+  EXPECT_EQ(told.at("batches"), "2");
+  EXPECT_EQ(told.at("version"), "photonproof 0.1.0 (abc)");
+}
+
+TEST(Provenance, text_that_is_none_is_refused_by_name) {
+  const auto error_with = [](const std::string& from, const std::string& to) {
+    std::string text = provenance_text(sample());
+    if (const auto at = text.find(from); at != std::string::npos) text.replace(at, from.size(), to);
+    return input_error_of([&] { parse_provenance(text, "p.json"); });
+  };
+  EXPECT_EQ(error_with("{", ""), "p.json: error: the provenance is not JSON");
+  EXPECT_EQ(error_with("\"samples\": 4096,", ""), "p.json: error: the provenance has no 'samples'");
+  EXPECT_EQ(error_with("4096", "-1"), "p.json: error: the provenance 'samples' is no whole number from 0 on");
+  EXPECT_EQ(error_with("4096", "\"many\""), "p.json: error: the provenance 'samples' is no whole number from 0 on");
+  EXPECT_EQ(error_with("\"bdpt\"", "3"),
+            "p.json: error: the provenance 'estimator' is of another type than it should be");
+  EXPECT_EQ(error_with("\"width\"", "\"note\": 1, \"width\""),
+            "p.json: error: the provenance has keys that are not known");
+  EXPECT_EQ(error_with("\"format\": 1", "\"format\": 2"),
+            "p.json: error: the provenance is of another format than this program writes");
+  EXPECT_EQ(error_with("\"reason\": \"the lamp moved\",", ""),
+            "p.json: error: an entry of the provenance's history has no 'reason'");
+  EXPECT_EQ(input_error_of([] { parse_provenance("[]", "p.json"); }), "p.json: error: the provenance is not an object");
+}
+
+}  // namespace
+}  // namespace photonproof

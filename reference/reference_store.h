@@ -1,0 +1,70 @@
+// References: a scene's mean image with the variance of that mean, and where they come from. Small ones are committed
+// beside the scene as reference-<W>x<H>.exr and .json; all others are kept in a cache by the scene's content.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "reference/provenance.h"
+#include "scenes/image.h"
+
+namespace photonproof {
+
+struct StoredReference {
+  Rendering rendering;  ///< the variance is always there, and is that of the mean, rounding to half floats included
+  Provenance provenance;
+  std::filesystem::path file;  ///< the EXR that was read
+};
+
+/// The scene's reference of this size: the one beside the scene, else the cache's. Throws InputError when the scene
+/// cannot be parsed, and when the reference is missing, cannot be read whole, has a value that is not finite, or is of
+/// another content than the scene has now; the sentence ends in the command that makes a new one. A bad one beside the
+/// scene is an error whatever the cache has.
+StoredReference load_reference(const std::filesystem::path& scene_file, int width, int height);
+
+/// The same checks on one file, whose provenance lies beside it with the extension .json. `rebuild` is the command that
+/// messages end in.
+StoredReference read_reference(const std::filesystem::path& exr, const std::string& scene_hash, int width, int height,
+                               const std::string& rebuild);
+
+/// How the pixels of a reference are kept.
+enum class ReferenceSamples {
+  floats,
+  halves,  ///< mean as half floats (reference/half_rounding.h); for what is committed
+};
+
+/// Writes the EXR and, after it, the JSON; fills in `pixels` and `standard_error` and returns what was written. Throws
+/// InputError when a value is not finite, a variance is negative or missing, or a mean is larger than a half float can
+/// be (65504).
+Provenance write_reference(const std::filesystem::path& exr, const Rendering& rendering, Provenance provenance,
+                           ReferenceSamples samples);
+
+/// Puts a reference beside the scene, as halves. Where it replaces one that is good and of the scene's present content,
+/// `reason` must say why, and the history of the old one goes on with an Acceptance. Throws InputError also when the
+/// image has more than 256 x 256 pixels.
+Provenance commit_reference(const std::filesystem::path& scene_file, const Rendering& rendering, Provenance provenance,
+                            const std::string& reason);
+
+/// sqrt(mean over pixels and channels of variance / (mean^2 + 0.01)): what relmse would say of the rendering's own
+/// noise, as a ratio of values rather than of squares. Precondition: there is a variance.
+double relative_standard_error(const Rendering& rendering);
+
+/// <folder of the scene>/reference-<W>x<H>.exr
+std::filesystem::path committed_reference_path(const std::filesystem::path& scene_file, int width, int height);
+
+/// $PHOTONPROOF_CACHE, else $XDG_CACHE_HOME/photonproof, else ~/.cache/photonproof. Throws InputError when none of
+/// those is set.
+std::filesystem::path cache_folder();
+
+/// <cache>/references/<scene hash>-<W>x<H>: the cache's reference.exr and .json of this content, and what it is made
+/// of.
+std::filesystem::path cached_reference_folder(const std::string& scene_hash, int width, int height);
+
+/// "photonproof reference SCENE --size WxH", with " --commit" where the reference belongs beside the scene.
+std::string reference_command(const std::filesystem::path& scene_file, int width, int height, bool commit);
+
+/// "2026-01-31T12:00:00Z"
+std::string utc_now();
+
+}  // namespace photonproof

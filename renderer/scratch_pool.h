@@ -1,0 +1,44 @@
+// Scratch memory of kernels, kept from tile to tile: clearing it anew would be a good part of a short tile.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+namespace photonproof {
+
+class ScratchPool {
+ public:
+  explicit ScratchPool(std::size_t words) : words_(words) {}
+
+  /// Calls body(scratch) with memory that nobody else uses meanwhile. It is zero at first, later what the one before
+  /// left, whose lanes are as harmless to load as zeros: indices in them are of the same scene.
+  template <class Body>
+  void lend(Body&& body) {
+    std::unique_ptr<std::uint32_t[]> scratch = take();
+    body(scratch.get());
+    const std::lock_guard lock(mutex_);
+    free_.push_back(std::move(scratch));
+  }
+
+ private:
+  std::unique_ptr<std::uint32_t[]> take() {
+    {
+      const std::lock_guard lock(mutex_);
+      if (!free_.empty()) {
+        std::unique_ptr<std::uint32_t[]> scratch = std::move(free_.back());
+        free_.pop_back();
+        return scratch;
+      }
+    }
+    return std::make_unique<std::uint32_t[]>(words_);
+  }
+
+  std::size_t words_;
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<std::uint32_t[]>> free_;
+};
+
+}  // namespace photonproof
