@@ -3,14 +3,17 @@
 #include <algorithm>
 #include <chrono>
 #include <ctime>
+#include <future>
 
 #include "harness/bench_plan.h"
+#include "harness/cell_command.h"
 #include "harness/cells.h"
 #include "harness/compare_cell.h"
-#include "harness/engine_command.h"
+#include "harness/convergence.h"
 #include "harness/folder_lock.h"
 #include "harness/host.h"
 #include "harness/run_cell.h"
+#include "harness/session_quality.h"
 #include "scenes/atomic_file.h"
 #include "scenes/input_error.h"
 
@@ -32,10 +35,19 @@ bool is_failure(Status status) {
   return status == Status::timeout || status == Status::crash || status == Status::bad_image;
 }
 
-// As a person would type it: from the current folder where that is shorter.
-fs::path short_path(const fs::path& path) {
-  const fs::path near = fs::proximate(path);
-  return near.string().size() < path.string().size() ? near : path;
+// A results.json that takes longer to write is not written after every cell.
+constexpr double quick_save_seconds = 0.01;
+constexpr double tolerated_save_share = 0.005;
+// An engine measured this often can afford to have its first cell rendered once before, for at most so long.
+constexpr std::size_t least_cells_for_warm_up = 3;
+constexpr double warm_up_seconds = 2;
+
+using Clock = std::chrono::steady_clock;
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+// Any number that is the suite's own.
+std::uint64_t order_seed(const Suite& suite) {
+  return std::stoull(content_key({{"order", suite.name}}).substr(0, 15), nullptr, 16);
 }
 
 class Bench {
@@ -44,6 +56,7 @@ class Bench {
       : suite_(suite),
         options_(options),
         observer_(observer),
+        old_run_(options.against ? std::optional(read_old_run(*options.against)) : std::nullopt),
         lock_(options.results_folder),
         store_(options.results_folder),
         host_(describe_host()),
@@ -51,14 +64,24 @@ class Bench {
         created_(utc_now()) {}
 
   BenchSummary run() {
+    const Clock::time_point start = Clock::now();
+    const double own_before = own_cpu_seconds();
     const std::vector<Cell> to_run = choose_cells();
-    if (to_run.empty()) keep_creation_time();
+    if (to_run.empty()) keep_session();
     if (options_.fresh && !to_run.empty()) set_old_record_aside();
-    compare_found_cells();
+    if (!to_run.empty())
+      if (const std::string caveat = load_caveat(host_.cores); !caveat.empty()) caveats_.push_back(caveat);
     save();
+    warm_up(to_run);
     for (std::size_t i = 0; i < to_run.size() && !summary_.interrupted; ++i) {
       if (!measure(i + 1, to_run.size(), plan_.find(to_run[i].label()))) summary_.interrupted = true;
     }
+    compare_found_cells();
+    conclude(!to_run.empty());
+    save();
+    summary_.seconds = seconds_since(start);
+    summary_.harness_cpu_seconds = own_cpu_seconds() - own_before;
+    if (options_.against && !summary_.interrupted) compare_with_old();
     count();
     return summary_;
   }
@@ -88,15 +111,18 @@ class Bench {
       });
       if (is_wanted(planned) && (needed || is_selected(planned.cell))) references.push_back(planned.cell);
     }
-    for (Cell& cell : interleaved_by_engine(others)) references.push_back(std::move(cell));
+    for (Cell& cell : interleaved_by_engine(others, order_seed(suite_))) references.push_back(std::move(cell));
     return references;
   }
 
-  // Nothing is measured: the record stays as old as its measurements.
-  void keep_creation_time() {
+  // Nothing is measured: the record stays as old as its measurements, with what was known of that session.
+  void keep_session() {
     if (!fs::exists(results_file())) return;
     try {
-      created_ = read_results(results_file().string()).created;
+      Results before = read_results(results_file().string());
+      created_ = before.created;
+      caveats_ = std::move(before.caveats);
+      changes_ = std::move(before.changes);
     } catch (const InputError&) {
       // Damaged or of another version; it is about to be replaced from the cells.
     }
@@ -113,40 +139,49 @@ class Bench {
   // False when interrupted.
   bool measure(std::size_t number, std::size_t total, PlannedCell& planned) {
     observer_.starts(number, total, planned.cell);
-    const SuiteScene& scene = suite_.scene(planned.cell.scene);
-    const Engine& engine = suite_.engine(planned.cell.engine);
     const std::string cell_folder = store_.make_folder(planned.key);
-    const fs::path folder = short_path(options_.results_folder / cell_folder);
-    const std::string image_name = "image." + engine.image_extension;
-
-    CommandValues values;
-    values.photonproof = short_path(options_.program);
-    // A bare name would be looked up on PATH.
-    if (!values.photonproof.has_parent_path()) values.photonproof = fs::path(".") / values.photonproof;
-    values.suite = short_path(suite_.folder);
-    values.scene = short_path(scene.path);
-    values.output = folder / image_name;
-    values.stats = folder / "stats.json";
-    values.width = scene.width;
-    values.height = scene.height;
-    values.threads = threads_of(suite_, host_);
-    values.seed = planned.cell.seed;
-    values.budget = planned.cell.budget;
-    std::optional<Result> result =
-        run_cell({planned.cell, fill_command(engine.command, values), values.output, values.stats, folder, scene.width,
-                  scene.height, suite_.limits, options_.interrupt});
+    const CellCommand command = command_of(planned.cell, cell_folder);
+    std::optional<Result> result = run_cell(cell_run(planned.cell, command, suite_.limits));
     if (!result) return false;
+    summary_.engine_seconds += result->wall_seconds.value_or(0);
     result->key = planned.key;
-    result->engine_version = version_of(engine.name);
-    if (fs::exists(values.output)) result->image = cell_folder + "/" + image_name;
+    result->engine_version = version_of(planned.cell.engine);
+    if (fs::exists(command.image)) result->image = cell_folder + "/" + command.image.filename().string();
     planned.found = CellStore::Found{{std::move(*result), ""}, cell_folder};
-    compare(planned);
     store_.keep(cell_folder, planned.found->kept);
-    if (planned.is_reference) compare_found_cells();
-    save();
+    save_if_quick();
     ++summary_.measured;
     observer_.ended(number, total, planned.found->kept.result);
     return true;
+  }
+
+  CellCommand command_of(const Cell& cell, const std::string& cell_folder) const {
+    return cell_command(suite_, cell, options_.program, options_.results_folder / cell_folder, "image",
+                        threads_of(suite_, host_));
+  }
+
+  CellRun cell_run(const Cell& cell, const CellCommand& command, const Limits& limits) const {
+    const SuiteScene& scene = suite_.scene(cell.scene);
+    return {cell,        command.argv, command.image, command.stats,     command.image.parent_path(),
+            scene.width, scene.height, limits,        options_.interrupt};
+  }
+
+  // What an engine does once and never again (reading its files from disk, waking the processors) is not measured.
+  void warm_up(const std::vector<Cell>& to_run) {
+    std::map<std::string, std::vector<const Cell*>> by_engine;
+    for (const Cell& cell : to_run) by_engine[cell.engine].push_back(&cell);
+    const fs::path folder = options_.results_folder / "warm-up";
+    std::error_code ignored;
+    for (const auto& [engine, cells] : by_engine) {
+      if (cells.size() < least_cells_for_warm_up) continue;
+      fs::create_directories(folder, ignored);
+      Limits limits = suite_.limits;
+      limits.seconds = std::min(limits.seconds, warm_up_seconds);
+      const auto result =
+          run_cell(cell_run(*cells.front(), command_of(*cells.front(), folder.filename().string()), limits));
+      if (result) summary_.engine_seconds += result->wall_seconds.value_or(0);
+      fs::remove_all(folder, ignored);
+    }
   }
 
   std::string version_of(const std::string& engine) const {
@@ -180,10 +215,47 @@ class Bench {
     return true;
   }
 
-  // Cells measured earlier whose reference, exposure or metrics are others now.
+  // Cells that were not compared yet, or whose reference, exposure or metrics are others now. Nothing is measured any
+  // more, so every core may help.
   void compare_found_cells() {
-    for (PlannedCell& planned : plan_.cells)
-      if (planned.found && compare(planned)) store_.keep(planned.found->cell_folder, planned.found->kept);
+    std::atomic<std::size_t> next = 0;
+    const auto work = [&] {
+      for (std::size_t i = next++; i < plan_.cells.size(); i = next++) {
+        PlannedCell& planned = plan_.cells[i];
+        if (planned.found && compare(planned)) store_.keep(planned.found->cell_folder, planned.found->kept);
+      }
+    };
+    std::vector<std::future<void>> helpers;
+    for (int i = 1; i < host_.cores; ++i) helpers.push_back(std::async(std::launch::async, work));
+    work();
+    for (std::future<void>& helper : helpers) helper.get();
+  }
+
+  void conclude(bool measured) {
+    const Results results = record();
+    std::map<std::string, double> targets;
+    for (const SuiteScene& scene : suite_.scenes)
+      if (scene.target_relmse) targets[scene.name] = *scene.target_relmse;
+    convergence_ = convergence_of(results, options_.results_folder, targets);
+    if (!measured || suite_.control.empty()) return;
+    const std::string caveat = control_caveat(results, suite_.control, control_name(suite_.control));
+    if (!caveat.empty()) caveats_.push_back(caveat);
+  }
+
+  void compare_with_old() {
+    const Results now = record();
+    AgainstRun run{suite_,
+                   now,
+                   options_.program,
+                   options_.results_folder,
+                   threads_of(suite_, host_),
+                   options_.only,
+                   options_.interrupt,
+                   [this](const ChangeRecord& change) { observer_.changed(change); }};
+    changes_ = changes_against(run, *old_run_, *options_.against);
+    summary_.interrupted = options_.interrupt != nullptr && *options_.interrupt;
+    for (const ChangeRecord& change : changes_) ++summary_.by_change[change.change];
+    save();
   }
 
   Result unsupported_result(const PlannedCell& planned) const {
@@ -196,7 +268,19 @@ class Bench {
     return result;
   }
 
-  void save() const {
+  void save_if_quick() {
+    const double since = seconds_since(last_save_);
+    if (save_seconds_ < quick_save_seconds || save_seconds_ < tolerated_save_share * since) save();
+  }
+
+  void save() {
+    const Clock::time_point start = Clock::now();
+    write_results(results_file().string(), record());
+    save_seconds_ = seconds_since(start);
+    last_save_ = Clock::now();
+  }
+
+  Results record() const {
     Results results;
     results.suite = suite_.name;
     results.created = created_;
@@ -209,7 +293,10 @@ class Bench {
       if (planned.unsupported) results.results.push_back(unsupported_result(planned));
       if (planned.found) results.results.push_back(planned.found->kept.result);
     }
-    write_results(results_file().string(), results);
+    results.convergence = convergence_;
+    results.changes = changes_;
+    results.caveats = caveats_;
+    return results;
   }
 
   void count() {
@@ -226,11 +313,17 @@ class Bench {
   const Suite& suite_;
   const BenchOptions& options_;
   BenchObserver& observer_;
+  std::optional<Results> old_run_;
   FolderLock lock_;
   CellStore store_;
   Host host_;
   BenchPlan plan_;
   std::string created_;
+  std::vector<Convergence> convergence_;
+  std::vector<ChangeRecord> changes_;
+  std::vector<std::string> caveats_;  // of the session
+  double save_seconds_ = 0;
+  Clock::time_point last_save_;
   BenchSummary summary_;
 };
 

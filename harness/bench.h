@@ -1,11 +1,14 @@
-// Runs a suite: every cell a process of its own, finished ones kept by content, results.json rewritten after each.
+// Runs a suite: every cell a process of its own, finished ones kept by content. While engines are measured nothing else
+// is done than to note what they cost; images are compared, and conclusions drawn, when the last of them has ended.
 #pragma once
 
 #include <atomic>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 
+#include "harness/against.h"
 #include "harness/suite.h"
 
 namespace photonproof {
@@ -18,6 +21,7 @@ struct BenchOptions {
   std::string comparison_version;               ///< changes whenever metrics or pictures might
   bool fresh = false;                           ///< measure finished cells again, beside their old results
   bool retry = false;                           ///< measure timed-out, crashed and bad-image cells again
+  std::optional<AgainstOptions> against;        ///< an older run to compare with
   std::string only;                             ///< run only cells whose label contains it, and their references
   const std::atomic<bool>* interrupt = nullptr;
 };
@@ -28,6 +32,7 @@ class BenchObserver {
   virtual ~BenchObserver() = default;
   virtual void starts(std::size_t number, std::size_t total, const Cell& cell) = 0;
   virtual void ended(std::size_t number, std::size_t total, const Result& result) = 0;
+  virtual void changed(const ChangeRecord&) {}  ///< one answer of the comparison with an older run
 };
 
 struct BenchSummary {
@@ -36,6 +41,10 @@ struct BenchSummary {
   std::size_t kept = 0;      ///< whose result was there already
   std::size_t missing = 0;   ///< without a result: interrupted, or not among `only`
   std::map<Status, std::size_t> by_status;
+  std::map<Change, std::size_t> by_change;  ///< against the older run
+  double seconds = 0;                       ///< of it all, but not of the comparison with an older run
+  double engine_seconds = 0;                ///< of that, while an engine ran
+  double harness_cpu_seconds = 0;           ///< processor time of this program itself
   bool interrupted = false;
 };
 

@@ -4,6 +4,7 @@
 #include <boost/uuid/name_generator_sha1.hpp>
 #include <boost/uuid/uuid_io.hpp>
 #include <deque>
+#include <random>
 
 namespace photonproof {
 
@@ -19,7 +20,7 @@ std::string content_key(const std::vector<std::pair<std::string, std::string>>& 
   return key;
 }
 
-std::vector<Cell> interleaved_by_engine(const std::vector<Cell>& cells) {
+std::vector<Cell> interleaved_by_engine(const std::vector<Cell>& cells, std::uint64_t seed) {
   std::vector<std::pair<std::string, std::deque<Cell>>> queues;  // by engine, in order of first appearance
   for (const Cell& cell : cells) {
     const auto same_engine = [&](const auto& queue) { return queue.first == cell.engine; };
@@ -27,14 +28,29 @@ std::vector<Cell> interleaved_by_engine(const std::vector<Cell>& cells) {
     if (queue == queues.end()) queue = queues.insert(queues.end(), {cell.engine, {}});
     queue->second.push_back(cell);
   }
+  // A draw for each cell that is the same for every engine.
+  const auto place = [seed](const Cell& cell) {
+    Cell anyones = cell;
+    anyones.engine.clear();
+    return content_key({{std::to_string(seed), anyones.label()}});
+  };
+  for (auto& [engine, queue] : queues)
+    std::sort(queue.begin(), queue.end(), [&](const Cell& a, const Cell& b) { return place(a) < place(b); });
+
+  std::mt19937_64 generator(seed);
   std::vector<Cell> ordered;
-  while (ordered.size() < cells.size()) {
+  for (int round = 0; ordered.size() < cells.size(); ++round) {
+    if (round % 2 == 0) {
+      // std::shuffle differs between libraries.
+      for (std::size_t i = queues.size(); i > 1; --i) std::swap(queues[i - 1], queues[generator() % i]);
+    } else {
+      std::reverse(queues.begin(), queues.end());
+    }
     for (auto& [engine, queue] : queues) {
       if (queue.empty()) continue;
       ordered.push_back(std::move(queue.front()));
       queue.pop_front();
     }
-    std::reverse(queues.begin(), queues.end());
   }
   return ordered;
 }

@@ -1,6 +1,7 @@
 // The identity and the order of the cells of a run.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,8 +14,9 @@ namespace photonproof {
 /// for equal lists, different for different ones, however the texts are cut into pieces.
 std::string content_key(const std::vector<std::pair<std::string, std::string>>& parts);
 
-/// The cells so that engines take turns and the turn reverses each round (A B C, C B A, A ...): a machine that slowly
-/// gets slower or faster is shared by all of them. Within an engine the order stays.
-std::vector<Cell> interleaved_by_engine(const std::vector<Cell>& cells);
+/// The cells so that engines take turns, in an order that is drawn for every other round and reversed in between (C A
+/// B, B A C, A C B, ...): a machine that slowly gets slower or faster is shared by all of them. Within an engine,
+/// scenes, budgets and seeds are shuffled, all engines' in the same way. Both depend on `seed` alone.
+std::vector<Cell> interleaved_by_engine(const std::vector<Cell>& cells, std::uint64_t seed);
 
 }  // namespace photonproof

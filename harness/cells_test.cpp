@@ -2,26 +2,67 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <set>
+
 namespace photonproof {
 namespace {
 
-std::string order_of(const std::string& engines) {
+// `seeds` cells by each of the engines A, B and C.
+std::vector<Cell> ordered(std::uint64_t seeds, std::uint64_t order_seed) {
   std::vector<Cell> cells;
-  std::uint64_t seed = 0;
-  for (const char engine : engines) cells.push_back({"s", std::string(1, engine), {"spp", 1}, seed++});
-  std::string order;
-  for (const Cell& cell : interleaved_by_engine(cells)) order += cell.engine + std::to_string(cell.seed) + " ";
-  return order;
+  for (const char* engine : {"A", "B", "C"})
+    for (std::uint64_t seed = 0; seed < seeds; ++seed) cells.push_back({"s", engine, {"spp", 1}, seed});
+  return interleaved_by_engine(cells, order_seed);
 }
 
-TEST(Cells, engines_take_turns_in_reversing_rounds) {
-  // Six cells of A (0..2), B (3, 4) and C (5): A B C, then C is exhausted and the round runs backwards: B A, then A.
-  EXPECT_EQ(order_of("AAABBC"), "A0 B3 C5 B4 A1 A2 ");
+std::string engines_of(const std::vector<Cell>& cells, std::size_t first, std::size_t count) {
+  std::string engines;
+  for (std::size_t i = first; i < first + count; ++i) engines += cells[i].engine;
+  return engines;
 }
 
-TEST(Cells, one_engine_keeps_its_order) { EXPECT_EQ(order_of("AAA"), "A0 A1 A2 "); }
+TEST(Cells, every_other_round_reverses_the_one_before) {
+  const std::vector<Cell> cells = ordered(8, 1);
+  std::set<std::string> rounds;
+  for (std::size_t i = 0; i < 24; i += 6) {
+    const std::string there = engines_of(cells, i, 3), back = engines_of(cells, i + 3, 3);
+    EXPECT_EQ(std::string(there.rbegin(), there.rend()), back);
+    EXPECT_EQ(std::set<char>(there.begin(), there.end()).size(), 3u);
+    rounds.insert(there);
+  }
+  EXPECT_GT(rounds.size(), 1u);  // drawn anew: four equal draws of six have probability 1/216, and seed 1 is fixed
+}
 
-TEST(Cells, no_cells_stay_no_cells) { EXPECT_EQ(order_of(""), ""); }
+TEST(Cells, engines_of_a_round_do_the_same_work_in_shuffled_order) {
+  const std::vector<Cell> cells = ordered(8, 1);
+  std::vector<std::uint64_t> seeds;
+  for (std::size_t i = 0; i < 24; i += 3) {
+    EXPECT_EQ(cells[i].seed, cells[i + 1].seed);
+    EXPECT_EQ(cells[i].seed, cells[i + 2].seed);
+    seeds.push_back(cells[i].seed);
+  }
+  EXPECT_FALSE(std::is_sorted(seeds.begin(), seeds.end()));
+}
+
+TEST(Cells, order_is_that_of_its_seed) {
+  const auto labels = [](const std::vector<Cell>& cells) {
+    std::string all;
+    for (const Cell& cell : cells) all += cell.label() + "\n";
+    return all;
+  };
+  EXPECT_EQ(labels(ordered(8, 1)), labels(ordered(8, 1)));
+  EXPECT_NE(labels(ordered(8, 1)), labels(ordered(8, 2)));
+}
+
+TEST(Cells, engine_with_fewer_cells_is_done_earlier) {
+  const std::vector<Cell> cells =
+      interleaved_by_engine({{"s", "A", {"spp", 1}, 1}, {"s", "A", {"spp", 1}, 2}, {"s", "B", {"spp", 1}, 1}}, 1);
+  ASSERT_EQ(cells.size(), 3u);
+  EXPECT_EQ(cells[2].engine, "A");
+}
+
+TEST(Cells, no_cells_stay_no_cells) { EXPECT_TRUE(interleaved_by_engine({}, 1).empty()); }
 
 TEST(Cells, key_is_the_published_uuid_of_its_content) {
   // Python: uuid.uuid5(uuid.NAMESPACE_OID, "5:scene3:xyz").hex

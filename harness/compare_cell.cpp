@@ -1,7 +1,6 @@
 #include "harness/compare_cell.h"
 
 #include "harness/heatmap.h"
-#include "harness/metric_context.h"
 #include "scenes/image.h"
 
 namespace photonproof {
@@ -35,11 +34,17 @@ void compare_cell(const Comparison& comparison, Result& result) {
   }
   if (comparison.reference->cell.label() == result.cell.label()) return;
   const Image reference = read_image((comparison.results_folder / comparison.reference->image).string());
-  const MetricContext context(reference, image, {.exposure = comparison.exposure});
-  result.metrics = compute_metrics(context);
-  const HeatmapFiles maps = write_heatmaps(context, comparison.results_folder / comparison.cell_folder, "map");
-  result.pictures["flip"] = comparison.cell_folder + "/" + maps.flip.filename().string();
-  result.pictures["error"] = comparison.cell_folder + "/" + maps.error.filename().string();
+  HeatmapWriter maps(image.width, image.height, comparison.results_folder / comparison.cell_folder, "map");
+  ImageSource reference_rows(reference), image_rows(image);
+  PairMeasurements measured = measure_pair(reference_rows, image_rows, {.exposure = comparison.exposure}, &maps);
+  if (!measured.defects.empty()) {
+    result.caveats.push_back(not_compared + measured.defects.front().sentence);
+    return;
+  }
+  result.metrics = finite_values(std::move(measured.measurements));
+  const HeatmapFiles files = maps.finish();
+  result.pictures["flip"] = comparison.cell_folder + "/" + files.flip.filename().string();
+  result.pictures["error"] = comparison.cell_folder + "/" + files.error.filename().string();
 }
 
 }  // namespace photonproof

@@ -2,11 +2,11 @@
 // can be compared: magma from dark (small) to bright (large).
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
-#include <vector>
 
-#include "harness/metrics.h"
+#include "harness/metric_run.h"
 
 namespace photonproof {
 
@@ -20,19 +20,27 @@ inline constexpr double error_scale_greatest = 1e2;
 inline constexpr const char* error_scale_caption =
     "relative squared error of a pixel, logarithmic from 1e-4 (dark) to 1e2 (bright)";
 
-/// One value a pixel, row-major, as colours: linear RGB that write_png turns into exactly the map's bytes.
-Image flip_heatmap(int width, int height, const std::vector<float>& flip);
-Image error_heatmap(int width, int height, const std::vector<float>& relative_squared_error);
+/// Where a value lies on its scale, as an entry of the colour map.
+std::uint8_t flip_shade(float flip);
+std::uint8_t error_shade(float relative_squared_error);
 
 struct HeatmapFiles {
   std::filesystem::path flip, error;
 };
 
-/// Writes <folder>/<stem>-flip.png and <folder>/<stem>-error.png, making the folder when it is missing. Throws
-/// InputError when they cannot be written. The context (metric_context.h) may be the one the metrics were computed on.
-/// Precondition: find_defects is empty.
-HeatmapFiles write_heatmaps(const MetricContext& context, const std::filesystem::path& folder, const std::string& stem);
-HeatmapFiles write_heatmaps(const Image& reference, const Image& test, const MetricOptions& options,
-                            const std::filesystem::path& folder, const std::string& stem);
+/// Writes <folder>/<stem>-flip.png and <folder>/<stem>-error.png while the metrics run.
+class HeatmapWriter : public MapSink {
+ public:
+  /// Makes the folder when it is missing. Throws InputError when the files cannot be written.
+  HeatmapWriter(int width, int height, const std::filesystem::path& folder, const std::string& stem);
+  void add(int rows, const float* flip, const float* error) override;
+  /// After the last row; without it there are no files.
+  HeatmapFiles finish();
+
+ private:
+  std::size_t width_;
+  HeatmapFiles files_;
+  PngRows flip_, error_;
+};
 
 }  // namespace photonproof

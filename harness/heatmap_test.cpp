@@ -16,15 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The map's entry a pixel shows: 0xRRGGBB of its sRGB bytes.
-std::uint32_t shown(const Image& image, int x) {
-  std::uint32_t colour = 0;
-  for (int c = 0; c < 3; ++c)
-    colour = colour << 8 |
-             static_cast<std::uint32_t>(std::lround(255 * encode_srgb(static_cast<double>(image.pixel(x, 0)[c]))));
-  return colour;
-}
-
 class HeatmapFilesTest : public testing::Test {
  protected:
   const fs::path folder = fs::path(testing::TempDir()) / ("heatmap_test_" + std::to_string(getpid()));
@@ -32,22 +23,20 @@ class HeatmapFilesTest : public testing::Test {
 };
 
 TEST(Heatmap, flip_scale_is_linear_from_zero_to_one) {
-  const Image map = flip_heatmap(4, 1, {0, 1, 0.5f, 51.2f / 255});
-  EXPECT_EQ(shown(map, 0), magma_colours[0]);
-  EXPECT_EQ(shown(map, 1), magma_colours[255]);
-  EXPECT_EQ(shown(map, 2), magma_colours[128]);  // 127.5 rounds up
-  EXPECT_EQ(shown(map, 3), magma_colours[51]);
+  EXPECT_EQ(flip_shade(0), 0);
+  EXPECT_EQ(flip_shade(1), 255);
+  EXPECT_EQ(flip_shade(0.5f), 128);  // 127.5 rounds up
+  EXPECT_EQ(flip_shade(51.2f / 255), 51);
 }
 
 TEST(Heatmap, error_scale_takes_a_sixth_of_the_map_for_a_decade_and_clamps_beyond) {
   // 1e-4 ... 1e2: 1 lies at 4/6 of the map, entry 170.
-  const Image map = error_heatmap(6, 1, {0, 1e-5f, 1e-4f, 1, 1e2f, 1e9f});
-  EXPECT_EQ(shown(map, 0), magma_colours[0]);
-  EXPECT_EQ(shown(map, 1), magma_colours[0]);
-  EXPECT_EQ(shown(map, 2), magma_colours[0]);
-  EXPECT_EQ(shown(map, 3), magma_colours[170]);
-  EXPECT_EQ(shown(map, 4), magma_colours[255]);
-  EXPECT_EQ(shown(map, 5), magma_colours[255]);
+  EXPECT_EQ(error_shade(0), 0);
+  EXPECT_EQ(error_shade(1e-5f), 0);
+  EXPECT_EQ(error_shade(1e-4f), 0);
+  EXPECT_EQ(error_shade(1), 170);
+  EXPECT_EQ(error_shade(1e2f), 255);
+  EXPECT_EQ(error_shade(1e9f), 255);
 }
 
 TEST(Heatmap, colour_map_grows_lighter_from_entry_to_entry) {
@@ -64,7 +53,9 @@ TEST_F(HeatmapFilesTest, are_pictures_of_the_images_size_in_a_folder_made_for_th
   const Image reference = busy_image(14, 12);
   Image test = reference;
   test.pixel(5, 6)[0] += 20;
-  const HeatmapFiles files = write_heatmaps(reference, test, {}, folder / "new", "cell");
+  HeatmapWriter writer(14, 12, folder / "new", "cell");
+  measure(reference, test, {}, &writer);
+  const HeatmapFiles files = writer.finish();
   EXPECT_EQ(files.flip, folder / "new" / "cell-flip.png");
   EXPECT_EQ(files.error, folder / "new" / "cell-error.png");
   const Image flip = read_image(files.flip.string());
@@ -77,11 +68,20 @@ TEST_F(HeatmapFilesTest, are_pictures_of_the_images_size_in_a_folder_made_for_th
   EXPECT_NEAR(error.pixel(4, 6)[2], decode_srgb((magma_colours[0] & 0xff) / 255.0), 1e-6);
 }
 
+TEST_F(HeatmapFilesTest, are_not_there_unless_finished) {
+  {
+    HeatmapWriter writer(3, 3, folder, "cell");
+    const std::vector<float> zeros(9);
+    writer.add(3, zeros.data(), zeros.data());
+  }
+  EXPECT_TRUE(fs::is_empty(folder));
+}
+
 TEST_F(HeatmapFilesTest, refuse_a_folder_that_cannot_be_made) {
   fs::create_directories(folder);
   const Image image = busy_image(3, 3);
   write_png((folder / "file").string(), image);
-  EXPECT_THROW(write_heatmaps(image, image, {}, folder / "file" / "below", "cell"), InputError);
+  EXPECT_THROW(HeatmapWriter(3, 3, folder / "file" / "below", "cell"), InputError);
 }
 
 }  // namespace

@@ -69,4 +69,14 @@ double own_cpu_seconds() {
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
+std::vector<int> allowed_processors() {
+  cpu_set_t allowed;
+  CPU_ZERO(&allowed);
+  std::vector<int> numbers;
+  if (sched_getaffinity(0, sizeof allowed, &allowed) != 0) return numbers;
+  for (int i = 0; i < CPU_SETSIZE; ++i)
+    if (CPU_ISSET(i, &allowed)) numbers.push_back(i);
+  return numbers;
+}
+
 }  // namespace photonproof

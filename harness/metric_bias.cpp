@@ -6,25 +6,29 @@
 namespace photonproof {
 namespace {
 
-/// Over the values first, first + step, ...
-std::optional<double> relative_bias(const MetricContext& context, std::size_t first, std::size_t step) {
-  const auto& r = context.reference().rgb;
-  const auto& x = context.test().rgb;
-  const std::size_t count = r.size() / step;
-  const double reference_sum =
-      chunked_sum(count, [&](std::size_t i) { return static_cast<double>(r[first + step * i]); });
-  if (reference_sum == 0) return std::nullopt;
-  const double difference_sum = chunked_sum(count, [&](std::size_t i) {
-    return static_cast<double>(x[first + step * i]) - static_cast<double>(r[first + step * i]);
-  });
-  return difference_sum / reference_sum;
-}
+class BiasPass : public SumPass {
+ public:
+  void measure(const PairTile& tile, const TileMaps&, Part& part) override {
+    for (std::size_t c = 0; c < 3; ++c) {
+      const auto r = tile.reference(c), x = tile.test(c);
+      part.push_back(lane_sum(r.size(), [&](std::size_t i) { return static_cast<double>(r[i]); }));
+      part.push_back(
+          lane_sum(r.size(), [&](std::size_t i) { return static_cast<double>(x[i]) - static_cast<double>(r[i]); }));
+    }
+  }
+
+  std::optional<double> value(std::size_t which) const override {
+    const auto over = [&](std::size_t i) {
+      return which == 0 ? sum(i) + sum(i + 2) + sum(i + 4) : sum(2 * which - 2 + i);
+    };
+    const double reference = over(0), difference = over(1);
+    if (reference == 0) return std::nullopt;
+    return difference / reference;
+  }
+};
 
 }  // namespace
 
-std::optional<double> bias(const MetricContext& context) { return relative_bias(context, 0, 1); }
-std::optional<double> bias_r(const MetricContext& context) { return relative_bias(context, 0, 3); }
-std::optional<double> bias_g(const MetricContext& context) { return relative_bias(context, 1, 3); }
-std::optional<double> bias_b(const MetricContext& context) { return relative_bias(context, 2, 3); }
+std::unique_ptr<MetricPass> bias_pass(const PairFacts&) { return std::make_unique<BiasPass>(); }
 
 }  // namespace photonproof

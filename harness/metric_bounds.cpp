@@ -30,16 +30,21 @@ bool keeps(BoundKind kind, double value, double bound) {
 
 }  // namespace
 
+const MetricRow& metric_named(const std::string& option, const std::string& name) {
+  const MetricRow* metric = find_metric(name);
+  if (!metric) throw InputError(option, unknown_metric(name));
+  return *metric;
+}
+
 MetricBound parse_bound(const std::string& option, const std::string& text) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos)
     throw InputError(option, "expected metric=bound, for example ssim=0.95, got " + in_quotes(text));
   const std::string name = text.substr(0, equals);
-  const MetricRow* metric = find_metric(name);
-  if (!metric) throw InputError(option, unknown_metric(name));
+  const MetricRow& metric = metric_named(option, name);
   const Parsed<double> bound = parse_number(std::string_view(text).substr(equals + 1));
   if (!bound.value) throw InputError(option, "the bound of " + name + " " + bound.problem);
-  return {metric, *bound.value};
+  return {&metric, *bound.value};
 }
 
 std::optional<std::string> broken_bound(const MetricBound& bound, const std::vector<Measurement>& measurements) {

@@ -14,6 +14,9 @@ struct MetricBound {
   double bound;
 };
 
+/// The row of that name. Throws InputError, at `option` ("--fail"), when there is none; then it names the nearest one.
+const MetricRow& metric_named(const std::string& option, const std::string& name);
+
 /// Reads "metric=bound"; `option` ("--fail") stands for the place in messages. Throws InputError when the form is
 /// another, the bound is no finite number, or the metric is unknown; then it names the nearest one.
 MetricBound parse_bound(const std::string& option, const std::string& text);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "harness/metric_run.h"
 #include "harness/metric_test_images.h"
 #include "scenes/input_error.h"
 
@@ -21,7 +22,7 @@ std::string refusal(const std::string& text) {
 std::vector<Measurement> dark_by_a_quarter(int side) {
   const Image reference = constant_image(side, side, 1, 1, 1);
   const Image test = constant_image(side, side, 0.75f, 0.75f, 0.75f);
-  return measure(MetricContext(reference, test, {}));
+  return measure(reference, test, {});
 }
 
 TEST(MetricBounds, maximum_is_kept_up_to_itself) {
@@ -32,14 +33,14 @@ TEST(MetricBounds, maximum_is_kept_up_to_itself) {
 
 TEST(MetricBounds, minimum_is_kept_down_to_itself) {
   const Image image = busy_image(12, 12);
-  const auto measured = measure(MetricContext(image, image, {}));
+  const auto measured = measure(image, image, {});
   EXPECT_FALSE(broken_bound(parse_bound("--fail", "ssim=1"), measured));
   EXPECT_EQ(broken_bound(parse_bound("--fail", "ssim=1.5"), measured), "ssim 1 is under its minimum 1.5");
 }
 
 TEST(MetricBounds, infinite_psnr_keeps_every_bound) {
   const Image image = busy_image(12, 12);
-  EXPECT_FALSE(broken_bound(parse_bound("--fail", "psnr=1e9"), measure(MetricContext(image, image, {}))));
+  EXPECT_FALSE(broken_bound(parse_bound("--fail", "psnr=1e9"), measure(image, image, {})));
 }
 
 TEST(MetricBounds, bias_is_bounded_by_its_absolute_value) {
@@ -50,8 +51,9 @@ TEST(MetricBounds, bias_is_bounded_by_its_absolute_value) {
 }
 
 TEST(MetricBounds, metric_without_a_value_breaks_its_bound) {
-  EXPECT_EQ(broken_bound(parse_bound("--fail", "ssim=0"), dark_by_a_quarter(10)),
-            "ssim has no value here (a side is under 11 pixels), so its bound is not kept");
+  EXPECT_EQ(
+      broken_bound(parse_bound("--fail", "ssim=0"), dark_by_a_quarter(10)),
+      "ssim has no value here (a side is under 11 pixels, or the mask has no whole window), so its bound is not kept");
 }
 
 TEST(MetricBounds, unknown_metric_names_the_nearest) {

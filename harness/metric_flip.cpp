@@ -4,47 +4,40 @@
 #include "harness/metric_flip.h"
 
 #include "harness/metric_rows.h"
-#include "harness/metric_sum.h"
 #include "scenes/text_numbers.h"
 
 namespace photonproof {
 namespace {
 
-/// Each error weighs as much as it is large: the smallest error at which the running sum of the ascending errors passes
-/// `fraction` of their sum. 0 when all errors are.
-double weighted_percentile(const std::vector<float>& ascending, double fraction) {
-  const auto value = [&](std::size_t i) { return static_cast<double>(ascending[i]); };
-  const double passed = fraction * chunked_sum(ascending.size(), value);
-  double running = 0;
-  for (std::size_t i = 0; i < ascending.size(); ++i) {
-    running += value(i);
-    if (running > passed) return value(i);
+class FlipPass : public MetricPass {
+ public:
+  void measure(const PairTile& tile, const TileMaps& maps, Part&) override {
+    const TileColour reference = tile.exposed(0), test = tile.exposed(1);
+    const TileMemory::Frame frame(tile.memory());
+    auto* steps = tile.memory().take<std::uint32_t>(tile.pixels());
+    flip_errors(reference, test, static_cast<std::size_t>(tile.width()), static_cast<std::size_t>(tile.height()),
+                tile.memory(), steps);
+    pool_.add(tile, steps);
+    if (!maps.flip) return;
+    for (std::size_t i = 0; i < tile.pixels(); ++i)
+      maps.flip[i] = static_cast<float>(steps[i]) / static_cast<float>(flip_steps);
   }
-  return 0;
-}
+
+  void add(const Part&) override {}
+
+  std::optional<double> value(std::size_t which) const override {
+    if (which == 0) return pool_.mean();
+    if (which == 4) return pool_.greatest();
+    return pool_.weighted_percentile(0.25 * static_cast<double>(which));
+  }
+
+ private:
+  FlipPool pool_;
+};
 
 }  // namespace
 
-std::optional<double> flip(const MetricContext& context) {
-  const auto& errors = context.flip_map();
-  return chunked_mean(errors.size(), [&](std::size_t i) { return static_cast<double>(errors[i]); });
-}
-
-std::optional<double> flip_weighted_quartile1(const MetricContext& context) {
-  return weighted_percentile(context.flip_sorted(), 0.25);
-}
-
-std::optional<double> flip_weighted_median(const MetricContext& context) {
-  return weighted_percentile(context.flip_sorted(), 0.5);
-}
-
-std::optional<double> flip_weighted_quartile3(const MetricContext& context) {
-  return weighted_percentile(context.flip_sorted(), 0.75);
-}
-
-std::optional<double> flip_max(const MetricContext& context) {
-  return static_cast<double>(context.flip_sorted().back());
-}
+std::unique_ptr<MetricPass> flip_pass(const PairFacts&) { return std::make_unique<FlipPass>(); }
 
 std::string flip_parameters(const MetricOptions& options) {
   return "exposure=" + format_number(options.exposure) + ", pixels_per_degree=67.0206";

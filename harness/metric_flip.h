@@ -1,15 +1,47 @@
-// The error map of LDR-FLIP; metric_flip.cpp pools it.
+// The error map of LDR-FLIP (metric_flip_map.cpp) and what its values are pooled into (metric_flip_pool.cpp).
 #pragma once
 
+#include <cstdint>
+#include <cstdlib>
+#include <memory>
 #include <vector>
+
+#include "harness/pair_tile.h"
+#include "harness/pixel_loops.h"
 
 namespace photonproof {
 
 /// Viewing distance of NVIDIA's tool: 0.7 m from a screen 0.7 m and 3840 pixels wide, 3840 pi / 180 pixels a degree.
 inline constexpr double flip_pixels_per_degree = 67.02064327658225;
 
-/// FLIP of each pixel, in [0,1]. `reference` and `test` are interleaved linear RGB in [0,1], 3 * width * height values.
-std::vector<float> flip_errors(int width, int height, const std::vector<double>& reference,
-                               const std::vector<double>& test);
+/// FLIP of each pixel of a tile, row by row, in steps of 1/flip_steps. The colours are linear in [0,1], with
+/// PairTile::reach around the tile.
+void flip_errors(const TileColour& reference, const TileColour& test, std::size_t width, std::size_t height,
+                 TileMemory& memory, std::uint32_t* steps);
+
+/// How often each error occurs. Sums of steps are exact, so neither order nor threads show.
+class FlipPool {
+ public:
+  FlipPool();
+  /// Adds the pixels of a tile that count. Several threads may.
+  void add(const PairTile& tile, const std::uint32_t* steps);
+
+  double mean() const;
+  /// Each error weighs as much as it is large: the smallest error at which the running sum of the ascending errors
+  /// passes `fraction` of their sum. 0 when all errors are.
+  double weighted_percentile(double fraction) const;
+  double greatest() const;
+
+ private:
+  struct Free {
+    void operator()(std::uint32_t* counts) const { std::free(counts); }
+  };
+  template <class Visit>
+  void ascending(const Visit& visit) const;
+
+  // One count a step. Most are never touched, so their memory is asked for as zeros and never written.
+  std::unique_ptr<std::uint32_t[], Free> counts_;
+  std::vector<std::uint32_t> group_used_;  // whether any of the steps of a group occurs
+};
 
 }  // namespace photonproof

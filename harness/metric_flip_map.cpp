@@ -7,7 +7,8 @@
 //
 // The paper filters YCxCz = (116 y - 16, 500 (x - y), 200 (y - z)), with x, y, z relative to white. Every filter has
 // sum 1, so scale and offset commute with it: we filter y, x - y and y - z themselves. The feature detectors' input, (Y
-// + 16) / 116, is y. Every filter is a sum of at most two products f(x) g(y), and is run as such.
+// + 16) / 116, is y. Every filter is a sum of at most two products f(x) g(y), and is run as such. The arithmetic of
+// single pixels is in pixel_loops.cpp.
 
 #include <algorithm>
 #include <array>
@@ -16,70 +17,16 @@
 
 #include "harness/metric_filter.h"
 #include "harness/metric_flip.h"
-#include "scenes/vec.h"
 
 namespace photonproof {
 namespace {
 
 using std::numbers::pi;
 
-constexpr double kQc = 0.7, kPc = 0.4, kPt = 0.95;  // of the colour difference
-constexpr double kFeatureWidth = 0.082;             // degrees
-constexpr double kQf = 0.5;                         // of the feature difference
+constexpr double kFeatureWidth = 0.082;  // degrees
+constexpr std::size_t kReach = PairTile::reach;
 
-// --- colour spaces ---------------------------------------------------------------------------------------------------
-
-/// XYZ relative to the white point from linear Rec.709 RGB, and back. Ratios of integers, each row summing to 1.
-struct WhiteRelativeXyz {
-  Vec3d row_x{10135552.0 / 23359437, 8788810.0 / 23359437, 4435075.0 / 23359437};
-  Vec3d row_y{2613072.0 / 12288897, 8788810.0 / 12288897, 887015.0 / 12288897};
-  Vec3d row_z{1425312.0 / 80288307, 8788810.0 / 80288307, 70074185.0 / 80288307};
-  // The columns of the inverse are the cross products of two rows, over the determinant.
-  double determinant = dot(row_x, cross(row_y, row_z));
-  Vec3d column_x = cross(row_y, row_z) / determinant;
-  Vec3d column_y = cross(row_z, row_x) / determinant;
-  Vec3d column_z = cross(row_x, row_y) / determinant;
-
-  constexpr Vec3d from_rgb(const Vec3d& rgb) const { return {dot(row_x, rgb), dot(row_y, rgb), dot(row_z, rgb)}; }
-  constexpr Vec3d to_rgb(const Vec3d& xyz) const { return xyz.x * column_x + xyz.y * column_y + xyz.z * column_z; }
-};
-constexpr WhiteRelativeXyz kXyz;
-
-/// L*a*b* of a linear colour in [0,1], with a* and b* scaled by L*/100 (Hunt: dark colours look less colourful).
-Vec3d hunt_adjusted_lab(const Vec3d& rgb) {
-  const auto f = [](double t) {
-    constexpr double delta = 6.0 / 29;
-    return t > delta * delta * delta ? std::cbrt(t) : t / (3 * delta * delta) + 4.0 / 29;
-  };
-  const Vec3d xyz = kXyz.from_rgb(rgb);
-  const double fx = f(xyz.x), fy = f(xyz.y), fz = f(xyz.z);
-  const double lightness = 116 * fy - 16;
-  return {lightness, 0.01 * lightness * 500 * (fx - fy), 0.01 * lightness * 200 * (fy - fz)};
-}
-
-double hyab(const Vec3d& a, const Vec3d& b) {
-  return std::abs(a.x - b.x) + std::sqrt((a.y - b.y) * (a.y - b.y) + (a.z - b.z) * (a.z - b.z));
-}
-
-// --- opponent channels -----------------------------------------------------------------------------------------------
-
-/// y, x - y and y - z, x, y, z being XYZ relative to white.
-struct Opponents {
-  Plane achromatic, red_green, blue_yellow;
-};
-
-Opponents opponents(int width, int height, const std::vector<double>& rgb) {
-  Opponents planes{Plane(width, height), Plane(width, height), Plane(width, height)};
-  for (std::size_t i = 0; i < planes.achromatic.values.size(); ++i) {
-    const Vec3d xyz = kXyz.from_rgb({rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2]});
-    planes.achromatic.values[i] = xyz.y;
-    planes.red_green.values[i] = xyz.x - xyz.y;
-    planes.blue_yellow.values[i] = xyz.y - xyz.z;
-  }
-  return planes;
-}
-
-// --- contrast sensitivity --------------------------------------------------------------------------------------------
+// --- kernels ---------------------------------------------------------------------------------------------------------
 
 /// A term a sqrt(pi/b) exp(-pi^2 d^2 / b) of a sensitivity filter, d in degrees: a Gaussian of sigma sqrt(b/2) / pi.
 struct SensitivityTerm {
@@ -91,127 +38,152 @@ constexpr SensitivityTerm kRedGreen{1, 0.0053};
 constexpr SensitivityTerm kBlueYellowWide{34.1, 0.04};
 constexpr SensitivityTerm kBlueYellowNarrow{13.5, 0.025};
 
-/// Three sigma of the widest term, for all channels.
-int sensitivity_radius() { return static_cast<int>(std::ceil(3 * kBlueYellowWide.sigma_pixels())); }
+struct FlipKernels {
+  Taps achromatic, red_green, wide, narrow;
+  Taps smooth, edge, point;  // of the feature detectors: a Gaussian, its first and its second derivative
+  double wide_share;         // of the blue-yellow filter
 
-Plane gaussian_blur(const Plane& plane, const SensitivityTerm& term) {
-  const Kernel kernel = gaussian_kernel(term.sigma_pixels(), sensitivity_radius());
-  return filter_columns(filter_rows(plane, kernel), kernel);
-}
+  FlipKernels() {
+    // The paper's support: three sigma of the widest term, for all channels. Of the narrow ones, whose sigmas are 1.03
+    // and 1.10 pixels, less than 1e-11 lies beyond 7 pixels.
+    const int radius = static_cast<int>(std::ceil(3 * kBlueYellowWide.sigma_pixels()));
+    achromatic = gaussian_taps(kAchromatic.sigma_pixels(), 7);
+    red_green = gaussian_taps(kRedGreen.sigma_pixels(), 7);
+    wide = gaussian_taps(kBlueYellowWide.sigma_pixels(), radius);
+    narrow = gaussian_taps(kBlueYellowNarrow.sigma_pixels(), radius);
+    wide_share =
+        weight(kBlueYellowWide, radius) / (weight(kBlueYellowWide, radius) + weight(kBlueYellowNarrow, radius));
 
-/// The sum of a term over the square support: what its Gaussian, scaled to sum to 1, weighs in a sum of terms.
-double weight(const SensitivityTerm& term) {
-  const double sigma = term.sigma_pixels();
-  double line = 0;
-  for (int x = -sensitivity_radius(); x <= sensitivity_radius(); ++x) line += std::exp(-x * x / (2 * sigma * sigma));
-  return term.a * std::sqrt(pi / term.b) * line * line;
-}
-
-Plane blue_yellow_blur(const Plane& plane) {
-  const double share = weight(kBlueYellowWide) / (weight(kBlueYellowWide) + weight(kBlueYellowNarrow));
-  Plane sum = gaussian_blur(plane, kBlueYellowWide);
-  const Plane narrow = gaussian_blur(plane, kBlueYellowNarrow);
-  for (std::size_t i = 0; i < sum.values.size(); ++i)
-    sum.values[i] = share * sum.values[i] + (1 - share) * narrow.values[i];
-  return sum;
-}
-
-/// What an observer makes of the image's colours: filtered, clamped to displayable ones, Hunt-adjusted L*a*b*.
-std::vector<Vec3d> perceived_colours(const Opponents& image) {
-  const Plane achromatic = gaussian_blur(image.achromatic, kAchromatic);
-  const Plane red_green = gaussian_blur(image.red_green, kRedGreen);
-  const Plane blue_yellow = blue_yellow_blur(image.blue_yellow);
-  std::vector<Vec3d> lab(achromatic.values.size());
-  for (std::size_t i = 0; i < lab.size(); ++i) {
-    const double y = achromatic.values[i];
-    const Vec3d rgb = kXyz.to_rgb({y + red_green.values[i], y, y - blue_yellow.values[i]});
-    lab[i] = hunt_adjusted_lab({std::clamp(rgb.x, 0.0, 1.0), std::clamp(rgb.y, 0.0, 1.0), std::clamp(rgb.z, 0.0, 1.0)});
+    const double sigma = 0.5 * kFeatureWidth * flip_pixels_per_degree;
+    smooth = gaussian_taps(sigma, static_cast<int>(std::ceil(3 * sigma)));
+    edge = point = smooth;
+    for (int k = 0; k <= smooth.radius; ++k) {
+      edge.weight[k] *= -k;
+      point.weight[k] *= k * k / (sigma * sigma) - 1;
+    }
+    // Positive and negative weights are each scaled to a sum of one: those of the paper's 2D kernels, which are these
+    // times a Gaussian of sum 1 across.
+    double edge_sum = 0, positive = 0, negative = 0;
+    for (int k = 0; k <= smooth.radius; ++k) {
+      const double both = (k == 0 ? 1 : 2) * point.weight[k];
+      (both > 0 ? positive : negative) += std::abs(both);
+      edge_sum += std::abs(edge.weight[k]);
+    }
+    for (int k = 0; k <= smooth.radius; ++k) {
+      edge.weight[k] /= edge_sum;
+      point.weight[k] /= point.weight[k] > 0 ? positive : negative;
+    }
   }
-  return lab;
+
+  /// The sum of a term over the square support: what its Gaussian, scaled to sum to 1, weighs in a sum of terms.
+  static double weight(const SensitivityTerm& term, int radius) {
+    const double sigma = term.sigma_pixels();
+    double line = 0;
+    for (int x = -radius; x <= radius; ++x) line += std::exp(-x * x / (2 * sigma * sigma));
+    return term.a * std::sqrt(pi / term.b) * line * line;
+  }
+};
+
+const FlipKernels& kernels() {
+  static const FlipKernels made;
+  return made;
 }
 
-/// HyAB^qc mapped to [0,1]: the lowest pc of the range takes pt of it. The greatest distance is green to blue.
-class ColourError {
+// --- one image -------------------------------------------------------------------------------------------------------
+
+/// A tile's opponent channels with kReach around it, and the filters on them.
+class OpponentTile {
  public:
-  ColourError()
-      : greatest_(std::pow(hyab(hunt_adjusted_lab({0, 1, 0}), hunt_adjusted_lab({0, 0, 1})), kQc)),
-        knee_(kPc * greatest_) {}
-  double operator()(const Vec3d& a, const Vec3d& b) const {
-    const double error = std::pow(hyab(a, b), kQc);
-    return error < knee_ ? kPt / knee_ * error : kPt + (error - knee_) / (greatest_ - knee_) * (1 - kPt);
+  OpponentTile(const TileColour& rgb, std::size_t width, std::size_t height, TileMemory& memory)
+      : width_(width), height_(height), stride_(width + 2 * kReach), memory_(memory) {
+    for (double*& plane : planes_) plane = memory.take<double>(stride_ * rows());
+    for (std::size_t y = 0; y < rows(); ++y) {
+      const auto row = [&](std::size_t c) { return rgb[c].core + y * rgb[c].stride - kReach * rgb[c].stride - kReach; };
+      pixel_loops().opponents(row(0), row(1), row(2), stride_, planes_[0] + y * stride_, planes_[1] + y * stride_,
+                              planes_[2] + y * stride_);
+    }
+  }
+
+  /// What an observer makes of the colours: filtered, clamped to displayable ones, Hunt-adjusted L*a*b*.
+  void perceive(const LabPlanes& lab) {
+    const TileMemory::Frame frame(memory_);
+    const FlipKernels& k = kernels();
+    const double* y = down(across(planes_[0], k.achromatic), k.achromatic);
+    const double* xy = down(across(planes_[1], k.red_green), k.red_green);
+    double *across_wide = band(), *across_narrow = band();
+    pixel_loops().filter_twice(across_span(planes_[2]), {k.wide, across_wide, width_},
+                               {k.narrow, across_narrow, width_});
+    const double *wide = down(across_wide, k.wide), *narrow = down(across_narrow, k.narrow);
+    pixel_loops().perceived(y, xy, wide, narrow, k.wide_share, width_ * height_, lab);
+  }
+
+  /// Magnitudes, over both directions, of what the detectors find at each pixel.
+  void detect(const FeaturePlanes& features) {
+    const TileMemory::Frame frame(memory_);
+    const FlipKernels& k = kernels();
+    double *across_edge = band(), *across_point = band();
+    pixel_loops().filter_odd_even(across_span(planes_[0]), {k.edge, across_edge, width_},
+                                  {k.point, across_point, width_});
+    double *edge_y = tile(), *point_y = tile();
+    pixel_loops().filter_odd_even(down_span(across(planes_[0], k.smooth)), {k.edge, edge_y, width_},
+                                  {k.point, point_y, width_});
+    pixel_loops().magnitude(down(across_edge, k.smooth), edge_y, width_ * height_, features.edge);
+    pixel_loops().magnitude(down(across_point, k.smooth), point_y, width_ * height_, features.point);
   }
 
  private:
-  double greatest_, knee_;
-};
-
-// --- features --------------------------------------------------------------------------------------------------------
-
-/// First and second derivative of a Gaussian, positive and negative weights each scaled to a sum of one. The scaling of
-/// the paper's 2D kernels, which are these times a Gaussian of sum 1 across.
-struct FeatureKernels {
-  Kernel across, edge, point;
-
-  FeatureKernels() {
-    const double sigma = 0.5 * kFeatureWidth * flip_pixels_per_degree;
-    const int radius = static_cast<int>(std::ceil(3 * sigma));
-    across = gaussian_kernel(sigma, radius);
-    for (std::size_t k = 0; k < across.size(); ++k) {
-      const double x = static_cast<double>(k) - radius;
-      edge.push_back(-x * across[k]);
-      point.push_back((x * x / (sigma * sigma) - 1) * across[k]);
-    }
-    scale_signs(edge);
-    scale_signs(point);
+  std::size_t rows() const { return height_ + 2 * kReach; }
+  double* band() { return memory_.take<double>(width_ * rows()); }  // the tile's columns, of all rows
+  double* tile() { return memory_.take<double>(width_ * height_); }
+  FilterSpan across_span(const double* plane) const { return {plane + kReach, stride_, 1, width_, rows()}; }
+  FilterSpan down_span(const double* filtered) const {
+    return {filtered + kReach * width_, width_, static_cast<std::ptrdiff_t>(width_), width_, height_};
+  }
+  const double* across(const double* plane, const Taps& taps) {
+    double* out = band();
+    pixel_loops().filter(across_span(plane), {taps, out, width_});
+    return out;
+  }
+  const double* down(const double* filtered, const Taps& taps) {
+    double* out = tile();
+    pixel_loops().filter(down_span(filtered), {taps, out, width_});
+    return out;
   }
 
-  static void scale_signs(Kernel& kernel) {
-    double positive = 0, negative = 0;
-    for (const double w : kernel) (w > 0 ? positive : negative) += std::abs(w);
-    for (double& w : kernel) w /= w > 0 ? positive : negative;
-  }
+  std::size_t width_, height_, stride_;
+  TileMemory& memory_;
+  std::array<double*, 3> planes_;  // y, x - y and y - z, x, y, z being XYZ relative to white
 };
 
-/// Magnitudes, over both directions, of what the detectors find at each pixel.
-struct Features {
-  std::vector<double> edge, point;
-};
-
-std::vector<double> magnitudes(const Plane& a, const Plane& b) {
-  std::vector<double> result(a.values.size());
-  for (std::size_t i = 0; i < result.size(); ++i)
-    result[i] = std::sqrt(a.values[i] * a.values[i] + b.values[i] * b.values[i]);
-  return result;
-}
-
-Features detect_features(const Plane& luminance) {
-  static const FeatureKernels kernels;
-  const Plane smooth_x = filter_rows(luminance, kernels.across);
-  const Plane smooth_y = filter_columns(luminance, kernels.across);
-  return {magnitudes(filter_rows(smooth_y, kernels.edge), filter_columns(smooth_x, kernels.edge)),
-          magnitudes(filter_rows(smooth_y, kernels.point), filter_columns(smooth_x, kernels.point))};
+/// The greatest HyAB distance there is, from green to blue, to the power qc.
+double greatest_distance() {
+  const double r[] = {0, 0}, g[] = {1, 0}, b[] = {0, 1};
+  double y[2], xy[2], yz[2], lightness[2], red_green[2], blue_yellow[2];
+  pixel_loops().opponents(r, g, b, 2, y, xy, yz);
+  pixel_loops().perceived(y, xy, yz, yz, 0.5, 2, {lightness, red_green, blue_yellow});
+  const double hyab =
+      std::abs(lightness[0] - lightness[1]) + std::hypot(red_green[0] - red_green[1], blue_yellow[0] - blue_yellow[1]);
+  return std::pow(hyab, 0.7);
 }
 
 }  // namespace
 
-std::vector<float> flip_errors(int width, int height, const std::vector<double>& reference,
-                               const std::vector<double>& test) {
-  const Opponents reference_planes = opponents(width, height, reference);
-  const Opponents test_planes = opponents(width, height, test);
-  const std::vector<Vec3d> reference_colours = perceived_colours(reference_planes);
-  const std::vector<Vec3d> test_colours = perceived_colours(test_planes);
-  const Features reference_features = detect_features(reference_planes.achromatic);
-  const Features test_features = detect_features(test_planes.achromatic);
-
-  const ColourError colour_error;
-  std::vector<float> errors(reference_colours.size());
-  for (std::size_t i = 0; i < errors.size(); ++i) {
-    const double edge = std::abs(reference_features.edge[i] - test_features.edge[i]);
-    const double point = std::abs(reference_features.point[i] - test_features.point[i]);
-    const double feature = std::pow(std::max(edge, point) / std::numbers::sqrt2, kQf);
-    errors[i] = static_cast<float>(std::pow(colour_error(reference_colours[i], test_colours[i]), 1 - feature));
+void flip_errors(const TileColour& reference, const TileColour& test, std::size_t width, std::size_t height,
+                 TileMemory& memory, std::uint32_t* steps) {
+  static const double greatest = greatest_distance();
+  const TileMemory::Frame frame(memory);
+  const std::size_t pixels = width * height;
+  LabPlanes lab[2];
+  FeaturePlanes features[2];
+  for (std::size_t which = 0; which < 2; ++which) {
+    lab[which] = {memory.take<double>(pixels), memory.take<double>(pixels), memory.take<double>(pixels)};
+    features[which] = {memory.take<double>(pixels), memory.take<double>(pixels)};
+    const TileMemory::Frame image_frame(memory);
+    OpponentTile image(which == 0 ? reference : test, width, height, memory);
+    image.perceive(lab[which]);
+    image.detect(features[which]);
   }
-  return errors;
+  pixel_loops().flip_error(lab[0], lab[1], features[0], features[1], greatest, pixels, steps);
 }
 
 }  // namespace photonproof

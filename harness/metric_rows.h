@@ -1,11 +1,12 @@
-// The rows metrics.cpp tabulates: what one metric is called, how its bound is meant, and the function that computes it.
+// The rows metrics.cpp tabulates: what one metric is called, how its bound is meant, and what computes it.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 
-#include "harness/metric_context.h"
+#include "harness/metric_pass.h"
 
 namespace photonproof {
 
@@ -15,12 +16,15 @@ enum class BoundKind { maximum, minimum, absolute_maximum };
 struct MetricRow {
   const char* name;
   BoundKind bound;
-  /// Empty where the metric is undefined; only psnr may be infinite.
-  std::optional<double> (*value)(const MetricContext&);
+  /// Makes what gathers the number. Rows that name the same maker share one pass; `which` is their own number in it.
+  std::unique_ptr<MetricPass> (*pass)(const PairFacts&);
+  std::size_t which;
   /// What its number depends on, "name=value, ..."; may be null when there is nothing to say.
   std::string (*parameters)(const MetricOptions&);
   /// When it is undefined, as a clause: "a side is under 11 pixels"; null when it always has a value.
   const char* undefined_when;
+  /// Computed only when asked for, by MetricOptions or a bound.
+  bool on_request = false;
 };
 
 /// Every metric, in the order of reports.
@@ -29,48 +33,50 @@ std::span<const MetricRow> metric_rows();
 /// The row of that name, or null.
 const MetricRow* find_metric(const std::string& name);
 
-/// Row by row, on one shared context.
+/// An empty value is undefined; only psnr may be infinite.
 struct Measurement {
   const MetricRow* row;
   std::optional<double> value;
   std::string parameters;
 };
-std::vector<Measurement> measure(const MetricContext& context);
 
-// --- metric_mse.cpp: (x-r)^2 over all channel values --------------------------------------------------------------
-std::optional<double> mse(const MetricContext& context);
-std::optional<double> rmse(const MetricContext& context);
+// --- metric_mse.cpp: (x-r)^2 over all channel values; 0 its mean, 1 the root of it -----------------------------------
+std::unique_ptr<MetricPass> mse_pass(const PairFacts& pair);
 
-// --- metric_mae.cpp: |x-r| over all channel values ----------------------------------------------------------------
-std::optional<double> mae(const MetricContext& context);
-std::optional<double> max_abs(const MetricContext& context);
+// --- metric_mae.cpp: |x-r| over all channel values; 0 the mean, 1 the greatest ---------------------------------------
+std::unique_ptr<MetricPass> mae_pass(const PairFacts& pair);
 
-// --- metric_psnr.cpp: 10 log10(1/mse) of the encoded images; +infinity when they are equal ------------------------
-std::optional<double> psnr(const MetricContext& context);
-std::string psnr_parameters(const MetricOptions& options);
+// --- metric_bias.cpp: mean(x-r)/mean(r); 0 overall, 1 to 3 of R, G, B; undefined when mean(r) is 0 -------------------
+std::unique_ptr<MetricPass> bias_pass(const PairFacts& pair);
 
-// --- metric_bias.cpp: mean(x-r)/mean(r); undefined when mean(r) is 0 ----------------------------------------------
-std::optional<double> bias(const MetricContext& context);
-std::optional<double> bias_r(const MetricContext& context);
-std::optional<double> bias_g(const MetricContext& context);
-std::optional<double> bias_b(const MetricContext& context);
-
-// --- metric_relmse.cpp ---------------------------------------------------------------------------------------------
-std::optional<double> relmse(const MetricContext& context);
+// --- metric_relmse.cpp: 0 the mean, 1 the trimmed one ----------------------------------------------------------------
+std::unique_ptr<MetricPass> relmse_pass(const PairFacts& pair);
 std::string relmse_parameters(const MetricOptions& options);
-std::optional<double> relmse_trimmed(const MetricContext& context);
 std::string relmse_trimmed_parameters(const MetricOptions& options);
 
-// --- metric_ssim.cpp: undefined under 11 x 11 pixels --------------------------------------------------------------
-std::optional<double> ssim(const MetricContext& context);
-std::string ssim_parameters(const MetricOptions& options);
+// --- metric_relmse_jeri.cpp, metric_mrse_pbrt.cpp, metric_smape.cpp --------------------------------------------------
+std::unique_ptr<MetricPass> relmse_jeri_pass(const PairFacts& pair);
+std::string relmse_jeri_parameters(const MetricOptions& options);
+std::unique_ptr<MetricPass> mrse_pbrt_pass(const PairFacts& pair);
+std::string mrse_pbrt_parameters(const MetricOptions& options);
+std::unique_ptr<MetricPass> smape_pass(const PairFacts& pair);
+std::string smape_parameters(const MetricOptions& options);
 
-// --- metric_flip.cpp -----------------------------------------------------------------------------------------------
-std::optional<double> flip(const MetricContext& context);
-std::optional<double> flip_weighted_quartile1(const MetricContext& context);
-std::optional<double> flip_weighted_median(const MetricContext& context);
-std::optional<double> flip_weighted_quartile3(const MetricContext& context);
-std::optional<double> flip_max(const MetricContext& context);
+// --- metric_psnr.cpp: 10 log10(1/mse) of the encoded images; +infinity when they are equal ---------------------------
+std::unique_ptr<MetricPass> psnr_pass(const PairFacts& pair);
+std::string psnr_parameters(const MetricOptions& options);
+
+// --- metric_ssim.cpp: 0 ssim, 1 ms_ssim (metric_ms_ssim.cpp), whose first scale it is --------------------------------
+std::unique_ptr<MetricPass> ssim_pass(const PairFacts& pair);
+std::string ssim_parameters(const MetricOptions& options);
+std::string ms_ssim_parameters(const MetricOptions& options);
+
+// --- metric_flip.cpp: 0 the mean, 1 to 3 the weighted quartiles, 4 the greatest --------------------------------------
+std::unique_ptr<MetricPass> flip_pass(const PairFacts& pair);
 std::string flip_parameters(const MetricOptions& options);
+
+// --- metric_hdr_flip.cpp ---------------------------------------------------------------------------------------------
+std::unique_ptr<MetricPass> hdr_flip_pass(const PairFacts& pair);
+std::string hdr_flip_parameters(const MetricOptions& options);
 
 }  // namespace photonproof

@@ -1,64 +1,84 @@
-// Structural similarity (Wang, Bovik, Sheikh, Simoncelli: "Image quality assessment: from error visibility to
-// structural similarity", 2004, eq. 13) on display-encoded values, per channel, then the mean of the three. Equal to
+// Structural similarity (metric_windows.h) on display-encoded values, per channel, then the mean of the three. Equal to
 // scikit-image's
 //   structural_similarity(gaussian_weights=True, sigma=1.5, use_sample_covariance=False, data_range=1, channel_axis=2)
-// Symbols: mu, var, cov are Gaussian-weighted moments over an 11 x 11 window, C1 = (K1 L)^2, C2 = (K2 L)^2, L = 1.
 // Only windows that lie wholly inside the image count, so the treatment of borders does not matter.
+// ms_ssim, whose first scale this is, shares the pass.
 
-#include "harness/metric_filter.h"
+#include <algorithm>
+
+#include "harness/metric_ms_ssim.h"
 #include "harness/metric_rows.h"
 #include "harness/metric_sum.h"
+#include "harness/metric_windows.h"
 #include "scenes/text_numbers.h"
 
 namespace photonproof {
 namespace {
 
-constexpr double kSigma = 1.5;
-constexpr int kRadius = 5;   // int(3.5 sigma + 0.5): scikit-image's truncation
-constexpr int kWindow = 11;  // 2 kRadius + 1
-constexpr double kC1 = 0.01 * 0.01;
-constexpr double kC2 = 0.03 * 0.03;
+class SsimPass : public SumPass {
+ public:
+  explicit SsimPass(const PairFacts& pair) : undefined_(pair.width < ssim_window || pair.height < ssim_window) {
+    const auto& only = pair.options.only;
+    const bool wanted = only.empty() || std::ranges::find(only, "ms_ssim") != only.end();
+    if (wanted && CoarseScales::possible(pair)) coarse_.emplace(pair.width, pair.height);
+  }
 
-/// Gaussian-weighted mean of value(i) over the window at every pixel; i counts pixels.
-template <class Value>
-Plane window_means(const Image& size, const Value& value) {
-  static const Kernel kernel = gaussian_kernel(kSigma, kRadius);
-  Plane plane(size.width, size.height);
-  for (std::size_t i = 0; i < plane.values.size(); ++i) plane.values[i] = value(i);
-  return filter_columns(filter_rows(plane, kernel), kernel);
-}
+  void rows_begin(int begin, int end) override {
+    if (coarse_) coarse_->rows_begin(begin, end);
+  }
 
-double channel_ssim(const MetricContext& context, std::size_t channel) {
-  const auto& [encoded_r, encoded_x] = context.encoded();
-  const auto r = [&values = encoded_r, channel](std::size_t i) { return values[3 * i + channel]; };
-  const auto x = [&values = encoded_x, channel](std::size_t i) { return values[3 * i + channel]; };
-  const Image& size = context.reference();
-  const Plane mean_r = window_means(size, r);
-  const Plane mean_x = window_means(size, x);
-  const Plane mean_rr = window_means(size, [&](std::size_t i) { return r(i) * r(i); });
-  const Plane mean_xx = window_means(size, [&](std::size_t i) { return x(i) * x(i); });
-  const Plane mean_rx = window_means(size, [&](std::size_t i) { return r(i) * x(i); });
+  /// Sums of the similarity of three channels, of their structure term, and the number of windows.
+  void measure(const PairTile& tile, const TileMaps&, Part& part) override {
+    if (undefined_) return;
+    const TileColour r = tile.encoded(0), x = tile.encoded(1);
+    part.resize(7);
+    const InnerRange columns = inner_range(tile.x0(), tile.width(), tile.image_width());
+    const InnerRange rows = inner_range(tile.y0(), tile.height(), tile.image_height());
+    for (int y = rows.first; y < rows.end; ++y)
+      for (int column = columns.first; column < columns.end; ++column) part[6] += tile.counts(column, y) ? 1 : 0;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const TileMemory::Frame frame(tile.memory());
+      const auto width = static_cast<std::size_t>(tile.width());
+      const SimilarityMaps maps =
+          similarity_maps(r[c], x[c], width, static_cast<std::size_t>(tile.height()), tile.memory());
+      part[c] = sum_inner(tile, maps.ssim, columns, rows);
+      part[3 + c] = sum_inner(tile, maps.structure, columns, rows);
+    }
+    if (coarse_) coarse_->put(tile);
+  }
 
-  const auto inner_width = static_cast<std::size_t>(size.width) - (kWindow - 1);
-  const auto inner_height = static_cast<std::size_t>(size.height) - (kWindow - 1);
-  return chunked_mean(inner_width * inner_height, [&](std::size_t inner) {
-    const std::size_t y = inner / inner_width + kRadius;
-    const std::size_t i = y * static_cast<std::size_t>(size.width) + inner % inner_width + kRadius;
-    const double mu_r = mean_r.values[i];
-    const double mu_x = mean_x.values[i];
-    const double var_r = mean_rr.values[i] - mu_r * mu_r;
-    const double var_x = mean_xx.values[i] - mu_x * mu_x;
-    const double cov = mean_rx.values[i] - mu_r * mu_x;
-    return (2 * mu_r * mu_x + kC1) * (2 * cov + kC2) / ((mu_r * mu_r + mu_x * mu_x + kC1) * (var_r + var_x + kC2));
-  });
-}
+  void rows_done(int y, const ParallelLoop& loop) override {
+    if (coarse_) coarse_->rows_done(y, loop);
+  }
+
+  std::optional<double> value(std::size_t which) const override {
+    if (undefined_ || sum(6) == 0) return std::nullopt;
+    if (which == 0) return ((sum(0) + sum(1) + sum(2)) / 3) / sum(6);
+    if (!coarse_) return std::nullopt;
+    return coarse_->ms_ssim({sum(3) / sum(6), sum(4) / sum(6), sum(5) / sum(6)});
+  }
+
+ private:
+  static double sum_inner(const PairTile& tile, const double* map, const InnerRange& columns, const InnerRange& rows) {
+    double sum = 0;
+    const auto count = static_cast<std::size_t>(columns.end - columns.first);
+    for (int y = rows.first; y < rows.end; ++y) {
+      const double* row = map + static_cast<std::ptrdiff_t>(y) * tile.width() + columns.first;
+      sum += tile.all_count() ? lane_sum(count, [&](std::size_t i) { return row[i]; })
+                              : lane_sum(count, [&](std::size_t i) {
+                                  return tile.counts(columns.first + static_cast<int>(i), y) ? row[i] : 0.0;
+                                });
+    }
+    return sum;
+  }
+
+  bool undefined_;
+  std::optional<CoarseScales> coarse_;
+};
 
 }  // namespace
 
-std::optional<double> ssim(const MetricContext& context) {
-  if (context.reference().width < kWindow || context.reference().height < kWindow) return std::nullopt;
-  return (channel_ssim(context, 0) + channel_ssim(context, 1) + channel_ssim(context, 2)) / 3;
-}
+std::unique_ptr<MetricPass> ssim_pass(const PairFacts& pair) { return std::make_unique<SsimPass>(pair); }
 
 std::string ssim_parameters(const MetricOptions& options) {
   return "exposure=" + format_number(options.exposure) + ", window=11, sigma=1.5, K1=0.01, K2=0.03, data_range=1";

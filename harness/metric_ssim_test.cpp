@@ -18,6 +18,17 @@ TEST(Ssim, agrees_with_scikit_image) {
   }
 }
 
+TEST(Metrics, psnr_and_mse_agree_with_scikit_image) {
+  const auto pairs = read_oracle_table("ssim_expected.csv");
+  ASSERT_EQ(pairs.size(), 4u);
+  for (const OraclePair& pair : pairs)
+    for (const std::string name : {"psnr", "mse"}) {
+      const double expected = pair.expected.at(name);
+      EXPECT_NEAR(metric_value(name, pair.reference, pair.test, pair.exposure).value(), expected, 1e-7 * (1 + expected))
+          << pair.name << " " << name;
+    }
+}
+
 TEST(Ssim, of_two_constants_is_the_luminance_term) {
   // No variance: (2 a b + C1) / (a^2 + b^2 + C1), C1 = 1e-4. Linear 1 and 0 encode to 1 and 0, so 1e-4 / (1 + 1e-4).
   const Image white = constant_image(16, 13, 1, 1, 1);

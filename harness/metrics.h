@@ -1,18 +1,43 @@
-// Image metrics as METRICS in README defines them: linear Rec.709 images, `reference` first, N = pixels x channels.
-// A metric is one file (metric_*.cpp) and one row of the table in metrics.cpp.
+// Image metrics as README's section of that name defines them: linear Rec.709 images, `reference` first, N = pixels x
+// channels. A metric is one file (metric_*.cpp) and one row of the table in metrics.cpp.
 #pragma once
 
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "harness/pixel_mask.h"
 #include "harness/results.h"
 #include "scenes/image.h"
 
 namespace photonproof {
 
+/// A part of an image, from its upper left corner.
+struct PixelRegion {
+  int x = 0, y = 0, width = 0, height = 0;
+  std::string text() const;  ///< "x y width height"
+};
+
+/// The exposures HDR-FLIP looks at: `count` of them, evenly spaced from start to stop, in stops.
+struct ExposureRange {
+  double start = 0, stop = 0;
+  int count = 0;
+};
+
 struct MetricOptions {
   /// Stops applied before the display encoding of psnr, ssim and flip (scale by 2^exposure, clamp to [0,1], sRGB).
   double exposure = 0;
+  int threads = 0;                               ///< 0: all cores. The numbers do not depend on it.
+  bool hdr_flip = false;                         ///< compute it, too: it takes as long as `count` times flip
+  std::optional<ExposureRange> hdr_exposures{};  ///< empty: from the reference, as the paper does
+  /// Only these pixels count: of the pixelwise metrics their values, of the windowed ones (ssim, flip, hdr_flip) the
+  /// maps made from whole images. Of the images' size, or of the region's. Null: all count.
+  std::shared_ptr<const PixelMask> mask{};
+  /// As if both images had been cropped to this before.
+  std::optional<PixelRegion> region{};
+  std::vector<std::string> only{};  ///< names of the table; empty: all that are not on request
+  std::string mask_name{};          ///< for the parameters that are printed
 };
 
 /// A failure that no metric may hide: sizes differ or a value is not finite. The sentence says where.
@@ -23,14 +48,9 @@ struct ImageDefect {
 /// Empty when the pair can be compared.
 std::vector<ImageDefect> find_defects(const Image& reference, const Image& test);
 
-/// Every metric of the table that has a finite value, in its order. Left out are psnr of images that are equal once
-/// encoded (infinite), ssim where a side is under 11 pixels, and bias where the reference's mean is 0.
-/// Precondition: find_defects is empty.
+/// Every metric of the table that was asked for and has a finite value, in its order. Left out are psnr of images that
+/// are equal once encoded (infinite) and what the table says to be undefined. Precondition: find_defects is empty.
 std::vector<MetricValue> compute_metrics(const Image& reference, const Image& test, const MetricOptions& options);
-
-/// The same on a context (metric_context.h) that other work on the pair, such as heat maps, can share.
-class MetricContext;
-std::vector<MetricValue> compute_metrics(const MetricContext& context);
 
 /// Per-pixel maps behind the heat maps: LDR-FLIP in [0,1], and relative squared error (x-r)^2/(r^2+0.01) averaged over
 /// channels. Row-major, one float a pixel. Precondition: find_defects is empty.

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "harness/metric_rows.h"
+#include "harness/metric_run.h"
 #include "harness/metric_sum.h"
 #include "harness/metric_test_images.h"
 
@@ -28,7 +28,11 @@ TEST(Metrics, identical_images_have_no_error_at_all) {
 TEST(Metrics, identical_images_have_infinite_psnr_which_the_record_leaves_out) {
   const Image image = busy_image(31, 17, 4);
   EXPECT_FALSE(metric_value("psnr", image, image));
-  EXPECT_EQ(psnr(MetricContext(image, image, {})), std::numeric_limits<double>::infinity());
+  for (const Measurement& measured : measure(image, image, {})) {
+    if (measured.row->name == std::string("psnr")) {
+      EXPECT_EQ(measured.value, std::numeric_limits<double>::infinity());
+    }
+  }
 }
 
 TEST(Metrics, constant_shift_gives_its_closed_form_in_every_linear_metric) {
@@ -61,6 +65,17 @@ TEST(Metrics, one_wrong_pixel_counts_by_its_share_of_the_image) {
   EXPECT_DOUBLE_EQ(value_of("relmse", reference, test), 0.25 / 1.01 / 6000);
 }
 
+TEST(Metrics, relative_metrics_of_other_tools_have_their_own_denominators) {
+  // x = 1.5 against r = 0.5 in every value: (x-r)^2 = 1, |x-r| = 1.
+  const Image reference = constant_image(12, 12, 0.5f, 0.5f, 0.5f), test = constant_image(12, 12, 1.5f, 1.5f, 1.5f);
+  EXPECT_NEAR(value_of("relmse_jeri", reference, test), 1 / (0.25 + 1e-4), 1e-12);
+  EXPECT_NEAR(value_of("mrse_pbrt", reference, test), 1 / (0.51 * 0.51), 1e-12);
+  EXPECT_NEAR(value_of("smape", reference, test), 2 / (1.5 + 0.5 + 0.02), 1e-12);
+  // Signs: |x| + |r| of -0.5 and 1.5 is the same 2, but they are 2 apart.
+  const Image negative = constant_image(12, 12, -0.5f, -0.5f, -0.5f);
+  EXPECT_NEAR(value_of("smape", negative, test), 4 / 2.02, 1e-12);
+}
+
 TEST(Metrics, relmse_trimmed_leaves_out_one_pixel_in_a_thousand) {
   // 2000 pixels of which two may go. Three are off by 1, 2 and 3 in all channels of r = 1: what is left is the least,
   // 1/1.01 over the 1998 that stay.
@@ -90,7 +105,8 @@ TEST(Metrics, relmse_map_averages_to_relmse) {
   const Image test = busy_image(23, 19, 3, 2);
   const std::vector<float> map = relmse_map(reference, test);
   ASSERT_EQ(map.size(), reference.pixels());
-  const double mean = chunked_mean(map.size(), [&](std::size_t i) { return static_cast<double>(map[i]); });
+  const double sum = lane_sum(map.size(), [&](std::size_t i) { return static_cast<double>(map[i]); });
+  const double mean = sum / static_cast<double>(map.size());
   EXPECT_NEAR(mean, value_of("relmse", reference, test), 1e-6 * mean);  // the map is rounded to float
 }
 
@@ -122,10 +138,13 @@ TEST(Metrics, displayed_metrics_see_no_difference_beyond_white_but_linear_ones_d
 }
 
 TEST(Metrics, parameters_travel_with_the_numbers) {
-  const Image reference = busy_image(12, 12);
-  const Image test = busy_image(12, 12, 1, 2);
+  const Image reference = busy_image(161, 161);  // the least that every metric has a value for
+  const Image test = busy_image(161, 161, 1, 2);
   std::map<std::string, std::string> parameters;
-  for (const MetricValue& metric : compute_metrics(reference, test, {-1.5}))
+  MetricOptions options{-1.5};
+  options.hdr_flip = true;
+  options.hdr_exposures = ExposureRange{-2, 1.5, 3};
+  for (const MetricValue& metric : compute_metrics(reference, test, options))
     parameters[metric.name] = metric.parameters;
   EXPECT_EQ(parameters.size(), metric_rows().size());
   EXPECT_EQ(parameters["mse"], "");
@@ -133,14 +152,19 @@ TEST(Metrics, parameters_travel_with_the_numbers) {
   EXPECT_EQ(parameters["relmse_trimmed"], "epsilon=0.01, trimmed=0.1% of pixels");
   EXPECT_EQ(parameters["psnr"], "exposure=-1.5, peak=1");
   EXPECT_EQ(parameters["ssim"], "exposure=-1.5, window=11, sigma=1.5, K1=0.01, K2=0.03, data_range=1");
+  EXPECT_EQ(parameters["relmse_jeri"], "epsilon=0.0001");
+  EXPECT_EQ(parameters["mrse_pbrt"], "epsilon=0.01");
+  EXPECT_EQ(parameters["smape"], "epsilon=0.02");
+  EXPECT_EQ(parameters["ms_ssim"], parameters["ssim"] + ", scales=5, weights=0.0448 0.2856 0.3001 0.2363 0.1333");
   EXPECT_EQ(parameters["flip"], "exposure=-1.5, pixels_per_degree=67.0206");
+  EXPECT_EQ(parameters["hdr_flip"], "tone_mapper=ACES, exposures=-2 1.5 3, pixels_per_degree=67.0206");
 }
 
 TEST(Metrics, values_of_extreme_magnitude_stay_finite) {
   const float greatest = std::numeric_limits<float>::max();
   const Image reference = constant_image(12, 12, 0, 0, 1e-45f);
   const Image test = constant_image(12, 12, greatest, -greatest, greatest);
-  for (const Measurement& measured : measure(MetricContext(reference, test, {60}))) {
+  for (const Measurement& measured : measure(reference, test, {60})) {
     if (measured.value) {
       EXPECT_TRUE(std::isfinite(*measured.value)) << measured.row->name;
     }
@@ -180,8 +204,19 @@ TEST(Metrics, images_without_pixels_are_a_defect) {
 }
 
 TEST(MetricSum, long_sums_lose_no_more_than_short_ones) {
-  // Ten million times 0.1: added one after the other the error is about 1.6e-4; in chunks it stays under 1e-6.
-  EXPECT_NEAR(chunked_sum(10'000'000, [](std::size_t) { return 0.1; }), 1e6, 1e-6);
+  // Three million values off by 0.1: added one after the other the mean's error is about 5e-12; a tile at a time, in
+  // eight lanes, it stays near that of 49 152 / 8 additions, 3 of whose roundings of 1e-16 show.
+  const Image reference = constant_image(1000, 1000, 0, 0, 0);
+  const Image test = constant_image(1000, 1000, 0.1f, 0.1f, 0.1f);
+  EXPECT_NEAR(value_of("mae", reference, test), static_cast<double>(0.1f), 1e-13);
+}
+
+TEST(MetricSum, exact_sum_keeps_what_a_plain_one_rounds_away) {
+  // 1e16 + 1 is 1e16 in doubles; ten thousand times 1 must not be lost.
+  ExactSum sum;
+  sum.add(1e16);
+  for (int i = 0; i < 10000; ++i) sum.add(1);
+  EXPECT_EQ(sum.value(), 1e16 + 10000);
 }
 
 }  // namespace

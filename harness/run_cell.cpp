@@ -97,6 +97,7 @@ std::optional<Result> run_cell(const CellRun& run) {
   options.wall_limit_seconds = run.limits.seconds;
   options.memory_limit_bytes = run.limits.memory_mb << 20;
   options.interrupt = run.interrupt;
+  options.processor = run.processor;
 
   const int cores = describe_host().cores;
   const double own_before = own_cpu_seconds();
@@ -111,6 +112,7 @@ std::optional<Result> run_cell(const CellRun& run) {
     result.wall_seconds = outcome.wall_seconds;
     result.cpu_seconds = outcome.cpu_seconds;
     result.peak_bytes = outcome.peak_bytes;
+    result.instructions = outcome.instructions;
   }
   add_timing_caveats(outcome, busy_before, own_before, cores, result);
   keep_output(run.output_folder / "stdout.txt", outcome.standard_output);

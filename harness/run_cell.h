@@ -21,6 +21,7 @@ struct CellRun {
   int width = 0, height = 0;            ///< pixels the image must have
   Limits limits;
   const std::atomic<bool>* interrupt = nullptr;
+  std::optional<int> processor{};  ///< all of its processes run on this one alone
 };
 
 /// The exit code by which an engine says that it cannot render this scene; the last line on standard error says why.

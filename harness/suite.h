@@ -2,10 +2,14 @@
 // limits. A TOML file, read strictly:
 //   name, title
 //   [limits]   seconds, memory_mb, threads (each optional)
+//   [bench]    control = an engine whose cells are measured twice, the second time as "<engine>-control", to see
+//   whether
+//              this session's times can be trusted (optional)
 //   [[engine]] further engines, as in engines.toml
 //   [[scene]]  name, path (relative to this file), width, height, exposure (optional),
-//              reference = {engine, budget, seed}
+//              reference = {engine, budget, seed}, target_relmse (optional: the time to reach it is reported)
 //   [[run]]    engine, budgets = ["spp=16", ...], seeds = [1, ...], scenes = [...] (optional; all of them)
+// Seeds are the repetitions: two tell bias from noise, five give a time its interval.
 #pragma once
 
 #include <cstdint>
@@ -32,6 +36,7 @@ struct SuiteScene {
   int width = 0, height = 0;
   std::optional<double> exposure;  ///< stops; otherwise the scene's expect.toml says
   Cell reference;
+  std::optional<double> target_relmse{};
 };
 
 struct Suite {
@@ -39,6 +44,7 @@ struct Suite {
   std::filesystem::path folder;
   std::string name, title;
   Limits limits;
+  std::string control;  ///< name of the engine that is its own control; empty: none
   std::vector<Engine> engines;
   std::vector<SuiteScene> scenes;
   std::vector<Cell> cells;  ///< of the runs, in their order; references are not among them
@@ -46,6 +52,9 @@ struct Suite {
   const Engine& engine(const std::string& engine_name) const;    ///< precondition: it exists
   const SuiteScene& scene(const std::string& scene_name) const;  ///< precondition: it exists
 };
+
+/// Of the engine that measures `engine` a second time.
+std::string control_name(const std::string& engine);
 
 /// Throws InputError with file:line:col on anything but the above: unknown keys, wrong types, unknown engines and
 /// scenes, budgets an engine does not accept, and cells that occur twice.

@@ -65,6 +65,21 @@ TEST_F(SuiteFile, own_engine_can_be_used) {
   EXPECT_EQ(suite.cells.size(), 2u);
 }
 
+TEST_F(SuiteFile, control_has_every_cell_of_its_engine_a_second_time) {
+  const Suite suite = read(std::string(head) + "[bench]\ncontrol = 'path'\n" + scenes +
+                           "[[run]]\nengine = 'path'\nbudgets = ['spp=1', 'target-error=0.5']\nseeds = [1]\n"
+                           "[[run]]\nengine = 'bdpt'\nbudgets = ['spp=1']\nseeds = [1]\n");
+  EXPECT_EQ(suite.engine("path-control").command, suite.engine("path").command);
+  // Two scenes: four cells by path, two by bdpt, four once more.
+  ASSERT_EQ(suite.cells.size(), 10u);
+  EXPECT_EQ(suite.cells[9].label(), "b/path-control/target-error=0.5/seed=1");
+  EXPECT_EQ(error(std::string(head) + "[bench]\ncontrol = 'nobody'\n" + scenes)
+                .rfind("s.toml:4:11: error: unknown engine 'nobody'", 0),
+            0u);
+  EXPECT_EQ(error(std::string(head) + "[bench]\ncontrol = 'path'\n" + scenes),
+            "s.toml:4:11: error: engine 'path' has no [[run]]");
+}
+
 TEST_F(SuiteFile, the_suites_we_ship_are_valid) {
   const std::filesystem::path folder = PHOTONPROOF_SOURCE_DIR "/harness/suites";
   int count = 0;
@@ -90,7 +105,7 @@ TEST_F(SuiteFile, mistakes_are_named_with_their_place) {
             "s.toml:1:8: error: 'name' may hold letters, digits, '_', '.' and '-' and not start with '.'");
   EXPECT_EQ(with("[[run]]", "sets = 1\n[[run]]"),
             "s.toml:16:1: error: unknown key 'sets'; known here: exposure, height, "
-            "name, path, reference, width");
+            "name, path, reference, target_relmse, width");
   EXPECT_EQ(with("[[scene]]", "[limits]\nsecs = 1\n[[scene]]"),
             "s.toml:4:1: error: unknown key 'secs'; known here: memory_mb, seconds, threads");
   EXPECT_EQ(with("[[scene]]", "[limits]\nseconds = 0\n[[scene]]"), "s.toml:4:11: error: 'seconds' must be positive");
@@ -103,7 +118,7 @@ TEST_F(SuiteFile, mistakes_are_named_with_their_place) {
   EXPECT_EQ(with("engine = 'path'\nbudgets", "engine = 'pth'\nbudgets"),
             "s.toml:17:10: error: unknown engine 'pth'; known: path, photonmapper, bdpt, ptracer, volpath, povray");
   EXPECT_EQ(with("['spp=1']", "['spp=1', 'photons=2']"),
-            "s.toml:18:21: error: engine 'path' takes budgets of spp, seconds; not 'photons'");
+            "s.toml:18:21: error: engine 'path' takes budgets of spp, seconds, target-error; not 'photons'");
   EXPECT_EQ(with("seeds = [1]", "seeds = [1, -2]"), "s.toml:19:13: error: a seed must not be negative");
   EXPECT_EQ(with("seeds = [1]", "seeds = [1]\nscenes = ['a', 'z']"),
             "s.toml:20:16: error: unknown scene 'z'; known: a, b");
@@ -114,7 +129,7 @@ TEST_F(SuiteFile, mistakes_are_named_with_their_place) {
             "itself");
   EXPECT_EQ(error(head), "s.toml:1:1: error: the suite has no [[scene]]");
   EXPECT_EQ(with("[[run]]", "[[rnu]]"),
-            "s.toml:16:3: error: unknown key 'rnu'; known here: engine, limits, name, run, scene, title");
+            "s.toml:16:3: error: unknown key 'rnu'; known here: bench, engine, limits, name, run, scene, title");
 }
 
 TEST_F(SuiteFile, missing_suite_is_named) {

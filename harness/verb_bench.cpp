@@ -11,6 +11,7 @@
 #include "harness/bench.h"
 #include "harness/engine_command.h"
 #include "harness/interrupt.h"
+#include "harness/scene_options.h"
 #include "harness/verbs.h"
 #include "harness/versions.h"
 #include "reports/html_report.h"
@@ -28,6 +29,10 @@ struct BenchArguments {
   bool fresh = false;
   bool retry = false;
   std::string only;
+  std::string program, against, old_program;
+  AgainstOptions limits;
+  double slower_percent = 100 * ChangeThresholds{}.seconds;
+  double error_percent = 100 * ChangeThresholds{}.relmse;
   bool json = false;
   bool report = true;
 };
@@ -36,13 +41,7 @@ std::string ending_of(const Result& result) {
   if (result.status != Status::ok) return to_string(result.status) + ": " + result.detail;
   char text[64];
   std::snprintf(text, sizeof text, "ok %.2f s", result.wall_seconds.value_or(0));
-  std::string ending = text;
-  for (const MetricValue& metric : result.metrics) {
-    if (metric.name != "relmse") continue;
-    std::snprintf(text, sizeof text, " relmse %.2g", metric.value);
-    ending += text;
-  }
-  return ending;
+  return text;
 }
 
 // On standard error: one line a finished cell, or on a terminal a line that rewrites itself and stays for failures.
@@ -58,6 +57,10 @@ class ProgressLines : public BenchObserver {
     std::fprintf(stderr, "%s[%zu/%zu] %s %s%s", terminal_ ? "\r\033[K" : "", number, total, result.cell.label().c_str(),
                  ending_of(result).c_str(), stays ? "\n" : "");
     std::fflush(stderr);
+  }
+  void changed(const ChangeRecord& change) override {
+    std::fprintf(stderr, "%s%s/%s/%s: %s\n", terminal_ ? "\r\033[K" : "", change.scene.c_str(), change.engine.c_str(),
+                 change.budget.label().c_str(), change.sentence.c_str());
   }
   void done() const {
     if (terminal_) std::fputs("\r\033[K", stderr);
@@ -96,10 +99,15 @@ void print_json(const BenchSummary& summary, const std::vector<fs::path>& report
                                  {"measured", summary.measured},
                                  {"kept", summary.kept},
                                  {"missing", summary.missing},
+                                 {"seconds", summary.seconds},
+                                 {"engine_seconds", summary.engine_seconds},
+                                 {"harness_cpu_seconds", summary.harness_cpu_seconds},
                                  {"interrupted", summary.interrupted},
                                  {"status", nlohmann::json::object()}};
   for (const fs::path& report : reports) json["reports"].push_back(report.string());
   for (const auto& [status, number] : summary.by_status) json["status"][to_string(status)] = number;
+  if (!summary.by_change.empty()) json["changes"] = nlohmann::json::object();
+  for (const auto& [change, number] : summary.by_change) json["changes"][to_string(change)] = number;
   std::printf("%s\n", json.dump(2).c_str());
 }
 
@@ -117,6 +125,24 @@ void print_text(const Suite& suite, const BenchSummary& summary, const std::vect
   if (summary.interrupted) std::printf("interrupted: kept what was finished; the same command goes on from here\n");
   std::printf("results: %s\n", summary.results_file.c_str());
   for (const fs::path& report : reports) std::printf("report: %s\n", report.c_str());
+  if (summary.by_change.empty()) return;
+  separator = "against the old run: ";
+  for (const auto& [change, number] : summary.by_change) {
+    std::printf("%s%zu %s", separator, number, to_string(change).c_str());
+    separator = ", ";
+  }
+  std::printf("\n");
+}
+
+int exit_code_of(const BenchArguments& arguments, const BenchSummary& summary) {
+  if (summary.interrupted) return 130;
+  const auto count = [&](Change change) {
+    const auto found = summary.by_change.find(change);
+    return found == summary.by_change.end() ? std::size_t{0} : found->second;
+  };
+  if (failures(summary) > 0 || count(Change::regression) > 0) return 1;
+  const bool compared_nothing = !arguments.against.empty() && summary.by_change.empty();
+  return compared_nothing || count(Change::inconclusive) > 0 ? 3 : 0;
 }
 
 int run(const BenchArguments& arguments) {
@@ -124,14 +150,27 @@ int run(const BenchArguments& arguments) {
   const Suite suite = read_suite(arguments.suite);
   BenchOptions options;
   options.results_folder = arguments.output.empty() ? fs::path("out") / suite.name : fs::path(arguments.output);
-  options.program = fs::read_symlink("/proc/self/exe");
-  options.command = shell_line({"photonproof", "bench", arguments.suite, "-o", options.results_folder.string()});
+  const fs::path self = fs::read_symlink("/proc/self/exe");
+  options.program = arguments.program.empty() ? self : fs::absolute(arguments.program).lexically_normal();
+  if (!fs::is_regular_file(options.program)) throw InputError("--program", "no such file: " + options.program.string());
+  std::vector<std::string> command{"photonproof", "bench", arguments.suite, "-o", options.results_folder.string()};
+  if (!arguments.program.empty()) command.insert(command.end(), {"--program", arguments.program});
+  options.command = shell_line(command);
   options.versions = program_versions();
-  options.comparison_version = build_identity(options.program);
+  options.versions[program_key] = options.program.string();
+  options.versions[program_hash_key] = program_hash(options.program);
+  options.comparison_version = build_identity(self);
   options.fresh = arguments.fresh;
   options.retry = arguments.retry;
   options.only = arguments.only;
   options.interrupt = &interrupt;
+  if (!arguments.against.empty()) {
+    options.against = arguments.limits;
+    options.against->results = arguments.against;
+    options.against->old_program = arguments.old_program;
+    options.against->thresholds.seconds = arguments.slower_percent / 100;
+    options.against->thresholds.relmse = arguments.error_percent / 100;
+  }
 
   ProgressLines progress;
   const BenchSummary summary = run_bench(suite, options, progress);
@@ -142,8 +181,7 @@ int run(const BenchArguments& arguments) {
     print_json(summary, reports);
   else
     print_text(suite, summary, reports);
-  if (summary.interrupted) return 130;
-  return failures(summary) > 0 ? 1 : 0;
+  return exit_code_of(arguments, summary);
 }
 
 }  // namespace
@@ -153,13 +191,37 @@ void add_bench_verb(CLI::App& program, int& exit_code) {
   CLI::App* verb = program.add_subcommand(
       "bench",
       "Run a suite: every scene, engine, budget and seed in a process of its own; finished cells are kept.\n"
-      "Exit codes: 0 done, 1 done but a cell timed out, crashed or wrote a bad image, 2 bad input, 130 interrupted");
+      "Exit codes: 0 done; 1 a cell timed out, crashed or wrote a bad image, or --against found a regression; 2 bad\n"
+      "input; 3 --against could not tell; 130 interrupted");
   verb->add_option("suite", arguments->suite, "suite (TOML)")->required();
   verb->add_option("-o,--output", arguments->output, "results folder (default: out/<name of the suite>)");
   verb->add_flag("--fresh", arguments->fresh,
                  "measure finished cells again; their old results stay beside the new ones");
   verb->add_flag("--retry", arguments->retry, "measure cells again that timed out, crashed or wrote a bad image");
   verb->add_option("--only", arguments->only, "run only cells whose label contains this, e.g. cornell/path");
+  verb->add_option("--program", arguments->program, "what {photonproof} stands for in engines (default: this program)");
+  auto* against = verb->add_option(
+      "--against", arguments->against,
+      "results.json of an older run: say what became slower or more wrong since. The old program is run "
+      "again next to the new one, on one processor at the same time, until their ratio is known");
+  verb->add_option("--old-program", arguments->old_program,
+                   "the older program (default: the one that run recorded, where it is still there)")
+      ->needs(against);
+  verb->add_option("--against-seconds", arguments->limits.seconds, "at most, for each scene and engine")
+      ->check(CLI::Range(0.0, 1e6))
+      ->check(is_finite_number)
+      ->capture_default_str();
+  verb->add_option("--against-rounds", arguments->limits.most_rounds, "at most, for each scene and engine")
+      ->check(CLI::Range(1, 100000))
+      ->capture_default_str();
+  verb->add_option("--slower", arguments->slower_percent, "percent of processor time that count as slower")
+      ->check(CLI::Range(0.01, 1000.0))
+      ->check(is_finite_number)
+      ->capture_default_str();
+  verb->add_option("--more-error", arguments->error_percent, "percent of relmse that count as more wrong")
+      ->check(CLI::Range(0.01, 1000.0))
+      ->check(is_finite_number)
+      ->capture_default_str();
   verb->add_flag("--json", arguments->json, "print the summary as JSON");
   verb->add_flag("--report,!--no-report", arguments->report, "write report.html and report.md (default)");
   verb->callback([arguments, &exit_code] { exit_code = run(*arguments); });

@@ -4,6 +4,10 @@
 
 #include <chrono>
 #include <csignal>
+#include <functional>
+#include <random>
+#include <set>
+#include <sstream>
 #include <thread>
 
 #include "harness/results.h"
@@ -23,8 +27,7 @@ class BenchVerb : public FakeSuiteTest {
   ProcessOutcome bench(const std::vector<std::string>& more = {}) const {
     return run_process(argv(more), {.wall_limit_seconds = 60});
   }
-  // Starts the program, sends it the signal once the engine "sleeps" runs, and waits; the status is wait's.
-  int signalled_while_it_sleeps(int signal_number) const {
+  pid_t start_program() const {
     const pid_t pid = fork();
     if (pid == 0) {
       std::vector<std::string> words = argv();
@@ -37,11 +40,24 @@ class BenchVerb : public FakeSuiteTest {
       execv(pointers[0], pointers.data());
       _exit(127);
     }
+    return pid;
+  }
+  // Starts the program, sends it the signal once the engine "sleeps" runs, and waits; the status is wait's.
+  int signalled_while_it_sleeps(int signal_number) const {
+    const pid_t pid = start_program();
     for (int i = 0; i < 3000 && !has("pid"); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
     kill(pid, signal_number);
     int status = 0;
     waitpid(pid, &status, 0);
     return status;
+  }
+  // Kills it so long after `when` is true.
+  void killed_after(const std::function<bool()>& when, std::chrono::milliseconds delay) const {
+    const pid_t pid = start_program();
+    for (int i = 0; i < 3000 && !when(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    std::this_thread::sleep_for(delay);
+    kill(pid, SIGKILL);
+    waitpid(pid, nullptr, 0);
   }
   std::size_t recorded() const { return read_results((folder_ / "out" / "results.json").string()).results.size(); }
 };
@@ -109,6 +125,74 @@ TEST_F(BenchVerb, killed_at_any_moment_leaves_valid_results_no_engine_and_no_loc
   EXPECT_FALSE(engine_runs());
   EXPECT_EQ(bench().exit_code, 0);
   EXPECT_EQ(recorded(), 2u);
+}
+
+// Ten runs are killed wherever they happen to be, starting up, measuring, writing or comparing; the eleventh finishes.
+TEST_F(BenchVerb, killed_at_ten_random_moments_never_repeats_a_finished_cell_nor_damages_the_record) {
+  put("slow.sh", "echo $1 >> \"$2/starts\"; sleep 0.05; cp \"$2/grey.exr\" \"$3\"\n");
+  std::string text = suite_text("grey", {}) +
+                     "[[engine]]\nname = 'slow'\ntitle = 'slow'\nbudgets = ['spp']\ntrust = 'external'\n"
+                     "command = ['sh', '{suite}/slow.sh', '{seed}', '{suite}', '{output}', '{scene}']\n"
+                     "[[run]]\nengine = 'slow'\nbudgets = ['spp=1']\nseeds = [";
+  for (int seed = 1; seed <= 40; ++seed) text += std::to_string(seed) + ",";
+  put("suite.toml", text + "]\n");
+  const auto starts = [&] { return has("starts") ? get("starts") : std::string(); };
+  const auto finished = [&] {
+    std::set<std::string> seeds;
+    if (!has("out/cells")) return seeds;
+    for (const auto& cell : std::filesystem::directory_iterator(folder_ / "out" / "cells"))
+      if (std::filesystem::exists(cell.path() / "cell.json")) {
+        const Result result = read_result((cell.path() / "cell.json").string()).result;
+        if (result.cell.engine == "slow") seeds.insert(std::to_string(result.cell.seed));
+      }
+    return seeds;
+  };
+  std::mt19937 generator(1);
+  std::size_t most_finished = 0;
+  for (int run = 0; run < 11; ++run) {
+    const std::set<std::string> before = finished();
+    most_finished = std::max(most_finished, before.size());
+    const std::size_t started_before = starts().size();
+    // Every other one while it starts, however long that takes here, the others among its cells.
+    const auto measures = [&] { return run % 2 == 0 || starts().size() > started_before; };
+    if (run < 10)
+      killed_after(measures, std::chrono::milliseconds(generator() % 600));
+    else
+      EXPECT_EQ(bench({"--no-report"}).exit_code, 0);
+    if (has("out/results.json")) {
+      EXPECT_NO_THROW(recorded());
+    }
+    std::istringstream now(starts().substr(started_before));
+    for (std::string seed; now >> seed;) EXPECT_EQ(before.count(seed), 0u) << "seed " << seed << " again";
+  }
+  EXPECT_GT(most_finished, 0u);
+  EXPECT_EQ(finished().size(), 40u);
+  EXPECT_EQ(recorded(), 41u);
+}
+
+TEST_F(BenchVerb, against_says_by_its_exit_code_what_it_found) {
+  const auto program = [&](const std::string& name, int count) {
+    put(name, "#!/bin/sh\ni=0; while [ $i -lt " + std::to_string(count) + " ]; do i=$((i+1)); done\ncp " +
+                  (folder_ / "grey.exr").string() + " \"$2\"\n");
+    std::filesystem::permissions(folder_ / name, std::filesystem::perms::owner_all);
+    return (folder_ / name).string();
+  };
+  put("suite.toml", suite_text("grey", {}) +
+                        "[[engine]]\nname = 'ours'\ntitle = 'ours'\nbudgets = ['spp']\ntrust = 'external'\n"
+                        "command = ['{photonproof}', '{scene}', '{output}']\n"
+                        "[[run]]\nengine = 'ours'\nbudgets = ['spp=1']\nseeds = [1]\n");
+  const std::string fast = program("fast", 20000), slow = program("slow", 40000);
+  const std::string old_results = (folder_ / "out" / "results.json").string();
+  ASSERT_EQ(bench({"--no-report", "--program", fast}).exit_code, 0);
+  const std::vector<std::string> against{"--no-report", "--against", old_results, "--slower", "20"};
+  const auto compared = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), against.begin(), against.end());
+    return bench(more).exit_code;
+  };
+  EXPECT_EQ(compared({"--program", slow, "--old-program", fast}), 1);
+  EXPECT_EQ(compared({"--program", fast, "--old-program", slow}), 0);
+  EXPECT_EQ(compared({"--program", slow, "--old-program", fast, "--against-rounds", "2"}), 3);
+  EXPECT_EQ(compared({"--program", slow, "--old-program", (folder_ / "gone").string()}), 2);
 }
 
 }  // namespace

@@ -14,7 +14,6 @@
 #include "harness/agreement.h"
 #include "harness/heatmap.h"
 #include "harness/metric_bounds.h"
-#include "harness/metric_context.h"
 #include "harness/verbs.h"
 #include "scenes/input_error.h"
 #include "scenes/text_numbers.h"
@@ -37,6 +36,9 @@ struct CompareOptions {
   MetricOptions metrics;
   std::vector<std::string> warn, fail;  // "metric=bound"
   std::string heatmap_folder;           // empty: none
+  std::string mask;                     // a file; empty: none
+  std::vector<int> region;              // x, y, width, height; empty: all
+  std::vector<std::string> exposures;   // start, stop, count; empty: from the reference
   bool agreement = false;
   bool json = false;
 };
@@ -68,6 +70,21 @@ std::vector<MetricBound> parse_bounds(const std::string& option, const std::vect
   return bounds;
 }
 
+/// Throws InputError when they are no numbers from -64 to 64 in ascending order and a count.
+ExposureRange parse_exposures(const std::vector<std::string>& texts) {
+  const Parsed<double> start = parse_number(texts[0]), stop = parse_number(texts[1]);
+  const Parsed<std::int64_t> count = parse_integer(texts[2]);
+  for (const auto* number : {&start, &stop})
+    if (!number->value) throw InputError("--exposures", number->problem);
+  if (!count.value) throw InputError("--exposures", "the count " + count.problem);
+  const bool good = *start.value >= -64 && *stop.value <= 64 && *start.value <= *stop.value && *count.value >= 1 &&
+                    *count.value <= 100;
+  if (!good)
+    throw InputError("--exposures",
+                     "expected a first and a last exposure from -64 to 64 and their number from 1 to 100");
+  return {*start.value, *stop.value, static_cast<int>(*count.value)};
+}
+
 void check_bounds(const std::vector<MetricBound>& bounds, Verdict verdict, Comparison& comparison) {
   for (const MetricBound& bound : bounds)
     if (auto reason = broken_bound(bound, comparison.measurements))
@@ -84,28 +101,61 @@ void check_agreement(const CompareOptions& options, const Rendering& reference, 
     if (!part->pass) comparison.findings.push_back({Verdict::fail, part->sentence});
 }
 
+/// The mask of a file: pixels where any channel is not 0. Throws InputError when there are none.
+std::shared_ptr<const PixelMask> read_mask(const std::string& path, const std::optional<PixelRegion>& region) {
+  FileSource file(path);
+  std::optional<RegionSource> part;
+  if (region) part.emplace(file, *region);
+  RowSource& rows = region ? static_cast<RowSource&>(*part) : file;
+  auto mask = std::make_shared<PixelMask>(rows.width(), rows.height());
+  std::vector<float> rgb(3 * static_cast<std::size_t>(rows.width()));
+  for (int y = 0; y < rows.height(); ++y) {
+    rows.read(y, y + 1, rgb.data());
+    for (int x = 0; x < rows.width(); ++x) {
+      const float* pixel = &rgb[3 * static_cast<std::size_t>(x)];
+      if (pixel[0] != 0 || pixel[1] != 0 || pixel[2] != 0) mask->set(x, y);
+    }
+  }
+  if (mask->counted() == 0) throw InputError(path, "mask chooses no pixel: all of them are 0");
+  return mask;
+}
+
 /// Throws InputError when a file cannot be read or written.
 void compare_files(const CompareOptions& options, const std::vector<MetricBound>& warn,
                    const std::vector<MetricBound>& fail, Comparison& comparison) {
-  const Rendering reference_rendering = read_rendering(options.reference);
-  const Rendering test_rendering = read_rendering(options.test);
-  const Image& reference = reference_rendering.mean;
-  const Image& test = test_rendering.mean;
-  comparison.width = reference.width;
-  comparison.height = reference.height;
-  for (const ImageDefect& defect : find_defects(reference, test))
+  std::optional<Rendering> reference_rendering, test_rendering;  // in memory only where that is needed
+  std::unique_ptr<RowSource> reference, test;
+  if (options.agreement) {
+    reference = std::make_unique<ImageSource>(reference_rendering.emplace(read_rendering(options.reference)).mean);
+    test = std::make_unique<ImageSource>(test_rendering.emplace(read_rendering(options.test)).mean);
+  } else {
+    reference = std::make_unique<FileSource>(options.reference);
+    test = std::make_unique<FileSource>(options.test);
+  }
+  MetricOptions metrics = options.metrics;
+  if (!options.mask.empty()) {
+    metrics.mask = read_mask(options.mask, metrics.region);
+    metrics.mask_name = options.mask;
+  }
+  const bool same_size = reference->width() == test->width() && reference->height() == test->height();
+  std::optional<HeatmapWriter> maps;
+  if (!options.heatmap_folder.empty() && same_size)
+    maps.emplace(metrics.region ? metrics.region->width : reference->width(),
+                 metrics.region ? metrics.region->height : reference->height(), options.heatmap_folder,
+                 std::filesystem::path(options.test).stem().string());
+  PairMeasurements measured = measure_pair(*reference, *test, metrics, maps ? &*maps : nullptr);
+  comparison.width = measured.width;
+  comparison.height = measured.height;
+  for (const ImageDefect& defect : measured.defects)
     comparison.findings.push_back(
         {defect.kind == ImageDefect::Kind::size_mismatch ? Verdict::size_mismatch : Verdict::fail, defect.sentence});
   if (!comparison.findings.empty()) return;
 
-  const MetricContext context(reference, test, options.metrics);
-  comparison.measurements = measure(context);
+  comparison.measurements = std::move(measured.measurements);
   check_bounds(warn, Verdict::warn, comparison);
   check_bounds(fail, Verdict::fail, comparison);
-  if (options.agreement) check_agreement(options, reference_rendering, test_rendering, comparison);
-  if (!options.heatmap_folder.empty())
-    comparison.heatmaps =
-        write_heatmaps(context, options.heatmap_folder, std::filesystem::path(options.test).stem().string());
+  if (options.agreement) check_agreement(options, *reference_rendering, *test_rendering, comparison);
+  if (maps) comparison.heatmaps = maps->finish();
 }
 
 void print_text(const CompareOptions& options, const Comparison& comparison) {
@@ -158,9 +208,14 @@ void print_json(const CompareOptions& options, const Comparison& comparison) {
                  {"width", comparison.width},
                  {"height", comparison.height},
                  {"exposure", options.metrics.exposure},
+                 {"region", nullptr},
+                 {"mask", nullptr},
                  {"verdict", name_of(comparison.verdict())},
                  {"findings", std::move(findings)},
                  {"metrics", std::move(metrics)}};
+  if (const auto& region = options.metrics.region)
+    record["region"] = {region->x, region->y, region->width, region->height};
+  if (!options.mask.empty()) record["mask"] = options.mask;
   if (comparison.agreement)
     record["agreement"] = {{"pass", comparison.agreement->pass()},
                            {"pixels", as_json(comparison.agreement->pixels)},
@@ -171,9 +226,19 @@ void print_json(const CompareOptions& options, const Comparison& comparison) {
 }
 
 /// The exit code. Throws InputError on a bound that cannot be read.
-int run_compare(const CompareOptions& options) {
+int run_compare(CompareOptions options) {
   const std::vector<MetricBound> warn = parse_bounds("--warn", options.warn);
   const std::vector<MetricBound> fail = parse_bounds("--fail", options.fail);
+  if (const auto& part = options.region; !part.empty())
+    options.metrics.region = PixelRegion{part[0], part[1], part[2], part[3]};
+  if (!options.exposures.empty()) options.metrics.hdr_exposures = parse_exposures(options.exposures);
+  std::vector<std::string>& only = options.metrics.only;
+  for (const std::string& name : only) options.metrics.hdr_flip |= metric_named("--metrics", name).on_request;
+  for (const auto* bounds : {&warn, &fail})
+    for (const MetricBound& bound : *bounds) {
+      options.metrics.hdr_flip |= bound.metric->on_request;
+      if (!only.empty()) only.emplace_back(bound.metric->name);
+    }
   Comparison comparison;
   try {
     compare_files(options, warn, fail, comparison);
@@ -206,6 +271,27 @@ void add_compare_verb(CLI::App& program, int& exit_code) {
       ->check(check_exposure)
       ->type_name("STOPS")
       ->capture_default_str();
+  verb->add_option("--metrics", options->metrics.only, "compute these and those with a bound, instead of all")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->type_name("NAME,...");
+  verb->add_option("--region", options->region, "compare this part alone, as if both images had been cropped to it")
+      ->expected(4)
+      ->type_name("X Y WIDTH HEIGHT");
+  CLI::Option* mask =
+      verb->add_option("--mask", options->mask,
+                       "count only the pixels where this image, of the same size, is not 0; ssim and flip are computed "
+                       "everywhere and averaged over them")
+          ->type_name("FILE");
+  verb->add_flag("--hdr-flip", options->metrics.hdr_flip, "compute hdr_flip, too; a bound on it does so as well");
+  verb->add_option("--exposures", options->exposures,
+                   "first and last exposure of hdr_flip in stops and their number, pinned for a scene; without it they "
+                   "are derived from the reference")
+      ->expected(3)
+      ->type_name("START STOP COUNT");
+  verb->add_option("--threads", options->metrics.threads, "0: all cores; the numbers do not depend on it")
+      ->check(CLI::Range(0, 1024))
+      ->type_name("N");
   verb->add_option("--warn", options->warn, "exit with 1 when broken; a minimum for psnr and ssim; may be repeated")
       ->type_name("METRIC=BOUND")
       ->take_all()
@@ -216,7 +302,9 @@ void add_compare_verb(CLI::App& program, int& exit_code) {
       ->allow_extra_args(false);
   verb->add_flag("--agreement", options->agreement,
                  "exit with 2 unless both may be noisy images of the same: needs the variance channels of renders with "
-                 "--sampler independent and 64 samples a pixel or more");
+                 "--sampler independent and 64 samples a pixel or more")
+      ->excludes(mask)
+      ->excludes("--region");
   verb->add_option("--heatmaps", options->heatmap_folder, "write <test>-flip.png and <test>-error.png there")
       ->type_name("FOLDER");
   verb->add_flag("--json", options->json, "print one JSON object instead of lines");

@@ -127,6 +127,75 @@ TEST_F(CompareVerb, writes_heatmaps_named_after_the_test_image) {
   EXPECT_EQ(read_image((folder / "maps" / "darker-error.png").string()).height, 14);
 }
 
+TEST_F(CompareVerb, region_and_mask_choose_pixels_and_are_printed) {
+  // Right of column 8 the test image is 2, elsewhere it equals the reference: mse 4/12 overall.
+  Image image = constant_image(12, 14, 1, 1, 1), mask = constant_image(12, 14, 0, 0, 0);
+  for (int y = 0; y < 14; ++y)
+    for (int x = 8; x < 12; ++x)
+      for (int c = 0; c < 3; ++c) image.pixel(x, y)[c] = 2;
+  for (int y = 0; y < 14; ++y) mask.pixel(7, y)[1] = mask.pixel(8, y)[2] = 1;
+  const std::string ref = reference(), test = write("step.exr", image), chosen = write("mask.exr", mask);
+  Run run = compare({ref, test, "--region", "8", "0", "4", "5", "--json"});
+  auto record = nlohmann::json::parse(run.out);
+  EXPECT_EQ(record.at("region"), (std::vector<int>{8, 0, 4, 5}));
+  EXPECT_EQ(record.at("width"), 4);
+  EXPECT_EQ(record.at("metrics").at(0).at("value"), 1);
+  run = compare({ref, test, "--mask", chosen, "--json"});
+  record = nlohmann::json::parse(run.out);
+  EXPECT_EQ(record.at("mask"), chosen);
+  EXPECT_EQ(record.at("metrics").at(0).at("value"), 0.5);
+  EXPECT_EQ(record.at("metrics").at(0).at("parameters"), "mask=" + chosen);
+  run = compare({ref, test, "--mask", chosen, "--region", "8", "2", "4", "5"});
+  EXPECT_NE(run.out.find("\nmse                     1               region=8 2 4 5, mask=" + chosen + "\n"),
+            std::string::npos)
+      << run.out;
+}
+
+TEST_F(CompareVerb, region_or_mask_that_cannot_be_is_one_error) {
+  Run run = compare({reference(), darker(), "--region", "8", "0", "5", "5"});
+  EXPECT_EQ(run.exit_code, 4);
+  EXPECT_EQ(run.err, "--region: error: 8 0 5 5 is no part of the image of 12x14 pixels\n");
+  const std::string black = write("black.exr", constant_image(12, 14, 0, 0, 0));
+  run = compare({reference(), darker(), "--mask", black});
+  EXPECT_EQ(run.exit_code, 4);
+  EXPECT_EQ(run.err, black + ": error: mask chooses no pixel: all of them are 0\n");
+  const std::string small = write("small.exr", constant_image(2, 2, 1, 1, 1));
+  run = compare({reference(), darker(), "--mask", small});
+  EXPECT_EQ(run.exit_code, 4);
+  EXPECT_EQ(run.err, small + ": error: mask is 2x2 pixels, what it should choose from 12x14\n");
+}
+
+TEST_F(CompareVerb, metrics_that_are_named_are_computed_alone_with_those_that_have_a_bound) {
+  const std::string ref = reference(), test = darker();
+  const auto names = [](const Run& run) {
+    std::vector<std::string> found;
+    const auto record = nlohmann::json::parse(run.out);
+    for (const auto& metric : record.at("metrics")) found.push_back(metric.at("name"));
+    return found;
+  };
+  EXPECT_EQ(names(compare({ref, test, "--json", "--metrics", "ssim,mse"})), (std::vector<std::string>{"mse", "ssim"}));
+  EXPECT_EQ(names(compare({ref, test, "--json", "--metrics", "mse", "--warn", "flip=0.1"})),
+            (std::vector<std::string>{"mse", "flip"}));
+  EXPECT_THROW(compare({ref, test, "--metrics", "mse,ssmi"}), InputError);
+  // Heat maps show the same whatever is printed.
+  compare({ref, test, "--heatmaps", (folder / "all").string()});
+  compare({ref, test, "--metrics", "mse", "--heatmaps", (folder / "few").string()});
+  for (const std::string name : {"darker-flip.png", "darker-error.png"})
+    EXPECT_EQ(read_file(folder / "all" / name), read_file(folder / "few" / name));
+}
+
+TEST_F(CompareVerb, hdr_flip_is_computed_for_a_bound_or_by_name) {
+  const std::string ref = reference(), test = darker();
+  EXPECT_EQ(compare({ref, test}).out.find("hdr_flip"), std::string::npos);
+  EXPECT_NE(compare({ref, test, "--hdr-flip"}).out.find("\nhdr_flip "), std::string::npos);
+  const Run run = compare({ref, test, "--fail", "hdr_flip=0.001", "--exposures", "-2", "1", "4"});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.out.find("tone_mapper=ACES, exposures=-2 1 4, pixels_per_degree=67.0206\n"), std::string::npos)
+      << run.out;
+  EXPECT_THROW(compare({ref, test, "--hdr-flip", "--exposures", "1", "-2", "4"}), InputError);
+  EXPECT_THROW(compare({ref, test, "--hdr-flip", "--exposures", "1", "2", "0"}), InputError);
+}
+
 TEST_F(CompareVerb, json_holds_every_metric_and_says_which_have_no_number) {
   const std::string ref = write("small.exr", constant_image(8, 8, 1, 1, 1));
   const Run run = compare({ref, ref, "--json", "--fail", "ssim=0.9"});
@@ -134,15 +203,16 @@ TEST_F(CompareVerb, json_holds_every_metric_and_says_which_have_no_number) {
   const auto record = nlohmann::json::parse(run.out);
   EXPECT_EQ(record.at("verdict"), "fail");
   EXPECT_EQ(record.at("width"), 8);
-  EXPECT_EQ(record.at("findings").at(0).at("sentence"),
-            "ssim has no value here (a side is under 11 pixels), so its bound is not kept");
+  EXPECT_EQ(
+      record.at("findings").at(0).at("sentence"),
+      "ssim has no value here (a side is under 11 pixels, or the mask has no whole window), so its bound is not kept");
   std::map<std::string, nlohmann::json> metrics;
   for (const auto& metric : record.at("metrics")) metrics[metric.at("name")] = metric;
   EXPECT_EQ(metrics.at("mse").at("value"), 0);
   EXPECT_TRUE(metrics.at("psnr").at("value").is_null());
   EXPECT_EQ(metrics.at("psnr").at("undefined"), "infinite: the images are equal once encoded");
   EXPECT_TRUE(metrics.at("ssim").at("value").is_null());
-  EXPECT_EQ(metrics.at("ssim").at("undefined"), "a side is under 11 pixels");
+  EXPECT_EQ(metrics.at("ssim").at("undefined"), "a side is under 11 pixels, or the mask has no whole window");
 }
 
 TEST_F(CompareVerb, json_reports_file_errors_too) {

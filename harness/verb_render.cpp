@@ -33,7 +33,7 @@ struct RenderArguments {
   std::string stats_path;
   std::string integrator;
   std::optional<std::int64_t> spp, photons;
-  std::optional<double> seconds;
+  std::optional<double> seconds, target_error;
   std::uint64_t seed = 0;
   int threads = 0;
   int grid = 0;
@@ -154,7 +154,7 @@ IntegratorDescription method_of(const RenderArguments& arguments, const SceneDes
 
 RenderJob render_job(const RenderArguments& arguments, const SceneDescription& description) {
   RenderJob job;
-  job.budget = {arguments.spp, arguments.photons, arguments.seconds};
+  job.budget = {arguments.spp, arguments.photons, arguments.seconds, arguments.target_error};
   job.seed = arguments.seed;
   job.threads = arguments.threads;
   job.grid = arguments.grid;
@@ -290,6 +290,14 @@ void add_render_verb(CLI::App& program, int& exit_code) {
       ->check(CLI::Range(1e-3, 1e7))
       ->check(is_finite_number)
       ->excludes("--spp");
+  verb->add_option(
+          "--target-error", arguments->target_error,
+          "render until the image's relative standard error, as its samples tell it, is at most this: 0.05 for "
+          "a relmse of 0.0025")
+      ->check(CLI::Range(1e-6, 10.0))
+      ->check(is_finite_number)
+      ->excludes("--spp")
+      ->excludes("--seconds");
   verb->add_option("--seed", arguments->seed, "of the random numbers: same seed, same bits")->check(is_seed);
   verb->add_option("--threads", arguments->threads, "worker threads (default: every core)")->check(CLI::Range(0, 1024));
   verb->add_option("--grid", arguments->grid, "samples on the centres of a KxK grid in each pixel")

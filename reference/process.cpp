@@ -5,6 +5,7 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sched.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -20,6 +21,7 @@
 #include <system_error>
 #include <utility>
 
+#include "reference/instruction_counter.h"
 #include "reference/process_memory.h"
 
 namespace photonproof {
@@ -119,12 +121,22 @@ class Stream {
   std::string& tail_;
 };
 
+// What the child's side of fork needs to know.
+struct Orders {
+  char* const* argv;
+  const char* folder;
+  pid_t parent;
+  int processor;  // or -1
+  int input, out, err, failure;
+  int go;  // becomes readable when the caller has done what must be done before exec
+};
+
 // The child's side of fork. Never returns; only async-signal-safe calls.
-[[noreturn]] void become(char* const* argv, const char* folder, pid_t parent, int input, int out, int err,
-                         int failure) {
-  const auto give_up = [failure] {
+[[noreturn]] void become(const Orders& orders) {
+  const auto& [argv, folder, parent, processor, input, out, err, failure, go] = orders;
+  const auto give_up = [&orders] {
     const int code = errno;
-    [[maybe_unused]] const ssize_t written = write(failure, &code, sizeof code);
+    [[maybe_unused]] const ssize_t written = write(orders.failure, &code, sizeof code);
     _exit(127);
   };
   setpgid(0, 0);
@@ -136,6 +148,15 @@ class Stream {
   for (const int signal_number : {SIGINT, SIGTERM, SIGQUIT, SIGHUP, SIGPIPE}) signal(signal_number, SIG_DFL);
   if (dup2(input, STDIN_FILENO) < 0 || dup2(out, STDOUT_FILENO) < 0 || dup2(err, STDERR_FILENO) < 0) give_up();
   if (folder[0] != '\0' && chdir(folder) != 0) give_up();
+  if (processor >= 0) {
+    cpu_set_t one;
+    CPU_ZERO(&one);
+    CPU_SET(processor, &one);
+    if (sched_setaffinity(0, sizeof one, &one) != 0) give_up();
+  }
+  char word = 0;
+  while (read(go, &word, 1) < 0 && errno == EINTR) {
+  }
   execvp(argv[0], argv);
   give_up();
   _exit(127);
@@ -147,20 +168,24 @@ struct Child {
   Descriptor out, err;
 };
 
-Child start(const std::vector<std::string>& argv, const std::string& folder) {
+Child start(const std::vector<std::string>& argv, const ProcessOptions& options, InstructionCounter& counter) {
   std::vector<char*> pointers;
   pointers.reserve(argv.size() + 1);
   for (const std::string& argument : argv) pointers.push_back(const_cast<char*>(argument.c_str()));
   pointers.push_back(nullptr);
-  Pipe out, err, failure;
+  const std::string folder = options.working_folder.string();
+  Pipe out, err, failure, go;
   const Descriptor input = above_standard(open("/dev/null", O_RDONLY | O_CLOEXEC));
   const pid_t self = getpid();
   const pid_t pid = fork();
   if (pid < 0) fail("cannot start a process");
   if (pid == 0)
-    become(pointers.data(), folder.c_str(), self, input.get(), out.write_end.get(), err.write_end.get(),
-           failure.write_end.get());
+    become({pointers.data(), folder.c_str(), self, options.processor.value_or(-1), input.get(), out.write_end.get(),
+            err.write_end.get(), failure.write_end.get(), go.read_end.get()});
   setpgid(pid, pid);  // also here: the group must exist before anything is sent to it
+  counter.attach(pid);
+  while (write(go.write_end.get(), "", 1) < 0 && errno == EINTR) {
+  }
   failure.write_end.reset();
   Child child;
   child.pid = pid;
@@ -266,7 +291,8 @@ ProcessOutcome run_process(const std::vector<std::string>& argv, const ProcessOp
   const std::string folder = options.working_folder.string();
   const std::uint64_t inherited = own_peak_bytes();
   const auto started = Clock::now();
-  Child child = start(argv, folder);
+  InstructionCounter counter;
+  Child child = start(argv, options, counter);
   int status = 0;
   rusage usage{};
   if (child.start_error != 0) {
@@ -300,6 +326,7 @@ ProcessOutcome run_process(const std::vector<std::string>& argv, const ProcessOp
   err.trim();
   set_natural_end(outcome, status);
   outcome.cpu_seconds = cpu_seconds(usage);
+  outcome.instructions = counter.count();
   outcome.peak_bytes = peak_bytes(usage, inherited, watch.sampled_peak());
   // One that came and went between two samples used too much all the same.
   if (outcome.end == ProcessOutcome::End::exited && options.memory_limit_bytes &&

@@ -19,6 +19,7 @@ struct ProcessOptions {
   const std::atomic<bool>* interrupt = nullptr;       ///< when it turns true the group gets SIGINT, after 2 s SIGKILL
   std::filesystem::path working_folder{};             ///< empty: the caller's
   std::function<void(std::string_view)> on_stderr{};  ///< sees each chunk as it arrives (progress); may be empty
+  std::optional<int> processor{};                     ///< the child and its children run on this one alone
 };
 
 struct ProcessOutcome {
@@ -28,10 +29,11 @@ struct ProcessOutcome {
   double wall_seconds = 0;
   double cpu_seconds = 0;  ///< user + system, of the child and the children it waited for
   std::uint64_t peak_bytes =
-      0;                        ///< largest resident set of one process: its own, not what it inherited from the caller
-  std::string standard_output;  ///< the last 1 MiB
-  std::string standard_error;   ///< the last 1 MiB
-  std::string cause;            ///< the limit that was passed, or why it was not started; empty otherwise
+      0;  ///< largest resident set of one process: its own, not what it inherited from the caller
+  std::optional<std::uint64_t> instructions;  ///< in user mode, where the kernel counts them
+  std::string standard_output;                ///< the last 1 MiB
+  std::string standard_error;                 ///< the last 1 MiB
+  std::string cause;                          ///< the limit that was passed, or why it was not started; empty otherwise
   bool ok() const { return end == End::exited && exit_code == 0; }
   std::string sentence() const;  ///< "exited with 3", "killed by SIGSEGV", "killed after 10 s (limit)" ...
 };
@@ -39,7 +41,8 @@ struct ProcessOutcome {
 /// No shell: argv[0] is looked up on PATH. Standard input is /dev/null. The child leads a process group of its own;
 /// whatever is left of that group when the child ends is killed, and the child is killed when the caller dies.
 /// Limits and the interrupt are looked at every 20 ms. Never throws for what the child does; throws std::system_error
-/// when the system has no more processes or file descriptors. Precondition: argv is not empty.
+/// when the system has no more processes or file descriptors. May be called on several threads at once. Precondition:
+/// argv is not empty.
 ProcessOutcome run_process(const std::vector<std::string>& argv, const ProcessOptions& options = {});
 
 }  // namespace photonproof

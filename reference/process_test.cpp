@@ -1,11 +1,13 @@
 #include "reference/process.h"
 
 #include <gtest/gtest.h>
+#include <sched.h>
 #include <signal.h>
 #include <unistd.h>
 
 #include <chrono>
 #include <fstream>
+#include <future>
 #include <thread>
 
 namespace photonproof {
@@ -63,6 +65,43 @@ TEST(Process, sleep_past_the_wall_limit_is_killed) {
 
 TEST(Process, one_that_ignores_the_interrupt_is_still_killed_at_the_limit) {
   EXPECT_EQ(shell("trap '' INT TERM HUP; sleep 30; sleep 30", {.wall_limit_seconds = 0.2}).end, End::timed_out);
+}
+
+TEST(Process, child_and_grandchild_stay_on_the_processor_they_were_given) {
+  cpu_set_t allowed;
+  ASSERT_EQ(sched_getaffinity(0, sizeof allowed, &allowed), 0);
+  int last = 0;
+  for (int i = 0; i < CPU_SETSIZE; ++i)
+    if (CPU_ISSET(i, &allowed)) last = i;
+  ProcessOptions options;
+  options.processor = last;
+  const ProcessOutcome outcome = run_process({"sh", "-c", "grep Cpus_allowed_list /proc/self/status"}, options);
+  EXPECT_EQ(outcome.standard_output, "Cpus_allowed_list:\t" + std::to_string(last) + "\n");
+}
+
+TEST(Process, processor_that_does_not_exist_is_not_started) {
+  ProcessOptions options;
+  options.processor = CPU_SETSIZE - 1;
+  EXPECT_EQ(run_process({"true"}, options).end, End::not_started);
+}
+
+// A shell's loop of 20000 turns retires more than one of 10; a kernel without counters says nothing for either.
+TEST(Process, instructions_are_counted_where_the_kernel_does_or_absent) {
+  const auto loop = [](const char* turns) {
+    return shell("i=0; while [ $i -lt " + std::string(turns) + " ]; do i=$((i+1)); done").instructions;
+  };
+  const auto few = loop("10"), many = loop("20000");
+  EXPECT_EQ(few.has_value(), many.has_value());
+  if (few && many) {
+    EXPECT_GT(*many, *few + 20000);
+  }
+}
+
+TEST(Process, several_run_at_once_from_as_many_threads) {
+  std::vector<std::future<ProcessOutcome>> runs;
+  for (int i = 0; i < 8; ++i)
+    runs.push_back(std::async(std::launch::async, [i] { return shell("sleep 0.1; exit " + std::to_string(i)); }));
+  for (int i = 0; i < 8; ++i) EXPECT_EQ(runs[static_cast<std::size_t>(i)].get().exit_code, i);
 }
 
 TEST(Process, memory_hog_is_killed) {

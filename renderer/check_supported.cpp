@@ -78,6 +78,9 @@ void check_job(const RenderJob& job, const IntegratorDescription& method) {
   if (job.budget.photons && !row.heeds.photons) refuse("--photons", "stores no photons");
   if (job.budget.photons && job.budget.seconds)
     throw InputError("--photons", "does nothing with --seconds, which decides how many there are");
+  if (job.budget.target_error && !row.heeds.target_error)
+    throw InputError("--target-error", "integrator '" + std::string(row.name) +
+                                           "' cannot tell its own error: give it another budget and compare its image");
   if (job.grid > 0 && !row.heeds.grid) refuse("--grid", "does not choose where in a pixel its samples are");
   if (!job.isa.empty() && !row.heeds.isa) refuse("--isa", "has no kernels");
 }

@@ -83,6 +83,15 @@ TEST(check_job, refuses_options_that_would_do_nothing) {
             "--photons: error: does nothing with --seconds, which decides how many there are");
 }
 
+TEST(check_job, refuses_a_target_error_where_the_error_is_not_known_until_the_end) {
+  RenderJob job;
+  job.budget.target_error = 0.1;
+  EXPECT_EQ(said([&] { check_job(job, with_integrator({}, "path")); }), "");
+  EXPECT_EQ(said([&] { check_job(job, with_integrator({}, "photonmapper")); }),
+            "--target-error: error: integrator 'photonmapper' cannot tell its own error: give it another budget and "
+            "compare its image");
+}
+
 TEST(with_integrator, keeps_what_all_integrators_know) {
   const IntegratorDescription asked{{0, 3, 4}, PathDescription{{7, 3, true}}};
   for (const char* name : {"path", "photonmapper", "volpath", "bdpt", "ptracer", "direct", "whitted"}) {

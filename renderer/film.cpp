@@ -1,6 +1,7 @@
 #include "renderer/film.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "renderer/checkpoint.h"
@@ -44,6 +45,19 @@ Rendering Film::develop() const {
     store(&rendering.variance->rgb[3 * i], variance_of_mean(spread, p.estimates));
   }
   return rendering;
+}
+
+std::optional<double> Film::relative_standard_error() const {
+  constexpr double epsilon = 0.01;  // as relmse has it
+  RgbD sum(0.0);
+  for (const Pixel& p : pixels_) {
+    if (p.estimates < 2) return std::nullopt;
+    const RgbD mean = p.sum / p.weight;
+    const RgbD variance = variance_of_mean(p.sum_of_squares / p.weight - mean * mean, p.estimates);
+    const RgbD scale = mean * mean + RgbD(epsilon);
+    sum += RgbD(variance.x / scale.x, variance.y / scale.y, variance.z / scale.z);
+  }
+  return std::sqrt((sum.x + sum.y + sum.z) / (3 * static_cast<double>(pixels_.size())));
 }
 
 std::size_t Film::unsampled_pixels() const {

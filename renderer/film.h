@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "renderer/parallel.h"
@@ -42,6 +43,10 @@ class Film {
   /// sum w (x - m)^2 / ((n - 1) sum w), unbiased where an estimate's variance is inverse to its weight.
   /// The image is of the window's size.
   Rendering develop() const;
+  /// Root of the mean, over channel values, of the mean's variance over mean^2 + 0.01: the root of the relmse that
+  /// noise alone would give, as estimated from the samples, which are taken as independent (those of a Sobol sequence
+  /// are better than that). Empty where a pixel has fewer than two estimates.
+  std::optional<double> relative_standard_error() const;
   /// Pixels no estimate reached (an interrupted first pass).
   std::size_t unsampled_pixels() const;
   /// Of memory, for each pixel.

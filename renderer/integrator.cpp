@@ -12,7 +12,10 @@ namespace photonproof {
 
 const std::vector<Integrator>& integrators() {
   static const std::vector<Integrator> table{
-      {"path", "unbiased path tracing: next-event estimation, MIS, Russian roulette", render_path},
+      {"path",
+       "unbiased path tracing: next-event estimation, MIS, Russian roulette",
+       render_path,
+       {.target_error = true}},
       {"photonmapper",
        "global and caustic photon maps of fixed radius, direct light by next-event estimation",
        render_photon_mapper,
@@ -33,13 +36,13 @@ const std::vector<Integrator>& integrators() {
       {"volpath",
        "unbiased path tracing through participating media and nested dielectrics",
        render_volpath,
-       {.isa = false},
+       {.isa = false, .target_error = true},
        Integrator::Media::all,
        true},
       {"whitted",
        "mirrors and glass followed exactly, direct light elsewhere, no interreflection",
        render_whitted,
-       {.isa = false}},
+       {.isa = false, .target_error = true}},
   };
   return table;
 }

@@ -22,6 +22,7 @@ struct RenderBudget {
   std::optional<std::int64_t> spp;      ///< camera samples a pixel
   std::optional<std::int64_t> photons;  ///< emitted over the whole render, for each map the scene needs
   std::optional<double> seconds;        ///< wall time of the render, photon passes included
+  std::optional<double> target_error;   ///< Film::relative_standard_error that is small enough
 };
 
 struct RenderJob {
@@ -64,6 +65,7 @@ struct Integrator {
     bool photons = false;  ///< the budget's
     bool grid = true;
     bool isa = true;
+    bool target_error = false;  ///< its film tells its error after every pass
   } heeds = {};
   /// What of a scene it can do.
   enum class Media { none, absorbing, all } media = Media::none;

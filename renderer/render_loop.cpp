@@ -11,7 +11,18 @@ namespace {
 
 constexpr double seconds_between_progress = 0.1;
 
-std::int64_t total_samples(const RenderJob& job) { return job.budget.spp.value_or(job.sample_count); }
+// The largest --spp, where the error decides.
+constexpr std::int64_t most_samples = std::int64_t{1} << 32;
+// Fewer estimates of a rare event's variance are mostly 0.
+constexpr std::int64_t least_samples_for_error = 16;
+
+std::int64_t total_samples(const RenderJob& job) {
+  return job.budget.target_error ? most_samples : job.budget.spp.value_or(job.sample_count);
+}
+
+const char* kind_of_budget(const RenderBudget& budget) {
+  return budget.target_error ? "--target-error" : budget.seconds ? "--seconds" : "--spp";
+}
 
 }  // namespace
 
@@ -45,11 +56,25 @@ bool RenderLoop::next() {
   samples_ = 0;
   if (schedule_.samples_done() > 0 && !resumed_pass_ && job_.interrupted()) return ended(true);
   if (!resumed_pass_ && due()) write();
+  if (!resumed_pass_ && reached_target()) return ended(false);
   samples_ = schedule_.next();
   if (samples_ == 0) return ended(false);
   for (KeptBetween& kept : between_) std::memcpy(kept.at_start.data(), kept.data, kept.at_start.size());
-  if (job_.progress) job_.progress(schedule_.fraction(samples_, 0), plan_.phase);
+  if (job_.progress) job_.progress(fraction(0), plan_.phase);
   return true;
+}
+
+bool RenderLoop::reached_target() {
+  if (!job_.budget.target_error || schedule_.samples_done() < least_samples_for_error) return false;
+  error_ = film_.relative_standard_error();
+  return error_ && *error_ <= *job_.budget.target_error;
+}
+
+// An error falls with the root of the samples.
+double RenderLoop::fraction(double part) const {
+  if (!job_.budget.target_error) return schedule_.fraction(samples_, part);
+  const double ratio = error_ ? *job_.budget.target_error / *error_ : 0;
+  return std::min(1.0, ratio * ratio);
 }
 
 bool RenderLoop::ended(bool interrupted) {
@@ -58,6 +83,7 @@ bool RenderLoop::ended(bool interrupted) {
   finish_write();
   if (job_.progress && !interrupted) job_.progress(1, plan_.phase);
   rays_.store(stats_);
+  if (error_) stats_.counts["relative_standard_error"] = *error_;
   stats_.counts["samples_per_pixel"] = static_cast<double>(schedule_.samples_done());
   return false;
 }
@@ -80,7 +106,7 @@ void RenderLoop::unit_is_done(std::size_t unit) {
   if (!job_.progress || since_progress_.seconds() < seconds_between_progress) return;
   since_progress_ = Timer();
   const double part = static_cast<double>(units_done_) / static_cast<double>(done_.size());
-  job_.progress(std::min(schedule_.fraction(samples_, part), 0.999), plan_.phase);
+  job_.progress(std::min(fraction(part), 0.999), plan_.phase);
 }
 
 void RenderLoop::for_each_tile(const std::function<void(const Tile&)>& body) {
@@ -145,7 +171,7 @@ void RenderLoop::finish_write() {
 }
 
 void RenderLoop::save(StateWriter& out) const {
-  out.text(job_.budget.seconds ? "--seconds" : "--spp");
+  out.text(kind_of_budget(job_.budget));
   out.text(plan_.budget);
   out.value(total_samples(job_));
   const bool open = pass_is_open();
@@ -167,7 +193,7 @@ void RenderLoop::restore(StateReader& in) {
     const std::string theirs = in.text();
     if (theirs != ours) in.refuse(std::string("its ") + name + " is " + theirs + ", this render's is " + ours);
   };
-  expect("kind of budget", job_.budget.seconds ? "--seconds" : "--spp");
+  expect("kind of budget", kind_of_budget(job_.budget));
   expect("budget", plan_.budget);
   const auto total = in.value<std::int64_t>();
   const auto first = in.value<std::int64_t>();

@@ -16,6 +16,7 @@
 #include <functional>
 #include <future>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -98,6 +99,9 @@ class RenderLoop {
 
   /// Waits for the checkpoint that is being written.
   void finish_write();
+  /// Whether the film is as good as the budget asks.
+  bool reached_target();
+  double fraction(double part) const;
   bool writes() const { return job_.checkpoint && job_.checkpoint->interval_seconds > 0; }
   bool due() const { return writes() && since_write_.seconds() >= job_.checkpoint->interval_seconds; }
   /// The first pass is always made whole, so that no pixel stays black.
@@ -120,6 +124,7 @@ class RenderLoop {
   std::vector<Kept> kept_;
   std::vector<KeptBetween> between_;
   std::int64_t samples_ = 0;
+  std::optional<double> error_;  ///< where it is the budget: after the last whole pass
   bool begun_ = false;
   bool resumed_pass_ = false;       ///< done_ was restored for this pass
   std::vector<std::uint8_t> done_;  ///< a unit of the pass

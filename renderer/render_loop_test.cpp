@@ -114,6 +114,49 @@ TEST_F(Resume, of_the_photon_mapper_wants_the_same_photons) {
       "and 30000 caustic photons over 8 samples a pixel");
 }
 
+// Two estimates, 1 and 3: mean 2, variance of the mean ((1 - 2)^2 + (3 - 2)^2) / (1 * 2) = 1, relative to 2^2 + 0.01.
+TEST(Film, tells_its_relative_standard_error) {
+  Film film(1, 1);
+  film.add(0, 0, RgbD(1.0), 1);
+  EXPECT_FALSE(film.relative_standard_error());
+  film.add(0, 0, RgbD(3.0), 1);
+  EXPECT_NEAR(*film.relative_standard_error(), std::sqrt(1 / 4.01), 1e-12);
+}
+
+// Passes end after 1, 2, 4, 8, 16 samples and so on: the first of 16 or more at which the error is small enough is the
+// last. A render of half as many is not good enough, and one told to make as many has the same bits.
+TEST_F(Resume, target_error_ends_the_render_at_the_first_pass_that_reaches_it) {
+  const SceneDescription scene = test::room(32, false);
+  for (const char* name : {"path", "volpath", "whitted"}) {
+    RenderJob job;
+    job.budget.target_error = name == std::string("whitted") ? 0.005 : 0.1;
+    const Outcome out = part(scene, name, job, false, -1);
+    const auto samples = static_cast<std::int64_t>(out.stats.counts.at("samples_per_pixel"));
+    EXPECT_LE(out.stats.counts.at("relative_standard_error"), *job.budget.target_error) << name;
+    EXPECT_GE(samples, 16) << name;
+
+    RenderJob counted;
+    counted.budget.spp = samples;
+    EXPECT_EQ(part(scene, name, counted, false, -1).image.mean.rgb, out.image.mean.rgb) << name;
+    if (samples == 16) continue;
+    const Scene compiled(scene, 32, 32);
+    counted.budget.spp = samples / 2;
+    Film film(32, 32);
+    RenderStats stats;
+    find_integrator(name)->render(compiled, with_integrator(scene.integrator, name), counted, film, stats);
+    EXPECT_GT(*film.relative_standard_error(), *job.budget.target_error) << name;
+  }
+}
+
+TEST_F(Resume, of_a_target_error_goes_on_to_the_same_bits) {
+  const SceneDescription scene = test::room(32, false);
+  RenderJob job;
+  job.budget.target_error = 0.1;
+  const Outcome whole = part(scene, "path", job, false, -1);
+  ASSERT_TRUE(part(scene, "path", job, false, 4).stats.interrupted);
+  EXPECT_EQ(part(scene, "path", job, true, -1).image.mean.rgb, whole.image.mean.rgb);
+}
+
 TEST_F(Resume, takes_the_seconds_already_spent_from_the_budget) {
   const SceneDescription scene = test::room(32, false);
   RenderJob job;

@@ -7,6 +7,7 @@
 
 #include "reports/metric_columns.h"
 #include "reports/numbers.h"
+#include "reports/text.h"
 
 namespace photonproof::reports {
 namespace {
@@ -41,6 +42,13 @@ std::vector<Detail> cell_details(const Result& result) {
   add(details, "version", result.engine_version);
   add(details, "image", result.image);
   return details;
+}
+
+std::string compare_command(const SceneView& scene, const Result& result) {
+  const std::string reference = reference_image(scene);
+  if (reference.empty() || result.image.empty() || &result == scene.reference) return {};
+  return fmt::format("photonproof compare {} {} --exposure {:g}", shell_word(reference), shell_word(result.image),
+                     scene.record.exposure);
 }
 
 std::string reason_text(const Result& result) {

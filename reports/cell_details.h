@@ -17,6 +17,10 @@ struct Detail {
 /// any. Texts come from the record and are not escaped.
 std::vector<Detail> cell_details(const Result& result);
 
+/// How to compute the cell's metrics again in the results folder: "photonproof compare a.exr b.exr --exposure 0". Empty
+/// where one of the images is not kept.
+std::string compare_command(const SceneView& scene, const Result& result);
+
 /// Why the cell is not ok; empty when it is.
 std::string reason_text(const Result& result);
 

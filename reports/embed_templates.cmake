@@ -1,10 +1,20 @@
-# cmake -DOUT=templates.cpp -DFILES="a.mustache;b.css" -P embed_templates.cmake
-# Writes each file as a string_view named like it without its extension.
+# cmake -DOUT=templates.cpp -DFILES="a.mustache;b.css" -DSCRIPTS="a.js;b.js" -P embed_templates.cmake
+# Writes each file as a string_view named like it without its extension, all scripts as one function `script`, and its
+# SHA-256 in hexadecimal, by which the page allows that script and no other.
 set(text "#include \"reports/templates.h\"\n\nnamespace photonproof::reports::templates {\n\n")
 foreach(file IN LISTS FILES)
   get_filename_component(name "${file}" NAME_WE)
   file(READ "${file}" content)
   string(APPEND text "const std::string_view ${name} = R\"embedded(${content})embedded\";\n")
 endforeach()
+set(script "(() => {\n\"use strict\";\n")
+foreach(file IN LISTS SCRIPTS)
+  file(READ "${file}" content)
+  string(APPEND script "${content}")
+endforeach()
+string(APPEND script "})();\n")
+string(SHA256 hash "${script}")
+string(APPEND text "const std::string_view script = R\"embedded(${script})embedded\";\n"
+       "const std::string_view script_sha256 = \"${hash}\";\n")
 string(APPEND text "\n}  // namespace photonproof::reports::templates\n")
 file(WRITE "${OUT}" "${text}")

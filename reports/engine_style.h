@@ -8,12 +8,14 @@ namespace photonproof::reports {
 
 struct EngineStyle {
   const char* color;      ///< "#rrggbb"
-  int gnuplot_point;      ///< gnuplot's point type
   const char* svg_shape;  ///< the same marker as SVG in a 12 x 12 box, filled with currentColor
 };
 
 /// The style of the n-th engine of a record. Colours repeat after seven engines, markers after five, so that the first
 /// 35 differ in one or the other.
 EngineStyle engine_style(std::size_t index);
+
+/// The colour as CSS: a variable, since style.css has lighter ones for dark pages, or else EngineStyle::color.
+std::string engine_color(std::size_t index);
 
 }  // namespace photonproof::reports

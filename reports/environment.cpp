@@ -25,7 +25,8 @@ std::string host_text(const Host& host) {
 
 std::string versions_text(const std::map<std::string, std::string>& versions) {
   std::string text;
-  for (const auto& [name, version] : versions) append(text, name + " " + version);
+  for (const auto& [name, version] : versions)
+    append(text, version.starts_with(name + " ") ? version : name + " " + version);
   return text.empty() ? undefined_number : text;
 }
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-#include "reports/engine_style.h"
+#include "reports/conclusions.h"
 #include "reports/numbers.h"
 
 namespace photonproof::reports {
@@ -14,17 +14,35 @@ namespace {
 
 bool drawable(const std::optional<double>& value) { return value && std::isfinite(*value) && *value > 0; }
 
-std::string axis_commands(const char* name, const LogAxis& axis) {
-  std::string ticks;
-  for (const double tick : axis.ticks) {
-    ticks += fmt::format("{}'{}' {:.17g}", ticks.empty() ? "" : ", ", significant(tick, 1), tick);
-  }
-  return fmt::format("set {0}range [{1:.17g}:{2:.17g}]\nset {0}tics ({3})\n", name, axis.low, axis.high, ticks);
+/// The part of an interval that a logarithmic axis can show.
+std::optional<Interval> drawable_part(const std::optional<Interval>& interval, double value) {
+  if (!interval || !drawable(interval->high)) return std::nullopt;
+  return Interval{drawable(interval->low) ? interval->low : value / 100, interval->high};
 }
 
-}  // namespace
+ErrorPlot plot_of_curves(const View& view, const SceneView& scene) {
+  ErrorPlot plot;
+  plot.over_seeds = true;
+  for (const Convergence* curve : scene.curves) {
+    if (drawable(curve->target_relmse)) plot.target = curve->target_relmse;
+    PlotSeries series{engine_index(view, curve->engine), {}};
+    for (const CurvePoint& point : curve->points) {
+      if (!drawable(point.seconds.value) || !point.relmse || !drawable(point.relmse->value)) {
+        ++plot.left_out;
+        continue;
+      }
+      series.points.push_back(
+          {point.seconds.value, point.relmse->value, drawable_part(point.seconds.interval, point.seconds.value),
+           drawable_part(point.relmse->interval, point.relmse->value),
+           fmt::format("{}, {}, {} seed{}: relMSE {} in {} s", curve->engine, budget_text(point.budget), point.seeds,
+                       point.seeds == 1 ? "" : "s", estimate_text(*point.relmse), estimate_text(point.seconds))});
+    }
+    if (!series.points.empty()) plot.series.push_back(std::move(series));
+  }
+  return plot;
+}
 
-ErrorPlot error_plot(const SceneView& scene) {
+ErrorPlot plot_of_cells(const SceneView& scene) {
   ErrorPlot plot;
   for (const EngineOutcome& outcome : scene.engines) {
     std::map<std::uint64_t, PlotSeries> by_seed;
@@ -32,7 +50,13 @@ ErrorPlot error_plot(const SceneView& scene) {
       if (cell->status != Status::ok) continue;
       const auto relmse = metric(*cell, "relmse");
       if (drawable(cell->wall_seconds) && drawable(relmse)) {
-        by_seed[cell->cell.seed].points.push_back({*cell->wall_seconds, *relmse});
+        by_seed[cell->cell.seed].points.push_back(
+            {*cell->wall_seconds,
+             *relmse,
+             {},
+             {},
+             fmt::format("{}, {}, seed {}: relMSE {} in {} s", cell->cell.engine, budget_text(cell->cell.budget),
+                         cell->cell.seed, significant(*relmse), significant(*cell->wall_seconds))});
       } else {
         ++plot.left_out;
       }
@@ -43,6 +67,13 @@ ErrorPlot error_plot(const SceneView& scene) {
     }
   }
   return plot;
+}
+
+}  // namespace
+
+ErrorPlot error_plot(const View& view, const SceneView& scene) {
+  ErrorPlot curves = plot_of_curves(view, scene);
+  return curves.series.empty() ? plot_of_cells(scene) : curves;
 }
 
 LogAxis log_axis(double smallest, double largest) {
@@ -68,34 +99,6 @@ LogAxis log_axis(double smallest, double largest) {
     }
   }
   return axis;
-}
-
-std::string gnuplot_script(const ErrorPlot& plot) {
-  PlotPoint low = plot.series.front().points.front(), high = low;
-  std::string data, curves;
-  for (std::size_t i = 0; i < plot.series.size(); ++i) {
-    data += fmt::format("$series{} << END\n", i);
-    for (const PlotPoint& point : plot.series[i].points) {
-      low = {std::min(low.seconds, point.seconds), std::min(low.relmse, point.relmse)};
-      high = {std::max(high.seconds, point.seconds), std::max(high.relmse, point.relmse)};
-      data += fmt::format("{:.17g} {:.17g}\n", point.seconds, point.relmse);
-    }
-    data += "END\n";
-    const EngineStyle style = engine_style(plot.series[i].engine);
-    curves += fmt::format("{}$series{} using 1:2 with linespoints lt 1 lw 2 pt {} ps 1 lc rgb '{}'",
-                          i == 0 ? "plot " : ", \\\n     ", i, style.gnuplot_point, style.color);
-  }
-  return R"(set terminal svg size 560,380 noenhanced font 'sans-serif,15'
-set encoding utf8
-set logscale xy
-set grid xtics ytics lt 1 lw 1 lc rgb '#e2e4e6'
-set border 3 lt 1 lw 1 lc rgb '#8a9096'
-set tics nomirror out scale 0.5 textcolor rgb '#3d4248'
-set xlabel 'wall-clock seconds' textcolor rgb '#3d4248'
-set ylabel 'relMSE' textcolor rgb '#3d4248'
-unset key
-)" + axis_commands("x", log_axis(low.seconds, high.seconds)) +
-         axis_commands("y", log_axis(low.relmse, high.relmse)) + data + curves + "\n";
 }
 
 }  // namespace photonproof::reports

@@ -1,7 +1,9 @@
-// The plot of error against time: relMSE over wall-clock seconds, both logarithmic, one line for each engine and seed.
+// The plot of error against time: relMSE over wall-clock seconds, both logarithmic. Where the harness drew curves over
+// seeds, those with their intervals; else one line for each engine and seed.
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +14,8 @@ namespace photonproof::reports {
 struct PlotPoint {
   double seconds = 0;
   double relmse = 0;
+  std::optional<Interval> seconds_interval{}, relmse_interval{};
+  std::string text{};  ///< what is said when one points at it: "photon, 64 spp: relMSE 0.0125 in 1.20 s"
 };
 
 struct PlotSeries {
@@ -21,10 +25,12 @@ struct PlotSeries {
 
 struct ErrorPlot {
   std::vector<PlotSeries> series;  ///< none is empty
-  std::size_t left_out = 0;        ///< finished cells that logarithmic axes cannot show: no time, no error or zero
+  std::size_t left_out = 0;        ///< results that logarithmic axes cannot show: no time, no error or zero
+  bool over_seeds = false;         ///< a point is all seeds of a budget, not one
+  std::optional<double> target;    ///< relMSE the scene asks for
 };
 
-ErrorPlot error_plot(const SceneView& scene);
+ErrorPlot error_plot(const View& view, const SceneView& scene);
 
 struct LogAxis {
   double low = 1, high = 10;  ///< both positive
@@ -33,7 +39,7 @@ struct LogAxis {
 /// A logarithmic axis with a margin around [smallest, largest], at least a factor of 4 long, and 2 to 10 round ticks.
 LogAxis log_axis(double smallest, double largest);
 
-/// The gnuplot script; it contains numbers only, no text from the record. Precondition: at least one series.
-std::string gnuplot_script(const ErrorPlot& plot);
+/// The drawing as an <svg> element of the page; texts of the record are escaped. Precondition: at least one series.
+std::string error_plot_svg(const ErrorPlot& plot, const std::string& label);
 
 }  // namespace photonproof::reports

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "reports/exchange_reports.h"
 #include "reports/html_report.h"
 #include "reports/markdown_report.h"
 #include "scenes/input_error.h"
@@ -12,6 +13,11 @@ std::span<const ReportFormat> report_formats() {
   static constexpr ReportFormat formats[] = {
       {"html", ".html", write_html_report},
       {"markdown", ".md", write_markdown_report},
+      {"csv", ".csv", write_csv_report},
+      {"latex", ".tex", write_latex_report},
+      {"junit", ".junit.xml", write_junit_report},
+      {"gbench", ".gbench.json", write_gbench_report},
+      {"bencher", ".bencher.json", write_bencher_report},
   };
   return formats;
 }

@@ -24,7 +24,8 @@ TEST(Formats, an_unknown_one_names_those_there_are) {
     report_format("pdf");
     FAIL() << "no error";
   } catch (const InputError& error) {
-    EXPECT_EQ(error.summary(), "pdf: error: no such report format; there are html, markdown");
+    EXPECT_EQ(error.summary(),
+              "pdf: error: no such report format; there are html, markdown, csv, latex, junit, gbench, bencher");
   }
 }
 

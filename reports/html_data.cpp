@@ -13,7 +13,7 @@ data engine_data(const View& view, std::size_t engine) {
   const EngineRecord& record = view.engines[engine];
   const EngineStyle style = engine_style(engine);
   data out;
-  out.set("color", style.color);
+  out.set("color", engine_color(engine));
   out.set("shape", style.svg_shape);
   out.set("name", printable(record.name));
   out.set("title", printable(record.title));

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "reports/environment.h"
+#include "reports/html_conclusions.h"
 #include "reports/html_data.h"
 #include "reports/html_scene.h"
 #include "reports/metric_columns.h"
@@ -25,6 +26,11 @@ void set_header(data& page, const Results& results, const View& view) {
   page.set("host", printable(host_text(results.host)));
   page.set("versions", printable(versions_text(results.versions)));
   page.set("command", printable(results.command));
+  data caveats(data::type::list);
+  for (const std::string& caveat : results.caveats) caveats.push_back(printable(caveat));
+  page.set("caveats", caveats);
+  page.set("verdicts_total", text_or_false(verdicts_text(view.gates)));
+  page.set("has_compared", !view.compared.empty());
   data engines(data::type::list);
   for (std::size_t i = 0; i < view.engines.size(); ++i) engines.push_back(engine_data(view, i));
   page.set("engines", engines);
@@ -63,15 +69,29 @@ void set_columns(data& page, const View& view) {
   page.set("other_parameters", parameters_data(merged(others)));
 }
 
+/// "0aff" as two bytes.
+std::string bytes_of_hex(std::string_view hex) {
+  std::string bytes;
+  for (std::size_t i = 0; i + 1 < hex.size(); i += 2) {
+    bytes += static_cast<char>(std::stoi(std::string(hex.substr(i, 2)), nullptr, 16));
+  }
+  return bytes;
+}
+
 void set_templates(data& page) {
   const auto partial = [](std::string_view text) {
     return data(kainjow::mustache::partial([text] { return std::string(text); }));
   };
   page.set("style", std::string(templates::style));
+  page.set("script", std::string(templates::script));
+  page.set("script_hash", base64(bytes_of_hex(templates::script_sha256)));
   page.set("swatch_svg", partial(templates::swatch_svg));
   page.set("thumbnail_img", partial(templates::thumbnail_img));
   page.set("picture_img", partial(templates::picture_img));
   page.set("scene_section", partial(templates::scene_section));
+  page.set("verdict_chip", partial(templates::verdict_chip));
+  page.set("gates_table", partial(templates::gates_table));
+  page.set("plain_table", partial(templates::plain_table));
 }
 
 }  // namespace
@@ -83,6 +103,9 @@ void write_html_report(const Results& results, const std::filesystem::path& resu
   set_header(page, results, view);
   set_failures(page, view);
   set_columns(page, view);
+  set_gates(page, view.gates, false);
+  set_tiles(page, view);
+  set_changes(page, view);
   set_templates(page);
   for (std::size_t i = 0; i < view.scenes.size(); ++i) {
     scenes.push_back(scene_data(view, view.scenes[i], results_folder, "scene-" + std::to_string(i + 1)));

@@ -26,13 +26,29 @@ void blank(std::string& text, const std::string& open, const std::string& close)
   }
 }
 
+/// What depends on versions of libraries, and what has files of its own to be read in.
+void blank_library_bytes(std::string& html) {
+  blank(html, "data:image/png;base64,", "\"");
+  blank(html, "\"pixels\":\"", "\"");
+  blank(html, "<style>", "</style>");
+  blank(html, "script-src 'sha256-", "'");
+  blank(html, "<script>", "</script>");
+}
+
 TEST(HtmlReport, reads_like_its_snapshot) {
   std::string html = html_of(sample_results());
-  blank(html, "data:image/png;base64,", "\"");
-  blank(html, "<style>", "</style>");
-  blank(html, "aria-label=\"Error against time for box\">", "</svg>");
+  blank_library_bytes(html);
   expect_snapshot("sample.html", html);
 }
+
+TEST(HtmlReport, conclusions_read_like_their_snapshot) {
+  std::string html = html_of(sample_conclusions());
+  blank_library_bytes(html);
+  expect_snapshot("conclusions.html", html);
+}
+
+/// What follows the head's style, or everything before the page's own script.
+std::string without_script(const std::string& html) { return html.substr(0, html.rfind("<script>")); }
 
 TEST(HtmlReport, refers_to_nothing_outside_itself) {
   const std::string html = html_of(sample_results());
@@ -40,11 +56,12 @@ TEST(HtmlReport, refers_to_nothing_outside_itself) {
   EXPECT_EQ(count(html, "https:"), 0u);
   EXPECT_EQ(count(html, "url("), 0u);
   EXPECT_EQ(count(html, "@import"), 0u);
-  EXPECT_EQ(count(html, "<script"), 0u);
+  EXPECT_EQ(count(html, "<script>"), 1u);
+  EXPECT_EQ(count(html, "<script"), 1u + count(html, "<script type=\"application/json\" class=\"viewer-data\">"));
+  EXPECT_EQ(count(html, "fetch("), 0u);
   EXPECT_EQ(count(html, "src="), count(html, "src=\"data:image/png;base64,"));
-  // Links lead to a scene of the page, to a marker of a plot, or are the empty icon.
-  EXPECT_EQ(count(html, "href="),
-            count(html, "href=\"#scene-") + count(html, "href='#scene-") + count(html, "href=\"data:,\""));
+  // Links lead to a scene of the page or are the empty icon.
+  EXPECT_EQ(count(html, "href="), count(html, "href=\"#scene-") + count(html, "href=\"data:,\""));
 }
 
 TEST(HtmlReport, every_picture_has_a_text) {
@@ -56,8 +73,9 @@ TEST(HtmlReport, every_picture_has_a_text) {
 
 TEST(HtmlReport, escapes_every_text_of_the_record) {
   const std::string evil = "<script>alert(1)</script>\"'&{{suite}}\n|";
-  Results results = sample_results();
+  Results results = sample_conclusions();
   results.suite = results.created = results.command = evil;
+  results.caveats = {evil};
   results.host.cpu = results.host.os = results.host.kernel = evil;
   results.versions = {{evil, evil}};
   for (EngineRecord& engine : results.engines) engine = {engine.name + evil, evil, evil};
@@ -72,22 +90,40 @@ TEST(HtmlReport, escapes_every_text_of_the_record) {
     result.cell.budget.kind += evil;
     if (is_reference) results.scenes[0].reference_label = result.cell.label();
     result.detail = result.image = result.engine_version = result.command = evil;
-    result.pictures = {{"image", evil}, {"flip", evil}, {"error", evil}};
+    if (!is_reference) result.pictures = {{"image", evil}, {"flip", evil}, {"error", evil}};
     result.phases = result.counts = {{evil, 1.0}};
     result.skipped = result.caveats = {evil};
     for (MetricValue& value : result.metrics) value.parameters = evil;
     result.metrics.push_back({evil, 1.0, evil});
   }
+  for (GateRecord& gate : results.gates) {
+    gate.scene += evil;
+    gate.engine += evil;
+    gate.name = gate.metric = gate.sentence = gate.command = evil;
+    gate.skipped = {evil};
+    for (FailingTile& tile : gate.tiles) tile.sentence = evil;
+  }
+  for (Convergence& curve : results.convergence) {
+    curve.scene += evil;
+    curve.engine += evil;
+    curve.caveats = {evil};
+  }
+  for (ChangeRecord& change : results.changes) change.scene = change.engine = change.quantity = change.sentence = evil;
+  results.scenes[1].reference->provenance = {{evil, evil}};
   const std::string html = html_of(results);
-  EXPECT_EQ(count(html, "<script"), 0u);
-  EXPECT_EQ(count(html, "alert(1)"), count(html, "&lt;script&gt;alert(1)&lt;/script&gt;&quot;&apos;&amp;{{suite}} |"));
-  EXPECT_GT(count(html, "alert(1)"), 60u);
+  EXPECT_EQ(count(html, "<script>"), 1u);
+  EXPECT_EQ(count(html, "</script>"), 1u + count(html, "class=\"viewer-data\">"));
+  const std::size_t in_page = count(html, "&lt;script&gt;alert(1)&lt;/script&gt;&quot;&apos;");
+  const std::size_t in_json = count(html, "\\u003cscript>alert(1)\\u003c/script>\\\"'&{{suite}} |");
+  EXPECT_EQ(count(html, "alert(1)"), in_page + in_json);
+  EXPECT_GT(in_page, 100u);
+  EXPECT_GT(in_json, 4u);
 }
 
 TEST(HtmlReport, says_where_a_picture_is_missing) {
   const std::string html = html_of(sample_results(), false);
   EXPECT_EQ(count(html, "<img"), 0u);
-  EXPECT_EQ(count(html, "<div class=\"missing\" role=\"img\" aria-label=\"reference of box by path\">"), 1u);
+  EXPECT_EQ(count(html, "<div class=\"missing\" role=\"img\" aria-label=\"reference of box: path, 4096 spp\">"), 1u);
   EXPECT_EQ(count(html, "box-ref.png is missing"), 1u);
   EXPECT_EQ(count(html, "box-flip.png is missing"), 1u);
 }
@@ -127,12 +163,63 @@ TEST(HtmlReport, parameters_of_metrics_without_a_column_are_said_too) {
       count(html_of(results), "<dd>flip_max, flip_least <span class=\"quiet\">(pixels_per_degree=67)</span></dd>"), 1u);
 }
 
-TEST(HtmlReport, says_when_gnuplot_is_missing) {
-  const std::string path = std::getenv("PATH");
-  setenv("PATH", "/nonexistent", 1);
-  const std::string html = html_of(sample_results());
-  setenv("PATH", path.c_str(), 1);
-  EXPECT_EQ(count(html, "Not drawn: gnuplot is not installed. The table below has the numbers."), 1u);
+TEST(HtmlReport, the_scene_that_fails_comes_first_and_says_so_in_words) {
+  const std::string html = html_of(sample_conclusions());
+  EXPECT_LT(html.find("data-scene=\"hole\""), html.find("data-scene=\"box\""));
+  EXPECT_EQ(count(html, "3 gates: 1 passes, 1 fails, 1 inconclusive"), 1u);
+  EXPECT_EQ(count(html, "<p class=\"worst\">ring at the floor&apos;s contact: +6 % bias, 41 px</p>"), 2u);
+  const std::size_t worst = html.find("data-tile=\"0\">+6 % at the floor"),
+                    next = html.find("data-tile=\"1\">+4 % right");
+  EXPECT_LT(worst, next);
+  EXPECT_NE(next, std::string::npos);
+}
+
+TEST(HtmlReport, a_run_of_gates_alone_has_no_empty_columns_and_no_plot) {
+  Results results = sample_conclusions();
+  results.results.clear();
+  results.convergence.clear();
+  results.changes.clear();
+  const std::string html = without_script(html_of(results));
+  EXPECT_EQ(count(html, "not run"), 0u);
+  EXPECT_EQ(count(html, "Error against time"), 0u);
+  EXPECT_EQ(count(html, "Every measurement"), 0u);
+  EXPECT_EQ(count(html, "class=\"viewer-data\""),
+            1u);  // hole has a gate's image and a stored reference; box has nothing
+}
+
+TEST(HtmlReport, ten_scenes_of_five_engines_take_less_than_5_MB) {
+  const TemporaryFolder folder;
+  Results results;
+  results.suite = "ten";
+  const char* engines[] = {"reference", "a", "b", "c", "d", "e"};
+  std::uint32_t state = 1;
+  for (const char* engine : engines) {
+    Image image(256, 256);  // noise, which packs worst
+    for (float& value : image.rgb) {
+      state = state * 1664525u + 1013904223u;
+      value = static_cast<float>(state >> 8) / 0x1p24f;
+    }
+    write_exr((folder.path() / (std::string(engine) + ".exr")).string(), {image, std::nullopt, {}});
+    write_png((folder.path() / (std::string(engine) + ".png")).string(), image);
+  }
+  for (int scene = 0; scene < 10; ++scene) {
+    const std::string name = "scene" + std::to_string(scene);
+    for (const char* engine : engines) {
+      for (const double spp : {4, 16, 64}) {
+        Result result = finished(name, engine, {"spp", spp}, 1, 1 / spp);
+        const std::string picture = std::string(engine) + ".png";
+        result.image = std::string(engine) + ".exr";
+        result.pictures = {{"image", picture}, {"flip", picture}, {"error", picture}};
+        results.results.push_back(result);
+      }
+    }
+    results.scenes.push_back({name, "", "", 256, 256, 0, results.results.end()[-18].cell.label()});
+  }
+  write_html_report(results, folder.path(), folder.path() / "report.html");
+  EXPECT_LT(fs::file_size(folder.path() / "report.html"), 5'000'000u);
+  const std::string html = file_text(folder.path() / "report.html");
+  EXPECT_EQ(count(html, "pixels of the renders are averaged into one here"), 10u);
+  EXPECT_EQ(count(html, "these pictures are reduced to"), 10u);
 }
 
 TEST(HtmlReport, scales_of_heat_maps_are_those_they_are_made_with) {

@@ -1,6 +1,6 @@
 #include "reports/html_rows.h"
 
-#include <algorithm>
+#include <fmt/format.h>
 
 #include "reports/cell_details.h"
 #include "reports/html_data.h"
@@ -30,17 +30,34 @@ data details_data(const Result& result) {
   return list;
 }
 
-data row_data(const View& view, std::size_t engine, const Result& result, bool first, bool is_reference) {
+data number_cell(const std::string& text, const std::optional<double>& sort) {
+  data cell;
+  cell.set("text", text);
+  cell.set("sort", sort ? data(fmt::format("{}", *sort)) : data(false));
+  return cell;
+}
+
+/// Numbers of the row: metrics, then time and memory.
+data numbers_data(const Result& result) {
+  data list(data::type::list);
+  for (const MetricColumn& column : metric_columns()) {
+    list.push_back(number_cell(metric_text(result, column.metric), metric(result, column.metric)));
+  }
+  list.push_back(number_cell(seconds_text(result.wall_seconds), result.wall_seconds));
+  list.push_back(number_cell(seconds_text(result.cpu_seconds), result.cpu_seconds));
+  const auto bytes = result.peak_bytes ? std::optional(static_cast<double>(*result.peak_bytes)) : std::nullopt;
+  list.push_back(number_cell(or_dash(result.peak_bytes, megabytes), bytes));
+  return list;
+}
+
+data row_data(const View& view, const SceneView& scene, std::size_t engine, const Result& result, bool first) {
+  const bool is_reference = &result == scene.reference;
   data row = engine_data(view, engine);
   set_cell(row, result.cell);
   set_status(row, result);
   if (is_reference) row.set("engine", printable(result.cell.engine + " (reference)"));
-  data values(data::type::list);
-  for (const MetricColumn& column : metric_columns()) values.push_back(metric_text(result, column.metric));
-  row.set("values", values);
-  row.set("wall", seconds_text(result.wall_seconds));
-  row.set("cpu", seconds_text(result.cpu_seconds));
-  row.set("peak", or_dash(result.peak_bytes, megabytes));
+  row.set("budget_sort", result.cell.budget.amount_text());
+  row.set("numbers", numbers_data(result));
   row.set("first", first);
   row.set("reason", text_or_false(reason_text(result)));
   row.set("caveats", text_or_false(caveats_text(result)));
@@ -48,6 +65,7 @@ data row_data(const View& view, std::size_t engine, const Result& result, bool f
   row.set("details", details_data(result));
   row.set("has_command", !result.command.empty());
   row.set("command", printable(result.command));
+  row.set("compare", text_or_false(compare_command(scene, result)));
   return row;
 }
 
@@ -56,13 +74,11 @@ data row_data(const View& view, std::size_t engine, const Result& result, bool f
 data rows_data(const View& view, const SceneView& scene) {
   data rows(data::type::list);
   if (scene.reference) {
-    const auto engine = std::ranges::find(view.engines, scene.reference->cell.engine, &EngineRecord::name);
-    rows.push_back(
-        row_data(view, static_cast<std::size_t>(engine - view.engines.begin()), *scene.reference, true, true));
+    rows.push_back(row_data(view, scene, engine_index(view, scene.reference->cell.engine), *scene.reference, true));
   }
   for (const EngineOutcome& outcome : scene.engines) {
     for (const Result* cell : outcome.cells) {
-      rows.push_back(row_data(view, outcome.engine, *cell, cell == outcome.cells.front(), false));
+      rows.push_back(row_data(view, scene, outcome.engine, *cell, cell == outcome.cells.front()));
     }
   }
   return rows;

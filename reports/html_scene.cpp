@@ -5,11 +5,14 @@
 #include <algorithm>
 
 #include "reports/cell_details.h"
+#include "reports/conclusions.h"
 #include "reports/error_plot.h"
-#include "reports/gnuplot.h"
+#include "reports/html_cards.h"
+#include "reports/html_conclusions.h"
 #include "reports/html_data.h"
 #include "reports/html_rows.h"
 #include "reports/text.h"
+#include "reports/viewer_data.h"
 
 namespace photonproof::reports {
 namespace {
@@ -17,104 +20,80 @@ namespace {
 using kainjow::mustache::data;
 namespace fs = std::filesystem;
 
-data shown_data(const Result& result, const fs::path& folder) {
+// A page of ten scenes stays below 5 MB: 10 x 460 kB of pictures leave 400 kB for everything else.
+constexpr std::size_t scene_bytes = 460'000, gallery_bytes = 190'000;
+
+/// An index entry's picture, numbers and what it shows.
+data shown_data(const fs::path& folder, const std::string& file, const std::string& alt, std::size_t& bytes) {
   constexpr int thumbnail_side = 64;  // CSS pixels, as .thumbnail
-  const EmbeddedPicture thumbnail = embed_thumbnail(folder, picture_file(result, "image"), thumbnail_side);
+  const EmbeddedPicture thumbnail = embed_thumbnail(folder, file, thumbnail_side);
+  bytes += thumbnail.uri.size();
   data out;
-  set_cell(out, result.cell);
   out.set("has_thumbnail", thumbnail.problem.empty());
   out.set("thumbnail", thumbnail.uri);
-  out.set("alt", printable(result.cell.scene + " by " + result.cell.engine));
-  out.set("wall", seconds_text(result.wall_seconds));
-  out.set("relmse", metric_text(result, "relmse"));
-  out.set("ssim", metric_text(result, "ssim"));
+  out.set("alt", printable(alt));
   return out;
 }
 
-data outcome_data(const View& view, const EngineOutcome& outcome, const fs::path& folder) {
+data outcome_data(const View& view, const EngineOutcome& outcome, const fs::path& folder, std::size_t& bytes) {
   data out;
   out.set("name", printable(view.engines[outcome.engine].name));
-  out.set("shown", outcome.shown ? shown_data(*outcome.shown, folder) : data(false));
+  out.set("shown", false);
+  out.set("sort", data(false));
+  if (outcome.shown) {
+    const Result& result = *outcome.shown;
+    data shown =
+        shown_data(folder, picture_file(result, "image"), result.cell.scene + " by " + result.cell.engine, bytes);
+    shown.set("wall", seconds_text(result.wall_seconds));
+    shown.set("relmse", metric_text(result, "relmse"));
+    shown.set("ssim", metric_text(result, "ssim"));
+    out.set("shown", shown);
+    if (const auto relmse = metric(result, "relmse")) out.set("sort", fmt::format("{}", *relmse));
+  }
   out.set("state", state_text(outcome));
   out.set("class", outcome.cells.empty() ? "quiet" : outcome.finished == outcome.cells.size() ? "good" : "poor");
   return out;
 }
 
-data map_data(const Result& result, const fs::path& folder, const char* role, const char* alt, const char* title,
-              const char* metric) {
-  data out;
-  set_picture(out, embed_picture(folder, picture_file(result, role)),
-              fmt::format("{} of {} by {}", alt, result.cell.scene, result.cell.engine));
-  out.set("caption", fmt::format("{} {}", title, metric_text(result, metric)));
-  return out;
-}
-
-data reference_card(const Result& reference, const fs::path& folder) {
-  data out;
-  set_picture(out, embed_picture(folder, picture_file(reference, "image")),
-              "reference of " + reference.cell.scene + " by " + reference.cell.engine);
-  out.set("has_swatch", false);
-  out.set("title", "reference");
-  out.set("caption", printable(reference.cell.engine + ", " + budget_text(reference.cell.budget) + ", " +
-                               seconds_text(reference.wall_seconds) + " s"));
-  out.set("has_maps", false);
-  out.set("has_scales", true);  // the room below it is where the others have their heat maps
-  return out;
-}
-
-data engine_card(const View& view, const SceneView& scene, const EngineOutcome& outcome, const fs::path& folder) {
-  data out = engine_data(view, outcome.engine);
-  out.set("has_swatch", true);
-  out.set("title", printable(view.engines[outcome.engine].name));
-  out.set("has_maps", outcome.shown && scene.reference);
-  out.set("has_scales", false);
-  if (!outcome.shown) {
-    const Result& failed = *outcome.cells.back();
-    set_picture(out, {{}, 0, 0, "no picture: " + to_string(failed.status)}, "no picture by " + failed.cell.engine);
-    out.set("caption", printable(failed.detail));
-    return out;
+data reference_data(const SceneView& scene, const fs::path& folder, std::size_t& bytes) {
+  if (!has_reference(scene)) return data(false);
+  data out = shown_data(folder, reference_picture(scene), scene.record.name + ", reference", bytes);
+  data lines(data::type::list);
+  for (std::string rest = reference_caption(scene); !rest.empty();) {
+    const std::size_t comma = std::min(rest.find(", "), rest.size());
+    lines.push_back(printable(rest.substr(0, comma)));
+    rest.erase(0, comma + 2);
   }
-  const Result& shown = *outcome.shown;
-  set_picture(out, embed_picture(folder, picture_file(shown, "image")),
-              shown.cell.scene + " rendered by " + shown.cell.engine);
-  out.set("caption", printable(budget_text(shown.cell.budget) + ", " + seconds_text(shown.wall_seconds) + " s"));
-  data maps(data::type::list);
-  maps.push_back(map_data(shown, folder, "flip", "FLIP map", "FLIP", "flip"));
-  maps.push_back(map_data(shown, folder, "error", "relative error map", "relMSE", "relmse"));
-  out.set("maps", maps);
+  out.set("lines", lines);
   return out;
 }
 
-data plot_data(const View& view, const ErrorPlot& plot, const std::string& svg) {
+data plot_data(const View& view, const ErrorPlot& plot, const std::string& name) {
   data out, legend(data::type::list);
   std::optional<std::size_t> last;
   for (const PlotSeries& series : plot.series) {
     if (last != series.engine) legend.push_back(engine_data(view, series.engine));
     last = series.engine;
   }
-  out.set("svg", svg);
+  out.set("svg", error_plot_svg(plot, "Error against time for " + name));
   out.set("legend", legend);
+  out.set("over_seeds", plot.over_seeds);
   out.set("left_out", plot.left_out == 0 ? data(false) : data(std::to_string(plot.left_out)));
   return out;
 }
 
-void set_plot(data& out, const View& view, const SceneView& scene, const std::string& id) {
-  out.set("plot", false);
-  out.set("plot_problem", false);
-  const ErrorPlot plot = error_plot(scene);
-  if (plot.series.empty()) {
-    out.set("plot_problem", "No cell has both an error and a time to plot.");
-    return;
+void set_curves(data& out, const View& view, const SceneView& scene) {
+  const ErrorPlot plot = error_plot(view, scene);
+  out.set("has_plot", !plot.series.empty());
+  out.set("has_no_plot", plot.series.empty() && !view.compared.empty());
+  out.set("plot", plot.series.empty() ? data(false) : plot_data(view, plot, scene.record.name));
+  out.set("slopes", table_data(slopes_table(scene.curves), 1));
+  out.set("points", table_data(points_table(scene.curves), 2));
+  data caveats(data::type::list);
+  for (const Convergence* curve : scene.curves) {
+    for (const std::string& caveat : curve->caveats) caveats.push_back(printable(curve->engine + ": " + caveat));
   }
-  const PlotOutcome drawn = run_gnuplot(gnuplot_script(plot));
-  const std::string label = kainjow::mustache::html_escape(printable("Error against time for " + scene.record.name));
-  const std::string svg = inline_svg(drawn.svg, id + "-", "role=\"img\" aria-label=\"" + label + "\"");
-  if (svg.empty()) {
-    const std::string problem = drawn.problem.empty() ? "gnuplot wrote an unknown layout" : drawn.problem;
-    out.set("plot_problem", printable("Not drawn: " + problem + ". The table below has the numbers."));
-  } else {
-    out.set("plot", plot_data(view, plot, svg));
-  }
+  out.set("curve_caveats", caveats);
 }
 
 std::string facts_text(const SceneRecord& record) {
@@ -124,30 +103,79 @@ std::string facts_text(const SceneRecord& record) {
   return record.path.empty() ? text : text + ", " + record.path;
 }
 
+void set_images(data& out, const View& view, const SceneView& scene, const fs::path& folder, const std::string& id,
+                std::size_t used_bytes) {
+  const std::vector<SceneImage> images = scene_images(view, scene);
+  const Gallery shown = gallery(view, scene, images, folder, id, gallery_bytes);
+  const std::string json = viewer_json(view, scene, images, folder, id, scene_bytes - shown.bytes - used_bytes);
+  out.set("has_cards", shown.cards.is_non_empty_list());
+  out.set("cards", shown.cards);
+  out.set("reduced_to", shown.longest_side == 0 ? data(false) : data(std::to_string(shown.longest_side)));
+  out.set("has_viewer", !json.empty());
+  out.set("viewer_json", json);
+}
+
+data skips_data(const SceneView& scene) {
+  std::vector<const Result*> cells;
+  for (const EngineOutcome& outcome : scene.engines) {
+    cells.insert(cells.end(), outcome.cells.begin(), outcome.cells.end());
+  }
+  data list(data::type::list);
+  for (const std::string& text : skips_texts(cells, scene.gates)) list.push_back(printable(text));
+  return list;
+}
+
+data provenance_data(const SceneView& scene) {
+  data list(data::type::list);
+  if (scene.reference || !scene.record.reference) return list;
+  const auto add = [&](const std::string& term, const std::string& text) {
+    if (text.empty()) return;
+    data item;
+    item.set("term", printable(term));
+    item.set("text", printable(text));
+    list.push_back(item);
+  };
+  add("file", scene.record.reference->file);
+  for (const auto& [term, text] : scene.record.reference->provenance) add(term, text);
+  return list;
+}
+
 }  // namespace
 
 data scene_data(const View& view, const SceneView& scene, const fs::path& folder, const std::string& id) {
-  data out, outcomes(data::type::list), cards(data::type::list);
-  if (scene.reference) cards.push_back(reference_card(*scene.reference, folder));
+  data out, outcomes(data::type::list);
+  std::size_t thumbnail_bytes = 0;
   for (const EngineOutcome& outcome : scene.engines) {
-    outcomes.push_back(outcome_data(view, outcome, folder));
-    if (!outcome.cells.empty()) cards.push_back(engine_card(view, scene, outcome, folder));
+    outcomes.push_back(outcome_data(view, outcome, folder, thumbnail_bytes));
   }
   out.set("id", id);
   out.set("name", printable(scene.record.name));
   out.set("purpose", text_or_false(scene.record.purpose));
   out.set("facts", printable(facts_text(scene.record)));
-  out.set("reference", scene.reference ? shown_data(*scene.reference, folder) : data(false));
+  out.set("reference", reference_data(scene, folder, thumbnail_bytes));
   out.set("reference_problem", text_or_false(scene.reference_problem));
   out.set("wide", scene.record.width >= 400);
   out.set("outcomes", outcomes);
-  out.set("cards", cards);
-  set_plot(out, view, scene, id);
+  out.set("has_verdict", scene.verdict.has_value());
+  if (scene.verdict) {
+    set_verdict(out, *scene.verdict);
+    out.set("verdicts", verdicts_text(scene.gates));
+    out.set("worst", text_or_false(*scene.verdict == GateVerdict::pass ? "" : scene.gates.front()->sentence));
+  }
+  set_images(out, view, scene, folder, id, thumbnail_bytes);
+  set_curves(out, view, scene);
+  set_gates(out, scene.gates, true);
   data rows = rows_data(view, scene);
   out.set("has_rows", rows.is_non_empty_list());
   out.set("rows", rows);
   out.set("has_parameters", !scene.parameters.empty());
   out.set("parameters", parameters_data(scene.parameters));
+  data skips = skips_data(scene);
+  out.set("has_skips", skips.is_non_empty_list());
+  out.set("skips", skips);
+  data provenance = provenance_data(scene);
+  out.set("has_provenance", provenance.is_non_empty_list());
+  out.set("provenance", provenance);
   return out;
 }
 

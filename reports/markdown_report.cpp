@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "reports/cell_details.h"
+#include "reports/conclusions.h"
 #include "reports/environment.h"
 #include "reports/metric_columns.h"
 #include "reports/numbers.h"
@@ -66,7 +67,7 @@ class Writer {
   }
 
   std::string write() const {
-    std::string text = header() + summary() + failures();
+    std::string text = header() + gates() + changes() + summary() + failures();
     for (const SceneView& scene : view_.scenes) text += scene_section(scene);
     return text + notes();
   }
@@ -77,7 +78,9 @@ class Writer {
         "# " + markdown_text(results_.suite) + "\n\nphotonproof report: " + totals_text(results_) + ".\n\n";
     text += "* Made: " + markdown_text(time_text(results_.created)) + "\n";
     text += "* Host: " + markdown_text(host_text(results_.host)) + "\n";
-    text += "* Versions: " + markdown_text(versions_text(results_.versions)) + "\n\n";
+    text += "* Versions: " + markdown_text(versions_text(results_.versions)) + "\n";
+    for (const std::string& caveat : results_.caveats) text += "* Caveat: " + markdown_text(caveat) + "\n";
+    text += "\n";
     text += "Repeat with\n\n" + code_block(results_.command);
     std::vector<Row> rows;
     for (const EngineRecord& engine : view_.engines) {
@@ -86,15 +89,59 @@ class Writer {
     return text + table({"Engine", "What it is", "Version"}, rows, 3);
   }
 
+  static std::string plain_table(const PlainTable& plain, std::size_t numbers_from) {
+    if (plain.rows.empty()) return {};
+    std::vector<Row> rows;
+    for (const Row& cells : plain.rows) {
+      Row& row = rows.emplace_back();
+      for (const std::string& cell : cells) row.push_back(markdown_text(cell));
+    }
+    return table(plain.header, rows, numbers_from);
+  }
+
+  std::string gates() const {
+    if (view_.gates.empty()) return {};
+    std::string text = "## Gates\n\n" + verdicts_text(view_.gates) + ".\n\n" + plain_table(gates_table(view_.gates), 4);
+    for (const GateRecord* gate : view_.gates) {
+      text += "* " + to_string(gate->verdict) + ": " + markdown_text(gate->name) + ": " +
+              markdown_text(gate->sentence) + "\n";
+      if (!gate->command.empty()) text += "    * repeat with: " + markdown_text(gate->command) + "\n";
+    }
+    text += "\n";
+    if (view_.tiles.empty()) return text;
+    text += "Failing tiles, worst first:\n\n";
+    for (const RankedTile& ranked : view_.tiles) {
+      const FailingTile& tile = *ranked.tile;
+      text +=
+          fmt::format("1. {}: {} (at {}, {}; {} × {} pixels; {} standard errors)\n", markdown_text(ranked.gate->name),
+                      markdown_text(tile.sentence), tile.x, tile.y, tile.width, tile.height, significant(tile.score));
+    }
+    return text + "\n";
+  }
+
+  std::string changes() const {
+    if (view_.changes.empty()) return {};
+    return "## Against the older run\n\n" + plain_table(changes_table(view_.changes), 8);
+  }
+
+  static std::string convergence(const SceneView& scene) {
+    std::string text = plain_table(slopes_table(scene.curves), 1) + plain_table(points_table(scene.curves), 1);
+    for (const Convergence* curve : scene.curves) {
+      for (const std::string& caveat : curve->caveats) {
+        text += "* " + markdown_text(curve->engine) + ": " + markdown_text(caveat) + "\n";
+      }
+    }
+    return text.empty() ? text : "Error against time, with 95 % intervals:\n\n" + text + "\n";
+  }
+
   std::string summary() const {
+    if (view_.compared.empty() && !view_.gates.empty()) return {};
     Row head{"Scene", "Reference"};
     for (const std::size_t engine : view_.compared) head.push_back(markdown_text(view_.engines[engine].name));
     std::vector<Row> rows;
     for (const SceneView& scene : view_.scenes) {
       Row& row = rows.emplace_back(Row{markdown_text(scene.record.name)});
-      row.push_back(scene.reference
-                        ? markdown_text(scene.reference->cell.engine + ", " + budget_text(scene.reference->cell.budget))
-                        : "none");
+      row.push_back(markdown_text(reference_text(scene)));
       for (const EngineOutcome& outcome : scene.engines) {
         const std::string shown =
             outcome.shown ? fmt::format("relMSE {}, SSIM {}, {} s; ", value_of(*outcome.shown, "relmse"),
@@ -126,35 +173,43 @@ class Writer {
     if (scene.record.width > 0) text += fmt::format("{} × {} pixels, ", scene.record.width, scene.record.height);
     text += "all pictures at " + exposure_text(scene.record.exposure) + ".\n\n";
     if (!scene.reference_problem.empty()) text += "**" + markdown_text(scene.reference_problem) + "**\n\n";
-    return text + gallery(scene) + measurements(scene) + details(scene);
+    return text + gallery(scene) + convergence(scene) + measurements(scene) + details(scene);
   }
 
-  std::string picture(const Result& result, const std::string& role, const std::string& alt) const {
-    const auto found = result.pictures.find(role);
-    if (found == result.pictures.end()) return undefined_number;
-    return "![" + markdown_text(alt) + "](" + url_path((prefix_ / found->second).lexically_normal().generic_string()) +
-           ")";
+  std::string picture(const std::string& file, const std::string& alt) const {
+    if (file.empty()) return undefined_number;
+    return "![" + markdown_text(alt) + "](" + url_path((prefix_ / file).lexically_normal().generic_string()) + ")";
   }
 
   std::string gallery(const SceneView& scene) const {
     Row head{""}, images{"image"}, flips{"FLIP"}, errors{"relative error"}, captions{""};
-    if (scene.reference) {
-      head.push_back("reference");
-      images.push_back(picture(*scene.reference, "image", "reference of " + scene.record.name));
-      flips.push_back("");
-      errors.push_back("");
-      captions.push_back(markdown_text(scene.reference->cell.engine + ", " + budget_text(scene.reference->cell.budget) +
-                                       ", " + seconds(scene.reference->wall_seconds) + " s"));
+    const auto add = [&](const std::string& title, const std::string& caption,
+                         const std::map<std::string, std::string>& pictures, const std::string& what) {
+      const auto file = [&](const char* role) {
+        const auto found = pictures.find(role);
+        return found == pictures.end() ? std::string() : found->second;
+      };
+      head.push_back(markdown_text(title));
+      captions.push_back(markdown_text(caption));
+      images.push_back(picture(file("image"), what));
+      flips.push_back(picture(file("flip"), "FLIP map of " + what));
+      errors.push_back(picture(file("error"), "relative error map of " + what));
+    };
+    if (has_reference(scene)) {
+      add("reference", reference_caption(scene), {{"image", reference_picture(scene)}},
+          "reference of " + scene.record.name);
+      flips.back() = errors.back() = "";
     }
     for (const EngineOutcome& outcome : scene.engines) {
       if (!outcome.shown) continue;
       const Result& shown = *outcome.shown;
-      const std::string what = scene.record.name + " by " + shown.cell.engine;
-      head.push_back(markdown_text(shown.cell.engine));
-      images.push_back(picture(shown, "image", what));
-      flips.push_back(picture(shown, "flip", "FLIP map of " + what));
-      errors.push_back(picture(shown, "error", "relative error map of " + what));
-      captions.push_back(markdown_text(budget_text(shown.cell.budget) + ", " + seconds(shown.wall_seconds) + " s"));
+      add(shown.cell.engine, budget_text(shown.cell.budget) + ", " + seconds(shown.wall_seconds) + " s", shown.pictures,
+          scene.record.name + " by " + shown.cell.engine);
+    }
+    for (const GateRecord* gate : scene.gates) {
+      if (gate->pictures.empty()) continue;
+      add(gate->name, to_string(gate->verdict) + ", " + gate->engine, gate->pictures,
+          scene.record.name + " by " + gate->engine + " for gate " + gate->name);
     }
     if (head.size() == 1) return {};
     return table(head, {images, captions, flips, errors}, head.size());
@@ -182,7 +237,7 @@ class Writer {
     for (const EngineOutcome& outcome : scene.engines) {
       for (const Result* cell : outcome.cells) add(*cell, "");
     }
-    if (rows.empty()) return "Nothing was measured.\n\n";
+    if (rows.empty()) return scene.gates.empty() ? "Nothing was measured.\n\n" : "";
     for (const MetricParameters& entry : scene.parameters) {
       remarks += "* " + markdown_text(entry.metric) + " is computed with " + markdown_text(entry.parameters) + "\n";
     }
@@ -203,6 +258,11 @@ class Writer {
     if (scene.reference) add(*scene.reference);
     for (const EngineOutcome& outcome : scene.engines) {
       for (const Result* cell : outcome.cells) add(*cell);
+    }
+    for (const GateRecord* gate : scene.gates) {
+      for (const std::string& skip : gate->skipped) {
+        text += "* " + markdown_text(gate->name) + ", skipped: " + markdown_text(skip) + "\n";
+      }
     }
     if (text.empty()) return {};
     return "<details><summary>Phases, counts, skipped passes and commands</summary>\n\n" + text + "\n</details>\n\n";

@@ -18,6 +18,10 @@ std::string markdown_of(const Results& results) {
 
 TEST(MarkdownReport, reads_like_its_snapshot) { expect_snapshot("sample.md", markdown_of(sample_results())); }
 
+TEST(MarkdownReport, conclusions_read_like_their_snapshot) {
+  expect_snapshot("conclusions.md", markdown_of(sample_conclusions()));
+}
+
 TEST(MarkdownReport, links_lead_from_the_report_to_the_results) {
   const TemporaryFolder folder;
   fs::create_directories(folder.path() / "docs");

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <string_view>
 
+#include "reports/reduced_image.h"
+#include "reports/results_file.h"
 #include "reports/temporary_folder.h"
 #include "reports/text.h"
 #include "scenes/atomic_file.h"
@@ -24,10 +26,6 @@ struct File {
   int width = 0, height = 0;
   std::string problem;
 };
-
-bool is_inside(const fs::path& folder, const fs::path& file) {
-  return std::mismatch(folder.begin(), folder.end(), file.begin(), file.end()).first == folder.end();
-}
 
 std::uint32_t big_endian(std::string_view bytes) {
   std::uint32_t value = 0;
@@ -53,23 +51,12 @@ void read_png_header(File& file, const std::string& name) {
 }
 
 File load(const fs::path& folder, const std::string& relative) {
-  File file;
-  if (relative.empty()) {
-    file.problem = "no picture was made";
-    return file;
-  }
+  const ResultsFile found = results_file(folder, relative);
+  File file{found.path, {}, 0, 0, found.problem};
+  if (!file.problem.empty()) return file;
   try {
-    std::error_code error;
-    const fs::path root = fs::canonical(folder, error);
-    file.path = fs::canonical(root / relative, error);
-    if (error) {
-      file.problem = relative + " is missing";
-    } else if (fs::path(relative).is_absolute() || !is_inside(root, file.path)) {
-      file.problem = relative + " lies outside the results folder";
-    } else {
-      file.bytes = read_file(file.path, max_file_bytes);
-      read_png_header(file, relative);
-    }
+    file.bytes = read_file(file.path, max_file_bytes);
+    read_png_header(file, relative);
   } catch (const InputError&) {
     file.problem = relative + " cannot be read";
   }
@@ -77,27 +64,8 @@ File load(const fs::path& folder, const std::string& relative) {
 }
 
 EmbeddedPicture embed(const File& file) {
-  if (!file.problem.empty()) return {{}, 0, 0, file.problem};
-  return {"data:image/png;base64," + base64(file.bytes), file.width, file.height, {}};
-}
-
-/// Averages blocks of factor x factor pixels; what is left over at the right and bottom edge joins smaller blocks.
-Image reduced(const Image& image, int factor) {
-  Image out((image.width + factor - 1) / factor, (image.height + factor - 1) / factor);
-  for (int y = 0; y < out.height; ++y) {
-    for (int x = 0; x < out.width; ++x) {
-      const int x_end = std::min(image.width, (x + 1) * factor), y_end = std::min(image.height, (y + 1) * factor);
-      double sum[3] = {0, 0, 0};
-      for (int v = y * factor; v < y_end; ++v) {
-        for (int u = x * factor; u < x_end; ++u) {
-          for (int c = 0; c < 3; ++c) sum[c] += image.pixel(u, v)[c];
-        }
-      }
-      const double count = static_cast<double>(x_end - x * factor) * (y_end - y * factor);
-      for (int c = 0; c < 3; ++c) out.pixel(x, y)[c] = static_cast<float>(sum[c] / count);
-    }
-  }
-  return out;
+  if (!file.problem.empty()) return {{}, 0, 0, file.problem, false};
+  return {"data:image/png;base64," + base64(file.bytes), file.width, file.height, {}, false};
 }
 
 }  // namespace
@@ -113,13 +81,15 @@ EmbeddedPicture embed_thumbnail(const fs::path& folder, const std::string& relat
   try {
     const TemporaryFolder temporary;
     const std::string small = (temporary.path() / "thumbnail.png").string();
-    write_png(small, reduced(read_image(file.path.string()), (side + longest_side - 1) / longest_side));
+    write_png(small, reduced_image(read_image(file.path.string()), (side + longest_side - 1) / longest_side));
     file.bytes = read_file(small);
     read_png_header(file, relative);
   } catch (const InputError&) {
     file.problem = relative + " cannot be decoded";
   }
-  return embed(file);
+  EmbeddedPicture picture = embed(file);
+  picture.reduced = true;
+  return picture;
 }
 
 }  // namespace photonproof::reports

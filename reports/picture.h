@@ -10,6 +10,7 @@ struct EmbeddedPicture {
   std::string uri;            ///< "data:image/png;base64,..."; empty when there is a problem
   int width = 0, height = 0;  ///< pixels
   std::string problem;        ///< one sentence, empty on success
+  bool reduced = false;       ///< not the picture of the file, but a smaller one
 };
 
 /// `relative` comes from results.json and is not trusted: it must name a PNG inside `folder`, of at most 4096 pixels a

@@ -73,11 +73,96 @@ inline Results sample_results() {
   return results;
 }
 
-/// The PNGs sample_results names, 8 x 8.
+/// sample_results and everything the harness may conclude from such a run: curves over seeds, gates of which one fails
+/// in two tiles, a stored reference, changes against an older run.
+inline Results sample_conclusions() {
+  Results results = sample_results();
+  results.caveats = {"the control's interval excludes 1: this machine is noisy"};
+  results.scenes[1].reference =
+      ReferenceRecord{"hole/reference-8x8.exr",
+                      "",
+                      "hole-ref.png",
+                      {{"estimator", "path"}, {"samples", "65536"}, {"standard_error", "0.1 %"}}};
+
+  Convergence curve;
+  curve.scene = "box";
+  curve.engine = "photon";
+  CurvePoint early{{"photons", 2000}, 3, {1.25, Interval{1.2, 1.5}}, Estimate{0.05, Interval{0.04, 0.0625}}, {}, {}};
+  CurvePoint late{{"photons", 20000},
+                  3,
+                  {4.5, {}},
+                  Estimate{0.0125, Interval{0.01, 0.02}},
+                  Estimate{-0.0001, Interval{-0.001, 0.0005}},
+                  Estimate{0.0126, {}}};
+  curve.points = {early, late};
+  curve.slope = Estimate{-1.08, Interval{-1.2, -0.9}};
+  curve.efficiency = Estimate{17.8, {}};
+  curve.target_relmse = 0.025;
+  curve.seconds_to_target = Estimate{2.4, Interval{2, 3}};
+  curve.caveats = {"three seeds are few"};
+  results.convergence = {curve};
+
+  GateRecord pass;
+  pass.name = "box-photon-relmse";
+  pass.scene = "box";
+  pass.engine = "photon";
+  pass.metric = "relmse";
+  pass.verdict = GateVerdict::pass;
+  pass.sentence = "relmse 0.0125 is below 0.02";
+  pass.observed = Estimate{0.0125, Interval{0.012, 0.013}};
+  pass.bound = 0.02;
+  pass.alpha = 0.001;
+  pass.looks = 2;
+  pass.samples = 128;
+  pass.seconds = 0.75;
+  pass.skipped = {"caustic pass: no specular surface"};
+  pass.command = "photonproof gate gates.toml --gate box-photon-relmse";
+  GateRecord fail = pass;
+  fail.name = "hole-photon-agreement";
+  fail.scene = "hole";
+  fail.metric = "agreement";
+  fail.verdict = GateVerdict::fail;
+  fail.sentence = "ring at the floor's contact: +6 % bias, 41 px";
+  fail.observed = Estimate{1e-9, {}};
+  fail.bound.reset();
+  fail.tiles = {{0, 4, 4, 4, 12.5, "+6 % at the floor's contact, 13 px"}, {4, 4, 4, 4, 7.25, "+4 % right of it, 9 px"}};
+  fail.pictures = {{"image", "hole.png"}, {"error", "hole-error.png"}};
+  fail.command = "photonproof gate gates.toml --gate hole-photon-agreement";
+  GateRecord open = pass;
+  open.name = "box-povray-ssim";
+  open.engine = "povray";
+  open.metric = "ssim";
+  open.verdict = GateVerdict::inconclusive;
+  open.sentence = "ssim 0.97 [0.96, 0.98] holds the bound 0.975 after 8 looks";
+  open.observed = Estimate{0.97, Interval{0.96, 0.98}};
+  open.bound = 0.975;
+  results.gates = {pass, fail, open};
+
+  ChangeRecord same;
+  same.scene = "box";
+  same.engine = "photon";
+  same.budget = {"photons", 2000};
+  same.quantity = "relmse";
+  same.ratio = {1.01, Interval{0.98, 1.04}};
+  same.change = Change::unchanged;
+  same.sentence = "relmse as before";
+  ChangeRecord slower = same;
+  slower.budget.amount = 20000;
+  slower.quantity = "seconds";
+  slower.ratio = {1.06, Interval{1.04, 1.09}};
+  slower.control = Interval{0.99, 1.01};
+  slower.change = Change::regression;
+  slower.sentence = "6 % slower";
+  results.changes = {same, slower};
+  return results;
+}
+
+/// The PNGs the samples name, 8 x 8.
 inline void write_sample_pictures(const std::filesystem::path& folder) {
   Image image(8, 8);
   for (std::size_t i = 0; i < image.rgb.size(); ++i) image.rgb[i] = static_cast<float>(i % 7) / 7;
-  for (const char* name : {"box-ref.png", "box.png", "box-flip.png", "box-error.png"}) {
+  for (const char* name :
+       {"box-ref.png", "box.png", "box-flip.png", "box-error.png", "hole-ref.png", "hole.png", "hole-error.png"}) {
     write_png((folder / name).string(), image);
   }
 }

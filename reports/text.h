@@ -1,6 +1,7 @@
 // Untrusted text (names, reasons, commands from results.json) made safe to show, and byte encodings a page needs.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -13,6 +14,19 @@ std::string printable(std::string_view text);
 /// `printable` with every character escaped that Markdown (CommonMark and GitHub's tables, maths and raw HTML) would
 /// read as markup inside a line or a table cell. Not safe as the first characters of a line.
 std::string markdown_text(std::string_view text);
+
+/// At most `most` bytes of valid UTF-8, cut between characters.
+std::string shortened(const std::string& text, std::size_t most);
+
+/// `printable` for LaTeX's text mode: its ten special characters escaped, and those of numbers.h set by commands.
+std::string latex_text(std::string_view text);
+
+/// One word of a POSIX shell's command line, quoted where it has to be.
+std::string shell_word(const std::string& text);
+
+/// JSON (or any text) inside a <script> element: "<" is written as the escape that JSON knows, so no "</script>" and no
+/// "<!--" is left.
+std::string json_in_html(const std::string& json);
 
 /// A relative path as a URL: everything but RFC 3986's unreserved characters and '/' is percent-encoded.
 std::string url_path(std::string_view path);

@@ -41,5 +41,29 @@ TEST(Text, base64_matches_the_vectors_of_rfc_4648) {
   EXPECT_EQ(base64("\xff\xff\xfe"), "///+");  // 111111 111111 111111 111110
 }
 
+TEST(Text, shortened_text_ends_between_characters) {
+  EXPECT_EQ(shortened("abc", 3), "abc");
+  EXPECT_EQ(shortened("abc", 2), "ab");
+  EXPECT_EQ(shortened("aé", 2), "a");  // é has two bytes
+  EXPECT_EQ(shortened("−", 2), "");    // and the minus three
+}
+
+TEST(Text, latex_has_no_command_but_ours) {
+  EXPECT_EQ(latex_text("50 % of a_b & $x^2$ #1 ~ {\\}"),
+            "50 \\% of a\\_b \\& \\$x\\textasciicircum{}2\\$ \\#1 \\textasciitilde{} \\{\\textbackslash{}\\}");
+  EXPECT_EQ(latex_text("−1.5×10⁻³"), "$-$1.5$\\times$10$^{-3}$");
+}
+
+TEST(Text, a_shell_word_is_one_word) {
+  EXPECT_EQ(shell_word("cells/a-1/image.exr"), "cells/a-1/image.exr");
+  EXPECT_EQ(shell_word("a b"), "'a b'");
+  EXPECT_EQ(shell_word("it's $HOME"), "'it'\\''s $HOME'");
+  EXPECT_EQ(shell_word(""), "''");
+}
+
+TEST(Text, json_in_a_page_cannot_end_its_element) {
+  EXPECT_EQ(json_in_html("[\"</script><!--\"]"), "[\"\\u003c/script>\\u003c!--\"]");
+}
+
 }  // namespace
 }  // namespace photonproof::reports

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <regex>
 #include <tuple>
@@ -23,6 +24,7 @@ std::size_t index_of(std::vector<Record>& records, const std::string& name) {
 void find_reference(const Results& results, SceneView& scene) {
   const std::string& label = scene.record.reference_label;
   if (label.empty()) {
+    if (scene.record.reference) return;
     scene.reference_problem = "No reference is named for this scene, so there is nothing to measure errors against.";
     return;
   }
@@ -106,6 +108,57 @@ void collect_failures(const Results& results, View& view) {
   }
 }
 
+/// Fail before inconclusive before pass.
+int badness(GateVerdict verdict) {
+  return verdict == GateVerdict::fail ? 2 : verdict == GateVerdict::inconclusive ? 1 : 0;
+}
+
+int urgency(Change change) {
+  switch (change) {
+    case Change::regression:
+      return 3;
+    case Change::inconclusive:
+      return 2;
+    case Change::improvement:
+      return 1;
+    case Change::unchanged:
+      break;
+  }
+  return 0;
+}
+
+void collect_conclusions(const Results& results, View& view) {
+  const auto scene_of = [&](const std::string& name) -> SceneView& {
+    return *std::ranges::find(view.scenes, name, [](const SceneView& scene) { return scene.record.name; });
+  };
+  for (const GateRecord& gate : results.gates) view.gates.push_back(&gate);
+  std::ranges::stable_sort(view.gates, std::ranges::greater{},
+                           [](const GateRecord* gate) { return badness(gate->verdict); });
+  for (const GateRecord* gate : view.gates) {
+    SceneView& scene = scene_of(gate->scene);
+    if (scene.gates.empty()) scene.verdict = gate->verdict;
+    scene.gates.push_back(gate);
+    for (const FailingTile& tile : gate->tiles) view.tiles.push_back({gate, &tile});
+  }
+  std::ranges::stable_sort(view.tiles, std::ranges::greater{}, [](const RankedTile& t) { return t.tile->score; });
+  for (const Convergence& curve : results.convergence) scene_of(curve.scene).curves.push_back(&curve);
+  for (const ChangeRecord& change : results.changes) view.changes.push_back(&change);
+  std::ranges::stable_sort(view.changes, std::ranges::greater{},
+                           [](const ChangeRecord* change) { return urgency(change->change); });
+  std::ranges::stable_sort(view.scenes, std::ranges::greater{},
+                           [](const SceneView& scene) { return scene.verdict ? badness(*scene.verdict) : 0; });
+}
+
+/// Scenes and engines that only a conclusion names.
+void add_named(const Results& results, std::vector<SceneRecord>& scenes, std::vector<EngineRecord>& engines) {
+  const auto add = [&](const auto& conclusion) {
+    index_of(scenes, conclusion.scene);
+    index_of(engines, conclusion.engine);
+  };
+  for (const GateRecord& gate : results.gates) add(gate);
+  for (const Convergence& curve : results.convergence) add(curve);
+}
+
 }  // namespace
 
 View arrange(const Results& results) {
@@ -122,7 +175,8 @@ View arrange(const Results& results) {
     places.push_back(
         {scene, index_of(view.engines, result.cell.engine), result.cell.label() == scenes[scene].reference_label});
   }
-  for (std::size_t e = 0; e < view.engines.size(); ++e) {
+  add_named(results, scenes, view.engines);
+  for (std::size_t e = 0; e < view.engines.size() && !results.results.empty(); ++e) {
     const auto is_its = [&](const Place& place) { return place.engine == e; };
     const auto is_its_cell = [&](const Place& place) { return place.engine == e && !place.is_reference; };
     if (std::ranges::any_of(places, is_its_cell) || std::ranges::none_of(places, is_its)) view.compared.push_back(e);
@@ -142,6 +196,7 @@ View arrange(const Results& results) {
     for (EngineOutcome& outcome : scene.engines) order_cells(outcome);
   }
   collect_parameters(view);
+  collect_conclusions(results, view);
   collect_failures(results, view);
   return view;
 }
@@ -157,6 +212,40 @@ std::vector<MetricParameters> merged(const std::vector<MetricParameters>& parame
     }
   }
   return out;
+}
+
+bool has_reference(const SceneView& scene) { return scene.reference || scene.record.reference; }
+
+std::string reference_text(const SceneView& scene) {
+  if (scene.reference) return scene.reference->cell.engine + ", " + budget_text(scene.reference->cell.budget);
+  if (!scene.record.reference) return "none";
+  std::string text = "stored";
+  const auto& provenance = scene.record.reference->provenance;
+  if (const auto found = provenance.find("estimator"); found != provenance.end()) text += ": " + found->second;
+  if (const auto found = provenance.find("samples"); found != provenance.end()) text += ", " + found->second + " spp";
+  return text;
+}
+
+std::string reference_caption(const SceneView& scene) {
+  const std::string text = reference_text(scene);
+  if (scene.reference) {
+    return text + ", " + or_dash(scene.reference->wall_seconds, [](double v) { return significant(v); }) + " s";
+  }
+  if (!scene.record.reference) return text;
+  const auto& provenance = scene.record.reference->provenance;
+  const auto found = provenance.find("standard_error");
+  return found == provenance.end() ? text : text + ", standard error " + found->second;
+}
+
+std::string reference_picture(const SceneView& scene) {
+  if (!scene.reference) return scene.record.reference ? scene.record.reference->picture : std::string();
+  const auto found = scene.reference->pictures.find("image");
+  return found == scene.reference->pictures.end() ? std::string() : found->second;
+}
+
+std::string reference_image(const SceneView& scene) {
+  if (scene.reference) return scene.reference->image;
+  return scene.record.reference ? scene.record.reference->image : std::string();
 }
 
 std::optional<double> metric(const Result& result, const std::string& name) {
@@ -194,12 +283,30 @@ std::string totals_text(const Results& results) {
   const auto failed = std::count_if(results.results.begin(), results.results.end(),
                                     [](const Result& r) { return r.status != Status::ok; });
   const auto count = [](std::size_t n, const char* what) { return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s"); };
-  std::string text = count(results.scenes.size(), "scene") + ", " + count(results.engines.size(), "engine") + ", " +
-                     count(total, "cell");
+  std::string text = count(results.scenes.size(), "scene") + ", " + count(results.engines.size(), "engine");
+  if (total == 0 && !results.gates.empty()) return text;
+  text += ", " + count(total, "cell");
   if (total == 0) return text;
   return text + (failed == 0
                      ? ": all finished"
                      : fmt::format(": {} finished, {} did not", total - static_cast<std::size_t>(failed), failed));
+}
+
+std::string verdicts_text(const std::vector<const GateRecord*>& gates) {
+  if (gates.empty()) return {};
+  std::string text;
+  const auto add = [&](GateVerdict verdict, const char* one, const char* several) {
+    const auto n = std::ranges::count(gates, verdict, &GateRecord::verdict);
+    if (n > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", n, n == 1 ? one : several);
+  };
+  add(GateVerdict::pass, "passes", "pass");
+  add(GateVerdict::fail, "fails", "fail");
+  add(GateVerdict::inconclusive, "inconclusive", "inconclusive");
+  return fmt::format("{} gate{}: {}", gates.size(), gates.size() == 1 ? "" : "s", text);
+}
+
+std::size_t engine_index(const View& view, const std::string& name) {
+  return static_cast<std::size_t>(std::ranges::find(view.engines, name, &EngineRecord::name) - view.engines.begin());
 }
 
 }  // namespace photonproof::reports

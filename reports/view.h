@@ -34,6 +34,15 @@ struct SceneView {
   std::string reference_problem;             ///< why not, one sentence
   std::vector<EngineOutcome> engines;        ///< one for each of View::compared
   std::vector<MetricParameters> parameters;  ///< those that are not the same for the whole page, merged
+  std::vector<const GateRecord*> gates;      ///< worst first
+  std::optional<GateVerdict> verdict;        ///< the worst of its gates
+  std::vector<const Convergence*> curves;
+};
+
+/// A failing tile and the gate that found it.
+struct RankedTile {
+  const GateRecord* gate = nullptr;
+  const FailingTile* tile = nullptr;
 };
 
 /// Cells of one engine on one scene that ended in the same way for the same reason.
@@ -47,14 +56,28 @@ struct View {
   std::vector<SceneView> scenes;
   std::vector<MetricParameters> parameters;  ///< those that hold for every number of the page
   std::vector<Failure> failures;             ///< all cells that are not ok, references included, in the page's order
+  std::vector<const GateRecord*> gates;      ///< of all scenes, worst first
+  std::vector<RankedTile> tiles;             ///< of all gates, largest score first
+  std::vector<const ChangeRecord*> changes;  ///< regressions first
 };
 
 /// The view points into `results`, which must outlive it. Scenes and engines that only cells name are kept, after the
-/// listed ones: nothing measured is left out.
+/// listed ones: nothing measured is left out. Scenes whose gates fail come first, then those whose gates are
+/// inconclusive.
 View arrange(const Results& results);
 
 /// Metrics of equal parameters as one entry, named "a, b".
 std::vector<MetricParameters> merged(const std::vector<MetricParameters>& parameters);
+
+/// Whether there is anything to compare with: a finished cell or a stored image.
+bool has_reference(const SceneView& scene);
+/// "path, 4096 spp", "stored: path, 65536 samples", or "none".
+std::string reference_text(const SceneView& scene);
+/// The same with what it took or how exact it is.
+std::string reference_caption(const SceneView& scene);
+/// Its PNG and its EXR, relative to the results folder; empty when there is none.
+std::string reference_picture(const SceneView& scene);
+std::string reference_image(const SceneView& scene);
 
 /// The value of a metric, if the cell has it.
 std::optional<double> metric(const Result& result, const std::string& name);
@@ -73,5 +96,11 @@ std::string time_text(const std::string& created);
 
 /// "9 cells: 8 finished, 1 did not", over the whole record.
 std::string totals_text(const Results& results);
+
+/// "10 gates: 8 pass, 1 fails, 1 inconclusive"; empty when there are none.
+std::string verdicts_text(const std::vector<const GateRecord*>& gates);
+
+/// Index into View::engines of the engine of this name, which the record names somewhere.
+std::size_t engine_index(const View& view, const std::string& name);
 
 }  // namespace photonproof::reports

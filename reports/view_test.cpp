@@ -101,5 +101,48 @@ TEST(View, texts_read_well) {
   EXPECT_EQ(totals_text(sample_results()), "2 scenes, 2 engines, 6 cells: 5 finished, 1 did not");
 }
 
+TEST(View, scenes_gates_and_changes_come_worst_first) {
+  const Results results = sample_conclusions();
+  const View view = arrange(results);
+  ASSERT_EQ(view.scenes.size(), 2u);
+  EXPECT_EQ(view.scenes[0].record.name, "hole");  // second in the record, but its gate fails
+  EXPECT_EQ(view.scenes[0].verdict, GateVerdict::fail);
+  EXPECT_EQ(view.scenes[1].verdict, GateVerdict::inconclusive);  // one passes, one is not decided
+  EXPECT_EQ(view.scenes[1].gates[0]->name, "box-povray-ssim");
+  EXPECT_EQ(view.gates[0]->name, "hole-photon-agreement");
+  EXPECT_EQ(view.gates[2]->verdict, GateVerdict::pass);
+  EXPECT_EQ(view.changes[0]->change, Change::regression);
+  EXPECT_EQ(verdicts_text(view.gates), "3 gates: 1 passes, 1 fails, 1 inconclusive");
+}
+
+TEST(View, tiles_of_all_gates_are_ranked_by_score) {
+  Results results = sample_conclusions();
+  results.gates[2].tiles = {{0, 0, 1, 1, 9, "between the others"}};
+  const View view = arrange(results);
+  ASSERT_EQ(view.tiles.size(), 3u);
+  EXPECT_EQ(view.tiles[0].tile->score, 12.5);
+  EXPECT_EQ(view.tiles[1].gate->name, "box-povray-ssim");
+  EXPECT_EQ(view.tiles[2].tile->score, 7.25);
+}
+
+TEST(View, a_stored_reference_is_a_reference) {
+  const Results results = sample_conclusions();
+  const View view = arrange(results);
+  const SceneView& hole = view.scenes[0];
+  EXPECT_TRUE(has_reference(hole));
+  EXPECT_EQ(hole.reference_problem, "");
+  EXPECT_EQ(reference_caption(hole), "stored: path, 65536 spp, standard error 0.1 %");
+  EXPECT_EQ(reference_picture(hole), "hole-ref.png");
+}
+
+TEST(View, scenes_and_engines_that_only_a_gate_names_are_kept) {
+  Results results;
+  results.gates = sample_conclusions().gates;
+  const View view = arrange(results);
+  EXPECT_EQ(view.scenes.size(), 2u);
+  EXPECT_EQ(view.engines.size(), 2u);
+  EXPECT_TRUE(view.compared.empty());  // nothing was benchmarked
+}
+
 }  // namespace
 }  // namespace photonproof::reports

@@ -1,6 +1,7 @@
 #include "scenes/image.h"
 
 #include <OpenImageIO/imageio.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -49,14 +50,6 @@ float decode_srgb(float v) { return v <= 0.04045f ? v / 12.92f : std::pow((v + 0
 
 float encode_srgb(float v) { return v <= 0.0031308f ? v * 12.92f : 1.055f * std::pow(v, 1 / 2.4f) - 0.055f; }
 
-/// Adds rows to the end of an image: three of the interleaved channels of `rows`.
-void append(Image& image, const std::vector<float>& rows, int width, std::size_t stride, const Channels& channels) {
-  image.width = width;
-  image.height += static_cast<int>(rows.size() / stride / static_cast<std::size_t>(width));
-  for (std::size_t at = 0; at < rows.size(); at += stride)
-    for (const int c : channels) image.rgb.push_back(rows[at + static_cast<std::size_t>(c)]);
-}
-
 /// False for what describes the file rather than the rendering in it.
 bool is_metadata(const std::string& name) {
   return name.rfind("oiio:", 0) != 0 && name != "compression" && name != "DateTime";
@@ -65,9 +58,6 @@ bool is_metadata(const std::string& name) {
 void check_supported(const std::string& path, const OIIO::ImageSpec& spec) {
   if (spec.deep || spec.depth > 1) throw InputError(path, "is a deep or volume image, expected a flat one");
   if (spec.width <= 0 || spec.height <= 0) throw InputError(path, "image has no pixels");
-  if (static_cast<std::int64_t>(spec.width) * spec.height > kMaxPixels)
-    throw InputError(path, "image is " + std::to_string(spec.width) + "x" + std::to_string(spec.height) +
-                               ", the limit is 2^28 pixels");
   const bool samples_ok =
       spec.format.is_floating_point() || spec.format == OIIO::TypeUInt8 || spec.format == OIIO::TypeUInt16;
   if (!samples_ok)
@@ -93,10 +83,28 @@ void check_size(const std::string& path, const Image& image) {
   if (!whole) throw InputError(path, "cannot be written: the image has no pixels or too few for its size");
 }
 
-struct Decoded {
-  OIIO::ImageSpec spec;
-  Image colour;
-  std::optional<Image> variance;
+std::string size_text(const OIIO::ImageSpec& spec) {
+  return std::to_string(spec.width) + "x" + std::to_string(spec.height);
+}
+
+/// sRGB decoding of 8- and 16-bit samples, which take few values: each is worked out once.
+class SrgbDecoder {
+ public:
+  explicit SrgbDecoder(const OIIO::ImageSpec& spec)
+      : greatest_(spec.format == OIIO::TypeUInt8 ? 255.0f : 65535.0f),
+        known_(static_cast<std::size_t>(greatest_) + 1, {-1, 0}) {}
+  float operator()(float v) {
+    auto& [encoded, linear] = known_[static_cast<std::size_t>(v * greatest_ + 0.5f)];
+    if (encoded != v) {
+      encoded = v;
+      linear = decode_srgb(v);
+    }
+    return linear;
+  }
+
+ private:
+  float greatest_;
+  std::vector<std::pair<float, float>> known_;
 };
 
 /// Rows to read at once: few, so that a header cannot claim much more memory than its file has pixels for.
@@ -116,46 +124,139 @@ bool read_rows(OIIO::ImageInput& in, const OIIO::ImageSpec& spec, int begin, int
   return in.read_scanlines(0, 0, y, y_end, spec.z, 0, spec.nchannels, OIIO::TypeFloat, rows.data());
 }
 
-Decoded decode(const std::string& path) {
-  std::error_code ignored;
-  if (!std::filesystem::exists(path, ignored)) throw InputError(path, "no such file");
-  if (!std::filesystem::is_regular_file(path, ignored)) throw InputError(path, "not a regular file");
-  check_png(path);
-  OIIO::ImageSpec wanted;
-  wanted.attribute("oiio:UnassociatedAlpha", 1);  // alpha is ignored, so it must not have scaled the colour either
-  const std::unique_ptr<OIIO::ImageInput> in = OIIO::ImageInput::open(path, &wanted);
-  if (!in) throw InputError(path, "cannot be read as an image: " + first_line(OIIO::geterror()));
-  const OIIO::ImageSpec spec = in->spec();
-  check_supported(path, spec);
-  const auto colour = find_colour(spec);
-  if (!colour) throw InputError(path, "image has no colour: expected channels R, G, B or a single grey one");
+/// An open file whose rows are asked for in any order.
+class OpenImage {
+ public:
+  explicit OpenImage(const std::string& path) : path_(path) {
+    std::error_code ignored;
+    if (!std::filesystem::exists(path, ignored)) throw InputError(path, "no such file");
+    if (!std::filesystem::is_regular_file(path, ignored)) throw InputError(path, "not a regular file");
+    check_png(path);
+    OIIO::ImageSpec wanted;
+    wanted.attribute("oiio:UnassociatedAlpha", 1);  // alpha is ignored, so it must not have scaled the colour either
+    in_ = OIIO::ImageInput::open(path, &wanted);
+    if (!in_) throw InputError(path, "cannot be read as an image: " + first_line(OIIO::geterror()));
+    spec_ = in_->spec();
+    check_supported(path, spec_);
+    const auto found = find_colour(spec_);
+    if (!found) throw InputError(path, "image has no colour: expected channels R, G, B or a single grey one");
+    colour_ = *found;
+  }
+  const OIIO::ImageSpec& spec() const { return spec_; }
+  const Channels& colour() const { return colour_; }
 
+  /// Reads all channels together from now on, for a caller who wants more than the colour.
+  void read_whole_rows() { whole_rows_ = true; }
+
+  /// Three channels of rows [begin, end), interleaved.
+  void read(int begin, int end, const Channels& channels, float* rgb) {
+    const bool adjacent = channels[1] == channels[0] + 1 && channels[2] == channels[0] + 2;
+    if (spec_.tile_height == 0 && adjacent && !whole_rows_) {
+      if (!in_->read_scanlines(0, 0, spec_.y + begin, spec_.y + end, spec_.z, channels[0], channels[0] + 3,
+                               OIIO::TypeFloat, rgb))
+        throw InputError(path_, "cannot be read, truncated or damaged: " + first_line(in_->geterror()));
+      return;
+    }
+    const auto stride = static_cast<std::size_t>(spec_.nchannels);
+    const std::size_t row = static_cast<std::size_t>(spec_.width) * stride;
+    for (int y = begin; y < end;) {
+      load_group_of(y);
+      const int last = std::min(end, group_end_);
+      const float* at = group_.data() + static_cast<std::size_t>(y - group_begin_) * row;
+      for (const float* stop = at + static_cast<std::size_t>(last - y) * row; at < stop; at += stride)
+        for (const int c : channels) *rgb++ = at[c];
+      y = last;
+    }
+  }
+
+ private:
+  /// All channels of the rows that are best read together with row y.
+  void load_group_of(int y) {
+    if (y >= group_begin_ && y < group_end_) return;
+    const int rows = rows_at_once(spec_);
+    const int begin = y / rows * rows, end = std::min(spec_.height, begin + rows);
+    if (!read_rows(*in_, spec_, begin, end, group_))
+      throw InputError(path_, "cannot be read, truncated or damaged: " + first_line(in_->geterror()));
+    group_begin_ = begin;
+    group_end_ = end;
+  }
+
+  std::string path_;
+  std::unique_ptr<OIIO::ImageInput> in_;
+  OIIO::ImageSpec spec_;
+  Channels colour_{};
+  std::vector<float> group_;
+  int group_begin_ = 0, group_end_ = 0;
+  bool whole_rows_ = false;
+};
+
+struct Decoded {
+  OIIO::ImageSpec spec;
+  Image colour;
+  std::optional<Image> variance;
+};
+
+Decoded decode(const std::string& path) {
+  OpenImage file(path);
+  const OIIO::ImageSpec& spec = file.spec();
+  if (static_cast<std::int64_t>(spec.width) * spec.height > kMaxPixels)
+    throw InputError(path, "image is " + size_text(spec) + ", the limit is 2^28 pixels");
   Decoded decoded{spec, {}, {}};
   const auto variance = find_rgb(spec, "variance.");
-  if (variance) decoded.variance.emplace();
-  // Reserved memory that is never written to takes no page.
-  const std::size_t values = 3 * static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height);
-  decoded.colour.rgb.reserve(values);
-  if (variance) decoded.variance->rgb.reserve(values);
-  const auto stride = static_cast<std::size_t>(spec.nchannels);
-  std::vector<float> rows;
+  if (variance) {
+    decoded.variance.emplace();
+    file.read_whole_rows();
+  }
+  const std::size_t row = 3 * static_cast<std::size_t>(spec.width);
+  const auto append = [&](Image& image, int begin, int end, const Channels& channels) {
+    // Reserved memory that is never written to takes no page.
+    image.rgb.reserve(row * static_cast<std::size_t>(spec.height));
+    image.rgb.resize(row * static_cast<std::size_t>(end));
+    image.width = spec.width;
+    image.height = end;
+    file.read(begin, end, channels, image.rgb.data() + row * static_cast<std::size_t>(begin));
+  };
   for (int y = 0, end = 0; y < spec.height; y = end) {
     end = std::min(spec.height, y + rows_at_once(spec));
-    if (!read_rows(*in, spec, y, end, rows))
-      throw InputError(path, "cannot be read, truncated or damaged: " + first_line(in->geterror()));
-    append(decoded.colour, rows, spec.width, stride, *colour);
-    if (variance) append(*decoded.variance, rows, spec.width, stride, *variance);
+    append(decoded.colour, y, end, file.colour());
+    if (variance) append(*decoded.variance, y, end, *variance);
   }
   return decoded;
 }
 
 Image colour_of(Decoded&& decoded, bool raw) {
-  if (!raw && !decoded.spec.format.is_floating_point())
-    for (float& v : decoded.colour.rgb) v = decode_srgb(v);
+  if (!raw && !decoded.spec.format.is_floating_point()) {
+    SrgbDecoder linear(decoded.spec);
+    for (float& v : decoded.colour.rgb) v = linear(v);
+  }
   return std::move(decoded.colour);
 }
 
 }  // namespace
+
+struct ImageRows::State {
+  OpenImage file;
+  std::optional<SrgbDecoder> decoder;
+};
+
+ImageRows::ImageRows(const std::string& path) : state_(std::make_unique<State>(State{OpenImage(path), {}})) {
+  const OIIO::ImageSpec& spec = state_->file.spec();
+  constexpr std::int64_t kMaxWidth = std::int64_t{1} << 18, kMaxStreamed = (std::int64_t{1} << 32) - 1;
+  if (spec.width > kMaxWidth || std::int64_t{spec.width} * spec.height > kMaxStreamed)
+    throw InputError(path, "image is " + size_text(spec) + ", the limit is 2^18 columns and 2^32 pixels");
+  if (!spec.format.is_floating_point()) state_->decoder.emplace(spec);
+}
+ImageRows::~ImageRows() = default;
+ImageRows::ImageRows(ImageRows&&) noexcept = default;
+int ImageRows::width() const { return state_->file.spec().width; }
+int ImageRows::height() const { return state_->file.spec().height; }
+
+void ImageRows::read(int begin, int end, float* rgb) {
+  state_->file.read(begin, end, state_->file.colour(), rgb);
+  if (!state_->decoder) return;
+  const std::size_t values = 3 * static_cast<std::size_t>(width()) * static_cast<std::size_t>(end - begin);
+  for (std::size_t i = 0; i < values; ++i) rgb[i] = (*state_->decoder)(rgb[i]);
+}
 
 Rendering read_rendering(const std::string& path) {
   Decoded decoded = decode(path);
@@ -210,6 +311,47 @@ void write_exr(const std::string& path, const Rendering& rendering, ExrColour co
   replace_atomically(path, [&](const std::filesystem::path& temporary) {
     write_with("openexr", path, temporary.string(), spec, OIIO::TypeFloat, data.data());
   });
+}
+
+struct PngRows::State {
+  std::string path, temporary;
+  std::unique_ptr<OIIO::ImageOutput> out;
+  int rows = 0;
+
+  [[noreturn]] void fail() const { throw InputError(path, "cannot be written: " + first_line(out->geterror())); }
+  ~State() {
+    std::error_code ignored;
+    if (out) std::filesystem::remove(temporary, ignored);
+  }
+};
+
+PngRows::PngRows(const std::string& path, int width, int height) : state_(std::make_unique<State>()) {
+  const std::filesystem::path target(path);
+  state_->path = path;
+  state_->temporary =
+      (target.parent_path() / ("." + target.stem().string() + ".partial-" + std::to_string(getpid()) + "-rows.png"))
+          .string();
+  state_->out = OIIO::ImageOutput::create("png");
+  if (!state_->out) throw InputError(path, "cannot be written: " + first_line(OIIO::geterror()));
+  OIIO::ImageSpec spec(width, height, 3, OIIO::TypeUInt8);
+  spec.attribute("oiio:ColorSpace", "sRGB");
+  // Of large pictures the best compression would take longer than what they show.
+  if (std::int64_t{width} * height > (1 << 20)) spec.attribute("png:compressionLevel", 1);
+  if (!state_->out->open(state_->temporary, spec)) state_->fail();
+}
+PngRows::~PngRows() = default;
+PngRows::PngRows(PngRows&&) noexcept = default;
+
+void PngRows::add(int count, const std::uint8_t* rgb) {
+  if (!state_->out->write_scanlines(state_->rows, state_->rows + count, 0, OIIO::TypeUInt8, rgb)) state_->fail();
+  state_->rows += count;
+}
+
+void PngRows::finish() {
+  if (!state_->out->close()) state_->fail();
+  replace_atomically(state_->path,
+                     [&](const std::filesystem::path& named) { std::filesystem::rename(state_->temporary, named); });
+  state_->out.reset();
 }
 
 void write_png(const std::string& path, const Image& image, double exposure) {

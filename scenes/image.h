@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -38,6 +39,25 @@ struct Rendering {
 Rendering read_rendering(const std::string& path);
 inline Image read_image(const std::string& path) { return read_rendering(path).mean; }
 
+/// The same colours a few rows at a time, so that an image need not fit into memory: up to 2^18 columns and 2^32
+/// pixels.
+class ImageRows {
+ public:
+  /// Throws InputError as read_rendering does.
+  explicit ImageRows(const std::string& path);
+  ~ImageRows();
+  ImageRows(ImageRows&&) noexcept;
+  int width() const;
+  int height() const;
+  /// Rows [begin, end) to 3 * width * (end - begin) floats. Rows are quickest in ascending order. Throws InputError
+  /// when they cannot be read.
+  void read(int begin, int end, float* rgb);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
 /// The colour of such a file for use as a texture; `raw` takes 8- and 16-bit samples as numbers from 0 to 1 instead of
 /// decoding them. Throws InputError also when a value is negative or not finite.
 Image read_texture_image(const std::string& path, bool raw);
@@ -48,6 +68,23 @@ enum class ExrColour { single, half };
 /// 32-bit float EXR, channels R,G,B and variance.R,G,B; written beside the target and renamed, so that a file under
 /// the final name is always whole. Throws InputError when it cannot be written.
 void write_exr(const std::string& path, const Rendering& rendering, ExrColour colour = ExrColour::single);
+
+/// An 8-bit RGB PNG written a few rows at a time; without finish() there is no file.
+class PngRows {
+ public:
+  /// Throws InputError when it cannot be written.
+  PngRows(const std::string& path, int width, int height);
+  ~PngRows();
+  PngRows(PngRows&&) noexcept;
+  /// The next rows: 3 * width * count sRGB bytes.
+  void add(int count, const std::uint8_t* rgb);
+  /// After the last row: gives the file its name.
+  void finish();
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
 
 /// 8-bit sRGB PNG of 2^exposure * image, clamped to [0,1]; the same atomic rename.
 void write_png(const std::string& path, const Image& image, double exposure = 0);

@@ -3,7 +3,7 @@
 # What the program needs to be built and to run.
 build_packages="g++ cmake ninja-build pkg-config libembree-dev libopenimageio-dev libtbb-dev libpugixml-dev
   libtomlplusplus-dev nlohmann-json3-dev libvalijson-dev libcli11-dev libfmt-dev libboost-dev libkainjow-mustache-dev
-  gnuplot-nox povray"
+  zlib1g-dev povray"
 # What the tests need on top.
 check_packages="libgtest-dev libgmock-dev libboost-math-dev clang-format chromium shellcheck python3-yaml"
 

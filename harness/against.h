@@ -1,0 +1,54 @@
+// Is this program slower or more wrong than an older one? Times of two sessions differ by more than what is looked for,
+// whatever is done about it, so the old program is run again, next to the new one (paired_rounds.h). Where it is gone,
+// only the stored numbers are left (stored_changes.h), and they decide little.
+#pragma once
+
+#include <atomic>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "harness/paired_rounds.h"
+#include "harness/results.h"
+#include "harness/suite.h"
+
+namespace photonproof {
+
+struct AgainstOptions {
+  std::filesystem::path results;      ///< the older run's results.json
+  std::filesystem::path old_program;  ///< empty: the one that run recorded, where it is still there unchanged
+  double seconds = 120;               ///< of one comparison, at most
+  std::size_t most_rounds = 40;
+  ChangeThresholds thresholds = {};
+};
+
+/// The run that is compared.
+struct AgainstRun {
+  const Suite& suite;
+  const Results& now;  ///< holds the references' images
+  std::filesystem::path program;
+  std::filesystem::path folder;  ///< where results.json of `now` lies; rounds are rendered in a folder below it
+  int threads = 1;
+  std::string only;  ///< as BenchOptions
+  const std::atomic<bool>* interrupt = nullptr;
+  std::function<void(const ChangeRecord&)> heard;  ///< of each change as it is known; may be empty
+};
+
+/// For every scene and engine of both runs, at the largest of each kind of budget: a record of the processor time (but
+/// not where seconds are the budget) and one of relmse, where the scene has a reference. In rounds every image has a
+/// seed of its own, from the cell's seed up. Ends early, with what is known, when interrupted.
+std::vector<ChangeRecord> changes_against(const AgainstRun& run, const Results& old_run, const AgainstOptions& options);
+
+/// The older run; to be read before this one is written, which may be to the same file. Throws InputError when it, or
+/// the old program, cannot be read.
+Results read_old_run(const AgainstOptions& options);
+
+/// How a program is recognised: a hash of its file. Empty when it cannot be read.
+std::string program_hash(const std::filesystem::path& program);
+
+/// Under which names Results::versions records the program that {photonproof} stood for.
+inline constexpr const char* program_key = "program";
+inline constexpr const char* program_hash_key = "program_hash";
+
+}  // namespace photonproof

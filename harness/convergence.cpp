@@ -1,0 +1,240 @@
+#include "harness/convergence.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "harness/error_split.h"
+#include "harness/statistics.h"
+#include "scenes/image.h"
+#include "scenes/input_error.h"
+
+namespace photonproof {
+namespace {
+
+namespace fs = std::filesystem;
+
+// An error of which the reference's noise is more than this share is as much the reference's.
+constexpr double tolerated_reference_share = 0.1;
+
+// A curve of which less than this share of the time is rendering is one of the start-up.
+constexpr double least_rendering_share = 0.5;
+
+struct Reference {
+  Rendering rendering;
+  ReferenceVariance known = ReferenceVariance::upper_bound;
+  double relative_variance = 0;
+};
+
+std::optional<Rendering> read_if_there(const fs::path& file) {
+  try {
+    return read_rendering(file.string());
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+std::optional<Reference> reference_of(const Results& results, const SceneRecord& scene, const fs::path& folder) {
+  const Result* result = results.find(scene.reference_label);
+  const std::string file = scene.reference ? scene.reference->image : result != nullptr ? result->image : "";
+  if (file.empty()) return std::nullopt;
+  std::optional<Rendering> rendering = read_if_there(folder / file);
+  if (!rendering) return std::nullopt;
+  // A stored reference has its variance from independent batches.
+  Reference reference{std::move(*rendering),
+                      scene.reference ? ReferenceVariance::exact : ReferenceVariance::upper_bound};
+  if (reference.rendering.variance)
+    reference.relative_variance = relative_variance(reference.rendering.mean, *reference.rendering.variance);
+  return reference;
+}
+
+std::optional<double> relmse_of(const Result& result) {
+  for (const MetricValue& metric : result.metrics)
+    if (metric.name == "relmse") return metric.value;
+  return std::nullopt;
+}
+
+using Cells = std::vector<const Result*>;
+
+// Of the wall time, as the engine's phases tell it; empty where it tells none.
+std::optional<double> rendering_share(const Cells& cells) {
+  std::vector<double> shares;
+  for (const Result* cell : cells) {
+    double sum = 0;
+    for (const auto& [phase, seconds] : cell->phases)
+      if (phase != "load" && phase != "write") sum += seconds;
+    if (!cell->phases.empty() && cell->wall_seconds.value_or(0) > 0) shares.push_back(sum / *cell->wall_seconds);
+  }
+  return shares.empty() ? std::nullopt : std::optional(median_of(shares));
+}
+
+void add_error(const Cells& cells, const Reference* reference, const fs::path& folder, CurvePoint& point) {
+  std::vector<Image> images;
+  for (const Result* cell : cells) {
+    std::optional<Rendering> image = reference == nullptr ? std::nullopt : read_if_there(folder / cell->image);
+    if (image && image->mean.rgb.size() == reference->rendering.mean.rgb.size())
+      images.push_back(std::move(image->mean));
+  }
+  if (images.size() == cells.size()) {
+    const auto& variance = reference->rendering.variance;
+    ErrorSplit split =
+        split_error(reference->rendering.mean, variance ? &*variance : nullptr, images, reference->known);
+    point.relmse = split.relmse;
+    point.bias2 = split.bias2;
+    point.variance = split.variance;
+    return;
+  }
+  std::vector<double> errors;
+  for (const Result* cell : cells)
+    if (const auto error = relmse_of(*cell)) errors.push_back(*error);
+  if (errors.size() == cells.size()) point.relmse = estimated_mean(errors);
+}
+
+void add_point(const Budget& budget, const Cells& cells, const Reference* reference, const fs::path& folder,
+               Convergence& curve) {
+  CurvePoint point;
+  point.budget = budget;
+  point.seeds = static_cast<int>(cells.size());
+  std::vector<double> seconds;
+  for (const Result* cell : cells) seconds.push_back(cell->wall_seconds.value_or(0));
+  point.seconds = estimated_median(seconds);
+  add_error(cells, reference, folder, point);
+  for (const std::size_t i : outliers_of(seconds))
+    curve.caveats.push_back(fmt::format("{}: seed {} took {:.3g} s, the median {:.3g} s: an outlier", budget.label(),
+                                        cells[i]->cell.seed, seconds[i], point.seconds.value));
+  if (reference != nullptr && point.relmse &&
+      reference->relative_variance > tolerated_reference_share * point.relmse->value)
+    curve.caveats.push_back(fmt::format("{}: {:.0f} % of the error is the reference's own noise", budget.label(),
+                                        100 * reference->relative_variance / point.relmse->value));
+  curve.points.push_back(std::move(point));
+}
+
+bool is_reference(const Results& results, const Result& result) {
+  return std::any_of(results.scenes.begin(), results.scenes.end(),
+                     [&](const SceneRecord& scene) { return scene.reference_label == result.cell.label(); });
+}
+
+// Finished cells by budget, ascending, of one scene, engine and kind of budget.
+std::map<double, Cells> cells_by_amount(const Results& results, const Cell& like) {
+  std::map<double, Cells> cells;
+  for (const Result& result : results.results)
+    if (result.status == Status::ok && result.cell.scene == like.scene && result.cell.engine == like.engine &&
+        result.cell.budget.kind == like.budget.kind && !is_reference(results, result))
+      cells[result.cell.budget.amount].push_back(&result);
+  return cells;
+}
+
+// Of the largest budget concerned; the smaller ones are too.
+void add_start_up_caveat(const std::map<double, Cells>& cells, Convergence& curve) {
+  for (auto budget = cells.rbegin(); budget != cells.rend(); ++budget) {
+    const std::optional<double> share = rendering_share(budget->second);
+    if (!share || *share >= least_rendering_share) continue;
+    curve.caveats.push_back(fmt::format("up to {} most of the time is start-up (at that budget {:.0f} % is rendering)",
+                                        budget->second.front()->cell.budget.label(), 100 * *share));
+    return;
+  }
+}
+
+using Points = std::vector<std::pair<double, double>>;
+
+// With the error's interval, the times at which its lower and upper ends come down to the target, where both do.
+void add_time_to_target(const Points& points, const Points& low, const Points& high, Convergence& curve) {
+  const double target = *curve.target_relmse;
+  if (const auto seconds = time_to_error(points, target)) {
+    curve.seconds_to_target = Estimate{*seconds, {}};
+    const auto earliest = time_to_error(low, target), latest = time_to_error(high, target);
+    if (earliest && latest && low.size() == points.size())
+      curve.seconds_to_target->interval = Interval{std::min(*earliest, *latest), std::max(*earliest, *latest)};
+    return;
+  }
+  if (points.empty()) return;
+  const auto least =
+      std::min_element(points.begin(), points.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  curve.caveats.push_back(
+      least->second > target
+          ? fmt::format("the target relmse of {:.3g} is below every budget's; nothing is extrapolated", target)
+          : fmt::format("the target relmse of {:.3g} is reached by the smallest budget; nothing is extrapolated",
+                        target));
+}
+
+// Relative half-widths add in quadrature on the logarithm.
+Estimate efficiency_of(const Estimate& relmse, const Estimate& seconds) {
+  Estimate efficiency{1 / (relmse.value * seconds.value), {}};
+  if (!relmse.interval || relmse.interval->low <= 0) return efficiency;
+  const auto up = [](const Estimate& e) { return e.interval ? std::log(e.interval->high / e.value) : 0; };
+  const auto down = [](const Estimate& e) { return e.interval ? std::log(e.value / e.interval->low) : 0; };
+  efficiency.interval = Interval{efficiency.value * std::exp(-std::hypot(up(relmse), up(seconds))),
+                                 efficiency.value * std::exp(std::hypot(down(relmse), down(seconds)))};
+  return efficiency;
+}
+
+}  // namespace
+
+std::optional<double> time_to_error(const Points& points, double target) {
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const auto& [t0, e0] = points[i - 1];
+    const auto& [t1, e1] = points[i];
+    if (e0 < target || e1 > target) continue;
+    if (e0 == e1) return t0;
+    const double part = std::log(e0 / target) / std::log(e0 / e1);
+    return t0 * std::pow(t1 / t0, part);
+  }
+  return std::nullopt;
+}
+
+void conclude(Convergence& curve) {
+  Points points, low, high;
+  std::vector<double> log_seconds, log_relmse;
+  for (const CurvePoint& point : curve.points) {
+    if (!point.relmse || point.relmse->value <= 0 || point.seconds.value <= 0) continue;
+    const double seconds = point.seconds.value;
+    points.emplace_back(seconds, point.relmse->value);
+    if (point.relmse->interval) {
+      low.emplace_back(seconds, point.relmse->interval->low);
+      high.emplace_back(seconds, point.relmse->interval->high);
+    }
+    log_seconds.push_back(std::log(seconds));
+    log_relmse.push_back(std::log(point.relmse->value));
+  }
+  for (Points* list : {&points, &low, &high}) std::sort(list->begin(), list->end());
+  if (const auto fit = fit_line(log_seconds, log_relmse)) curve.slope = Estimate{fit->slope, fit->slope_interval};
+  if (!curve.points.empty()) {
+    const CurvePoint& last = curve.points.back();
+    if (last.relmse && last.relmse->value > 0 && last.seconds.value > 0)
+      curve.efficiency = efficiency_of(*last.relmse, last.seconds);
+  }
+  if (curve.target_relmse) add_time_to_target(points, low, high, curve);
+  const auto few = [](const CurvePoint& point) { return point.seeds < 2; };
+  if (std::any_of(curve.points.begin(), curve.points.end(), few))
+    curve.caveats.push_back("one seed: neither spread nor bias is known");
+}
+
+std::vector<Convergence> convergence_of(const Results& results, const fs::path& folder,
+                                        const std::map<std::string, double>& target_relmse) {
+  std::vector<Convergence> curves;
+  for (const SceneRecord& scene : results.scenes) {
+    const std::optional<Reference> reference = reference_of(results, scene, folder);
+    std::vector<std::string> seen;
+    for (const Result& result : results.results) {
+      const std::string group = result.cell.engine + "\n" + result.cell.budget.kind;
+      if (result.cell.scene != scene.name || std::find(seen.begin(), seen.end(), group) != seen.end()) continue;
+      const std::map<double, Cells> cells = cells_by_amount(results, result.cell);
+      if (cells.empty()) continue;
+      seen.push_back(group);
+      Convergence curve;
+      curve.scene = scene.name;
+      curve.engine = result.cell.engine;
+      if (const auto target = target_relmse.find(scene.name); target != target_relmse.end())
+        curve.target_relmse = target->second;
+      for (const auto& [amount, seeds] : cells)
+        add_point(seeds.front()->cell.budget, seeds, reference ? &*reference : nullptr, folder, curve);
+      add_start_up_caveat(cells, curve);
+      conclude(curve);
+      curves.push_back(std::move(curve));
+    }
+  }
+  return curves;
+}
+
+}  // namespace photonproof

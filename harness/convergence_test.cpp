@@ -1,0 +1,139 @@
+#include "harness/convergence.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "harness/test_folder.h"
+#include "scenes/image.h"
+
+namespace photonproof {
+namespace {
+
+CurvePoint point(double spp, double seconds, double relmse) {
+  CurvePoint p;
+  p.budget = {"spp", spp};
+  p.seeds = 2;
+  p.seconds.value = seconds;
+  p.relmse = Estimate{relmse, Interval{relmse / 1.1, relmse * 1.1}};
+  return p;
+}
+
+// relmse = 0.02 / seconds: slope -1 exactly, efficiency 1 / 0.02 everywhere.
+Convergence exact_curve() {
+  Convergence curve;
+  for (const double seconds : {1.0, 2.0, 4.0, 8.0}) curve.points.push_back(point(seconds, seconds, 0.02 / seconds));
+  return curve;
+}
+
+TEST(Convergence, error_that_halves_with_twice_the_time_has_slope_minus_one) {
+  Convergence curve = exact_curve();
+  conclude(curve);
+  EXPECT_NEAR(curve.slope->value, -1, 1e-12);
+  EXPECT_NEAR(curve.slope->interval->low, -1, 1e-6);
+  EXPECT_NEAR(curve.efficiency->value, 50, 1e-9);
+  EXPECT_NEAR(curve.efficiency->interval->low, 50 / 1.1, 1e-9);
+  EXPECT_NEAR(curve.efficiency->interval->high, 50 * 1.1, 1e-9);
+}
+
+// 0.02 / t = 0.008 at t = 2.5; the interval's ends (10 % up and down) at 2.5 / 1.1 and 2.5 * 1.1.
+TEST(Convergence, time_to_target_is_interpolated_in_logarithms) {
+  Convergence curve = exact_curve();
+  curve.target_relmse = 0.008;
+  conclude(curve);
+  EXPECT_NEAR(curve.seconds_to_target->value, 2.5, 1e-9);
+  EXPECT_NEAR(curve.seconds_to_target->interval->low, 2.5 / 1.1, 1e-9);
+  EXPECT_NEAR(curve.seconds_to_target->interval->high, 2.5 * 1.1, 1e-9);
+}
+
+TEST(Convergence, target_outside_what_was_measured_is_never_extrapolated) {
+  for (const double target : {0.1, 0.0001}) {
+    Convergence curve = exact_curve();
+    curve.target_relmse = target;
+    conclude(curve);
+    EXPECT_FALSE(curve.seconds_to_target);
+    ASSERT_EQ(curve.caveats.size(), 1u);
+    EXPECT_NE(curve.caveats[0].find("nothing is extrapolated"), std::string::npos);
+  }
+  EXPECT_EQ(time_to_error({{1, 0.02}, {2, 0.01}}, 0.02), 1);
+  EXPECT_EQ(time_to_error({{1, 0.02}, {2, 0.01}}, 0.01), 2);
+}
+
+// A results folder with a black reference of no variance and cells of constant error.
+class ConvergenceOfImages : public FolderTest {
+ protected:
+  void SetUp() override {
+    FolderTest::SetUp();
+    results_.scenes.push_back({"s", "s.xml", "", 16, 16, 0, "s/ref/spp=1000/seed=0", {}});
+    add({"s", "ref", {"spp", 1000}, 0}, 0, 1);
+  }
+  // Red, green and blue are `value` everywhere: against black, relmse = value^2 / 0.01.
+  void add(const Cell& cell, float value, double seconds) {
+    Rendering rendering;
+    rendering.mean = Image(16, 16);
+    for (float& v : rendering.mean.rgb) v = value;
+    Result result;
+    result.cell = cell;
+    result.image = std::to_string(results_.results.size()) + ".exr";
+    result.wall_seconds = seconds;
+    write_exr((folder_ / result.image).string(), rendering);
+    results_.results.push_back(result);
+  }
+  Results results_;
+};
+
+TEST_F(ConvergenceOfImages, cells_become_curves_by_engine_and_kind_of_budget) {
+  add({"s", "path", {"spp", 16}, 1}, 0.01f, 4);
+  add({"s", "path", {"spp", 4}, 1}, 0.02f, 1);
+  add({"s", "path", {"spp", 4}, 2}, 0.04f, 3);
+  add({"s", "path", {"seconds", 2}, 1}, 0.02f, 2);
+  add({"s", "other", {"spp", 4}, 1}, 0.02f, 1);
+  const std::vector<Convergence> curves = convergence_of(results_, folder_, {{"s", 0.05}});
+  ASSERT_EQ(curves.size(), 3u);
+  EXPECT_EQ(curves[0].engine, "path");
+  ASSERT_EQ(curves[0].points.size(), 2u);
+  const CurvePoint& four = curves[0].points[0];
+  EXPECT_EQ(four.budget, (Budget{"spp", 4}));
+  EXPECT_EQ(four.seeds, 2);
+  EXPECT_NEAR(four.relmse->value, (0.04 + 0.16) / 2, 1e-7);
+  EXPECT_EQ(four.seconds.value, 2);
+  // Sample variance of 0.02 and 0.04 is 0.0002, relative to 0.01: 0.02; the rest of 0.1 is bias2.
+  EXPECT_NEAR(four.variance->value, 0.02, 1e-7);
+  EXPECT_NEAR(four.bias2->value, 0.08, 1e-7);
+  EXPECT_FALSE(curves[0].points[1].bias2);
+  EXPECT_EQ(curves[0].target_relmse, 0.05);
+  // From 0.1 at 2 s to 0.01 at 4 s: 0.05 after log 2 / log 10 of the way.
+  EXPECT_NEAR(curves[0].seconds_to_target->value, 2 * std::pow(2.0, std::log10(2.0)), 1e-6);
+  EXPECT_EQ(curves[1].points[0].budget.kind, "seconds");
+  EXPECT_EQ(curves[2].engine, "other");
+}
+
+TEST_F(ConvergenceOfImages, lost_image_leaves_the_recorded_metric) {
+  add({"s", "path", {"spp", 4}, 1}, 0.02f, 1);
+  results_.results.back().image = "gone.exr";
+  results_.results.back().metrics = {{"relmse", 0.04, ""}};
+  EXPECT_EQ(convergence_of(results_, folder_, {})[0].points[0].relmse, (Estimate{0.04, {}}));
+}
+
+// Rendering takes 0.1 of 1 s, 0.4 of 1 s and 3.9 of 4 s.
+TEST_F(ConvergenceOfImages, budgets_that_are_mostly_start_up_are_named) {
+  add({"s", "path", {"spp", 1}, 1}, 0.02f, 1);
+  results_.results.back().phases = {{"load", 0.5}, {"render", 0.1}};
+  add({"s", "path", {"spp", 4}, 1}, 0.02f, 1);
+  results_.results.back().phases = {{"load", 0.5}, {"render", 0.4}};
+  add({"s", "path", {"spp", 64}, 1}, 0.02f, 4);
+  results_.results.back().phases = {{"load", 0.1}, {"render", 3.9}};
+  EXPECT_EQ(convergence_of(results_, folder_, {})[0].caveats,
+            (std::vector<std::string>{"up to spp=4 most of the time is start-up (at that budget 40 % is rendering)",
+                                      "one seed: neither spread nor bias is known"}));
+}
+
+TEST_F(ConvergenceOfImages, slow_seed_is_named_as_an_outlier) {
+  for (std::uint64_t seed = 0; seed < 6; ++seed)
+    add({"s", "path", {"spp", 4}, seed}, 0.02f, seed == 4 ? 3 : 1 + 0.02 * static_cast<double>(seed));
+  EXPECT_EQ(convergence_of(results_, folder_, {})[0].caveats,
+            std::vector<std::string>{"spp=4: seed 4 took 3 s, the median 1.05 s: an outlier"});
+}
+
+}  // namespace
+}  // namespace photonproof

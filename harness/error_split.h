@@ -1,0 +1,36 @@
+// Error of a few images of one budget, split into what averages out over seeds and what does not: relmse, variance and
+// squared bias, each relative as relmse is.
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "harness/results.h"
+#include "scenes/image.h"
+
+namespace photonproof {
+
+struct ErrorSplit {
+  Estimate relmse;                   ///< mean over the images; an interval from two images on
+  std::optional<Estimate> bias2;     ///< from two images on
+  std::optional<Estimate> variance;  ///< of one image; from two images on
+};
+
+/// With images x_k, reference r and weights w = 1/(r^2 + 0.01), means over all channel values:
+///   relmse    mean w (x_k - r)^2, over k as well
+///   variance  mean w s^2, s^2 the sample variance over k
+///   bias2     mean w ((m - r)^2 - s^2/K - v), m the mean image, v the reference's variance of the mean
+/// bias2 is unbiased, so that it is as often negative as positive where there is no bias. The intervals of bias2 and
+/// variance resample blocks of pixels (BCa), those of relmse come from the spread over images, block by block or as a
+/// whole, whichever is wider: noise that is correlated over more than a block is only seen by the latter.
+/// `reference_variance` may be null: then v = 0. Where v is only known not to be too small (a render estimates it as if
+/// its samples were independent, and those of a Sobol sequence do better), bias2's interval reaches up to where it
+/// would with v = 0. Precondition: images and reference have one size and are finite; there is at least one image.
+enum class ReferenceVariance { exact, upper_bound };
+ErrorSplit split_error(const Image& reference, const Image* reference_variance, std::span<const Image> images,
+                       ReferenceVariance known = ReferenceVariance::exact);
+
+/// Mean of w v: what the reference's own noise adds to every relmse.
+double relative_variance(const Image& reference, const Image& reference_variance);
+
+}  // namespace photonproof

@@ -1,0 +1,34 @@
+// Which of the compiled loops this processor runs.
+
+#include <vector>
+
+#include "harness/pixel_loops.h"
+
+namespace photonproof {
+
+#if defined(__x86_64__)
+extern const PixelLoops pixel_loops_v2, pixel_loops_v3, pixel_loops_v4;
+#else
+extern const PixelLoops pixel_loops_native;
+#endif
+
+const PixelLoops* const* available_pixel_loops() {
+  static const std::vector<const PixelLoops*> available = [] {
+    std::vector<const PixelLoops*> loops;
+#if defined(__x86_64__)
+    __builtin_cpu_init();
+    if (__builtin_cpu_supports("x86-64-v4")) loops.push_back(&pixel_loops_v4);
+    if (__builtin_cpu_supports("x86-64-v3")) loops.push_back(&pixel_loops_v3);
+    loops.push_back(&pixel_loops_v2);
+#else
+    loops.push_back(&pixel_loops_native);
+#endif
+    loops.push_back(nullptr);
+    return loops;
+  }();
+  return available.data();
+}
+
+const PixelLoops& pixel_loops() { return **available_pixel_loops(); }
+
+}  // namespace photonproof

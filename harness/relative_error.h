@@ -1,0 +1,19 @@
+// The relative squared error behind relmse, for what needs more than the metric's one number.
+#pragma once
+
+#include "scenes/image.h"
+
+namespace photonproof {
+
+/// The epsilon of relmse: errors are squared and divided by reference^2 + 0.01.
+inline constexpr double relmse_epsilon = 0.01;
+
+/// 1 / (reference^2 + epsilon) of one channel value.
+inline double relative_weight(float reference) {
+  return 1 / (static_cast<double>(reference) * static_cast<double>(reference) + relmse_epsilon);
+}
+
+/// The metric relmse. Precondition: images of one size, finite.
+double relative_mse(const Image& reference, const Image& test);
+
+}  // namespace photonproof

@@ -1,0 +1,62 @@
+// Where the rows of an image come from: memory or a file, the whole or a part of it.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "harness/metrics.h"
+#include "scenes/image.h"
+
+namespace photonproof {
+
+class RowSource {
+ public:
+  virtual ~RowSource() = default;
+  virtual int width() const = 0;
+  virtual int height() const = 0;
+  /// Rows [begin, end) as interleaved linear RGB. Quick for rows in ascending order; throws InputError when the file
+  /// cannot be read.
+  virtual void read(int begin, int end, float* rgb) = 0;
+};
+
+/// The image must outlive it.
+class ImageSource : public RowSource {
+ public:
+  explicit ImageSource(const Image& image) : image_(image) {}
+  int width() const override { return image_.width; }
+  int height() const override { return image_.height; }
+  void read(int begin, int end, float* rgb) override;
+
+ private:
+  const Image& image_;
+};
+
+/// Throws InputError as read_image does; an image of any size is never in memory as a whole.
+class FileSource : public RowSource {
+ public:
+  explicit FileSource(const std::string& path) : rows_(path) {}
+  int width() const override { return rows_.width(); }
+  int height() const override { return rows_.height(); }
+  void read(int begin, int end, float* rgb) override { rows_.read(begin, end, rgb); }
+
+ private:
+  ImageRows rows_;
+};
+
+/// A part of another source, which must outlive it.
+class RegionSource : public RowSource {
+ public:
+  /// Throws InputError, naming --region, when it is no part of the image.
+  RegionSource(RowSource& whole, const PixelRegion& region);
+  int width() const override { return region_.width; }
+  int height() const override { return region_.height; }
+  void read(int begin, int end, float* rgb) override;
+
+ private:
+  RowSource& whole_;
+  PixelRegion region_;
+  std::vector<float> rows_;
+};
+
+}  // namespace photonproof

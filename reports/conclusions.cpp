@@ -1,0 +1,85 @@
+#include "reports/conclusions.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "reports/numbers.h"
+#include "reports/view.h"
+
+namespace photonproof::reports {
+
+std::string estimate_text(const Estimate& estimate, int digits) {
+  std::string text = significant(estimate.value, digits);
+  if (estimate.interval) {
+    text += fmt::format(" [{}, {}]", significant(estimate.interval->low, digits),
+                        significant(estimate.interval->high, digits));
+  }
+  return text;
+}
+
+std::string estimate_text(const std::optional<Estimate>& estimate, int digits) {
+  return or_dash(estimate, [&](const Estimate& e) { return estimate_text(e, digits); });
+}
+
+PlainTable points_table(const std::vector<const Convergence*>& curves) {
+  PlainTable table{{"Engine", "Budget", "Seeds", "Median wall s", "relMSE", "bias²", "variance"}, {}};
+  for (const Convergence* curve : curves) {
+    for (const CurvePoint& point : curve->points) {
+      table.rows.push_back({curve->engine, budget_text(point.budget), std::to_string(point.seeds),
+                            estimate_text(point.seconds), estimate_text(point.relmse), estimate_text(point.bias2),
+                            estimate_text(point.variance)});
+    }
+  }
+  return table;
+}
+
+PlainTable slopes_table(const std::vector<const Convergence*>& curves) {
+  PlainTable table{{"Engine", "Slope", "Efficiency 1/s", "Target relMSE", "s to target"}, {}};
+  for (const Convergence* curve : curves) {
+    table.rows.push_back({curve->engine, estimate_text(curve->slope), estimate_text(curve->efficiency),
+                          or_dash(curve->target_relmse, [](double v) { return significant(v); }),
+                          estimate_text(curve->seconds_to_target)});
+  }
+  return table;
+}
+
+PlainTable gates_table(const std::vector<const GateRecord*>& gates) {
+  PlainTable table{{"Verdict", "Gate", "Engine", "Metric", "Observed", "Bound", "Samples", "Looks", "α", "s"}, {}};
+  for (const GateRecord* gate : gates) {
+    table.rows.push_back({to_string(gate->verdict), gate->name, gate->engine, gate->metric,
+                          estimate_text(gate->observed), or_dash(gate->bound, [](double v) { return significant(v); }),
+                          grouped(static_cast<double>(gate->samples)), std::to_string(gate->looks),
+                          significant(gate->alpha, 2), significant(gate->seconds)});
+  }
+  return table;
+}
+
+PlainTable changes_table(const std::vector<const ChangeRecord*>& changes) {
+  PlainTable table{{"Change", "Scene", "Engine", "Budget", "Of", "New / old", "A/A control", "In words"}, {}};
+  for (const ChangeRecord* change : changes) {
+    const auto interval = [](const Interval& i) {
+      return fmt::format("[{}, {}]", significant(i.low), significant(i.high));
+    };
+    table.rows.push_back({to_string(change->change), change->scene, change->engine, budget_text(change->budget),
+                          change->quantity, estimate_text(change->ratio), or_dash(change->control, interval),
+                          change->sentence});
+  }
+  return table;
+}
+
+std::vector<std::string> skips_texts(const std::vector<const Result*>& cells,
+                                     const std::vector<const GateRecord*>& gates) {
+  std::vector<std::string> texts;
+  const auto add = [&](const std::string& engine, const std::vector<std::string>& skips) {
+    for (const std::string& skip : skips) {
+      const std::string text = engine + ": " + skip;
+      if (std::ranges::find(texts, text) == texts.end()) texts.push_back(text);
+    }
+  };
+  for (const Result* cell : cells) add(cell->cell.engine, cell->skipped);
+  for (const GateRecord* gate : gates) add(gate->engine, gate->skipped);
+  return texts;
+}
+
+}  // namespace photonproof::reports

@@ -1,0 +1,38 @@
+// What the harness concluded (convergence, gates, changes) in words and cells, the same in every format.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "harness/results.h"
+
+namespace photonproof::reports {
+
+/// "0.0125 [0.0110, 0.0140]", or the number alone where no interval is known.
+std::string estimate_text(const Estimate& estimate, int digits = 3);
+/// The same, or the dash.
+std::string estimate_text(const std::optional<Estimate>& estimate, int digits = 3);
+
+/// A table's cells as text of the record, not escaped.
+struct PlainTable {
+  std::vector<std::string> header;
+  std::vector<std::vector<std::string>> rows;
+};
+
+/// Engine, budget, seeds, seconds, relMSE, bias², variance: a row a point.
+PlainTable points_table(const std::vector<const Convergence*>& curves);
+
+/// Engine, slope, efficiency, target, seconds to it: a row an engine.
+PlainTable slopes_table(const std::vector<const Convergence*>& curves);
+
+/// Verdict, gate, engine, metric, observed, bound, samples, looks, α, seconds: a row a gate.
+PlainTable gates_table(const std::vector<const GateRecord*>& gates);
+
+/// Change, scene, engine, budget, quantity, new / old, A/A control, sentence: a row a change.
+PlainTable changes_table(const std::vector<const ChangeRecord*>& changes);
+
+/// The passes an engine skipped and why, each once, over a scene's cells and gates: "path: stray photons: no glass".
+std::vector<std::string> skips_texts(const std::vector<const Result*>& cells,
+                                     const std::vector<const GateRecord*>& gates);
+
+}  // namespace photonproof::reports

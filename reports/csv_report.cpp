@@ -1,0 +1,124 @@
+// One number a row, so that a row means the same whatever is recorded, and a spreadsheet or data frame can pivot it:
+//   record    cell, curve, gate or change
+//   name      of a gate
+//   quantity  a metric, wall_seconds, relmse, observed, ratio ...
+//   value     in full; low and high are the ends of its 95 % interval, empty when none is known
+//   outcome   how a cell ended, a gate's verdict, a change's kind
+//   text      why, in a sentence
+// A cell that did not finish is one row without a value.
+#include <fmt/format.h>
+
+#include "reports/exchange_reports.h"
+#include "reports/text.h"
+#include "reports/view.h"
+#include "scenes/atomic_file.h"
+
+namespace photonproof {
+using namespace reports;
+
+namespace {
+
+/// Quoted where RFC 4180 demands it. A spreadsheet takes what begins like a formula for one: an apostrophe prevents it.
+std::string field(const std::string& text) {
+  std::string safe = printable(text);
+  if (!safe.empty() && std::string_view("=+-@").find(safe.front()) != std::string_view::npos) safe.insert(0, 1, '\'');
+  if (safe.find_first_of(",\"") == std::string::npos) return safe;
+  std::string quoted = "\"";
+  for (const char c : safe) quoted += c == '"' ? "\"\"" : std::string(1, c);
+  return quoted + '"';
+}
+
+struct Subject {
+  std::string record, name, scene, engine, budget_kind, budget, seed, outcome, text;
+};
+
+class Table {
+ public:
+  Table() : text_("record,name,scene,engine,budget_kind,budget,seed,quantity,value,low,high,outcome,text\r\n") {}
+
+  void add(const Subject& s, const std::string& quantity, const std::optional<Estimate>& estimate) {
+    const auto number = [](double value) { return fmt::format("{}", value); };
+    const bool bounded = estimate && estimate->interval;
+    std::string row;
+    for (const std::string& cell :
+         {field(s.record), field(s.name), field(s.scene), field(s.engine), field(s.budget_kind), s.budget, s.seed,
+          field(quantity), estimate ? number(estimate->value) : "", bounded ? number(estimate->interval->low) : "",
+          bounded ? number(estimate->interval->high) : "", field(s.outcome), field(s.text)}) {
+      row += (row.empty() ? "" : ",") + cell;
+    }
+    text_ += row + "\r\n";
+  }
+  void add_if(const Subject& subject, const std::string& quantity, const std::optional<Estimate>& estimate) {
+    if (estimate) add(subject, quantity, estimate);
+  }
+  const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+};
+
+template <class T>
+std::optional<Estimate> estimate(const std::optional<T>& value) {
+  return value ? std::optional(Estimate{static_cast<double>(*value), {}}) : std::nullopt;
+}
+
+void add_cell(Table& table, const Result& result) {
+  const Cell& cell = result.cell;
+  const Subject subject{"cell",
+                        "",
+                        cell.scene,
+                        cell.engine,
+                        cell.budget.kind,
+                        cell.budget.amount_text(),
+                        std::to_string(cell.seed),
+                        to_string(result.status),
+                        result.detail};
+  if (result.status != Status::ok) return table.add(subject, "", std::nullopt);
+  for (const MetricValue& metric : result.metrics) table.add(subject, metric.name, Estimate{metric.value, {}});
+  table.add_if(subject, "wall_seconds", estimate(result.wall_seconds));
+  table.add_if(subject, "cpu_seconds", estimate(result.cpu_seconds));
+  table.add_if(subject, "peak_bytes", estimate(result.peak_bytes));
+  table.add_if(subject, "instructions", estimate(result.instructions));
+}
+
+void add_curve(Table& table, const Convergence& curve) {
+  Subject subject{"curve", "", curve.scene, curve.engine, "", "", "", "", ""};
+  for (const CurvePoint& point : curve.points) {
+    subject.budget_kind = point.budget.kind;
+    subject.budget = point.budget.amount_text();
+    table.add(subject, "seconds", point.seconds);
+    table.add_if(subject, "relmse", point.relmse);
+    table.add_if(subject, "bias2", point.bias2);
+    table.add_if(subject, "variance", point.variance);
+  }
+  subject.budget_kind = subject.budget = "";
+  table.add_if(subject, "slope", curve.slope);
+  table.add_if(subject, "efficiency", curve.efficiency);
+  table.add_if(subject, "target_relmse", estimate(curve.target_relmse));
+  table.add_if(subject, "seconds_to_target", curve.seconds_to_target);
+}
+
+void add_gate(Table& table, const GateRecord& gate) {
+  const Subject subject{"gate", gate.name, gate.scene, gate.engine, "", "", "", to_string(gate.verdict), gate.sentence};
+  table.add(subject, gate.metric, gate.observed);
+  table.add_if(subject, "bound", estimate(gate.bound));
+  table.add(subject, "seconds", Estimate{gate.seconds, {}});
+  table.add(subject, "samples", Estimate{static_cast<double>(gate.samples), {}});
+}
+
+}  // namespace
+
+void write_csv_report(const Results& results, const std::filesystem::path&, const std::filesystem::path& out) {
+  Table table;
+  for (const Result& result : results.results) add_cell(table, result);
+  for (const Convergence& curve : results.convergence) add_curve(table, curve);
+  for (const GateRecord& gate : results.gates) add_gate(table, gate);
+  for (const ChangeRecord& change : results.changes) {
+    table.add({"change", "", change.scene, change.engine, change.budget.kind, change.budget.amount_text(), "",
+               to_string(change.change), change.sentence},
+              change.quantity + " ratio", change.ratio);
+  }
+  write_file_atomically(out, table.text());
+}
+
+}  // namespace photonproof

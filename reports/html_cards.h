@@ -1,0 +1,24 @@
+// The gallery of a scene: a card an image with its heat maps. It is what is printed, and all there is without
+// JavaScript.
+#pragma once
+
+#include <filesystem>
+#include <kainjow/mustache.hpp>
+#include <string>
+#include <vector>
+
+#include "reports/scene_images.h"
+
+namespace photonproof::reports {
+
+struct Gallery {
+  kainjow::mustache::data cards;  ///< a list, as scene_section.mustache has it
+  std::size_t bytes = 0;          ///< of the pictures, in base64
+  int longest_side = 0;           ///< pixels; pictures were reduced to it, 0 when none was
+};
+
+/// Pictures are reduced as far as is needed for all together to stay within `allowance` bytes.
+Gallery gallery(const View& view, const SceneView& scene, const std::vector<SceneImage>& images,
+                const std::filesystem::path& folder, const std::string& scene_id, std::size_t allowance);
+
+}  // namespace photonproof::reports

@@ -1,0 +1,31 @@
+// The harness's conclusions as the page templates name them.
+#pragma once
+
+#include <kainjow/mustache.hpp>
+#include <string>
+#include <vector>
+
+#include "reports/conclusions.h"
+#include "reports/view.h"
+
+namespace photonproof::reports {
+
+/// {verdict, class, symbol}: a chip that is not told by its colour alone.
+void set_verdict(kainjow::mustache::data& object, GateVerdict verdict);
+
+/// {has_table, header, rows: {cells: {text, number}}}: cells from `numbers_from` on are right-aligned.
+kainjow::mustache::data table_data(const PlainTable& table, std::size_t numbers_from);
+
+/// {has_gates, gate_header, gates}: each gate with its row and sentence, and with its command where that is wanted.
+void set_gates(kainjow::mustache::data& object, const std::vector<const GateRecord*>& gates, bool with_commands);
+
+/// {has_tiles, tiles}: all failing tiles, worst first, each with the scene and place that the viewer knows it by.
+void set_tiles(kainjow::mustache::data& page, const View& view);
+
+/// {has_changes, changes}.
+void set_changes(kainjow::mustache::data& page, const View& view);
+
+/// The id of a scene's section: "scene-1".
+std::string scene_id(const View& view, const std::string& scene);
+
+}  // namespace photonproof::reports

@@ -1,0 +1,126 @@
+#include "reports/pixel_data.h"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+
+#include "reports/reduced_image.h"
+#include "reports/results_file.h"
+#include "reports/text.h"
+#include "scenes/input_error.h"
+
+namespace photonproof::reports {
+namespace {
+
+constexpr int steps_an_octave = 256;
+constexpr int code_of_one = 20 * steps_an_octave + 1;  // 2^-20 has code 1
+constexpr int largest_code = code_of_one + 28 * steps_an_octave;
+constexpr std::int16_t code_of_infinity = 32766, code_of_nan = 32767;
+constexpr int largest_side = 4096;
+
+/// Small differences of either sign become small numbers.
+std::uint16_t folded(std::uint16_t difference) {
+  const auto value = static_cast<std::int16_t>(difference);
+  return static_cast<std::uint16_t>(value < 0 ? -2 * value - 1 : 2 * value);
+}
+
+std::string deflated(const std::string& bytes) {
+  uLongf size = compressBound(static_cast<uLong>(bytes.size()));
+  std::string out(size, '\0');
+  const int status =
+      compress2(reinterpret_cast<Bytef*>(out.data()), &size, reinterpret_cast<const Bytef*>(bytes.data()),
+                static_cast<uLong>(bytes.size()), Z_DEFAULT_COMPRESSION);
+  if (status != Z_OK) throw std::runtime_error("zlib cannot compress");
+  out.resize(size);
+  return out;
+}
+
+struct Loaded {
+  std::optional<Image> image;
+  bool from_picture = false;
+  std::string problem;
+};
+
+Loaded load(const std::filesystem::path& folder, const PixelSource& source, double exposure) {
+  const ResultsFile exact = results_file(folder, source.image), picture = results_file(folder, source.picture);
+  const bool from_picture = !exact.problem.empty();
+  const ResultsFile& file = from_picture ? picture : exact;
+  if (!file.problem.empty()) return {{}, false, source.image.empty() ? picture.problem : exact.problem};
+  try {
+    Image image = read_image(file.path.string());
+    if (image.width > largest_side || image.height > largest_side) return {{}, false, "it is too large to show"};
+    if (from_picture) {
+      const auto scale = static_cast<float>(std::exp2(-exposure));
+      for (float& value : image.rgb) value *= scale;
+    }
+    return {std::move(image), from_picture, {}};
+  } catch (const InputError&) {
+    return {{}, false, (from_picture ? source.picture : source.image) + " cannot be read"};
+  }
+}
+
+}  // namespace
+
+std::int16_t pixel_code(float value) {
+  if (std::isnan(value)) return code_of_nan;
+  if (std::isinf(value)) return value > 0 ? code_of_infinity : static_cast<std::int16_t>(-code_of_infinity);
+  if (value == 0) return 0;
+  const double code = std::round(steps_an_octave * std::log2(std::abs(static_cast<double>(value)))) + code_of_one;
+  if (code < 1) return 0;
+  const int clamped = static_cast<int>(std::min<double>(code, largest_code));
+  return static_cast<std::int16_t>(value < 0 ? -clamped : clamped);
+}
+
+std::string packed_pixels(const Image& image) {
+  const std::size_t pixels = image.pixels();
+  std::string planes(6 * pixels, '\0');
+  std::uint16_t left[3] = {0, 0, 0};
+  for (std::size_t i = 0; i < pixels; ++i) {
+    std::uint16_t code[3];
+    for (std::size_t c = 0; c < 3; ++c) code[c] = static_cast<std::uint16_t>(pixel_code(image.rgb[3 * i + c]));
+    const std::uint16_t values[3] = {code[1], static_cast<std::uint16_t>(code[0] - code[1]),
+                                     static_cast<std::uint16_t>(code[2] - code[1])};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint16_t stored = folded(static_cast<std::uint16_t>(values[k] - left[k]));
+      planes[2 * k * pixels + i] = static_cast<char>(stored & 0xFF);
+      planes[(2 * k + 1) * pixels + i] = static_cast<char>(stored >> 8);
+      left[k] = values[k];
+    }
+  }
+  return deflated(planes);
+}
+
+PixelDataSet pixel_data(const std::filesystem::path& folder, const std::vector<PixelSource>& sources, double exposure,
+                        std::size_t allowance) {
+  std::vector<Loaded> loaded;
+  int longest = 1;
+  for (const PixelSource& source : sources) {
+    loaded.push_back(load(folder, source, exposure));
+    if (const auto& image = loaded.back().image) longest = std::max({longest, image->width, image->height});
+  }
+  for (int factor = 1;;) {
+    PixelDataSet set;
+    set.reduced_by = factor;
+    std::size_t bytes = 0;
+    for (const Loaded& each : loaded) {
+      PixelData& data = set.images.emplace_back();
+      data.problem = each.problem;
+      if (!each.image) continue;
+      data.width = each.image->width;
+      data.height = each.image->height;
+      data.from_picture = each.from_picture;
+      data.base64 = base64(packed_pixels(factor == 1 ? *each.image : reduced_image(*each.image, factor)));
+      bytes += data.base64.size();
+    }
+    if (bytes <= allowance || factor >= longest) return set;
+    // Averages of k x k pixels hold less noise, but take more than half of bytes/k²: smaller factors are not tried.
+    const double excess = static_cast<double>(bytes) / static_cast<double>(allowance);
+    factor = factor == 1 ? std::max(2, static_cast<int>(std::sqrt(excess / 2))) : factor + 1;
+  }
+}
+
+}  // namespace photonproof::reports

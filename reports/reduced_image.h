@@ -1,0 +1,11 @@
+// Smaller copies of images, for pages with a limit on their size.
+#pragma once
+
+#include "scenes/image.h"
+
+namespace photonproof::reports {
+
+/// Averages blocks of factor x factor pixels; what is left over at the right and bottom edge joins smaller blocks.
+Image reduced_image(const Image& image, int factor);
+
+}  // namespace photonproof::reports

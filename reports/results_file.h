@@ -1,0 +1,17 @@
+// Files that results.json names. The names are not trusted: a report shows nothing from outside its folder.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace photonproof::reports {
+
+struct ResultsFile {
+  std::filesystem::path path;  ///< canonical; empty when there is a problem
+  std::string problem;         ///< one sentence, empty on success
+};
+
+/// `relative` inside `folder`; a name that is empty, missing, or leads out of the folder is a problem.
+ResultsFile results_file(const std::filesystem::path& folder, const std::string& relative);
+
+}  // namespace photonproof::reports

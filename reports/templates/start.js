@@ -1,0 +1,38 @@
+// The page works without any of this; each part is added to what is there.
+for (const table of document.querySelectorAll("table.sortable")) makeSortable(table);
+for (const figure of document.querySelectorAll("figure.plot")) makeHover(figure);
+
+const viewers = new Map();  // by the section's id, a promise of the viewer
+
+function viewerOf(id) {
+  const section = document.getElementById(id);
+  if (!section?.querySelector("script.viewer-data") || typeof DecompressionStream === "undefined") return null;
+  if (!viewers.has(id)) viewers.set(id, makeViewer(section));
+  return viewers.get(id);
+}
+
+// Pixels are unpacked when their scene comes near.
+const near = new IntersectionObserver((entries) => {
+  for (const entry of entries) {
+    if (!entry.isIntersecting) continue;
+    near.unobserve(entry.target);
+    viewerOf(entry.target.id);
+  }
+}, {rootMargin: "800px"});
+for (const section of document.querySelectorAll("section.scene")) near.observe(section);
+
+for (const toggle of document.querySelectorAll("button.gallery-toggle")) {
+  toggle.addEventListener("click", () => {
+    const open = toggle.closest("section").classList.toggle("shows-gallery");
+    toggle.setAttribute("aria-expanded", String(open));
+  });
+}
+
+for (const link of document.querySelectorAll("a[data-tile]")) {
+  link.addEventListener("click", async (event) => {
+    const viewer = viewerOf(link.getAttribute("href").slice(1));
+    if (!viewer) return;
+    event.preventDefault();
+    (await viewer).showTile(Number(link.dataset.tile));
+  });
+}
