@@ -21,7 +21,8 @@ struct Channel {
 
 Channel channel_of(const Rendering& reference, std::span<const Image* const> images, std::size_t c,
                    const Image* least_variance) {
-  Channel channel{static_cast<std::size_t>(reference.mean.width), static_cast<double>(images.size()), {}, {}, {}, {}, {}};
+  Channel channel{
+      static_cast<std::size_t>(reference.mean.width), static_cast<double>(images.size()), {}, {}, {}, {}, {}};
   for (std::size_t i = c; i < reference.mean.rgb.size(); i += 3) {
     double mean = 0, squares = 0, cubes = 0;
     for (const Image* image : images) mean += double{image->rgb[i]};
@@ -37,8 +38,10 @@ Channel channel_of(const Rendering& reference, std::span<const Image* const> ima
     channel.variance.push_back(variance);
     const double n = channel.images;
     channel.cubes.push_back(n > 2 ? cubes * n / ((n - 1) * (n - 2)) : 0);
-    channel.reference.push_back(double{reference.mean.rgb[i]});
-    channel.reference_variance.push_back(double{reference.variance->rgb[i]});
+    const double expected = double{reference.mean.rgb[i]};
+    channel.reference.push_back(expected);
+    channel.reference_variance.push_back(
+        std::max(double{reference.variance->rgb[i]}, std::pow(std::ldexp(expected, -11), 2)));
   }
   return channel;
 }
@@ -65,8 +68,8 @@ Deviation deviation(double mean, double reference, const Known& of_mean, const K
 }
 
 struct BlockSums {
-  double pixels = 0, noisy_pixels = 0, variance = 0, variance_squared = 0, variance_cubed = 0, skewed = 0, reference = 0, reference_variance = 0,
-         mean = 0;
+  double pixels = 0, noisy_pixels = 0, variance = 0, variance_squared = 0, variance_cubed = 0, skewed = 0,
+         reference = 0, reference_variance = 0, mean = 0;
 };
 
 class ChannelDeviations {
@@ -205,15 +208,13 @@ double Deviation::deviate() const { return std::copysign(normal_deviate(errors()
 double Deviation::margin(double tail) const { return t_quantile(tail, freedom) * standard_error; }
 
 Deviations measure_deviations(const Rendering& reference, double reference_freedom,
-                              std::span<const Image* const> images,
-                              const Image* least_variance) {
+                              std::span<const Image* const> images, const Image* least_variance) {
   Deviations out;
   out.width = reference.mean.width;
   out.height = reference.mean.height;
   out.images = images.size();
   out.places = blocks_of(out.width, out.height);
-  for (std::size_t c = 0; c < 3; ++c)
-    {
+  for (std::size_t c = 0; c < 3; ++c) {
     const Channel channel = channel_of(reference, images, c, least_variance);
     ChannelDeviations(channel, images, c, reference_freedom, out).measure();
   }

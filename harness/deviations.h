@@ -7,10 +7,14 @@
 //   independent, times the mean factor by which the blocks differ from that (light tracers and photon maps correlate
 //   pixels). How much these expectations are worth is measured, too, a block or a channel at a time.
 // - What is left of not knowing is in the degrees of freedom of Student's t.
-// - A pixel's mean of a few skewed images is skewed, and its upper tail longer than normal's: it is taken as that of the
+// - A pixel's mean of a few skewed images is skewed, and its upper tail longer than normal's: it is taken as that of
+// the
 //   Gamma distribution with the skewness that the block's pixels show together.
 // - The whole image's variance has no neighbours: it has the degrees of freedom of the images' number.
-// - Rounding counts as a deviation of 1e-5 of the value, so that pixels without noise compare as equal.
+// - A committed reference is rounded to half floats at random (reference/half_rounding.h). Its variance knows that, but
+//   a value that goes up once in a thousand is no normal one: each pixel of the reference is taken to be as uncertain
+//   as that rounding can make it, 2^-11 of its value.
+// - Rounding of sums counts as a deviation of 1e-5 of the value, so that pixels without noise compare as equal.
 #pragma once
 
 #include <array>
@@ -46,12 +50,12 @@ struct Deviations {
   std::array<Deviation, 3> whole;
 };
 
-/// The reference's variance has `reference_freedom` degrees of freedom. `least_variance`, where given, is known of each pixel of one image: no fewer than the images show counts. It helps
-/// where they are too few to have met rare bright samples that the reference has met.
-/// Preconditions: at least two images; equal sizes, finite values, a reference with variance.
+/// The reference's variance has `reference_freedom` degrees of freedom. `least_variance`, where given, is known of each
+/// pixel of one image: no fewer than the images show counts. It helps where they are too few to have met rare bright
+/// samples that the reference has met. Preconditions: at least two images; equal sizes, finite values, a reference with
+/// variance.
 Deviations measure_deviations(const Rendering& reference, double reference_freedom,
-                              std::span<const Image* const> images,
-                              const Image* least_variance = nullptr);
+                              std::span<const Image* const> images, const Image* least_variance = nullptr);
 
 /// The mean of the images, as a float image. Preconditions as above.
 Image mean_of(std::span<const Image* const> images);

@@ -51,19 +51,25 @@ std::optional<Accepted> accept_reference(const GateSuite& suite, const AcceptOpt
   if (trimmed(options.reason).empty())
     throw InputError("--reason", "say why the reference of '" + options.gate + "' is replaced");
   const Gate* gate = find_named(suite.gates, options.gate);
-  if (gate == nullptr)
-    throw InputError("--accept", "no gate '" + options.gate + "'; known: " + names_of(suite.gates));
+  if (gate == nullptr) throw InputError("--accept", "no gate '" + options.gate + "'; known: " + names_of(suite.gates));
   const SuiteScene& scene = suite.scene(gate->scene);
   const std::optional<StoredReference> old = committed(scene);
 
   const reports::TemporaryFolder scratch;
   const fs::path exr = scratch.path() / "reference.exr";
-  std::vector<std::string> argv{options.program.string(), "reference", scene.path.string(), "--size",
-                                fmt::format("{}x{}", scene.width, scene.height), "--fresh", "--quiet", "-o",
+  std::vector<std::string> argv{options.program.string(),
+                                "reference",
+                                scene.path.string(),
+                                "--size",
+                                fmt::format("{}x{}", scene.width, scene.height),
+                                "--fresh",
+                                "--quiet",
+                                "-o",
                                 exr.string()};
   if (options.standard_error || old)
-    argv.insert(argv.end(), {"--standard-error", fmt::format("{}", options.standard_error ? *options.standard_error
-                                                                                        : old->provenance.standard_error)});
+    argv.insert(argv.end(),
+                {"--standard-error",
+                 fmt::format("{}", options.standard_error ? *options.standard_error : old->provenance.standard_error)});
   const ProcessOutcome outcome = run_process(argv, {.interrupt = options.interrupt});
   if (outcome.end == ProcessOutcome::End::interrupted) return std::nullopt;
   if (!outcome.ok())
@@ -75,10 +81,9 @@ std::optional<Accepted> accept_reference(const GateSuite& suite, const AcceptOpt
 
   Accepted accepted;
   accepted.sentence = old ? difference(*old, fresh, exposure_of(scene)) : "there was no reference";
-  accepted.provenance =
-      commit_reference(scene.path, fresh.rendering, fresh.provenance,
-                       fmt::format("{} (accepted by {} for gate {}; {})", trimmed(options.reason), options.who,
-                                   gate->name, accepted.sentence));
+  accepted.provenance = commit_reference(scene.path, fresh.rendering, fresh.provenance,
+                                         fmt::format("{} (accepted by {} for gate {}; {})", trimmed(options.reason),
+                                                     options.who, gate->name, accepted.sentence));
   accepted.file = committed_reference_path(scene.path, scene.width, scene.height);
   return accepted;
 }

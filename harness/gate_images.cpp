@@ -65,8 +65,8 @@ ImageStream::ImageStream(const GateSuite& suite, const Gate& gate, StreamContent
       seed_(options.seed * seeds_of_a_run) {}
 
 const DrawnImage* ImageStream::failed() const {
-  const auto found = std::find_if(drawn_.begin(), drawn_.end(),
-                                  [](const auto& drawn) { return drawn->result.status != Status::ok; });
+  const auto found =
+      std::find_if(drawn_.begin(), drawn_.end(), [](const auto& drawn) { return drawn->result.status != Status::ok; });
   return found == drawn_.end() ? nullptr : found->get();
 }
 
@@ -101,8 +101,7 @@ std::unique_ptr<DrawnImage> ImageStream::draw_one(std::uint64_t seed) const {
   const Cell cell{scene_.name, engine_.name, budget_, seed};
   std::string engine_text;
   for (const std::string& argument : engine_.command) engine_text += std::to_string(argument.size()) + ":" + argument;
-  for (const std::string& argument : options_.further)
-    engine_text += std::to_string(argument.size()) + ":" + argument;
+  for (const std::string& argument : options_.further) engine_text += std::to_string(argument.size()) + ":" + argument;
   const std::string key = content_key({{"scene", content_.scene_hash},
                                        {"engine", engine_text},
                                        {"version", content_.engine_version},

@@ -1,5 +1,5 @@
-// The images that gates look at: an engine's, of one scene and budget, one independent image a seed. Each is a process of
-// its own; several run side by side. Gates on the same stream share its images.
+// The images that gates look at: an engine's, of one scene and budget, one independent image a seed. Each is a process
+// of its own; several run side by side. Gates on the same stream share its images.
 #pragma once
 
 #include <atomic>
@@ -22,14 +22,14 @@ struct DrawnImage {
 };
 
 struct DrawOptions {
-  std::filesystem::path program;     ///< this program, or a faulty one
-  std::filesystem::path folder;      ///< receives cells/ (cell_store.h); exists
-  std::uint64_t seed = 1;            ///< of the whole run: another one draws other images
+  std::filesystem::path program;       ///< this program, or a faulty one
+  std::filesystem::path folder;        ///< receives cells/ (cell_store.h); exists
+  std::uint64_t seed = 1;              ///< of the whole run: another one draws other images
   std::string fault{};                 ///< planted in `program`, which is photonproof-faulty (renderer/faults.h)
   std::vector<std::string> further{};  ///< arguments after the engine's own
-  int processes = 1;                 ///< side by side
-  bool resume = false;               ///< use what an earlier run left in `folder`
-  bool keep = true;                  ///< leave the images in `folder`
+  int processes = 1;                   ///< side by side
+  bool resume = false;                 ///< use what an earlier run left in `folder`
+  bool keep = true;                    ///< leave the images in `folder`
   const std::atomic<bool>* interrupt = nullptr;
 };
 

@@ -11,8 +11,8 @@ namespace photonproof {
 
 /// Something done to an engine's images, or to the engine.
 struct Variant {
-  std::string name;         ///< "2 % energy"
-  bool is_mutant = true;    ///< else a null
+  std::string name;       ///< "2 % energy"
+  bool is_mutant = true;  ///< else a null
   /// Done to the finished image; null where nothing is done to it.
   Image (*change)(const Image& image) = nullptr;
   std::string fault{};                 ///< planted in photonproof-faulty (renderer/faults.h); empty: the program itself

@@ -112,7 +112,8 @@ class Run {
     record.metric = gate.metric;
     record.bound = gate.bound;
     record.alpha = gate.alpha;
-    record.command = fmt::format("photonproof gate {} --only {} --seed {}", suite_.file.string(), gate.name, options_.seed);
+    record.command =
+        fmt::format("photonproof gate {} --only {} --seed {}", suite_.file.string(), gate.name, options_.seed);
     if (const auto& problem = versions_.at(gate.engine).problem) {
       record.verdict = GateVerdict::fail;
       record.sentence = *problem;

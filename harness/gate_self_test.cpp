@@ -49,8 +49,7 @@ class SelfTestRun {
       test_.alphas.push_back(gate.alpha);
       test_.seeds = std::max(test_.seeds, gate.seeds);
     }
-    if (gates_.empty())
-      throw InputError("--only", "no gate of the suite has '" + options.gates.only + "' in its name");
+    if (gates_.empty()) throw InputError("--only", "no gate of the suite has '" + options.gates.only + "' in its name");
     test_.counts.assign(test_.variants.size(), std::vector<VerdictCounts>(gates_.size()));
     test_.any.resize(test_.variants.size());
     for (const Variant& variant : test_.variants)
@@ -72,13 +71,12 @@ class SelfTestRun {
 
  private:
   void say(std::size_t done, std::size_t total, double part, const std::string& what) const {
-    if (options_.progress)
-      options_.progress((static_cast<double>(done) + part) / static_cast<double>(total), what);
+    if (options_.progress) options_.progress((static_cast<double>(done) + part) / static_cast<double>(total), what);
   }
 
   void run_stream(const std::string& label, std::size_t done, std::size_t total) {
-    const Gate& first = **std::find_if(gates_.begin(), gates_.end(),
-                                       [&](const Gate* gate) { return stream_label(*gate) == label; });
+    const Gate& first =
+        **std::find_if(gates_.begin(), gates_.end(), [&](const Gate* gate) { return stream_label(*gate) == label; });
     const SuiteScene& scene = suite_.scene(first.scene);
     const StoredReference reference = load_reference(scene.path, scene.width, scene.height);
     const double exposure = exposure_of(scene);

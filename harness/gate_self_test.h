@@ -19,11 +19,11 @@
 namespace photonproof {
 
 struct SelfTestOptions {
-  GateOptions gates;              ///< `resume` uses images that an earlier self-test left
-  std::filesystem::path faulty;   ///< the program with faults
-  int runs = 100;                 ///< a mutant; the null "other seeds" takes five times as many
-  int pool = 64;                  ///< images of a healthy stream
-  int other_pool = 16;            ///< of each variant that needs images of its own
+  GateOptions gates;             ///< `resume` uses images that an earlier self-test left
+  std::filesystem::path faulty;  ///< the program with faults
+  int runs = 100;                ///< a mutant; the null "other seeds" takes five times as many
+  int pool = 64;                 ///< images of a healthy stream
+  int other_pool = 16;           ///< of each variant that needs images of its own
   std::function<void(double fraction, const std::string& what)> progress{};
 };
 

@@ -72,9 +72,9 @@ std::string self_test_table(const GateSuite& suite, const SelfTest& test, const 
     text += "| " + test.gates[g] + " |";
     for (std::size_t v = 0; v < test.variants.size(); ++v) text += " " + percent(test.counts[v][g]) + " |";
     const VerdictCounts nulls = nulls_of(test, g);
-    text += fmt::format(" {:.3g} | {} of {}, {}{} |\n",
-                        nulls.runs > 0 ? 100.0 * nulls.inconclusive / nulls.runs : 0.0, nulls.fail, nulls.runs,
-                        most_alarms(nulls.runs, test.alphas[g]), too_many_alarms(test, g) ? " **too many**" : "");
+    text += fmt::format(" {:.3g} | {} of {}, {}{} |\n", nulls.runs > 0 ? 100.0 * nulls.inconclusive / nulls.runs : 0.0,
+                        nulls.fail, nulls.runs, most_alarms(nulls.runs, test.alphas[g]),
+                        too_many_alarms(test, g) ? " **too many**" : "");
   }
   text += "| **at least one gate** |";
   for (const VerdictCounts& any : test.any) text += " **" + percent(any) + "** |";
@@ -83,8 +83,9 @@ std::string self_test_table(const GateSuite& suite, const SelfTest& test, const 
     if (test.variants[v].is_mutant && !is_found(test.any[v]))
       text += fmt::format("Not found in 99 of 100 runs: {}.\n", test.variants[v].name);
   if (self_test_passes(test))
-    text += "Every mutant is found in at least 99 of 100 runs, and no gate has more false alarms than its alpha "
-            "explains (95 %).\n";
+    text +=
+        "Every mutant is found in at least 99 of 100 runs, and no gate has more false alarms than its alpha "
+        "explains (95 %).\n";
   return text;
 }
 

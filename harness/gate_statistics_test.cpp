@@ -50,8 +50,8 @@ std::vector<Setting> settings() {
        [](Random& random, int x, int y, int c) {
          const double base = expected(x, y, c) * std::gamma_distribution<double>(16, 1.0 / 16)(random);
          if ((x + 5 * y) % 7 != 0) return static_cast<float>(base);
-         return static_cast<float>(base / 2 + expected(x, y, c) / 2 * 20 *
-                                                  std::binomial_distribution<int>(16, 0.05)(random) / 16);
+         return static_cast<float>(base / 2 +
+                                   expected(x, y, c) / 2 * 20 * std::binomial_distribution<int>(16, 0.05)(random) / 16);
        }},
   };
 }
@@ -75,17 +75,14 @@ Rendering reference_of(Random& random, const Noise& noise, int images) {
   Rendering reference{mean_of(pointers), Image(width, height), {}};
   for (std::size_t i = 0; i < reference.mean.rgb.size(); ++i) {
     double squares = 0;
-    for (const Image& image : drawn)
-      squares += std::pow(double{image.rgb[i]} - double{reference.mean.rgb[i]}, 2);
+    for (const Image& image : drawn) squares += std::pow(double{image.rgb[i]} - double{reference.mean.rgb[i]}, 2);
     reference.variance->rgb[i] = static_cast<float>(squares / (images - 1.0) / images);
   }
   return reference;
 }
 
 /// The most false alarms in `runs` that a rate of alpha makes with probability 0.95.
-double most_alarms(int runs, double alpha) {
-  return boost::math::quantile(boost::math::binomial(runs, alpha), 0.95);
-}
+double most_alarms(int runs, double alpha) { return boost::math::quantile(boost::math::binomial(runs, alpha), 0.95); }
 
 /// A gate's looks at 8, 16 ... images; empty: none of them decided.
 std::optional<GateVerdict> sequential(Random& random, const Noise& noise, int looks,
@@ -103,8 +100,8 @@ std::optional<GateVerdict> sequential(Random& random, const Noise& noise, int lo
 TEST(gate_statistics, agreement_holds_its_false_alarm_rate_over_all_looks) {
   constexpr int runs = 2000, looks = 2;
   constexpr double alpha = 0.05;
-  // Bounds of 1e-9 are never reached, so that every run takes all its looks. The reference's 2000 images have a 125th of
-  // the variance of the most that a run draws.
+  // Bounds of 1e-9 are never reached, so that every run takes all its looks. The reference's 2000 images have a 125th
+  // of the variance of the most that a run draws.
   for (const Setting& setting : settings()) {
     Random random(7);
     const Rendering reference = reference_of(random, setting.noise, 2000);
@@ -278,6 +275,24 @@ TEST(gate_statistics, metrics_hold_their_false_alarm_rate_on_skewed_values) {
       ++failed;
   }
   EXPECT_LE(failed, most_alarms(runs, alpha));
+}
+
+TEST(gate_statistics, a_reference_in_half_floats_alarms_no_image_without_noise) {
+  // The truth is a little above a half float: one pixel in a hundred of the reference is rounded up, by 2^-10, and says
+  // that its variance is the rounding's, (x - a)(b - x), a hundred times less than the square of its deviation.
+  Random random(17);
+  const double a = 1, b = 1 + std::ldexp(1.0, -10), x = a + 0.01 * (b - a);
+  Image exact(width, height);
+  std::fill(exact.rgb.begin(), exact.rgb.end(), static_cast<float>(x));
+  const std::vector<const Image*> images(8, &exact);
+  for (int run = 0; run < 200; ++run) {
+    Rendering reference{Image(width, height), Image(width, height), {}};
+    for (float& value : reference.mean.rgb)
+      value = static_cast<float>(std::uniform_real_distribution<double>()(random) < 0.01 ? b : a);
+    std::fill(reference.variance->rgb.begin(), reference.variance->rgb.end(), static_cast<float>((x - a) * (b - x)));
+    EXPECT_NE(judge_agreement(measure_deviations(reference, 31, images), {0.01, 0.05}, 0.05).verdict,
+              GateVerdict::fail);
+  }
 }
 
 TEST(gate_statistics, expectations_are_worth_what_the_spread_of_variances_shows) {

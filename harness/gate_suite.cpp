@@ -62,8 +62,7 @@ Gate gate_from_toml(const TomlTable& table, const GateSuite& suite, const Gate& 
       gate.metric == agreement_metric || gate.metric == bias_metric || gate.metric == block_bias_metric;
   gate.bound = relative ? positive(table, "bound", 1) : table.number("bound");
   if (gate.metric == agreement_metric)
-    gate.block_bound =
-        table.has("block_bound") ? positive(table, "block_bound", 10) : block_over_whole * gate.bound;
+    gate.block_bound = table.has("block_bound") ? positive(table, "block_bound", 10) : block_over_whole * gate.bound;
   gate.name = table.has("name") ? table.string("name") : gate.scene + "/" + gate.engine + "/" + gate.metric;
   if (find_named(suite.gates, gate.name) != nullptr)
     throw table.error("there is a gate '" + gate.name + "' already; give this one a 'name'");
@@ -98,8 +97,7 @@ GateSuite read_gate_suite(const std::filesystem::path& file) {
     suite.scenes.push_back(scene_row(table, suite.folder, suite.scenes));
     table.expect_no_other_keys();
   }
-  for (const TomlTable& table : document.tables("gate"))
-    suite.gates.push_back(gate_from_toml(table, suite, defaults));
+  for (const TomlTable& table : document.tables("gate")) suite.gates.push_back(gate_from_toml(table, suite, defaults));
   document.expect_no_other_keys();
   if (suite.gates.empty()) throw document.error("the suite has no [[gate]]");
   return suite;

@@ -18,7 +18,8 @@
 //               `bound` of the whole image or `block_bound` of a block of 8 x 8 pixels would have shown
 //   bias        the whole image's mean, in each channel, within +-bound of the reference's
 //   block_bias  every block's mean within +-bound of the reference's; dark blocks relative to the image's mean
-//   any metric of `compare` (relmse, ssim, flip ...): its expectation for one image of this budget, at least `bound` for
+//   any metric of `compare` (relmse, ssim, flip ...): its expectation for one image of this budget, at least `bound`
+//   for
 //               psnr and ssim, at most for the others
 #pragma once
 

@@ -55,8 +55,7 @@ TEST_F(GateSuiteFile, mistakes_are_told_with_their_place) {
   const std::string front = std::string(head) + scene;
   const std::string good = "engine = 'path'\nbudget = 'spp=16'\nmetric = 'agreement'\nbound = 0.02\n";
   EXPECT_EQ(error(front), "g.toml:1:1: error: the suite has no [[gate]]");
-  EXPECT_EQ(error(front + "[[gate]]\nscene = 'b'\n" + good),
-            "g.toml:9:9: error: unknown scene 'b'; known: a");
+  EXPECT_EQ(error(front + "[[gate]]\nscene = 'b'\n" + good), "g.toml:9:9: error: unknown scene 'b'; known: a");
   EXPECT_EQ(error(front + gate("engine = 'path'\nbudget = 'photons=1e5'\nmetric = 'agreement'\nbound = 0.02\n")),
             "g.toml:11:10: error: engine 'path' takes budgets of spp, seconds; not 'photons'");
   EXPECT_EQ(error(front + gate("engine = 'photonmapper'\nbudget = 'spp=1'\nmetric = 'agreement'\nbound = 0.02\n")),

@@ -39,8 +39,7 @@ SuiteScene scene_row(const TomlTable& table, const std::filesystem::path& folder
     throw table.error("name", "there is a scene '" + scene.name + "' already");
   scene.given_path = table.string("path");
   scene.path = (folder / scene.given_path).lexically_normal();
-  if (!std::filesystem::is_regular_file(scene.path))
-    throw table.error("path", "no such file: " + scene.path.string());
+  if (!std::filesystem::is_regular_file(scene.path)) throw table.error("path", "no such file: " + scene.path.string());
   scene.width = bounded_integer(table, "width", 1, max_side);
   scene.height = bounded_integer(table, "height", 1, max_side);
   if (table.has("exposure")) scene.exposure = table.number("exposure");

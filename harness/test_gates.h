@@ -1,4 +1,5 @@
-// A gate suite whose engines are a shell script that copies prepared images, and a stored reference they can be held to.
+// A gate suite whose engines are a shell script that copies prepared images, and a stored reference they can be held
+// to.
 #pragma once
 
 #include <cmath>
@@ -70,9 +71,10 @@ class FakeGateTest : public FakeSuiteTest {
   }
 
   std::string gates_text(const std::string& gates) const {
-    std::string text = "name = 'fake'\ntitle = 'Fake'\n[limits]\nseconds = 20\n[[scene]]\nname = 'scene'\n"
-                       "path = 'scene.xml'\nwidth = " +
-                       std::to_string(width) + "\nheight = " + std::to_string(height) + "\n";
+    std::string text =
+        "name = 'fake'\ntitle = 'Fake'\n[limits]\nseconds = 20\n[[scene]]\nname = 'scene'\n"
+        "path = 'scene.xml'\nwidth = " +
+        std::to_string(width) + "\nheight = " + std::to_string(height) + "\n";
     for (const char* engine : {"good", "dim", "nan", "segfaults", "sleeps"})
       text += "[[engine]]\nname = '" + std::string(engine) +
               "'\ntitle = 'fake'\ncommand = ['sh', '{suite}/gate.sh', '" + engine +

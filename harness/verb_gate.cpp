@@ -125,8 +125,8 @@ GateOptions options_of(const GateArguments& arguments, const GateSuite& suite) {
   GateOptions options;
   options.folder = arguments.output.empty() ? fs::path("out") / suite.name : fs::path(arguments.output);
   options.program = fs::read_symlink("/proc/self/exe");
-  std::vector<std::string> command{"photonproof", "gate", arguments.suite, "-o", options.folder.string(), "--seed",
-                                   std::to_string(arguments.seed)};
+  std::vector<std::string> command{
+      "photonproof", "gate", arguments.suite, "-o", options.folder.string(), "--seed", std::to_string(arguments.seed)};
   if (!arguments.only.empty()) command.insert(command.end(), {"--only", arguments.only});
   options.command = shell_line(command);
   options.versions = program_versions();
@@ -160,8 +160,9 @@ int self_test(const GateArguments& arguments, const GateSuite& suite) {
     return 130;
   }
   const std::string table = self_test_table(
-      suite, test, fmt::format("photonproof gate {} --self-test --runs {} --pool {} --other-pool {} --seed {}",
-                               arguments.suite, arguments.runs, arguments.pool, arguments.other_pool, arguments.seed));
+      suite, test,
+      fmt::format("photonproof gate {} --self-test --runs {} --pool {} --other-pool {} --seed {}", arguments.suite,
+                  arguments.runs, arguments.pool, arguments.other_pool, arguments.seed));
   write_file_atomically(options.gates.folder / "power.md", table);
   std::printf("%s", table.c_str());
   return self_test_passes(test) ? 0 : 1;
@@ -217,16 +218,18 @@ void add_gate_verb(CLI::App& program, int& exit_code) {
   verb->add_flag("--annotations", arguments->annotations,
                  "print a GitHub annotation for each gate that does not pass (default where GITHUB_ACTIONS is true)");
   verb->add_flag("--report,!--no-report", arguments->report, "write report.html and junit.xml (default)");
-  verb->add_flag("--self-test", arguments->self_test,
-                 "plant faults and measure, for every gate, how often it finds them and how often it fails without: exit "
-                 "code 0 when the suite finds every fault in 99 of 100 runs");
+  verb->add_flag(
+      "--self-test", arguments->self_test,
+      "plant faults and measure, for every gate, how often it finds them and how often it fails without: exit "
+      "code 0 when the suite finds every fault in 99 of 100 runs");
   verb->add_option("--runs", arguments->runs, "of the self-test, for each fault; five times as many without")
       ->check(CLI::Range(1, 1'000'000))
       ->capture_default_str();
   verb->add_option("--pool", arguments->pool, "images that the self-test's runs draw from, a scene, engine and budget")
       ->check(CLI::Range(2, 1'000'000))
       ->capture_default_str();
-  verb->add_option("--other-pool", arguments->other_pool, "the same for each fault, and other conditions, of the engine")
+  verb->add_option("--other-pool", arguments->other_pool,
+                   "the same for each fault, and other conditions, of the engine")
       ->check(CLI::Range(2, 1'000'000))
       ->capture_default_str();
   verb->add_option("--accept", arguments->accept,

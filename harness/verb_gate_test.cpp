@@ -80,8 +80,10 @@ TEST_F(GateVerb, each_kind_of_gate_says_when_it_cannot_tell) {
   double relmse = 0;
   run_gate(gate("good", "relmse", 1.0));
   relmse = only_gate().observed->value;
-  put("near.toml", gates_text("[[gate]]\nscene = 'scene'\nengine = 'good'\nbudget = 'spp=4'\nmetric = 'relmse'\nlooks = 1"
-                              "\nbound = " + std::to_string(relmse) + "\n"));
+  put("near.toml",
+      gates_text("[[gate]]\nscene = 'scene'\nengine = 'good'\nbudget = 'spp=4'\nmetric = 'relmse'\nlooks = 1"
+                 "\nbound = " +
+                 std::to_string(relmse) + "\n"));
   EXPECT_EQ(run_process({PHOTONPROOF_BINARY, "gate", folder_ / "near.toml", "-o", folder_ / "near"}).exit_code, 3);
 }
 
