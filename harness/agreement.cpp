@@ -4,17 +4,17 @@
 #include <array>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/normal.hpp>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <cstdio>
 #include <vector>
 
+#include "harness/image_blocks.h"
+#include "harness/student.h"
 #include "scenes/input_error.h"
 
 namespace photonproof {
 namespace {
 
-constexpr int kBlock = 8;
 constexpr double kRounding = 1e-5;
 constexpr const char* kChannels[] = {"R", "G", "B"};
 
@@ -42,38 +42,10 @@ Differences differences(const Rendering& reference, const Rendering& test, std::
   return d;
 }
 
-/// A block, at the right and lower edge what is left of one.
-struct Block {
-  int x0, y0, x1, y1;
-  double pixels() const { return double{static_cast<double>(x1 - x0)} * (y1 - y0); }
-};
-
-std::vector<Block> blocks_of(int width, int height) {
-  std::vector<Block> blocks;
-  for (int y = 0; y < height; y += kBlock)
-    for (int x = 0; x < width; x += kBlock)
-      blocks.push_back({x, y, std::min(x + kBlock, width), std::min(y + kBlock, height)});
-  return blocks;
-}
-
-template <class Visit>
-void for_each_pixel(const Block& block, const Visit& visit) {
-  for (int y = block.y0; y < block.y1; ++y)
-    for (int x = block.x0; x < block.x1; ++x) visit(x, y);
-}
-
 double sum_over(const Block& block, const Differences& d, const std::vector<double>& values) {
   double sum = 0;
   for_each_pixel(block, [&](int x, int y) { sum += values[d.index(x, y)]; });
   return sum;
-}
-
-/// The normal deviate of the probability that Student's t with `freedom` degrees of freedom has beyond |t|.
-double normal_deviate(double t, double freedom) {
-  if (freedom > 1e6) return std::abs(t);
-  namespace bm = boost::math;
-  const double tail = bm::cdf(bm::students_t(freedom), -std::abs(t));
-  return -bm::quantile(bm::normal(), std::clamp(tail, 1e-300, 0.5));
 }
 
 /// Relative deviation squared of the block's variances, from their median and median absolute deviation, so that an
@@ -90,13 +62,6 @@ double relative_spread_of_variance(const Block& block, const Differences& d) {
   return median > 0 ? std::pow(of_normal * *middle / median, 2) : 0;
 }
 
-/// The normal deviate of the probability that a Gamma variable of this shape has more than t deviations above its mean
-/// (Wilson and Hilferty 1931).
-double gamma_deviate(double t, double shape) {
-  if (!(shape < 1e6)) return t;
-  return 3 * std::sqrt(shape) * (std::cbrt(1 + t / std::sqrt(shape)) - 1 + 1 / (9 * shape));
-}
-
 double block_deviate(const Block& block, const Differences& d) {
   const double variance = sum_over(block, d, d.variance);
   if (variance == 0) return 0;  // black in both
@@ -110,8 +75,6 @@ double block_deviate(const Block& block, const Differences& d) {
   const double freedom = unbiased > 0 ? 2 * variance * variance / unbiased : INFINITY;
   return normal_deviate(sum_over(block, d, d.difference) / std::sqrt(variance), freedom);
 }
-
-double sidak(double alpha, double tests) { return -std::expm1(std::log1p(-alpha) / tests); }
 
 template <class... Values>
 std::string text(const char* format, Values... values) {

@@ -5,8 +5,7 @@
 #include <set>
 
 #include "harness/cells.h"
-#include "harness/engine_command.h"
-#include "reference/process.h"
+#include "harness/engine_version.h"
 #include "scenes/atomic_file.h"
 #include "scenes/expect.h"
 #include "scenes/parser.h"
@@ -15,40 +14,6 @@ namespace photonproof {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr double version_seconds = 20;
-
-struct EngineVersion {
-  std::string line;
-  std::optional<std::string> problem;  ///< why the engine cannot be used
-};
-
-std::string first_line(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(" \t\r\n");
-  return first == std::string::npos ? std::string{} : text.substr(first, text.find_first_of("\r\n", first) - first);
-}
-
-EngineVersion ask_version(const Engine& engine, const Suite& suite, const fs::path& program) {
-  EngineVersion version;
-  for (const auto& command : engine.version_commands) {
-    CommandValues values;
-    values.photonproof = program;
-    values.suite = suite.folder;
-    const std::vector<std::string> argv = fill_command(command, values);
-    ProcessOptions options;
-    options.wall_limit_seconds = version_seconds;
-    const ProcessOutcome outcome = run_process(argv, options);
-    if (!outcome.ok()) {
-      version.problem = "the engine cannot tell its version: '" + shell_line(argv) + "' " + outcome.sentence();
-      return version;
-    }
-    // Some programs print it on standard error.
-    std::string line = first_line(outcome.standard_output);
-    if (line.empty()) line = first_line(outcome.standard_error);
-    version.line += (version.line.empty() ? "" : " + ") + line;
-  }
-  return version;
-}
 
 SceneRecord describe_scene(const SuiteScene& scene, const std::optional<Expect>& expect) {
   SceneRecord record;
@@ -103,7 +68,7 @@ BenchPlan plan_bench(const Suite& suite, const fs::path& program, const Host& ho
     const bool used = std::any_of(plan.cells.begin(), plan.cells.end(),
                                   [&](const PlannedCell& planned) { return planned.cell.engine == engine.name; });
     if (!used) continue;
-    const EngineVersion& version = versions[engine.name] = ask_version(engine, suite, program);
+    const EngineVersion& version = versions[engine.name] = ask_version(engine, suite.folder, program);
     plan.engines.push_back({engine.name, engine.title, version.line, to_string(engine.trust)});
   }
   std::map<std::string, std::string> contents;

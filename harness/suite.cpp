@@ -1,78 +1,16 @@
 #include "harness/suite.h"
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <set>
 
+#include "harness/suite_rows.h"
 #include "scenes/atomic_file.h"
 
 namespace photonproof {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::size_t max_suite_bytes = std::size_t{1} << 24;
-constexpr std::int64_t max_side = 1 << 14;  // 2^28 pixels, as scenes/image.h reads
-
-template <class Items>
-std::string names_of(const Items& items) {
-  std::string names;
-  for (const auto& item : items) names += (names.empty() ? "" : ", ") + item.name;
-  return names.empty() ? "none" : names;
-}
-
-template <class Items>
-auto* find_named(Items& items, const std::string& name) {
-  const auto found = std::find_if(items.begin(), items.end(), [&](const auto& item) { return item.name == name; });
-  return found == items.end() ? nullptr : &*found;
-}
-
-int bounded_integer(const TomlTable& table, const std::string& key, std::int64_t least, std::int64_t most) {
-  const std::int64_t value = table.integer(key);
-  if (value < least || value > most)
-    throw table.error(key, "'" + key + "' must lie between " + std::to_string(least) + " and " + std::to_string(most));
-  return static_cast<int>(value);
-}
-
-std::string file_name(const TomlTable& table, const std::string& key) {
-  std::string name = table.string(key);
-  if (name.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_.-") !=
-          std::string::npos ||
-      name.front() == '.')
-    throw table.error(key, "'" + key + "' may hold letters, digits, '_', '.' and '-' and not start with '.'");
-  return name;
-}
-
-Limits limits_from_toml(const TomlTable& document) {
-  Limits limits;
-  if (!document.has("limits")) return limits;
-  const TomlTable table = document.table("limits");
-  if (table.has("seconds")) limits.seconds = table.number("seconds");
-  if (limits.seconds <= 0) throw table.error("seconds", "'seconds' must be positive");
-  if (table.has("memory_mb"))
-    limits.memory_mb = static_cast<std::uint64_t>(bounded_integer(table, "memory_mb", 1, 1 << 30));
-  if (table.has("threads")) limits.threads = bounded_integer(table, "threads", 1, 1024);
-  table.expect_no_other_keys();
-  return limits;
-}
-
-const Engine& known_engine(const TomlTable& table, const std::vector<Engine>& engines) {
-  const std::string name = table.string("engine");
-  const Engine* engine = find_named(engines, name);
-  if (engine == nullptr) throw table.error("engine", "unknown engine '" + name + "'; known: " + names_of(engines));
-  return *engine;
-}
-
-// The problem with a budget for an engine, empty when there is none.
-std::optional<std::string> budget_problem(const std::string& text, const Engine& engine) {
-  const std::optional<Budget> budget = budget_from_text(text);
-  if (!budget) return "a budget is written \"kind=amount\" with a positive amount, not '" + text + "'";
-  if (engine.accepts(budget->kind)) return std::nullopt;
-  std::string kinds;
-  for (const std::string& kind : engine.budget_kinds) kinds += (kinds.empty() ? "" : ", ") + kind;
-  return "engine '" + engine.name + "' takes budgets of " + kinds + "; not '" + budget->kind + "'";
-}
 
 Cell reference_from_toml(const TomlTable& scene, const std::string& scene_name, const std::vector<Engine>& engines) {
   const TomlTable table = scene.table("reference");
@@ -86,16 +24,7 @@ Cell reference_from_toml(const TomlTable& scene, const std::string& scene_name, 
 }
 
 SuiteScene scene_from_toml(const TomlTable& table, const Suite& suite) {
-  SuiteScene scene;
-  scene.name = file_name(table, "name");
-  if (find_named(suite.scenes, scene.name) != nullptr)
-    throw table.error("name", "there is a scene '" + scene.name + "' already");
-  scene.given_path = table.string("path");
-  scene.path = (suite.folder / scene.given_path).lexically_normal();
-  if (!fs::is_regular_file(scene.path)) throw table.error("path", "no such file: " + scene.path.string());
-  scene.width = bounded_integer(table, "width", 1, max_side);
-  scene.height = bounded_integer(table, "height", 1, max_side);
-  if (table.has("exposure")) scene.exposure = table.number("exposure");
+  SuiteScene scene = scene_row(table, suite.folder, suite.scenes);
   scene.reference = reference_from_toml(table, scene.name, suite.engines);
   if (table.has("target_relmse")) {
     scene.target_relmse = table.number("target_relmse");

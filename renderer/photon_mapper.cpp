@@ -11,6 +11,7 @@
 #include <limits>
 
 #include "renderer/disc_area.h"
+#include "renderer/faults.h"
 #include "renderer/photon_map.h"
 #include "renderer/photon_radius.h"
 #include "renderer/photon_tracing.h"
@@ -60,6 +61,7 @@ struct Maps {
 void add_photons(const MapState& state, const Scene& scene, const Kernels& kernels, int max_depth,
                  const std::vector<GatherPoint>& points, std::vector<float>& radiance) {
   if (!state.wanted || state.map.empty()) return;
+  if (has_fault(Fault::missing_caustic) && state.kind == PhotonKind::caustic) return;
   const std::vector<std::uint32_t> order = cell_order(state.map, points);
   std::vector<GatheredFlux> flux(points.size());
   const int max_edges = max_depth >= 0 ? max_depth : std::numeric_limits<int>::max();
@@ -104,9 +106,10 @@ void refill(MapState& state, const Scene& scene, const PhotonMapperDescription& 
   {
     const PhaseTimer phase(stats.phases[std::string("photons_") + state.name]);
     const int max_edges = settings.max_depth >= 0 ? settings.max_depth - 1 : -1;
+    const std::uint64_t traced = has_fault(Fault::half_photons) ? (count + 1) / 2 : count;
     RayTotals rays;
     photons =
-        trace_photons(scene, {state.kind, state.stream, job.seed, state.counts.emitted, count, max_edges, state.aimed},
+        trace_photons(scene, {state.kind, state.stream, job.seed, state.counts.emitted, traced, max_edges, state.aimed},
                       {job.kernels(), job.sampler}, threads, rays);
     state.counts.rays += rays.counts().photon;
   }

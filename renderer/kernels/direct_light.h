@@ -1,6 +1,7 @@
 // Next-event estimation for a pack: one light, one point of it, one shadow ray a lane.
 #pragma once
 
+#include "renderer/faults.h"
 #include "renderer/kernels/lights.h"
 #include "renderer/kernels/rays.h"
 #include "renderer/ray_counts.h"
@@ -67,7 +68,7 @@ Vec3<F> estimate_direct(const SceneView& scene, const SurfaceHit<F>& hit, const 
   const Mask<F> visible = bright && !occluded(scene, from, Vec3<F>(to - from), hit.primitive, target, lit);
 
   const F pdf = s.pdf * choice.probability;
-  F weight = lane_abs(wi_local.z) / pdf;
+  F weight = (has_fault(Fault::dropped_cosine) ? F(1.0f) : lane_abs(wi_local.z)) / pdf;
   if (weighted) weight *= select(can_be_hit, mis_weight(pdf, bsdf.pdf(wo_local, wi_local)), F(1.0f));
   return select(visible, Vec3<F>(f * s.radiance * weight), Vec3<F>(F(0.0f)));
 }

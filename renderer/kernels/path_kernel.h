@@ -5,6 +5,7 @@
 // mapper's camera paths are the same up to their first Lambertian surface, where they leave a gather point instead.
 #pragma once
 
+#include "renderer/faults.h"
 #include "renderer/kernels/any_bsdf.h"
 #include "renderer/kernels/batch_kernel.h"
 #include "renderer/kernels/camera_rays.h"
@@ -142,6 +143,9 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, F> {
       weight = select(shared,
                       mis_weight(s.bsdf_pdf, direct_light_pdf<F>(scene_, light, shared, s.origin, hit.p, hit.normal)),
                       F(1.0f));
+    if constexpr (can_have_faults)
+      if (has_fault(Fault::missing_caustic))
+        weight = select(s.bsdf_pdf > 0 || as_mask<F>(s.vertex < U(2u)), weight, F(0.0f));
     s.radiance = select(shines, Vec3<F>(s.radiance + s.throughput * emitted * weight), s.radiance);
   }
 

@@ -1,0 +1,233 @@
+#include "harness/deviations.h"
+
+#include <cmath>
+
+#include "harness/student.h"
+
+namespace photonproof {
+namespace {
+
+constexpr double rounding = 1e-5;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// One channel of all images, in double.
+struct Channel {
+  std::size_t width = 0;
+  double images = 0;
+  std::vector<double> mean, variance;  ///< of one image, a pixel
+  std::vector<double> cubes;           ///< third central moment of one image
+  std::vector<double> reference, reference_variance;
+};
+
+Channel channel_of(const Rendering& reference, std::span<const Image* const> images, std::size_t c,
+                   const Image* least_variance) {
+  Channel channel{static_cast<std::size_t>(reference.mean.width), static_cast<double>(images.size()), {}, {}, {}, {}, {}};
+  for (std::size_t i = c; i < reference.mean.rgb.size(); i += 3) {
+    double mean = 0, squares = 0, cubes = 0;
+    for (const Image* image : images) mean += double{image->rgb[i]};
+    mean /= channel.images;
+    for (const Image* image : images) {
+      const double off = double{image->rgb[i]} - mean;
+      squares += off * off;
+      cubes += off * off * off;
+    }
+    double variance = squares / (channel.images - 1);
+    if (least_variance) variance = std::max(variance, double{least_variance->rgb[i]});
+    channel.mean.push_back(mean);
+    channel.variance.push_back(variance);
+    const double n = channel.images;
+    channel.cubes.push_back(n > 2 ? cubes * n / ((n - 1) * (n - 2)) : 0);
+    channel.reference.push_back(double{reference.mean.rgb[i]});
+    channel.reference_variance.push_back(double{reference.variance->rgb[i]});
+  }
+  return channel;
+}
+
+/// A variance and what it is worth.
+struct Known {
+  double variance = 0, freedom = infinity;
+};
+
+/// An estimate and its expectation, each worth its degrees of freedom.
+Known steadied(const Known& estimate, const Known& expectation) {
+  if (std::isinf(expectation.freedom)) return expectation;
+  const double freedom = estimate.freedom + expectation.freedom;
+  return {(estimate.freedom * estimate.variance + expectation.freedom * expectation.variance) / freedom, freedom};
+}
+
+/// The engine's noise and the reference's together (Welch and Satterthwaite).
+Deviation deviation(double mean, double reference, const Known& of_mean, const Known& of_reference) {
+  const double least = rounding * std::max(std::abs(mean), std::abs(reference));
+  const double variance = of_mean.variance + of_reference.variance + least * least;
+  const double doubt = std::pow(of_mean.variance / variance, 2) / of_mean.freedom +
+                       std::pow(of_reference.variance / variance, 2) / of_reference.freedom;
+  return {mean - reference, std::sqrt(variance), variance > 0 && doubt > 0 ? 1 / doubt : infinity, reference};
+}
+
+struct BlockSums {
+  double pixels = 0, noisy_pixels = 0, variance = 0, variance_squared = 0, variance_cubed = 0, skewed = 0, reference = 0, reference_variance = 0,
+         mean = 0;
+};
+
+class ChannelDeviations {
+ public:
+  ChannelDeviations(const Channel& channel, std::span<const Image* const> images, std::size_t c,
+                    double reference_freedom, Deviations& out)
+      : channel_(channel),
+        images_(images),
+        c_(c),
+        reference_freedom_(reference_freedom),
+        out_(out),
+        freedom_(channel.images - 1) {}
+
+  void measure() {
+    for (const Block& block : out_.places) sums_.push_back(sums_over(block));
+    measure_pixels();
+    measure_blocks();
+    measure_whole();
+  }
+
+ private:
+  std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * channel_.width + static_cast<std::size_t>(x);
+  }
+
+  BlockSums sums_over(const Block& block) const {
+    BlockSums sums;
+    for_each_pixel(block, [&](int x, int y) {
+      const std::size_t i = index(x, y);
+      sums.pixels += 1;
+      sums.mean += channel_.mean[i];
+      if (channel_.variance[i] > 0) sums.noisy_pixels += 1;
+      sums.variance += channel_.variance[i];
+      sums.variance_cubed += std::pow(channel_.variance[i], 3);
+      sums.skewed += channel_.cubes[i] * std::pow(channel_.variance[i], 1.5);
+      sums.variance_squared += channel_.variance[i] * channel_.variance[i];
+      sums.reference += channel_.reference[i];
+      sums.reference_variance += channel_.reference_variance[i];
+    });
+    return sums;
+  }
+
+  void measure_pixels() {
+    auto& pixels = out_.pixels[c_];
+    pixels.resize(channel_.mean.size());
+    for (std::size_t b = 0; b < sums_.size(); ++b) {
+      // A lamp's pixels beside others must not make those look certain.
+      const double mean = sums_[b].noisy_pixels > 0 ? sums_[b].variance / sums_[b].noisy_pixels : 0;
+      const double reference_mean = sums_[b].reference_variance / sums_[b].pixels;
+      std::vector<double> ratios;
+      for_each_pixel(out_.places[b],
+                     [&](int x, int y) { ratios.push_back(mean > 0 ? channel_.variance[index(x, y)] / mean : 0); });
+      const Known expectation{mean, freedom_of_expectation(ratios, freedom_)};
+      // Least squares of the third moments on the cubed deviations: the noisiest pixels count most.
+      const double of_one = sums_[b].variance_cubed > 0 ? sums_[b].skewed / sums_[b].variance_cubed : 0;
+      const double skewness = std::max(0.0, of_one) / std::sqrt(channel_.images);
+      for_each_pixel(out_.places[b], [&](int x, int y) {
+        const std::size_t i = index(x, y);
+        Known known = steadied({channel_.variance[i], freedom_}, expectation);
+        known.variance /= channel_.images;
+        // As agreement.h does: a pixel that saw none of its rare bright samples looks dark and certain.
+        const Known of_reference{std::max(reference_mean, channel_.reference_variance[i]), reference_freedom_};
+        pixels[i] = deviation(channel_.mean[i], channel_.reference[i], known, of_reference);
+        pixels[i].skewness = skewness;
+      });
+    }
+  }
+
+  /// Variance over the images of the mean over a block.
+  double variance_of_block(const Block& block, double mean) const {
+    double squares = 0;
+    for (const Image* image : images_) {
+      double sum = 0;
+      for_each_pixel(block, [&](int x, int y) { sum += double{image->rgb[3 * index(x, y) + c_]}; });
+      const double off = sum / block.pixels() - mean;
+      squares += off * off;
+    }
+    return squares / freedom_;
+  }
+
+  void measure_blocks() {
+    std::vector<double> own, ratios;
+    double factor = 0, counted = 0;
+    for (std::size_t b = 0; b < sums_.size(); ++b) {
+      const BlockSums& sums = sums_[b];
+      own.push_back(variance_of_block(out_.places[b], sums.mean / sums.pixels));
+      const double independent = sums.variance / (sums.pixels * sums.pixels);
+      ratios.push_back(independent > 0 ? own.back() / independent : 0);
+      if (independent <= 0) continue;
+      factor += ratios.back();
+      counted += 1;
+    }
+    if (counted > 0) factor /= counted;
+    const double worth = freedom_of_expectation(ratios, freedom_);
+    for (std::size_t b = 0; b < sums_.size(); ++b) {
+      const BlockSums& sums = sums_[b];
+      // The pixels' variances are estimates, too: E[s^4] = sigma^4 (1 + 2/f).
+      const double of_pixels =
+          sums.variance_squared > 0 ? (freedom_ + 2) * sums.variance * sums.variance / sums.variance_squared : infinity;
+      const Known expectation{factor * sums.variance / (sums.pixels * sums.pixels), std::min(worth, of_pixels)};
+      Known known = steadied({own[b], freedom_}, expectation);
+      known.variance /= channel_.images;
+      out_.blocks[c_].push_back(deviation(sums.mean / sums.pixels, sums.reference / sums.pixels, known,
+                                          {sums.reference_variance / (sums.pixels * sums.pixels), infinity}));
+    }
+  }
+
+  void measure_whole() {
+    const Block all{0, 0, out_.width, out_.height};
+    const BlockSums sums = sums_over(all);
+    const double mean = sums.mean / sums.pixels;
+    out_.whole[c_] =
+        deviation(mean, sums.reference / sums.pixels, {variance_of_block(all, mean) / channel_.images, freedom_},
+                  {sums.reference_variance / (sums.pixels * sums.pixels), infinity});
+  }
+
+  const Channel& channel_;
+  std::span<const Image* const> images_;
+  std::size_t c_;
+  double reference_freedom_;
+  Deviations& out_;
+  double freedom_;
+  std::vector<BlockSums> sums_;
+};
+
+}  // namespace
+
+double Deviation::errors() const {
+  if (difference == 0) return 0;
+  const double t = difference / standard_error;
+  return t > 0 && skewness > 0 ? gamma_deviate(t, 4 / (skewness * skewness)) : t;
+}
+
+double Deviation::deviate() const { return std::copysign(normal_deviate(errors(), freedom), difference); }
+
+double Deviation::margin(double tail) const { return t_quantile(tail, freedom) * standard_error; }
+
+Deviations measure_deviations(const Rendering& reference, double reference_freedom,
+                              std::span<const Image* const> images,
+                              const Image* least_variance) {
+  Deviations out;
+  out.width = reference.mean.width;
+  out.height = reference.mean.height;
+  out.images = images.size();
+  out.places = blocks_of(out.width, out.height);
+  for (std::size_t c = 0; c < 3; ++c)
+    {
+    const Channel channel = channel_of(reference, images, c, least_variance);
+    ChannelDeviations(channel, images, c, reference_freedom, out).measure();
+  }
+  return out;
+}
+
+Image mean_of(std::span<const Image* const> images) {
+  Image mean(images.front()->width, images.front()->height);
+  for (std::size_t i = 0; i < mean.rgb.size(); ++i) {
+    double sum = 0;
+    for (const Image* image : images) sum += double{image->rgb[i]};
+    mean.rgb[i] = static_cast<float>(sum / static_cast<double>(images.size()));
+  }
+  return mean;
+}
+
+}  // namespace photonproof

@@ -1,0 +1,59 @@
+// Independent images of one expectation against a reference: how far their mean is off in every pixel, in every block
+// of 8 x 8 pixels and overall, and how far chance could have put it. All statistics of gates rest on these.
+//
+// Chance is known from how the images differ among themselves, and from nothing the engine says of itself. Few images
+// say little of one pixel's variance, so it is steadied by its neighbours' (student.h, freedom_of_expectation):
+// - A pixel's is expected to be its block's mean one, a block's to be what its pixels' would make it were they
+//   independent, times the mean factor by which the blocks differ from that (light tracers and photon maps correlate
+//   pixels). How much these expectations are worth is measured, too, a block or a channel at a time.
+// - What is left of not knowing is in the degrees of freedom of Student's t.
+// - A pixel's mean of a few skewed images is skewed, and its upper tail longer than normal's: it is taken as that of the
+//   Gamma distribution with the skewness that the block's pixels show together.
+// - The whole image's variance has no neighbours: it has the degrees of freedom of the images' number.
+// - Rounding counts as a deviation of 1e-5 of the value, so that pixels without noise compare as equal.
+#pragma once
+
+#include <array>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "harness/image_blocks.h"
+#include "scenes/image.h"
+
+namespace photonproof {
+
+struct Deviation {
+  double difference = 0;                                     ///< mean of the images' means - the reference's
+  double standard_error = 0;                                 ///< of `difference`
+  double freedom = std::numeric_limits<double>::infinity();  ///< of the standard error
+  double expected = 0;                                       ///< the reference's mean
+  double skewness = 0;                                       ///< of `difference`, where that matters
+  /// In standard errors, signed; less above the reference where skewness explains a part.
+  double errors() const;
+  /// In units of the normal distribution, signed.
+  double deviate() const;
+  /// The normal or t quantile that `difference` exceeds by chance with probability `tail`, times the standard error.
+  double margin(double tail) const;
+};
+
+struct Deviations {
+  int width = 0, height = 0;
+  std::size_t images = 0;
+  std::vector<Block> places;                     ///< of the blocks
+  std::array<std::vector<Deviation>, 3> pixels;  ///< row-major, by channel
+  std::array<std::vector<Deviation>, 3> blocks;  ///< as `places`
+  std::array<Deviation, 3> whole;
+};
+
+/// The reference's variance has `reference_freedom` degrees of freedom. `least_variance`, where given, is known of each pixel of one image: no fewer than the images show counts. It helps
+/// where they are too few to have met rare bright samples that the reference has met.
+/// Preconditions: at least two images; equal sizes, finite values, a reference with variance.
+Deviations measure_deviations(const Rendering& reference, double reference_freedom,
+                              std::span<const Image* const> images,
+                              const Image* least_variance = nullptr);
+
+/// The mean of the images, as a float image. Preconditions as above.
+Image mean_of(std::span<const Image* const> images);
+
+}  // namespace photonproof

@@ -1,0 +1,41 @@
+#include "harness/engine_version.h"
+
+#include "harness/engine_command.h"
+#include "reference/process.h"
+
+namespace photonproof {
+namespace {
+
+constexpr double version_seconds = 20;
+
+std::string first_line(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  return first == std::string::npos ? std::string{} : text.substr(first, text.find_first_of("\r\n", first) - first);
+}
+
+}  // namespace
+
+EngineVersion ask_version(const Engine& engine, const std::filesystem::path& suite_folder,
+                          const std::filesystem::path& program) {
+  EngineVersion version;
+  for (const auto& command : engine.version_commands) {
+    CommandValues values;
+    values.photonproof = program;
+    values.suite = suite_folder;
+    const std::vector<std::string> argv = fill_command(command, values);
+    ProcessOptions options;
+    options.wall_limit_seconds = version_seconds;
+    const ProcessOutcome outcome = run_process(argv, options);
+    if (!outcome.ok()) {
+      version.problem = "the engine cannot tell its version: '" + shell_line(argv) + "' " + outcome.sentence();
+      return version;
+    }
+    // Some programs print it on standard error.
+    std::string line = first_line(outcome.standard_output);
+    if (line.empty()) line = first_line(outcome.standard_error);
+    version.line += (version.line.empty() ? "" : " + ") + line;
+  }
+  return version;
+}
+
+}  // namespace photonproof

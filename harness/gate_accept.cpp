@@ -1,0 +1,93 @@
+#include "harness/gate_accept.h"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+
+#include "harness/engine_command.h"
+#include "harness/gate_look.h"
+#include "harness/metrics.h"
+#include "harness/suite_rows.h"
+#include "reference/process.h"
+#include "reference/reference_store.h"
+#include "reports/temporary_folder.h"
+#include "scenes/atomic_file.h"
+#include "scenes/input_error.h"
+
+namespace photonproof {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string trimmed(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
+}
+
+/// The committed reference, whatever scene it is of; empty when there is none that can be read.
+std::optional<StoredReference> committed(const SuiteScene& scene) {
+  const fs::path exr = committed_reference_path(scene.path, scene.width, scene.height);
+  const fs::path json = fs::path(exr).replace_extension(".json");
+  try {
+    const Provenance provenance = parse_provenance(read_file(json), json.string());
+    return read_reference(exr, provenance.scene_hash, scene.width, scene.height, "");
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+std::string difference(const StoredReference& old, const StoredReference& fresh, double exposure) {
+  if (!find_defects(old.rendering.mean, fresh.rendering.mean).empty()) return "the old one cannot be compared";
+  std::string text = "new against old:";
+  for (const MetricValue& metric : compute_metrics(old.rendering.mean, fresh.rendering.mean, {.exposure = exposure}))
+    if (metric.name == "bias" || metric.name == "relmse" || metric.name == "ssim" || metric.name == "max_abs")
+      text += fmt::format(" {} {:.3g}", metric.name, metric.value);
+  return text;
+}
+
+}  // namespace
+
+std::optional<Accepted> accept_reference(const GateSuite& suite, const AcceptOptions& options) {
+  if (trimmed(options.reason).empty())
+    throw InputError("--reason", "say why the reference of '" + options.gate + "' is replaced");
+  const Gate* gate = find_named(suite.gates, options.gate);
+  if (gate == nullptr)
+    throw InputError("--accept", "no gate '" + options.gate + "'; known: " + names_of(suite.gates));
+  const SuiteScene& scene = suite.scene(gate->scene);
+  const std::optional<StoredReference> old = committed(scene);
+
+  const reports::TemporaryFolder scratch;
+  const fs::path exr = scratch.path() / "reference.exr";
+  std::vector<std::string> argv{options.program.string(), "reference", scene.path.string(), "--size",
+                                fmt::format("{}x{}", scene.width, scene.height), "--fresh", "--quiet", "-o",
+                                exr.string()};
+  if (options.standard_error || old)
+    argv.insert(argv.end(), {"--standard-error", fmt::format("{}", options.standard_error ? *options.standard_error
+                                                                                        : old->provenance.standard_error)});
+  const ProcessOutcome outcome = run_process(argv, {.interrupt = options.interrupt});
+  if (outcome.end == ProcessOutcome::End::interrupted) return std::nullopt;
+  if (!outcome.ok())
+    throw InputError(scene.path.string(), "no new reference: '" + shell_line(argv) + "' " + outcome.sentence() + ": " +
+                                              trimmed(outcome.standard_error));
+  const fs::path json = fs::path(exr).replace_extension(".json");
+  const std::string hash = parse_provenance(read_file(json), json.string()).scene_hash;
+  const StoredReference fresh = read_reference(exr, hash, scene.width, scene.height, "");
+
+  Accepted accepted;
+  accepted.sentence = old ? difference(*old, fresh, exposure_of(scene)) : "there was no reference";
+  accepted.provenance =
+      commit_reference(scene.path, fresh.rendering, fresh.provenance,
+                       fmt::format("{} (accepted by {} for gate {}; {})", trimmed(options.reason), options.who,
+                                   gate->name, accepted.sentence));
+  accepted.file = committed_reference_path(scene.path, scene.width, scene.height);
+  return accepted;
+}
+
+std::string name_of_user() {
+  const ProcessOutcome git = run_process({"git", "config", "user.name"}, {.wall_limit_seconds = 5});
+  if (git.ok() && !trimmed(git.standard_output).empty()) return trimmed(git.standard_output);
+  const char* user = std::getenv("USER");
+  return user != nullptr && *user != '\0' ? user : "somebody";
+}
+
+}  // namespace photonproof

@@ -1,0 +1,163 @@
+#include "harness/gate_images.h"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+
+#include "harness/cells.h"
+#include "harness/engine_command.h"
+#include "harness/run_cell.h"
+
+namespace photonproof {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t seeds_of_a_run = 1'000'000;
+
+/// As people would type it.
+fs::path short_path(const fs::path& path) {
+  const fs::path near = fs::proximate(path);
+  return near.string().size() < path.string().size() ? near : path;
+}
+
+/// Calls work(i) for i < count on `threads` threads; the first exception is thrown again.
+template <class Work>
+void side_by_side(std::size_t count, int threads, const Work& work) {
+  std::atomic<std::size_t> next = 0;
+  std::exception_ptr failure;
+  std::mutex failing;
+  const auto run = [&] {
+    for (std::size_t i = next++; i < count; i = next++) {
+      try {
+        work(i);
+      } catch (...) {
+        const std::lock_guard lock(failing);
+        if (!failure) failure = std::current_exception();
+        next = count;
+      }
+    }
+  };
+  {
+    std::vector<std::jthread> others;
+    for (int t = 1; t < threads && static_cast<std::size_t>(t) < count; ++t) others.emplace_back(run);
+    run();
+  }
+  if (failure) std::rethrow_exception(failure);
+}
+
+}  // namespace
+
+std::string stream_label(const Gate& gate) { return gate.scene + "/" + gate.engine + "/" + gate.budget.label(); }
+
+ImageStream::ImageStream(const GateSuite& suite, const Gate& gate, StreamContent content,
+                         std::vector<std::uint64_t> avoided, const DrawOptions& options)
+    : suite_(suite),
+      scene_(suite.scene(gate.scene)),
+      engine_(suite.engine(gate.engine)),
+      budget_(gate.budget),
+      content_(std::move(content)),
+      avoided_(std::move(avoided)),
+      options_(options),
+      store_(options.folder),
+      seed_(options.seed * seeds_of_a_run) {}
+
+const DrawnImage* ImageStream::failed() const {
+  const auto found = std::find_if(drawn_.begin(), drawn_.end(),
+                                  [](const auto& drawn) { return drawn->result.status != Status::ok; });
+  return found == drawn_.end() ? nullptr : found->get();
+}
+
+std::uint64_t ImageStream::next_seed() {
+  while (std::find(avoided_.begin(), avoided_.end(), seed_) != avoided_.end()) ++seed_;
+  return seed_++;
+}
+
+bool ImageStream::draw(std::size_t count) {
+  if (drawn_.size() >= count || failed() != nullptr) return true;
+  std::vector<std::uint64_t> seeds;
+  for (std::size_t i = drawn_.size(); i < count; ++i) seeds.push_back(next_seed());
+  std::vector<std::unique_ptr<DrawnImage>> fresh(seeds.size());
+  std::atomic<bool> stop = false;
+  side_by_side(seeds.size(), options_.processes, [&](std::size_t i) {
+    if (stop) return;
+    fresh[i] = draw_one(seeds[i]);
+    if (!fresh[i] || fresh[i]->result.status != Status::ok) stop = true;
+  });
+  for (auto& drawn : fresh) {
+    if (drawn == nullptr) break;
+    drawn_.push_back(std::move(drawn));
+  }
+  if (drawn_.size() >= count) return true;
+  // Those after a gap are lost; the failure itself must not be.
+  for (auto& drawn : fresh)
+    if (drawn != nullptr && drawn->result.status != Status::ok) drawn_.push_back(std::move(drawn));
+  return failed() != nullptr;
+}
+
+std::unique_ptr<DrawnImage> ImageStream::draw_one(std::uint64_t seed) const {
+  const Cell cell{scene_.name, engine_.name, budget_, seed};
+  std::string engine_text;
+  for (const std::string& argument : engine_.command) engine_text += std::to_string(argument.size()) + ":" + argument;
+  for (const std::string& argument : options_.further)
+    engine_text += std::to_string(argument.size()) + ":" + argument;
+  const std::string key = content_key({{"scene", content_.scene_hash},
+                                       {"engine", engine_text},
+                                       {"version", content_.engine_version},
+                                       {"fault", options_.fault},
+                                       {"budget", budget_.label()},
+                                       {"seed", std::to_string(seed)},
+                                       {"size", std::to_string(scene_.width) + "x" + std::to_string(scene_.height)},
+                                       {"seconds", std::to_string(suite_.limits.seconds)},
+                                       {"memory_mb", std::to_string(suite_.limits.memory_mb)},
+                                       {"threads", std::to_string(suite_.limits.threads)}});
+  if (options_.resume)
+    if (auto found = store_.latest(key); found && found->kept.result.status == Status::ok) {
+      auto drawn = std::make_unique<DrawnImage>();
+      drawn->result = std::move(found->kept.result);
+      drawn->image = read_image((options_.folder / drawn->result.image).string());
+      return drawn;
+    }
+  const std::string cell_folder = store_.make_folder(key);
+  const fs::path folder = short_path(options_.folder / cell_folder);
+  const std::string image_name = "image." + engine_.image_extension;
+
+  CommandValues values;
+  values.photonproof = short_path(options_.program);
+  // A bare name would be looked up on PATH.
+  if (!values.photonproof.has_parent_path()) values.photonproof = fs::path(".") / values.photonproof;
+  values.suite = short_path(suite_.folder);
+  values.scene = short_path(scene_.path);
+  values.output = folder / image_name;
+  values.stats = folder / "stats.json";
+  values.width = scene_.width;
+  values.height = scene_.height;
+  values.threads = suite_.limits.threads;
+  values.seed = seed;
+  values.budget = budget_;
+  std::vector<std::string> argv = fill_command(engine_.command, values);
+  argv.insert(argv.end(), options_.further.begin(), options_.further.end());
+  if (!options_.fault.empty()) argv.insert(argv.begin(), {"env", "PHOTONPROOF_FAULT=" + options_.fault});
+  std::optional<Result> result = run_cell({cell, std::move(argv), values.output, values.stats, folder, scene_.width,
+                                           scene_.height, suite_.limits, options_.interrupt});
+  if (!result) return nullptr;
+  auto drawn = std::make_unique<DrawnImage>();
+  drawn->result = std::move(*result);
+  drawn->result.key = key;
+  drawn->result.engine_version = content_.engine_version;
+  if (drawn->result.status == Status::ok) {
+    drawn->result.image = cell_folder + "/" + image_name;
+    drawn->image = read_image(values.output.string());
+  }
+  if (options_.keep) {
+    store_.keep(cell_folder, {drawn->result, ""});
+  } else {
+    std::error_code ignored;
+    fs::remove_all(folder, ignored);
+  }
+  return drawn;
+}
+
+}  // namespace photonproof

@@ -1,0 +1,74 @@
+#include "harness/gate_look.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <optional>
+
+#include "harness/deviations.h"
+#include "harness/metrics.h"
+#include "scenes/expect.h"
+#include "scenes/input_error.h"
+
+namespace photonproof {
+namespace {
+
+/// The least variance of a pixel of one image, from the reference, where that is the same integrator's: its batches
+/// had at least as many samples, of which each counts for no less in a small image than in a large one. Without what
+/// rounding to half floats added at most (reference/half_rounding.h).
+std::optional<Image> least_variance(const Gate& gate, const StoredReference& reference) {
+  const Provenance& provenance = reference.provenance;
+  if (provenance.estimator != gate.engine || gate.budget.kind != "spp" || provenance.seeds.empty()) return std::nullopt;
+  const auto samples = static_cast<double>(provenance.samples);
+  if (samples / static_cast<double>(provenance.seeds.size()) < gate.budget.amount) return std::nullopt;
+  Image least = *reference.rendering.variance;
+  for (std::size_t i = 0; i < least.rgb.size(); ++i) {
+    const double rounding = std::ldexp(double{reference.rendering.mean.rgb[i]}, -11);
+    const double noise = std::max(0.0, double{least.rgb[i]} - rounding * rounding);
+    least.rgb[i] = static_cast<float>(noise * samples / gate.budget.amount);
+  }
+  return least;
+}
+
+}  // namespace
+
+bool is_metric_of_one_image(const Gate& gate) {
+  return gate.metric != agreement_metric && gate.metric != bias_metric && gate.metric != block_bias_metric;
+}
+
+double metric_of(const Gate& gate, const StoredReference& reference, double exposure, const Image& image) {
+  const std::vector<MetricValue> values = compute_metrics(
+      reference.rendering.mean, image,
+      {.exposure = exposure, .threads = 1, .hdr_flip = gate.metric == "hdr_flip", .only = {gate.metric}});
+  constexpr double as_good_as_equal = 1000;  // dB: psnr of equal images is infinite and left out
+  if (values.empty() && gate.metric == "psnr") return as_good_as_equal;
+  if (values.empty())
+    throw InputError(gate.name, gate.metric + " is undefined: " + find_metric(gate.metric)->undefined_when);
+  return values.front().value;
+}
+
+Judgement look_at_values(const Gate& gate, std::span<const double> values) {
+  return judge_metric(gate.metric, values, find_metric(gate.metric)->bound, gate.bound, gate.alpha / gate.looks);
+}
+
+Judgement look_at(const Gate& gate, const StoredReference& reference, double exposure,
+                  std::span<const Image* const> images) {
+  if (is_metric_of_one_image(gate)) {
+    std::vector<double> values;
+    for (const Image* image : images) values.push_back(metric_of(gate, reference, exposure, *image));
+    return look_at_values(gate, values);
+  }
+  const double alpha = gate.alpha / gate.looks;
+  const double freedom = static_cast<double>(std::max<std::size_t>(2, reference.provenance.seeds.size()) - 1);
+  const std::optional<Image> least = least_variance(gate, reference);
+  const Deviations deviations =
+      measure_deviations(reference.rendering, freedom, images, least ? &*least : nullptr);
+  if (gate.metric == agreement_metric) return judge_agreement(deviations, {gate.bound, gate.block_bound}, alpha);
+  return judge_bias(deviations, gate.metric == block_bias_metric, gate.bound, alpha);
+}
+
+double exposure_of(const SuiteScene& scene) {
+  return scene.exposure ? *scene.exposure : read_expect(expect_path_of(scene.path.string())).exposure;
+}
+
+}  // namespace photonproof

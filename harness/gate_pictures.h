@@ -1,0 +1,21 @@
+// The pictures that reports show beside a gate: the mean of its images, where it differs, and the reference.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "harness/results.h"
+#include "reference/reference_store.h"
+
+namespace photonproof {
+
+/// Writes gates/<name of the gate>/ under `folder` and sets the record's image and pictures. `mean` has the reference's
+/// size and is finite.
+void store_pictures(const Image& mean, const StoredReference& reference, double exposure,
+                    const std::filesystem::path& folder, GateRecord& record);
+
+/// Writes references/<scene>.exr and .png under `folder`.
+ReferenceRecord store_reference(const StoredReference& reference, const std::string& scene, double exposure,
+                                const std::filesystem::path& folder);
+
+}  // namespace photonproof

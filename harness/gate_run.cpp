@@ -1,0 +1,184 @@
+#include "harness/gate_run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "harness/engine_version.h"
+#include "harness/folder_lock.h"
+#include "harness/gate_look.h"
+#include "harness/gate_pictures.h"
+#include "harness/host.h"
+#include "scenes/expect.h"
+#include "scenes/input_error.h"
+
+namespace photonproof {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Run {
+ public:
+  Run(const GateSuite& suite, const GateOptions& options, GateObserver& observer)
+      : suite_(suite),
+        options_(options),
+        observer_(observer),
+        lock_(options.folder),
+        host_(describe_host()),
+        draw_{.program = options.program,
+              .folder = options.folder,
+              .seed = options.seed,
+              .further = {},
+              .processes = std::max(1, host_.cores / suite.limits.threads),
+              .resume = options.resume,
+              .keep = true,
+              .interrupt = options.interrupt} {}
+
+  GateSummary run() {
+    const std::vector<const Gate*> chosen = choose();
+    begin_record(chosen);
+    for (std::size_t i = 0; i < chosen.size() && !summary_.interrupted; ++i) {
+      const std::optional<GateRecord> record = decide(i + 1, chosen.size(), *chosen[i]);
+      if (!record) {
+        summary_.interrupted = true;
+        break;
+      }
+      summary_.results.gates.push_back(*record);
+      observer_.ended(i + 1, chosen.size(), *record);
+    }
+    summary_.results_file = options_.folder / "results.json";
+    write_results(summary_.results_file.string(), summary_.results);
+    return std::move(summary_);
+  }
+
+ private:
+  std::vector<const Gate*> choose() const {
+    std::vector<const Gate*> chosen;
+    for (const Gate& gate : suite_.gates)
+      if (gate.name.find(options_.only) != std::string::npos) chosen.push_back(&gate);
+    if (chosen.empty()) throw InputError("--only", "no gate of the suite has '" + options_.only + "' in its name");
+    return chosen;
+  }
+
+  void begin_record(const std::vector<const Gate*>& chosen) {
+    Results& results = summary_.results;
+    results.suite = suite_.name;
+    results.created = utc_now();
+    results.command = options_.command;
+    results.host = host_;
+    results.versions = options_.versions;
+    for (const SuiteScene& scene : suite_.scenes)
+      if (std::any_of(chosen.begin(), chosen.end(), [&](const Gate* gate) { return gate->scene == scene.name; }))
+        add_scene(scene);
+    for (const Engine& engine : suite_.engines) {
+      if (std::none_of(chosen.begin(), chosen.end(), [&](const Gate* gate) { return gate->engine == engine.name; }))
+        continue;
+      const EngineVersion& version = versions_[engine.name] = ask_version(engine, suite_.folder, options_.program);
+      results.engines.push_back({engine.name, engine.title, version.line, to_string(engine.trust)});
+    }
+  }
+
+  void add_scene(const SuiteScene& scene) {
+    const StoredReference& reference =
+        references_.emplace(scene.name, load_reference(scene.path, scene.width, scene.height)).first->second;
+    SceneRecord record;
+    record.name = scene.name;
+    record.path = scene.given_path;
+    const std::string expect = expect_path_of(scene.path.string());
+    record.purpose = fs::exists(expect) ? read_expect(expect).purpose : "";
+    record.width = scene.width;
+    record.height = scene.height;
+    record.exposure = exposure_of(scene);
+    record.reference = store_reference(reference, scene.name, record.exposure, options_.folder);
+    exposures_[scene.name] = record.exposure;
+    summary_.results.scenes.push_back(std::move(record));
+  }
+
+  ImageStream& stream_of(const Gate& gate) {
+    const StoredReference& reference = references_.at(gate.scene);
+    return streams_
+        .try_emplace(stream_label(gate), suite_, gate,
+                     StreamContent{reference.provenance.scene_hash, versions_.at(gate.engine).line},
+                     reference.provenance.seeds, draw_)
+        .first->second;
+  }
+
+  /// Empty when interrupted.
+  std::optional<GateRecord> decide(std::size_t number, std::size_t total, const Gate& gate) {
+    GateRecord record;
+    record.name = gate.name;
+    record.scene = gate.scene;
+    record.engine = gate.engine;
+    record.metric = gate.metric;
+    record.bound = gate.bound;
+    record.alpha = gate.alpha;
+    record.command = fmt::format("photonproof gate {} --only {} --seed {}", suite_.file.string(), gate.name, options_.seed);
+    if (const auto& problem = versions_.at(gate.engine).problem) {
+      record.verdict = GateVerdict::fail;
+      record.sentence = *problem;
+      return record;
+    }
+    ImageStream& stream = stream_of(gate);
+    std::vector<const Image*> images;
+    for (int look = 0; look < gate.looks; ++look) {
+      const std::size_t count = static_cast<std::size_t>(gate.seeds) << look;
+      observer_.looks(number, total, gate, count);
+      if (!stream.draw(count)) return std::nullopt;
+      record.looks = look + 1;
+      if (const DrawnImage* failed = stream.failed()) {
+        record.verdict = GateVerdict::fail;
+        record.sentence = fmt::format("seed {}: {} ({})", failed->result.cell.seed, failed->result.detail,
+                                      to_string(failed->result.status));
+        record.command = failed->result.command;
+        count_images(stream, stream.drawn().size(), record);
+        return record;
+      }
+      for (std::size_t i = images.size(); i < count; ++i) images.push_back(&stream.drawn()[i]->image);
+      Judgement judgement = look_at(gate, references_.at(gate.scene), exposures_.at(gate.scene), images);
+      record.observed = judgement.observed;
+      record.sentence = std::move(judgement.sentence);
+      record.tiles = std::move(judgement.tiles);
+      if (!judgement.verdict) continue;
+      record.verdict = *judgement.verdict;
+      break;
+    }
+    count_images(stream, images.size(), record);
+    record.sentence += fmt::format("; {} images of {}", images.size(), gate.budget.label());
+    record.skipped = stream.drawn().front()->result.skipped;
+    store_pictures(mean_of(images), references_.at(gate.scene), exposures_.at(gate.scene), options_.folder, record);
+    return record;
+  }
+
+  static void count_images(const ImageStream& stream, std::size_t count, GateRecord& record) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const Result& result = stream.drawn()[i]->result;
+      record.seconds += result.wall_seconds.value_or(0);
+      if (result.cell.budget.kind == "spp") record.samples += static_cast<std::uint64_t>(result.cell.budget.amount);
+    }
+  }
+
+  const GateSuite& suite_;
+  const GateOptions& options_;
+  GateObserver& observer_;
+  FolderLock lock_;
+  Host host_;
+  DrawOptions draw_;
+  std::map<std::string, EngineVersion> versions_;
+  std::map<std::string, StoredReference> references_;
+  std::map<std::string, double> exposures_;
+  std::map<std::string, ImageStream> streams_;
+  GateSummary summary_;
+};
+
+}  // namespace
+
+std::size_t GateSummary::count(GateVerdict verdict) const {
+  return static_cast<std::size_t>(std::count_if(results.gates.begin(), results.gates.end(),
+                                                [&](const GateRecord& gate) { return gate.verdict == verdict; }));
+}
+
+GateSummary run_gates(const GateSuite& suite, const GateOptions& options, GateObserver& observer) {
+  return Run(suite, options, observer).run();
+}
+
+}  // namespace photonproof

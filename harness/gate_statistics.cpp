@@ -1,0 +1,279 @@
+#include "harness/gate_statistics.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
+#include <cmath>
+
+#include "harness/gate_tiles.h"
+#include "harness/student.h"
+
+namespace photonproof {
+namespace {
+
+constexpr double tests = 4;         // pixels, blocks, chi^2, whole: each gets this part of a look's alpha
+constexpr double missed = 0.01;     // probability of passing over a deviation as large as promised to be seen
+constexpr double most_of_it = 0.6;  // of the image's blocks: then a deviation is called the whole image's
+constexpr std::array channel_letters{"R", "G", "B"};
+
+/// Two-sided: the tail at which one of n deviations exceeds its bound with probability alpha.
+double tail_of(double alpha, std::size_t n) { return sidak(alpha, static_cast<double>(n)) / 2; }
+
+/// What a deviation of a block is relative to. 0 where the channel is black.
+double scale_of(const Deviation& block, const Deviation& whole) {
+  return std::max(std::abs(block.expected), std::abs(whole.expected));
+}
+
+bool beyond(const Deviation& d, double tail) {
+  // The normal quantile is the smallest of all: most deviations are under it and need no t.
+  const double errors = std::abs(d.errors());
+  return errors > t_quantile(tail, std::numeric_limits<double>::infinity()) && errors > t_quantile(tail, d.freedom);
+}
+
+/// The largest of the channels' relative deviations, with the interval it was judged by.
+Estimate worst_whole(const Deviations& d, double tail) {
+  Estimate worst;
+  for (const Deviation& whole : d.whole) {
+    if (whole.expected == 0) continue;
+    const double value = whole.difference / whole.expected, margin = whole.margin(tail) / std::abs(whole.expected);
+    if (!worst.interval || std::abs(value) > std::abs(worst.value))
+      worst = {value, Interval{value - margin, value + margin}};
+  }
+  return worst;
+}
+
+struct ChiSquare {
+  std::size_t channel = 0;
+  double value = 0, bound = 0;
+  bool beyond() const { return value > bound; }
+};
+
+ChiSquare chi_square_of_blocks(const Deviations& d, double alpha) {
+  ChiSquare worst;
+  worst.bound = boost::math::quantile(
+      boost::math::complement(boost::math::chi_squared(static_cast<double>(d.places.size())), sidak(alpha, 3)));
+  for (std::size_t c = 0; c < 3; ++c) {
+    double sum = 0;
+    for (const Deviation& block : d.blocks[c]) sum += std::pow(block.deviate(), 2);
+    if (sum <= worst.value) continue;
+    worst.value = sum;
+    worst.channel = c;
+  }
+  return worst;
+}
+
+struct PixelTest {
+  std::size_t beyond = 0;
+  double worst = 0;  ///< deviate
+  std::size_t index = 0, channel = 0;
+};
+
+PixelTest test_pixels(const Deviations& d, double tail) {
+  PixelTest test;
+  for (std::size_t c = 0; c < 3; ++c)
+    for (std::size_t i = 0; i < d.pixels[c].size(); ++i) {
+      if (!beyond(d.pixels[c][i], tail)) continue;
+      ++test.beyond;
+      const double deviate = std::abs(d.pixels[c][i].deviate());
+      if (deviate < test.worst) continue;
+      test = {test.beyond, deviate, i, c};
+    }
+  return test;
+}
+
+std::string places_text(const std::vector<FailingTile>& tiles) {
+  std::string text = tiles.front().sentence;
+  if (tiles.size() > 1) text += fmt::format("; {} more {}", tiles.size() - 1, tiles.size() == 2 ? "place" : "places");
+  return text;
+}
+
+std::string whole_text(const Deviations& d) {
+  std::string text = "the whole image is off:";
+  for (std::size_t c = 0; c < 3; ++c)
+    text += fmt::format(" {} {}", channel_letters[c], relative_text(d.whole[c].difference, d.whole[c].expected));
+  return text;
+}
+
+bool is_everywhere(const Deviations& d, const std::vector<FailingTile>& tiles) {
+  if (tiles.empty()) return false;
+  const double area = static_cast<double>(tiles.front().width) * tiles.front().height;
+  return area > most_of_it * d.width * d.height;
+}
+
+std::string pixel_text(const Deviations& d, const PixelTest& test) {
+  const auto width = static_cast<std::size_t>(d.width);
+  const Deviation& worst = d.pixels[test.channel][test.index];
+  return fmt::format("pixel ({}, {}) {} is {:.4g}, reference {:.4g}: {:.3g} deviations; {} {} beyond noise",
+                     test.index % width, test.index / width, channel_letters[test.channel],
+                     worst.expected + worst.difference, worst.expected, test.worst, test.beyond,
+                     test.beyond == 1 ? "value" : "values");
+}
+
+/// What could still hide: the relative deviation that would be seen with probability 1 - missed.
+double would_see(const Deviation& d, double tail, double scale) { return (d.margin(tail) + d.margin(missed)) / scale; }
+
+struct Power {
+  double whole = 0, block = 0;
+  std::size_t worst_block = 0;
+};
+
+Power power_of(const Deviations& d, double whole_tail, double block_tail) {
+  Power power;
+  for (std::size_t c = 0; c < 3; ++c) {
+    if (d.whole[c].expected == 0) continue;
+    power.whole = std::max(power.whole, would_see(d.whole[c], whole_tail, std::abs(d.whole[c].expected)));
+    for (std::size_t b = 0; b < d.places.size(); ++b) {
+      const double seen = would_see(d.blocks[c][b], block_tail, scale_of(d.blocks[c][b], d.whole[c]));
+      if (seen <= power.block) continue;
+      power.block = seen;
+      power.worst_block = b;
+    }
+  }
+  return power;
+}
+
+}  // namespace
+
+Judgement judge_agreement(const Deviations& d, const AgreementBounds& bounds, double alpha) {
+  const double part = alpha / tests;
+  const double whole_tail = tail_of(part, 3), block_tail = tail_of(part, 3 * d.places.size());
+  const double pixel_tail = tail_of(part, 3 * d.pixels[0].size());
+  Judgement judgement;
+  judgement.observed = worst_whole(d, whole_tail);
+
+  const bool whole_off =
+      std::any_of(d.whole.begin(), d.whole.end(), [&](const Deviation& whole) { return beyond(whole, whole_tail); });
+  const ChiSquare chi_square = chi_square_of_blocks(d, part);
+  const PixelTest pixels = test_pixels(d, pixel_tail);
+  const auto score = [&](std::size_t b, std::size_t c) {
+    const Deviation& block = d.blocks[c][b];
+    return beyond(block, block_tail) ? std::abs(block.deviate()) : 0.0;
+  };
+  judgement.tiles = failing_tiles(d, score);
+  if (whole_off || !judgement.tiles.empty() || chi_square.beyond() || pixels.beyond > 0) {
+    judgement.verdict = GateVerdict::fail;
+    if (whole_off && (judgement.tiles.empty() || is_everywhere(d, judgement.tiles)))
+      judgement.sentence = whole_text(d);
+    else if (!judgement.tiles.empty())
+      judgement.sentence = places_text(judgement.tiles);
+    else if (pixels.beyond > 0)
+      judgement.sentence = pixel_text(d, pixels);
+    else
+      judgement.sentence =
+          fmt::format("blocks of 8 x 8 pixels are off by more than noise in {}: chi^2 {:.4g}, bound {:.4g}",
+                      channel_letters[chi_square.channel], chi_square.value, chi_square.bound);
+    return judgement;
+  }
+  const Power power = power_of(d, whole_tail, block_tail);
+  if (power.whole <= bounds.whole && power.block <= bounds.block) {
+    judgement.verdict = GateVerdict::pass;
+    judgement.sentence =
+        fmt::format("agrees; {:.2g} % overall or {:.2g} % in a block of 8 x 8 pixels would have been seen",
+                    100 * power.whole, 100 * power.block);
+  } else if (power.block > bounds.block) {
+    const Block& block = d.places[power.worst_block];
+    judgement.sentence = fmt::format("too noisy to tell: {:.2g} % could hide in the block at ({}, {}), bound {:.2g} %",
+                                     100 * power.block, block.x0, block.y0, 100 * bounds.block);
+  } else {
+    judgement.sentence = fmt::format("too noisy to tell: {:.2g} % could hide overall, bound {:.2g} %",
+                                     100 * power.whole, 100 * bounds.whole);
+  }
+  return judgement;
+}
+
+namespace {
+
+/// One relative deviation against a bound.
+struct Relative {
+  double value = 0, margin = 0;
+  std::size_t block = 0, channel = 0;
+  double outside(double bound) const { return std::abs(value) - margin - bound; }  ///< > 0: surely outside
+  double reach() const { return std::abs(value) + margin; }                        ///< <= bound: surely inside
+};
+
+std::vector<Relative> relative_deviations(const Deviations& d, bool block, double alpha) {
+  std::vector<Relative> all;
+  const double tail = tail_of(alpha, block ? 3 * d.places.size() : 3);
+  for (std::size_t c = 0; c < 3; ++c) {
+    if (d.whole[c].expected == 0) continue;
+    for (std::size_t b = 0; b < (block ? d.places.size() : 1); ++b) {
+      const Deviation& deviation = block ? d.blocks[c][b] : d.whole[c];
+      const double scale = scale_of(deviation, d.whole[c]);
+      all.push_back({deviation.difference / scale, deviation.margin(tail) / scale, b, c});
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+Judgement judge_bias(const Deviations& d, bool block, double bound, double alpha) {
+  const std::vector<Relative> all = relative_deviations(d, block, alpha);
+  Judgement judgement;
+  if (all.empty()) {
+    judgement.verdict = GateVerdict::fail;
+    judgement.sentence = "the reference is black: nothing is relative to it";
+    return judgement;
+  }
+  // The one that decides: the surest outside, else the one that reaches furthest.
+  const Relative* outside = &*std::max_element(all.begin(), all.end(), [&](const Relative& a, const Relative& b) {
+    return a.outside(bound) < b.outside(bound);
+  });
+  const Relative* furthest = &*std::max_element(
+      all.begin(), all.end(), [](const Relative& a, const Relative& b) { return a.reach() < b.reach(); });
+  const Relative& worst = outside->outside(bound) > 0 ? *outside : *furthest;
+  judgement.observed = {worst.value, Interval{worst.value - worst.margin, worst.value + worst.margin}};
+  const std::string where =
+      block ? fmt::format("the block at ({}, {})", d.places[worst.block].x0, d.places[worst.block].y0)
+            : std::string("the whole image");
+  const std::string interval = fmt::format("{} is {:+.2g} % in {} ({:+.2g} to {:+.2g})", where, 100 * worst.value,
+                                           channel_letters[worst.channel], 100 * judgement.observed.interval->low,
+                                           100 * judgement.observed.interval->high);
+  const std::string limit = fmt::format("bound {:.2g} %", 100 * bound);
+  if (outside->outside(bound) > 0) {
+    judgement.verdict = GateVerdict::fail;
+    judgement.tiles = failing_tiles(d, [&](std::size_t b, std::size_t c) {
+      if (!block)
+        return beyond(d.blocks[c][b], tail_of(alpha, 3 * d.places.size())) ? std::abs(d.blocks[c][b].deviate()) : 0.0;
+      for (const Relative& relative : all)
+        if (relative.block == b && relative.channel == c && relative.outside(bound) > 0)
+          return relative.outside(bound) * scale_of(d.blocks[c][b], d.whole[c]) / d.blocks[c][b].standard_error;
+      return 0.0;
+    });
+    judgement.sentence =
+        block && !judgement.tiles.empty() ? places_text(judgement.tiles) + "; " + limit : interval + ", " + limit;
+  } else if (furthest->reach() <= bound) {
+    judgement.verdict = GateVerdict::pass;
+    judgement.sentence = block ? fmt::format("no block is off by more than {:.2g} %, ", 100 * furthest->reach()) + limit
+                               : interval + ", " + limit;
+  } else {
+    judgement.sentence = "too noisy to tell: " + interval + ", " + limit;
+  }
+  return judgement;
+}
+
+Judgement judge_metric(const std::string& metric, std::span<const double> values, BoundKind kind, double bound,
+                       double alpha) {
+  const auto n = static_cast<double>(values.size());
+  double mean = 0, squares = 0;
+  for (const double value : values) mean += value;
+  mean /= n;
+  for (const double value : values) squares += (value - mean) * (value - mean);
+  const double margin = t_quantile(alpha / 2, n - 1) * std::sqrt(squares / (n - 1) / n);
+  Judgement judgement;
+  judgement.observed = {mean, Interval{mean - margin, mean + margin}};
+  const std::string text =
+      fmt::format("{} is {:.4g} ({:.4g} to {:.4g}), bound {:.4g}", metric, mean, mean - margin, mean + margin, bound);
+  const bool from_below = kind == BoundKind::minimum;
+  const double low = mean - margin, high = mean + margin;
+  const bool inside = from_below ? low >= bound : high <= bound && (kind == BoundKind::maximum || low >= -bound);
+  const bool outside =
+      from_below ? high < bound : low > bound || (kind == BoundKind::absolute_maximum && high < -bound);
+  if (outside) judgement.verdict = GateVerdict::fail;
+  if (inside) judgement.verdict = GateVerdict::pass;
+  judgement.sentence = inside || outside ? text : "too noisy to tell: " + text;
+  return judgement;
+}
+
+}  // namespace photonproof

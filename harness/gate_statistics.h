@@ -1,0 +1,51 @@
+// What a gate concludes from the images it has so far: it fails, it passes, or more images are needed. Pure functions;
+// gate_run.h draws the images.
+//
+// A gate looks up to `looks` times, each time at twice as many images as before, and may fail by chance with
+// probability alpha over all its looks. Every look spends an equal part of alpha, so that the union bound holds the
+// total whatever looks have in common; with five looks that widens the bounds by a tenth against one look at the same
+// alpha, and needs no assumption that alpha-spending by information (Lan and DeMets 1983) would need of few images.
+// Within a look the tests share the look's part in the same way.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "harness/deviations.h"
+#include "harness/metric_bounds.h"
+#include "harness/results.h"
+
+namespace photonproof {
+
+struct Judgement {
+  std::optional<GateVerdict> verdict;  ///< pass or fail; empty: more images are needed
+  std::string sentence;                ///< where and how, or why it is not decided
+  Estimate observed;                   ///< the deviation or metric that was judged, with the interval it was judged by
+  std::vector<FailingTile> tiles{};    ///< when it fails, worst first
+};
+
+/// What an agreement gate promises when it passes: it would have failed with probability 0.99 were the whole image off
+/// by `whole` in one channel, or a block of 8 x 8 pixels by `block`. Both relative: to the channel's mean, and to the
+/// block's mean or the channel's where the block is darker.
+struct AgreementBounds {
+  double whole = 0, block = 0;
+};
+
+/// For engines whose expectation is the reference's. Fails when chance does not explain a deviation: of a pixel, a
+/// block, all blocks together (chi^2) or the whole image, at a fourth of `alpha` each, Sidak's level within. Passes
+/// when none fails and the promise above holds.
+Judgement judge_agreement(const Deviations& deviations, const AgreementBounds& bounds, double alpha);
+
+/// For engines with a known error: the relative deviation of the whole image (`block` false) or of every block (true),
+/// relative to what AgreementBounds says, must lie within +-bound. Fails when the interval of one lies outside, passes
+/// when all intervals lie inside; they hold together with probability 1 - alpha.
+Judgement judge_bias(const Deviations& deviations, bool block, double bound, double alpha);
+
+/// The expectation of a metric of one image, from its values for independent images, against a bound on that side.
+/// Precondition: at least two values, finite.
+Judgement judge_metric(const std::string& metric, std::span<const double> values, BoundKind kind, double bound,
+                       double alpha);
+
+}  // namespace photonproof

@@ -1,0 +1,108 @@
+#include "harness/gate_suite.h"
+
+#include "harness/metric_rows.h"
+#include "harness/suite_rows.h"
+#include "scenes/atomic_file.h"
+
+namespace photonproof {
+namespace {
+
+constexpr int least_ssim_side = 11;
+constexpr double block_over_whole = 5;  // a block has 1/64 of a 64 x 64 image's pixels: 8 times its noise
+
+double positive(const TomlTable& table, const std::string& key, double most) {
+  const double value = table.number(key);
+  if (!(value > 0 && value <= most)) {
+    std::string limit = std::to_string(most);
+    limit.erase(limit.find_last_not_of('0') + 1);
+    if (limit.back() == '.') limit.pop_back();
+    throw table.error(key, "'" + key + "' must be positive and at most " + limit);
+  }
+  return value;
+}
+
+/// The keys that the suite gives to all gates and a gate may give itself.
+void read_statistics(const TomlTable& table, Gate& gate) {
+  if (table.has("alpha")) gate.alpha = positive(table, "alpha", 0.5);
+  if (table.has("seeds")) gate.seeds = bounded_integer(table, "seeds", 2, 1 << 16);
+  if (table.has("looks")) gate.looks = bounded_integer(table, "looks", 1, 12);
+}
+
+std::string known_metrics() {
+  std::string names = std::string(agreement_metric) + ", " + block_bias_metric;
+  for (const MetricRow& row : metric_rows()) names += ", " + std::string(row.name);
+  return names;
+}
+
+std::string metric_from_toml(const TomlTable& table, const SuiteScene& scene) {
+  const std::string metric = table.string("metric");
+  if (metric != agreement_metric && metric != block_bias_metric && find_metric(metric) == nullptr)
+    throw table.error("metric", "unknown metric '" + metric + "'; known: " + known_metrics());
+  if (metric == "ssim" && std::min(scene.width, scene.height) < least_ssim_side)
+    throw table.error("metric", "ssim needs images of at least 11 x 11 pixels");
+  return metric;
+}
+
+Gate gate_from_toml(const TomlTable& table, const GateSuite& suite, const Gate& defaults) {
+  Gate gate = defaults;
+  gate.scene = table.string("scene");
+  const SuiteScene* scene = find_named(suite.scenes, gate.scene);
+  if (scene == nullptr)
+    throw table.error("scene", "unknown scene '" + gate.scene + "'; known: " + names_of(suite.scenes));
+  const Engine& engine = known_engine(table, suite.engines);
+  gate.engine = engine.name;
+  const std::string budget = table.string("budget");
+  if (const auto problem = budget_problem(budget, engine)) throw table.error("budget", *problem);
+  gate.budget = *budget_from_text(budget);
+  gate.metric = metric_from_toml(table, *scene);
+  if (gate.metric == agreement_metric && engine.trust == Trust::biased)
+    throw table.error("metric", "engine '" + engine.name +
+                                    "' has a known error, which agreement would find; bound it by bias or block_bias");
+  const bool relative =
+      gate.metric == agreement_metric || gate.metric == bias_metric || gate.metric == block_bias_metric;
+  gate.bound = relative ? positive(table, "bound", 1) : table.number("bound");
+  if (gate.metric == agreement_metric)
+    gate.block_bound =
+        table.has("block_bound") ? positive(table, "block_bound", 10) : block_over_whole * gate.bound;
+  gate.name = table.has("name") ? table.string("name") : gate.scene + "/" + gate.engine + "/" + gate.metric;
+  if (find_named(suite.gates, gate.name) != nullptr)
+    throw table.error("there is a gate '" + gate.name + "' already; give this one a 'name'");
+  read_statistics(table, gate);
+  table.expect_no_other_keys();
+  return gate;
+}
+
+}  // namespace
+
+const Engine& GateSuite::engine(const std::string& engine_name) const { return *find_named(engines, engine_name); }
+
+const SuiteScene& GateSuite::scene(const std::string& scene_name) const { return *find_named(scenes, scene_name); }
+
+GateSuite read_gate_suite(const std::filesystem::path& file) {
+  const TomlTable document = TomlTable::parse(read_file(file, max_suite_bytes), file.string());
+  GateSuite suite;
+  suite.file = file;
+  suite.folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+  suite.name = file_name(document, "name");
+  suite.title = document.string("title");
+  suite.limits = limits_from_toml(document);
+  if (suite.limits.threads == 0) suite.limits.threads = 1;  // images side by side use the cores better
+  Gate defaults;
+  defaults.alpha = 0.001;
+  defaults.seeds = 8;
+  defaults.looks = 4;
+  read_statistics(document, defaults);
+  suite.engines = builtin_engines();
+  for (Engine& engine : engines_from_toml(document, suite.engines)) suite.engines.push_back(std::move(engine));
+  for (const TomlTable& table : document.tables("scene")) {
+    suite.scenes.push_back(scene_row(table, suite.folder, suite.scenes));
+    table.expect_no_other_keys();
+  }
+  for (const TomlTable& table : document.tables("gate"))
+    suite.gates.push_back(gate_from_toml(table, suite, defaults));
+  document.expect_no_other_keys();
+  if (suite.gates.empty()) throw document.error("the suite has no [[gate]]");
+  return suite;
+}
+
+}  // namespace photonproof

@@ -1,0 +1,38 @@
+// The blocks of 8 x 8 pixels over which tests of images take means, so that a small wide bias shows.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace photonproof {
+
+inline constexpr int block_side = 8;
+
+/// Pixels [x0, x1) x [y0, y1); at the right and lower edge what is left of a block.
+struct Block {
+  int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+  double pixels() const { return static_cast<double>(x1 - x0) * (y1 - y0); }
+};
+
+/// Row by row.
+inline std::vector<Block> blocks_of(int width, int height) {
+  std::vector<Block> blocks;
+  for (int y = 0; y < height; y += block_side)
+    for (int x = 0; x < width; x += block_side)
+      blocks.push_back({x, y, std::min(x + block_side, width), std::min(y + block_side, height)});
+  return blocks;
+}
+
+/// visit(x, y)
+template <class Visit>
+void for_each_pixel(const Block& block, const Visit& visit) {
+  for (int y = block.y0; y < block.y1; ++y)
+    for (int x = block.x0; x < block.x1; ++x) visit(x, y);
+}
+
+/// The level at which each of `tests` may fail so that one of them does with probability `alpha` (Sidak 1967).
+inline double sidak(double alpha, double tests) { return -std::expm1(std::log1p(-alpha) / tests); }
+
+}  // namespace photonproof

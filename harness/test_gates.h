@@ -1,0 +1,96 @@
+// A gate suite whose engines are a shell script that copies prepared images, and a stored reference they can be held to.
+#pragma once
+
+#include <cmath>
+#include <random>
+
+#include "harness/test_suite.h"
+#include "reference/reference_store.h"
+#include "scenes/parser.h"
+#include "scenes/scene_hash.h"
+
+namespace photonproof {
+
+class FakeGateTest : public FakeSuiteTest {
+ protected:
+  static constexpr int prepared = 64;  ///< images: seed n is image n modulo 64
+
+  void SetUp() override {
+    FakeSuiteTest::SetUp();
+    put("gate.sh", gate_script);
+    std::mt19937_64 random(1);
+    for (int i = 0; i < prepared; ++i) {
+      const std::string number = std::to_string(i) + ".exr";
+      const Image good = noisy(random);
+      Image dim = good;
+      for (int y = 4; y < 8; ++y)
+        for (int x = 3; x < 6; ++x)
+          for (int c = 0; c < 3; ++c) dim.pixel(x, y)[c] *= 0.5f;
+      write_exr((folder_ / ("good-" + number)).string(), {good, {}, {}});
+      write_exr((folder_ / ("dim-" + number)).string(), {dim, {}, {}});
+    }
+  }
+
+  static double expected(int x, int y, int c) { return (x < 7 ? 0.2 : 0.6) + 0.02 * y + 0.1 * c; }
+
+  /// Each value is off by a normal 2 %.
+  static Image noisy(std::mt19937_64& random) {
+    Image image(width, height);
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x)
+        for (int c = 0; c < 3; ++c)
+          image.pixel(x, y)[c] =
+              static_cast<float>(expected(x, y, c) * (1 + 0.02 * std::normal_distribution<double>()(random)));
+    return image;
+  }
+
+  /// The exact expectation, as if from so many samples that 1e-4 of each value is its standard error.
+  void put_reference() const {
+    Rendering exact{Image(width, height), Image(width, height), {}};
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x)
+        for (int c = 0; c < 3; ++c) {
+          exact.mean.pixel(x, y)[c] = static_cast<float>(expected(x, y, c));
+          exact.variance->pixel(x, y)[c] = static_cast<float>(std::pow(1e-4 * expected(x, y, c), 2));
+        }
+    Provenance provenance;
+    provenance.scene_hash = scene_hash(parse_scene_file((folder_ / "scene.xml").string()));
+    provenance.width = width;
+    provenance.height = height;
+    provenance.estimator = "path";
+    provenance.samples = 1 << 20;
+    provenance.seeds = {1, 2, 3, 4, 5, 6, 7, 8};
+    provenance.date = "2026-01-01T00:00:00Z";
+    commit_reference(folder_ / "scene.xml", exact, provenance, "");
+  }
+
+  static std::string gate(const std::string& engine, const std::string& metric, double bound) {
+    return "[[gate]]\nscene = 'scene'\nengine = '" + engine + "'\nbudget = 'spp=4'\nmetric = '" + metric +
+           "'\nbound = " + std::to_string(bound) + "\n";
+  }
+
+  std::string gates_text(const std::string& gates) const {
+    std::string text = "name = 'fake'\ntitle = 'Fake'\n[limits]\nseconds = 20\n[[scene]]\nname = 'scene'\n"
+                       "path = 'scene.xml'\nwidth = " +
+                       std::to_string(width) + "\nheight = " + std::to_string(height) + "\n";
+    for (const char* engine : {"good", "dim", "nan", "segfaults", "sleeps"})
+      text += "[[engine]]\nname = '" + std::string(engine) +
+              "'\ntitle = 'fake'\ncommand = ['sh', '{suite}/gate.sh', '" + engine +
+              "', '{suite}', '{output}', '{seed}', '{scene}']\nversions = [['cat', '{suite}/version']]\n"
+              "budgets = ['spp']\ntrust = 'unbiased'\n";
+    put("version", "fake 1\n");
+    return text + gates;
+  }
+
+  static constexpr const char* gate_script = R"script(
+echo "$1 $4" >> "$2/log"
+case $1 in
+  good|dim) cp "$2/$1-$(($4 % 64)).exr" "$3" ;;
+  nan) cp "$2/nan.exr" "$3" ;;
+  segfaults) kill -SEGV $$ ;;
+  sleeps) echo $$ > "$2/pid"; sleep 0.5; cp "$2/good-0.exr" "$3" ;;
+esac
+)script";
+};
+
+}  // namespace photonproof

@@ -1,0 +1,240 @@
+// photonproof gate: decides a suite's gates and writes the record, the report and JUnit.
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "harness/engine_command.h"
+#include "harness/engine_output.h"
+#include "harness/gate_accept.h"
+#include "harness/gate_run.h"
+#include "harness/gate_self_test.h"
+#include "harness/interrupt.h"
+#include "harness/verbs.h"
+#include "harness/versions.h"
+#include "reports/formats.h"
+#include "scenes/atomic_file.h"
+#include "scenes/input_error.h"
+
+namespace photonproof {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct GateArguments {
+  std::string suite, output, only;
+  std::uint64_t seed = 1;
+  bool resume = false, json = false, report = true, annotations = false;
+  bool self_test = false;
+  int runs = 100, pool = 64, other_pool = 16;
+  std::string accept, reason;
+  std::optional<double> standard_error;
+};
+
+// On standard error: one line a decided gate; on a terminal also a line that rewrites itself.
+class ProgressLines : public GateObserver {
+ public:
+  void looks(std::size_t number, std::size_t total, const Gate& gate, std::size_t images) override {
+    if (!terminal_) return;
+    std::fprintf(stderr, "\r\033[K[%zu/%zu] %s: %zu images", number, total, gate.name.c_str(), images);
+    std::fflush(stderr);
+  }
+  void ended(std::size_t number, std::size_t total, const GateRecord& record) override {
+    std::fprintf(stderr, "%s[%zu/%zu] %s %s: %s\n", terminal_ ? "\r\033[K" : "", number, total,
+                 to_string(record.verdict).c_str(), record.name.c_str(), record.sentence.c_str());
+  }
+
+ private:
+  bool terminal_ = isatty(STDERR_FILENO) != 0;
+};
+
+std::vector<fs::path> write_reports(const GateSummary& summary) {
+  const fs::path folder = summary.results_file.parent_path();
+  std::vector<fs::path> written;
+  for (const ReportFormat& format : report_formats()) {
+    if (format.name != "html" && format.name != "junit") continue;
+    written.push_back(folder / (format.name == "html" ? "report.html" : "junit.xml"));
+    format.write(summary.results, folder, written.back());
+  }
+  return written;
+}
+
+void print_json(const GateSummary& summary, const std::vector<fs::path>& reports) {
+  nlohmann::ordered_json json = {{"results", summary.results_file.string()},
+                                 {"reports", nlohmann::json::array()},
+                                 {"pass", summary.count(GateVerdict::pass)},
+                                 {"fail", summary.count(GateVerdict::fail)},
+                                 {"inconclusive", summary.count(GateVerdict::inconclusive)},
+                                 {"interrupted", summary.interrupted},
+                                 {"gates", nlohmann::json::array()}};
+  for (const fs::path& report : reports) json["reports"].push_back(report.string());
+  for (const GateRecord& gate : summary.results.gates)
+    json["gates"].push_back({{"name", gate.name},
+                             {"verdict", to_string(gate.verdict)},
+                             {"sentence", gate.sentence},
+                             {"looks", gate.looks},
+                             {"samples", gate.samples},
+                             {"seconds", gate.seconds}});
+  std::printf("%s\n", json.dump(2).c_str());
+}
+
+void print_text(const GateSuite& suite, const GateSummary& summary, const std::vector<fs::path>& reports) {
+  std::printf("%s: %zu pass, %zu fail, %zu inconclusive%s\n", suite.name.c_str(), summary.count(GateVerdict::pass),
+              summary.count(GateVerdict::fail), summary.count(GateVerdict::inconclusive),
+              summary.interrupted ? "; interrupted: --resume goes on from here" : "");
+  std::printf("results: %s\n", summary.results_file.c_str());
+  for (const fs::path& report : reports) std::printf("report: %s\n", report.c_str());
+}
+
+// A GitHub workflow command; its message ends at a line break, which none of ours has.
+std::string escaped(const std::string& text, bool property) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '%')
+      out += "%25";
+    else if (property && c == ':')
+      out += "%3A";
+    else if (property && c == ',')
+      out += "%2C";
+    else
+      out += c;
+  }
+  return out;
+}
+
+void print_annotations(const GateSummary& summary) {
+  for (const GateRecord& gate : summary.results.gates) {
+    if (gate.verdict == GateVerdict::pass) continue;
+    std::printf("::%s title=%s::%s\n", gate.verdict == GateVerdict::fail ? "error" : "warning",
+                escaped("gate " + gate.name, true).c_str(), escaped(gate.sentence, false).c_str());
+  }
+}
+
+int exit_code_of(const GateSummary& summary) {
+  if (summary.interrupted) return 130;
+  if (summary.count(GateVerdict::fail) > 0) return 1;
+  return summary.count(GateVerdict::inconclusive) > 0 ? 3 : 0;
+}
+
+GateOptions options_of(const GateArguments& arguments, const GateSuite& suite) {
+  GateOptions options;
+  options.folder = arguments.output.empty() ? fs::path("out") / suite.name : fs::path(arguments.output);
+  options.program = fs::read_symlink("/proc/self/exe");
+  std::vector<std::string> command{"photonproof", "gate", arguments.suite, "-o", options.folder.string(), "--seed",
+                                   std::to_string(arguments.seed)};
+  if (!arguments.only.empty()) command.insert(command.end(), {"--only", arguments.only});
+  options.command = shell_line(command);
+  options.versions = program_versions();
+  options.seed = arguments.seed;
+  options.only = arguments.only;
+  options.resume = arguments.resume;
+  options.interrupt = &interrupt_flag();
+  return options;
+}
+
+fs::path faulty_program(const fs::path& program) {
+  fs::path faulty = program.parent_path() / "photonproof-faulty";
+  if (!fs::exists(faulty))
+    throw InputError("--self-test", "needs the program with faults, '" + faulty.string() +
+                                        "': cmake --build --preset release --target photonproof_faulty");
+  return faulty;
+}
+
+int self_test(const GateArguments& arguments, const GateSuite& suite) {
+  SelfTestOptions options;
+  options.gates = options_of(arguments, suite);
+  options.gates.folder /= "self-test";
+  options.faulty = faulty_program(options.gates.program);
+  options.runs = arguments.runs;
+  options.pool = arguments.pool;
+  options.other_pool = arguments.other_pool;
+  options.progress = progress_line(arguments.json);
+  const SelfTest test = run_self_test(suite, options);
+  if (test.interrupted) {
+    std::printf("interrupted; --resume goes on from here\n");
+    return 130;
+  }
+  const std::string table = self_test_table(
+      suite, test, fmt::format("photonproof gate {} --self-test --runs {} --pool {} --other-pool {} --seed {}",
+                               arguments.suite, arguments.runs, arguments.pool, arguments.other_pool, arguments.seed));
+  write_file_atomically(options.gates.folder / "power.md", table);
+  std::printf("%s", table.c_str());
+  return self_test_passes(test) ? 0 : 1;
+}
+
+int accept(const GateArguments& arguments, const GateSuite& suite) {
+  AcceptOptions options;
+  options.program = fs::read_symlink("/proc/self/exe");
+  options.gate = arguments.accept;
+  options.reason = arguments.reason;
+  options.who = name_of_user();
+  options.standard_error = arguments.standard_error;
+  options.interrupt = &interrupt_flag();
+  const std::optional<Accepted> accepted = accept_reference(suite, options);
+  if (!accepted) return 130;
+  std::printf("reference: %s\n%s\n", accepted->file.c_str(), accepted->sentence.c_str());
+  return 0;
+}
+
+int run(const GateArguments& arguments) {
+  const GateSuite suite = read_gate_suite(arguments.suite);
+  if (!arguments.accept.empty()) return accept(arguments, suite);
+  if (!arguments.reason.empty()) throw InputError("--reason", "is for --accept");
+  if (arguments.self_test) return self_test(arguments, suite);
+  ProgressLines progress;
+  const GateSummary summary = run_gates(suite, options_of(arguments, suite), progress);
+  const std::vector<fs::path> reports = arguments.report ? write_reports(summary) : std::vector<fs::path>{};
+  const char* github = std::getenv("GITHUB_ACTIONS");
+  if (arguments.json)
+    print_json(summary, reports);
+  else
+    print_text(suite, summary, reports);
+  if (arguments.annotations || (!arguments.json && github != nullptr && std::string(github) == "true"))
+    print_annotations(summary);
+  return exit_code_of(summary);
+}
+
+}  // namespace
+
+void add_gate_verb(CLI::App& program, int& exit_code) {
+  auto arguments = std::make_shared<GateArguments>();
+  CLI::App* verb = program.add_subcommand(
+      "gate",
+      "Decide a suite's gates: draw as many images as each verdict needs, and say where and how one fails.\n"
+      "Exit codes: 0 pass, 1 a gate fails, 2 bad input, 3 none fails but one is inconclusive, 130 interrupted");
+  verb->add_option("suite", arguments->suite, "gate suite (TOML)")->required();
+  verb->add_option("-o,--output", arguments->output, "results folder (default: out/<name of the suite>)");
+  verb->add_option("--seed", arguments->seed, "of the run: same build, suite and seed, same verdicts (default 1)")
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000'000}));
+  verb->add_option("--only", arguments->only, "only gates whose name contains this");
+  verb->add_flag("--resume", arguments->resume, "use the images that an interrupted run left in the results folder");
+  verb->add_flag("--json", arguments->json, "print the verdicts as JSON");
+  verb->add_flag("--annotations", arguments->annotations,
+                 "print a GitHub annotation for each gate that does not pass (default where GITHUB_ACTIONS is true)");
+  verb->add_flag("--report,!--no-report", arguments->report, "write report.html and junit.xml (default)");
+  verb->add_flag("--self-test", arguments->self_test,
+                 "plant faults and measure, for every gate, how often it finds them and how often it fails without: exit "
+                 "code 0 when the suite finds every fault in 99 of 100 runs");
+  verb->add_option("--runs", arguments->runs, "of the self-test, for each fault; five times as many without")
+      ->check(CLI::Range(1, 1'000'000))
+      ->capture_default_str();
+  verb->add_option("--pool", arguments->pool, "images that the self-test's runs draw from, a scene, engine and budget")
+      ->check(CLI::Range(2, 1'000'000))
+      ->capture_default_str();
+  verb->add_option("--other-pool", arguments->other_pool, "the same for each fault, and other conditions, of the engine")
+      ->check(CLI::Range(2, 1'000'000))
+      ->capture_default_str();
+  verb->add_option("--accept", arguments->accept,
+                   "instead: render the reference of this gate's scene anew and put it in place of the committed one");
+  verb->add_option("--reason", arguments->reason, "why, for --accept; kept in the reference's provenance");
+  verb->add_option("--standard-error", arguments->standard_error, "of what --accept renders (default: the old one's)")
+      ->check(CLI::Range(1e-6, 1.0));
+  verb->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+}
+
+}  // namespace photonproof

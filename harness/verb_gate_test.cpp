@@ -1,0 +1,158 @@
+// The program itself, as a CI job treats it: verdicts, exit codes, annotations, what it leaves behind.
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "harness/results.h"
+#include "harness/test_gates.h"
+#include "reference/process.h"
+
+namespace photonproof {
+namespace {
+
+class GateVerb : public FakeGateTest {
+ protected:
+  ProcessOutcome run_gate(const std::string& gates, const std::vector<std::string>& more = {}) const {
+    put("gates.toml", gates_text(gates));
+    std::vector<std::string> argv{PHOTONPROOF_BINARY, "gate", folder_ / "gates.toml", "-o", folder_ / "out"};
+    argv.insert(argv.end(), more.begin(), more.end());
+    return run_process(argv, {.wall_limit_seconds = 60});
+  }
+  GateRecord only_gate() const {
+    const Results results = read_results((folder_ / "out" / "results.json").string());
+    EXPECT_EQ(results.gates.size(), 1u);
+    return results.gates.at(0);
+  }
+  long images_drawn() const {
+    const std::string log = has("log") ? get("log") : "";
+    return std::count(log.begin(), log.end(), '\n');
+  }
+};
+
+TEST_F(GateVerb, a_right_engine_passes_every_kind_of_gate_at_its_first_look) {
+  put_reference();
+  const ProcessOutcome outcome = run_gate(gate("good", "agreement", 0.05) + gate("good", "bias", 0.05) +
+                                          gate("good", "block_bias", 0.1) + gate("good", "relmse", 0.01));
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.standard_error << outcome.standard_output;
+  EXPECT_EQ(outcome.standard_output.rfind("fake: 4 pass, 0 fail, 0 inconclusive\n", 0), 0u) << outcome.standard_output;
+  EXPECT_TRUE(has("out/report.html"));
+  EXPECT_EQ(images_drawn(), 8);  // shared by all four
+}
+
+TEST_F(GateVerb, a_dim_place_fails_and_is_named) {
+  put_reference();
+  const ProcessOutcome outcome = run_gate(gate("dim", "agreement", 0.05), {"--annotations"});
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.standard_error;
+  const GateRecord record = only_gate();
+  EXPECT_EQ(record.verdict, GateVerdict::fail);
+  EXPECT_EQ(record.looks, 1);
+  EXPECT_EQ(record.samples, 32u);  // 8 images of 4
+  // Half of the light of 3 x 4 pixels is gone.
+  EXPECT_EQ(record.sentence, "-50 % over 12 px at (3, 4); 8 images of spp=4");
+  ASSERT_EQ(record.tiles.size(), 1u);
+  EXPECT_EQ(record.tiles[0].x, 3);
+  EXPECT_EQ(record.tiles[0].y, 4);
+  EXPECT_TRUE(has("out/" + record.image));
+  for (const auto& [role, picture] : record.pictures) EXPECT_TRUE(has("out/" + picture)) << role;
+  EXPECT_NE(outcome.standard_output.find("::error title=gate scene/dim/agreement::-50 %25 over 12 px at (3, 4)"),
+            std::string::npos)
+      << outcome.standard_output;
+}
+
+TEST_F(GateVerb, each_kind_of_gate_can_fail) {
+  put_reference();
+  // 12 of 192 pixels lose half: some -3 % overall, -9 % of a block, and relmse 12/192 0.25 = 0.016.
+  for (const auto& [metric, bound] :
+       {std::pair{"bias", 0.005}, std::pair{"block_bias", 0.02}, std::pair{"relmse", 0.01}, std::pair{"psnr", 60.0}})
+    EXPECT_EQ(run_gate(gate("dim", metric, bound)).exit_code, 1) << metric;
+}
+
+TEST_F(GateVerb, each_kind_of_gate_says_when_it_cannot_tell) {
+  put_reference();
+  // 64 images leave 0.02/sqrt(64 192) = 0.02 % overall; relmse of one image is near 4e-4, but not to 1e-7.
+  for (const auto& [metric, bound] :
+       {std::pair{"agreement", 0.00001}, std::pair{"bias", 0.00001}, std::pair{"block_bias", 0.00001}}) {
+    const ProcessOutcome outcome = run_gate(gate("good", metric, bound));
+    EXPECT_EQ(outcome.exit_code, 3) << metric << outcome.standard_error;
+    EXPECT_EQ(only_gate().looks, 4);
+    EXPECT_EQ(only_gate().sentence.rfind("too noisy to tell: ", 0), 0u) << only_gate().sentence;
+  }
+  double relmse = 0;
+  run_gate(gate("good", "relmse", 1.0));
+  relmse = only_gate().observed->value;
+  put("near.toml", gates_text("[[gate]]\nscene = 'scene'\nengine = 'good'\nbudget = 'spp=4'\nmetric = 'relmse'\nlooks = 1"
+                              "\nbound = " + std::to_string(relmse) + "\n"));
+  EXPECT_EQ(run_process({PHOTONPROOF_BINARY, "gate", folder_ / "near.toml", "-o", folder_ / "near"}).exit_code, 3);
+}
+
+TEST_F(GateVerb, crashes_and_bad_images_fail_with_their_reason) {
+  put_reference();
+  EXPECT_EQ(run_gate(gate("nan", "agreement", 0.05)).exit_code, 1);
+  EXPECT_NE(only_gate().sentence.find("pixel (0, 0) of the test image is NaN"), std::string::npos)
+      << only_gate().sentence;
+  EXPECT_EQ(run_gate(gate("segfaults", "agreement", 0.05)).exit_code, 1);
+  EXPECT_NE(only_gate().sentence.find("killed by SIGSEGV"), std::string::npos) << only_gate().sentence;
+}
+
+TEST_F(GateVerb, a_missing_reference_is_an_error_that_says_how_to_make_it) {
+  const ProcessOutcome outcome = run_gate(gate("good", "agreement", 0.05));
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.standard_error.find("photonproof reference "), std::string::npos) << outcome.standard_error;
+  EXPECT_EQ(images_drawn(), 0);
+}
+
+TEST_F(GateVerb, the_same_seed_gives_the_same_verdict_and_another_seed_other_images) {
+  put_reference();
+  run_gate(gate("good", "agreement", 0.05));
+  const GateRecord first = only_gate();
+  run_gate(gate("good", "agreement", 0.05));
+  EXPECT_EQ(only_gate().observed, first.observed);
+  EXPECT_EQ(only_gate().sentence, first.sentence);
+  EXPECT_EQ(images_drawn(), 16);  // nothing is taken from the first run unless asked
+  // Seed 3 starts at 3,000,000 = image 0 modulo 64 as 1,000,000 does; 2,000,001 would not: seeds are a million apart.
+  put("log", "");
+  run_gate(gate("good", "agreement", 0.05), {"--seed", "3"});
+  EXPECT_EQ(get("log").rfind("good 3000000\n", 0), 0u) << get("log");
+}
+
+TEST_F(GateVerb, resume_takes_the_images_that_are_there) {
+  put_reference();
+  run_gate(gate("good", "agreement", 0.05));
+  EXPECT_EQ(images_drawn(), 8);
+  EXPECT_EQ(run_gate(gate("good", "agreement", 0.05), {"--resume"}).exit_code, 0);
+  EXPECT_EQ(images_drawn(), 8);
+}
+
+TEST_F(GateVerb, json_has_every_verdict) {
+  put_reference();
+  const ProcessOutcome outcome =
+      run_gate(gate("good", "agreement", 0.05) + gate("dim", "agreement", 0.05), {"--json", "--only", "dim"});
+  const nlohmann::json json = nlohmann::json::parse(outcome.standard_output);
+  EXPECT_EQ(json.at("fail"), 1);
+  EXPECT_EQ(json.at("pass"), 0);
+  EXPECT_EQ(json.at("gates").at(0).at("name"), "scene/dim/agreement");
+}
+
+TEST_F(GateVerb, accepting_needs_a_reason_and_keeps_it_with_old_and_new) {
+  put_reference();
+  put("gates.toml", gates_text(gate("good", "agreement", 0.05)));
+  const std::vector<std::string> accept{PHOTONPROOF_BINARY, "gate", folder_ / "gates.toml", "--accept",
+                                        "scene/good/agreement"};
+  const ProcessOutcome without = run_process(accept);
+  EXPECT_EQ(without.exit_code, 2);
+  EXPECT_NE(without.standard_error.find("say why"), std::string::npos) << without.standard_error;
+
+  std::vector<std::string> with = accept;
+  with.insert(with.end(), {"--reason", "the lamp is a sphere now", "--standard-error", "0.05"});
+  const ProcessOutcome outcome = run_process(with, {.wall_limit_seconds = 120});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.standard_error;
+  const StoredReference now = load_reference(folder_ / "scene.xml", width, height);
+  ASSERT_EQ(now.provenance.history.size(), 1u);
+  const Acceptance& acceptance = now.provenance.history[0];
+  EXPECT_EQ(acceptance.reason.rfind("the lamp is a sphere now (accepted by ", 0), 0u) << acceptance.reason;
+  EXPECT_NE(acceptance.reason.find("relmse"), std::string::npos) << acceptance.reason;
+  EXPECT_NE(acceptance.before, acceptance.after);
+}
+
+}  // namespace
+}  // namespace photonproof
