@@ -164,10 +164,8 @@ class PairRunner {
 
 class Comparisons {
  public:
-  Comparisons(const AgainstRun& run, const AgainstOptions& options)
-      : run_(run), options_(options), old_(read_results(options.results.string())) {
-    if (!options.old_program.empty() && !fs::is_regular_file(options.old_program))
-      throw InputError("--old-program", "no such file: " + options.old_program.string());
+  Comparisons(const AgainstRun& run, const Results& old_run, const AgainstOptions& options)
+      : run_(run), options_(options), old_(old_run) {
     old_program_ = options.old_program.empty() ? recorded_program() : options.old_program;
   }
 
@@ -265,7 +263,7 @@ class Comparisons {
 
   const AgainstRun& run_;
   const AgainstOptions& options_;
-  Results old_;
+  const Results& old_;
   fs::path old_program_;
   std::map<std::string, std::optional<Image>> references_;
   std::vector<ChangeRecord> changes_;
@@ -273,8 +271,15 @@ class Comparisons {
 
 }  // namespace
 
-std::vector<ChangeRecord> changes_against(const AgainstRun& run, const AgainstOptions& options) {
-  return Comparisons(run, options).all();
+std::vector<ChangeRecord> changes_against(const AgainstRun& run, const Results& old_run,
+                                          const AgainstOptions& options) {
+  return Comparisons(run, old_run, options).all();
+}
+
+Results read_old_run(const AgainstOptions& options) {
+  if (!options.old_program.empty() && !fs::is_regular_file(options.old_program))
+    throw InputError("--old-program", "no such file: " + options.old_program.string());
+  return read_results(options.results.string());
 }
 
 std::string program_hash(const fs::path& program) {

@@ -37,9 +37,12 @@ struct AgainstRun {
 
 /// For every scene and engine of both runs, at the largest of each kind of budget: a record of the processor time (but
 /// not where seconds are the budget) and one of relmse, where the scene has a reference. In rounds every image has a
-/// seed of its own, from the cell's seed up. Ends early, with what is known, when interrupted. Throws InputError when
-/// the old results or program cannot be read.
-std::vector<ChangeRecord> changes_against(const AgainstRun& run, const AgainstOptions& options);
+/// seed of its own, from the cell's seed up. Ends early, with what is known, when interrupted.
+std::vector<ChangeRecord> changes_against(const AgainstRun& run, const Results& old_run, const AgainstOptions& options);
+
+/// The older run; to be read before this one is written, which may be to the same file. Throws InputError when it, or
+/// the old program, cannot be read.
+Results read_old_run(const AgainstOptions& options);
 
 /// How a program is recognised: a hash of its file. Empty when it cannot be read.
 std::string program_hash(const std::filesystem::path& program);

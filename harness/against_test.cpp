@@ -85,7 +85,8 @@ TEST_F(Against, every_round_has_a_seed_of_its_own_that_all_three_share) {
   const auto old_program = program("old.sh", work, "brighter.exr"),
              new_program = program("new.sh", work, "brighter.exr");
   changes(old_program, new_program);
-  // The suite's four cells and the warm-up first (two bytes each), then the rounds from seed 1 up: the new program once, the old one twice.
+  // The suite's four cells and the warm-up first (two bytes each), then the rounds from seed 1 up: the new program
+  // once, the old one twice.
   const std::string seeds = get("new.sh.seeds").substr(10);
   EXPECT_EQ(seeds.rfind("1\n2\n3\n4\n5\n", 0), 0u) << seeds;
   const auto count = [](const std::string& text, const std::string& line) {
@@ -105,6 +106,19 @@ TEST_F(Against, program_that_was_replaced_is_not_taken_for_the_old_one) {
   ASSERT_FALSE(results.changes.empty());
   EXPECT_EQ(results.changes[0].change, Change::inconclusive);
   EXPECT_NE(results.changes[0].sentence.find("--old-program PATH would decide it"), std::string::npos);
+}
+
+TEST_F(Against, older_run_in_the_same_folder_is_read_before_it_is_replaced) {
+  const auto old_program = program("old.sh", work, "brighter.exr");
+  bench("out", old_program);
+  options_.against = AgainstOptions{};
+  options_.against->results = folder_ / "out" / "results.json";
+  options_.against->most_rounds = 1;
+  bench("out", program("new.sh", work, "dark.exr"));
+  // Nothing was measured again (the key knows no version); the rounds are by the program that the older run recorded.
+  const Results results = read_results((folder_ / "out" / "results.json").string());
+  ASSERT_EQ(results.changes.size(), 2u);
+  EXPECT_NEAR(results.changes[1].ratio.value, 9, 1e-4);
 }
 
 TEST_F(Against, old_program_that_fails_is_inconclusive_and_says_why) {

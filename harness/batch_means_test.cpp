@@ -20,8 +20,9 @@ TEST(BatchMeans, mean_and_variance_of_the_mean_are_those_of_the_batches) {
   BatchMeans means(2, 1, 16);
   for (const float value : {1.0f, 2.0f, 6.0f}) means.add(even(value), "batch");
   EXPECT_EQ(means.batches(), 3);
-  for (const float v : means.rendering().mean.rgb) EXPECT_FLOAT_EQ(v, 3);
-  for (const float v : means.rendering().variance->rgb) EXPECT_FLOAT_EQ(v, 7.0f / 3);
+  const Rendering rendering = means.rendering();
+  for (const float v : rendering.mean.rgb) EXPECT_FLOAT_EQ(v, 3);
+  for (const float v : rendering.variance->rgb) EXPECT_FLOAT_EQ(v, 7.0f / 3);
 }
 
 class BatchMeansFile : public FolderTest {};

@@ -56,6 +56,7 @@ class Bench {
       : suite_(suite),
         options_(options),
         observer_(observer),
+        old_run_(options.against ? std::optional(read_old_run(*options.against)) : std::nullopt),
         lock_(options.results_folder),
         store_(options.results_folder),
         host_(describe_host()),
@@ -251,7 +252,7 @@ class Bench {
                    options_.only,
                    options_.interrupt,
                    [this](const ChangeRecord& change) { observer_.changed(change); }};
-    changes_ = changes_against(run, *options_.against);
+    changes_ = changes_against(run, *old_run_, *options_.against);
     summary_.interrupted = options_.interrupt != nullptr && *options_.interrupt;
     for (const ChangeRecord& change : changes_) ++summary_.by_change[change.change];
     save();
@@ -312,6 +313,7 @@ class Bench {
   const Suite& suite_;
   const BenchOptions& options_;
   BenchObserver& observer_;
+  std::optional<Results> old_run_;
   FolderLock lock_;
   CellStore store_;
   Host host_;

@@ -108,6 +108,31 @@ TEST_F(BenchRun, every_failure_is_a_result_and_the_run_goes_on) {
   EXPECT_FALSE(result_of("brighter").metrics.empty());
 }
 
+// Three cells of 0.6 against a reference of 0.5 are one curve point: no variance, and bias2 = relmse = 0.01 / 0.26.
+TEST_F(BenchRun, conclusions_are_in_the_record_and_the_control_is_measured_apart) {
+  const std::string text = suite_text("grey", {}) +
+                           "[[run]]\nengine = 'brighter'\nbudgets = ['spp=1']\nseeds = [1, 2, 3]\n"
+                           "[bench]\ncontrol = 'brighter'\n";
+  // The reference, and three cells twice, with a warm-up before each three.
+  EXPECT_EQ(run(text).measured, 7u);
+  EXPECT_EQ(started().size(), std::string("grey\n").size() + 8 * std::string("brighter\n").size());
+  const Results record = results();
+  ASSERT_EQ(record.convergence.size(), 2u);
+  EXPECT_EQ(record.convergence[0].engine, "brighter");
+  EXPECT_EQ(record.convergence[1].engine, "brighter-control");
+  const CurvePoint& point = record.convergence[0].points.at(0);
+  EXPECT_EQ(point.seeds, 3);
+  EXPECT_NEAR(point.relmse->value, 0.01 / 0.26, 1e-5);
+  EXPECT_NEAR(point.bias2->value, 0.01 / 0.26, 1e-5);
+  EXPECT_NEAR(point.variance->value, 0, 1e-9);
+  EXPECT_EQ(record.caveats.back(), "control: 3 pairs of 'brighter' with itself are too few for an interval");
+  EXPECT_FALSE(has("out/warm-up"));
+  // Nothing is measured again, and nothing of the session forgotten.
+  const std::string before = get("out/results.json");
+  EXPECT_EQ(run(text).measured, 0u);
+  EXPECT_EQ(get("out/results.json"), before);
+}
+
 TEST_F(BenchRun, retry_measures_failures_again_and_only_those) {
   const std::string text = suite_text("grey", {"brighter", "fails", "refuses"});
   run(text);

@@ -4,6 +4,8 @@
 // Only windows that lie wholly inside the image count, so the treatment of borders does not matter.
 // ms_ssim, whose first scale this is, shares the pass.
 
+#include <algorithm>
+
 #include "harness/metric_ms_ssim.h"
 #include "harness/metric_rows.h"
 #include "harness/metric_sum.h"
@@ -16,7 +18,9 @@ namespace {
 class SsimPass : public SumPass {
  public:
   explicit SsimPass(const PairFacts& pair) : undefined_(pair.width < ssim_window || pair.height < ssim_window) {
-    if (CoarseScales::possible(pair)) coarse_.emplace(pair.width, pair.height);
+    const auto& only = pair.options.only;
+    const bool wanted = only.empty() || std::ranges::find(only, "ms_ssim") != only.end();
+    if (wanted && CoarseScales::possible(pair)) coarse_.emplace(pair.width, pair.height);
   }
 
   void rows_begin(int begin, int end) override {

@@ -37,7 +37,7 @@ struct MetricOptions {
   /// As if both images had been cropped to this before.
   std::optional<PixelRegion> region{};
   std::vector<std::string> only{};  ///< names of the table; empty: all that are not on request
-  std::string mask_name{};  ///< for the parameters that are printed
+  std::string mask_name{};          ///< for the parameters that are printed
 };
 
 /// A failure that no metric may hide: sizes differ or a value is not finite. The sentence says where.

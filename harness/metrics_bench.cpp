@@ -29,6 +29,15 @@ void every_metric(benchmark::State& state) {
 }
 BENCHMARK(every_metric)->Unit(benchmark::kMillisecond);
 
+/// On all cores, of a 3840 x 2160 pair in memory: what oracles/throughput.sh sets beside scikit-image.
+void ssim_4k(benchmark::State& state) {
+  const Image reference = busy_image(3840, 2160, 1), test = busy_image(3840, 2160, 1, 2);
+  MetricOptions options;
+  options.only = {"ssim"};
+  for (auto _ : state) benchmark::DoNotOptimize(compute_metrics(reference, test, options));
+}
+BENCHMARK(ssim_4k)->Unit(benchmark::kSecond)->UseRealTime();
+
 /// What the row's pass takes of one run, the planes it shares with others included.
 void one_metric(benchmark::State& state, const MetricRow& row) {
   const TileGrid grid{side, side};

@@ -42,9 +42,11 @@ awk -v host="$(sed -n 's/^model name.*: //p' /proc/cpuinfo | head -n 1), $(nproc
     print "|---|---|---|---|---|---|---|---|---|---|---|"
     for (i = 1; i <= 2; ++i) {
       k = i == 1 ? "null" : "planted"; n = all[k]; mean = sum[k] / n
-      printf "| %s | %d | %d | %d | %d | %d | %d | %.4f | %.4f | %.1f | %.1f |\n", i == 1 ? "null" : "planted 3 %", n,
-        count[k, "regression"], count[k, "improvement"], count[k, "unchanged"], count[k, "inconclusive"], count[k, "failed"],
-        mean, n > 1 ? sqrt((squares[k] - n * mean * mean) / (n - 1)) : 0, rounds[k] / n, seconds[k] / n
+      sd = 0
+      if (n > 1) sd = sqrt((squares[k] - n * mean * mean) / (n - 1))
+      printf("| %s | %d | %d | %d | %d | %d | %d | %.4f | %.4f | %.1f | %.1f |\n", i == 1 ? "null" : "planted 3 %", n,
+        count[k, "regression"], count[k, "improvement"], count[k, "unchanged"], count[k, "inconclusive"],
+        count[k, "failed"], mean, sd, rounds[k] / n, seconds[k] / n)
     }
     print "\n" host
   }' "$work/sessions"

@@ -1,5 +1,5 @@
-// slow_down FRACTION PROGRAM [ARGUMENT...]: runs the program and then computes for FRACTION of the processor time that it
-// took, so that it seems slower by just that. A planted regression of known size (power_of_against.sh).
+// slow_down FRACTION PROGRAM [ARGUMENT...]: runs the program and then computes for FRACTION of the processor time that
+// it took, so that it seems slower by just that. A planted regression of known size (power_of_against.sh).
 
 #include <sys/resource.h>
 #include <sys/wait.h>

@@ -65,6 +65,21 @@ TEST_F(SuiteFile, own_engine_can_be_used) {
   EXPECT_EQ(suite.cells.size(), 2u);
 }
 
+TEST_F(SuiteFile, control_has_every_cell_of_its_engine_a_second_time) {
+  const Suite suite = read(std::string(head) + "[bench]\ncontrol = 'path'\n" + scenes +
+                           "[[run]]\nengine = 'path'\nbudgets = ['spp=1', 'target-error=0.5']\nseeds = [1]\n"
+                           "[[run]]\nengine = 'bdpt'\nbudgets = ['spp=1']\nseeds = [1]\n");
+  EXPECT_EQ(suite.engine("path-control").command, suite.engine("path").command);
+  // Two scenes: four cells by path, two by bdpt, four once more.
+  ASSERT_EQ(suite.cells.size(), 10u);
+  EXPECT_EQ(suite.cells[9].label(), "b/path-control/target-error=0.5/seed=1");
+  EXPECT_EQ(error(std::string(head) + "[bench]\ncontrol = 'nobody'\n" + scenes)
+                .rfind("s.toml:4:11: error: unknown engine 'nobody'", 0),
+            0u);
+  EXPECT_EQ(error(std::string(head) + "[bench]\ncontrol = 'path'\n" + scenes),
+            "s.toml:4:11: error: engine 'path' has no [[run]]");
+}
+
 TEST_F(SuiteFile, the_suites_we_ship_are_valid) {
   const std::filesystem::path folder = PHOTONPROOF_SOURCE_DIR "/harness/suites";
   int count = 0;
@@ -103,7 +118,7 @@ TEST_F(SuiteFile, mistakes_are_named_with_their_place) {
   EXPECT_EQ(with("engine = 'path'\nbudgets", "engine = 'pth'\nbudgets"),
             "s.toml:17:10: error: unknown engine 'pth'; known: path, photonmapper, bdpt, ptracer, volpath, povray");
   EXPECT_EQ(with("['spp=1']", "['spp=1', 'photons=2']"),
-            "s.toml:18:21: error: engine 'path' takes budgets of spp, seconds; not 'photons'");
+            "s.toml:18:21: error: engine 'path' takes budgets of spp, seconds, target-error; not 'photons'");
   EXPECT_EQ(with("seeds = [1]", "seeds = [1, -2]"), "s.toml:19:13: error: a seed must not be negative");
   EXPECT_EQ(with("seeds = [1]", "seeds = [1]\nscenes = ['a', 'z']"),
             "s.toml:20:16: error: unknown scene 'z'; known: a, b");

@@ -177,6 +177,13 @@ int write_out(const Job& job, const Rendering& rendering, const Provenance& prov
   return 1;
 }
 
+/// Of one estimator the longer run counts, whatever it thinks of its error: to choose the smaller estimate would be to
+/// choose what has not met its rare bright samples yet.
+bool is_better(const Provenance& cached, const Provenance& fresh, double standard_error) {
+  if (cached.estimator == fresh.estimator) return cached.samples >= fresh.samples;
+  return cached.standard_error <= standard_error;
+}
+
 int unfinished(const ReferenceProgress& progress) {
   const bool interrupted = progress.end == ReferenceProgress::End::interrupted;
   std::fprintf(stderr, "%s: kept %d finished batches%s; the same command goes on from here\n",
@@ -202,7 +209,7 @@ int run(const ReferenceArguments& arguments) {
   if (progress.end == End::interrupted || progress.means.batches() < least_batches) return unfinished(progress);
   const Rendering rendering = progress.means.rendering();
   Provenance provenance = provenance_of(job, integrator, progress.means);
-  if (cached && cached->provenance.standard_error <= *progress.standard_error)
+  if (cached && is_better(cached->provenance, provenance, *progress.standard_error))
     return write_out(job, cached->rendering, cached->provenance, false);
   provenance = write_reference(job.cached(), rendering, provenance, ReferenceSamples::floats);
   return write_out(job, rendering, provenance, progress.end == End::reached);

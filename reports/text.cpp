@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <utility>
 
 namespace photonproof::reports {
 namespace {
@@ -83,6 +84,28 @@ std::string shortened(const std::string& text, std::size_t most) {
   return text.substr(0, end);
 }
 
+namespace {
+
+/// The exponent that `rest` begins with, as digits, and how many bytes it takes: numbers.h writes 10⁻³.
+std::pair<std::string, std::size_t> leading_exponent(std::string_view rest) {
+  static constexpr std::string_view marks[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹", "⁻"};
+  std::string digits;
+  std::size_t bytes = 0;
+  for (bool again = true; again;) {
+    again = false;
+    for (std::size_t i = 0; i < std::size(marks); ++i) {
+      if (!rest.substr(bytes).starts_with(marks[i])) continue;
+      digits += i < 10 ? static_cast<char>('0' + i) : '-';
+      bytes += marks[i].size();
+      again = true;
+      break;
+    }
+  }
+  return {digits, bytes};
+}
+
+}  // namespace
+
 std::string latex_text(std::string_view text) {
   struct Replacement {
     std::string_view from, to;
@@ -109,22 +132,16 @@ std::string latex_text(std::string_view text) {
       {"\u202F", "\\,"},
       {"±", "$\\pm$"},
       {"α", "$\\alpha$"},
-      {"⁻", "\\textsuperscript{$-$}"},
-      {"²", "\\textsuperscript{2}"},
-      {"³", "\\textsuperscript{3}"},
-      {"¹", "\\textsuperscript{1}"},
-      {"⁰", "\\textsuperscript{0}"},
-      {"⁴", "\\textsuperscript{4}"},
-      {"⁵", "\\textsuperscript{5}"},
-      {"⁶", "\\textsuperscript{6}"},
-      {"⁷", "\\textsuperscript{7}"},
-      {"⁸", "\\textsuperscript{8}"},
-      {"⁹", "\\textsuperscript{9}"},
   };
   const std::string safe = printable(text);
   std::string out;
   for (std::size_t at = 0; at < safe.size();) {
     const std::string_view rest = std::string_view(safe).substr(at);
+    if (const auto [digits, bytes] = leading_exponent(rest); bytes > 0) {
+      out += "$^{" + digits + "}$";
+      at += bytes;
+      continue;
+    }
     const auto found =
         std::ranges::find_if(replacements, [&](const Replacement& r) { return rest.starts_with(r.from); });
     if (found == std::end(replacements)) {

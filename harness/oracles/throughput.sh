@@ -4,9 +4,9 @@
 #   harness/oracles/throughput.sh [path of photonproof] [repetitions]
 #
 # - mse against OpenImageIO's idiff: whole processes, both read the same two EXR files.
-# - ssim against scikit-image's structural_similarity: scikit-image gets its arrays in memory, already displayed, and
-#   only the call is timed; ours is the whole process, reading and encoding included.
-# - all metrics but hdr_flip.
+# - ssim against scikit-image's structural_similarity, both on images in memory: scikit-image's are already displayed,
+#   ours (bin/bench/metrics_bench beside the program, which ./run --bench builds) are encoded first.
+# - all metrics but hdr_flip: the whole process.
 # Prints median seconds and ratios. A tool that is missing is named and left out (Debian: openimageio-tools,
 # python3-skimage).
 set -eu
