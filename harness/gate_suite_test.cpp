@@ -76,7 +76,7 @@ TEST_F(GateSuiteFile, mistakes_are_told_with_their_place) {
 TEST_F(GateSuiteFile, the_suite_we_ship_is_valid_and_has_ten_scenes) {
   const GateSuite suite = read_gate_suite(std::string(PHOTONPROOF_SOURCE_DIR) + "/harness/suites/gates.toml");
   EXPECT_EQ(suite.scenes.size(), 10u);
-  for (const SuiteScene& scene : suite.scenes)
+  for (const SuiteScene& row : suite.scenes)
     EXPECT_TRUE(std::any_of(suite.gates.begin(), suite.gates.end(), [&](const Gate& gate) {
       return gate.scene == scene.name;
     })) << scene.name;
