@@ -78,8 +78,8 @@ TEST_F(GateSuiteFile, the_suite_we_ship_is_valid_and_has_ten_scenes) {
   EXPECT_EQ(suite.scenes.size(), 10u);
   for (const SuiteScene& row : suite.scenes)
     EXPECT_TRUE(std::any_of(suite.gates.begin(), suite.gates.end(), [&](const Gate& gate) {
-      return gate.scene == scene.name;
-    })) << scene.name;
+      return gate.scene == row.name;
+    })) << row.name;
 }
 
 }  // namespace
