@@ -75,13 +75,8 @@ struct BlockSums {
 class ChannelDeviations {
  public:
   ChannelDeviations(const Channel& channel, std::span<const Image* const> images, std::size_t c,
-                    double reference_freedom, Deviations& out)
-      : channel_(channel),
-        images_(images),
-        c_(c),
-        reference_freedom_(reference_freedom),
-        out_(out),
-        freedom_(channel.images - 1) {}
+                    const KnownNoise& known, Deviations& out)
+      : channel_(channel), images_(images), c_(c), known_(known), out_(out), freedom_(channel.images - 1) {}
 
   void measure() {
     for (const Block& block : out_.places) sums_.push_back(sums_over(block));
@@ -112,6 +107,17 @@ class ChannelDeviations {
     return sums;
   }
 
+  /// Largest difference of the reference within 3 x 3 pixels.
+  double contrast_around(int x, int y) const {
+    double least = channel_.reference[index(x, y)], most = least;
+    for (int near_y = std::max(0, y - 1); near_y <= std::min(out_.height - 1, y + 1); ++near_y)
+      for (int near_x = std::max(0, x - 1); near_x <= std::min(out_.width - 1, x + 1); ++near_x) {
+        least = std::min(least, channel_.reference[index(near_x, near_y)]);
+        most = std::max(most, channel_.reference[index(near_x, near_y)]);
+      }
+    return most - least;
+  }
+
   void measure_pixels() {
     auto& pixels = out_.pixels[c_];
     pixels.resize(channel_.mean.size());
@@ -131,9 +137,11 @@ class ChannelDeviations {
         Known known = steadied({channel_.variance[i], freedom_}, expectation);
         known.variance /= channel_.images;
         // As agreement.h does: a pixel that saw none of its rare bright samples looks dark and certain.
-        const Known of_reference{std::max(reference_mean, channel_.reference_variance[i]), reference_freedom_};
+        const Known of_reference{std::max(reference_mean, channel_.reference_variance[i]), known_.reference_freedom};
         pixels[i] = deviation(channel_.mean[i], channel_.reference[i], known, of_reference);
         pixels[i].skewness = skewness;
+        if (known_.samples)
+          pixels[i].standard_error = std::hypot(pixels[i].standard_error, contrast_around(x, y) / *known_.samples);
       });
     }
   }
@@ -190,7 +198,7 @@ class ChannelDeviations {
   const Channel& channel_;
   std::span<const Image* const> images_;
   std::size_t c_;
-  double reference_freedom_;
+  const KnownNoise& known_;
   Deviations& out_;
   double freedom_;
   std::vector<BlockSums> sums_;
@@ -208,16 +216,16 @@ double Deviation::deviate() const { return std::copysign(normal_deviate(errors()
 
 double Deviation::margin(double tail) const { return t_quantile(tail, freedom) * standard_error; }
 
-Deviations measure_deviations(const Rendering& reference, double reference_freedom,
-                              std::span<const Image* const> images, const Image* least_variance) {
+Deviations measure_deviations(const Rendering& reference, std::span<const Image* const> images,
+                              const KnownNoise& known) {
   Deviations out;
   out.width = reference.mean.width;
   out.height = reference.mean.height;
   out.images = images.size();
   out.places = blocks_of(out.width, out.height);
   for (std::size_t c = 0; c < 3; ++c) {
-    const Channel channel = channel_of(reference, images, c, least_variance);
-    ChannelDeviations(channel, images, c, reference_freedom, out).measure();
+    const Channel channel = channel_of(reference, images, c, known.least_variance);
+    ChannelDeviations(channel, images, c, known, out).measure();
   }
   return out;
 }

@@ -19,6 +19,7 @@
 
 #include <array>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -50,12 +51,20 @@ struct Deviations {
   std::array<Deviation, 3> whole;
 };
 
-/// The reference's variance has `reference_freedom` degrees of freedom. `least_variance`, where given, is known of each
-/// pixel of one image: no fewer than the images show counts. It helps where they are too few to have met rare bright
-/// samples that the reference has met. Preconditions: at least two images; equal sizes, finite values, a reference with
-/// variance.
-Deviations measure_deviations(const Rendering& reference, double reference_freedom,
-                              std::span<const Image* const> images, const Image* least_variance = nullptr);
+/// What is known of the noise besides how the images differ.
+struct KnownNoise {
+  double reference_freedom = 1;  ///< degrees of freedom of the reference's variance
+  /// Of each pixel of one image: no less than this counts. It helps where images are too few to have met rare bright
+  /// samples that the reference has met.
+  const Image* least_variance = nullptr;
+  /// A pixel of one image. Stratified samples fall on the two sides of an edge in the same numbers in nearly every
+  /// image, and not in the expected ones: a pixel alone may be off by one sample of the contrast around it.
+  std::optional<double> samples{};
+};
+
+/// Preconditions: at least two images; equal sizes, finite values, a reference with variance.
+Deviations measure_deviations(const Rendering& reference, std::span<const Image* const> images,
+                              const KnownNoise& known);
 
 /// The mean of the images, as a float image. Preconditions as above.
 Image mean_of(std::span<const Image* const> images);

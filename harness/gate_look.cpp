@@ -61,7 +61,9 @@ Judgement look_at(const Gate& gate, const StoredReference& reference, double exp
   const double alpha = gate.alpha / gate.looks;
   const double freedom = static_cast<double>(std::max<std::size_t>(2, reference.provenance.seeds.size()) - 1);
   const std::optional<Image> least = least_variance(gate, reference);
-  const Deviations deviations = measure_deviations(reference.rendering, freedom, images, least ? &*least : nullptr);
+  KnownNoise known{.reference_freedom = freedom, .least_variance = least ? &*least : nullptr};
+  if (gate.budget.kind == "spp") known.samples = gate.budget.amount;
+  const Deviations deviations = measure_deviations(reference.rendering, images, known);
   if (gate.metric == agreement_metric) return judge_agreement(deviations, {gate.bound, gate.block_bound}, alpha);
   return judge_bias(deviations, gate.metric == block_bias_metric, gate.bound, alpha);
 }

@@ -110,7 +110,7 @@ TEST(gate_statistics, agreement_holds_its_false_alarm_rate_over_all_looks) {
     int alarms = 0;
     for (int run = 0; run < runs; ++run) {
       const auto verdict = sequential(random, setting.noise, looks, [&](auto images) {
-        return judge_agreement(measure_deviations(reference, 1999, images, &least), {1e-9, 1e-9}, alpha / looks);
+        return judge_agreement(measure_deviations(reference, images, {1999, &least}), {1e-9, 1e-9}, alpha / looks);
       });
       if (verdict == GateVerdict::fail) ++alarms;
     }
@@ -135,7 +135,7 @@ TEST(gate_statistics, agreement_rarely_passes_over_an_error_as_large_as_its_boun
     int passed = 0;
     for (int run = 0; run < runs; ++run) {
       const auto verdict = sequential(random, gamma_noise(whole, block), looks, [&](auto images) {
-        return judge_agreement(measure_deviations(reference, 999, images), {0.03, 0.2}, 0.001 / looks);
+        return judge_agreement(measure_deviations(reference, images, {999}), {0.03, 0.2}, 0.001 / looks);
       });
       if (verdict == GateVerdict::pass) ++passed;
     }
@@ -152,7 +152,7 @@ TEST(gate_statistics, agreement_passes_a_right_image_once_its_bounds_are_within_
   int passed = 0;
   for (int run = 0; run < 50; ++run)
     if (sequential(random, gamma_noise(1, 1), 2, [&](auto images) {
-          return judge_agreement(measure_deviations(reference, 999, images), {0.05, 0.2}, 0.0005);
+          return judge_agreement(measure_deviations(reference, images, {999}), {0.05, 0.2}, 0.0005);
         }) == GateVerdict::pass)
       ++passed;
   EXPECT_GE(passed, 49);
@@ -168,7 +168,7 @@ TEST(gate_statistics, agreement_asks_for_more_images_while_its_bounds_are_out_of
     image = draw(random, noise);
     images.push_back(&image);
   }
-  const Judgement judgement = judge_agreement(measure_deviations(reference, 499, images), {0.0001, 0.001}, 0.001);
+  const Judgement judgement = judge_agreement(measure_deviations(reference, images, {499}), {0.0001, 0.001}, 0.001);
   EXPECT_FALSE(judgement.verdict);
   EXPECT_EQ(judgement.sentence.rfind("too noisy to tell: ", 0), 0u) << judgement.sentence;
   EXPECT_NE(judgement.sentence.find("could hide in the block at ("), std::string::npos) << judgement.sentence;
@@ -186,7 +186,7 @@ TEST(gate_statistics, a_failing_place_is_named_with_its_size_and_channel) {
       for (int x = 10; x < 13; ++x) image.pixel(x, y)[0] *= 0.2f;
     images.push_back(&image);
   }
-  const Judgement judgement = judge_agreement(measure_deviations(reference, 499, images), {0.03, 0.2}, 0.001);
+  const Judgement judgement = judge_agreement(measure_deviations(reference, images, {499}), {0.03, 0.2}, 0.001);
   ASSERT_EQ(judgement.verdict, GateVerdict::fail);
   ASSERT_EQ(judgement.tiles.size(), 1u);
   const FailingTile& tile = judgement.tiles.front();
@@ -210,7 +210,7 @@ Judgement bias_judgement(double factor, bool block, double bound) {
       value = static_cast<float>(factor * (1 + 0.01 * std::normal_distribution<double>()(random)));
     images.push_back(&image);
   }
-  return judge_bias(measure_deviations(reference, 1e9, images), block, bound, 0.001);
+  return judge_bias(measure_deviations(reference, images, {1e9}), block, bound, 0.001);
 }
 
 TEST(gate_statistics, bias_passes_within_fails_outside_and_else_asks_for_more) {
@@ -239,7 +239,7 @@ TEST(gate_statistics, bias_at_its_bound_fails_no_more_often_than_alpha) {
         value = static_cast<float>(1.1 * std::gamma_distribution<double>(16, 1.0 / 16)(random));
       images.push_back(&image);
     }
-    const auto verdict = judge_bias(measure_deviations(reference, 1e9, images), true, 0.1, alpha).verdict;
+    const auto verdict = judge_bias(measure_deviations(reference, images, {1e9}), true, 0.1, alpha).verdict;
     if (verdict == GateVerdict::fail) ++failed;
     if (verdict == GateVerdict::pass) ++passed;
   }
@@ -290,7 +290,7 @@ TEST(gate_statistics, a_reference_in_half_floats_alarms_no_image_without_noise) 
     for (float& value : reference.mean.rgb)
       value = static_cast<float>(std::uniform_real_distribution<double>()(random) < 0.01 ? b : a);
     std::fill(reference.variance->rgb.begin(), reference.variance->rgb.end(), static_cast<float>((x - a) * (b - x)));
-    EXPECT_NE(judge_agreement(measure_deviations(reference, 31, images), {0.01, 0.05}, 0.05).verdict,
+    EXPECT_NE(judge_agreement(measure_deviations(reference, images, {31}), {0.01, 0.05}, 0.05).verdict,
               GateVerdict::fail);
   }
 }
