@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstdlib>
 #include <random>
 
 #include "harness/test_suite.h"
@@ -18,6 +19,8 @@ class FakeGateTest : public FakeSuiteTest {
 
   void SetUp() override {
     FakeSuiteTest::SetUp();
+    // What is accepted or missing here must not be somebody's own.
+    setenv("PHOTONPROOF_CACHE", (folder_ / "cache").c_str(), 1);
     put("gate.sh", gate_script);
     std::mt19937_64 random(1);
     for (int i = 0; i < prepared; ++i) {
@@ -72,7 +75,7 @@ class FakeGateTest : public FakeSuiteTest {
   }
 
   static std::string gate(const std::string& engine, const std::string& metric, double bound) {
-    return "[[gate]]\nscene = 'scene'\nengine = '" + engine + "'\nbudget = 'spp=4'\nmetric = '" + metric +
+    return "[[gate]]\nscene = 'scene'\nengine = '" + engine + "'\nbudget = 'spp=64'\nmetric = '" + metric +
            "'\nbound = " + std::to_string(bound) + "\n";
   }
 

@@ -46,9 +46,9 @@ TEST_F(GateVerb, a_dim_place_fails_and_is_named) {
   const GateRecord record = only_gate();
   EXPECT_EQ(record.verdict, GateVerdict::fail);
   EXPECT_EQ(record.looks, 1);
-  EXPECT_EQ(record.samples, 32u);  // 8 images of 4
+  EXPECT_EQ(record.samples, 512u);  // 8 images of 64
   // Half of the light of 3 x 4 pixels is gone.
-  EXPECT_EQ(record.sentence, "-50 % over 12 px at (3, 4); 8 images of spp=4");
+  EXPECT_EQ(record.sentence, "-50 % over 12 px at (3, 4); 8 images of spp=64");
   ASSERT_EQ(record.tiles.size(), 1u);
   EXPECT_EQ(record.tiles[0].x, 3);
   EXPECT_EQ(record.tiles[0].y, 4);
@@ -81,7 +81,7 @@ TEST_F(GateVerb, each_kind_of_gate_says_when_it_cannot_tell) {
   run_gate(gate("good", "relmse", 1.0));
   relmse = only_gate().observed->value;
   put("near.toml",
-      gates_text("[[gate]]\nscene = 'scene'\nengine = 'good'\nbudget = 'spp=4'\nmetric = 'relmse'\nlooks = 1"
+      gates_text("[[gate]]\nscene = 'scene'\nengine = 'good'\nbudget = 'spp=64'\nmetric = 'relmse'\nlooks = 1"
                  "\nbound = " +
                  std::to_string(relmse) + "\n"));
   EXPECT_EQ(run_process({PHOTONPROOF_BINARY, "gate", folder_ / "near.toml", "-o", folder_ / "near"}).exit_code, 3);
