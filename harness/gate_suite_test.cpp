@@ -1,5 +1,7 @@
 #include "harness/gate_suite.h"
 
+#include <algorithm>
+
 #include "harness/test_folder.h"
 
 namespace photonproof {
@@ -57,7 +59,7 @@ TEST_F(GateSuiteFile, mistakes_are_told_with_their_place) {
   EXPECT_EQ(error(front), "g.toml:1:1: error: the suite has no [[gate]]");
   EXPECT_EQ(error(front + "[[gate]]\nscene = 'b'\n" + good), "g.toml:9:9: error: unknown scene 'b'; known: a");
   EXPECT_EQ(error(front + gate("engine = 'path'\nbudget = 'photons=1e5'\nmetric = 'agreement'\nbound = 0.02\n")),
-            "g.toml:11:10: error: engine 'path' takes budgets of spp, seconds; not 'photons'");
+            "g.toml:11:10: error: engine 'path' takes budgets of spp, seconds, target-error; not 'photons'");
   EXPECT_EQ(error(front + gate("engine = 'photonmapper'\nbudget = 'spp=1'\nmetric = 'agreement'\nbound = 0.02\n")),
             "g.toml:12:10: error: engine 'photonmapper' has a known error, which agreement would find; bound it by "
             "bias or block_bias");
@@ -69,6 +71,15 @@ TEST_F(GateSuiteFile, mistakes_are_told_with_their_place) {
   EXPECT_NE(error(front + gate(good) + gate(good)).find("there is a gate 'a/path/agreement' already"),
             std::string::npos);
   EXPECT_NE(error(front + gate(good) + "blok_bound = 1\n").find("'blok_bound'"), std::string::npos);
+}
+
+TEST_F(GateSuiteFile, the_suite_we_ship_is_valid_and_has_ten_scenes) {
+  const GateSuite suite = read_gate_suite(std::string(PHOTONPROOF_SOURCE_DIR) + "/harness/suites/gates.toml");
+  EXPECT_EQ(suite.scenes.size(), 10u);
+  for (const SuiteScene& row : suite.scenes)
+    EXPECT_TRUE(std::any_of(suite.gates.begin(), suite.gates.end(), [&](const Gate& gate) {
+      return gate.scene == row.name;
+    })) << row.name;
 }
 
 }  // namespace
