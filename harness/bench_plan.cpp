@@ -6,9 +6,9 @@
 
 #include "harness/cells.h"
 #include "harness/engine_version.h"
-#include "scenes/atomic_file.h"
 #include "scenes/expect.h"
 #include "scenes/parser.h"
+#include "scenes/scene_hash.h"
 
 namespace photonproof {
 namespace {
@@ -32,13 +32,6 @@ std::optional<Expect> read_expectations(const SuiteScene& scene) {
   const std::string path = expect_path_of(scene.path.string());
   if (scene.exposure && !fs::exists(path)) return std::nullopt;
   return read_expect(path);
-}
-
-// The scene file and every file it includes, which parsing finds.
-std::string scene_content(const SuiteScene& scene) {
-  std::vector<std::pair<std::string, std::string>> files;
-  for (const std::string& file : parse_scene_file(scene.path.string()).files) files.emplace_back("", read_file(file));
-  return content_key(files);
 }
 
 std::string joined(const std::vector<std::string>& texts) {
@@ -74,7 +67,7 @@ BenchPlan plan_bench(const Suite& suite, const fs::path& program, const Host& ho
   std::map<std::string, std::string> contents;
   std::map<std::string, std::optional<Expect>> expectations;
   for (const SuiteScene& scene : suite.scenes) {
-    contents[scene.name] = scene_content(scene);
+    contents[scene.name] = scene_hash(parse_scene_file(scene.path.string()));
     const std::optional<Expect>& expect = expectations[scene.name] = read_expectations(scene);
     plan.scenes.push_back(describe_scene(scene, expect));
   }

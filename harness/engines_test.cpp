@@ -47,6 +47,7 @@ TEST(Engines, builtin_rows_are_our_integrators_and_povray) {
   EXPECT_EQ(builtin(engines, "povray").trust, Trust::biased);
   EXPECT_TRUE(builtin(engines, "photonmapper").accepts("photons"));
   EXPECT_TRUE(builtin(engines, "povray").accepts("quality"));
+  EXPECT_TRUE(builtin(engines, "reference").accepts("standard-error"));
 }
 
 TEST(Engines, command_of_the_path_tracer_is_as_one_would_type_it) {

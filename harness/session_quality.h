@@ -1,5 +1,5 @@
-// Whether the times of a run may be believed: how busy the machine was, whether an engine that was measured twice agrees
-// with itself, whether there are enough repetitions.
+// Whether the times of a run may be believed: how busy the machine was, whether an engine that was measured twice
+// agrees with itself, whether there are enough repetitions.
 #pragma once
 
 #include <string>

@@ -3,11 +3,11 @@
 //   name, title
 //   [limits]   seconds, memory_mb, threads (each optional)
 //   [bench]    control = an engine whose cells are measured twice, the second time as "<engine>-control", to see
-//   whether
-//              this session's times can be trusted (optional)
+//              whether this session's times can be trusted (optional)
 //   [[engine]] further engines, as in engines.toml
 //   [[scene]]  name, path (relative to this file), width, height, exposure (optional),
-//              reference = {engine, budget, seed}, target_relmse (optional: the time to reach it is reported)
+//              reference = {engine, budget, seed}, for example {engine = "reference", budget = "standard-error=0.005",
+//              seed = 1}; target_relmse (optional: the time to reach it is reported)
 //   [[run]]    engine, budgets = ["spp=16", ...], seeds = [1, ...], scenes = [...] (optional; all of them)
 // Seeds are the repetitions: two tell bias from noise, five give a time its interval.
 #pragma once
