@@ -34,9 +34,9 @@ constexpr const char* good_row =
     "name = 'mine'\ntitle = 'Mine'\ncommand = ['./mine', '{scene}', '{output}']\nbudgets = ['spp']\ntrust = "
     "'external'\n";
 
-TEST(Engines, builtin_rows_are_our_integrators_and_povray) {
+TEST(Engines, builtin_rows_are_our_integrators_povray_and_kept_references) {
   const std::vector<Engine> engines = builtin_engines();
-  ASSERT_EQ(engines.size(), 6u);
+  ASSERT_EQ(engines.size(), 7u);
   for (const char* name : {"path", "bdpt", "ptracer", "volpath"}) {
     EXPECT_EQ(builtin(engines, name).trust, Trust::unbiased) << name;
     EXPECT_TRUE(builtin(engines, name).accepts("spp")) << name;

@@ -117,7 +117,8 @@ TEST_F(SuiteFile, mistakes_are_named_with_their_place) {
             "s.toml:9:40: error: a budget is written \"kind=amount\" with a positive amount, not 'spp=0'");
   EXPECT_EQ(with("name = 'b'", "name = 'a'"), "s.toml:11:8: error: there is a scene 'a' already");
   EXPECT_EQ(with("engine = 'path'\nbudgets", "engine = 'pth'\nbudgets"),
-            "s.toml:17:10: error: unknown engine 'pth'; known: path, photonmapper, bdpt, ptracer, volpath, povray");
+            "s.toml:17:10: error: unknown engine 'pth'; known: path, photonmapper, bdpt, ptracer, volpath, povray, "
+            "reference");
   EXPECT_EQ(with("['spp=1']", "['spp=1', 'photons=2']"),
             "s.toml:18:21: error: engine 'path' takes budgets of spp, seconds, target-error; not 'photons'");
   EXPECT_EQ(with("seeds = [1]", "seeds = [1, -2]"), "s.toml:19:13: error: a seed must not be negative");
