@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <ctime>
 #include <future>
 
 #include "harness/bench_plan.h"
@@ -14,6 +13,7 @@
 #include "harness/host.h"
 #include "harness/run_cell.h"
 #include "harness/session_quality.h"
+#include "reference/reference_store.h"
 #include "scenes/atomic_file.h"
 #include "scenes/input_error.h"
 
@@ -21,15 +21,6 @@ namespace photonproof {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string utc_now() {
-  const std::time_t now = std::time(nullptr);
-  std::tm parts{};
-  gmtime_r(&now, &parts);
-  char text[32];
-  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
-  return text;
-}
 
 bool is_failure(Status status) {
   return status == Status::timeout || status == Status::crash || status == Status::bad_image;
