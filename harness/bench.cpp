@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <future>
 
 #include "harness/bench_plan.h"
 #include "harness/cell_command.h"
@@ -13,6 +12,7 @@
 #include "harness/host.h"
 #include "harness/run_cell.h"
 #include "harness/session_quality.h"
+#include "harness/side_by_side.h"
 #include "reference/reference_store.h"
 #include "scenes/atomic_file.h"
 #include "scenes/input_error.h"
@@ -209,17 +209,10 @@ class Bench {
   // Cells that were not compared yet, or whose reference, exposure or metrics are others now. Nothing is measured any
   // more, so every core may help.
   void compare_found_cells() {
-    std::atomic<std::size_t> next = 0;
-    const auto work = [&] {
-      for (std::size_t i = next++; i < plan_.cells.size(); i = next++) {
-        PlannedCell& planned = plan_.cells[i];
-        if (planned.found && compare(planned)) store_.keep(planned.found->cell_folder, planned.found->kept);
-      }
-    };
-    std::vector<std::future<void>> helpers;
-    for (int i = 1; i < host_.cores; ++i) helpers.push_back(std::async(std::launch::async, work));
-    work();
-    for (std::future<void>& helper : helpers) helper.get();
+    side_by_side(plan_.cells.size(), host_.cores, [&](std::size_t i) {
+      PlannedCell& planned = plan_.cells[i];
+      if (planned.found && compare(planned)) store_.keep(planned.found->cell_folder, planned.found->kept);
+    });
   }
 
   void conclude(bool measured) {

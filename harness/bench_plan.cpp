@@ -34,12 +34,6 @@ std::optional<Expect> read_expectations(const SuiteScene& scene) {
   return read_expect(path);
 }
 
-std::string joined(const std::vector<std::string>& texts) {
-  std::string all;
-  for (const std::string& text : texts) all += std::to_string(text.size()) + ":" + text;
-  return all;
-}
-
 }  // namespace
 
 int threads_of(const Suite& suite, const Host& host) {
@@ -77,7 +71,7 @@ BenchPlan plan_bench(const Suite& suite, const fs::path& program, const Host& ho
     const Engine& engine = suite.engine(cell.engine);
     const SuiteScene& scene = suite.scene(cell.scene);
     planned.key = content_key({{"scene", contents[cell.scene]},
-                               {"engine", joined(engine.command)},
+                               {"engine", length_prefixed(engine.command)},
                                {"version", versions[cell.engine].line},
                                {"budget", cell.budget.label()},
                                {"seed", std::to_string(cell.seed)},

@@ -14,7 +14,7 @@ fs::path short_path(const fs::path& path) {
 
 }  // namespace
 
-CellCommand cell_command(const Suite& suite, const Cell& cell, const fs::path& program, const fs::path& folder,
+CellCommand cell_command(const SuiteCommon& suite, const Cell& cell, const fs::path& program, const fs::path& folder,
                          const std::string& stem, int threads) {
   const SuiteScene& scene = suite.scene(cell.scene);
   const Engine& engine = suite.engine(cell.engine);

@@ -16,7 +16,7 @@ struct CellCommand {
 
 /// As a person would type it: paths from the current folder where that is shorter. `program` stands for {photonproof};
 /// the image is "<stem>.<the engine's extension>" in `folder`.
-CellCommand cell_command(const Suite& suite, const Cell& cell, const std::filesystem::path& program,
+CellCommand cell_command(const SuiteCommon& suite, const Cell& cell, const std::filesystem::path& program,
                          const std::filesystem::path& folder, const std::string& stem, int threads);
 
 }  // namespace photonproof

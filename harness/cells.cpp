@@ -8,13 +8,15 @@
 
 namespace photonproof {
 
+std::string length_prefixed(const std::vector<std::string>& texts) {
+  std::string all;
+  for (const std::string& text : texts) all.append(std::to_string(text.size())).append(":").append(text);
+  return all;
+}
+
 std::string content_key(const std::vector<std::pair<std::string, std::string>>& parts) {
   std::string content;
-  for (const auto& [name, text] : parts) {
-    // Lengths first, so that no text can pose as the next part.
-    for (const std::string& piece : {name, text})
-      content.append(std::to_string(piece.size())).append(":").append(piece);
-  }
+  for (const auto& [name, text] : parts) content += length_prefixed({name, text});
   std::string key = to_string(boost::uuids::name_generator_sha1(boost::uuids::ns::oid())(content));
   std::erase(key, '-');
   return key;

@@ -14,6 +14,9 @@ namespace photonproof {
 /// for equal lists, different for different ones, however the texts are cut into pieces.
 std::string content_key(const std::vector<std::pair<std::string, std::string>>& parts);
 
+/// The texts as one, the length before each, so that none can pose as the next.
+std::string length_prefixed(const std::vector<std::string>& texts);
+
 /// The cells so that engines take turns, in an order that is drawn for every other round and reversed in between (C A
 /// B, B A C, A C B, ...): a machine that slowly gets slower or faster is shared by all of them. Within an engine,
 /// scenes, budgets and seeds are shuffled, all engines' in the same way. Both depend on `seed` alone.

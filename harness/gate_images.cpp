@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <atomic>
-#include <exception>
-#include <mutex>
-#include <thread>
 
+#include "harness/cell_command.h"
 #include "harness/cells.h"
-#include "harness/engine_command.h"
 #include "harness/run_cell.h"
+#include "harness/side_by_side.h"
 
 namespace photonproof {
 namespace {
@@ -16,37 +14,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uint64_t seeds_of_a_run = 1'000'000;
-
-/// As people would type it.
-fs::path short_path(const fs::path& path) {
-  const fs::path near = fs::proximate(path);
-  return near.string().size() < path.string().size() ? near : path;
-}
-
-/// Calls work(i) for i < count on `threads` threads; the first exception is thrown again.
-template <class Work>
-void side_by_side(std::size_t count, int threads, const Work& work) {
-  std::atomic<std::size_t> next = 0;
-  std::exception_ptr failure;
-  std::mutex failing;
-  const auto run = [&] {
-    for (std::size_t i = next++; i < count; i = next++) {
-      try {
-        work(i);
-      } catch (...) {
-        const std::lock_guard lock(failing);
-        if (!failure) failure = std::current_exception();
-        next = count;
-      }
-    }
-  };
-  {
-    std::vector<std::jthread> others;
-    for (int t = 1; t < threads && static_cast<std::size_t>(t) < count; ++t) others.emplace_back(run);
-    run();
-  }
-  if (failure) std::rethrow_exception(failure);
-}
 
 }  // namespace
 
@@ -99,11 +66,8 @@ bool ImageStream::draw(std::size_t count) {
 
 std::unique_ptr<DrawnImage> ImageStream::draw_one(std::uint64_t seed) const {
   const Cell cell{scene_.name, engine_.name, budget_, seed};
-  std::string engine_text;
-  for (const std::string& argument : engine_.command) engine_text += std::to_string(argument.size()) + ":" + argument;
-  for (const std::string& argument : options_.further) engine_text += std::to_string(argument.size()) + ":" + argument;
   const std::string key = content_key({{"scene", content_.scene_hash},
-                                       {"engine", engine_text},
+                                       {"engine", length_prefixed(engine_.command) + length_prefixed(options_.further)},
                                        {"version", content_.engine_version},
                                        {"fault", options_.fault},
                                        {"budget", budget_.label()},
@@ -120,35 +84,22 @@ std::unique_ptr<DrawnImage> ImageStream::draw_one(std::uint64_t seed) const {
       return drawn;
     }
   const std::string cell_folder = store_.make_folder(key);
-  const fs::path folder = short_path(options_.folder / cell_folder);
-  const std::string image_name = "image." + engine_.image_extension;
-
-  CommandValues values;
-  values.photonproof = short_path(options_.program);
-  // A bare name would be looked up on PATH.
-  if (!values.photonproof.has_parent_path()) values.photonproof = fs::path(".") / values.photonproof;
-  values.suite = short_path(suite_.folder);
-  values.scene = short_path(scene_.path);
-  values.output = folder / image_name;
-  values.stats = folder / "stats.json";
-  values.width = scene_.width;
-  values.height = scene_.height;
-  values.threads = suite_.limits.threads;
-  values.seed = seed;
-  values.budget = budget_;
-  std::vector<std::string> argv = fill_command(engine_.command, values);
-  argv.insert(argv.end(), options_.further.begin(), options_.further.end());
-  if (!options_.fault.empty()) argv.insert(argv.begin(), {"env", "PHOTONPROOF_FAULT=" + options_.fault});
-  std::optional<Result> result = run_cell({cell, std::move(argv), values.output, values.stats, folder, scene_.width,
-                                           scene_.height, suite_.limits, options_.interrupt});
+  CellCommand command =
+      cell_command(suite_, cell, options_.program, options_.folder / cell_folder, "image", suite_.limits.threads);
+  command.argv.insert(command.argv.end(), options_.further.begin(), options_.further.end());
+  if (!options_.fault.empty())
+    command.argv.insert(command.argv.begin(), {"env", "PHOTONPROOF_FAULT=" + options_.fault});
+  const fs::path folder = command.image.parent_path();
+  std::optional<Result> result = run_cell({cell, std::move(command.argv), command.image, command.stats, folder,
+                                           scene_.width, scene_.height, suite_.limits, options_.interrupt});
   if (!result) return nullptr;
   auto drawn = std::make_unique<DrawnImage>();
   drawn->result = std::move(*result);
   drawn->result.key = key;
   drawn->result.engine_version = content_.engine_version;
   if (drawn->result.status == Status::ok) {
-    drawn->result.image = cell_folder + "/" + image_name;
-    drawn->image = read_image(values.output.string());
+    drawn->result.image = cell_folder + "/" + command.image.filename().string();
+    drawn->image = read_image(command.image.string());
   }
   if (options_.keep) {
     store_.keep(cell_folder, {drawn->result, ""});

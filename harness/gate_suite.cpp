@@ -73,10 +73,6 @@ Gate gate_from_toml(const TomlTable& table, const GateSuite& suite, const Gate& 
 
 }  // namespace
 
-const Engine& GateSuite::engine(const std::string& engine_name) const { return *find_named(engines, engine_name); }
-
-const SuiteScene& GateSuite::scene(const std::string& scene_name) const { return *find_named(scenes, scene_name); }
-
 GateSuite read_gate_suite(const std::filesystem::path& file) {
   const TomlTable document = TomlTable::parse(read_file(file, max_suite_bytes), file.string());
   GateSuite suite;

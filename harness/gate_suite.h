@@ -43,16 +43,9 @@ struct Gate {
   int looks = 0;
 };
 
-struct GateSuite {
-  std::filesystem::path file, folder;
-  std::string name, title;
-  Limits limits;
-  std::vector<Engine> engines;
-  std::vector<SuiteScene> scenes;  ///< without SuiteScene::reference
+/// Its scenes are without SuiteScene::reference.
+struct GateSuite : SuiteCommon {
   std::vector<Gate> gates;
-
-  const Engine& engine(const std::string& engine_name) const;    ///< precondition: it exists
-  const SuiteScene& scene(const std::string& scene_name) const;  ///< precondition: it exists
 };
 
 inline constexpr const char* agreement_metric = "agreement";

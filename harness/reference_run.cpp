@@ -20,13 +20,6 @@ constexpr double checkpoint_seconds = 20;
 constexpr int trial_batches = 4, trial_samples = 16;
 constexpr int first_trial_seed = -trial_batches;  // so that they are no batch's
 
-std::string last_line(const std::string& text) {
-  const std::size_t last = text.find_last_not_of(" \t\r\n");
-  if (last == std::string::npos) return {};
-  const std::size_t before = text.find_last_of("\r\n", last);
-  return text.substr(before == std::string::npos ? 0 : before + 1, last - before);
-}
-
 using End = ReferenceProgress::End;
 
 class Batches {

@@ -22,17 +22,13 @@ constexpr double least_seconds_for_caveats = 0.2;
 constexpr double tolerated_share_of_others = 0.1;
 
 // The last line that is not blank, at most 300 bytes of it.
-std::string last_line(const std::string& text) {
-  const std::size_t last = text.find_last_not_of(" \t\r\n");
-  if (last == std::string::npos) return {};
-  const std::size_t before = text.find_last_of("\r\n", last);
-  const std::size_t first = before == std::string::npos ? 0 : before + 1;
-  const std::string line = text.substr(first, last - first + 1);
+std::string last_words(const std::string& text) {
+  const std::string line = last_line(text);
   return line.size() <= 300 ? line : "..." + line.substr(line.size() - 297);
 }
 
 std::string sentence_with_last_words(const ProcessOutcome& outcome) {
-  const std::string words = last_line(outcome.standard_error);
+  const std::string words = last_words(outcome.standard_error);
   return outcome.sentence() + (words.empty() ? "" : ": " + words);
 }
 
@@ -64,7 +60,7 @@ void set_status(const CellRun& run, const ProcessOutcome& outcome, Result& resul
     result.detail = outcome.sentence();
   } else if (outcome.end == End::exited && outcome.exit_code == unsupported_exit_code) {
     result.status = Status::unsupported;
-    result.detail = last_line(outcome.standard_error);
+    result.detail = last_words(outcome.standard_error);
     if (result.detail.empty()) result.detail = "the engine says so by its exit code and gives no reason";
   } else {
     result.status = Status::crash;

@@ -98,9 +98,9 @@ void add_control(const TomlTable& document, Suite& suite) {
 
 std::string control_name(const std::string& engine) { return engine + "-control"; }
 
-const Engine& Suite::engine(const std::string& engine_name) const { return *find_named(engines, engine_name); }
+const Engine& SuiteCommon::engine(const std::string& engine_name) const { return *find_named(engines, engine_name); }
 
-const SuiteScene& Suite::scene(const std::string& scene_name) const { return *find_named(scenes, scene_name); }
+const SuiteScene& SuiteCommon::scene(const std::string& scene_name) const { return *find_named(scenes, scene_name); }
 
 std::optional<Budget> budget_from_text(const std::string& text) {
   const std::size_t equals = text.find('=');

@@ -39,18 +39,22 @@ struct SuiteScene {
   std::optional<double> target_relmse{};
 };
 
-struct Suite {
+/// What benchmark suites and gate suites have in common.
+struct SuiteCommon {
   std::filesystem::path file;
   std::filesystem::path folder;
   std::string name, title;
   Limits limits;
-  std::string control;  ///< name of the engine that is its own control; empty: none
   std::vector<Engine> engines;
   std::vector<SuiteScene> scenes;
-  std::vector<Cell> cells;  ///< of the runs, in their order; references are not among them
 
   const Engine& engine(const std::string& engine_name) const;    ///< precondition: it exists
   const SuiteScene& scene(const std::string& scene_name) const;  ///< precondition: it exists
+};
+
+struct Suite : SuiteCommon {
+  std::string control;      ///< name of the engine that is its own control; empty: none
+  std::vector<Cell> cells;  ///< of the runs, in their order; references are not among them
 };
 
 /// Of the engine that measures `engine` a second time.

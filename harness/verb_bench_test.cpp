@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "harness/results.h"
+#include "harness/test_program.h"
 #include "harness/test_suite.h"
 #include "reference/process.h"
 
@@ -27,24 +28,10 @@ class BenchVerb : public FakeSuiteTest {
   ProcessOutcome bench(const std::vector<std::string>& more = {}) const {
     return run_process(argv(more), {.wall_limit_seconds = 60});
   }
-  pid_t start_program() const {
-    const pid_t pid = fork();
-    if (pid == 0) {
-      std::vector<std::string> words = argv();
-      std::vector<char*> pointers;
-      pointers.reserve(words.size() + 1);
-      for (std::string& word : words) pointers.push_back(word.data());
-      pointers.push_back(nullptr);
-      freopen("/dev/null", "w", stdout);
-      freopen((folder_ / "stderr").c_str(), "w", stderr);
-      execv(pointers[0], pointers.data());
-      _exit(127);
-    }
-    return pid;
-  }
+  pid_t start_bench() const { return start_program(argv(), folder_ / "stderr"); }
   // Starts the program, sends it the signal once the engine "sleeps" runs, and waits; the status is wait's.
   int signalled_while_it_sleeps(int signal_number) const {
-    const pid_t pid = start_program();
+    const pid_t pid = start_bench();
     for (int i = 0; i < 3000 && !has("pid"); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
     kill(pid, signal_number);
     int status = 0;
@@ -53,7 +40,7 @@ class BenchVerb : public FakeSuiteTest {
   }
   // Kills it so long after `when` is true.
   void killed_after(const std::function<bool()>& when, std::chrono::milliseconds delay) const {
-    const pid_t pid = start_program();
+    const pid_t pid = start_bench();
     for (int i = 0; i < 3000 && !when(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
     std::this_thread::sleep_for(delay);
     kill(pid, SIGKILL);

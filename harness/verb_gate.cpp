@@ -17,7 +17,8 @@
 #include "harness/interrupt.h"
 #include "harness/verbs.h"
 #include "harness/versions.h"
-#include "reports/formats.h"
+#include "reports/exchange_reports.h"
+#include "reports/html_report.h"
 #include "scenes/atomic_file.h"
 #include "scenes/input_error.h"
 
@@ -55,13 +56,10 @@ class ProgressLines : public GateObserver {
 
 std::vector<fs::path> write_reports(const GateSummary& summary) {
   const fs::path folder = summary.results_file.parent_path();
-  std::vector<fs::path> written;
-  for (const ReportFormat& format : report_formats()) {
-    if (format.name != "html" && format.name != "junit") continue;
-    written.push_back(folder / (format.name == "html" ? "report.html" : "junit.xml"));
-    format.write(summary.results, folder, written.back());
-  }
-  return written;
+  const fs::path html = folder / "report.html", junit = folder / "junit.xml";
+  write_html_report(summary.results, folder, html);
+  write_junit_report(summary.results, folder, junit);
+  return {html, junit};
 }
 
 void print_json(const GateSummary& summary, const std::vector<fs::path>& reports) {

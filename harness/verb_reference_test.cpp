@@ -3,13 +3,12 @@
 #include <sys/wait.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <csignal>
 #include <cstdlib>
-#include <thread>
 
 #include "harness/test_folder.h"
+#include "harness/test_program.h"
 #include "reference/process.h"
 #include "reference/reference_store.h"
 
@@ -42,36 +41,10 @@ class ReferenceVerb : public FolderTest {
   ProcessOutcome reference(const std::vector<std::string>& more) const {
     return run_process(argv(more), {.wall_limit_seconds = 600});
   }
-  /// Starts the program, waits until it has kept `batches` more (or as many trial batches), goes on for `seconds` and
-  /// sends it the signal unless it has ended by then; the status of wait. Counting what is kept makes sure of progress
-  /// on a busy machine.
+  /// Sends the signal `seconds` after the program has kept `batches` more (or as many trial batches).
   int signalled(int signal_number, int batches, double seconds, const std::vector<std::string>& more) const {
-    std::vector<std::string> words = argv(more);
-    const pid_t pid = fork();
-    if (pid == 0) {
-      std::vector<char*> pointers;
-      for (std::string& word : words) pointers.push_back(word.data());
-      pointers.push_back(nullptr);
-      freopen("/dev/null", "w", stdout);
-      freopen(path("stderr").c_str(), "w", stderr);
-      execv(pointers[0], pointers.data());
-      _exit(127);
-    }
-    int status = 0;
-    auto last = newest_kept();
-    for (int left = batches; left > 0;) {
-      if (waitpid(pid, &status, WNOHANG) == pid) return status;
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
-      if (const auto now = newest_kept(); now != last) {
-        last = now;
-        --left;
-      }
-    }
-    std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
-    if (waitpid(pid, &status, WNOHANG) == pid) return status;
-    kill(pid, signal_number);
-    waitpid(pid, &status, 0);
-    return status;
+    const pid_t pid = start_program(argv(more), path("stderr"));
+    return signal_after(pid, signal_number, batches, seconds, [this] { return newest_kept(); });
   }
   fs::file_time_type newest_kept() const {
     fs::file_time_type newest = fs::file_time_type::min();

@@ -3,12 +3,11 @@
 
 #include <sys/wait.h>
 
-#include <chrono>
 #include <cmath>
 #include <csignal>
-#include <thread>
 
 #include "harness/test_folder.h"
+#include "harness/test_program.h"
 #include "reference/process.h"
 #include "scenes/image.h"
 
@@ -28,39 +27,14 @@ class RenderVerb : public FolderTest {
   ProcessOutcome render(const std::string& output, const std::vector<std::string>& more) const {
     return run_process(argv(output, more), {.wall_limit_seconds = 120});
   }
-  /// Starts the program, lets it write `checkpoints` of them and go on for `seconds`, sends it the signal unless it has
-  /// ended by then, and gives the status of wait. Counting checkpoints makes sure of progress on a busy machine.
+  /// Sends the signal `seconds` after the program has written `checkpoints` of them.
   int signalled(int signal_number, int checkpoints, double seconds, const std::string& output,
                 const std::vector<std::string>& more) const {
-    std::vector<std::string> words = argv(output, more);
-    const pid_t pid = fork();
-    if (pid == 0) {
-      std::vector<char*> pointers;
-      for (std::string& word : words) pointers.push_back(word.data());
-      pointers.push_back(nullptr);
-      freopen("/dev/null", "w", stdout);
-      freopen(path("stderr").c_str(), "w", stderr);
-      execv(pointers[0], pointers.data());
-      _exit(127);
-    }
-    const auto written = [&] {
+    const pid_t pid = start_program(argv(output, more), path("stderr"));
+    return signal_after(pid, signal_number, checkpoints, seconds, [&] {
       std::error_code none_yet;
       return std::filesystem::last_write_time(path(output + ".checkpoint"), none_yet);
-    };
-    int status = 0;
-    auto last = written();
-    for (int left = checkpoints; left > 0;) {
-      if (waitpid(pid, &status, WNOHANG) == pid) return status;
-      std::this_thread::sleep_for(std::chrono::milliseconds(2));
-      if (const auto now = written(); now != last) {
-        last = now;
-        --left;
-      }
-    }
-    std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
-    kill(pid, signal_number);
-    waitpid(pid, &status, 0);
-    return status;
+    });
   }
   /// Kills the render over and over, at other moments and thread counts, until it ends by itself; the number of kills.
   int kill_until_done(const std::string& output, const std::vector<std::string>& options) const {

@@ -357,4 +357,12 @@ std::string ProcessOutcome::sentence() const {
   return "could not be started: " + cause;
 }
 
+std::string last_line(const std::string& text) {
+  const std::size_t last = text.find_last_not_of(" \t\r\n");
+  if (last == std::string::npos) return {};
+  const std::size_t before = text.find_last_of("\r\n", last);
+  const std::size_t first = before == std::string::npos ? 0 : before + 1;
+  return text.substr(first, last - first + 1);
+}
+
 }  // namespace photonproof

@@ -45,4 +45,7 @@ struct ProcessOutcome {
 /// argv is not empty.
 ProcessOutcome run_process(const std::vector<std::string>& argv, const ProcessOptions& options = {});
 
+/// The last line of a text that is not blank, without the blanks at its end; empty when there is none.
+std::string last_line(const std::string& text);
+
 }  // namespace photonproof
