@@ -73,6 +73,21 @@ TEST(MetricFilter, weights_meet_the_values_at_their_distance) {
   }
 }
 
+TEST(MetricFilter, rows_from_anywhere_are_weighed_by_their_place_in_the_list) {
+  // Row k holds 10^k: the result's digits are the weights; weight[|k - 5|] = |k - 5| + 1 makes them 6 5 4 3 2 1 2 3 4
+  // 5 6.
+  const Taps taps{5, {1, 2, 3, 4, 5, 6}};
+  const std::size_t width = 37;
+  std::vector<std::vector<double>> rows;
+  std::vector<const double*> places;
+  for (int k = 0; k < 11; ++k) places.push_back(rows.emplace_back(width, std::pow(10.0, k)).data());
+  for (const PixelLoops* loops : every_instruction_set()) {
+    std::vector<double> out(width);
+    loops->filter_rows(places.data(), taps, width, out.data());
+    for (const double v : out) EXPECT_EQ(v, 65432123456.0) << loops->isa;
+  }
+}
+
 TEST(PixelLoops, encoding_is_the_standards_formula) {
   std::vector<double> linear, encoded(4097);
   for (int i = 0; i <= 4096; ++i) linear.push_back(i / 4096.0);

@@ -61,13 +61,13 @@ CoarseScale::Sums CoarseScale::measure_tile(int x0, int y0, TileMemory& memory, 
         halve(padded[which], static_cast<std::size_t>(half(width)), static_cast<std::size_t>(half(height)),
               next->at(which, c, x0 / 2, y0 / 2), static_cast<std::size_t>(next->width()));
     }
-    const SimilarityMaps maps = similarity_maps(padded[0], padded[1], static_cast<std::size_t>(width),
-                                                static_cast<std::size_t>(height), memory);
+    if (columns.first >= columns.end) continue;
+    SimilarityRows similarity(padded[0].at(columns.first, rows.first), padded[1].at(columns.first, rows.first),
+                              columns.count(), memory);
     for (int y = rows.first; y < rows.end; ++y) {
-      const std::ptrdiff_t start = static_cast<std::ptrdiff_t>(y) * width + columns.first;
-      const auto count = static_cast<std::size_t>(columns.end - columns.first);
-      sums[c] += lane_sum(count, [row = maps.ssim + start](std::size_t i) { return row[i]; });
-      sums[3 + c] += lane_sum(count, [row = maps.structure + start](std::size_t i) { return row[i]; });
+      similarity.next();
+      sums[c] += lane_sum(columns.count(), [&](std::size_t i) { return similarity.ssim()[i]; });
+      sums[3 + c] += lane_sum(columns.count(), [&](std::size_t i) { return similarity.structure()[i]; });
     }
   }
   return sums;

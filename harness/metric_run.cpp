@@ -62,6 +62,13 @@ struct NonFinite {
     }
   }
 
+  /// Of rows below these.
+  void add(const NonFinite& below) {
+    const std::size_t all = count + below.count;
+    if (count == 0) *this = below;
+    count = all;
+  }
+
   void report(const std::string& name, std::vector<ImageDefect>& defects) const {
     if (count == 0) return;
     const std::string what = std::isnan(value) ? "NaN" : value > 0 ? "+infinity" : "-infinity";
@@ -71,28 +78,41 @@ struct NonFinite {
   }
 };
 
-/// Consecutive rows of a source: a band and what its tiles need around it.
+/// Consecutive rows of a source: a band and what its tiles need around it. Of an image in memory nothing is copied.
 class RowWindow {
  public:
   explicit RowWindow(RowSource& source) : source_(source) {}
 
   /// Reads on to `end`, having dropped what is above `begin`.
-  void move(int begin, int end) {
+  void move(int begin, int end, Workers& workers) {
     const std::size_t row = 3 * static_cast<std::size_t>(source_.width());
-    const auto dropped = static_cast<std::size_t>(begin - first_) * row;
-    rows_.erase(rows_.begin(), rows_.begin() + static_cast<std::ptrdiff_t>(dropped));
-    first_ = begin;
     const int from = std::max(begin, end_);
-    rows_.resize(static_cast<std::size_t>(end - begin) * row);
-    float* fresh = rows_.data() + static_cast<std::size_t>(from - begin) * row;
-    source_.read(from, end, fresh);
-    non_finite_.find(fresh, source_.width(), from, end);
+    if (!source_.in_memory()) {
+      const auto dropped = static_cast<std::size_t>(begin - first_) * row;
+      rows_.erase(rows_.begin(), rows_.begin() + static_cast<std::ptrdiff_t>(dropped));
+      first_ = begin;
+      rows_.resize(static_cast<std::size_t>(end - begin) * row);
+      source_.read(from, end, rows_.data() + static_cast<std::size_t>(from - begin) * row);
+    }
+    find_non_finite(from, end, workers);
     end_ = end;
   }
-  RowBlock block() const { return {rows_.data(), first_}; }
+  RowBlock block() const { return {source_.in_memory() ? source_.in_memory() : rows_.data(), first_}; }
   const NonFinite& non_finite() const { return non_finite_; }
 
  private:
+  void find_non_finite(int begin, int end, Workers& workers) {
+    constexpr int at_once = 32;  // rows
+    std::vector<NonFinite> found(static_cast<std::size_t>((end - begin + at_once - 1) / at_once));
+    const RowBlock rows = block();
+    workers.for_each(found.size(), [&](std::size_t i, TileMemory&) {
+      const int first = begin + static_cast<int>(i) * at_once;
+      const float* rgb = rows.rgb + 3 * static_cast<std::ptrdiff_t>(source_.width()) * (first - rows.first);
+      found[i].find(rgb, source_.width(), first, std::min(end, first + at_once));
+    });
+    for (const NonFinite& below : found) non_finite_.add(below);
+  }
+
   RowSource& source_;
   std::vector<float> rows_;
   int first_ = 0, end_ = 0;
@@ -129,8 +149,8 @@ class Run {
     for (int y = 0, end = 0; y < grid_.height; y = end) {
       end = std::min(grid_.height, y + band_height(grid_.width));
       const int begin = std::max(0, y - PairTile::reach), last = std::min(grid_.height, end + PairTile::reach);
-      reference_.move(begin, last);
-      test_.move(begin, last);
+      reference_.move(begin, last, workers_);
+      test_.move(begin, last, workers_);
       // No metric is told of an image with a hole; the rest is only read to count them.
       if (reference_.non_finite().count + test_.non_finite().count == 0) measure_band(y, end);
     }

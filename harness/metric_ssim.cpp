@@ -34,15 +34,16 @@ class SsimPass : public SumPass {
     part.resize(7);
     const InnerRange columns = inner_range(tile.x0(), tile.width(), tile.image_width());
     const InnerRange rows = inner_range(tile.y0(), tile.height(), tile.image_height());
-    for (int y = rows.first; y < rows.end; ++y)
-      for (int column = columns.first; column < columns.end; ++column) part[6] += tile.counts(column, y) ? 1 : 0;
-    for (std::size_t c = 0; c < 3; ++c) {
+    for (int y = rows.first; y < rows.end; ++y) part[6] += counted(tile, columns, y);
+    for (std::size_t c = 0; c < 3 && columns.first < columns.end; ++c) {
       const TileMemory::Frame frame(tile.memory());
-      const auto width = static_cast<std::size_t>(tile.width());
-      const SimilarityMaps maps =
-          similarity_maps(r[c], x[c], width, static_cast<std::size_t>(tile.height()), tile.memory());
-      part[c] = sum_inner(tile, maps.ssim, columns, rows);
-      part[3 + c] = sum_inner(tile, maps.structure, columns, rows);
+      SimilarityRows similarity(r[c].at(columns.first, rows.first), x[c].at(columns.first, rows.first), columns.count(),
+                                tile.memory());
+      for (int y = rows.first; y < rows.end; ++y) {
+        similarity.next();
+        part[c] += sum_counted(tile, similarity.ssim(), columns, y);
+        part[3 + c] += sum_counted(tile, similarity.structure(), columns, y);
+      }
     }
     if (coarse_) coarse_->put(tile);
   }
@@ -59,17 +60,17 @@ class SsimPass : public SumPass {
   }
 
  private:
-  static double sum_inner(const PairTile& tile, const double* map, const InnerRange& columns, const InnerRange& rows) {
-    double sum = 0;
-    const auto count = static_cast<std::size_t>(columns.end - columns.first);
-    for (int y = rows.first; y < rows.end; ++y) {
-      const double* row = map + static_cast<std::ptrdiff_t>(y) * tile.width() + columns.first;
-      sum += tile.all_count() ? lane_sum(count, [&](std::size_t i) { return row[i]; })
-                              : lane_sum(count, [&](std::size_t i) {
-                                  return tile.counts(columns.first + static_cast<int>(i), y) ? row[i] : 0.0;
-                                });
-    }
-    return sum;
+  static double counted(const PairTile& tile, const InnerRange& columns, int y) {
+    if (tile.all_count()) return static_cast<double>(columns.count());
+    double count = 0;
+    for (int x = columns.first; x < columns.end; ++x) count += tile.counts(x, y) ? 1 : 0;
+    return count;
+  }
+
+  static double sum_counted(const PairTile& tile, const double* row, const InnerRange& columns, int y) {
+    if (tile.all_count()) return lane_sum(columns.count(), [&](std::size_t i) { return row[i]; });
+    return lane_sum(columns.count(),
+                    [&](std::size_t i) { return tile.counts(columns.first + static_cast<int>(i), y) ? row[i] : 0.0; });
   }
 
   bool undefined_;

@@ -8,33 +8,50 @@
 
 namespace photonproof {
 
-SimilarityMaps similarity_maps(const TilePlane& reference, const TilePlane& test, std::size_t width, std::size_t height,
-                               TileMemory& memory) {
+namespace {
+
+const Taps& window_taps() {
   static const Taps taps = gaussian_taps(1.5, ssim_radius);
-  constexpr std::size_t r = ssim_radius;
+  return taps;
+}
+
+}  // namespace
+
+SimilarityRows::SimilarityRows(const TilePlane& reference, const TilePlane& test, std::size_t width, TileMemory& memory)
+    : row_r_(reference.core - ssim_radius * reference.stride - ssim_radius),
+      row_x_(test.core - ssim_radius * test.stride - ssim_radius),
+      stride_r_(reference.stride),
+      stride_x_(test.stride),
+      width_(width),
+      ssim_(memory.take<double>(width)),
+      structure_(memory.take<double>(width)) {
+  for (std::size_t m = 0; m < moments; ++m) {
+    values_[m] = memory.take<double>(width + 2 * ssim_radius);
+    means_[m] = memory.take<double>(width);
+  }
+  for (double*& row : across_) row = memory.take<double>(moments * width);
+  while (read_ < ssim_window - 1) read_row();
+}
+
+void SimilarityRows::read_row() {
   const PixelLoops& loops = pixel_loops();
-  SimilarityMaps maps{memory.take<double>(width * height), memory.take<double>(width * height)};
-  const TileMemory::Frame frame(memory);
-  const std::size_t stride = width + 2 * r;
-  double *moments[4], *across[4], *means[4];
-  for (std::size_t m = 0; m < 4; ++m) {
-    moments[m] = memory.take<double>(stride * (height + 2 * r));
-    across[m] = memory.take<double>(width * (height + 2 * r));
-    means[m] = memory.take<double>(width * height);
+  loops.sum_and_difference(row_r_, row_x_, width_ + 2 * ssim_radius, values_[0], values_[1], values_[2], values_[3]);
+  row_r_ += stride_r_;
+  row_x_ += stride_x_;
+  double* row = across_[read_++ % ssim_window];
+  for (std::size_t m = 0; m < moments; ++m)
+    loops.filter({values_[m] + ssim_radius, 0, 1, width_, 1}, {window_taps(), row + m * width_, 0});
+}
+
+void SimilarityRows::next() {
+  read_row();
+  const PixelLoops& loops = pixel_loops();
+  for (std::size_t m = 0; m < moments; ++m) {
+    const double* rows[ssim_window];
+    for (std::size_t k = 0; k < ssim_window; ++k) rows[k] = across_[(read_ + k) % ssim_window] + m * width_;
+    loops.filter_rows(rows, window_taps(), width_, means_[m]);
   }
-  for (std::size_t y = 0; y < height + 2 * r; ++y) {
-    const double* row_r = reference.core + y * reference.stride - r * reference.stride - r;
-    const double* row_x = test.core + y * test.stride - r * test.stride - r;
-    loops.sum_and_difference(row_r, row_x, stride, moments[0] + y * stride, moments[1] + y * stride,
-                             moments[2] + y * stride, moments[3] + y * stride);
-  }
-  for (std::size_t m = 0; m < 4; ++m) {
-    loops.filter({moments[m] + r, stride, 1, width, height + 2 * r}, {taps, across[m], width});
-    loops.filter({across[m] + r * width, width, static_cast<std::ptrdiff_t>(width), width, height},
-                 {taps, means[m], width});
-  }
-  loops.similarity(means[0], means[1], means[2], means[3], width * height, maps.ssim, maps.structure);
-  return maps;
+  loops.similarity(means_[0], means_[1], means_[2], means_[3], width_, ssim_, structure_);
 }
 
 InnerRange inner_range(int start, int length, int size) {

@@ -11,21 +11,37 @@ namespace photonproof {
 
 inline constexpr int ssim_radius = 5;   ///< int(3.5 sigma + 0.5): scikit-image's truncation
 inline constexpr int ssim_window = 11;  ///< 2 ssim_radius + 1
+static_assert(ssim_radius <= PairTile::encoded_reach);
 
-/// Pixels of a tile row by row; `width` a row.
-struct SimilarityMaps {
-  double* ssim;       ///< luminance, contrast and structure
-  double* structure;  ///< contrast and structure alone
+/// The similarity of `width` pixels, one row after the other: the last 11 rows' moments are kept, filtered along the
+/// row, so that all of it stays in the processor's nearest caches.
+class SimilarityRows {
+ public:
+  /// From the row of each plane's core on, around which ssim_radius values more are there; the planes and the memory
+  /// must outlive it.
+  SimilarityRows(const TilePlane& reference, const TilePlane& test, std::size_t width, TileMemory& memory);
+
+  /// One row on; before the first call there is none.
+  void next();
+  const double* ssim() const { return ssim_; }            ///< luminance, contrast and structure
+  const double* structure() const { return structure_; }  ///< contrast and structure alone
+
+ private:
+  static constexpr std::size_t moments = 4;  // means of s, d, s^2, d^2
+  void read_row();
+
+  const double *row_r_, *row_x_;  // the next rows to be read
+  std::size_t stride_r_, stride_x_, width_;
+  double *values_[moments], *means_[moments], *ssim_, *structure_;
+  double* across_[ssim_window];  // the moments of one row, one after the other
+  std::size_t read_ = 0;
 };
-
-/// Of the width x height pixels from each plane's core on, around which ssim_radius more are there.
-SimilarityMaps similarity_maps(const TilePlane& reference, const TilePlane& test, std::size_t width, std::size_t height,
-                               TileMemory& memory);
 
 /// The tile's columns or rows whose window lies wholly inside an image of `size`: [first, end) of its `length` from
 /// `start` on.
 struct InnerRange {
   int first, end;
+  std::size_t count() const { return static_cast<std::size_t>(end - first); }
 };
 InnerRange inner_range(int start, int length, int size);
 

@@ -46,9 +46,11 @@ PairTile::LinearPlane PairTile::linear(std::size_t which, std::size_t channel) c
   return {linear_[which][channel], padded_size(), stride()};
 }
 
-TileColour PairTile::colour_at(const std::array<double*, 3>& planes) const {
-  const std::size_t core = reach * stride() + reach;
-  return {TilePlane{planes[0] + core, stride()}, {planes[1] + core, stride()}, {planes[2] + core, stride()}};
+TileColour PairTile::colour_at(const std::array<double*, 3>& planes, int around) const {
+  const std::size_t core = static_cast<std::size_t>(around) * (stride(around) + 1);
+  return {TilePlane{planes[0] + core, stride(around)},
+          {planes[1] + core, stride(around)},
+          {planes[2] + core, stride(around)}};
 }
 
 TileColour PairTile::exposed(std::size_t which) const {
@@ -59,18 +61,24 @@ TileColour PairTile::exposed(std::size_t which) const {
       pixel_loops().expose(linear_[which][c], padded_size(), scale, exposed_[which][c]);
     }
   }
-  return colour_at(exposed_[which]);
+  return colour_at(exposed_[which], reach);
 }
 
 TileColour PairTile::encoded(std::size_t which) const {
   if (!encoded_[which][0]) {
-    exposed(which);
-    for (std::size_t c = 0; c < 3; ++c) {
-      encoded_[which][c] = memory_.take<double>(padded_size());
-      pixel_loops().encode(exposed_[which][c], padded_size(), encoded_[which][c]);
-    }
+    for (double*& plane : encoded_[which]) plane = memory_.take<double>(padded_size(encoded_reach));
+    const double scale = std::exp2(exposure_);
+    const TileMemory::Frame frame(memory_);
+    const std::size_t row = stride(encoded_reach), rows = padded_size(encoded_reach) / row;
+    auto* exposed = memory_.take<double>(row);
+    for (std::size_t c = 0; c < 3; ++c)
+      for (std::size_t y = 0; y < rows; ++y) {
+        const float* from = linear_[which][c] + (y + reach - encoded_reach) * stride() + (reach - encoded_reach);
+        pixel_loops().expose(from, row, scale, exposed);
+        pixel_loops().encode(exposed, row, encoded_[which][c] + y * row);
+      }
   }
-  return colour_at(encoded_[which]);
+  return colour_at(encoded_[which], encoded_reach);
 }
 
 std::span<const float> PairTile::counted(std::size_t which, std::size_t channel) const {

@@ -45,6 +45,9 @@ class TileMemory {
 struct TilePlane {
   const double* core;
   std::size_t stride;
+
+  /// From the tile's pixel (x, y) on.
+  TilePlane at(int x, int y) const { return {core + static_cast<std::ptrdiff_t>(stride) * y + x, stride}; }
 };
 using TileColour = std::array<TilePlane, 3>;
 
@@ -65,6 +68,8 @@ class PairTile {
  public:
   /// How far planes go beyond the tile: the radius of FLIP's widest filter. Beyond the image the nearest pixel stands.
   static constexpr int reach = 10;
+  /// What ssim needs.
+  static constexpr int encoded_reach = 5;
 
   /// Pixels [x0, x0 + width) x [y0, y0 + height) of images of the grid's size. The blocks hold at least its rows and
   /// `reach` more each way, as far as the image has them. `mask` may be null. All must outlive the tile.
@@ -97,7 +102,7 @@ class PairTile {
   LinearPlane linear(std::size_t which, std::size_t channel) const;
   /// Scaled by 2^exposure and clamped to [0,1], still linear, with `reach`.
   TileColour exposed(std::size_t which) const;
-  /// And sRGB-encoded.
+  /// And sRGB-encoded, with `encoded_reach`.
   TileColour encoded(std::size_t which) const;
 
   /// For what a metric needs beside; a Frame of it must not hold a plane's first use.
@@ -106,9 +111,11 @@ class PairTile {
  private:
   std::span<const float> counted(std::size_t which, std::size_t channel) const;
   void load(std::size_t which, const RowBlock& rows);
-  std::size_t stride() const { return static_cast<std::size_t>(width_) + 2 * reach; }
-  std::size_t padded_size() const { return stride() * (static_cast<std::size_t>(height_) + 2 * reach); }
-  TileColour colour_at(const std::array<double*, 3>& planes) const;
+  std::size_t stride(int around = reach) const { return static_cast<std::size_t>(width_ + 2 * around); }
+  std::size_t padded_size(int around = reach) const {
+    return stride(around) * static_cast<std::size_t>(height_ + 2 * around);
+  }
+  TileColour colour_at(const std::array<double*, 3>& planes, int around) const;
 
   TileGrid grid_;
   int x0_, y0_, width_, height_;

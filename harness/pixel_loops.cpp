@@ -29,6 +29,25 @@ inline double cube_root(double t) {
   return y * (y3 + 2 * t) / (2 * y3 + t);
 }
 
+/// v^(5/12) of v in [0.003, 1] within 1e-14, without roots and divisions: z = v^(-1/12) from minus a twelfth of the
+/// exponent (within 3.5 %), three of Newton's iterations z (13 - v z^12) / 12 in float (each squares the error, times
+/// 6.5), then in double z (1 + r/12 + 13 r^2 / 288 + ...) with r = 1 - v z^12, which cubes it; v^(5/12) = v z^7.
+inline double power_5_12(double v) {
+  const auto fv = static_cast<float>(v);
+  const auto twelfth = 1153700000.0f - static_cast<float>(__builtin_bit_cast(std::int32_t, fv)) * (1.0f / 12);
+  float close = __builtin_bit_cast(float, static_cast<std::int32_t>(twelfth));
+  for (int i = 0; i < 3; ++i) {
+    const float z2 = close * close, z4 = z2 * z2;
+    close = close * ((13.0f / 12) - (1.0f / 12) * fv * (z4 * z4 * z4));
+  }
+  const auto near = static_cast<double>(close);
+  const double n2 = near * near, n4 = n2 * n2;
+  const double r = 1 - v * (n4 * n4 * n4);
+  const double z = near + near * (r * (1.0 / 12 + r * (13.0 / 288)));
+  const double z2 = z * z, z3 = z2 * z;
+  return v * (z3 * z3) * z;
+}
+
 /// log2 of a normal x > 0 within 1e-12.
 inline double log2_of(double x) {
   const auto bits = __builtin_bit_cast(std::uint64_t, x);
@@ -94,8 +113,7 @@ void encode(const double* restrict linear, std::size_t n, double* restrict out) 
   for (std::size_t i = 0; i < n; ++i) {
     const double v = linear[i];
     const double bright = v > 0.0031308 ? v : 0.0031308;
-    // v^(1/2.4) = v^(5/12) = (v^(1/2) v^(1/3))^(1/2)
-    const double curve = 1.055 * __builtin_sqrt(__builtin_sqrt(bright) * cube_root(bright)) - 0.055;
+    const double curve = 1.055 * power_5_12(bright) - 0.055;  // the standard's exponent is 1 / 2.4
     const double line = 12.92 * v;
     out[i] = v > 0.0031308 ? curve : line;
   }
@@ -176,6 +194,17 @@ void filter(const FilterSpan& span, const FilterResult& even) {
   }
 }
 
+void filter_rows(const double* const* rows, const Taps& taps, std::size_t width, double* restrict out) {
+  if (taps.radius != 5) __builtin_trap();
+  const double *a5 = rows[0], *a4 = rows[1], *a3 = rows[2], *a2 = rows[3], *a1 = rows[4], *middle = rows[5],
+               *b1 = rows[6], *b2 = rows[7], *b3 = rows[8], *b4 = rows[9], *b5 = rows[10];
+  const double* weight = taps.weight;
+#pragma GCC ivdep
+  for (std::size_t x = 0; x < width; ++x)
+    out[x] = weight[0] * middle[x] + weight[1] * (a1[x] + b1[x]) + weight[2] * (a2[x] + b2[x]) +
+             weight[3] * (a3[x] + b3[x]) + weight[4] * (a4[x] + b4[x]) + weight[5] * (a5[x] + b5[x]);
+}
+
 void filter_twice(const FilterSpan& span, const FilterResult& a, const FilterResult& b) {
   if (a.taps.radius != 10 || b.taps.radius != 10) __builtin_trap();
   for (std::size_t y = 0; y < span.height; ++y)
@@ -209,10 +238,13 @@ void similarity(const double* restrict s, const double* restrict d, const double
   for (std::size_t i = 0; i < n; ++i) {
     const double s2 = s[i] * s[i], d2 = d[i] * d[i];
     const double var_s = ss[i] - s2, var_d = dd[i] - d2;
-    // var_r + var_x = (var_s + var_d)/2 and 2 cov = (var_s - var_d)/2; the same of the squared means.
-    const double cs = (0.5 * (var_s - var_d) + c2) / (0.5 * (var_s + var_d) + c2);
-    structure[i] = cs;
-    ssim[i] = cs * ((0.5 * (s2 - d2) + c1) / (0.5 * (s2 + d2) + c1));
+    // var_r + var_x = (var_s + var_d)/2 and 2 cov = (var_s - var_d)/2; the same of the squared means. One division
+    // for both ratios.
+    const double cs_above = 0.5 * (var_s - var_d) + c2, cs_below = 0.5 * (var_s + var_d) + c2;
+    const double l_above = 0.5 * (s2 - d2) + c1, l_below = 0.5 * (s2 + d2) + c1;
+    const double inverse = 1 / (cs_below * l_below);
+    structure[i] = cs_above * l_below * inverse;
+    ssim[i] = cs_above * l_above * inverse;
   }
 }
 
@@ -301,7 +333,7 @@ void flip_error(LabPlanes lab_a, LabPlanes lab_b, FeaturePlanes features_a, Feat
 
 extern const PixelLoops PHOTONPROOF_PIXEL_LOOPS;
 const PixelLoops PHOTONPROOF_PIXEL_LOOPS = {
-    PHOTONPROOF_ISA, split_rgb,          expose,     tone_map,  encode,    filter,    filter_twice,
+    PHOTONPROOF_ISA, split_rgb,          expose,     tone_map,  encode,    filter,    filter_rows, filter_twice,
     filter_odd_even, sum_and_difference, similarity, opponents, perceived, magnitude, flip_error};
 
 }  // namespace photonproof

@@ -51,6 +51,8 @@ struct PixelLoops {
   void (*encode)(const double* linear, std::size_t n, double* out);
   /// Even kernels, sum_k weight[k] (in[-k] + in[k]) with the middle once, of radius 5, 7, 9 or 10.
   void (*filter)(const FilterSpan& span, const FilterResult& even);
+  /// The same down the columns of 2 radius + 1 rows that need not follow each other in memory; of radius 5.
+  void (*filter_rows)(const double* const* rows, const Taps& even, std::size_t width, double* out);
   /// Two kernels on the same values: even ones of radius 10; of radius 9 an odd one, sum_k weight[k] (in[k] - in[-k]),
   /// and an even one.
   void (*filter_twice)(const FilterSpan& span, const FilterResult& even, const FilterResult& other_even);

@@ -18,6 +18,8 @@ class RowSource {
   /// Rows [begin, end) as interleaved linear RGB. Quick for rows in ascending order; throws InputError when the file
   /// cannot be read.
   virtual void read(int begin, int end, float* rgb) = 0;
+  /// All rows, where they are in memory as they would be read; else null.
+  virtual const float* in_memory() const { return nullptr; }
 };
 
 /// The image must outlive it.
@@ -27,6 +29,7 @@ class ImageSource : public RowSource {
   int width() const override { return image_.width; }
   int height() const override { return image_.height; }
   void read(int begin, int end, float* rgb) override;
+  const float* in_memory() const override { return image_.rgb.data(); }
 
  private:
   const Image& image_;
