@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <future>
 #include <map>
 #include <random>
@@ -13,6 +12,7 @@
 #include "harness/cells.h"
 #include "harness/engine_command.h"
 #include "harness/host.h"
+#include "harness/percent_text.h"
 #include "harness/relative_error.h"
 #include "harness/run_cell.h"
 #include "harness/stored_changes.h"
@@ -20,6 +20,7 @@
 #include "scenes/atomic_file.h"
 #include "scenes/image.h"
 #include "scenes/input_error.h"
+#include "scenes/timer.h"
 
 namespace photonproof {
 namespace {
@@ -32,15 +33,15 @@ constexpr double warm_up_seconds = 20;
 // What a round came to: its numbers, or why there are none ("" when it was interrupted).
 using Round = std::variant<PairedRound, std::string>;
 
-std::string percent(double ratio) { return fmt::format("{:.2g} %", 100 * std::abs(ratio - 1)); }
+std::string difference_text(double ratio) { return percent_text(std::abs(ratio - 1)); }
 
 std::string seconds_sentence(const RatioVerdict& verdict, std::size_t rounds) {
   const std::string facts = fmt::format("processor time new/old {}, {} rounds", ratio_text(verdict.ratio), rounds);
   switch (verdict.change) {
     case Change::regression:
-      return percent(verdict.ratio.value) + " slower: " + facts;
+      return difference_text(verdict.ratio.value) + " slower: " + facts;
     case Change::improvement:
-      return percent(verdict.ratio.value) + " faster: " + facts;
+      return difference_text(verdict.ratio.value) + " faster: " + facts;
     case Change::unchanged:
       return "as fast as before: " + facts;
     case Change::inconclusive:
@@ -55,9 +56,9 @@ std::string relmse_sentence(const RatioVerdict& verdict, std::span<const PairedR
   const std::string facts = fmt::format("relmse new/old {}, {} seeds", ratio_text(verdict.ratio), rounds.size());
   switch (verdict.change) {
     case Change::regression:
-      return percent(verdict.ratio.value) + " more error: " + facts;
+      return difference_text(verdict.ratio.value) + " more error: " + facts;
     case Change::improvement:
-      return percent(verdict.ratio.value) + " less error: " + facts;
+      return difference_text(verdict.ratio.value) + " less error: " + facts;
     case Change::unchanged:
       return "other images with the same error: " + facts;
     case Change::inconclusive:
@@ -238,7 +239,7 @@ class Comparisons {
     PairRunner runner(run_, old_program_);
     runner.warm_up(run_.suite.engine(cell.engine));
     const bool times_count = cell.budget.kind != "seconds";
-    const auto start = std::chrono::steady_clock::now();
+    const Timer timer;
     std::vector<PairedRound> rounds;
     RatioVerdict seconds;
     std::optional<RatioVerdict> relmse;
@@ -256,7 +257,7 @@ class Comparisons {
       seconds = judge_seconds(rounds, options_.thresholds);
       relmse = judge_relmse(rounds, options_.thresholds);
     } while (!decided() && rounds.size() < options_.most_rounds && !is_interrupted() &&
-             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() < options_.seconds);
+             timer.seconds() < options_.seconds);
     if (times_count) say(record_of(cell, "seconds", seconds, seconds_sentence(seconds, rounds.size())));
     if (relmse) say(record_of(cell, "relmse", *relmse, relmse_sentence(*relmse, rounds)));
   }

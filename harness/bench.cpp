@@ -1,7 +1,6 @@
 #include "harness/bench.h"
 
 #include <algorithm>
-#include <chrono>
 
 #include "harness/bench_plan.h"
 #include "harness/cell_command.h"
@@ -16,6 +15,7 @@
 #include "reference/reference_store.h"
 #include "scenes/atomic_file.h"
 #include "scenes/input_error.h"
+#include "scenes/timer.h"
 
 namespace photonproof {
 namespace {
@@ -32,9 +32,6 @@ constexpr double tolerated_save_share = 0.005;
 // An engine measured this often can afford to have its first cell rendered once before, for at most so long.
 constexpr std::size_t least_cells_for_warm_up = 3;
 constexpr double warm_up_seconds = 2;
-
-using Clock = std::chrono::steady_clock;
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 // Any number that is the suite's own.
 std::uint64_t order_seed(const Suite& suite) {
@@ -55,7 +52,7 @@ class Bench {
         created_(utc_now()) {}
 
   BenchSummary run() {
-    const Clock::time_point start = Clock::now();
+    const Timer timer;
     const double own_before = own_cpu_seconds();
     const std::vector<Cell> to_run = choose_cells();
     if (to_run.empty()) keep_session();
@@ -70,7 +67,7 @@ class Bench {
     compare_found_cells();
     conclude(!to_run.empty());
     save();
-    summary_.seconds = seconds_since(start);
+    summary_.seconds = timer.seconds();
     summary_.harness_cpu_seconds = own_cpu_seconds() - own_before;
     if (options_.against && !summary_.interrupted) compare_with_old();
     count();
@@ -253,15 +250,14 @@ class Bench {
   }
 
   void save_if_quick() {
-    const double since = seconds_since(last_save_);
-    if (save_seconds_ < quick_save_seconds || save_seconds_ < tolerated_save_share * since) save();
+    if (save_seconds_ < quick_save_seconds || save_seconds_ < tolerated_save_share * since_save_.seconds()) save();
   }
 
   void save() {
-    const Clock::time_point start = Clock::now();
+    const Timer timer;
     write_results(results_file().string(), record());
-    save_seconds_ = seconds_since(start);
-    last_save_ = Clock::now();
+    save_seconds_ = timer.seconds();
+    since_save_ = {};
   }
 
   Results record() const {
@@ -307,7 +303,7 @@ class Bench {
   std::vector<ChangeRecord> changes_;
   std::vector<std::string> caveats_;  // of the session
   double save_seconds_ = 0;
-  Clock::time_point last_save_;
+  Timer since_save_;
   BenchSummary summary_;
 };
 

@@ -9,6 +9,7 @@
 #include "scenes/expect.h"
 #include "scenes/parser.h"
 #include "scenes/scene_hash.h"
+#include "scenes/size_text.h"
 
 namespace photonproof {
 namespace {
@@ -75,7 +76,7 @@ BenchPlan plan_bench(const Suite& suite, const fs::path& program, const Host& ho
                                {"version", versions[cell.engine].line},
                                {"budget", cell.budget.label()},
                                {"seed", std::to_string(cell.seed)},
-                               {"size", std::to_string(scene.width) + "x" + std::to_string(scene.height)},
+                               {"size", size_text(scene.width, scene.height)},
                                {"seconds", std::to_string(suite.limits.seconds)},
                                {"memory_mb", std::to_string(suite.limits.memory_mb)},
                                {"threads", std::to_string(threads_of(suite, host))},

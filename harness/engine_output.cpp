@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <optional>
 
-#include "renderer/timer.h"
 #include "scenes/input_error.h"
+#include "scenes/timer.h"
 
 namespace photonproof {
 namespace {

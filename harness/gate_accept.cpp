@@ -13,6 +13,7 @@
 #include "reports/temporary_folder.h"
 #include "scenes/atomic_file.h"
 #include "scenes/input_error.h"
+#include "scenes/size_text.h"
 
 namespace photonproof {
 namespace {
@@ -61,7 +62,7 @@ std::optional<Accepted> accept_reference(const GateSuite& suite, const AcceptOpt
                                 "reference",
                                 scene.path.string(),
                                 "--size",
-                                fmt::format("{}x{}", scene.width, scene.height),
+                                size_text(scene.width, scene.height),
                                 "--fresh",
                                 "--quiet",
                                 "-o",

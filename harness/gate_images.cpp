@@ -7,6 +7,7 @@
 #include "harness/cells.h"
 #include "harness/run_cell.h"
 #include "harness/side_by_side.h"
+#include "scenes/size_text.h"
 
 namespace photonproof {
 namespace {
@@ -72,7 +73,7 @@ std::unique_ptr<DrawnImage> ImageStream::draw_one(std::uint64_t seed) const {
                                        {"fault", options_.fault},
                                        {"budget", budget_.label()},
                                        {"seed", std::to_string(seed)},
-                                       {"size", std::to_string(scene_.width) + "x" + std::to_string(scene_.height)},
+                                       {"size", size_text(scene_.width, scene_.height)},
                                        {"seconds", std::to_string(suite_.limits.seconds)},
                                        {"memory_mb", std::to_string(suite_.limits.memory_mb)},
                                        {"threads", std::to_string(suite_.limits.threads)}});

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "harness/gate_tiles.h"
+#include "harness/percent_text.h"
 #include "harness/student.h"
 
 namespace photonproof {
@@ -168,16 +169,15 @@ Judgement judge_agreement(const Deviations& d, const AgreementBounds& bounds, do
   const Power power = power_of(d, whole_tail, block_tail);
   if (power.whole <= bounds.whole && power.block <= bounds.block) {
     judgement.verdict = GateVerdict::pass;
-    judgement.sentence =
-        fmt::format("agrees; {:.2g} % overall or {:.2g} % in a block of 8 x 8 pixels would have been seen",
-                    100 * power.whole, 100 * power.block);
+    judgement.sentence = fmt::format("agrees; {} overall or {} in a block of 8 x 8 pixels would have been seen",
+                                     percent_text(power.whole), percent_text(power.block));
   } else if (power.block > bounds.block) {
     const Block& block = d.places[power.worst_block];
-    judgement.sentence = fmt::format("too noisy to tell: {:.2g} % could hide in the block at ({}, {}), bound {:.2g} %",
-                                     100 * power.block, block.x0, block.y0, 100 * bounds.block);
+    judgement.sentence = fmt::format("too noisy to tell: {} could hide in the block at ({}, {}), bound {}",
+                                     percent_text(power.block), block.x0, block.y0, percent_text(bounds.block));
   } else {
-    judgement.sentence = fmt::format("too noisy to tell: {:.2g} % could hide overall, bound {:.2g} %",
-                                     100 * power.whole, 100 * bounds.whole);
+    judgement.sentence = fmt::format("too noisy to tell: {} could hide overall, bound {}", percent_text(power.whole),
+                                     percent_text(bounds.whole));
   }
   return judgement;
 }
@@ -230,7 +230,7 @@ Judgement judge_bias(const Deviations& d, bool block, double bound, double alpha
   const std::string interval = fmt::format("{} is {:+.2g} % in {} ({:+.2g} to {:+.2g})", where, 100 * worst.value,
                                            channel_letters[worst.channel], 100 * judgement.observed.interval->low,
                                            100 * judgement.observed.interval->high);
-  const std::string limit = fmt::format("bound {:.2g} %", 100 * bound);
+  const std::string limit = "bound " + percent_text(bound);
   if (outside->outside(bound) > 0) {
     judgement.verdict = GateVerdict::fail;
     judgement.tiles = failing_tiles(d, [&](std::size_t b, std::size_t c) {

@@ -10,6 +10,7 @@
 
 #include "harness/metric_hdr_flip.h"
 #include "scenes/input_error.h"
+#include "scenes/size_text.h"
 
 namespace photonproof {
 namespace {
@@ -236,15 +237,12 @@ class Run {
 
 std::vector<ImageDefect> size_defects(int width, int height, int test_width, int test_height) {
   using enum ImageDefect::Kind;
-  const auto text = [](int w, int h) { return std::to_string(w) + "x" + std::to_string(h); };
   if (width != test_width || height != test_height)
-    return {{size_mismatch, "the test image is " + text(test_width, test_height) + " pixels, the reference image " +
-                                text(width, height)}};
+    return {{size_mismatch, "the test image is " + size_text(test_width, test_height) +
+                                " pixels, the reference image " + size_text(width, height)}};
   if (width == 0 || height == 0) return {{size_mismatch, "the images have no pixels"}};
   return {};
 }
-
-std::string size_text(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
 
 PairMeasurements measure_part(RowSource& reference, RowSource& test, MetricOptions options, MapSink* maps) {
   if (options.mask && (options.mask->width() != reference.width() || options.mask->height() != reference.height()))

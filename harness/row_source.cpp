@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "scenes/input_error.h"
+#include "scenes/size_text.h"
 
 namespace photonproof {
 
@@ -16,8 +17,8 @@ RegionSource::RegionSource(RowSource& whole, const PixelRegion& region) : whole_
   const bool inside = region.x >= 0 && region.y >= 0 && region.width > 0 && region.height > 0 &&
                       region.width <= whole.width() - region.x && region.height <= whole.height() - region.y;
   if (!inside)
-    throw InputError("--region", region.text() + " is no part of the image of " + std::to_string(whole.width()) + "x" +
-                                     std::to_string(whole.height()) + " pixels");
+    throw InputError("--region", region.text() + " is no part of the image of " +
+                                     size_text(whole.width(), whole.height()) + " pixels");
 }
 
 void RegionSource::read(int begin, int end, float* rgb) {

@@ -10,6 +10,7 @@
 #include "scenes/atomic_file.h"
 #include "scenes/image.h"
 #include "scenes/input_error.h"
+#include "scenes/size_text.h"
 
 namespace photonproof {
 namespace {
@@ -39,7 +40,7 @@ std::optional<std::string> image_problem(const CellRun& run) {
   try {
     const Image image = read_image(run.image.string());
     if (image.width != run.width || image.height != run.height)
-      return fmt::format("wrote {}x{} pixels instead of {}x{}", image.width, image.height, run.width, run.height);
+      return "wrote " + size_text(image.width, image.height) + " pixels instead of " + size_text(run.width, run.height);
     const std::vector<ImageDefect> defects = find_defects(Image(run.width, run.height), image);
     if (!defects.empty()) return defects.front().sentence;
   } catch (const InputError& unreadable) {

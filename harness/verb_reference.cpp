@@ -11,6 +11,7 @@
 #include "harness/folder_lock.h"
 #include "harness/host.h"
 #include "harness/interrupt.h"
+#include "harness/percent_text.h"
 #include "harness/reference_estimator.h"
 #include "harness/reference_run.h"
 #include "harness/scene_options.h"
@@ -94,12 +95,6 @@ std::optional<StoredReference> cached_reference(const Job& job) {
   return std::nullopt;
 }
 
-std::string percent(double ratio) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2g %%", 100 * ratio);
-  return text;
-}
-
 Provenance provenance_of(const Job& job, const std::string& integrator, const BatchMeans& means) {
   Provenance p;
   p.scene_hash = job.hash;
@@ -136,7 +131,7 @@ ReferenceProgress render(const Job& job, const std::string& integrator) {
     line(error ? std::min({by_error, by_count, 0.999}) : 0,
          run.integrator + ", " + std::to_string(means.batches()) + " batches of " +
              std::to_string(means.samples_per_batch()) + " samples" +
-             (error ? ", standard error " + percent(*error) + " of " + percent(run.standard_error) : ""));
+             (error ? ", standard error " + percent_text(*error) + " of " + percent_text(run.standard_error) : ""));
   };
   if (job.arguments.fresh) fs::remove_all(run.folder);
   fs::create_directories(run.folder);
@@ -155,7 +150,7 @@ void print(const Job& job, const Provenance& p, const std::vector<fs::path>& fil
   }
   std::printf("%s: %s, %dx%d, %zu batches of %llu samples, standard error %s\n", job.arguments.scene.path.c_str(),
               p.estimator.c_str(), p.width, p.height, p.seeds.size(),
-              static_cast<unsigned long long>(p.samples / p.seeds.size()), percent(p.standard_error).c_str());
+              static_cast<unsigned long long>(p.samples / p.seeds.size()), percent_text(p.standard_error).c_str());
   for (const fs::path& file : files) std::printf("reference: %s\n", file.c_str());
 }
 
@@ -173,7 +168,7 @@ int write_out(const Job& job, const Rendering& rendering, const Provenance& prov
   print(job, provenance, files, reached);
   if (reached) return 0;
   std::fprintf(stderr, "the time is over before a standard error of %s; the same command goes on from here\n",
-               percent(arguments.standard_error).c_str());
+               percent_text(arguments.standard_error).c_str());
   return 1;
 }
 
@@ -188,7 +183,7 @@ int unfinished(const ReferenceProgress& progress) {
   const bool interrupted = progress.end == ReferenceProgress::End::interrupted;
   std::fprintf(stderr, "%s: kept %d finished batches%s; the same command goes on from here\n",
                interrupted ? "interrupted" : "the time is over", progress.means.batches(),
-               progress.standard_error ? (", standard error " + percent(*progress.standard_error)).c_str() : "");
+               progress.standard_error ? (", standard error " + percent_text(*progress.standard_error)).c_str() : "");
   return interrupted ? 130 : 1;
 }
 

@@ -19,10 +19,11 @@
 #include "renderer/integrator.h"
 #include "renderer/parallel.h"
 #include "renderer/plan.h"
-#include "renderer/timer.h"
 #include "renderer/version.h"
 #include "scenes/atomic_file.h"
 #include "scenes/scene_hash.h"
+#include "scenes/size_text.h"
+#include "scenes/timer.h"
 
 namespace photonproof {
 namespace {
@@ -62,8 +63,7 @@ Tile film_window(const FilmDescription& film, const std::vector<int>& asked) {
   const auto words = [](int a, int b) { return std::to_string(a) + " " + std::to_string(b); };
   if (!inside)
     throw InputError("--crop", words(crop.x, crop.y) + " " + words(crop.width, crop.height) +
-                                   " is no part of the image of " + std::to_string(film.width) + "x" +
-                                   std::to_string(film.height) + " pixels");
+                                   " is no part of the image of " + size_text(film.width, film.height) + " pixels");
   return {crop.x, crop.y, crop.x + crop.width, crop.y + crop.height};
 }
 
@@ -79,8 +79,8 @@ void check_memory(const SceneDescription& description, const Tile& window, doubl
   if (!available || bytes <= *available) return;
   const auto megabytes = [](std::uint64_t n) { return std::to_string(n >> 20) + " MB"; };
   throw InputError(description.where(description.sensor.loc),
-                   "an image of " + std::to_string(window.width()) + "x" + std::to_string(window.height()) +
-                       " pixels takes " + megabytes(bytes) + " of memory, of which " + megabytes(*available) +
+                   "an image of " + size_text(window.width(), window.height()) + " pixels takes " + megabytes(bytes) +
+                       " of memory, of which " + megabytes(*available) +
                        " are free: render it smaller or, by --crop, in parts");
 }
 
@@ -94,11 +94,10 @@ std::string joined(const std::vector<std::string>& words) {
 RenderIdentity render_identity(const RenderArguments& arguments, const SceneDescription& description,
                                const RenderPlan& plan, const Tile& window) {
   const FilmDescription& film = description.sensor.film;
-  const auto size = [](int width, int height) { return std::to_string(width) + "x" + std::to_string(height); };
   return {{"program", version_line()},
           {"scene's content", scene_hash(description, arguments.scene.defines)},
-          {"image", size(film.width, film.height) + ", of which " + size(window.width(), window.height()) + " from " +
-                        std::to_string(window.x0) + "," + std::to_string(window.y0)},
+          {"image", size_text(film.width, film.height) + ", of which " + size_text(window.width(), window.height()) +
+                        " from " + std::to_string(window.x0) + "," + std::to_string(window.y0)},
           {"integrator", plan.integrator},
           {"seed", std::to_string(arguments.seed)},
           {"sampler", arguments.sampler},

@@ -23,6 +23,7 @@
 
 #include "reference/instruction_counter.h"
 #include "reference/process_memory.h"
+#include "scenes/timer.h"
 
 namespace photonproof {
 namespace {
@@ -33,8 +34,6 @@ constexpr std::chrono::seconds grace_after_interrupt{2};
 constexpr std::size_t tail_bytes = std::size_t{1} << 20;
 // A sample costs some 10 us for each process of the machine; waiting 50 times that long keeps it under 2 % of a core.
 constexpr int sampling_restraint = 50;
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 // A number as a person writes it: "10", "0.5".
 std::string number(double value) {
@@ -213,8 +212,8 @@ double cpu_seconds(const rusage& usage) {
 class Watch {
  public:
   using End = ProcessOutcome::End;
-  Watch(pid_t pid, const ProcessOptions& options, Clock::time_point started)
-      : pid_(pid), options_(options), started_(started), next_sample_(started) {}
+  Watch(pid_t pid, const ProcessOptions& options, const Timer& since_start)
+      : pid_(pid), options_(options), since_start_(since_start) {}
 
   void check(ProcessOutcome& outcome) {
     if (killed_) return;
@@ -227,7 +226,7 @@ class Watch {
       outcome.end = End::interrupted;
       patience_ends_ = now + grace_after_interrupt;
       kill(-pid_, SIGINT);
-    } else if (options_.wall_limit_seconds && seconds_since(started_) >= *options_.wall_limit_seconds) {
+    } else if (options_.wall_limit_seconds && since_start_.seconds() >= *options_.wall_limit_seconds) {
       outcome.end = End::timed_out;
       outcome.cause = number(*options_.wall_limit_seconds) + " s";
       kill_group();
@@ -257,7 +256,8 @@ class Watch {
 
   pid_t pid_;
   const ProcessOptions& options_;
-  Clock::time_point started_, next_sample_, patience_ends_{};
+  const Timer& since_start_;
+  Clock::time_point next_sample_{}, patience_ends_{};
   bool killed_ = false;
   std::uint64_t sampled_peak_ = 0;
 };
@@ -290,7 +290,7 @@ ProcessOutcome run_process(const std::vector<std::string>& argv, const ProcessOp
   }
   const std::string folder = options.working_folder.string();
   const std::uint64_t inherited = own_peak_bytes();
-  const auto started = Clock::now();
+  const Timer since_start;
   InstructionCounter counter;
   Child child = start(argv, options, counter);
   int status = 0;
@@ -306,7 +306,7 @@ ProcessOutcome run_process(const std::vector<std::string>& argv, const ProcessOp
 
   Stream out(std::move(child.out), outcome.standard_output);
   Stream err(std::move(child.err), outcome.standard_error);
-  Watch watch(child.pid, options, started);
+  Watch watch(child.pid, options, since_start);
   while (!has_ended(child.pid)) {
     std::array<pollfd, 2> waiting{pollfd{out.descriptor(), POLLIN, 0}, pollfd{err.descriptor(), POLLIN, 0}};
     // With both pipes closed the end is near, so look again soon: the wall time should not be rounded up to a tick.
@@ -316,7 +316,7 @@ ProcessOutcome run_process(const std::vector<std::string>& argv, const ProcessOp
     err.drain(options.on_stderr);
     watch.check(outcome);
   }
-  outcome.wall_seconds = seconds_since(started);
+  outcome.wall_seconds = since_start.seconds();
   kill(-child.pid, SIGKILL);
   while (wait4(child.pid, &status, 0, &usage) < 0 && errno == EINTR) {
   }

@@ -10,6 +10,7 @@
 #include "scenes/input_error.h"
 #include "scenes/parser.h"
 #include "scenes/scene_hash.h"
+#include "scenes/size_text.h"
 
 namespace photonproof {
 namespace {
@@ -17,8 +18,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int largest_committed_pixels = 256 * 256;
-
-std::string size_text(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
 
 fs::path provenance_path(fs::path exr) { return exr.replace_extension(".json"); }
 

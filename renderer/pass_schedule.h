@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "renderer/timer.h"
+#include "scenes/timer.h"
 
 namespace photonproof {
 

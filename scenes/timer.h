@@ -1,4 +1,4 @@
-// Wall time of phases.
+// Wall time, by a clock that nobody sets: since something began, and of phases.
 #pragma once
 
 #include <chrono>
@@ -7,6 +7,7 @@ namespace photonproof {
 
 class Timer {
  public:
+  /// Since it was made.
   double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
 
  private:
