@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "harness/bench_plan.h"
+#include "harness/calibration.h"
 #include "harness/cell_command.h"
 #include "harness/cells.h"
 #include "harness/compare_cell.h"
@@ -61,6 +62,7 @@ class Bench {
       if (const std::string caveat = load_caveat(host_.cores); !caveat.empty()) caveats_.push_back(caveat);
     save();
     warm_up(to_run);
+    if (!to_run.empty()) calibration_.emplace(std::min(threads_of(suite_, host_), host_.cores));
     for (std::size_t i = 0; i < to_run.size() && !summary_.interrupted; ++i) {
       if (!measure(i + 1, to_run.size(), plan_.find(to_run[i].label()))) summary_.interrupted = true;
     }
@@ -132,6 +134,7 @@ class Bench {
     std::optional<Result> result = run_cell(cell_run(planned.cell, command, suite_.limits));
     if (!result) return false;
     summary_.engine_seconds += result->wall_seconds.value_or(0);
+    result->calibration = calibration_->after_cell(result->wall_seconds.value_or(0));
     result->key = planned.key;
     result->engine_version = version_of(planned.cell.engine);
     if (fs::exists(command.image)) result->image = cell_folder + "/" + command.image.filename().string();
@@ -298,6 +301,7 @@ class Bench {
   CellStore store_;
   Host host_;
   BenchPlan plan_;
+  std::optional<Calibration> calibration_;  // only where something is measured
   std::string created_;
   std::vector<Convergence> convergence_;
   std::vector<ChangeRecord> changes_;

@@ -79,6 +79,8 @@ TEST_F(BenchRun, reference_runs_first_and_the_others_are_compared_with_it) {
   for (const char* role : {"image", "flip", "error"}) EXPECT_TRUE(has("out/" + other.pictures.at(role))) << role;
   EXPECT_TRUE(has("out/" + other.image));
   EXPECT_EQ(other.engine_version, "fake 1");
+  ASSERT_TRUE(other.calibration && reference.calibration);
+  EXPECT_EQ(other.calibration->threads, 1);
 }
 
 TEST_F(BenchRun, second_run_measures_nothing_and_changes_no_byte) {

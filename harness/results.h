@@ -56,6 +56,14 @@ struct Estimate {
   friend bool operator==(const Estimate&, const Estimate&) = default;
 };
 
+/// How long the harness' own calibration workload took beside a cell (harness/calibration.h).
+struct CalibrationReading {
+  std::string workload;  ///< which one, and by which compiler; readings of others do not compare
+  int threads = 1;       ///< that did it at the same time
+  double seconds = 0;    ///< processor time of one thread, the mean of the readings before and after the cell
+  friend bool operator==(const CalibrationReading&, const CalibrationReading&) = default;
+};
+
 struct Result {
   Cell cell;
   std::string
@@ -66,6 +74,7 @@ struct Result {
   std::optional<double> cpu_seconds;            ///< user + system, of the child and its children
   std::optional<std::uint64_t> peak_bytes;      ///< peak resident set
   std::optional<std::uint64_t> instructions;    ///< retired in user mode, where the kernel counts them
+  std::optional<CalibrationReading> calibration{};
   std::vector<MetricValue> metrics;             ///< against the scene's reference; empty for the reference itself
   std::string image;                            ///< EXR, relative to results.json; empty when there is none
   std::map<std::string, std::string> pictures;  ///< PNGs relative to results.json by role: "image", "flip", "error"

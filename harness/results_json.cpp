@@ -68,6 +68,14 @@ Host host_from_json(const json& j) {
   return {j.at("cpu"), j.at("os"), j.at("kernel"), j.at("cores"), j.at("memory_bytes")};
 }
 
+json calibration_to_json(const CalibrationReading& reading) {
+  return {{"workload", reading.workload},
+          {"threads", reading.threads},
+          {"seconds", finite(reading.seconds, "calibration")}};
+}
+
+CalibrationReading calibration_from_json(const json& j) { return {j.at("workload"), j.at("threads"), j.at("seconds")}; }
+
 }  // namespace
 
 double finite(double value, const std::string& what) {
@@ -104,6 +112,7 @@ json result_to_json(const Result& result) {
   if (result.cpu_seconds) j["cpu_seconds"] = finite(*result.cpu_seconds, "CPU time");
   if (result.peak_bytes) j["peak_bytes"] = *result.peak_bytes;
   if (result.instructions) j["instructions"] = *result.instructions;
+  if (result.calibration) j["calibration"] = calibration_to_json(*result.calibration);
   return j;
 }
 
@@ -117,6 +126,7 @@ Result result_from_json(const json& j) {
   result.cpu_seconds = optional_at<double>(j, "cpu_seconds");
   result.peak_bytes = optional_at<std::uint64_t>(j, "peak_bytes");
   result.instructions = optional_at<std::uint64_t>(j, "instructions");
+  if (const auto found = j.find("calibration"); found != j.end()) result.calibration = calibration_from_json(*found);
   for (const json& metric : j.at("metrics"))
     result.metrics.push_back({metric.at("name"), metric.at("value"), metric.at("parameters")});
   result.image = j.at("image");

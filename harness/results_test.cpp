@@ -90,6 +90,7 @@ Results example() {
 Results example_with_conclusions() {
   Results results = example();
   results.results[0].instructions = 123456789012345;
+  results.results[0].calibration = CalibrationReading{"1 (12.2.0)", 2, 0.0101};
   results.scenes[0].reference = ReferenceRecord{"box.exr", "reference.exr", "reference.png", {{"samples", "4096"}}};
 
   CurvePoint point;
@@ -170,6 +171,8 @@ TEST_F(ResultsFile, round_trip_keeps_every_conclusion) {
   write_results(path_, written);
   const Results read = read_results(path_);
   EXPECT_EQ(read.results[0].instructions, written.results[0].instructions);
+  EXPECT_EQ(read.results[0].calibration, written.results[0].calibration);
+  EXPECT_EQ(read.results[1].calibration, std::nullopt);
   EXPECT_EQ(read.scenes[0].reference, written.scenes[0].reference);
   EXPECT_EQ(read.convergence, written.convergence);
   EXPECT_EQ(read.gates, written.gates);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "harness/statistics.h"
 
@@ -67,18 +68,48 @@ std::string verdict_words(Change change) {
   return "cannot tell";
 }
 
+// Logarithms of the cells' processor times, and of these by the calibration beside each, which is empty unless every
+// cell has one of the same workload. Each cell has a reading of its own, so the readings' noise is in what these
+// scatter.
+struct StoredTimes {
+  std::vector<double> plain, calibrated;
+  std::string workload;
+};
+
+StoredTimes times_of(const Results& run, const Cell& cell) {
+  StoredTimes times;
+  std::set<std::string> workloads;
+  for (const Result* result : cells_like(run, cell)) {
+    if (!result->cpu_seconds || *result->cpu_seconds <= 0) continue;
+    times.plain.push_back(std::log(*result->cpu_seconds));
+    if (const auto& reading = result->calibration) {
+      times.calibrated.push_back(std::log(*result->cpu_seconds / reading->seconds));
+      workloads.insert(fmt::format("{}, threads {}", reading->workload, reading->threads));
+    }
+  }
+  if (workloads.size() == 1) times.workload = *workloads.begin();
+  if (workloads.size() != 1 || times.calibrated.size() != times.plain.size()) times.calibrated.clear();
+  return times;
+}
+
+std::string why_not_calibrated(const StoredTimes& old_times, const StoredTimes& new_times) {
+  if (old_times.calibrated.empty()) return "the old run has no calibration";
+  if (new_times.calibrated.empty()) return "this run has no calibration";
+  return "the old run's calibration was another (" + old_times.workload + ")";
+}
+
 ChangeRecord change_of_seconds(const Results& old_run, const Results& new_run, const Cell& cell,
                                const ChangeThresholds& thresholds) {
   ChangeRecord record = blank_record(cell, "seconds");
-  std::vector<double> was, is;
-  for (const Result* result : cells_like(old_run, cell))
-    if (result->cpu_seconds && *result->cpu_seconds > 0) was.push_back(std::log(*result->cpu_seconds));
-  for (const Result* result : cells_like(new_run, cell))
-    if (result->cpu_seconds && *result->cpu_seconds > 0) is.push_back(std::log(*result->cpu_seconds));
-  if (was.empty() || is.empty()) {
+  const StoredTimes old_times = times_of(old_run, cell), new_times = times_of(new_run, cell);
+  if (old_times.plain.empty() || new_times.plain.empty()) {
     record.sentence = "cannot tell whether it is slower: one of the runs has no finished cell";
     return record;
   }
+  const bool calibrated =
+      !old_times.calibrated.empty() && !new_times.calibrated.empty() && old_times.workload == new_times.workload;
+  const std::vector<double>& was = calibrated ? old_times.calibrated : old_times.plain;
+  const std::vector<double>& is = calibrated ? new_times.calibrated : new_times.plain;
   record.ratio.value = std::exp(median_of(is) - median_of(was));
   if (old_run.host.cpu != new_run.host.cpu || old_run.host.cores != new_run.host.cores) {
     record.sentence =
@@ -91,14 +122,15 @@ ChangeRecord change_of_seconds(const Results& old_run, const Results& new_run, c
                                   was.size(), is.size(), remedy);
     return record;
   }
-  const double noise = std::log(between_sessions);
+  const double widening = calibrated ? between_calibrated_sessions : between_sessions, noise = std::log(widening);
   record.ratio.interval = Interval{std::exp(after.interval->low - before.interval->high - noise),
                                    std::exp(after.interval->high - before.interval->low + noise)};
   record.change = side_of(*record.ratio.interval, thresholds.seconds);
-  record.sentence =
-      fmt::format("{}: stored processor times new/old {}, widened by {:.0f} % for the change of session{}",
-                  verdict_words(record.change), ratio_text(record.ratio), 100 * (between_sessions - 1),
-                  record.change == Change::inconclusive ? remedy : "");
+  record.sentence = fmt::format(
+      "{}: stored processor times new/old{} {}, widened by {:.0f} % for the change of session{}{}",
+      verdict_words(record.change), calibrated ? ", each by its calibration," : "", ratio_text(record.ratio),
+      100 * (widening - 1), calibrated ? "" : ", as " + why_not_calibrated(old_times, new_times),
+      record.change == Change::inconclusive ? remedy : "");
   return record;
 }
 

@@ -13,6 +13,7 @@ namespace photonproof {
 /// Factor by which the same program's processor time may differ between two sessions of one host (it does on two
 /// shared virtual cores, idle and busy), beyond its noise within them.
 inline constexpr double between_sessions = 1.25;
+inline constexpr double between_calibrated_sessions = 1.1;
 
 /// For the scene, engine and budget of `cell`: a record of processor time, unless seconds are the budget, and one of
 /// relmse where both runs have it for the same seeds against the same reference. Seeds serve as repetitions.

@@ -43,6 +43,75 @@ TEST(StoredChanges, small_change_of_time_is_inconclusive_and_a_factor_of_two_is_
   EXPECT_EQ(change_of(run(2, 0.1), run(1, 0.1), "seconds"), Change::improvement);
 }
 
+// The same six cells, on a machine and at a time when the calibration takes as long as `calibration` seconds.
+Results calibrated_run(double seconds, double calibration) {
+  Results results = run(seconds, 0.1);
+  for (Result& result : results.results) result.calibration = CalibrationReading{"1 (a compiler)", 2, calibration};
+  return results;
+}
+
+ChangeRecord change_of_seconds(const Results& was, const Results& is) {
+  return stored_changes(was, is, cell, {}).at(0);
+}
+
+// Cells and calibration both take 1.4 times as long: the ratio is 1, where the times alone give 1.4 / 1.05 / 1.25
+// > 1.015.
+TEST(StoredChanges, machine_that_slowed_down_is_no_change) {
+  const ChangeRecord slowed = change_of_seconds(calibrated_run(1, 0.01), calibrated_run(1.4, 0.014));
+  EXPECT_NEAR(slowed.ratio.value, 1, 1e-12);
+  EXPECT_EQ(slowed.change, Change::inconclusive);
+  EXPECT_EQ(change_of(run(1, 0.1), run(1.4, 0.1), "seconds"), Change::regression);
+}
+
+// 1.3 on a machine that is 1.4 times as slow, or as fast, is 1.3; without the calibration the latter is no change.
+TEST(StoredChanges, slow_down_is_called_on_a_machine_of_another_speed) {
+  for (const double machine : {1.4, 1 / 1.4}) {
+    const ChangeRecord slower =
+        change_of_seconds(calibrated_run(1, 0.01), calibrated_run(1.3 * machine, 0.01 * machine));
+    EXPECT_NEAR(slower.ratio.value, 1.3, 1e-12) << machine;
+    EXPECT_EQ(slower.change, Change::regression) << machine;
+    const ChangeRecord faster = change_of_seconds(calibrated_run(1.3, 0.01), calibrated_run(machine, 0.01 * machine));
+    EXPECT_EQ(faster.change, Change::improvement) << machine;
+  }
+}
+
+// Readings that differ by up to a factor of 2 leave an interval that 1.3 is not told apart in.
+TEST(StoredChanges, noise_of_the_calibration_is_in_the_interval) {
+  Results noisy = calibrated_run(1.3, 0.01);
+  for (std::size_t i = 1; i < noisy.results.size(); i += 2) noisy.results[i].calibration->seconds = 0.02;
+  const ChangeRecord quiet = change_of_seconds(calibrated_run(1, 0.01), calibrated_run(1.3, 0.01));
+  const ChangeRecord unsure = change_of_seconds(calibrated_run(1, 0.01), noisy);
+  EXPECT_EQ(quiet.change, Change::regression);
+  EXPECT_EQ(unsure.change, Change::inconclusive);
+  const auto width = [](const ChangeRecord& record) {
+    return record.ratio.interval->high / record.ratio.interval->low;
+  };
+  EXPECT_GT(width(unsure), 1.9 * width(quiet));
+}
+
+// 1.3 is within 1.25 and the noise then, and it says why.
+TEST(StoredChanges, record_without_the_same_calibration_is_judged_by_its_times_and_says_so) {
+  const auto ending = [](const ChangeRecord& record) {
+    const std::size_t at = record.sentence.find("widened");
+    return record.sentence.substr(at, record.sentence.find(';') - at);
+  };
+  Results one_missing = calibrated_run(1, 0.01), other_workload = calibrated_run(1, 0.01);
+  one_missing.results.back().calibration.reset();
+  for (Result& result : other_workload.results) result.calibration->workload = "1 (another compiler)";
+  const Results now = calibrated_run(1.3, 0.02);
+  EXPECT_EQ(change_of_seconds(run(1, 0.1), now).change, Change::inconclusive);
+  EXPECT_NEAR(change_of_seconds(run(1, 0.1), now).ratio.value, 1.3, 1e-12);
+  EXPECT_EQ(ending(change_of_seconds(run(1, 0.1), now)),
+            "widened by 25 % for the change of session, as the old run has no calibration");
+  EXPECT_EQ(ending(change_of_seconds(one_missing, now)),
+            "widened by 25 % for the change of session, as the old run has no calibration");
+  EXPECT_EQ(ending(change_of_seconds(now, run(1, 0.1))),
+            "widened by 25 % for the change of session, as this run has no calibration");
+  EXPECT_EQ(ending(change_of_seconds(other_workload, now)),
+            "widened by 25 % for the change of session, as the old run's calibration was another (1 (another "
+            "compiler), threads 2)");
+}
+
 TEST(StoredChanges, times_of_another_machine_decide_nothing) {
   Results old_run = run(1, 0.1);
   old_run.host.cpu = "another processor";

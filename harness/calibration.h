@@ -1,0 +1,55 @@
+// A fixed piece of work whose time tells how fast this machine is at the moment. Sessions are told apart by it: a time
+// divided by that of the calibration beside it is about the same on a machine that slowed down (stored_changes.h).
+//
+// The work is that of a ray tracer, so that it suffers from what engines suffer from: rays through a hierarchy of boxes
+// around 2^15 spheres, closest hit, as much comparing as computing, in 2.5 MB that no inner cache holds; as many
+// threads as the engines have. It takes about 10 ms.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "harness/results.h"
+
+namespace photonproof {
+
+class CalibrationWorkload {
+ public:
+  CalibrationWorkload();
+  /// The sum of what all rays hit, which is the same on every machine.
+  std::uint64_t run() const;
+
+ private:
+  struct Box {
+    float low[3], high[3];
+  };
+  struct Sphere {
+    float center[3], radius;
+  };
+  std::uint32_t closest(const float (&from)[3], const float (&along)[3]) const;
+  std::vector<Box> boxes_;  // a complete binary tree: the children of i are 2 i and 2 i + 1, the root is 1
+  std::vector<Sphere> spheres_;
+};
+
+/// How often a reading repeats the workload after a cell of `engine_seconds`: as often as 0.5 % of that pays for, at
+/// least once, 20 times at most.
+std::size_t calibration_runs(double engine_seconds, double run_seconds);
+
+/// A session's readings: one before its first cell and one after each.
+class Calibration {
+ public:
+  explicit Calibration(int threads);
+  /// To be called when a cell has ended, which took `engine_seconds`.
+  CalibrationReading after_cell(double engine_seconds);
+
+ private:
+  double read(std::size_t runs) const;
+  CalibrationWorkload workload_;
+  int threads_;
+  double run_seconds_ = 0;  // wall time of one run
+  double last_ = 0;         // reading
+};
+
+}  // namespace photonproof
