@@ -1,6 +1,7 @@
 #include "reports/html_report.h"
 
 #include "harness/heatmap.h"
+#include "harness/heatmap_magma.h"
 #include "reports/sample_results.h"
 #include "scenes/input_error.h"
 
@@ -201,6 +202,14 @@ TEST(HtmlReport, ten_scenes_of_five_engines_take_less_than_5_MB) {
     }
     write_exr((folder.path() / (std::string(engine) + ".exr")).string(), {image, std::nullopt, {}});
     write_png((folder.path() / (std::string(engine) + ".png")).string(), image);
+    PngRows flip((folder.path() / (std::string(engine) + "-flip.png")).string(), 256, 256);
+    std::vector<std::uint8_t> colours;
+    for (std::size_t i = 0; i < image.rgb.size(); i += 3) {
+      const std::uint32_t colour = magma_colours[static_cast<std::size_t>(255 * image.rgb[i])];
+      for (const int shift : {16, 8, 0}) colours.push_back(static_cast<std::uint8_t>(colour >> shift));
+    }
+    flip.add(256, colours.data());
+    flip.finish();
   }
   for (int scene = 0; scene < 10; ++scene) {
     const std::string name = "scene" + std::to_string(scene);
@@ -209,7 +218,7 @@ TEST(HtmlReport, ten_scenes_of_five_engines_take_less_than_5_MB) {
         Result result = finished(name, engine, {"spp", spp}, 1, 1 / spp);
         const std::string picture = std::string(engine) + ".png";
         result.image = std::string(engine) + ".exr";
-        result.pictures = {{"image", picture}, {"flip", picture}, {"error", picture}};
+        result.pictures = {{"image", picture}, {"flip", std::string(engine) + "-flip.png"}, {"error", picture}};
         results.results.push_back(result);
       }
     }

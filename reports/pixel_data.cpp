@@ -1,13 +1,12 @@
 #include "reports/pixel_data.h"
 
-#include <zlib.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <optional>
-#include <stdexcept>
 
+#include "reports/deflated.h"
+#include "reports/flip_values.h"
 #include "reports/reduced_image.h"
 #include "reports/results_file.h"
 #include "reports/text.h"
@@ -28,19 +27,8 @@ std::uint16_t folded(std::uint16_t difference) {
   return static_cast<std::uint16_t>(value < 0 ? -2 * value - 1 : 2 * value);
 }
 
-std::string deflated(const std::string& bytes) {
-  uLongf size = compressBound(static_cast<uLong>(bytes.size()));
-  std::string out(size, '\0');
-  const int status =
-      compress2(reinterpret_cast<Bytef*>(out.data()), &size, reinterpret_cast<const Bytef*>(bytes.data()),
-                static_cast<uLong>(bytes.size()), Z_DEFAULT_COMPRESSION);
-  if (status != Z_OK) throw std::runtime_error("zlib cannot compress");
-  out.resize(size);
-  return out;
-}
-
 struct Loaded {
-  std::optional<Image> image;
+  std::optional<Image> image, flip;
   bool from_picture = false;
   std::string problem;
 };
@@ -49,17 +37,19 @@ Loaded load(const std::filesystem::path& folder, const PixelSource& source, doub
   const ResultsFile exact = results_file(folder, source.image), picture = results_file(folder, source.picture);
   const bool from_picture = !exact.problem.empty();
   const ResultsFile& file = from_picture ? picture : exact;
-  if (!file.problem.empty()) return {{}, false, source.image.empty() ? picture.problem : exact.problem};
+  if (!file.problem.empty()) return {{}, {}, false, source.image.empty() ? picture.problem : exact.problem};
   try {
     Image image = read_image(file.path.string());
-    if (image.width > largest_side || image.height > largest_side) return {{}, false, "it is too large to show"};
+    if (image.width > largest_side || image.height > largest_side) return {{}, {}, false, "it is too large to show"};
     if (from_picture) {
       const auto scale = static_cast<float>(std::exp2(-exposure));
       for (float& value : image.rgb) value *= scale;
     }
-    return {std::move(image), from_picture, {}};
+    std::optional<Image> flip = flip_values(folder, source.flip);
+    if (flip && (flip->width != image.width || flip->height != image.height)) flip.reset();
+    return {std::move(image), std::move(flip), from_picture, {}};
   } catch (const InputError&) {
-    return {{}, false, (from_picture ? source.picture : source.image) + " cannot be read"};
+    return {{}, {}, false, (from_picture ? source.picture : source.image) + " cannot be read"};
   }
 }
 
@@ -113,8 +103,10 @@ PixelDataSet pixel_data(const std::filesystem::path& folder, const std::vector<P
       data.width = each.image->width;
       data.height = each.image->height;
       data.from_picture = each.from_picture;
-      data.base64 = base64(packed_pixels(factor == 1 ? *each.image : reduced_image(*each.image, factor)));
-      bytes += data.base64.size();
+      const auto reduced = [&](const Image& image) { return factor == 1 ? image : reduced_image(image, factor); };
+      data.base64 = base64(packed_pixels(reduced(*each.image)));
+      if (each.flip) data.flip_base64 = base64(packed_flip(reduced(*each.flip)));
+      bytes += data.base64.size() + data.flip_base64.size();
     }
     if (bytes <= allowance || factor >= longest) return set;
     // Averages of k x k pixels hold less noise, but take more than half of bytes/k²: smaller factors are not tried.

@@ -25,6 +25,7 @@ std::string packed_pixels(const Image& image);
 /// One image of a viewer, in base64, or why there is none.
 struct PixelData {
   std::string base64;
+  std::string flip_base64;    ///< its FLIP map (flip_values.h); empty where there is none of its size
   int width = 0, height = 0;  ///< of the image itself, before it was reduced
   bool from_picture = false;  ///< from an 8-bit picture, for want of the EXR
   std::string problem;
@@ -33,6 +34,7 @@ struct PixelData {
 /// An image to be shown: the EXR, or else the picture, which shows it at the scene's exposure.
 struct PixelSource {
   std::string image, picture;  ///< relative to the results folder
+  std::string flip{};          ///< FLIP map, likewise; may be empty
 };
 
 struct PixelDataSet {

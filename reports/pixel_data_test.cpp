@@ -102,6 +102,25 @@ TEST_F(PixelDataOfFolder, images_are_reduced_until_they_fit) {
   EXPECT_EQ(half.images[0].width, 64);  // the render's, not the reduced copy's
 }
 
+// The picture is no FLIP map, and it is the size of the image; the map of another size is not shown.
+TEST_F(PixelDataOfFolder, flip_maps_come_along_and_count) {
+  for (const int side : {64, 32}) {
+    PngRows flip((folder.path() / ("flip" + std::to_string(side) + ".png")).string(), side, side);
+    std::vector<std::uint8_t> black(3 * 64 * 64);
+    for (std::size_t i = 0; i < black.size(); i += 3) black[i + 2] = 4;  // magma's 0x000004
+    flip.add(side, black.data());
+    flip.finish();
+  }
+  const PixelDataSet set = pixel_data(
+      folder.path(), {{"a.exr", "", "flip64.png"}, {"a.exr", "", "flip32.png"}, {"a.exr", "", "a.png"}, {"a.exr", ""}},
+      0, 1 << 20);
+  EXPECT_NE(set.images[0].flip_base64, "");
+  for (const std::size_t i : {1, 2, 3}) EXPECT_EQ(set.images[i].flip_base64, "") << i;
+  const std::size_t needed = set.images[3].base64.size() + set.images[0].flip_base64.size();
+  EXPECT_EQ(pixel_data(folder.path(), {{"a.exr", "", "flip64.png"}}, 0, needed).reduced_by, 1);
+  EXPECT_EQ(pixel_data(folder.path(), {{"a.exr", "", "flip64.png"}}, 0, needed - 1).reduced_by, 2);
+}
+
 TEST_F(PixelDataOfFolder, without_the_exr_the_picture_serves) {
   const PixelDataSet set = pixel_data(folder.path(), {{"", "a.png"}, {"none.exr", ""}, {"../a.exr", ""}}, 1, 1 << 20);
   EXPECT_TRUE(set.images[0].from_picture);

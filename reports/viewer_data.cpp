@@ -21,6 +21,7 @@ json image_json(const SceneImage& image, const PixelData& pixels, const std::str
             {"isReference", image.is_reference},
             {"pixels", pixels.base64},
             {"maps", json::object()}};
+  if (!pixels.flip_base64.empty()) j["flip"] = pixels.flip_base64;
   if (image.engine) {
     j["color"] = engine_color(*image.engine);
     j["shape"] = engine_style(*image.engine).svg_shape;
@@ -51,7 +52,9 @@ std::string viewer_json(const View& view, const SceneView& scene, const std::vec
   std::vector<PixelSource> sources;
   for (const SceneImage& image : images) {
     const auto picture = image.pictures.find("image");
-    sources.push_back({image.image, picture == image.pictures.end() ? std::string() : picture->second});
+    const auto flip = image.pictures.find("flip");
+    sources.push_back({image.image, picture == image.pictures.end() ? std::string() : picture->second,
+                       flip == image.pictures.end() ? std::string() : flip->second});
   }
   const PixelDataSet set = pixel_data(folder, sources, scene.record.exposure, allowance);
   json shown = json::array(), notes = json::array();

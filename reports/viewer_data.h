@@ -10,8 +10,8 @@
 namespace photonproof::reports {
 
 /// {"name", "exposure", "width", "height", "reducedBy", "notes": [...],
-///  "images": [{"title", "caption", "color", "shape", "isReference", "pixels", "maps": {"flip": id of the <img>}}],
-///  "tiles": [{"x", "y", "width", "height", "image", "sentence"}]}
+///  "images": [{"title", "caption", "color", "shape", "isReference", "pixels", "flip", "maps": {"flip": id of the
+///  <img>}}], "tiles": [{"x", "y", "width", "height", "image", "sentence"}]}
 /// or an empty text when no image can be shown. Images of another size than the first are left out, which a
 /// note says. `id` is the scene's on the page; the pixels take at most `allowance` bytes.
 std::string viewer_json(const View& view, const SceneView& scene, const std::vector<SceneImage>& images,

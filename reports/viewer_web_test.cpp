@@ -1,10 +1,12 @@
 // The page's viewer, tables and plots, used by keys and pointer in a browser. What is expected of pixels follows from
 // the images: the reference is 0.25 everywhere, the test 0.25 on the left half and 0.5 on the right, with a NaN in the
-// corner. 0.25 is displayed as round(255 (1.055 0.25^(1/2.4) - 0.055)) = 137, 0.5 as 188.
+// corner; its FLIP map is 0 on the left half and (51 + row) / 255 on the right. 0.25 is displayed as round(255 (1.055
+// 0.25^(1/2.4) - 0.055)) = 137, 0.5 as 188.
 
 #include <cmath>
 #include <limits>
 
+#include "harness/heatmap_magma.h"
 #include "reports/browser.h"
 #include "reports/html_report.h"
 
@@ -30,6 +32,13 @@ class ViewerInBrowser : public testing::Test {
     test.pixel(7, 7)[1] = std::numeric_limits<float>::quiet_NaN();
     write_exr((folder.path() / "ref.exr").string(), {reference, std::nullopt, {}});
     write_exr((folder.path() / "test.exr").string(), {test, std::nullopt, {}});
+    PngRows flip((folder.path() / "box-flip.png").string(), 8, 8);
+    std::vector<std::uint8_t> colours;
+    for (int i = 0; i < 64; ++i)
+      for (const int shift : {16, 8, 0})
+        colours.push_back(static_cast<std::uint8_t>(magma_colours[i % 8 < 4 ? 0 : 51 + i / 8] >> shift));
+    flip.add(8, colours.data());
+    flip.finish();
     Results results = sample_conclusions();
     for (Result& result : results.results) {
       if (result.cell.engine == "path") result.image = "ref.exr";
@@ -192,9 +201,12 @@ TEST_F(ViewerInBrowser, the_loupe_says_the_pixels_values) {
     seen.corner = text();
     seen.views = viewer.querySelectorAll(".loupe-views canvas").length;
     return seen;)");
-  EXPECT_EQ(seen["pointed"], (json{"Pixel 5, 2", "reference|0.250|0.250|0.250|", "photon|0.500|0.500|0.500|+92.8 %"}));
-  EXPECT_EQ(seen["keys"], (json{"Pixel 3, 2", "reference|0.250|0.250|0.250|", "photon|0.250|0.250|0.250|+0.00 %"}));
-  EXPECT_EQ(seen["corner"], (json{"Pixel 7, 7", "reference|0.250|0.250|0.250|", "photon|0.500|NaN|0.500|NaN"}));
+  // FLIP: (51 + 2) / 255 = 0.208 in row 2, (51 + 7) / 255 = 0.227 in row 7, 0 on the left.
+  EXPECT_EQ(seen["pointed"],
+            (json{"Pixel 5, 2", "reference|0.250|0.250|0.250||", "photon|0.500|0.500|0.500|+92.8 %|0.21"}));
+  EXPECT_EQ(seen["keys"],
+            (json{"Pixel 3, 2", "reference|0.250|0.250|0.250||", "photon|0.250|0.250|0.250|+0.00 %|0.00"}));
+  EXPECT_EQ(seen["corner"], (json{"Pixel 7, 7", "reference|0.250|0.250|0.250||", "photon|0.500|NaN|0.500|NaN|0.23"}));
   EXPECT_EQ(seen["views"], 2);
 }
 

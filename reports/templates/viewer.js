@@ -141,6 +141,7 @@ async function makeViewer(section) {
   for (const image of data.images) {
     image.rgb = await unpackedPixels(image.pixels);
     delete image.pixels;
+    if (image.flip) image.flip = await unpackedFlip(image.flip);
   }
   const viewer = new Viewer(data);
   source.after(viewer.root);

@@ -33,7 +33,8 @@ class Loupe {
     this.views = element("div", {class: "loupe-views"});
     this.body = element("tbody", {});
     this.error = state.reference() >= 0;
-    const head = ["", "R", "G", "B", ...(this.error ? ["error"] : [])];
+    this.flip = state.data.images.some((image) => image.flip);
+    const head = ["", "R", "G", "B", ...(this.error ? ["error"] : []), ...(this.flip ? ["FLIP"] : [])];
     this.table = element("table", {class: "loupe-values"},
         element("thead", {}, element("tr", {}, ...head.map((text) => element("th", {scope: "col"}, text)))), this.body);
     this.root = element("div", {class: "loupe", role: "group", "aria-label": "Pixel values"}, this.where, this.views,
@@ -63,6 +64,7 @@ class Loupe {
       const reference = state.data.images[state.reference()];
       cells.push(element("td", {}, image === reference ? "" : percentText(signedError(image.rgb, reference.rgb, i))));
     }
+    if (this.flip) cells.push(element("td", {}, image.flip ? image.flip[i].toFixed(2) : ""));
     return element("tr", {}, element("th", {scope: "row"}, label(image)), ...cells);
   }
 }

@@ -33,3 +33,10 @@ async function unpackedPixels(base64) {
   }
   return rgb;
 }
+
+// FLIP as reports/flip_values.h packs it.
+async function unpackedFlip(base64) {
+  const bytes = await inflated(base64);
+  let left = 0;
+  return Float32Array.from(bytes, (difference) => (left = left + difference & 255) / 255);
+}

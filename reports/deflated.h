@@ -1,0 +1,11 @@
+// Bytes that the page's scripts inflate again.
+#pragma once
+
+#include <string>
+
+namespace photonproof::reports {
+
+/// In zlib's format.
+std::string deflated(const std::string& bytes);
+
+}  // namespace photonproof::reports
