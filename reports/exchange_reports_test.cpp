@@ -7,6 +7,7 @@
 #include <set>
 #include <sstream>
 
+#include "reference/process.h"
 #include "reports/formats.h"
 #include "reports/sample_results.h"
 
@@ -196,6 +197,48 @@ TEST(JunitReport, follows_the_schema_whatever_the_texts_are) {
     ASSERT_TRUE(document.load_string(text.c_str())) << text.substr(0, 500);
     expect_valid(document.document_element());
   }
+}
+
+/// What users' tools do: validates a report against the schema, by xmllint, and returns its last words when it is
+/// refused.
+std::string refused_by_schema(const std::string& report) {
+  const TemporaryFolder folder;
+  const std::string file = (folder.path() / "junit.xml").string();
+  std::ofstream(file, std::ios::binary) << report;
+  const ProcessOutcome outcome =
+      run_process({"xmllint", "--noout", "--schema", PHOTONPROOF_SOURCE_DIR "/reports/junit.xsd", file});
+  return outcome.ok() ? "" : outcome.sentence() + ": " + outcome.standard_error;
+}
+
+bool has_xmllint() { return run_process({"xmllint", "--version"}).ok(); }
+
+TEST(JunitReport, xmllint_finds_it_valid) {
+  if (!has_xmllint()) GTEST_SKIP() << "xmllint is not here (Debian: libxml2-utils)";
+  EXPECT_EQ(refused_by_schema(written("junit", sample_conclusions())), "");
+  EXPECT_EQ(refused_by_schema(written("junit", Results{})), "");
+  for (const std::string& evil : {std::string("]]><x a='\"'>&\x01\xff"), std::string()}) {
+    EXPECT_EQ(refused_by_schema(written("junit", hostile(evil))), "");
+  }
+}
+
+// Status 3 is xmllint's for a document that is well-formed but does not follow the schema.
+TEST(JunitReport, xmllint_refuses_an_attribute_in_the_wrong_place) {
+  if (!has_xmllint()) GTEST_SKIP() << "xmllint is not here (Debian: libxml2-utils)";
+  const std::string good = written("junit", sample_conclusions());
+  const std::pair<const char*, const char*> misplaced[] = {
+      {"<testsuites ", "<testsuites skipped=\"0\" "}, {"<testsuite ", "<testsuite classname=\"a\" "},
+      {"<testcase ", "<testcase tests=\"1\" "},       {"<property ", "<property time=\"1.0\" "},
+      {"<failure ", "<failure name=\"a\" "},          {"<system-out>", "<system-out type=\"a\">"}};
+  for (const auto& [from, to] : misplaced) {
+    std::string bad = good;
+    bad.replace(bad.find(from), std::string_view(from).size(), to);
+    const std::string words = refused_by_schema(bad);
+    EXPECT_TRUE(words.starts_with("exited with 3")) << to << ": " << words;
+    EXPECT_NE(words.find("is not allowed"), std::string::npos) << to << ": " << words;
+  }
+  std::string bad = good;
+  bad.replace(bad.find(" classname="), std::string_view(" classname=").size(), " class=");
+  EXPECT_NE(refused_by_schema(bad), "");
 }
 
 TEST(JunitReport, counts_what_failed_and_what_was_not_decided) {
