@@ -21,7 +21,7 @@ constexpr std::uint32_t levels = 15;
 constexpr std::uint32_t leaves = 1u << levels;
 constexpr int grid = 32;  // grid^3 == leaves
 constexpr int rays = 8000;
-constexpr std::size_t runs_at_start = 5, most_runs = 20;
+constexpr std::size_t runs_at_start = 3, most_runs = 20;
 constexpr double share_of_engine = 0.005;
 
 // Knuth's linear congruential generator of MMIX; numbers in [0, 1) from its upper bits.
