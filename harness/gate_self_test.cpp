@@ -4,11 +4,13 @@
 #include <map>
 #include <numeric>
 #include <random>
+#include <span>
 
 #include "harness/engine_version.h"
 #include "harness/folder_lock.h"
 #include "harness/host.h"
 #include "harness/metrics.h"
+#include "harness/side_by_side.h"
 #include "scenes/input_error.h"
 
 namespace photonproof {
@@ -95,15 +97,20 @@ class SelfTestRun {
         own = draw_pool(first, reference, variant, v + 1);
         if (!own) return;
       } else if (variant.change != nullptr) {
-        own = changed(*healthy, variant);
+        own = changed(*healthy, variant, images_for(variant));
       }
       judge_all(label, reference, viewing, v, own ? *own : *healthy);
     }
   }
 
-  static Pool changed(const Pool& healthy, const Variant& variant) {
+  /// As many as make all runs of the variant disjoint.
+  std::size_t images_for(const Variant& variant) const {
+    return static_cast<std::size_t>(runs_of(variant, options_)) * static_cast<std::size_t>(test_.seeds);
+  }
+
+  static Pool changed(const Pool& healthy, const Variant& variant, std::size_t most) {
     Pool pool;
-    for (const Image& image : healthy.images) {
+    for (const Image& image : std::span(healthy.images).first(std::min(most, healthy.images.size()))) {
       pool.images.push_back(variant.change(image));
       pool.defective = pool.defective || !find_defects(image, pool.images.back()).empty();
     }
@@ -145,20 +152,33 @@ class SelfTestRun {
       if (stream_label(*gates_[g]) != label) continue;
       const PoolJudge judge(*gates_[g], reference, viewing, pool.images, pool.defective);
       VerdictCounts& counts = test_.counts[v][g];
-      for (std::size_t r = 0; r < found_[v].size(); ++r) {
-        // A run is the same draw for every gate of the stream, as in a run of the suite.
-        std::mt19937_64 random(r * 1'000'003 + v);
-        std::vector<std::size_t> order(pool.images.size());
-        std::iota(order.begin(), order.end(), std::size_t{0});
-        std::shuffle(order.begin(), order.end(), random);
-        const GateVerdict verdict = judge.decide(order);
+      const std::size_t runs = found_[v].size(), seeds = static_cast<std::size_t>(gates_[g]->seeds);
+      counts.disjoint = static_cast<int>(std::min(runs, pool.images.size() / seeds));
+      std::vector<GateVerdict> verdicts(runs);
+      side_by_side(runs, host_.cores,
+                   [&](std::size_t r) { verdicts[r] = judge.decide(order_of_run(r, v, pool.images.size())); });
+      for (std::size_t r = 0; r < runs; ++r) {
         ++counts.runs;
-        if (verdict == GateVerdict::inconclusive) ++counts.inconclusive;
-        if (verdict != GateVerdict::fail) continue;
+        if (verdicts[r] == GateVerdict::inconclusive) ++counts.inconclusive;
+        if (verdicts[r] != GateVerdict::fail) continue;
         ++counts.fail;
         found_[v][r] = true;
       }
     }
+  }
+
+  /// The same for every gate of a stream, as in a run of the suite.
+  std::vector<std::size_t> order_of_run(std::size_t run, std::size_t variant, std::size_t images) const {
+    std::vector<std::size_t> order(images);
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    const auto seeds = static_cast<std::size_t>(test_.seeds);
+    if (found_[variant].size() <= images / seeds) {
+      std::ranges::rotate(order, order.begin() + static_cast<std::ptrdiff_t>(run * seeds));
+    } else {
+      std::mt19937_64 random(run * 1'000'003 + variant);
+      std::shuffle(order.begin(), order.end(), random);
+    }
+    return order;
   }
 
   /// One gate on a pool: metrics of an image are computed once.

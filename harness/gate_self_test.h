@@ -1,9 +1,10 @@
 // What a suite's gates find, measured: every gate is run many times on engines with known faults and on healthy ones.
 //
-// An image costs a process, so runs share a pool of images a stream: each run takes a random order of its pool and
-// looks at the first `seeds`, twice as many and so on, never at one image twice. Runs are thus no more independent than
-// the pool allows, and the table says how many disjoint ones it holds. A gate whose next look needs more images than
-// there are stays inconclusive.
+// An image costs a process, so runs share a pool of images a stream: each run takes an order of its pool and looks at
+// the first `seeds`, twice as many and so on, never at one image twice. A pool of runs x seeds images has a first look
+// for every run that no other has; of a smaller one each run takes a random order, runs are no more independent than
+// the pool allows, and what they find is weighed as the disjoint ones it holds. A gate whose next look needs more
+// images than there are stays inconclusive.
 #pragma once
 
 #include <atomic>
@@ -30,6 +31,7 @@ struct SelfTestOptions {
 /// Of one gate on one variant.
 struct VerdictCounts {
   int runs = 0, fail = 0, inconclusive = 0;
+  int disjoint = 0;  ///< runs that share no image at their first look
 };
 
 struct SelfTest {

@@ -24,15 +24,20 @@ int most_alarms(int runs, double alpha) {
   return static_cast<int>(boost::math::quantile(boost::math::binomial(runs, alpha), confidence));
 }
 
-/// All nulls of one gate together.
+/// All nulls of one gate together, each weighed as the disjoint runs it holds.
 VerdictCounts nulls_of(const SelfTest& test, std::size_t gate) {
   VerdictCounts sum;
+  double fail = 0, inconclusive = 0;
   for (std::size_t v = 0; v < test.variants.size(); ++v) {
-    if (test.variants[v].is_mutant) continue;
-    sum.runs += test.counts[v][gate].runs;
-    sum.fail += test.counts[v][gate].fail;
-    sum.inconclusive += test.counts[v][gate].inconclusive;
+    const VerdictCounts& counts = test.counts[v][gate];
+    if (test.variants[v].is_mutant || counts.runs == 0) continue;
+    const double weight = static_cast<double>(counts.disjoint) / counts.runs;
+    sum.runs += counts.disjoint;
+    fail += weight * counts.fail;
+    inconclusive += weight * counts.inconclusive;
   }
+  sum.fail = static_cast<int>(std::lround(fail));
+  sum.inconclusive = static_cast<int>(std::lround(inconclusive));
   return sum;
 }
 
@@ -56,11 +61,12 @@ bool self_test_passes(const SelfTest& test) {
 std::string self_test_table(const GateSuite& suite, const SelfTest& test, const std::string& command) {
   std::string text = fmt::format("# What the gates of `{}` find\n\n", suite.name);
   text += fmt::format("`{}`\n\n", command);
+  const int disjoint = test.pool / std::max(1, test.seeds), other_disjoint = test.other_pool / std::max(1, test.seeds);
   text += fmt::format(
       "Runs in which a gate fails, in per cent: detections of what was planted, and under the nulls false alarms. "
-      "Runs share images: {} healthy ones a scene, engine and budget, of which the first look takes {} ({} disjoint "
-      "draws), and {} of each variant that needs images of its own.\n\n",
-      test.pool, test.seeds, test.pool / std::max(1, test.seeds), test.other_pool);
+      "{} healthy images a scene, engine and budget, {} of each variant that needs images of its own; a first look "
+      "takes {}, so that {} and {} runs share none. The last column weighs nulls as such disjoint runs.\n\n",
+      test.pool, test.other_pool, test.seeds, disjoint, other_disjoint);
   std::string rule = "|---|";
   text += "| gate |";
   for (const Variant& variant : test.variants) {

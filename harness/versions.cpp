@@ -1,5 +1,6 @@
 #include "harness/versions.h"
 
+#include <OpenEXR/OpenEXRConfig.h>
 #include <OpenImageIO/oiioversion.h>
 #include <oneapi/tbb/version.h>
 #if __has_include(<embree4/rtcore_config.h>)
@@ -17,6 +18,7 @@ std::map<std::string, std::string> program_versions() {
           {"compiler", "g++ or clang " __VERSION__},
           {"embree", RTC_VERSION_STRING},
           {"oneTBB", TBB_VERSION_STRING},
+          {"OpenEXR", OPENEXR_VERSION_STRING},
           {"OpenImageIO", OIIO_VERSION_STRING}};
 }
 

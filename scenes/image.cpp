@@ -1,6 +1,5 @@
 #include "scenes/image.h"
 
-#include <OpenImageIO/imageio.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -10,6 +9,8 @@
 #include <memory>
 
 #include "scenes/atomic_file.h"
+#include "scenes/exr_file.h"
+#include "scenes/image_file.h"
 #include "scenes/input_error.h"
 #include "scenes/png_check.h"
 
@@ -19,62 +20,37 @@ namespace {
 constexpr std::int64_t kMaxPixels = std::int64_t{1} << 28;
 using Channels = std::array<int, 3>;
 
-std::string first_line(std::string message) {
-  if (const auto end = message.find('\n'); end != std::string::npos) message.resize(end);
-  return message.empty() ? "unknown reason" : message;
+/// The place of the channel of that name, or -1.
+int find_channel(const ImageHeader& header, const std::string& name) {
+  const auto found = std::ranges::find(header.channels, name);
+  return found == header.channels.end() ? -1 : static_cast<int>(found - header.channels.begin());
 }
 
 /// The channels named prefix+R, prefix+G, prefix+B, if all are there.
-std::optional<Channels> find_rgb(const OIIO::ImageSpec& spec, const std::string& prefix) {
-  const Channels found = {spec.channelindex(prefix + "R"), spec.channelindex(prefix + "G"),
-                          spec.channelindex(prefix + "B")};
+std::optional<Channels> find_rgb(const ImageHeader& header, const std::string& prefix) {
+  const Channels found = {find_channel(header, prefix + "R"), find_channel(header, prefix + "G"),
+                          find_channel(header, prefix + "B")};
   if (found[0] < 0 || found[1] < 0 || found[2] < 0) return std::nullopt;
   return found;
 }
 
 /// The colour of an image: R,G,B; else the first layer "<layer>.R/G/B"; else grey from Y or from an only channel.
-std::optional<Channels> find_colour(const OIIO::ImageSpec& spec) {
-  if (const auto plain = find_rgb(spec, "")) return plain;
-  for (const std::string& name : spec.channelnames) {
+std::optional<Channels> find_colour(const ImageHeader& header) {
+  if (const auto plain = find_rgb(header, "")) return plain;
+  for (const std::string& name : header.channels) {
     const auto dot = name.rfind('.');
     if (dot == std::string::npos || name.substr(0, dot) == "variance") continue;
-    if (const auto layer = find_rgb(spec, name.substr(0, dot + 1))) return layer;
+    if (const auto layer = find_rgb(header, name.substr(0, dot + 1))) return layer;
   }
-  const int luminance = spec.channelindex("Y");
-  if (luminance >= 0 && spec.channelindex("RY") < 0) return Channels{luminance, luminance, luminance};
-  if (spec.nchannels == 1 && spec.alpha_channel < 0 && spec.z_channel < 0) return Channels{0, 0, 0};
+  const int luminance = find_channel(header, "Y");
+  if (luminance >= 0 && find_channel(header, "RY") < 0) return Channels{luminance, luminance, luminance};
+  if (header.channels.size() == 1 && header.channels[0] != "A" && header.channels[0] != "Z") return Channels{0, 0, 0};
   return std::nullopt;
 }
 
 float decode_srgb(float v) { return v <= 0.04045f ? v / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f); }
 
 float encode_srgb(float v) { return v <= 0.0031308f ? v * 12.92f : 1.055f * std::pow(v, 1 / 2.4f) - 0.055f; }
-
-/// False for what describes the file rather than the rendering in it.
-bool is_metadata(const std::string& name) {
-  return name.rfind("oiio:", 0) != 0 && name != "compression" && name != "DateTime";
-}
-
-void check_supported(const std::string& path, const OIIO::ImageSpec& spec) {
-  if (spec.deep || spec.depth > 1) throw InputError(path, "is a deep or volume image, expected a flat one");
-  if (spec.width <= 0 || spec.height <= 0) throw InputError(path, "image has no pixels");
-  const bool samples_ok =
-      spec.format.is_floating_point() || spec.format == OIIO::TypeUInt8 || spec.format == OIIO::TypeUInt16;
-  if (!samples_ok)
-    throw InputError(path, std::string("samples are ") + spec.format.c_str() + ", expected float or 8- or 16-bit");
-}
-
-/// Writes interleaved `data` with the named OpenImageIO format; throws on every failure OpenImageIO reports.
-void write_with(const char* format, const std::string& target, const std::string& temporary,
-                const OIIO::ImageSpec& spec, const OIIO::TypeDesc& type, const void* data) {
-  const std::unique_ptr<OIIO::ImageOutput> out = OIIO::ImageOutput::create(format);
-  if (!out) throw InputError(target, "cannot be written: " + first_line(OIIO::geterror()));
-  // close() reports what the operating system could not flush, such as a full disk.
-  if (out->open(temporary, spec) && out->write_image(type, data) && out->close()) return;
-  std::string reason = first_line(out->geterror());
-  if (const auto at = reason.find(temporary); at != std::string::npos) reason.replace(at, temporary.size(), target);
-  throw InputError(target, "cannot be written: " + reason);
-}
 
 void check_size(const std::string& path, const Image& image) {
   const bool whole =
@@ -83,15 +59,15 @@ void check_size(const std::string& path, const Image& image) {
   if (!whole) throw InputError(path, "cannot be written: the image has no pixels or too few for its size");
 }
 
-std::string size_text(const OIIO::ImageSpec& spec) {
-  return std::to_string(spec.width) + "x" + std::to_string(spec.height);
+std::string size_text(const ImageHeader& header) {
+  return std::to_string(header.width) + "x" + std::to_string(header.height);
 }
 
 /// sRGB decoding of 8- and 16-bit samples, which take few values: each is worked out once.
 class SrgbDecoder {
  public:
-  explicit SrgbDecoder(const OIIO::ImageSpec& spec)
-      : greatest_(spec.format == OIIO::TypeUInt8 ? 255.0f : 65535.0f),
+  explicit SrgbDecoder(const ImageHeader& header)
+      : greatest_(header.samples == ImageHeader::Samples::bytes ? 255.0f : 65535.0f),
         known_(static_cast<std::size_t>(greatest_) + 1, {-1, 0}) {}
   float operator()(float v) {
     auto& [encoded, linear] = known_[static_cast<std::size_t>(v * greatest_ + 0.5f)];
@@ -108,41 +84,32 @@ class SrgbDecoder {
 };
 
 /// Rows to read at once: few, so that a header cannot claim much more memory than its file has pixels for.
-int rows_at_once(const OIIO::ImageSpec& spec) {
+int rows_at_once(const ImageHeader& header) {
   constexpr std::int64_t kValues = std::int64_t{1} << 20;
-  if (spec.tile_height > 0) return spec.tile_height;
-  return static_cast<int>(std::clamp<std::int64_t>(kValues / (std::int64_t{spec.nchannels} * spec.width), 1, 256));
+  if (header.rows_together > 0) return header.rows_together;
+  const std::int64_t row = static_cast<std::int64_t>(header.channels.size()) * header.width;
+  return static_cast<int>(std::clamp<std::int64_t>(kValues / row, 1, 256));
 }
 
-bool read_rows(OIIO::ImageInput& in, const OIIO::ImageSpec& spec, int begin, int end, std::vector<float>& rows) {
-  rows.resize(static_cast<std::size_t>(spec.nchannels) * static_cast<std::size_t>(spec.width) *
-              static_cast<std::size_t>(end - begin));
-  const int y = spec.y + begin, y_end = spec.y + end;
-  if (spec.tile_height > 0)
-    return in.read_tiles(0, 0, spec.x, spec.x + spec.width, y, y_end, spec.z, spec.z + 1, 0, spec.nchannels,
-                         OIIO::TypeFloat, rows.data());
-  return in.read_scanlines(0, 0, y, y_end, spec.z, 0, spec.nchannels, OIIO::TypeFloat, rows.data());
+std::unique_ptr<ImageFile> open_image(const std::string& path) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(path, ignored)) throw InputError(path, "no such file");
+  if (!std::filesystem::is_regular_file(path, ignored)) throw InputError(path, "not a regular file");
+  if (is_exr(path)) return open_exr(path);
+  check_png(path);
+  return image_formats().open(path);
 }
 
 /// An open file whose rows are asked for in any order.
 class OpenImage {
  public:
-  explicit OpenImage(const std::string& path) : path_(path) {
-    std::error_code ignored;
-    if (!std::filesystem::exists(path, ignored)) throw InputError(path, "no such file");
-    if (!std::filesystem::is_regular_file(path, ignored)) throw InputError(path, "not a regular file");
-    check_png(path);
-    OIIO::ImageSpec wanted;
-    wanted.attribute("oiio:UnassociatedAlpha", 1);  // alpha is ignored, so it must not have scaled the colour either
-    in_ = OIIO::ImageInput::open(path, &wanted);
-    if (!in_) throw InputError(path, "cannot be read as an image: " + first_line(OIIO::geterror()));
-    spec_ = in_->spec();
-    check_supported(path, spec_);
-    const auto found = find_colour(spec_);
+  explicit OpenImage(const std::string& path) : file_(open_image(path)) {
+    if (header().width <= 0 || header().height <= 0) throw InputError(path, "image has no pixels");
+    const auto found = find_colour(header());
     if (!found) throw InputError(path, "image has no colour: expected channels R, G, B or a single grey one");
     colour_ = *found;
   }
-  const OIIO::ImageSpec& spec() const { return spec_; }
+  const ImageHeader& header() const { return file_->header(); }
   const Channels& colour() const { return colour_; }
 
   /// Reads all channels together from now on, for a caller who wants more than the colour.
@@ -151,14 +118,9 @@ class OpenImage {
   /// Three channels of rows [begin, end), interleaved.
   void read(int begin, int end, const Channels& channels, float* rgb) {
     const bool adjacent = channels[1] == channels[0] + 1 && channels[2] == channels[0] + 2;
-    if (spec_.tile_height == 0 && adjacent && !whole_rows_) {
-      if (!in_->read_scanlines(0, 0, spec_.y + begin, spec_.y + end, spec_.z, channels[0], channels[0] + 3,
-                               OIIO::TypeFloat, rgb))
-        throw InputError(path_, "cannot be read, truncated or damaged: " + first_line(in_->geterror()));
-      return;
-    }
-    const auto stride = static_cast<std::size_t>(spec_.nchannels);
-    const std::size_t row = static_cast<std::size_t>(spec_.width) * stride;
+    if (header().rows_together == 0 && adjacent && !whole_rows_) return file_->read(begin, end, channels[0], 3, rgb);
+    const std::size_t stride = header().channels.size();
+    const std::size_t row = static_cast<std::size_t>(header().width) * stride;
     for (int y = begin; y < end;) {
       load_group_of(y);
       const int last = std::min(end, group_end_);
@@ -173,17 +135,16 @@ class OpenImage {
   /// All channels of the rows that are best read together with row y.
   void load_group_of(int y) {
     if (y >= group_begin_ && y < group_end_) return;
-    const int rows = rows_at_once(spec_);
-    const int begin = y / rows * rows, end = std::min(spec_.height, begin + rows);
-    if (!read_rows(*in_, spec_, begin, end, group_))
-      throw InputError(path_, "cannot be read, truncated or damaged: " + first_line(in_->geterror()));
+    const int rows = rows_at_once(header());
+    const int begin = y / rows * rows, end = std::min(header().height, begin + rows);
+    const std::size_t channels = header().channels.size();
+    group_.resize(channels * static_cast<std::size_t>(header().width) * static_cast<std::size_t>(end - begin));
+    file_->read(begin, end, 0, static_cast<int>(channels), group_.data());
     group_begin_ = begin;
     group_end_ = end;
   }
 
-  std::string path_;
-  std::unique_ptr<OIIO::ImageInput> in_;
-  OIIO::ImageSpec spec_;
+  std::unique_ptr<ImageFile> file_;
   Channels colour_{};
   std::vector<float> group_;
   int group_begin_ = 0, group_end_ = 0;
@@ -191,33 +152,33 @@ class OpenImage {
 };
 
 struct Decoded {
-  OIIO::ImageSpec spec;
+  ImageHeader header;
   Image colour;
   std::optional<Image> variance;
 };
 
 Decoded decode(const std::string& path) {
   OpenImage file(path);
-  const OIIO::ImageSpec& spec = file.spec();
-  if (static_cast<std::int64_t>(spec.width) * spec.height > kMaxPixels)
-    throw InputError(path, "image is " + size_text(spec) + ", the limit is 2^28 pixels");
-  Decoded decoded{spec, {}, {}};
-  const auto variance = find_rgb(spec, "variance.");
+  const ImageHeader& header = file.header();
+  if (static_cast<std::int64_t>(header.width) * header.height > kMaxPixels)
+    throw InputError(path, "image is " + size_text(header) + ", the limit is 2^28 pixels");
+  Decoded decoded{header, {}, {}};
+  const auto variance = find_rgb(header, "variance.");
   if (variance) {
     decoded.variance.emplace();
     file.read_whole_rows();
   }
-  const std::size_t row = 3 * static_cast<std::size_t>(spec.width);
+  const std::size_t row = 3 * static_cast<std::size_t>(header.width);
   const auto append = [&](Image& image, int begin, int end, const Channels& channels) {
     // Reserved memory that is never written to takes no page.
-    image.rgb.reserve(row * static_cast<std::size_t>(spec.height));
+    image.rgb.reserve(row * static_cast<std::size_t>(header.height));
     image.rgb.resize(row * static_cast<std::size_t>(end));
-    image.width = spec.width;
+    image.width = header.width;
     image.height = end;
     file.read(begin, end, channels, image.rgb.data() + row * static_cast<std::size_t>(begin));
   };
-  for (int y = 0, end = 0; y < spec.height; y = end) {
-    end = std::min(spec.height, y + rows_at_once(spec));
+  for (int y = 0, end = 0; y < header.height; y = end) {
+    end = std::min(header.height, y + rows_at_once(header));
     append(decoded.colour, y, end, file.colour());
     if (variance) append(*decoded.variance, y, end, *variance);
   }
@@ -225,8 +186,8 @@ Decoded decode(const std::string& path) {
 }
 
 Image colour_of(Decoded&& decoded, bool raw) {
-  if (!raw && !decoded.spec.format.is_floating_point()) {
-    SrgbDecoder linear(decoded.spec);
+  if (!raw && decoded.header.samples != ImageHeader::Samples::floating) {
+    SrgbDecoder linear(decoded.header);
     for (float& v : decoded.colour.rgb) v = linear(v);
   }
   return std::move(decoded.colour);
@@ -240,16 +201,16 @@ struct ImageRows::State {
 };
 
 ImageRows::ImageRows(const std::string& path) : state_(std::make_unique<State>(State{OpenImage(path), {}})) {
-  const OIIO::ImageSpec& spec = state_->file.spec();
+  const ImageHeader& header = state_->file.header();
   constexpr std::int64_t kMaxWidth = std::int64_t{1} << 18, kMaxStreamed = (std::int64_t{1} << 32) - 1;
-  if (spec.width > kMaxWidth || std::int64_t{spec.width} * spec.height > kMaxStreamed)
-    throw InputError(path, "image is " + size_text(spec) + ", the limit is 2^18 columns and 2^32 pixels");
-  if (!spec.format.is_floating_point()) state_->decoder.emplace(spec);
+  if (header.width > kMaxWidth || std::int64_t{header.width} * header.height > kMaxStreamed)
+    throw InputError(path, "image is " + size_text(header) + ", the limit is 2^18 columns and 2^32 pixels");
+  if (header.samples != ImageHeader::Samples::floating) state_->decoder.emplace(header);
 }
 ImageRows::~ImageRows() = default;
 ImageRows::ImageRows(ImageRows&&) noexcept = default;
-int ImageRows::width() const { return state_->file.spec().width; }
-int ImageRows::height() const { return state_->file.spec().height; }
+int ImageRows::width() const { return state_->file.header().width; }
+int ImageRows::height() const { return state_->file.header().height; }
 
 void ImageRows::read(int begin, int end, float* rgb) {
   state_->file.read(begin, end, state_->file.colour(), rgb);
@@ -261,9 +222,7 @@ void ImageRows::read(int begin, int end, float* rgb) {
 Rendering read_rendering(const std::string& path) {
   Decoded decoded = decode(path);
   Rendering rendering;
-  for (const auto& attribute : decoded.spec.extra_attribs)
-    if (attribute.type() == OIIO::TypeString && is_metadata(attribute.name().string()))
-      rendering.metadata[attribute.name().string()] = attribute.get_string();
+  rendering.metadata = std::move(decoded.header.metadata);
   rendering.variance = std::move(decoded.variance);
   rendering.mean = colour_of(std::move(decoded), false);
   return rendering;
@@ -288,37 +247,15 @@ void write_exr(const std::string& path, const Rendering& rendering, ExrColour co
     if (rendering.variance->width != rendering.mean.width || rendering.variance->height != rendering.mean.height)
       throw InputError(path, "cannot be written: mean and variance differ in size");
   }
-  const int channels = has_variance ? 6 : 3;
-  OIIO::ImageSpec spec(rendering.mean.width, rendering.mean.height, channels, OIIO::TypeFloat);
-  spec.channelnames = {"R", "G", "B"};
-  if (has_variance) spec.channelnames.insert(spec.channelnames.end(), {"variance.R", "variance.G", "variance.B"});
-  if (colour == ExrColour::half) {
-    spec.channelformats.assign(static_cast<std::size_t>(channels), OIIO::TypeFloat);
-    std::fill_n(spec.channelformats.begin(), 3, OIIO::TypeHalf);
-  }
-  for (const auto& [name, value] : rendering.metadata) spec.attribute(name, value);
-  spec.attribute("compression", "zip");
-  spec.attribute("DateTime", "");  // else OpenImageIO writes the current time, and equal renderings differ in bytes
-
-  std::vector<float> data;
-  data.reserve(rendering.mean.pixels() * static_cast<std::size_t>(channels));
-  for (std::size_t p = 0; p < rendering.mean.pixels(); ++p) {
-    const auto at = static_cast<std::ptrdiff_t>(3 * p);
-    data.insert(data.end(), rendering.mean.rgb.begin() + at, rendering.mean.rgb.begin() + at + 3);
-    if (has_variance)
-      data.insert(data.end(), rendering.variance->rgb.begin() + at, rendering.variance->rgb.begin() + at + 3);
-  }
   replace_atomically(path, [&](const std::filesystem::path& temporary) {
-    write_with("openexr", path, temporary.string(), spec, OIIO::TypeFloat, data.data());
+    write_exr_file(temporary.string(), path, rendering, colour);
   });
 }
 
 struct PngRows::State {
   std::string path, temporary;
-  std::unique_ptr<OIIO::ImageOutput> out;
-  int rows = 0;
+  std::unique_ptr<ByteImageWriter> out;
 
-  [[noreturn]] void fail() const { throw InputError(path, "cannot be written: " + first_line(out->geterror())); }
   ~State() {
     std::error_code ignored;
     if (out) std::filesystem::remove(temporary, ignored);
@@ -331,24 +268,15 @@ PngRows::PngRows(const std::string& path, int width, int height) : state_(std::m
   state_->temporary =
       (target.parent_path() / ("." + target.stem().string() + ".partial-" + std::to_string(getpid()) + "-rows.png"))
           .string();
-  state_->out = OIIO::ImageOutput::create("png");
-  if (!state_->out) throw InputError(path, "cannot be written: " + first_line(OIIO::geterror()));
-  OIIO::ImageSpec spec(width, height, 3, OIIO::TypeUInt8);
-  spec.attribute("oiio:ColorSpace", "sRGB");
-  // Of large pictures the best compression would take longer than what they show.
-  if (std::int64_t{width} * height > (1 << 20)) spec.attribute("png:compressionLevel", 1);
-  if (!state_->out->open(state_->temporary, spec)) state_->fail();
+  state_->out = image_formats().create_png(state_->temporary, path, width, height);
 }
 PngRows::~PngRows() = default;
 PngRows::PngRows(PngRows&&) noexcept = default;
 
-void PngRows::add(int count, const std::uint8_t* rgb) {
-  if (!state_->out->write_scanlines(state_->rows, state_->rows + count, 0, OIIO::TypeUInt8, rgb)) state_->fail();
-  state_->rows += count;
-}
+void PngRows::add(int count, const std::uint8_t* rgb) { state_->out->add(count, rgb); }
 
 void PngRows::finish() {
-  if (!state_->out->close()) state_->fail();
+  state_->out->close();
   replace_atomically(state_->path,
                      [&](const std::filesystem::path& named) { std::filesystem::rename(state_->temporary, named); });
   state_->out.reset();
@@ -356,8 +284,6 @@ void PngRows::finish() {
 
 void write_png(const std::string& path, const Image& image, double exposure) {
   check_size(path, image);
-  OIIO::ImageSpec spec(image.width, image.height, 3, OIIO::TypeUInt8);
-  spec.attribute("oiio:ColorSpace", "sRGB");
   const auto scale = static_cast<float>(std::exp2(exposure));
   std::vector<std::uint8_t> data(image.rgb.size());
   for (std::size_t i = 0; i < data.size(); ++i) {
@@ -366,7 +292,9 @@ void write_png(const std::string& path, const Image& image, double exposure) {
     data[i] = static_cast<std::uint8_t>(std::lround(255 * encode_srgb(clamped)));
   }
   replace_atomically(path, [&](const std::filesystem::path& temporary) {
-    write_with("png", path, temporary.string(), spec, OIIO::TypeUInt8, data.data());
+    const auto png = image_formats().create_png(temporary.string(), path, image.width, image.height);
+    png->add(image.height, data.data());
+    png->close();
   });
 }
 

@@ -1,4 +1,4 @@
-// Images in memory and on disk (through OpenImageIO). Linear Rec.709 RGB, row 0 on top, interleaved floats.
+// Images in memory and on disk (image_file.h says by what). Linear Rec.709 RGB, row 0 on top, interleaved floats.
 #pragma once
 
 #include <cstddef>

@@ -1,0 +1,21 @@
+// EXR files through OpenEXR.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "scenes/image.h"
+#include "scenes/image_file.h"
+
+namespace photonproof {
+
+/// Whether the file begins as an EXR does.
+bool is_exr(const std::string& path);
+
+/// The first part of an EXR, in scan lines or tiles. Throws InputError.
+std::unique_ptr<ImageFile> open_exr(const std::string& path);
+
+/// Whole sizes are the caller's to check. `target` is the name that errors give to the file. Throws InputError.
+void write_exr_file(const std::string& path, const std::string& target, const Rendering& rendering, ExrColour colour);
+
+}  // namespace photonproof

@@ -1,0 +1,189 @@
+// EXRs of other programs: tiles, windows, layers, grey; and damaged ones.
+
+#include "scenes/exr_file.h"
+
+#include <ImathBox.h>
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfFrameBuffer.h>
+#include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfOutputFile.h>
+#include <OpenEXR/ImfTiledOutputFile.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <bit>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <random>
+
+#include "scenes/atomic_file.h"
+#include "scenes/input_error.h"
+
+namespace photonproof {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ExrFile : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::temp_directory_path() / ("photonproof_exr_test_" + std::to_string(getpid()) + "_" +
+                                           ::testing::UnitTest::GetInstance()->current_test_info()->name());
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+  std::string path(const std::string& name = "a.exr") const { return (folder_ / name).string(); }
+
+  /// One float channel a name, all with the values 0, 1, 2, ... plus 1000 times the channel's number.
+  Imf::FrameBuffer channels(Imf::Header& header, const std::vector<std::string>& names) {
+    const Imath::Box2i window = header.dataWindow();
+    const int width = window.max.x - window.min.x + 1, height = window.max.y - window.min.y + 1;
+    Imf::FrameBuffer buffer;
+    values_.assign(names.size(), std::vector<float>(static_cast<std::size_t>(width * height)));
+    for (std::size_t c = 0; c < names.size(); ++c) {
+      for (std::size_t i = 0; i < values_[c].size(); ++i) values_[c][i] = static_cast<float>(1000 * c + i);
+      header.channels().insert(names[c], Imf::Channel(Imf::FLOAT));
+      buffer.insert(names[c], Imf::Slice::Make(Imf::FLOAT, values_[c].data(), window));
+    }
+    return buffer;
+  }
+  void write_lines(const std::vector<std::string>& names, int width = 4, int height = 3) {
+    Imf::Header header(width, height);
+    const Imf::FrameBuffer buffer = channels(header, names);
+    Imf::OutputFile out(path().c_str(), header);
+    out.setFrameBuffer(buffer);
+    out.writePixels(height);
+  }
+  std::string refusal() const {
+    try {
+      read_image(path());
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "no error";
+  }
+
+  fs::path folder_;
+  std::vector<std::vector<float>> values_;
+};
+
+TEST_F(ExrFile, in_tiles_with_a_window_off_the_origin_is_read_as_any_other) {
+  const int width = 70, height = 50;
+  const Imath::Box2i window({-7, 11}, {-7 + width - 1, 11 + height - 1});
+  Imf::Header header(window, window);
+  header.setTileDescription({32, 16, Imf::ONE_LEVEL});
+  const Imf::FrameBuffer buffer = channels(header, {"B", "G", "R"});
+  {
+    Imf::TiledOutputFile out(path().c_str(), header);
+    out.setFrameBuffer(buffer);
+    out.writeTiles(0, out.numXTiles() - 1, 0, out.numYTiles() - 1);
+  }
+  const Image image = read_image(path());
+  ASSERT_EQ(image.width, width);
+  ASSERT_EQ(image.height, height);
+  for (const auto& [x, y] : {std::pair{0, 0}, {69, 0}, {31, 17}, {32, 16}, {69, 49}}) {
+    const auto i = static_cast<float>(y * width + x);
+    EXPECT_EQ(image.pixel(x, y)[0], 2000 + i);
+    EXPECT_EQ(image.pixel(x, y)[1], 1000 + i);
+    EXPECT_EQ(image.pixel(x, y)[2], i);
+  }
+}
+
+TEST_F(ExrFile, colour_is_the_plain_one_then_a_layers_then_grey) {
+  // Pixel 1: each channel's value is 1000 times its place in the list, plus 1.
+  write_lines({"A", "B", "G", "R", "a.B", "a.G", "a.R"});
+  EXPECT_EQ(read_image(path()).pixel(1, 0)[0], 3001);
+  write_lines({"Z", "beauty.A", "beauty.B", "beauty.G", "beauty.R"});
+  EXPECT_EQ(read_image(path()).pixel(1, 0)[0], 4001);
+  EXPECT_EQ(read_image(path()).pixel(1, 0)[2], 2001);
+  write_lines({"A", "Y"});
+  EXPECT_EQ(read_image(path()).pixel(1, 0)[2], 1001);
+  write_lines({"depth"});
+  EXPECT_EQ(read_image(path()).pixel(1, 0)[1], 1);
+  for (const auto& names : {std::vector<std::string>{"A"}, {"Z"}, {"u", "v"}, {"BY", "RY", "Y"}}) {
+    write_lines(names);
+    EXPECT_EQ(refusal(), path() + ": error: image has no colour: expected channels R, G, B or a single grey one");
+  }
+}
+
+TEST_F(ExrFile, of_whole_numbers_is_refused) {
+  Imf::Header header(1, 1);
+  const std::uint32_t value = 7;
+  Imf::FrameBuffer buffer;
+  for (const char* name : {"R", "G", "B"}) {
+    header.channels().insert(name, Imf::Channel(Imf::UINT));
+    buffer.insert(name, Imf::Slice::Make(Imf::UINT, &value, header.dataWindow()));
+  }
+  {
+    Imf::OutputFile out(path().c_str(), header);
+    out.setFrameBuffer(buffer);
+    out.writePixels(1);
+  }
+  EXPECT_EQ(refusal(), path() + ": error: samples are uint, expected float or 8- or 16-bit");
+}
+
+TEST_F(ExrFile, half_colour_is_rounded_to_the_nearest) {
+  Rendering rendering{Image(1, 1), Image(1, 1), {}};
+  // Halves at 1 are 2^-10 apart: 1 + 0.4 of that is 1, 1 + 0.6 of it the next. The variance stays a float.
+  rendering.mean.rgb = {1 + 0.4f / 1024, 1 + 0.6f / 1024, 65504};
+  rendering.variance->rgb = {1e-12f, 2e-12f, 1 + 0.4f / 1024};
+  write_exr(path(), rendering, ExrColour::half);
+  const Rendering read = read_rendering(path());
+  EXPECT_EQ(read.mean.rgb, (std::vector<float>{1, 1 + 1.0f / 1024, 65504}));
+  EXPECT_EQ(read.variance->rgb, rendering.variance->rgb);
+}
+
+TEST_F(ExrFile, that_claims_more_than_it_holds_costs_no_memory_for_it) {
+  write_lines({"B", "G", "R"});
+  const std::string bytes = read_file(path());
+  const std::size_t at = bytes.find(std::string("dataWindow\0box2i\0", 17)) + 17 + 4;
+  const auto claim = [&](std::int32_t width, std::int32_t height) {
+    std::string other = bytes;
+    const std::int32_t box[4] = {0, 0, width - 1, height - 1};
+    std::memcpy(other.data() + at, box, sizeof box);
+    std::ofstream(path(), std::ios::binary) << other;
+  };
+  const auto peak_kilobytes = [] {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return usage.ru_maxrss;
+  };
+  const long before = peak_kilobytes();
+  claim(16384, 16384);  // 3 GB of floats
+  EXPECT_NE(refusal().find(": error: cannot be read"), std::string::npos) << refusal();
+  claim(1 << 30, 1 << 30);
+  EXPECT_NE(refusal().find(": error: cannot be read as an image: "), std::string::npos) << refusal();
+  EXPECT_LT(peak_kilobytes() - before, 100'000);
+}
+
+TEST_F(ExrFile, with_any_byte_changed_is_read_or_refused) {
+  write_lines({"B", "G", "R"}, 16, 16);
+  const std::string bytes = read_file(path());
+  std::mt19937 random(1);
+  for (int round = 0; round < 1000; ++round) {
+    std::string other = bytes;
+    // Mostly in the header, where sizes and types are.
+    const std::size_t reach = round % 4 ? 330 : other.size();
+    for (int i = 0; i <= round % 3; ++i) other[random() % reach] = static_cast<char>(random());
+    std::ofstream(path(), std::ios::binary) << other;
+    try {
+      read_rendering(path());
+    } catch (const InputError&) {
+    }
+  }
+}
+
+TEST_F(ExrFile, that_does_not_fit_on_the_disk_is_an_error) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
+  for (const int side : {2, 300})  // less and more than what is buffered
+    try {
+      write_exr_file("/dev/full", "a.exr", {Image(side, side), std::nullopt, {}}, ExrColour::single);
+      ADD_FAILURE() << side;
+    } catch (const InputError& error) {
+      EXPECT_STREQ(error.what(), "a.exr: error: cannot be written: No space left on device") << side;
+    }
+}
+
+}  // namespace
+}  // namespace photonproof

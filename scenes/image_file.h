@@ -1,0 +1,54 @@
+// What image.cpp needs of the libraries that read and write image files: OpenEXR for EXR, OpenImageIO for all others.
+// OpenImageIO brings more than 200 shared libraries, which take longer to load than a small scene to render; so it is
+// in a module that is loaded by whoever meets a file that is no EXR.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace photonproof {
+
+struct ImageHeader {
+  enum class Samples { floating, bytes, words };
+  int width = 0, height = 0;
+  std::vector<std::string> channels;
+  Samples samples = Samples::floating;
+  int rows_together = 0;                        ///< rows that are stored as one, as in tiles; 0: each by itself
+  std::map<std::string, std::string> metadata;  ///< texts about the rendering
+};
+
+/// An image file open for reading; every failure is an InputError about the path.
+class ImageFile {
+ public:
+  virtual ~ImageFile() = default;
+  virtual const ImageHeader& header() const = 0;
+  /// Rows [begin, end) of `count` channels from `first` on, interleaved; 8- and 16-bit samples from 0 to 1. Where rows
+  /// are together, begin is the first of such a group and end the last's.
+  virtual void read(int begin, int end, int first, int count, float* values) = 0;
+};
+
+/// An 8-bit RGB file being written, row after row; every failure is an InputError.
+class ByteImageWriter {
+ public:
+  virtual ~ByteImageWriter() = default;
+  virtual void add(int rows, const std::uint8_t* rgb) = 0;
+  /// After the last row: what the operating system could not write shows here at the latest.
+  virtual void close() = 0;
+};
+
+/// The functions of the module, image_formats.cpp.
+struct ImageFormats {
+  std::unique_ptr<ImageFile> (*open)(const std::string& path);
+  /// `target` is the name that errors give to the file.
+  std::unique_ptr<ByteImageWriter> (*create_png)(const std::string& path, const std::string& target, int width,
+                                                 int height);
+};
+inline constexpr const char* image_formats_symbol = "photonproof_image_formats";
+
+/// Loads the module at the first call; throws InputError when it is not where it was built or beside the program.
+const ImageFormats& image_formats();
+
+}  // namespace photonproof
