@@ -91,6 +91,7 @@ Results example_with_conclusions() {
   Results results = example();
   results.results[0].instructions = 123456789012345;
   results.scenes[0].reference = ReferenceRecord{"box.exr", "reference.exr", "reference.png", {{"samples", "4096"}}};
+  results.scenes[0].hdr_exposures = ExposureRange{-2.5, 3, 6};
 
   CurvePoint point;
   point.budget = {"spp", 4};
@@ -171,6 +172,7 @@ TEST_F(ResultsFile, round_trip_keeps_every_conclusion) {
   const Results read = read_results(path_);
   EXPECT_EQ(read.results[0].instructions, written.results[0].instructions);
   EXPECT_EQ(read.scenes[0].reference, written.scenes[0].reference);
+  EXPECT_EQ(read.scenes[0].hdr_exposures, (ExposureRange{-2.5, 3, 6}));
   EXPECT_EQ(read.convergence, written.convergence);
   EXPECT_EQ(read.gates, written.gates);
   EXPECT_EQ(read.changes, written.changes);
