@@ -1,5 +1,7 @@
 #include "harness/bench.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "harness/bench_plan.h"
@@ -196,17 +198,22 @@ class Bench {
     const Result* reference_result = reference.found         ? &reference.found->kept.result
                                      : reference.unsupported ? &unsupported_reference
                                                              : nullptr;
-    const std::string key =
-        content_key({{"reference", reference.found ? reference.found->cell_folder : reference.unsupported.value_or("")},
-                     {"exposure", std::to_string(scene.exposure)},
-                     {"version", options_.comparison_version}});
+    std::vector<std::pair<std::string, std::string>> made_with = {
+        {"reference", reference.found ? reference.found->cell_folder : reference.unsupported.value_or("")},
+        {"exposure", std::to_string(scene.exposure)},
+        {"version", options_.comparison_version}};
+    if (const auto& range = scene.hdr_exposures)
+      made_with.emplace_back("hdr_flip_exposures", fmt::format("{} {} {}", range->start, range->stop, range->count));
+    const std::string key = content_key(made_with);
     if (planned.found->kept.comparison_key == key) return false;
-    compare_cell({options_.results_folder, planned.found->cell_folder, reference_result, scene.exposure}, result);
+    compare_cell(
+        {options_.results_folder, planned.found->cell_folder, reference_result, scene.exposure, scene.hdr_exposures},
+        result);
     planned.found->kept.comparison_key = key;
     return true;
   }
 
-  // Cells that were not compared yet, or whose reference, exposure or metrics are others now. Nothing is measured any
+  // Cells that were not compared yet, or whose reference, exposures or metrics are others now. Nothing is measured any
   // more, so every core may help.
   void compare_found_cells() {
     side_by_side(plan_.cells.size(), host_.cores, [&](std::size_t i) {

@@ -25,6 +25,7 @@ SceneRecord describe_scene(const SuiteScene& scene, const std::optional<Expect>&
   record.height = scene.height;
   record.exposure = scene.exposure.value_or(expect ? expect->exposure : 0);
   record.reference_label = scene.reference.label();
+  if (expect) record.hdr_exposures = expect->hdr_exposures;
   return record;
 }
 

@@ -189,6 +189,37 @@ TEST_F(BenchRun, changed_exposure_compares_again_without_measuring) {
   EXPECT_NE(metric(result_of("brighter"), "psnr"), before);
 }
 
+TEST_F(BenchRun, hdr_flip_is_computed_where_its_exposures_are_pinned_and_again_when_they_change) {
+  const std::string text = suite_text("grey", {"brighter"});
+  const auto hdr_flip = [this]() -> std::optional<MetricValue> {
+    for (const MetricValue& value : result_of("brighter").metrics)
+      if (value.name == "hdr_flip") return value;
+    return std::nullopt;
+  };
+  run(text);
+  EXPECT_FALSE(hdr_flip().has_value());
+  EXPECT_FALSE(results().scenes[0].hdr_exposures.has_value());
+
+  const std::string expect = get("expect.toml");
+  put("expect.toml", expect + "hdr_flip_exposures = [-2, 1, 4]\n");
+  EXPECT_EQ(run(text).measured, 0u);
+  const std::optional<MetricValue> near = hdr_flip();
+  ASSERT_TRUE(near.has_value());
+  EXPECT_EQ(near->parameters, "tone_mapper=ACES, exposures=-2 1 4, pixels_per_degree=67.0206");
+  EXPECT_EQ(results().scenes[0].hdr_exposures, (ExposureRange{-2, 1, 4}));
+
+  // 30 stops down both images are black: no difference is left.
+  put("expect.toml", expect + "hdr_flip_exposures = [-31, -30, 2]\n");
+  EXPECT_EQ(run(text).measured, 0u);
+  ASSERT_TRUE(hdr_flip().has_value());
+  EXPECT_GT(near->value, 0.01);
+  EXPECT_LT(hdr_flip()->value, 1e-4);
+
+  put("expect.toml", expect);
+  EXPECT_EQ(run(text).measured, 0u);
+  EXPECT_FALSE(hdr_flip().has_value());
+}
+
 TEST_F(BenchRun, failed_reference_leaves_a_caveat_instead_of_metrics) {
   run(suite_text("fails", {"grey"}));
   const Result result = result_of("grey");

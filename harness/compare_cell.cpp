@@ -36,7 +36,10 @@ void compare_cell(const Comparison& comparison, Result& result) {
   const Image reference = read_image((comparison.results_folder / comparison.reference->image).string());
   HeatmapWriter maps(image.width, image.height, comparison.results_folder / comparison.cell_folder, "map");
   ImageSource reference_rows(reference), image_rows(image);
-  PairMeasurements measured = measure_pair(reference_rows, image_rows, {.exposure = comparison.exposure}, &maps);
+  const MetricOptions metrics{.exposure = comparison.exposure,
+                              .hdr_flip = comparison.hdr_exposures.has_value(),
+                              .hdr_exposures = comparison.hdr_exposures};
+  PairMeasurements measured = measure_pair(reference_rows, image_rows, metrics, &maps);
   if (!measured.defects.empty()) {
     result.caveats.push_back(not_compared + measured.defects.front().sentence);
     return;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "harness/results.h"
@@ -13,6 +14,7 @@ struct Comparison {
   std::string cell_folder;            ///< of the cell, relative to results_folder; receives the pictures
   const Result* reference = nullptr;  ///< null where there is none yet; the cell's own result for the reference itself
   double exposure = 0;                ///< stops
+  std::optional<ExposureRange> hdr_exposures{};  ///< of hdr_flip, which is left out without
 };
 
 /// Replaces `result`'s metrics, pictures and the caveat that says why there are none. The reference itself gets its

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdio>
 #include <limits>
 
 #include "harness/metric_test_images.h"
@@ -61,6 +63,48 @@ TEST_F(CompareProgram, refuses_an_unknown_metric_in_one_line) {
   EXPECT_EQ(outcome.standard_error,
             "--fail: error: unknown metric 'ssmi'; the nearest is 'ssim', and compare --help lists all\n");
   EXPECT_EQ(outcome.standard_output, "");
+}
+
+// What a tall pair may take beyond a short one, for which program, libraries, the threads' tiles and flip's histogram
+// are the same. At this width a band is 8 rows of tiles, 1024 pixel rows (metric_run.cpp, band_height):
+//   rows of both images      2 x (1024 + 2 x 10 rows of reach) x 3 floats a pixel, twice while the next are made room
+//   for scales 2 to 5 of ms_ssim 2 x 3 planes of doubles; the second has 1/4 of the pixels, all four 1/3 of them; twice
+//   again relmse_trimmed           the errors of one band at most, thrice (parts, all of them, its growth), and one
+//   double for
+//                            2 of 1000 pixels of the whole image, twice
+// Added up 12.8 + 8.4 + 6.3 + 0.3 = 28 MB; the images are 201 MB, and one of them is 101 MB.
+TEST_F(CompareProgram, needs_memory_for_a_band_of_rows_and_not_for_the_images) {
+  constexpr int width = 256, height = 1 << 15, band = 1024, reach = 10;
+  constexpr double rows = 2.0 * (band + 2 * reach) * width * 3 * sizeof(float) * 2;
+  constexpr double scales = 6.0 * (band * width / 3.0) * sizeof(double) * 2;
+  constexpr double trimmed = (3.0 * band * width + 2 * 2.0 * width * height / 1000) * sizeof(double);
+  constexpr double image = 3.0 * width * height * sizeof(float);
+  static_assert(image > 3 * (rows + scales + trimmed));
+
+  // Constant rows, since they are quickly packed; both images and their errors differ from row to row.
+  const auto put_image = [&](const std::string& name, int rows_of_it, double error) {
+    Image values(width, rows_of_it);
+    for (int y = 0; y < rows_of_it; ++y) {
+      const double value = 0.2 + 0.6 * y / rows_of_it;
+      std::fill_n(values.pixel(0, y), 3 * width, static_cast<float>(value * (1 + error * (y % 11))));
+    }
+    write_exr(path(name), {std::move(values), std::nullopt, {}}, ExrColour::half);
+  };
+  const auto peak_of = [&](const std::string& name, int rows_of_it) {
+    put_image("reference.exr", rows_of_it, 0);
+    put_image(name, rows_of_it, 0.01);
+    const ProcessOutcome outcome = compare(name, {"--threads", "2"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.standard_error;
+    for (const char* metric : {"relmse_trimmed", "ms_ssim", "flip_max"}) {
+      const std::size_t line = outcome.standard_output.find("\n" + std::string(metric) + " ");
+      EXPECT_NE(line, std::string::npos) << metric;
+      EXPECT_NE(outcome.standard_output.substr(line + 25, 1), "-") << metric;
+    }
+    return static_cast<double>(outcome.peak_bytes);
+  };
+  const double base = peak_of("short.exr", 256), peak = peak_of("tall.exr", height);
+  EXPECT_LT(peak - base, rows + scales + trimmed);
+  std::printf("%.0f MB, and %.0f MB more for the tall pair\n", base / 1e6, (peak - base) / 1e6);
 }
 
 }  // namespace

@@ -81,7 +81,7 @@ std::optional<Accepted> accept_reference(const GateSuite& suite, const AcceptOpt
   const StoredReference fresh = read_reference(exr, hash, scene.width, scene.height, "");
 
   Accepted accepted;
-  accepted.sentence = old ? difference(*old, fresh, exposure_of(scene)) : "there was no reference";
+  accepted.sentence = old ? difference(*old, fresh, viewing_of(scene).exposure) : "there was no reference";
   accepted.provenance = commit_reference(scene.path, fresh.rendering, fresh.provenance,
                                          fmt::format("{} (accepted by {} for gate {}; {})", trimmed(options.reason),
                                                      options.who, gate->name, accepted.sentence));

@@ -36,10 +36,13 @@ bool is_metric_of_one_image(const Gate& gate) {
   return gate.metric != agreement_metric && gate.metric != bias_metric && gate.metric != block_bias_metric;
 }
 
-double metric_of(const Gate& gate, const StoredReference& reference, double exposure, const Image& image) {
-  const std::vector<MetricValue> values = compute_metrics(
-      reference.rendering.mean, image,
-      {.exposure = exposure, .threads = 1, .hdr_flip = gate.metric == "hdr_flip", .only = {gate.metric}});
+double metric_of(const Gate& gate, const StoredReference& reference, const Viewing& viewing, const Image& image) {
+  const std::vector<MetricValue> values = compute_metrics(reference.rendering.mean, image,
+                                                          {.exposure = viewing.exposure,
+                                                           .threads = 1,
+                                                           .hdr_flip = find_metric(gate.metric)->on_request,
+                                                           .hdr_exposures = viewing.hdr_exposures,
+                                                           .only = {gate.metric}});
   constexpr double as_good_as_equal = 1000;  // dB: psnr of equal images is infinite and left out
   if (values.empty() && gate.metric == "psnr") return as_good_as_equal;
   if (values.empty())
@@ -51,11 +54,11 @@ Judgement look_at_values(const Gate& gate, std::span<const double> values) {
   return judge_metric(gate.metric, values, find_metric(gate.metric)->bound, gate.bound, gate.alpha / gate.looks);
 }
 
-Judgement look_at(const Gate& gate, const StoredReference& reference, double exposure,
+Judgement look_at(const Gate& gate, const StoredReference& reference, const Viewing& viewing,
                   std::span<const Image* const> images) {
   if (is_metric_of_one_image(gate)) {
     std::vector<double> values;
-    for (const Image* image : images) values.push_back(metric_of(gate, reference, exposure, *image));
+    for (const Image* image : images) values.push_back(metric_of(gate, reference, viewing, *image));
     return look_at_values(gate, values);
   }
   const double alpha = gate.alpha / gate.looks;
@@ -68,8 +71,11 @@ Judgement look_at(const Gate& gate, const StoredReference& reference, double exp
   return judge_bias(deviations, gate.metric == block_bias_metric, gate.bound, alpha);
 }
 
-double exposure_of(const SuiteScene& scene) {
-  return scene.exposure ? *scene.exposure : read_expect(expect_path_of(scene.path.string())).exposure;
+Viewing viewing_of(const SuiteScene& scene) {
+  const std::string path = expect_path_of(scene.path.string());
+  if (scene.exposure && !std::filesystem::exists(path)) return {*scene.exposure, std::nullopt};
+  const Expect expect = read_expect(path);
+  return {scene.exposure.value_or(expect.exposure), expect.hdr_exposures};
 }
 
 }  // namespace photonproof

@@ -88,9 +88,10 @@ class Run {
     record.purpose = fs::exists(expect) ? read_expect(expect).purpose : "";
     record.width = scene.width;
     record.height = scene.height;
-    record.exposure = exposure_of(scene);
+    const Viewing& viewing = viewings_[scene.name] = viewing_of(scene);
+    record.exposure = viewing.exposure;
+    record.hdr_exposures = viewing.hdr_exposures;
     record.reference = store_reference(reference, scene.name, record.exposure, options_.folder);
-    exposures_[scene.name] = record.exposure;
     summary_.results.scenes.push_back(std::move(record));
   }
 
@@ -135,7 +136,7 @@ class Run {
         return record;
       }
       for (std::size_t i = images.size(); i < count; ++i) images.push_back(&stream.drawn()[i]->image);
-      Judgement judgement = look_at(gate, references_.at(gate.scene), exposures_.at(gate.scene), images);
+      Judgement judgement = look_at(gate, references_.at(gate.scene), viewings_.at(gate.scene), images);
       record.observed = judgement.observed;
       record.sentence = std::move(judgement.sentence);
       record.tiles = std::move(judgement.tiles);
@@ -146,7 +147,8 @@ class Run {
     count_images(stream, images.size(), record);
     record.sentence += fmt::format("; {} images of {}", images.size(), gate.budget.label());
     record.skipped = stream.drawn().front()->result.skipped;
-    store_pictures(mean_of(images), references_.at(gate.scene), exposures_.at(gate.scene), options_.folder, record);
+    store_pictures(mean_of(images), references_.at(gate.scene), viewings_.at(gate.scene).exposure, options_.folder,
+                   record);
     return record;
   }
 
@@ -166,7 +168,7 @@ class Run {
   DrawOptions draw_;
   std::map<std::string, EngineVersion> versions_;
   std::map<std::string, StoredReference> references_;
-  std::map<std::string, double> exposures_;
+  std::map<std::string, Viewing> viewings_;
   std::map<std::string, ImageStream> streams_;
   GateSummary summary_;
 };

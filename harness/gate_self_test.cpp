@@ -81,7 +81,7 @@ class SelfTestRun {
         **std::find_if(gates_.begin(), gates_.end(), [&](const Gate* gate) { return stream_label(*gate) == label; });
     const SuiteScene& scene = suite_.scene(first.scene);
     const StoredReference reference = load_reference(scene.path, scene.width, scene.height);
-    const double exposure = exposure_of(scene);
+    const Viewing viewing = viewing_of(scene);
     std::optional<Pool> healthy;
     for (std::size_t v = 0; v < test_.variants.size(); ++v) {
       const Variant& variant = test_.variants[v];
@@ -99,7 +99,7 @@ class SelfTestRun {
       } else if (variant.change != nullptr) {
         own = changed(*healthy, variant, images_for(variant));
       }
-      judge_all(label, reference, exposure, v, own ? *own : *healthy);
+      judge_all(label, reference, viewing, v, own ? *own : *healthy);
     }
   }
 
@@ -146,11 +146,11 @@ class SelfTestRun {
     return pool;
   }
 
-  void judge_all(const std::string& label, const StoredReference& reference, double exposure, std::size_t v,
+  void judge_all(const std::string& label, const StoredReference& reference, const Viewing& viewing, std::size_t v,
                  const Pool& pool) {
     for (std::size_t g = 0; g < gates_.size(); ++g) {
       if (stream_label(*gates_[g]) != label) continue;
-      const PoolJudge judge(*gates_[g], reference, exposure, pool.images, pool.defective);
+      const PoolJudge judge(*gates_[g], reference, viewing, pool.images, pool.defective);
       VerdictCounts& counts = test_.counts[v][g];
       const std::size_t runs = found_[v].size(), seeds = static_cast<std::size_t>(gates_[g]->seeds);
       counts.disjoint = static_cast<int>(std::min(runs, pool.images.size() / seeds));
@@ -184,11 +184,11 @@ class SelfTestRun {
   /// One gate on a pool: metrics of an image are computed once.
   class PoolJudge {
    public:
-    PoolJudge(const Gate& gate, const StoredReference& reference, double exposure, const std::vector<Image>& images,
-              bool defective)
-        : gate_(gate), reference_(reference), exposure_(exposure), images_(images), defective_(defective) {
+    PoolJudge(const Gate& gate, const StoredReference& reference, const Viewing& viewing,
+              const std::vector<Image>& images, bool defective)
+        : gate_(gate), reference_(reference), viewing_(viewing), images_(images), defective_(defective) {
       if (!defective && is_metric_of_one_image(gate))
-        for (const Image& image : images) values_.push_back(metric_of(gate, reference, exposure, image));
+        for (const Image& image : images) values_.push_back(metric_of(gate, reference, viewing, image));
     }
 
     GateVerdict decide(const std::vector<std::size_t>& order) const {
@@ -210,12 +210,12 @@ class SelfTestRun {
       }
       std::vector<const Image*> images;
       for (std::size_t i = 0; i < count; ++i) images.push_back(&images_[order[i]]);
-      return look_at(gate_, reference_, exposure_, images);
+      return look_at(gate_, reference_, viewing_, images);
     }
 
     const Gate& gate_;
     const StoredReference& reference_;
-    double exposure_;
+    const Viewing& viewing_;
     const std::vector<Image>& images_;
     bool defective_;
     std::vector<double> values_;

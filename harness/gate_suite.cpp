@@ -1,8 +1,10 @@
 #include "harness/gate_suite.h"
 
+#include "harness/gate_look.h"
 #include "harness/metric_rows.h"
 #include "harness/suite_rows.h"
 #include "scenes/atomic_file.h"
+#include "scenes/expect.h"
 
 namespace photonproof {
 namespace {
@@ -40,6 +42,9 @@ std::string metric_from_toml(const TomlTable& table, const SuiteScene& scene) {
     throw table.error("metric", "unknown metric '" + metric + "'; known: " + known_metrics());
   if (metric == "ssim" && std::min(scene.width, scene.height) < least_ssim_side)
     throw table.error("metric", "ssim needs images of at least 11 x 11 pixels");
+  if (metric == "hdr_flip" && !viewing_of(scene).hdr_exposures)
+    throw table.error("metric", "hdr_flip needs the scene to pin its exposures: 'hdr_flip_exposures' in " +
+                                    expect_path_of(scene.path.string()));
   return metric;
 }
 

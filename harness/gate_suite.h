@@ -19,8 +19,7 @@
 //   bias        the whole image's mean, in each channel, within +-bound of the reference's
 //   block_bias  every block's mean within +-bound of the reference's; dark blocks relative to the image's mean
 //   any metric of `compare` (relmse, ssim, flip ...): its expectation for one image of this budget, at least `bound`
-//   for
-//               psnr and ssim, at most for the others
+//               for psnr and ssim, at most for the others; hdr_flip where the scene's expect.toml pins its exposures
 #pragma once
 
 #include <filesystem>

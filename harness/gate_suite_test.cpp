@@ -73,6 +73,18 @@ TEST_F(GateSuiteFile, mistakes_are_told_with_their_place) {
   EXPECT_NE(error(front + gate(good) + "blok_bound = 1\n").find("'blok_bound'"), std::string::npos);
 }
 
+TEST_F(GateSuiteFile, hdr_flip_is_bounded_only_where_the_scene_pins_its_exposures) {
+  const std::string text =
+      std::string(head) + scene + gate("engine = 'path'\nbudget = 'spp=16'\nmetric = 'hdr_flip'\nbound = 0.1\n");
+  const std::string expect = "purpose = 'x'\nexposure = 0\n";
+  put("expect.toml", expect);
+  EXPECT_EQ(error(text),
+            "g.toml:12:10: error: hdr_flip needs the scene to pin its exposures: 'hdr_flip_exposures' in " +
+                (folder_ / "expect.toml").string());
+  put("expect.toml", expect + "hdr_flip_exposures = [-1, 1, 2]\n");
+  EXPECT_EQ(read(text).gates.at(0).metric, "hdr_flip");
+}
+
 TEST_F(GateSuiteFile, the_suite_we_ship_is_valid_and_has_ten_scenes) {
   const GateSuite suite = read_gate_suite(std::string(PHOTONPROOF_SOURCE_DIR) + "/harness/suites/gates.toml");
   EXPECT_EQ(suite.scenes.size(), 10u);

@@ -9,6 +9,7 @@
 
 #include "harness/pixel_mask.h"
 #include "harness/results.h"
+#include "scenes/exposure_range.h"
 #include "scenes/image.h"
 
 namespace photonproof {
@@ -17,12 +18,6 @@ namespace photonproof {
 struct PixelRegion {
   int x = 0, y = 0, width = 0, height = 0;
   std::string text() const;  ///< "x y width height"
-};
-
-/// The exposures HDR-FLIP looks at: `count` of them, evenly spaced from start to stop, in stops.
-struct ExposureRange {
-  double start = 0, stop = 0;
-  int count = 0;
 };
 
 struct MetricOptions {

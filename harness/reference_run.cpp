@@ -39,7 +39,6 @@ class Batches {
     const fs::path checkpoint = image.string() + ".checkpoint";
     std::vector<std::string> argv{run_.program.string(),
                                   "render",
-                                  run_.scene.string(),
                                   "-o",
                                   image.string(),
                                   "--integrator",
@@ -55,6 +54,7 @@ class Batches {
                                   "--checkpoint",
                                   std::to_string(checkpoint_seconds),
                                   "--quiet"};
+    argv.insert(argv.end(), run_.scene.begin(), run_.scene.end());
     if (fs::exists(checkpoint)) argv.emplace_back("--resume");
     ProcessOptions options;
     options.interrupt = run_.interrupt;
@@ -65,8 +65,8 @@ class Batches {
       return std::nullopt;
     }
     if (!outcome.ok())
-      throw InputError(run_.scene.string(), "batch " + std::to_string(batch) + " by " + run_.integrator + " " +
-                                                outcome.sentence() + ": " + last_line(outcome.standard_error));
+      throw InputError(run_.scene.front(), "batch " + std::to_string(batch) + " by " + run_.integrator + " " +
+                                               outcome.sentence() + ": " + last_line(outcome.standard_error));
     fs::rename(image, whole);  // an interrupted render leaves an image, too
     return read_image(whole.string());
   }
@@ -78,7 +78,7 @@ class Batches {
     }
   }
 
-  std::string where(int batch) const { return "batch " + std::to_string(batch) + " of " + run_.scene.string(); }
+  std::string where(int batch) const { return "batch " + std::to_string(batch) + " of " + run_.scene.front(); }
 
  private:
   fs::path file(int batch, const char* extension) const {

@@ -14,8 +14,8 @@
 namespace photonproof {
 
 struct ReferenceRun {
-  std::filesystem::path program;  ///< the renderer
-  std::filesystem::path scene;
+  std::filesystem::path program;   ///< the renderer
+  std::vector<std::string> scene;  ///< its file, then the words that say how it is read (scene_arguments)
   int width = 0, height = 0;
   std::string integrator;
   double standard_error = 0;      ///< to reach (relative_standard_error)

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "scenes/exposure_range.h"
+
 namespace photonproof {
 
 inline constexpr int results_schema_version = 1;
@@ -102,7 +104,8 @@ struct SceneRecord {
   int width = 0, height = 0;
   double exposure = 0;          ///< stops; for every display-referred metric and picture
   std::string reference_label;  ///< Cell::label of the Result that serves as the reference; empty when one is stored
-  std::optional<ReferenceRecord> reference{};  ///< the stored one
+  std::optional<ReferenceRecord> reference{};    ///< the stored one
+  std::optional<ExposureRange> hdr_exposures{};  ///< of hdr_flip, which is computed where they are pinned
 };
 
 struct EngineRecord {

@@ -38,6 +38,10 @@ json scene_to_json(const SceneRecord& scene) {
                       {"image", reference->image},
                       {"picture", reference->picture},
                       {"provenance", reference->provenance}};
+  if (const auto& range = scene.hdr_exposures)
+    j["hdr_flip_exposures"] = {{"start", finite(range->start, "first exposure")},
+                               {"stop", finite(range->stop, "last exposure")},
+                               {"count", range->count}};
   return j;
 }
 
@@ -47,6 +51,8 @@ SceneRecord scene_from_json(const json& j) {
   if (const auto found = j.find("reference"); found != j.end())
     scene.reference = ReferenceRecord{found->at("file"), found->at("image"), found->at("picture"),
                                       found->at("provenance").get<std::map<std::string, std::string>>()};
+  if (const auto found = j.find("hdr_flip_exposures"); found != j.end())
+    scene.hdr_exposures = ExposureRange{found->at("start"), found->at("stop"), found->at("count")};
   return scene;
 }
 

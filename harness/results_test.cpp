@@ -92,6 +92,7 @@ Results example_with_conclusions() {
   results.results[0].instructions = 123456789012345;
   results.results[0].calibration = CalibrationReading{"1 (12.2.0)", 2, 0.0101};
   results.scenes[0].reference = ReferenceRecord{"box.exr", "reference.exr", "reference.png", {{"samples", "4096"}}};
+  results.scenes[0].hdr_exposures = ExposureRange{-2.5, 3, 6};
 
   CurvePoint point;
   point.budget = {"spp", 4};
@@ -174,6 +175,7 @@ TEST_F(ResultsFile, round_trip_keeps_every_conclusion) {
   EXPECT_EQ(read.results[0].calibration, written.results[0].calibration);
   EXPECT_EQ(read.results[1].calibration, std::nullopt);
   EXPECT_EQ(read.scenes[0].reference, written.scenes[0].reference);
+  EXPECT_EQ(read.scenes[0].hdr_exposures, (ExposureRange{-2.5, 3, 6}));
   EXPECT_EQ(read.convergence, written.convergence);
   EXPECT_EQ(read.gates, written.gates);
   EXPECT_EQ(read.changes, written.changes);

@@ -64,6 +64,13 @@ std::function<std::string(std::string)> whole_number(std::int64_t least, std::in
   };
 }
 
+std::vector<std::string> scene_arguments(const SceneOptions& options) {
+  std::vector<std::string> words{options.path};
+  for (const std::string& define : options.defines) words.insert(words.end(), {"-D", define});
+  if (options.allow_outside) words.emplace_back("--allow-outside");
+  return words;
+}
+
 SceneDescription load_scene(const SceneOptions& options) {
   ParseOptions parse;
   parse.allow_outside = options.allow_outside;

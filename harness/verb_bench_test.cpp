@@ -2,9 +2,11 @@
 
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <functional>
+#include <nlohmann/json.hpp>
 #include <random>
 #include <set>
 #include <sstream>
@@ -71,6 +73,25 @@ TEST_F(BenchVerb, second_run_says_that_there_is_nothing_to_do) {
   EXPECT_FALSE(has("out/report.html"));
   EXPECT_NE(bench({"--no-report"}).standard_output.find("nothing to run: every cell asked for has its result"),
             std::string::npos);
+}
+
+TEST_F(BenchVerb, hdr_flip_at_pinned_exposures_is_that_of_compare_at_the_same_exposures) {
+  put("suite.toml", suite_text("grey", {"brighter"}));
+  put("expect.toml", get("expect.toml") + "hdr_flip_exposures = [-1.5, 2.25, 4]\n");
+  ASSERT_EQ(bench({"--no-report"}).exit_code, 0);
+  const Results results = read_results((folder_ / "out" / "results.json").string());
+  const auto image = [&](const std::string& cell) { return folder_ / "out" / results.find(cell)->image; };
+  const std::string brighter = "scene/brighter/spp=1/seed=1";
+  const ProcessOutcome compared =
+      run_process({PHOTONPROOF_BINARY, "compare", image("scene/grey/spp=1000/seed=0"), image(brighter), "--metrics",
+                   "hdr_flip", "--exposures", "-1.5", "2.25", "4", "--json"});
+  ASSERT_EQ(compared.exit_code, 0) << compared.standard_error;
+  const nlohmann::json expected = nlohmann::json::parse(compared.standard_output).at("metrics").at(0);
+  const std::vector<MetricValue>& metrics = results.find(brighter)->metrics;
+  const auto found = std::ranges::find_if(metrics, [](const MetricValue& metric) { return metric.name == "hdr_flip"; });
+  ASSERT_NE(found, metrics.end());
+  EXPECT_EQ(found->value, expected.at("value").get<double>());
+  EXPECT_EQ(found->parameters, expected.at("parameters").get<std::string>());
 }
 
 TEST_F(BenchVerb, failed_cell_is_exit_code_1_and_the_json_summary_counts_it) {

@@ -4,6 +4,7 @@
 // wrong usage.)
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -77,12 +78,10 @@ ExposureRange parse_exposures(const std::vector<std::string>& texts) {
   for (const auto* number : {&start, &stop})
     if (!number->value) throw InputError("--exposures", number->problem);
   if (!count.value) throw InputError("--exposures", "the count " + count.problem);
-  const bool good = *start.value >= -64 && *stop.value <= 64 && *start.value <= *stop.value && *count.value >= 1 &&
-                    *count.value <= 100;
-  if (!good)
-    throw InputError("--exposures",
-                     "expected a first and a last exposure from -64 to 64 and their number from 1 to 100");
-  return {*start.value, *stop.value, static_cast<int>(*count.value)};
+  const auto limited_count = static_cast<int>(std::clamp<std::int64_t>(*count.value, 0, 1 << 20));
+  const ExposureRange range{*start.value, *stop.value, limited_count};
+  if (!is_usable(range)) throw InputError("--exposures", expected_exposures);
+  return range;
 }
 
 void check_bounds(const std::vector<MetricBound>& bounds, Verdict verdict, Comparison& comparison) {

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
+#include "harness/metrics.h"
 #include "harness/results.h"
 #include "harness/test_gates.h"
 #include "reference/process.h"
@@ -85,6 +87,29 @@ TEST_F(GateVerb, each_kind_of_gate_says_when_it_cannot_tell) {
                  "\nbound = " +
                  std::to_string(relmse) + "\n"));
   EXPECT_EQ(run_process({PHOTONPROOF_BINARY, "gate", folder_ / "near.toml", "-o", folder_ / "near"}).exit_code, 3);
+}
+
+TEST_F(GateVerb, hdr_flip_is_judged_at_the_exposures_that_the_scene_pins) {
+  put_reference();
+  put("expect.toml", get("expect.toml") + "hdr_flip_exposures = [-3, 0.5, 3]\n");
+  const ProcessOutcome outcome = run_gate(gate("good", "hdr_flip", 0.9));
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.standard_error << outcome.standard_output;
+  const Results results = read_results((folder_ / "out" / "results.json").string());
+  EXPECT_EQ(results.scenes.at(0).hdr_exposures, (ExposureRange{-3, 0.5, 3}));
+  // Observed is the mean over the images drawn, each compared with the stored reference.
+  const StoredReference reference = load_reference(folder_ / "scene.xml", width, height);
+  std::istringstream log(get("log"));
+  double sum = 0, images = 0;
+  for (std::string engine, seed; log >> engine >> seed; ++images) {
+    const std::string image = "good-" + std::to_string(std::stoul(seed) % prepared) + ".exr";
+    sum += compute_metrics(reference.rendering.mean, read_image((folder_ / image).string()),
+                           {.hdr_flip = true, .hdr_exposures = ExposureRange{-3, 0.5, 3}, .only = {"hdr_flip"}})
+               .at(0)
+               .value;
+  }
+  EXPECT_EQ(images, 8);
+  EXPECT_GT(sum, 0);
+  EXPECT_NEAR(results.gates.at(0).observed->value, sum / images, 1e-12);
 }
 
 TEST_F(GateVerb, crashes_and_bad_images_fail_with_their_reason) {

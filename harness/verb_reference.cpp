@@ -3,6 +3,7 @@
 // finished is kept, and the same command goes on).
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -54,7 +55,7 @@ struct Job {
 
 Job job_of(const ReferenceArguments& arguments) {
   SceneDescription scene = load_scene(arguments.scene);
-  const std::string hash = scene_hash(scene);
+  const std::string hash = scene_hash(scene, arguments.scene.defines);
   const int width = scene.sensor.film.width, height = scene.sensor.film.height;
   return {arguments,
           std::move(scene),
@@ -67,8 +68,10 @@ Job job_of(const ReferenceArguments& arguments) {
 
 /// What `render` has against the integrator for this scene; empty when nothing.
 std::string refusal_of(const Job& job, const std::string& integrator) {
-  const ProcessOutcome outcome =
-      run_process({job.program.string(), "render", job.arguments.scene.path, "--integrator", integrator, "--plan"});
+  std::vector<std::string> argv{job.program.string(), "render", "--integrator", integrator, "--plan"};
+  const std::vector<std::string> scene = scene_arguments(job.arguments.scene);
+  argv.insert(argv.end(), scene.begin(), scene.end());
+  const ProcessOutcome outcome = run_process(argv);
   if (outcome.ok()) return {};
   const std::size_t end = outcome.standard_error.find_last_not_of("\r\n");
   return end == std::string::npos ? outcome.sentence() : outcome.standard_error.substr(0, end + 1);
@@ -98,6 +101,8 @@ std::optional<StoredReference> cached_reference(const Job& job) {
 Provenance provenance_of(const Job& job, const std::string& integrator, const BatchMeans& means) {
   Provenance p;
   p.scene_hash = job.hash;
+  p.definitions = job.arguments.scene.defines;
+  std::sort(p.definitions.begin(), p.definitions.end());
   p.estimator = integrator;
   p.samples = static_cast<std::uint64_t>(means.batches()) * static_cast<std::uint64_t>(means.samples_per_batch());
   for (int batch = 0; batch < means.batches(); ++batch) p.seeds.push_back(batch_seed(batch));
@@ -113,7 +118,7 @@ ReferenceProgress render(const Job& job, const std::string& integrator) {
   version.add(version_line().data(), version_line().size());
   ReferenceRun run;
   run.program = job.program;
-  run.scene = job.arguments.scene.path;
+  run.scene = scene_arguments(job.arguments.scene);
   run.width = job.width;
   run.height = job.height;
   run.integrator = integrator;
@@ -192,6 +197,8 @@ int run(const ReferenceArguments& arguments) {
   if (!arguments.output.empty() && fs::path(arguments.output).extension() != ".exr")
     throw InputError("--output", "'" + arguments.output + "' is not the name of an EXR, expected NAME.exr");
   if (!arguments.reason.empty() && !arguments.commit) throw InputError("--reason", "is for --commit");
+  if (!arguments.scene.defines.empty() && arguments.commit)
+    throw InputError("--commit", "is for the scene as it is, without -D; the cache keeps this reference, or -o FILE");
   const Job job = job_of(arguments);
   const FolderLock lock(job.folder);
   const std::optional<StoredReference> cached = arguments.fresh ? std::nullopt : cached_reference(job);
@@ -216,8 +223,7 @@ void add_reference_verb(CLI::App& program, int& exit_code) {
   auto arguments = std::make_shared<ReferenceArguments>();
   CLI::App* verb = program.add_subcommand(
       "reference", "Render a scene's mean image to a stated standard error, with its variance and provenance");
-  verb->add_option("SCENE", arguments->scene.path, "scene XML")->required();
-  verb->add_option("--size", arguments->scene.size, "WIDTHxHEIGHT instead of the film's own");
+  add_scene_options(*verb, arguments->scene);
   verb->add_option("--standard-error", arguments->standard_error,
                    "to reach: sqrt(mean of variance/(mean^2 + 0.01)) over pixels and channels")
       ->check(CLI::Range(1e-6, 1.0))

@@ -144,6 +144,53 @@ TEST_F(ReferenceVerb, what_the_cache_has_is_not_rendered_again_and_serves_the_co
   EXPECT_LT(better.provenance.standard_error, asked + 0x1p-11);
 }
 
+// In the furnace L = emission / (1 - albedo): 2 as the scene is, 3 / (1 - 0.75) = 12 with these definitions. The mean
+// of the image's 64 grey pixels is certain to the standard error asked for over 8; five of those are 3.2 %.
+TEST_F(ReferenceVerb, definitions_make_another_reference_with_a_place_of_its_own) {
+  copy_scene("furnace");
+  const auto made = [&](const std::vector<std::string>& definitions) {
+    std::vector<std::string> options{"--size", "8x8", "--standard-error", "0.05", "-o", path("out.exr")};
+    options.insert(options.end(), definitions.begin(), definitions.end());
+    const ProcessOutcome outcome = reference(options);
+    EXPECT_TRUE(outcome.ok()) << outcome.standard_error;
+    return parse_provenance(get("out.json"), "out.json");
+  };
+  const auto mean = [&] {
+    const Image image = read_image(path("out.exr"));
+    double sum = 0;
+    for (const float value : image.rgb) sum += double{value};
+    return sum / static_cast<double>(image.rgb.size());
+  };
+  const Provenance plain = made({});
+  EXPECT_NEAR(mean() / 2, 1, 0.032);
+  EXPECT_TRUE(plain.definitions.empty());
+  const Provenance defined = made({"-D", "emission=3", "-D", "albedo=0.75"});
+  EXPECT_NEAR(mean() / 12, 1, 0.032);
+  EXPECT_EQ(defined.definitions, (std::vector<std::string>{"albedo=0.75", "emission=3"}));
+  EXPECT_NE(defined.scene_hash, plain.scene_hash);
+  // Both are kept, whatever the order of the definitions: nothing is rendered again. The scene's own reference is the
+  // one without.
+  const fs::path cached = cached_reference_folder(defined.scene_hash, 8, 8) / "reference.exr";
+  const fs::file_time_type written = fs::last_write_time(cached);
+  fs::remove(path("out.exr"));
+  EXPECT_EQ(made({"-D", "albedo=0.75", "-D", "emission=3"}), defined);
+  EXPECT_NEAR(mean() / 12, 1, 0.032);
+  EXPECT_EQ(fs::last_write_time(cached), written);
+  EXPECT_EQ(load_reference(folder_ / "scene.xml", 8, 8).provenance, plain);
+}
+
+TEST_F(ReferenceVerb, definitions_are_refused_where_they_cannot_hold) {
+  copy_scene("furnace");
+  const ProcessOutcome committed = reference({"-D", "albedo=0.75", "--size", "8x8", "--commit"});
+  EXPECT_EQ(committed.exit_code, 2);
+  EXPECT_EQ(committed.standard_error,
+            "--commit: error: is for the scene as it is, without -D; the cache keeps this reference, or -o FILE\n");
+  EXPECT_FALSE(has("reference-8x8.exr"));
+  EXPECT_EQ(reference({"-D", "albedo"}).standard_error,
+            "-D: error: 'albedo' is not a definition, expected name=value\n");
+  EXPECT_EQ(reference({"-D", "albdo=0.75"}).exit_code, 2);
+}
+
 TEST_F(ReferenceVerb, time_that_is_over_is_said_and_never_passes_for_done) {
   const ProcessOutcome few = reference({"--size", "32x32", "--standard-error", "1e-4", "--seconds", "0.01"});
   EXPECT_EQ(few.exit_code, 1);

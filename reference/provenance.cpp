@@ -32,6 +32,7 @@ class Reader {
       fail(std::string("'") + key + "' is of another type than it should be");
     }
   }
+  bool has(const char* key) const { return object_.contains(key); }
   const ordered_json& list(const char* key) {
     ++used_;
     const auto found = object_.find(key);
@@ -69,34 +70,40 @@ Facts facts(const Provenance& p) {
   char error[32];
   std::snprintf(error, sizeof error, "%.2g %%", 100 * p.standard_error);
   const auto version = p.versions.find("photonproof");
-  return {{"estimator", p.estimator},
-          {"samples", std::to_string(p.samples)},
-          {"batches", std::to_string(p.seeds.size())},
-          {"standard_error", error},
-          {"scene_hash", p.scene_hash},
-          {"pixels", p.pixels},
-          {"date", p.date},
-          {"host", p.host},
-          {"version", version == p.versions.end() ? "unknown" : version->second}};
+  Facts told = {{"estimator", p.estimator},
+                {"samples", std::to_string(p.samples)},
+                {"batches", std::to_string(p.seeds.size())},
+                {"standard_error", error},
+                {"scene_hash", p.scene_hash},
+                {"pixels", p.pixels},
+                {"date", p.date},
+                {"host", p.host},
+                {"version", version == p.versions.end() ? "unknown" : version->second}};
+  for (const std::string& definition : p.definitions) {
+    std::string& all = told["definitions"];
+    all += (all.empty() ? "" : ", ") + definition;
+  }
+  return told;
 }
 
 std::string provenance_text(const Provenance& p) {
   ordered_json history = ordered_json::array();
   for (const Acceptance& a : p.history)
     history.push_back({{"date", a.date}, {"reason", a.reason}, {"before", a.before}, {"after", a.after}});
-  const ordered_json json = {{"format", format_version},
-                             {"scene_hash", p.scene_hash},
-                             {"width", p.width},
-                             {"height", p.height},
-                             {"estimator", p.estimator},
-                             {"samples", p.samples},
-                             {"standard_error", p.standard_error},
-                             {"date", p.date},
-                             {"host", p.host},
-                             {"versions", p.versions},
-                             {"pixels", p.pixels},
-                             {"history", history},
-                             {"seeds", p.seeds}};
+  ordered_json json = {{"format", format_version},
+                       {"scene_hash", p.scene_hash},
+                       {"width", p.width},
+                       {"height", p.height},
+                       {"estimator", p.estimator},
+                       {"samples", p.samples},
+                       {"standard_error", p.standard_error},
+                       {"date", p.date},
+                       {"host", p.host},
+                       {"versions", p.versions},
+                       {"pixels", p.pixels},
+                       {"history", history},
+                       {"seeds", p.seeds}};
+  if (!p.definitions.empty()) json["definitions"] = p.definitions;
   return json.dump(2) + "\n";
 }
 
@@ -117,6 +124,7 @@ Provenance parse_provenance(const std::string& text, const std::string& file) {
   p.versions = reader.get<Facts>("versions");
   p.pixels = reader.get<std::string>("pixels");
   p.seeds = reader.get<std::vector<std::uint64_t>>("seeds");
+  if (reader.has("definitions")) p.definitions = reader.get<std::vector<std::string>>("definitions");
   for (const ordered_json& entry : reader.list("history")) {
     Reader acceptance(entry, file, "an entry of the provenance's history");
     p.history.push_back({acceptance.get<std::string>("date"), acceptance.get<std::string>("reason"),

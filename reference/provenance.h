@@ -17,7 +17,8 @@ struct Acceptance {
 };
 
 struct Provenance {
-  std::string scene_hash;  ///< of the scene and its assets (scenes/scene_hash.h)
+  std::string scene_hash;                ///< of the scene and its assets (scenes/scene_hash.h)
+  std::vector<std::string> definitions;  ///< "name=value" of -D, sorted; empty: the scene as it is
   int width = 0, height = 0;
   std::string estimator;             ///< the integrator: "bdpt"
   std::uint64_t samples = 0;         ///< a pixel, in all batches
@@ -32,7 +33,7 @@ struct Provenance {
 };
 
 /// In words: "estimator", "samples", "batches", "standard_error", "scene_hash", "pixels", "date", "host" and
-/// "version". For reports, and for what an Acceptance keeps.
+/// "version", and "definitions" where there are any. For reports, and for what an Acceptance keeps.
 std::map<std::string, std::string> facts(const Provenance& provenance);
 
 /// Indented JSON that ends in a line break. Precondition: the standard error is finite.

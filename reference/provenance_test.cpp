@@ -28,6 +28,15 @@ TEST(Provenance, comes_back_as_it_was_written) {
   EXPECT_EQ(parse_provenance(provenance_text(sample()), "p.json"), sample());
 }
 
+TEST(Provenance, has_the_definitions_of_a_scene_that_was_given_some) {
+  EXPECT_EQ(provenance_text(sample()).find("definitions"), std::string::npos);
+  EXPECT_EQ(facts(sample()).count("definitions"), 0u);
+  Provenance p = sample();
+  p.definitions = {"albedo=0.5", "size=3"};
+  EXPECT_EQ(parse_provenance(provenance_text(p), "p.json"), p);
+  EXPECT_EQ(facts(p).at("definitions"), "albedo=0.5, size=3");
+}
+
 TEST(Provenance, is_told_in_words) {
   // 0.3 is 30 %; two seeds are two batches.
   const auto told = facts(sample());

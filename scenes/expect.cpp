@@ -90,6 +90,7 @@ class ExpectReader {
     Expect expect;
     expect.purpose = table.text("purpose");
     expect.exposure = table.number("exposure");
+    if (const toml::node* node = table.find("hdr_flip_exposures")) expect.hdr_exposures = exposures(table, *node);
     if (const toml::node* node = table.find("analytic")) expect.analytic = analytic(table, *node);
     if (const toml::node* node = table.find("unsupported")) expect.unsupported = unsupported(table, *node);
     if (const toml::node* node = table.find("tolerance")) expect.tolerances = tolerances(table, *node);
@@ -112,6 +113,18 @@ class ExpectReader {
   static const toml::table& as_table(const Table& parent, const toml::node& node, const std::string& what) {
     if (!node.is_table()) parent.fail(node.source(), what + " must be a table");
     return *node.as_table();
+  }
+
+  static ExposureRange exposures(const Table& table, const toml::node& node) {
+    const std::string key = "hdr_flip_exposures";
+    const toml::array* list = node.as_array();
+    if (!list || list->size() != 3) table.fail(node.source(), "'" + key + "' must be a list of start, stop and count");
+    const auto count = list->get(2)->value_exact<std::int64_t>();
+    if (!count) table.fail(list->get(2)->source(), "the count of '" + key + "' must be a whole number");
+    const ExposureRange range{table.as_number(*list->get(0), key), table.as_number(*list->get(1), key),
+                              static_cast<int>(std::clamp<std::int64_t>(*count, 0, 1 << 20))};
+    if (!is_usable(range)) table.fail(node.source(), "'" + key + "': " + expected_exposures);
+    return range;
   }
 
   Analytic analytic(const Table& parent, const toml::node& node) const {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "scenes/exposure_range.h"
 #include "scenes/vec.h"
 
 namespace photonproof {
@@ -26,6 +27,7 @@ struct Tolerance {
 struct Expect {
   std::string purpose;                             ///< one sentence
   double exposure = 0;                             ///< stops for display and for display-encoded metrics
+  std::optional<ExposureRange> hdr_exposures;      ///< hdr_flip_exposures = [start, stop, count]; without, no hdr_flip
   std::optional<Analytic> analytic;                ///< where a closed form exists
   std::map<std::string, std::string> unsupported;  ///< engine -> why it cannot render the scene
   std::vector<Tolerance> tolerances;

@@ -40,6 +40,7 @@ TEST_F(expect_toml, needs_a_purpose_and_an_exposure_only) {
   const Expect expect = read(kLeast);
   EXPECT_EQ(expect.purpose, "Show it.");
   EXPECT_EQ(expect.exposure, 1);
+  EXPECT_FALSE(expect.hdr_exposures.has_value());
   EXPECT_FALSE(expect.analytic.has_value());
   EXPECT_TRUE(expect.unsupported.empty());
   EXPECT_TRUE(expect.tolerances.empty());
@@ -48,9 +49,11 @@ TEST_F(expect_toml, needs_a_purpose_and_an_exposure_only) {
 TEST_F(expect_toml, is_read_whole) {
   const Expect expect =
       read(kLeast +
+           "hdr_flip_exposures = [-2.5, 3, 6]\n"
            "[analytic]\nformula = \"L = 2\"\nmean = [2, 2.5, 3]\n"
            "[unsupported]\npovray = \"no such lens\"\n"
            "[[tolerance]]\nengine = \"povray\"\nmetric = \"bias\"\nvalue = 0.02\nreason = \"caustics\"\n");
+  EXPECT_EQ(expect.hdr_exposures, (ExposureRange{-2.5, 3, 6}));
   ASSERT_TRUE(expect.analytic.has_value());
   EXPECT_EQ(expect.analytic->formula, "L = 2");
   EXPECT_EQ(*expect.analytic->mean, RgbD(2, 2.5, 3));
@@ -73,7 +76,24 @@ TEST_F(expect_toml, is_refused_with_the_place_and_what_was_expected) {
             ":2:12: error: 'exposure' must be a finite number\n  exposure = nan\n             ^");
   EXPECT_EQ(message(kLeast + "exposures = 2\n"),
             ":3:1: error: expect.toml has no key 'exposures' (did you mean 'exposure'?), expected purpose, exposure, "
-            "analytic, unsupported or tolerance\n  exposures = 2\n  ^");
+            "hdr_flip_exposures, analytic, unsupported or tolerance\n  exposures = 2\n  ^");
+  EXPECT_EQ(message(kLeast + "hdr_flip_exposures = 4\n"),
+            ":3:22: error: 'hdr_flip_exposures' must be a list of start, stop and count\n  hdr_flip_exposures = 4\n"
+            "                       ^");
+  EXPECT_EQ(message(kLeast + "hdr_flip_exposures = [-1, 2, 2.5]\n"),
+            ":3:30: error: the count of 'hdr_flip_exposures' must be a whole number\n"
+            "  hdr_flip_exposures = [-1, 2, 2.5]\n                               ^");
+  EXPECT_EQ(message(kLeast + "hdr_flip_exposures = [-1, \"2\", 2]\n"),
+            ":3:27: error: 'hdr_flip_exposures' must be a finite number\n"
+            "  hdr_flip_exposures = [-1, \"2\", 2]\n                            ^");
+  // From last to first, beyond 64 stops, and no exposure, or too many.
+  for (const char* list :
+       {"[2, -1, 2]", "[-65, 2, 2]", "[-1, 65, 2]", "[-1, 2, 0]", "[-1, 2, 101]", "[-1, 2, 4294967298]"})
+    EXPECT_EQ(
+        message(kLeast + "hdr_flip_exposures = " + list + "\n"),
+        ":3:22: error: 'hdr_flip_exposures': expected a first and a last exposure from -64 to 64 and their number "
+        "from 1 to 100\n  hdr_flip_exposures = " +
+            std::string(list) + "\n                       ^");
   EXPECT_EQ(message(kLeast + "[analytic]\nmean = [1, 1, 1]\n"),
             ":3:1: error: [analytic] needs the key 'formula'\n  [analytic]\n  ^");
   EXPECT_EQ(message(kLeast + "[analytic]\nformula = \"x\"\nmean = [1, 1]\n"),

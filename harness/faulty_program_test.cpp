@@ -1,0 +1,163 @@
+// The second program, photonproof-faulty (renderer/faults.h): what each fault does to an image follows from theory, and
+// without one it is the first. gate --self-test counts on both.
+
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+
+#include "harness/test_folder.h"
+#include "reference/process.h"
+#include "scenes/image.h"
+
+namespace photonproof {
+namespace {
+
+const std::string sound = PHOTONPROOF_BINARY, faulty = sound + "-faulty";
+const std::string library = PHOTONPROOF_SOURCE_DIR "/scenes/library/";
+
+// A square lamp that shines up alone, on a mirror over it. The floor below gets its light from the mirror only. Paths
+// of three edges, so that no light comes by the floor to the mirror a second time.
+constexpr const char* light_by_mirror = R"xml(<scene version="3.0.0">
+  <default name="integrator" value="path"/>
+  <integrator type="$integrator"><integer name="max_depth" value="3"/>%RADII%</integrator>
+  <sensor type="perspective">
+    <float name="fov" value="30"/>
+    <transform name="to_world"><lookat origin="0, 0.5, 4" target="0, 0, 0" up="0, 1, 0"/></transform>
+    <film type="hdrfilm"><string name="component_format" value="float32"/><rfilter type="box"/></film>
+  </sensor>
+  <shape type="rectangle">
+    <transform name="to_world"><scale value="4"/><rotate x="1" angle="-90"/></transform>
+    <bsdf type="diffuse"><rgb name="reflectance" value="0.5"/></bsdf>
+  </shape>
+  <shape type="rectangle">
+    <transform name="to_world"><scale value="4"/><rotate x="1" angle="90"/><translate y="3"/></transform>
+    <bsdf type="conductor"><string name="material" value="none"/></bsdf>
+  </shape>
+  <shape type="rectangle">
+    <transform name="to_world"><scale value="0.5"/><rotate x="1" angle="-90"/><translate y="2"/></transform>
+    <bsdf type="diffuse"><rgb name="reflectance" value="0"/></bsdf>
+    <emitter type="area"><rgb name="radiance" value="10"/></emitter>
+  </shape>
+</scene>
+)xml";
+
+class FaultyProgram : public FolderTest {
+ protected:
+  void TearDown() override {
+    unsetenv("PHOTONPROOF_FAULT");
+    FolderTest::TearDown();
+  }
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+
+  /// `fault` empty: the variable is not set.
+  ProcessOutcome run(const std::string& program, const std::string& fault, const std::string& scene,
+                     std::vector<std::string> options) const {
+    if (fault.empty())
+      unsetenv("PHOTONPROOF_FAULT");
+    else
+      setenv("PHOTONPROOF_FAULT", fault.c_str(), 1);
+      // The faults are in one instruction set's kernels.
+#if defined(__x86_64__)
+    const std::string isa = "v2";
+#else
+    const std::string isa = "native";
+#endif
+    std::vector<std::string> argv{program,  "render", scene,    "-o", path("out.exr"), "--isa", isa,
+                                  "--size", "16x16",  "--seed", "5",  "--threads",     "2",     "--quiet"};
+    argv.insert(argv.end(), options.begin(), options.end());
+    return run_process(argv, {.wall_limit_seconds = 60});
+  }
+  Image render(const std::string& program, const std::string& fault, const std::string& scene,
+               const std::vector<std::string>& options) const {
+    const ProcessOutcome outcome = run(program, fault, scene, options);
+    EXPECT_TRUE(outcome.ok()) << outcome.standard_error;
+    return outcome.ok() ? read_image(path("out.exr")) : Image();
+  }
+  std::string put_light_by_mirror(const std::string& radii = "") const {
+    std::string text = light_by_mirror;
+    text.replace(text.find("%RADII%"), 7, radii);
+    put("mirror.xml", text);
+    return path("mirror.xml");
+  }
+  static double sum(const Image& image) {
+    double all = 0;
+    for (const float value : image.rgb) all += double{value};
+    return all;
+  }
+};
+
+TEST_F(FaultyProgram, without_a_fault_gives_the_bits_of_the_sound_program) {
+  for (const char* integrator : {"path", "photonmapper"}) {
+    const std::vector<std::string> options{"--integrator", integrator, "--spp", "4"};
+    const std::string scene = library + "cornell-spheres/scene.xml";
+    const Image expected = render(sound, "", scene, options);
+    EXPECT_GT(sum(expected), 0);
+    EXPECT_TRUE(render(faulty, "", scene, options).rgb == expected.rgb) << integrator;
+  }
+}
+
+TEST_F(FaultyProgram, dropped_cosine_lights_a_plane_as_if_it_faced_the_light) {
+  // The scene's comment: E_0 = 2 at an angle of cosine 2 / sqrt 6 on albedo 0.5, so L = 0.5 E_0 cosine / pi.
+  const std::string scene = library + "light-directional/scene.xml";
+  const double facing = 0.5 * 2 / std::numbers::pi, right = facing * 2 / std::sqrt(6.0);
+  for (const char* integrator : {"path", "photonmapper"}) {
+    const std::vector<std::string> options{"--integrator", integrator, "--spp", "2"};
+    // Some float operations: 1e-5 is a hundred roundings.
+    for (const float value : render(faulty, "", scene, options).rgb) EXPECT_NEAR(value, right, 1e-5 * right);
+    for (const float value : render(faulty, "dropped-cosine", scene, options).rgb)
+      EXPECT_NEAR(value, facing, 1e-5 * facing);
+  }
+}
+
+TEST_F(FaultyProgram, missing_caustic_leaves_a_floor_black_that_a_mirror_lights) {
+  const std::string scene = put_light_by_mirror();
+  for (const char* integrator : {"path", "photonmapper"}) {
+    const std::vector<std::string> options{"--integrator", integrator, "--spp", "16"};
+    EXPECT_GT(sum(render(faulty, "", scene, options)), 0) << integrator;
+    EXPECT_EQ(sum(render(faulty, "missing-caustic", scene, options)), 0) << integrator;
+  }
+}
+
+TEST_F(FaultyProgram, missing_caustic_changes_no_bit_where_nothing_mirrors) {
+  const std::vector<std::string> options{"--integrator", "path", "--spp", "8"};
+  const std::string scene = library + "cornell/scene.xml";
+  EXPECT_TRUE(render(faulty, "missing-caustic", scene, options).rgb == render(faulty, "", scene, options).rgb);
+}
+
+// Photons share the lamp's flux among those that are traced, so fewer are noisier and no dimmer: the image is that of
+// half the count, to the bit where the radii do not depend on the count and there is one pass.
+TEST_F(FaultyProgram, half_photons_gives_the_image_of_half_the_photons) {
+  const std::string scene =
+      put_light_by_mirror(R"(<float name="global_radius" value="0.3"/><float name="caustic_radius" value="0.3"/>)");
+  const auto mapped = [&](const std::string& fault, const std::string& photons) {
+    return render(faulty, fault, scene, {"-D", "integrator=photonmapper", "--spp", "1", "--photons", photons});
+  };
+  const Image expected = mapped("", "20000");
+  EXPECT_GT(sum(expected), 0);
+  EXPECT_TRUE(mapped("half-photons", "40000").rgb == expected.rgb);
+  EXPECT_FALSE(mapped("", "40000").rgb == expected.rgb);
+}
+
+TEST_F(FaultyProgram, unknown_fault_is_one_error_at_the_start) {
+  const std::string scene = library + "cornell/scene.xml";
+  const std::string error =
+      "PHOTONPROOF_FAULT: error: unknown fault 'dropped-cosin'; known: dropped-cosine, missing-caustic, half-photons\n";
+  // volpath has none of the faults, and would not notice by itself.
+  for (const char* integrator : {"path", "volpath"}) {
+    const ProcessOutcome outcome = run(faulty, "dropped-cosin", scene, {"--integrator", integrator, "--spp", "1"});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_EQ(outcome.standard_error, error);
+    EXPECT_FALSE(has("out.exr"));
+  }
+}
+
+TEST_F(FaultyProgram, sound_program_has_no_faults) {
+  const std::string scene = library + "light-directional/scene.xml";
+  const std::vector<std::string> options{"--spp", "2"};
+  const Image expected = render(sound, "", scene, options);
+  for (const char* fault : {"dropped-cosine", "missing-caustic", "half-photons", "dropped-cosin"})
+    EXPECT_TRUE(render(sound, fault, scene, options).rgb == expected.rgb) << fault;
+}
+
+}  // namespace
+}  // namespace photonproof

@@ -1,0 +1,33 @@
+# Fails where an object file of a newer instruction set could bring its instructions into code that older processors
+# run. That takes a function others may be linked to or that runs unasked:
+#   - an inline function or template, which the linker may put in place of another object's, unless its name carries the
+#     lanes of this instruction set alone (LANES as the compiler mangles them; not given: no such function is allowed),
+#   - a function with external linkage; what such objects offer goes through a table of pointers, which is data,
+#   - the constructors of static variables, which run before main.
+#   cmake -DNM=nm -DOBJECT=kernels.cpp.o -DLANES=_VecBuiltinILi32EE -P isa_symbols_test.cmake
+execute_process(COMMAND ${NM} --defined-only ${OBJECT} OUTPUT_VARIABLE symbols COMMAND_ERROR_IS_FATAL ANY)
+string(REGEX MATCHALL "[^\n]+" symbols "${symbols}")
+set(foreign "")
+set(weak 0)
+set(data 0)
+foreach(symbol IN LISTS symbols)
+  if(symbol MATCHES " [WwTi] (.*)$")
+    set(name "${CMAKE_MATCH_1}")
+    if(symbol MATCHES " [Ww] " AND LANES AND name MATCHES "${LANES}")
+      math(EXPR weak "${weak} + 1")
+    else()
+      string(APPEND foreign "\n  ${name}")
+    endif()
+  elseif(symbol MATCHES " (_GLOBAL__sub_I_.*)$")
+    string(APPEND foreign "\n  ${CMAKE_MATCH_1}")
+  elseif(symbol MATCHES " [DR] ")
+    math(EXPR data "${data} + 1")
+  endif()
+endforeach()
+if(foreign)
+  message(FATAL_ERROR "${OBJECT} defines functions that older processors may be given:${foreign}")
+endif()
+if(NOT data)
+  message(FATAL_ERROR "${OBJECT} offers no table: is this the object that was meant?")
+endif()
+message(STATUS "${weak} weak functions, all of the lanes ${LANES}; ${data} tables")
