@@ -71,11 +71,11 @@ struct Result {
   std::string
       key;  ///< content hash of everything that decides the outcome (scene, engine, version, budget, seed, limits)
   Status status = Status::ok;
-  std::string detail;                           ///< why, when not ok: one sentence
-  std::optional<double> wall_seconds;           ///< of the child process
-  std::optional<double> cpu_seconds;            ///< user + system, of the child and its children
-  std::optional<std::uint64_t> peak_bytes;      ///< peak resident set
-  std::optional<std::uint64_t> instructions;    ///< retired in user mode, where the kernel counts them
+  std::string detail;                         ///< why, when not ok: one sentence
+  std::optional<double> wall_seconds;         ///< of the child process
+  std::optional<double> cpu_seconds;          ///< user + system, of the child and its children
+  std::optional<std::uint64_t> peak_bytes;    ///< peak resident set
+  std::optional<std::uint64_t> instructions;  ///< retired in user mode, where the kernel counts them
   std::optional<CalibrationReading> calibration{};
   std::vector<MetricValue> metrics;             ///< against the scene's reference; empty for the reference itself
   std::string image;                            ///< EXR, relative to results.json; empty when there is none
