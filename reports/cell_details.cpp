@@ -47,8 +47,11 @@ std::vector<Detail> cell_details(const Result& result) {
 std::string compare_command(const SceneView& scene, const Result& result) {
   const std::string reference = reference_image(scene);
   if (reference.empty() || result.image.empty() || &result == scene.reference) return {};
-  return fmt::format("photonproof compare {} {} --exposure {:g}", shell_word(reference), shell_word(result.image),
-                     scene.record.exposure);
+  std::string command = fmt::format("photonproof compare {} {} --exposure {:g}", shell_word(reference),
+                                    shell_word(result.image), scene.record.exposure);
+  if (const auto& range = scene.record.hdr_exposures)
+    command += fmt::format(" --hdr-flip --exposures {} {} {}", range->start, range->stop, range->count);
+  return command;
 }
 
 std::string reason_text(const Result& result) {

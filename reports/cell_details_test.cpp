@@ -29,6 +29,20 @@ TEST(CellDetails, a_failure_without_a_reason_says_so) {
   EXPECT_EQ(reason_text(result), "The record gives no reason.");
 }
 
+TEST(CellDetails, command_of_a_comparison_has_the_scenes_exposures) {
+  Result reference, result;
+  reference.image = "a b.exr";
+  result.image = "x.exr";
+  SceneView scene;
+  scene.reference = &reference;
+  scene.record.exposure = -1;
+  EXPECT_EQ(compare_command(scene, result), "photonproof compare 'a b.exr' x.exr --exposure -1");
+  scene.record.hdr_exposures = ExposureRange{-2.5, 4, 7};
+  EXPECT_EQ(compare_command(scene, result),
+            "photonproof compare 'a b.exr' x.exr --exposure -1 --hdr-flip --exposures -2.5 4 7");
+  EXPECT_EQ(compare_command(scene, reference), "");
+}
+
 TEST(CellDetails, an_engines_state_counts_its_cells) {
   Result ok, late, crashed;
   late.status = Status::timeout;
