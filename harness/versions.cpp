@@ -14,12 +14,9 @@
 namespace photonproof {
 
 std::map<std::string, std::string> program_versions() {
-  return {{"photonproof", version_line()},
-          {"compiler", "g++ or clang " __VERSION__},
-          {"embree", RTC_VERSION_STRING},
-          {"oneTBB", TBB_VERSION_STRING},
-          {"OpenEXR", OPENEXR_VERSION_STRING},
-          {"OpenImageIO", OIIO_VERSION_STRING}};
+  return {{"photonproof", version_line()},     {"compiler", "g++ or clang " __VERSION__},
+          {"embree", RTC_VERSION_STRING},      {"oneTBB", TBB_VERSION_STRING},
+          {"OpenEXR", OPENEXR_VERSION_STRING}, {"OpenImageIO", OIIO_VERSION_STRING}};
 }
 
 }  // namespace photonproof
