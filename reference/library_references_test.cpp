@@ -39,7 +39,7 @@ TEST(LibraryReferences, every_one_is_whole_and_of_its_scenes_present_content) {
     EXPECT_NEAR(relative_standard_error(stored.rendering), stored.provenance.standard_error,
                 1e-12 * stored.provenance.standard_error);
     EXPECT_GE(stored.provenance.seeds.size(), 32u) << c.scene;
-    EXPECT_LT(stored.provenance.standard_error, 0.025) << c.scene;  // a gate's image of 16 samples has 0.1 and more
+    EXPECT_LT(stored.provenance.standard_error, 0.01) << c.scene;  // a gate's image of 16 samples has 0.1 and more
   }
 }
 
