@@ -12,7 +12,7 @@
 #include "scenes/exr_file.h"
 #include "scenes/image_file.h"
 #include "scenes/input_error.h"
-#include "scenes/png_check.h"
+#include "scenes/png_file.h"
 
 namespace photonproof {
 namespace {
@@ -96,8 +96,7 @@ std::unique_ptr<ImageFile> open_image(const std::string& path) {
   if (!std::filesystem::exists(path, ignored)) throw InputError(path, "no such file");
   if (!std::filesystem::is_regular_file(path, ignored)) throw InputError(path, "not a regular file");
   if (is_exr(path)) return open_exr(path);
-  check_png(path);
-  return image_formats().open(path);
+  return is_png(path) ? open_png(path) : open_other_format(path);
 }
 
 /// An open file whose rows are asked for in any order.
@@ -268,7 +267,7 @@ PngRows::PngRows(const std::string& path, int width, int height) : state_(std::m
   state_->temporary =
       (target.parent_path() / ("." + target.stem().string() + ".partial-" + std::to_string(getpid()) + "-rows.png"))
           .string();
-  state_->out = image_formats().create_png(state_->temporary, path, width, height);
+  state_->out = create_png(state_->temporary, path, width, height);
 }
 PngRows::~PngRows() = default;
 PngRows::PngRows(PngRows&&) noexcept = default;
@@ -292,7 +291,7 @@ void write_png(const std::string& path, const Image& image, double exposure) {
     data[i] = static_cast<std::uint8_t>(std::lround(255 * encode_srgb(clamped)));
   }
   replace_atomically(path, [&](const std::filesystem::path& temporary) {
-    const auto png = image_formats().create_png(temporary.string(), path, image.width, image.height);
+    const auto png = create_png(temporary.string(), path, image.width, image.height);
     png->add(image.height, data.data());
     png->close();
   });

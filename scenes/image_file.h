@@ -1,6 +1,6 @@
-// What image.cpp needs of the libraries that read and write image files: OpenEXR for EXR, OpenImageIO for all others.
-// OpenImageIO brings more than 200 shared libraries, which take longer to load than a small scene to render; so it is
-// in a module that is loaded by whoever meets a file that is no EXR.
+// What image.cpp needs of the libraries that read and write image files: OpenEXR, libpng, and OpenImageIO for all other
+// formats. OpenImageIO brings more than 200 shared libraries, which take longer to load than a small scene to render;
+// so it is in a module, image_formats.cpp, that is loaded by whoever meets a file of another format.
 #pragma once
 
 #include <cstdint>
@@ -39,16 +39,8 @@ class ByteImageWriter {
   virtual void close() = 0;
 };
 
-/// The functions of the module, image_formats.cpp.
-struct ImageFormats {
-  std::unique_ptr<ImageFile> (*open)(const std::string& path);
-  /// `target` is the name that errors give to the file.
-  std::unique_ptr<ByteImageWriter> (*create_png)(const std::string& path, const std::string& target, int width,
-                                                 int height);
-};
-inline constexpr const char* image_formats_symbol = "photonproof_image_formats";
-
-/// Loads the module at the first call; throws InputError when it is not where it was built or beside the program.
-const ImageFormats& image_formats();
+/// By OpenImageIO. Throws InputError, also when the module is neither in lib/ beside the program's folder nor where it
+/// was built.
+std::unique_ptr<ImageFile> open_other_format(const std::string& path);
 
 }  // namespace photonproof

@@ -1,4 +1,4 @@
-// Images of all formats but EXR, through OpenImageIO: the module that image_file.h tells of.
+// Images of all formats but EXR and PNG, through OpenImageIO: the module that image_file.h tells of.
 
 #include <OpenImageIO/imageio.h>
 
@@ -58,48 +58,9 @@ class OpenImageIoFile : public ImageFile {
   ImageHeader header_;
 };
 
-class PngFile : public ByteImageWriter {
- public:
-  PngFile(const std::string& path, const std::string& target, int width, int height)
-      : path_(path), target_(target), out_(OIIO::ImageOutput::create("png")) {
-    if (!out_) fail(OIIO::geterror());
-    OIIO::ImageSpec spec(width, height, 3, OIIO::TypeUInt8);
-    spec.attribute("oiio:ColorSpace", "sRGB");
-    // Of large pictures the best compression would take longer than what they show.
-    if (std::int64_t{width} * height > (1 << 20)) spec.attribute("png:compressionLevel", 1);
-    if (!out_->open(path, spec)) fail(out_->geterror());
-  }
-
-  void add(int rows, const std::uint8_t* rgb) override {
-    if (!out_->write_scanlines(rows_, rows_ + rows, 0, OIIO::TypeUInt8, rgb)) fail(out_->geterror());
-    rows_ += rows;
-  }
-
-  void close() override {
-    if (!out_->close()) fail(out_->geterror());
-  }
-
- private:
-  [[noreturn]] void fail(const std::string& message) const {
-    std::string reason = first_line(message);
-    if (const auto at = reason.find(path_); at != std::string::npos) reason.replace(at, path_.size(), target_);
-    throw InputError(target_, "cannot be written: " + reason);
-  }
-
-  std::string path_, target_;
-  std::unique_ptr<OIIO::ImageOutput> out_;
-  int rows_ = 0;
-};
-
 }  // namespace
 }  // namespace photonproof
 
-extern "C" const photonproof::ImageFormats photonproof_image_formats;
-const photonproof::ImageFormats photonproof_image_formats = {
-    [](const std::string& path) -> std::unique_ptr<photonproof::ImageFile> {
-      return std::make_unique<photonproof::OpenImageIoFile>(path);
-    },
-    [](const std::string& path, const std::string& target, int width,
-       int height) -> std::unique_ptr<photonproof::ByteImageWriter> {
-      return std::make_unique<photonproof::PngFile>(path, target, width, height);
-    }};
+extern "C" photonproof::ImageFile* photonproof_open_image(const char* path) {
+  return new photonproof::OpenImageIoFile(path);
+}

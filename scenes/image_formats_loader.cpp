@@ -10,7 +10,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const ImageFormats& load() {
+using Open = ImageFile*(const char* path);
+
+Open* load() {
   constexpr const char* name = "photonproof_image_formats.so";
   std::error_code ignored;
   const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
@@ -18,18 +20,17 @@ const ImageFormats& load() {
   for (const fs::path& folder : {program.parent_path() / "../lib", fs::path(PHOTONPROOF_MODULE_FOLDER)}) {
     // Never closed: libraries below it have threads of their own.
     void* const module = dlopen((folder / name).c_str(), RTLD_NOW | RTLD_LOCAL);
-    if (const void* table = module ? dlsym(module, image_formats_symbol) : nullptr)
-      return *static_cast<const ImageFormats*>(table);
+    if (void* open = module ? dlsym(module, "photonproof_open_image") : nullptr) return reinterpret_cast<Open*>(open);
     reason = dlerror();
   }
-  throw InputError(name, "images other than EXR cannot be read or written without it: " + reason);
+  throw InputError(name, "images other than EXR and PNG cannot be read without it: " + reason);
 }
 
 }  // namespace
 
-const ImageFormats& image_formats() {
-  static const ImageFormats& formats = load();
-  return formats;
+std::unique_ptr<ImageFile> open_other_format(const std::string& path) {
+  static Open* const open = load();
+  return std::unique_ptr<ImageFile>(open(path.c_str()));
 }
 
 }  // namespace photonproof

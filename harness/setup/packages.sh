@@ -1,7 +1,7 @@
 # Sourced by ./run and ./check: installs the Debian packages that are missing, and says which; quiet builds.
 
 # What the program needs to be built and to run.
-build_packages="g++ cmake ninja-build pkg-config libembree-dev libopenimageio-dev libopenexr-dev libtbb-dev libpugixml-dev
+build_packages="g++ cmake ninja-build pkg-config libembree-dev libopenimageio-dev libopenexr-dev libpng-dev libtbb-dev libpugixml-dev
   libtomlplusplus-dev nlohmann-json3-dev libvalijson-dev libcli11-dev libfmt-dev libboost-dev libkainjow-mustache-dev
   zlib1g-dev povray"
 # What the tests need on top.

@@ -1,0 +1,21 @@
+// PNG files through libpng.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "scenes/image_file.h"
+
+namespace photonproof {
+
+/// Whether the file begins as a PNG does.
+bool is_png(const std::string& path);
+
+/// 8 and 16 bits, palettes and fewer bits as 8; without alpha. Throws InputError; what is damaged shows when the last
+/// row is read at the latest.
+std::unique_ptr<ImageFile> open_png(const std::string& path);
+
+/// An 8-bit RGB file of sRGB values. `target` is the name that errors give to the file. Throws InputError.
+std::unique_ptr<ByteImageWriter> create_png(const std::string& path, const std::string& target, int width, int height);
+
+}  // namespace photonproof
