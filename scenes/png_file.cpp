@@ -141,7 +141,8 @@ class PngReader : public ImageFile {
   }
 
   [[noreturn]] void fail() const {
-    throw InputError(path_, std::string("cannot be read, truncated or damaged: ") + stream_->message());
+    const char* reason = std::feof(stream_->file()) ? "it ends before its last chunk" : stream_->message();
+    throw InputError(path_, std::string("cannot be read, truncated or damaged: ") + reason);
   }
 
   std::string path_;
