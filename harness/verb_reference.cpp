@@ -85,11 +85,11 @@ std::string integrator_for(const Job& job) {
   return choose_estimator(job.scene, expect, [&](const std::string& name) { return refusal_of(job, name); });
 }
 
-/// The cache's, when it is good and by an integrator that will do.
-std::optional<StoredReference> cached_reference(const Job& job) {
-  if (!fs::exists(job.cached())) return std::nullopt;
+/// The one in this file, when it is good and by an integrator that will do.
+std::optional<StoredReference> kept_reference(const Job& job, const fs::path& file) {
+  if (job.arguments.fresh || !fs::exists(file)) return std::nullopt;
   try {
-    StoredReference stored = read_reference(job.cached(), job.hash, job.width, job.height, "");
+    StoredReference stored = read_reference(file, job.hash, job.width, job.height, "");
     const std::string& asked = job.arguments.integrator;
     if (asked == "auto" || asked == stored.provenance.estimator) return stored;
   } catch (const InputError&) {
@@ -159,9 +159,11 @@ void print(const Job& job, const Provenance& p, const std::vector<fs::path>& fil
   for (const fs::path& file : files) std::printf("reference: %s\n", file.c_str());
 }
 
-int write_out(const Job& job, const Rendering& rendering, const Provenance& provenance, bool reached) {
+/// `kept` is the file that holds it.
+int write_out(const Job& job, const fs::path& kept, const Rendering& rendering, const Provenance& provenance,
+              bool reached) {
   const ReferenceArguments& arguments = job.arguments;
-  std::vector<fs::path> files{job.cached()};
+  std::vector<fs::path> files{kept};
   if (!arguments.output.empty()) {
     write_reference(arguments.output, rendering, provenance, ReferenceSamples::floats);
     files.emplace_back(arguments.output);
@@ -201,9 +203,15 @@ int run(const ReferenceArguments& arguments) {
     throw InputError("--commit", "is for the scene as it is, without -D; the cache keeps this reference, or -o FILE");
   const Job job = job_of(arguments);
   const FolderLock lock(job.folder);
-  const std::optional<StoredReference> cached = arguments.fresh ? std::nullopt : cached_reference(job);
-  if (cached && cached->provenance.standard_error <= arguments.standard_error)
-    return write_out(job, cached->rendering, cached->provenance, true);
+  const auto is_enough = [&](const std::optional<StoredReference>& kept) {
+    return kept && kept->provenance.standard_error <= arguments.standard_error;
+  };
+  const std::optional<StoredReference> cached = kept_reference(job, job.cached());
+  if (is_enough(cached)) return write_out(job, cached->file, cached->rendering, cached->provenance, true);
+  if (!arguments.commit) {
+    const auto committed = kept_reference(job, committed_reference_path(arguments.scene.path, job.width, job.height));
+    if (is_enough(committed)) return write_out(job, committed->file, committed->rendering, committed->provenance, true);
+  }
 
   const std::string integrator = integrator_for(job);
   const ReferenceProgress progress = render(job, integrator);
@@ -212,9 +220,9 @@ int run(const ReferenceArguments& arguments) {
   const Rendering rendering = progress.means.rendering();
   Provenance provenance = provenance_of(job, integrator, progress.means);
   if (cached && is_better(cached->provenance, provenance, *progress.standard_error))
-    return write_out(job, cached->rendering, cached->provenance, false);
+    return write_out(job, cached->file, cached->rendering, cached->provenance, false);
   provenance = write_reference(job.cached(), rendering, provenance, ReferenceSamples::floats);
-  return write_out(job, rendering, provenance, progress.end == End::reached);
+  return write_out(job, job.cached(), rendering, provenance, progress.end == End::reached);
 }
 
 }  // namespace

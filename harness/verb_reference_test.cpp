@@ -144,6 +144,23 @@ TEST_F(ReferenceVerb, what_the_cache_has_is_not_rendered_again_and_serves_the_co
   EXPECT_LT(better.provenance.standard_error, asked + 0x1p-11);
 }
 
+TEST_F(ReferenceVerb, what_is_committed_is_not_rendered_again_unless_it_is_too_uncertain_or_not_wanted) {
+  ASSERT_TRUE(reference({"--size", "8x8", "--standard-error", "0.05", "--commit"}).ok());
+  const StoredReference committed = load_reference(folder_ / "scene.xml", 8, 8);
+  const fs::path cached = cached_reference_folder(committed.provenance.scene_hash, 8, 8);
+  const auto renders = [&](std::vector<std::string> more) {
+    fs::remove_all(cached);
+    more.insert(more.end(), {"--size", "8x8", "-o", path("out.exr")});
+    EXPECT_TRUE(reference(more).ok());
+    return fs::exists(cached / "reference.exr");
+  };
+  EXPECT_FALSE(renders({"--standard-error", "0.06"}));
+  EXPECT_EQ(read_image(path("out.exr")).rgb, committed.rendering.mean.rgb);
+  EXPECT_TRUE(renders({"--standard-error", std::to_string(0.8 * committed.provenance.standard_error)}));
+  EXPECT_TRUE(renders({"--standard-error", "0.06", "--fresh"}));
+  EXPECT_TRUE(renders({"--standard-error", "0.06", "--integrator", "bdpt"}));
+}
+
 // In the furnace L = emission / (1 - albedo): 2 as the scene is, 3 / (1 - 0.75) = 12 with these definitions. The mean
 // of the image's 64 grey pixels is certain to the standard error asked for over 8; five of those are 3.2 %.
 TEST_F(ReferenceVerb, definitions_make_another_reference_with_a_place_of_its_own) {
