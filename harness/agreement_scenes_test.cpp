@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "harness/agreement.h"
-#include "harness/test_folder.h"
 #include "reference/process.h"
+#include "scenes/test_folder.h"
 
 namespace photonproof {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "harness/test_folder.h"
+#include "scenes/test_folder.h"
 
 namespace photonproof {
 namespace {

@@ -1,6 +1,6 @@
 #include "harness/cell_store.h"
 
-#include "harness/test_folder.h"
+#include "scenes/test_folder.h"
 
 namespace photonproof {
 namespace {

@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "harness/metric_test_images.h"
-#include "harness/test_folder.h"
 #include "reference/process.h"
+#include "scenes/test_folder.h"
 
 namespace photonproof {
 namespace {

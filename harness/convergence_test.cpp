@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "harness/test_folder.h"
 #include "scenes/image.h"
+#include "scenes/test_folder.h"
 
 namespace photonproof {
 namespace {

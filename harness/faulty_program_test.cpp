@@ -5,9 +5,9 @@
 #include <cstdlib>
 #include <numbers>
 
-#include "harness/test_folder.h"
 #include "reference/process.h"
 #include "scenes/image.h"
+#include "scenes/test_folder.h"
 
 namespace photonproof {
 namespace {

@@ -11,9 +11,9 @@
 #include <numbers>
 
 #include "harness/metrics.h"
-#include "harness/test_folder.h"
 #include "reference/closed_forms.h"
 #include "reference/process.h"
+#include "scenes/test_folder.h"
 
 namespace photonproof {
 namespace {

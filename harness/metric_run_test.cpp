@@ -6,8 +6,8 @@
 #include <map>
 
 #include "harness/metric_test_images.h"
-#include "harness/test_folder.h"
 #include "scenes/input_error.h"
+#include "scenes/test_folder.h"
 
 namespace photonproof {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <cstdlib>
 
-#include "harness/test_folder.h"
 #include "reference/process.h"
+#include "scenes/test_folder.h"
 
 namespace photonproof {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "harness/test_folder.h"
 #include "scenes/parser.h"
+#include "scenes/test_folder.h"
 
 namespace photonproof {
 namespace {

@@ -1,6 +1,6 @@
 #include "harness/suite.h"
 
-#include "harness/test_folder.h"
+#include "scenes/test_folder.h"
 
 namespace photonproof {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <limits>
 
-#include "harness/test_folder.h"
 #include "scenes/image.h"
+#include "scenes/test_folder.h"
 
 namespace photonproof {
 

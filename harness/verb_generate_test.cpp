@@ -1,6 +1,6 @@
 // photonproof generate, as a user calls it.
-#include "harness/test_folder.h"
 #include "reference/process.h"
+#include "scenes/test_folder.h"
 
 namespace photonproof {
 namespace {

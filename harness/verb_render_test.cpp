@@ -6,10 +6,10 @@
 #include <cmath>
 #include <csignal>
 
-#include "harness/test_folder.h"
 #include "harness/test_program.h"
 #include "reference/process.h"
 #include "scenes/image.h"
+#include "scenes/test_folder.h"
 
 namespace photonproof {
 namespace {

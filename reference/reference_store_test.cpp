@@ -6,9 +6,9 @@
 #include <cstdlib>
 #include <limits>
 
-#include "harness/test_folder.h"
 #include "scenes/parser.h"
 #include "scenes/scene_hash.h"
+#include "scenes/test_folder.h"
 
 namespace photonproof {
 namespace {

@@ -17,23 +17,14 @@
 #include <fstream>
 #include <random>
 
-#include "scenes/atomic_file.h"
-#include "scenes/input_error.h"
+#include "scenes/test_folder.h"
 
 namespace photonproof {
 namespace {
 
-namespace fs = std::filesystem;
-
-class ExrFile : public ::testing::Test {
+class ExrFile : public FolderTest {
  protected:
-  void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("photonproof_exr_test_" + std::to_string(getpid()) + "_" +
-                                           ::testing::UnitTest::GetInstance()->current_test_info()->name());
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-  std::string path(const std::string& name = "a.exr") const { return (folder_ / name).string(); }
+  std::string path() const { return folder_ / "a.exr"; }
 
   /// One float channel a name, all with the values 0, 1, 2, ... plus 1000 times the channel's number.
   Imf::FrameBuffer channels(Imf::Header& header, const std::vector<std::string>& names) {
@@ -56,15 +47,9 @@ class ExrFile : public ::testing::Test {
     out.writePixels(height);
   }
   std::string refusal() const {
-    try {
-      read_image(path());
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "no error";
+    return input_error_of([&] { read_image(path()); });
   }
 
-  fs::path folder_;
   std::vector<std::vector<float>> values_;
 };
 
@@ -175,14 +160,12 @@ TEST_F(ExrFile, with_any_byte_changed_is_read_or_refused) {
 }
 
 TEST_F(ExrFile, that_does_not_fit_on_the_disk_is_an_error) {
-  if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
   for (const int side : {2, 300})  // less and more than what is buffered
-    try {
-      write_exr_file("/dev/full", "a.exr", {Image(side, side), std::nullopt, {}}, ExrColour::single);
-      ADD_FAILURE() << side;
-    } catch (const InputError& error) {
-      EXPECT_STREQ(error.what(), "a.exr: error: cannot be written: No space left on device") << side;
-    }
+    EXPECT_EQ(input_error_of([&] {
+                write_exr_file("/dev/full", "a.exr", {Image(side, side), std::nullopt, {}}, ExrColour::single);
+              }),
+              "a.exr: error: cannot be written: No space left on device");
 }
 
 }  // namespace

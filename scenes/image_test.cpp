@@ -9,23 +9,16 @@
 #include <fstream>
 #include <limits>
 
-#include "scenes/atomic_file.h"
-#include "scenes/input_error.h"
+#include "scenes/test_folder.h"
 
 namespace photonproof {
 namespace {
 
 namespace fs = std::filesystem;
 
-class image : public ::testing::Test {
+class image : public FolderTest {
  protected:
-  void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("photonproof_image_test_" + std::to_string(getpid()) + "_" +
-                                           ::testing::UnitTest::GetInstance()->current_test_info()->name());
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  std::string path(const std::string& name) const { return folder_ / name; }
 
   /// Everything in the folder, to see that nothing half-written is left behind.
   std::vector<std::string> files() const {
@@ -33,18 +26,6 @@ class image : public ::testing::Test {
     for (const auto& entry : fs::directory_iterator(folder_)) names.push_back(entry.path().filename().string());
     return names;
   }
-
-  template <class Action>
-  static std::string message_of(Action action) {
-    try {
-      action();
-      return "no error";
-    } catch (const InputError& error) {
-      return error.what();
-    }
-  }
-
-  fs::path folder_;
 };
 
 void expect_same_bits(const Image& a, const Image& b) {
@@ -128,9 +109,9 @@ TEST_F(image, is_replaced_only_by_a_whole_one) {
   write_exr(path("a.exr"), {ramp(2, 2, 1), std::nullopt, {}});
   const std::string before = read_file(path("a.exr"));
   Rendering broken{ramp(2, 2, 1), ramp(3, 3, 1), {}};
-  EXPECT_EQ(message_of([&] { write_exr(path("a.exr"), broken); }),
+  EXPECT_EQ(input_error_of([&] { write_exr(path("a.exr"), broken); }),
             path("a.exr") + ": error: cannot be written: mean and variance differ in size");
-  EXPECT_EQ(message_of([&] { write_exr(path("a.exr"), {}); }),
+  EXPECT_EQ(input_error_of([&] { write_exr(path("a.exr"), {}); }),
             path("a.exr") + ": error: cannot be written: the image has no pixels or too few for its size");
   EXPECT_EQ(read_file(path("a.exr")), before);
   EXPECT_EQ(files(), std::vector<std::string>{"a.exr"});
@@ -139,9 +120,9 @@ TEST_F(image, is_replaced_only_by_a_whole_one) {
 TEST_F(image, cannot_be_written_where_there_is_no_folder) {
   const Rendering rendering{ramp(2, 2, 1), std::nullopt, {}};
   const std::string target = path("missing/a.exr");
-  EXPECT_EQ(message_of([&] { write_exr(target, rendering); }),
+  EXPECT_EQ(input_error_of([&] { write_exr(target, rendering); }),
             target + ": error: folder '" + path("missing") + "' does not exist");
-  EXPECT_EQ(message_of([&] { write_png(folder_.string(), rendering.mean); }),
+  EXPECT_EQ(input_error_of([&] { write_png(folder_.string(), rendering.mean); }),
             folder_.string() + ": error: is a folder, expected a file name");
 }
 
@@ -150,10 +131,12 @@ TEST_F(image, cannot_be_written_into_a_folder_that_refuses_files) {
   if (!fs::is_directory("/proc/self")) GTEST_SKIP() << "no /proc here";
   const Rendering rendering{ramp(2, 2, 1), std::nullopt, {}};
   EXPECT_EQ(
-      message_of([&] { write_exr("/proc/a.exr", rendering); }).rfind("/proc/a.exr: error: cannot be written: ", 0), 0u);
-  EXPECT_EQ(
-      message_of([&] { write_png("/proc/a.png", rendering.mean); }).rfind("/proc/a.png: error: cannot be written: ", 0),
+      input_error_of([&] { write_exr("/proc/a.exr", rendering); }).rfind("/proc/a.exr: error: cannot be written: ", 0),
       0u);
+  EXPECT_EQ(input_error_of([&] {
+              write_png("/proc/a.png", rendering.mean);
+            }).rfind("/proc/a.png: error: cannot be written: ", 0),
+            0u);
 }
 
 TEST_F(image, that_is_truncated_is_refused_at_every_length) {
@@ -172,7 +155,7 @@ TEST_F(image, png_that_is_cut_or_changed_is_refused_without_a_line_of_libpngs_ow
   const auto said = [&](const std::string& content) {
     std::ofstream(path("bad.png"), std::ios::binary) << content;
     testing::internal::CaptureStderr();
-    const std::string message = message_of([&] { read_image(path("bad.png")); });
+    const std::string message = input_error_of([&] { read_image(path("bad.png")); });
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
     return message;
   };
@@ -210,10 +193,10 @@ TEST_F(image, that_claims_more_pixels_than_it_holds_costs_no_memory_for_them) {
 }
 
 TEST_F(image, that_is_missing_or_something_else_is_refused_by_name) {
-  EXPECT_EQ(message_of([&] { read_image(path("no.exr")); }), path("no.exr") + ": error: no such file");
-  EXPECT_EQ(message_of([&] { read_image(folder_.string()); }), folder_.string() + ": error: not a regular file");
+  EXPECT_EQ(input_error_of([&] { read_image(path("no.exr")); }), path("no.exr") + ": error: no such file");
+  EXPECT_EQ(input_error_of([&] { read_image(folder_.string()); }), folder_.string() + ": error: not a regular file");
   std::ofstream(path("text.exr")) << "not an image";
-  EXPECT_EQ(message_of([&] {
+  EXPECT_EQ(input_error_of([&] {
               read_image(path("text.exr"));
             }).rfind(path("text.exr") + ": error: cannot be read as an image: ", 0),
             0u);

@@ -4,26 +4,21 @@
 
 #include <gtest/gtest.h>
 #include <png.h>
-#include <unistd.h>
-
-#include <filesystem>
 
 #include "scenes/image.h"
-#include "scenes/input_error.h"
+#include "scenes/test_folder.h"
 
 namespace photonproof {
 namespace {
 
-namespace fs = std::filesystem;
-
-class PngFile : public ::testing::Test {
+class PngFile : public FolderTest {
  protected:
-  void TearDown() override { fs::remove(path_); }
+  std::string path() const { return folder_ / "a.png"; }
 
   /// Rows of bytes as the file has them.
   void write(int width, int depth, int colour_type, const std::vector<std::vector<png_byte>>& rows,
              int interlace = PNG_INTERLACE_NONE) {
-    std::FILE* const file = std::fopen(path_.c_str(), "wb");
+    std::FILE* const file = std::fopen(path().c_str(), "wb");
     png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
     png_infop info = png_create_info_struct(png);
     png_init_io(png, file);
@@ -41,11 +36,7 @@ class PngFile : public ::testing::Test {
     png_destroy_write_struct(&png, &info);
     std::fclose(file);
   }
-  std::vector<float> numbers() const { return read_texture_image(path_.string(), true).rgb; }
-
-  const fs::path path_ =
-      fs::temp_directory_path() / ("photonproof_png_test_" + std::to_string(getpid()) + "_" +
-                                   ::testing::UnitTest::GetInstance()->current_test_info()->name() + ".png");
+  std::vector<float> numbers() const { return read_texture_image(path(), true).rgb; }
 };
 
 TEST_F(PngFile, palette_of_four_bits_gives_its_colours) {
@@ -76,7 +67,7 @@ TEST_F(PngFile, interlaced_and_plain_rows_are_the_same_in_any_order) {
     for (std::size_t i = 0; i < rows[y].size(); ++i) rows[y][i] = static_cast<png_byte>(25 * y + i);
   for (const int interlace : {PNG_INTERLACE_NONE, PNG_INTERLACE_ADAM7}) {
     write(7, 8, PNG_COLOR_TYPE_RGB, rows, interlace);
-    const auto file = open_png(path_.string());
+    const auto file = open_png(path());
     std::vector<float> row(3 * 7);
     for (const int y : {4, 5, 0, 8, 8, 2}) {
       file->read(y, y + 1, 0, 3, row.data());
@@ -87,18 +78,16 @@ TEST_F(PngFile, interlaced_and_plain_rows_are_the_same_in_any_order) {
 }
 
 TEST_F(PngFile, that_does_not_fit_on_the_disk_is_an_error) {
-  if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
   for (const int side : {2, 300}) {  // less and more than what is buffered
     std::vector<std::uint8_t> noise(static_cast<std::size_t>(3 * side * side));
     for (std::size_t i = 0; i < noise.size(); ++i) noise[i] = static_cast<std::uint8_t>(i * i * 2654435761u >> 13);
-    try {
-      const auto png = create_png("/dev/full", "a.png", side, side);
-      png->add(side, noise.data());
-      png->close();
-      ADD_FAILURE() << side;
-    } catch (const InputError& error) {
-      EXPECT_STREQ(error.what(), "a.png: error: cannot be written: No space left on device") << side;
-    }
+    EXPECT_EQ(input_error_of([&] {
+                const auto png = create_png("/dev/full", "a.png", side, side);
+                png->add(side, noise.data());
+                png->close();
+              }),
+              "a.png: error: cannot be written: No space left on device");
   }
 }
 
