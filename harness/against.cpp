@@ -12,7 +12,6 @@
 #include "harness/cells.h"
 #include "harness/engine_command.h"
 #include "harness/host.h"
-#include "harness/percent_text.h"
 #include "harness/relative_error.h"
 #include "harness/run_cell.h"
 #include "harness/stored_changes.h"
@@ -20,6 +19,7 @@
 #include "scenes/atomic_file.h"
 #include "scenes/image.h"
 #include "scenes/input_error.h"
+#include "scenes/percent_text.h"
 #include "scenes/timer.h"
 
 namespace photonproof {

@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "harness/gate_tiles.h"
-#include "harness/percent_text.h"
 #include "harness/student.h"
+#include "scenes/percent_text.h"
 
 namespace photonproof {
 namespace {

@@ -9,6 +9,7 @@
 #include "reference/reference_store.h"
 #include "scenes/atomic_file.h"
 #include "scenes/input_error.h"
+#include "scenes/size_text.h"
 
 namespace photonproof {
 namespace {
@@ -44,7 +45,7 @@ class Batches {
                                   "--integrator",
                                   run_.integrator,
                                   "--size",
-                                  std::to_string(run_.width) + "x" + std::to_string(run_.height),
+                                  size_text(run_.width, run_.height),
                                   "--spp",
                                   std::to_string(samples),
                                   "--seed",

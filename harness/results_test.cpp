@@ -1,30 +1,25 @@
 #include "harness/results.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <limits>
 
-#include "scenes/atomic_file.h"
-#include "scenes/input_error.h"
+#include "scenes/test_folder.h"
 
 namespace photonproof {
 namespace {
 
 namespace fs = std::filesystem;
 
-// A folder of its own for each test.
-class ResultsFile : public testing::Test {
+class ResultsFile : public FolderTest {
  protected:
   void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("results_test_" + std::to_string(getpid()));
-    fs::create_directories(folder_);
+    FolderTest::SetUp();
     path_ = (folder_ / "results.json").string();
   }
-  void TearDown() override { fs::remove_all(folder_); }
 
   void put(const std::string& text) { write_file_atomically(path_, text); }
   void replace(const std::string& from, const std::string& to) {
@@ -34,15 +29,9 @@ class ResultsFile : public testing::Test {
     put(text.replace(at, from.size(), to));
   }
   std::string error_on_read() {
-    try {
-      read_results(path_);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "no error";
+    return input_error_of([&] { read_results(path_); });
   }
 
-  fs::path folder_;
   std::string path_;
 };
 

@@ -12,7 +12,6 @@
 #include "harness/folder_lock.h"
 #include "harness/host.h"
 #include "harness/interrupt.h"
-#include "harness/percent_text.h"
 #include "harness/reference_estimator.h"
 #include "harness/reference_run.h"
 #include "harness/scene_options.h"
@@ -23,6 +22,7 @@
 #include "renderer/version.h"
 #include "scenes/checksum.h"
 #include "scenes/input_error.h"
+#include "scenes/percent_text.h"
 #include "scenes/scene_hash.h"
 
 namespace photonproof {

@@ -1,10 +1,10 @@
 #include "reference/provenance.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "scenes/input_error.h"
+#include "scenes/percent_text.h"
 
 namespace photonproof {
 namespace {
@@ -67,13 +67,11 @@ using Facts = std::map<std::string, std::string>;
 }  // namespace
 
 Facts facts(const Provenance& p) {
-  char error[32];
-  std::snprintf(error, sizeof error, "%.2g %%", 100 * p.standard_error);
   const auto version = p.versions.find("photonproof");
   Facts told = {{"estimator", p.estimator},
                 {"samples", std::to_string(p.samples)},
                 {"batches", std::to_string(p.seeds.size())},
-                {"standard_error", error},
+                {"standard_error", percent_text(p.standard_error)},
                 {"scene_hash", p.scene_hash},
                 {"pixels", p.pixels},
                 {"date", p.date},

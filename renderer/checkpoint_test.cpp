@@ -2,26 +2,20 @@
 #include "renderer/checkpoint.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 
-#include "scenes/atomic_file.h"
-#include "scenes/input_error.h"
+#include "scenes/test_folder.h"
 
 namespace photonproof {
 namespace {
 
-class Checkpoint : public testing::Test {
+class Checkpoint : public FolderTest {
  protected:
   void SetUp() override {
-    const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = std::filesystem::temp_directory_path() /
-              ("photonproof_checkpoint_" + std::string(test->name()) + "_" + std::to_string(getpid()));
-    std::filesystem::create_directories(folder_);
+    FolderTest::SetUp();
     file_ = folder_ / "a.checkpoint";
   }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
 
   void write() const {
     std::string content;
@@ -41,7 +35,7 @@ class Checkpoint : public testing::Test {
   }
   std::string problem() const { return problem(identity_); }
 
-  std::filesystem::path folder_, file_;
+  std::filesystem::path file_;
   RenderIdentity identity_{{"seed", "5"}, {"integrator", "path"}};
   std::vector<double> values_ = std::vector<double>(1000, 0.1);
 };

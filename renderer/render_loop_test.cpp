@@ -3,25 +3,21 @@
 #include "renderer/render_loop.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 
 #include "renderer/test_scenes.h"
+#include "scenes/test_folder.h"
 
 namespace photonproof {
 namespace {
 
-class Resume : public testing::Test {
+class Resume : public FolderTest {
  protected:
   void SetUp() override {
-    const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = std::filesystem::temp_directory_path() /
-              ("photonproof_resume_" + std::string(test->name()) + "_" + std::to_string(getpid()));
-    std::filesystem::create_directories(folder_);
+    FolderTest::SetUp();
     file_ = folder_ / "a.checkpoint";
   }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
 
   CheckpointPolicy policy(bool resume, double interval_seconds = 1e6) const {
     return {file_, interval_seconds, resume, {{"scene", "room"}}};
@@ -56,7 +52,7 @@ class Resume : public testing::Test {
     }
   }
 
-  std::filesystem::path folder_, file_;
+  std::filesystem::path file_;
 };
 
 TEST_F(Resume, gives_the_bits_and_the_counts_of_a_render_never_stopped) {

@@ -6,24 +6,18 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "scenes/input_error.h"
+#include "scenes/test_folder.h"
 
 namespace photonproof {
 namespace {
 
 namespace fs = std::filesystem;
 
-class atomic_file : public ::testing::Test {
+class atomic_file : public FolderTest {
  protected:
-  void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("photonproof_atomic_file_test_" + std::to_string(getpid()));
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
   std::size_t count_files() const {
     return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
   }
-  fs::path folder_;
 };
 
 TEST_F(atomic_file, holds_exactly_the_bytes_written) {

@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "scenes/test_folder.h"
+
 namespace photonproof {
 namespace {
 
@@ -86,21 +88,17 @@ TEST(limits, stop_a_text_of_too_many_bytes) {
             "test.xml: error: text has 67108865 bytes, the limit is 67108864");
 }
 
-class includes : public ::testing::Test {
+class includes : public FolderTest {
  protected:
   void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("photonproof_expand_test_" + std::to_string(getpid()));
-    fs::remove_all(folder_);
+    FolderTest::SetUp();
     fs::create_directories(folder_ / "scene" / "parts");
   }
-  void TearDown() override { fs::remove_all(folder_); }
   void write(const std::string& name, const std::string& text) const { std::ofstream(folder_ / name) << text; }
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
   std::string message(const ParseOptions& options = {}) const {
     return message_of([&] { parse_scene_file(path("scene/scene.xml"), options); });
   }
-
-  fs::path folder_;
 };
 
 TEST_F(includes, are_read_in_place_relative_to_the_file_that_names_them) {

@@ -13,6 +13,7 @@
 #include "scenes/image_file.h"
 #include "scenes/input_error.h"
 #include "scenes/png_file.h"
+#include "scenes/size_text.h"
 
 namespace photonproof {
 namespace {
@@ -57,10 +58,6 @@ void check_size(const std::string& path, const Image& image) {
       image.width > 0 && image.height > 0 &&
       image.rgb.size() == 3 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
   if (!whole) throw InputError(path, "cannot be written: the image has no pixels or too few for its size");
-}
-
-std::string size_text(const ImageHeader& header) {
-  return std::to_string(header.width) + "x" + std::to_string(header.height);
 }
 
 /// sRGB decoding of 8- and 16-bit samples, which take few values: each is worked out once.
@@ -160,7 +157,7 @@ Decoded decode(const std::string& path) {
   OpenImage file(path);
   const ImageHeader& header = file.header();
   if (static_cast<std::int64_t>(header.width) * header.height > kMaxPixels)
-    throw InputError(path, "image is " + size_text(header) + ", the limit is 2^28 pixels");
+    throw InputError(path, "image is " + size_text(header.width, header.height) + ", the limit is 2^28 pixels");
   Decoded decoded{header, {}, {}};
   const auto variance = find_rgb(header, "variance.");
   if (variance) {
@@ -203,7 +200,8 @@ ImageRows::ImageRows(const std::string& path) : state_(std::make_unique<State>(S
   const ImageHeader& header = state_->file.header();
   constexpr std::int64_t kMaxWidth = std::int64_t{1} << 18, kMaxStreamed = (std::int64_t{1} << 32) - 1;
   if (header.width > kMaxWidth || std::int64_t{header.width} * header.height > kMaxStreamed)
-    throw InputError(path, "image is " + size_text(header) + ", the limit is 2^18 columns and 2^32 pixels");
+    throw InputError(
+        path, "image is " + size_text(header.width, header.height) + ", the limit is 2^18 columns and 2^32 pixels");
   if (header.samples != ImageHeader::Samples::floating) state_->decoder.emplace(header);
 }
 ImageRows::~ImageRows() = default;
