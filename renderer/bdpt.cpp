@@ -102,10 +102,10 @@ class BidirectionalTracer {
     for (v.edges = 1;; ++v.edges) {
       const Vec3f before = ray.origin;
       if (!within(v.edges)) return radiance;
-      if (!meet(ray, draws, v)) return lights_.has_environment() ? radiance + meet_environment(v, before) : radiance;
+      if (!meet(ray, draws, v) || (v.edges == 1 && camera_.beyond_far_plane(v.at.p)))
+        return lights_.has_environment() ? radiance + meet_environment(v, before) : radiance;
       if (!has_density(v, before)) return radiance;
       if (v.edges == 1) {
-        if (camera_.beyond_far_plane(v.at.p)) return radiance;
         const double density = camera_.density(v.at.p, u_lens) * cosine(v.at.ng, v.back);
         if (density > 0) v.weights = {1 / (density * density), 0};
       } else {

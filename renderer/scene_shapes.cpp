@@ -12,28 +12,17 @@
 namespace photonproof {
 namespace {
 
-/// Local-to-face transforms of the cube's six sides: each maps [-1,1]^2 (normal +z) onto one side, normal outward.
-std::array<Transform, 6> cube_faces() {
-  const Vec3d x{1, 0, 0}, y{0, 1, 0};
-  const Transform top = Transform::translate({0, 0, 1});
-  return {top,
-          Transform::rotate(y, 180) * top,
-          Transform::rotate(y, 90) * top,
-          Transform::rotate(y, -90) * top,
-          Transform::rotate(x, 90) * top,
-          Transform::rotate(x, -90) * top};
-}
-
-/// Where the same sides have uv (0, 0), and the edges along which u and v grow to 1: Mitsuba's cube.
-struct FaceUv {
+/// The sides of a cube as Mitsuba parametrises them, each from its corner of uv (0, 0) along the edges where u and v
+/// grow to 1. Seen from outside they are mirrored: the cross product of the edges points into the cube.
+struct CubeFace {
   Vec3d corner, along_u, along_v;
 };
-const std::array<FaceUv, 6> cube_uvs{{{{-1, -1, 1}, {0, 2, 0}, {2, 0, 0}},
-                                      {{-1, 1, -1}, {0, -2, 0}, {2, 0, 0}},
-                                      {{1, -1, 1}, {0, 2, 0}, {0, 0, -2}},
-                                      {{-1, -1, -1}, {0, 2, 0}, {0, 0, 2}},
-                                      {{-1, -1, -1}, {0, 0, 2}, {2, 0, 0}},
-                                      {{1, 1, 1}, {-2, 0, 0}, {0, 0, -2}}}};
+const std::array<CubeFace, 6> cube_faces{{{{-1, -1, 1}, {0, 2, 0}, {2, 0, 0}},
+                                          {{-1, 1, -1}, {0, -2, 0}, {2, 0, 0}},
+                                          {{1, -1, 1}, {0, 2, 0}, {0, 0, -2}},
+                                          {{-1, -1, -1}, {0, 2, 0}, {0, 0, 2}},
+                                          {{-1, -1, -1}, {0, 0, 2}, {2, 0, 0}},
+                                          {{1, 1, 1}, {-2, 0, 0}, {0, 0, -2}}}};
 
 /// The frame of a flat shape: its two edges and, across it, a unit normal.
 AffineMap flat_frame(const Vec3d& origin, const Vec3d& along_u, const Vec3d& along_v) {
@@ -79,9 +68,8 @@ void SceneShapes::add(const ShapeDescription& shape, const Transform& to_world) 
   } else if (std::holds_alternative<PlaneDescription>(shape.geometry)) {
     add_plane(shape, to_world);
   } else if (std::holds_alternative<RectangleDescription>(shape.geometry)) {
-    const AffineMap uv =
-        flat_frame(to_world.point({-1, -1, 0}), to_world.vector({2, 0, 0}), to_world.vector({0, 2, 0}));
-    add_quad(shape, to_world, to_world.determinant() < 0, uv);
+    add_quad(shape, to_world.point({-1, -1, 0}), to_world.vector({2, 0, 0}), to_world.vector({0, 2, 0}),
+             to_world.determinant() < 0);
   } else if (std::holds_alternative<CubeDescription>(shape.geometry)) {
     add_cube(shape, to_world);
   } else if (const auto* instance = std::get_if<InstanceDescription>(&shape.geometry)) {
@@ -156,25 +144,19 @@ void SceneShapes::add_plane(const ShapeDescription& shape, const Transform& to_w
 }
 
 void SceneShapes::add_cube(const ShapeDescription& shape, const Transform& to_world) {
-  const std::array<Transform, 6> faces = cube_faces();
-  for (std::size_t i = 0; i < faces.size(); ++i) {
-    const FaceUv& uv = cube_uvs[i];
-    add_quad(shape, to_world * faces[i], to_world.determinant() < 0,
-             flat_frame(to_world.point(uv.corner), to_world.vector(uv.along_u), to_world.vector(uv.along_v)));
-  }
+  for (const CubeFace& face : cube_faces)
+    add_quad(shape, to_world.point(face.corner), to_world.vector(face.along_u), to_world.vector(face.along_v),
+             to_world.determinant() > 0);
 }
 
-void SceneShapes::add_quad(const ShapeDescription& shape, const Transform& face_to_world, bool mirrored,
-                           const AffineMap& uv_frame) {
-  const Vec3d corner = face_to_world.point({-1, -1, 0});
-  const Vec3d edge_u = face_to_world.vector({2, 0, 0});
-  const Vec3d edge_v = face_to_world.vector({0, 2, 0});
+void SceneShapes::add_quad(const ShapeDescription& shape, const Vec3d& corner, const Vec3d& edge_u, const Vec3d& edge_v,
+                           bool turned) {
   const Vec3d n = cross(edge_u, edge_v);
   const double area = length(n);
   // A mirrored transform turns the winding round but not the side Mitsuba's normal (inverse transpose) points to.
-  const Vec3d normal = n / area * (shape.flip_normals != mirrored ? -1.0 : 1.0);
+  const Vec3d normal = n / area * (shape.flip_normals != turned ? -1.0 : 1.0);
   add_surface(Quad{Vec3f(corner), Vec3f(edge_u), Vec3f(edge_v), Vec3f(normal), static_cast<float>(area)}, shape,
-              uv_frame);
+              flat_frame(corner, edge_u, edge_v));
 }
 
 Mesh SceneShapes::compile_mesh(const ShapeDescription& shape, const Transform& to_world) const {

@@ -36,9 +36,10 @@ class SceneShapes {
   void add_cylinder(const ShapeDescription& shape, const CylinderDescription& cylinder, const Transform& to_world);
   void add_plane(const ShapeDescription& shape, const Transform& to_world);
   void add_cube(const ShapeDescription& shape, const Transform& to_world);
-  /// `face_to_world` maps [-1,1]^2 with normal +z; `uv_to_world` the unit square of uv.
-  void add_quad(const ShapeDescription& shape, const Transform& face_to_world, bool mirrored,
-                const AffineMap& uv_frame);
+  /// uv is (0, 0) at the corner and grows to 1 along the edges. The front is where cross(edge_u, edge_v) points, the
+  /// other side when `turned`; then as flip_normals says.
+  void add_quad(const ShapeDescription& shape, const Vec3d& corner, const Vec3d& edge_u, const Vec3d& edge_v,
+                bool turned);
   void add_instance(const ShapeDescription& shape, const InstanceDescription& instance, const Transform& to_world);
   const GroupMeshes& meshes_of(ShapeGroupIndex group);
   Mesh compile_mesh(const ShapeDescription& shape, const Transform& to_world) const;

@@ -50,8 +50,8 @@ class VolumetricTracer {
     ++work.rays.camera;
     for (std::uint32_t step = 0;; ++step) {
       Interaction at;
-      const bool met = world_.intersect(h.ray, draws.one(dimension::at_step(step, dimension::layer)), at);
-      if (step == 0 && met && camera_.beyond_far_plane(at.p)) return h.radiance;
+      const bool met = world_.intersect(h.ray, draws.one(dimension::at_step(step, dimension::layer)), at) &&
+                       !(step == 0 && camera_.beyond_far_plane(at.p));
       const float distance = met ? length(at.p - h.ray.origin) : world_.far_away();
       const std::optional<float> scattered = cross_medium(h, distance, met, step, draws);
       if (!(max_component(h.throughput) > 0)) return h.radiance;

@@ -46,9 +46,8 @@ class WhittedTracer {
              ScalarWork& work) const {
     Interaction at;
     if (edges > max_edges_) return Rgb(0.0f);
-    if (!world_.intersect(ray, draws.one(dimension++), at))
+    if (!world_.intersect(ray, draws.one(dimension++), at) || (edges == 1 && camera_.beyond_far_plane(at.p)))
       return edges == 1 && hide_emitters_ ? Rgb(0.0f) : throughput * lights_.environment(ray.direction);
-    if (edges == 1 && camera_.beyond_far_plane(at.p)) return Rgb(0.0f);
     const Vec3f wo = -ray.direction;
     Rgb radiance(0.0f);
     if (at.light != no_index && !(edges == 1 && hide_emitters_)) radiance += throughput * lights_.radiance(at, wo);

@@ -96,21 +96,59 @@ void write_lamp_mesh(const fs::path& target) {
                         "f 1 4 3 2\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n");
 }
 
+std::string hundredths(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.2f", value);
+  return text.data();
+}
+
 /// LM-63-2002, rotationally symmetric: 1000 cos^2 of the angle from the nadir, in steps of 5 degrees to 90.
 void write_lamp_profile(const fs::path& target) {
   std::string angles, candela;
   for (int degrees = 0; degrees <= 90; degrees += 5) {
-    std::array<char, 32> number{};
-    std::snprintf(number.data(), number.size(), "%.2f", 1000 * std::pow(std::cos(degrees * pi / 180), 2));
     const char* end = degrees == 45 ? "\n" : " ";
     angles += std::to_string(degrees) + end;
-    candela += std::string(number.data()) + end;
+    candela += hundredths(1000 * std::pow(std::cos(degrees * pi / 180), 2)) + end;
   }
   angles.back() = candela.back() = '\n';
   write_file_atomically(target,
                         "IESNA:LM-63-2002\n[TEST] made by photonproof generate assets\n[MANUFAC] photonproof\n"
                         "TILT=NONE\n1 1000 1 19 1 1 2 0 0 0\n1 1 10\n" +
                             angles + "0\n" + candela);
+}
+
+/// 24 x 16 cells without any symmetry: red jumps from cell to cell, green grows with u, blue with v.
+void write_chart(const fs::path& target) {
+  constexpr int width = 24, height = 16;
+  write_png(target.string(), picture(width, height, [](int x, int y) {
+              return RgbD(linear_of_byte((7 * x + 13 * y + 5 * x * y) % 11 / 10.0),
+                          linear_of_byte((x + 1) / double{width}), linear_of_byte((y + 1) / double{height}));
+            }));
+}
+
+/// An octahedron with six unlike half-axes, smooth normals and uvs, faces outward.
+void write_gem(const fs::path& target) {
+  write_file_atomically(target,
+                        "# An irregular octahedron, made by `photonproof generate assets`.\n"
+                        "v 1 0 0\nv -0.8 0.1 0\nv 0 1.2 0.1\nv 0.1 -1 0\nv 0 0.1 0.9\nv -0.1 0 -1\n"
+                        "vt 1 0.5\nvt 0 0.5\nvt 0.5 1\nvt 0.5 0\nvt 0.6 0.5\nvt 0.4 0.4\n"
+                        "vn 1 0 0\nvn -1 0 0\nvn 0 1 0\nvn 0 -1 0\nvn 0 0 1\nvn 0 0 -1\n"
+                        "f 1/1/1 3/3/3 5/5/5\nf 3/3/3 2/2/2 5/5/5\nf 2/2/2 4/4/4 5/5/5\nf 4/4/4 1/1/1 5/5/5\n"
+                        "f 3/3/3 1/1/1 6/6/6\nf 2/2/2 3/3/3 6/6/6\nf 4/4/4 2/2/2 6/6/6\nf 1/1/1 4/4/4 6/6/6\n");
+}
+
+/// LM-63-2002, a half of the circle: candela that differ along C0 and C180, twice the tabulated by the multiplier.
+void write_lopsided_profile(const fs::path& target) {
+  std::string text =
+      "IESNA:LM-63-2002\n[TEST] made by photonproof generate assets\n[MANUFAC] photonproof\n"
+      "TILT=NONE\n1 1000 2 7 5 1 2 0 0 0\n1 1 10\n0 15 30 45 60 75 90\n0 45 90 135 180\n";
+  for (int horizontal = 0; horizontal <= 180; horizontal += 45)
+    for (int vertical = 0; vertical <= 90; vertical += 15) {
+      const double c = std::cos(vertical * pi / 180);
+      const double lean = 1 + 0.8 * std::sin(vertical * pi / 180) * std::cos(horizontal * pi / 180);
+      text += hundredths(250 * c * lean) + (vertical == 90 ? "\n" : " ");
+    }
+  write_file_atomically(target, text);
 }
 
 /// y = 1 + 0.03 cos(2 pi x / 0.5) over [-2,2]^2, 64 strips a wave, with the curve's normals.
@@ -139,12 +177,23 @@ void write_waves(const fs::path& target) {
 
 const std::vector<LibraryAsset>& library_assets() {
   static const std::vector<LibraryAsset> assets = {
+      {"chart/chart.png", true, write_chart},
+      {"chart-fisheye/chart.png", true, write_chart},
+      {"chart-lens/chart.png", true, write_chart},
+      {"chart-orthographic/chart.png", true, write_chart},
       {"daylight/tiles.png", true, write_tiles},
+      {"forms/gem.obj", false, write_gem},
       {"furnace-bumpmap/bumps.png", true, write_bumps},
       {"furnace-normalmap/normals.png", true, write_normals},
+      {"lamps/chart.png", true, write_chart},
+      {"lamps/gem.obj", false, write_gem},
+      {"lamps/lamp.ies", false, write_lopsided_profile},
       {"light-envmap/sky.exr", true, write_sky},
       {"light-ies/lamp.ies", false, write_lamp_profile},
       {"light-mesh/lamp.obj", false, write_lamp_mesh},
+      {"maps/chart.png", true, write_chart},
+      {"maps/normals.png", true, write_normals},
+      {"materials/sky.exr", true, write_sky},
       {"water-caustic/waves.ply", false, write_waves},
   };
   return assets;

@@ -66,8 +66,9 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, F> {
   [[gnu::flatten]] void meet_surfaces(PathState<F>& s, const Mask<F>& active) {
     const Mask<F> first = equal<F>(s.vertex, U(0u));
     const SurfaceHit<F> hit = closest_hit(scene_, s.origin, s.direction, s.from, active, all(first || !active));
-    Mask<F> alive = hit.valid;
-    if (any(first)) alive = alive && !(first && beyond_far_plane(scene_.camera, hit.p));
+    Mask<F> met = hit.valid;  // behind the far plane the camera sees the environment
+    if (any(first)) met = met && !(first && beyond_far_plane(scene_.camera, hit.p));
+    Mask<F> alive = met;
     if (scene_.lights_can_be_hit) {
       const U light = Base::surface_word(hit.surface, &SurfaceWords::light);
       Mask<F> shines = alive && !equal<F>(light, U(no_index));
@@ -77,7 +78,7 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, F> {
     if (task_.settings.max_depth >= 0)
       alive = alive && as_mask<F>(s.vertex + 1u < U(static_cast<std::uint32_t>(task_.settings.max_depth)));
     if (scene_.environment != no_index) {
-      Mask<F> leaves = active && !hit.valid;
+      Mask<F> leaves = active && !met;
       if (task_.settings.hide_emitters) leaves = leaves && !first;
       if (any(leaves)) add_environment(s, leaves);
     }
