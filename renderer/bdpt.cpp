@@ -7,6 +7,7 @@
 
 #include "renderer/bdpt_weights.h"
 #include "renderer/plan.h"
+#include "renderer/roulette.h"
 #include "renderer/scalar_passes.h"
 #include "renderer/surroundings.h"
 #include "renderer/world_camera.h"
@@ -21,8 +22,9 @@ struct Vertex {
   Vec3f back;      ///< unit, to the vertex before
   Rgb throughput;  ///< of the subpath up to here, over its densities
   SubpathWeights weights;
-  Surroundings around;  ///< on the side of `back`
-  std::uint32_t edges;  ///< of the subpath
+  Surroundings around;         ///< on the side of `back`
+  std::uint32_t edges;         ///< of the subpath
+  float refraction_scale = 1;  ///< undoes the squared index ratios in the throughput, for roulette
 };
 
 /// What the draws of a history are for; light paths and camera paths have sequences of their own.
@@ -143,22 +145,35 @@ class BidirectionalTracer {
     return transmittance(world_, end_at(v.at), to, around, false, draws, dimension::segment);
   }
 
+  /// Density with which a light path goes on from the vertex as a camera path came.
+  static float light_pdf(const Vertex& v, const Vec3f& from_light) {
+    return light_goes_on * scatter_pdf(v.at, from_light, v.back);
+  }
+
   /// Draws the next direction and plays roulette; false where the subpath ends. `full` is the throughput that roulette
   /// compares with.
   bool go_on(Vertex& v, const Draws& draws, TransportMode mode, float full, Ray& ray) const {
     const Scattering next = scatter(v.at, v.back, draws.one(dimension::at_vertex(v.edges, dimension::lobe)),
                                     draws.two(dimension::at_vertex(v.edges, dimension::next)), mode);
     if (!next.valid) return false;
+    const bool from_light = mode == TransportMode::importance;
     const float cos_out = cosine(v.at.ng, next.wi);
     if (next.delta)
-      v.weights.scatter_delta(cos_out);
+      v.weights.scatter_delta(from_light ? 1 / light_goes_on : light_goes_on, cos_out);
+    else if (from_light)
+      v.weights.scatter(light_goes_on * next.pdf, scatter_pdf(v.at, next.wi, v.back), cos_out);
     else
-      v.weights.scatter(next.pdf, scatter_pdf(v.at, next.wi, v.back), cos_out);
+      v.weights.scatter(next.pdf, light_pdf(v, next.wi), cos_out);
     v.throughput *= next.weight;
-    if (mode == TransportMode::importance) v.throughput *= adjoint_correction(v.at, v.back, next.wi);
+    if (from_light)
+      v.throughput *= adjoint_correction(v.at, v.back, next.wi);
+    else
+      v.refraction_scale *= next.eta * next.eta;
     if (!(max_component(v.throughput) > 0)) return false;
     if (v.edges >= static_cast<std::uint32_t>(limits_.rr_depth)) {
-      const float q = std::min(0.95f, max_component(v.throughput) / full);
+      const float weight = max_component(v.throughput) * v.refraction_scale / full;
+      const float q =
+          from_light ? std::min(light_goes_on, weight) : survival_probability(weight, v.edges, limits_.rr_depth);
       if (draws.one(dimension::at_vertex(v.edges, dimension::roulette)) >= q) return false;
       v.throughput *= 1 / q;
     }
@@ -177,7 +192,7 @@ class BidirectionalTracer {
   SubpathWeights first_light_weights(const LightStart& start, const Interaction& at) const {
     const Vec3f to_light = -start.direction;
     const double f0 = start.pdf.position;
-    const double f1 = first_step(start.pdf, start.infinite, start.end.p, at, to_light);
+    const double f1 = light_goes_on * first_step(start.pdf, start.infinite, start.end.p, at, to_light);
     const double drawn_anew = lights_.sample_pdf(at.p, start);
     if (start.delta) {  // no camera path meets it
       const double a = drawn_anew / (f0 * f1);
@@ -186,6 +201,11 @@ class BidirectionalTracer {
     const double g0 = start.infinite ? 1.0f : cosine(start.end.normal, to_light) / length_squared(at.p - start.end.p);
     const double a = g0 * drawn_anew / (f0 * f1), b = g0 / (f0 * f1);
     return {a * a, b * b};
+  }
+
+  /// Density with which light paths start as the lamp was met, times that of going on.
+  static double emitting(const EmissionPdf& pdf) {
+    return double{light_goes_on} * double{pdf.position} * double{pdf.direction};
   }
 
   /// s = 0: the camera path found a light by itself.
@@ -197,7 +217,7 @@ class BidirectionalTracer {
     const double g = cosine(v.at.ng, v.back) / length_squared(v.at.p - before);
     const double drawn_anew = g * lights_.sample_pdf(before, v.at);
     // (d_0/b_0)^2 for s = 1, and for s > 1 what went before times (f_0 t_0/b_0 ...)^2.
-    const double more = v.weights.ratio_of_light(drawn_anew, double{pdf.position} * double{pdf.direction});
+    const double more = v.weights.ratio_of_light(drawn_anew, emitting(pdf));
     return v.throughput * emitted * static_cast<float>(1 / (1 + more));
   }
 
@@ -208,8 +228,7 @@ class BidirectionalTracer {
     const Rgb emitted = v.throughput * lights_.environment(direction);
     if (v.edges == 1 || !(max_component(emitted) > 0)) return emitted;
     const EmissionPdf pdf = lights_.environment_emit_pdf(before, direction);
-    const double more = v.weights.ratio_of_light(lights_.environment_pdf(before, direction),
-                                                 double{pdf.position} * double{pdf.direction});
+    const double more = v.weights.ratio_of_light(lights_.environment_pdf(before, direction), emitting(pdf));
     return emitted * static_cast<float>(1 / (1 + more));
   }
 
@@ -228,11 +247,11 @@ class BidirectionalTracer {
     const double less = seen.delta ? 0.0 : scatter_pdf(v.at, v.back, seen.wi) / double{seen.pdf};
     const EmissionPdf pdf =
         lights_.emit_pdf(seen.light, seen.infinite ? v.at.p : seen.end.p, seen.end.normal, -seen.wi);
-    const double f1 = first_step(pdf, seen.infinite, seen.end.p, v.at, seen.wi);
+    const double f1 = light_goes_on * first_step(pdf, seen.infinite, seen.end.p, v.at, seen.wi);
     // f_0 over d_0: both per area, or both per direction at an infinite light, or both of the choice alone.
     double drawn = seen.pdf;
     if (!seen.delta && !seen.infinite) drawn *= cosine(seen.end.normal, seen.wi) / length_squared(v.at.p - seen.end.p);
-    const double more = v.weights.ratio(pdf.position * f1 / drawn, scatter_pdf(v.at, seen.wi, v.back));
+    const double more = v.weights.ratio(pdf.position * f1 / drawn, light_pdf(v, seen.wi));
     return value * arrives * static_cast<float>(1 / (1 + less * less + more));
   }
 
@@ -270,9 +289,10 @@ class BidirectionalTracer {
     const Rgb arrives = arriving(c, end_at(l.at), draws);
     if (!(max_component(arrives) > 0)) return Rgb(0.0f);
     const double made_by_camera = scatter_pdf(c.at, c.back, to_light) * cosine(l.at.ng, to_light) / distance2;
-    const double made_by_light = scatter_pdf(l.at, l.back, -to_light) * cosine(c.at.ng, to_light) / distance2;
+    const double made_by_light =
+        light_goes_on * scatter_pdf(l.at, l.back, -to_light) * cosine(c.at.ng, to_light) / distance2;
     const double less = l.weights.ratio(made_by_camera, scatter_pdf(l.at, -to_light, l.back));
-    const double more = c.weights.ratio(made_by_light, scatter_pdf(c.at, to_light, c.back));
+    const double more = c.weights.ratio(made_by_light, light_pdf(c, to_light));
     return value * arrives * static_cast<float>(1 / (1 + less + more));
   }
 

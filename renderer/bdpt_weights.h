@@ -20,10 +20,17 @@
 // directly is left to camera paths, so s = 1 does not join the lens. Light at infinity has directions in place of
 // points: see EmissionPdf.
 //
-// Roulette is in no density: weights need only be the same function of the path in every strategy, which they are.
+// Roulette by throughput is in no density: weights need only be the same function of the path in every strategy, which
+// they are. But of long paths, half are made by a long light path and a long camera path, all pairs of which it takes
+// time to join, with the product of two rare survivors' weights. So light paths are also cut by constant roulette: an
+// edge more has probability `light_goes_on`, and that is in f_i and in the density of going on from the light's side.
+// Where light goes round for long, camera paths then do most of it, in the way of path tracing.
 #pragma once
 
 namespace photonproof {
+
+/// Probability that a light path goes on where nothing is absorbed.
+inline constexpr float light_goes_on = 0.95f;
 
 /// A and B of a subpath's last vertex. Squares of densities span more than floats do.
 class SubpathWeights {
@@ -46,9 +53,10 @@ class SubpathWeights {
     b_ = stretch * stretch * (a_ + back * back * b_);
     a_ = 1 / (pdf * pdf);
   }
-  /// The same where it goes on in its one direction.
-  void scatter_delta(double cos_out) {
-    b_ *= cos_out * cos_out;
+  /// The same where it goes on in its one direction. `back_over_forth` is the ratio of the two ways' probabilities.
+  void scatter_delta(double back_over_forth, double cos_out) {
+    const double stretch = cos_out * back_over_forth;
+    b_ *= stretch * stretch;
     a_ = 0;
   }
   /// The ray arrives at a surface: from densities per solid angle to those per area.

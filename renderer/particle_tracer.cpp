@@ -9,6 +9,7 @@
 #include "renderer/particle_tracer.h"
 
 #include "renderer/plan.h"
+#include "renderer/roulette.h"
 #include "renderer/scalar_passes.h"
 #include "renderer/surroundings.h"
 #include "renderer/world_camera.h"
@@ -62,7 +63,8 @@ class ParticleTracer {
       throughput *= next.weight * adjoint_correction(at, to_light, next.wi);
       if (!(max_component(throughput) > 0)) return;
       if (edges >= static_cast<std::uint32_t>(limits_.rr_depth)) {
-        const float q = std::min(0.95f, max_component(throughput) / max_component(first_throughput));
+        const float q =
+            survival_probability(max_component(throughput) / max_component(first_throughput), edges, limits_.rr_depth);
         if (draws.one(draw(3)) >= q) return;
         throughput *= 1 / q;
       }

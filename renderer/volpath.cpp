@@ -8,6 +8,7 @@
 #include "renderer/volpath.h"
 
 #include "renderer/plan.h"
+#include "renderer/roulette.h"
 #include "renderer/scalar_passes.h"
 #include "renderer/surroundings.h"
 #include "renderer/world_camera.h"
@@ -180,7 +181,7 @@ class VolumetricTracer {
   bool survives(History& h, std::uint32_t step, const Draws& draws) const {
     if (!(max_component(h.throughput) > 0)) return false;
     if (h.depth < static_cast<std::uint32_t>(limits_.rr_depth)) return true;
-    const float q = std::min(0.95f, max_component(h.throughput) * h.refraction_scale);
+    const float q = survival_probability(max_component(h.throughput) * h.refraction_scale, h.depth, limits_.rr_depth);
     if (draws.one(dimension::at_step(step, dimension::roulette)) >= q) return false;
     h.throughput *= 1 / q;
     return true;

@@ -10,6 +10,7 @@
 #include "renderer/kernels/batch_kernel.h"
 #include "renderer/kernels/camera_rays.h"
 #include "renderer/kernels/direct_light.h"
+#include "renderer/roulette.h"
 
 namespace photonproof {
 
@@ -184,11 +185,12 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, F> {
     add_direct_light(at, bsdf, frame, wo_local, dimension, true, active);
   }
 
-  /// Unbiased: from rr_depth on, survive with probability min(0.95, largest channel) and divide by it.
+  /// Unbiased: from rr_depth on, survive with a probability by the largest channel and divide by it.
   Mask<F> survive_roulette(PathState<F>& s, const U& dimension, const Mask<F>& alive) const {
     const Mask<F> mortal = alive && as_mask<F>(s.vertex + 1u >= U(static_cast<std::uint32_t>(task_.settings.rr_depth)));
     if (!any(mortal)) return alive;
-    const F q = lane_min(F(max_component(s.throughput) * s.refraction_scale), F(0.95f));
+    const F weight = max_component(s.throughput) * s.refraction_scale;
+    const F q = survival_probability<F>(weight, U(s.vertex + 1u), task_.settings.rr_depth);
     s.throughput *= select(mortal, 1 / q, F(1.0f));
     return alive && (!mortal || draw_independent<F>(s.key, s.index, U(dimension + 4u)) < q);
   }

@@ -7,6 +7,7 @@
 #include "renderer/kernels/batch_kernel.h"
 #include "renderer/kernels/lights.h"
 #include "renderer/kernels/rays.h"
+#include "renderer/roulette.h"
 #include "renderer/warp.h"
 
 namespace photonproof {
@@ -15,16 +16,18 @@ template <class F>
 struct PhotonState {
   Vec3<F> origin, direction;
   Vec3<F> flux;     ///< W
+  F weight;         ///< of the flux's largest channel relative to the start, for roulette
   UInt<F> from;     ///< primitive the ray leaves
   UInt<F> edges;    ///< before the next ray
   UInt<F> bounced;  ///< PhotonKernel's bits
   UInt<F> path;     ///< number in the task
 
-  static constexpr std::size_t column_count = 13;
+  static constexpr std::size_t column_count = 14;
   template <class Self, class Visit>
   static void columns(Self& s, Visit&& visit) {
     const auto visit3 = [&](auto& v) { visit(v.x), visit(v.y), visit(v.z); };
     visit3(s.origin), visit3(s.direction), visit3(s.flux);
+    visit(s.weight);
     visit(s.from), visit(s.edges), visit(s.bounced), visit(s.path);
   }
 };
@@ -37,9 +40,10 @@ class PhotonKernel : public BatchKernel<PhotonKernel<F>, PhotonState, F> {
   static constexpr std::uint32_t emission_dimensions = 3;        // position, direction, light
   static constexpr std::uint32_t dimensions_an_edge = 3;         // direction, lobe, roulette
   static constexpr std::uint32_t surface_dimensions = 1u << 24;  // one an edge: which of a surface's BSDFs
-  /// Roulette by albedo keeps the photons' flux even. Only long histories also die at random where nothing is absorbed,
-  /// so that a lossless closed scene ends.
-  static constexpr std::uint32_t always_mortal_from = 32;
+  /// From here on, photons are stored less and less often, and carry more: k edges leave about 32 (1 + log(k/32)) of
+  /// them, so that maps of scenes that hardly absorb stay small.
+  static constexpr float every_edge_until = 32;
+  static constexpr std::uint32_t thinning_dimensions = 2u << 24;  // one an edge
 
  public:
   explicit PhotonKernel(PhotonTask& task) : Base(*task.scene, task.scratch), task_(task) {}
@@ -79,6 +83,7 @@ class PhotonKernel : public BatchKernel<PhotonKernel<F>, PhotonState, F> {
         });
     s.flux *= F(task_.share) / choice.probability;
     s.origin = offset_from(s.origin, normal, s.direction, scene_.coordinate_floor);
+    s.weight = F(1.0f);
     s.edges = U(0u);
     s.bounced = U(0u);
     return lanes && max_component(s.flux) > 0;
@@ -120,10 +125,14 @@ class PhotonKernel : public BatchKernel<PhotonKernel<F>, PhotonState, F> {
     const U index = s.path + task_.first;
     const F u_lobe = draw_independent<F>(key, index, U(dimension + 1u));
     const BsdfSample<F> next = bsdf.sample(wo_local, u_lobe, u_direction, TransportMode::importance);
-    const F largest = max_component(next.weight);
-    const F q = lane_min(largest, select(as_mask<F>(s.edges < U(always_mortal_from)), F(1.0f), F(0.95f)));
-    alive = alive && next.valid && largest > 0 && draw_independent<F>(key, index, U(dimension + 2u)) < q;
-    s.flux *= next.weight * (1 / q);
+    const F before = max_component(s.flux);
+    s.flux *= next.weight;
+    s.weight *= max_component(s.flux) / before;
+    // From the first surface on: photons of even flux make the best maps.
+    const F q = survival_probability<F>(s.weight, s.edges, 0);
+    alive = alive && next.valid && q > 0 && draw_independent<F>(key, index, U(dimension + 2u)) < q;
+    s.flux *= 1 / q;
+    s.weight *= 1 / q;
     s.direction = normalize(frame.to_world(next.wi_local));
     s.origin = offset_from(at.p, at.normal, s.direction, scene_.coordinate_floor);
     Base::go_on(s, alive);
@@ -166,7 +175,15 @@ class PhotonKernel : public BatchKernel<PhotonKernel<F>, PhotonState, F> {
   }
 
   void store(const AtSurface<PhotonState, F>& at, const Mask<F>& lanes) {
-    const std::uint32_t bits = to_bits(lanes);
+    F stored_share(1.0f);
+    Mask<F> stored = lanes;
+    const F edges = to_float(at.history.edges);
+    if (any(lanes && edges > every_edge_until)) {
+      stored_share = lane_min(F(every_edge_until / edges), F(1.0f));
+      stored = lanes && draw_independent<F>(U(task_.seed), U(at.history.path + task_.first),
+                                            U(at.history.edges + thinning_dimensions)) < stored_share;
+    }
+    const std::uint32_t bits = to_bits(stored);
     if (bits == 0) return;
     PhotonDeposits& d = *task_.deposits;
     if (d.count + 2 * PhotonDeposits::slack > PhotonDeposits::capacity) task_.drain(task_);
@@ -176,9 +193,10 @@ class PhotonKernel : public BatchKernel<PhotonKernel<F>, PhotonState, F> {
     put(at.p.x, d.x);
     put(at.p.y, d.y);
     put(at.p.z, d.z);
-    put(at.history.flux.x, d.red);
-    put(at.history.flux.y, d.green);
-    put(at.history.flux.z, d.blue);
+    const Vec3<F> flux = at.history.flux * (1 / stored_share);
+    put(flux.x, d.red);
+    put(flux.y, d.green);
+    put(flux.z, d.blue);
     put(at.surface, d.surface);
     put(at.history.edges, d.edges);
     put(at.history.path, d.path);
