@@ -182,6 +182,7 @@ const std::vector<LibraryAsset>& library_assets() {
       {"chart-lens/chart.png", true, write_chart},
       {"chart-orthographic/chart.png", true, write_chart},
       {"daylight/tiles.png", true, write_tiles},
+      {"forms/chart.png", true, write_chart},
       {"forms/gem.obj", false, write_gem},
       {"furnace-bumpmap/bumps.png", true, write_bumps},
       {"furnace-normalmap/normals.png", true, write_normals},

@@ -3,14 +3,14 @@
 documentation of Mitsuba 3 has them (plugins perspective, thinlens, orthographic, gaussian, tent, bitmap, and the meaning of
 lookat and of nested transforms), the equidistant projection for the fisheye. Nothing of photonproof is read, the scenes' numbers are
 written again. Prints for each chart the image's mean and its first moments along x and y, a channel each, and some
-pixels: the constants of renderer/chart_scenes_test.cpp. Standard library only; half a minute.
+pixels: the constants of renderer/chart_scenes_test.cpp. Standard library only; two minutes.
 
   harness/oracles/charts.py
 """
 import math
 
 WIDTH, HEIGHT = 24, 16
-SAMPLES, SAMPLES_OF_SHOWN = 800, 40000
+SAMPLES, SAMPLES_OF_SHOWN = 4000, 40000
 SHOWN = ((5, 3), (11, 7), (12, 8), (17, 4), (8, 12), (18, 11))
 
 
