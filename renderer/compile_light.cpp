@@ -122,7 +122,7 @@ struct Compiler {
   }
 
   Light operator()(const SunSkyDescription& d) const {
-    return sky(SunSky({d.sun_direction, d.turbidity, d.sun_scale, d.sky_scale,
+    return sky(SunSky({d.sun_direction, d.turbidity, d.albedo, d.sun_scale, d.sky_scale,
                        d.sun_aperture_degrees * std::numbers::pi / 180, d.to_world}));
   }
 
