@@ -7,69 +7,15 @@
 #include <cmath>
 #include <numbers>
 
-#include "renderer/test_scenes.h"
-#include "scenes/image.h"
-#include "scenes/parser.h"
-#include "scenes/test_folder.h"
+#include "renderer/test_emitters.h"
 
 namespace photonproof {
 namespace {
 
+using test::expect_rgb;
+
 constexpr double pi_d = std::numbers::pi, degree = pi_d / 180;
-
-class EmitterParameters : public FolderTest {
- protected:
-  /// The colour of a pixel, 0.01 degrees wide, that looks from `eye` to `target` into a scene with this content.
-  RgbD seen(const std::string& content, const Vec3d& eye, const Vec3d& target, std::int64_t spp = 4) const {
-    const Vec3d along = normalize(target - eye), up = std::abs(along.y) < 0.9 ? Vec3d{0, 1, 0} : Vec3d{1, 0, 0};
-    const std::string text =
-        "<scene version='3.0.0'><integrator type='path'><integer name='max_depth' value='2'/>"
-        "</integrator><sensor type='perspective'><float name='fov' value='0.01'/>"
-        "<transform name='to_world'>" +
-        look_at(eye, target, up) +
-        "</transform><film type='hdrfilm'><integer name='width' value='1'/>"
-        "<integer name='height' value='1'/><rfilter type='box'/></film></sensor>" +
-        content + "</scene>";
-    const Image image =
-        test::render(parse_scene_text(text, (folder_ / "scene.xml").string()), "path", test::job_with(spp)).image.mean;
-    return {image.pixel(0, 0)[0], image.pixel(0, 0)[1], image.pixel(0, 0)[2]};
-  }
-
-  /// What an emitter sends onto a small surface at p with the normal n: the radiance of white paint there, times pi.
-  RgbD irradiance(const std::string& emitter, const Vec3d& p, const Vec3d& n, std::int64_t spp = 4) const {
-    const Vec3d normal = normalize(n), up = std::abs(normal.y) < 0.9 ? Vec3d{0, 1, 0} : Vec3d{1, 0, 0};
-    const std::string paint = "<shape type='rectangle'><transform name='to_world'><scale value='0.02'/>" +
-                              look_at(p, p + normal, up) +
-                              "</transform><bsdf type='diffuse'><float name='reflectance' value='1'/></bsdf></shape>";
-    return seen(emitter + paint, p + normal * 0.1 + normalize(cross(normal, up)) * 0.05, p, spp) * pi_d;
-  }
-
-  void put_picture(const std::string& name, const Image& image) const {
-    Rendering picture;
-    picture.mean = image;
-    write_exr((folder_ / name).string(), picture);
-  }
-  /// Two by two texels of the colours 1, 2, 3; 4, 5, 6; ...
-  void put_four_texels(const std::string& name) const {
-    Image image(2, 2);
-    for (std::size_t i = 0; i < image.rgb.size(); ++i) image.rgb[i] = static_cast<float>(i + 1);
-    put_picture(name, image);
-  }
-
-  static std::string vector(const Vec3d& v) {
-    return std::to_string(v.x) + ", " + std::to_string(v.y) + ", " + std::to_string(v.z);
-  }
-  static std::string look_at(const Vec3d& eye, const Vec3d& target, const Vec3d& up) {
-    return "<lookat origin='" + vector(eye) + "' target='" + vector(target) + "' up='" + vector(up) + "'/>";
-  }
-};
-
-void expect_rgb(const RgbD& found, const RgbD& expected, double part = 1e-4) {
-  const double tolerance = part * std::max({expected.x, expected.y, expected.z});
-  EXPECT_NEAR(found.x, expected.x, tolerance);
-  EXPECT_NEAR(found.y, expected.y, tolerance);
-  EXPECT_NEAR(found.z, expected.z, tolerance);
-}
+using EmitterParameters = test::EmitterScene;
 
 // --- point -----------------------------------------------------------------------------------------------------------
 
@@ -147,14 +93,15 @@ TEST_F(EmitterParameters, spot_projects_its_texture_with_u_along_x_and_v_along_y
   // one unit ahead: local (x, y, 1) sees u = (1 + x) / 2, v = (1 + y) / 2.
   put_four_texels("slide.exr");
   const std::array<RgbD, 4> colours{RgbD(1, 2, 3), RgbD(4, 5, 6), RgbD(7, 8, 9), RgbD(10, 11, 12)};
-  const std::string lamp =
-      "<emitter type='spot'><float name='cutoff_angle' value='45'/><float name='beam_width' value='44'/><rgb "
-      "name='intensity' value='2, 1, 1'/><texture type='bitmap' name='texture'><string name='filename' "
-      "value='slide.exr'/><boolean name='raw' value='true'/><string name='filter_type' "
-      "value='nearest'/></texture>";
-  const auto at = [&](const std::string& to_world, double x, double y) {
+  const auto lamp_through = [](const std::string& filter) {
+    return "<emitter type='spot'><float name='cutoff_angle' value='45'/><float name='beam_width' value='44'/><rgb "
+           "name='intensity' value='2, 1, 1'/><texture type='bitmap' name='texture'><string name='filename' "
+           "value='slide.exr'/><boolean name='raw' value='true'/><string name='filter_type' value='" +
+           filter + "'/></texture>";
+  };
+  const auto at = [&](const std::string& to_world, double x, double y, const std::string& filter = "nearest") {
     const Vec3d p{x, y, 1};
-    return irradiance(lamp + to_world + "</emitter>", p, -p) * dot(p, p);
+    return irradiance(lamp_through(filter) + to_world + "</emitter>", p, -p) * dot(p, p);
   };
   const RgbD lit(2, 1, 1);
   expect_rgb(at("", -0.3, -0.4), colours[0] * lit);
@@ -162,10 +109,12 @@ TEST_F(EmitterParameters, spot_projects_its_texture_with_u_along_x_and_v_along_y
   expect_rgb(at("", -0.3, 0.4), colours[2] * lit);
   expect_rgb(at("", 0.3, 0.4), colours[3] * lit);
   expect_rgb(at("", 0.03, -0.02), colours[1] * lit);  // the border goes through the middle
+  // Bilinear, which shows the scale: x = 1/4 is u = 5/8, three quarters of the way between the middles of the columns;
+  // y = -1/2 is the middle of the first row.
+  expect_rgb(at("", 0.25, -0.5, "bilinear"), (colours[0] * 0.25 + colours[1] * 0.75) * lit, 1e-3);
+  expect_rgb(at("", -0.5, 0.25, "bilinear"), (colours[0] * 0.25 + colours[2] * 0.75) * lit, 1e-3);
   // Turned about its axis by 90 degrees, world (-y, x) is local (x, y): world (0.4, 0.3) is local (0.3, -0.4).
   expect_rgb(at("<transform name='to_world'><rotate z='1' angle='90'/></transform>", 0.4, 0.3), colours[1] * lit);
-  // Mirrored: world x is local -x.
-  expect_rgb(at("<transform name='to_world'><scale x='-1'/></transform>", 0.3, -0.4), colours[0] * lit);
 }
 
 // --- directional -----------------------------------------------------------------------------------------------------
@@ -404,65 +353,6 @@ TEST_F(IesParameters, lamp_is_placed_and_turned_by_to_world) {
        {std::pair(Vec3d(0, c, 0.5), 80.0), {Vec3d(0.5, c, 0), 20.0}, {Vec3d(0, c, -0.5), 80.0}})
     EXPECT_NEAR(irradiance(lamp, Vec3d(1, 2, 3) + way * 2.0, -way).y * 4, expected, 0.01);
   EXPECT_EQ(irradiance(lamp, {1, 0, 3}, {0, 1, 0}), RgbD(0.0)) << "above it";
-}
-
-// --- area ------------------------------------------------------------------------------------------------------------
-
-std::string glowing(const std::string& type, const std::string& rest, const std::string& radiance) {
-  return "<shape type='" + type + "'>" + rest +
-         "<bsdf type='diffuse'><float name='reflectance' value='0'/></bsdf><emitter type='area'>" + radiance +
-         "</emitter></shape>";
-}
-
-TEST_F(EmitterParameters, area_shines_its_radiance_from_the_side_of_the_normal) {
-  const std::string colour = "<rgb name='radiance' value='2, 3, 5'/>",
-                    flip = "<boolean name='flip_normals' value='true'/>";
-  for (const char* type : {"rectangle", "disk"}) {
-    expect_rgb(seen(glowing(type, "", colour), {0.3, 0.2, 2}, {0.1, 0.1, 0}), RgbD(2, 3, 5));
-    EXPECT_EQ(seen(glowing(type, "", colour), {0.3, 0.2, -2}, {0.1, 0.1, 0}), RgbD(0.0)) << type;
-    EXPECT_EQ(seen(glowing(type, flip, colour), {0.3, 0.2, 2}, {0.1, 0.1, 0}), RgbD(0.0)) << type;
-    expect_rgb(seen(glowing(type, flip, ""), {0.3, 0.2, -2}, {0.1, 0.1, 0}), RgbD(1.0));
-  }
-  for (const char* type : {"sphere", "cube", "cylinder"}) {
-    expect_rgb(seen(glowing(type, "", colour), {3, 0.2, 0.5}, {0, 0.1, 0.5}), RgbD(2, 3, 5));
-    EXPECT_EQ(seen(glowing(type, "", colour), {0, 0.2, 0.5}, {3, 0.1, 0.5}), RgbD(0.0)) << type << " from inside";
-    expect_rgb(seen(glowing(type, flip, colour), {0, 0.2, 0.5}, {3, 0.1, 0.5}), RgbD(2, 3, 5));
-  }
-}
-
-TEST_F(EmitterParameters, area_light_of_a_stretched_shape_has_its_area) {
-  // A rectangle of half-sides a = 2 and b = 1/2 (a disk: an ellipse), h = 4 above. The rectangle in closed form: with
-  // x = a/h and y = b/h, E = L 2 (x / sqrt(1 + x^2) atan(y / sqrt(1 + x^2)) + y / sqrt(1 + y^2) atan(x / sqrt(1 +
-  // y^2))). The ellipse: the integral of h^2 / (h^2 + r^2)^2 over it, in polar steps.
-  const std::string place =
-      "<transform name='to_world'><scale x='2' y='0.5'/><rotate x='1' angle='90'/>"
-      "<translate y='4'/></transform>";
-  const double x = 0.5, y = 0.125, a = std::sqrt(1 + x * x), b = std::sqrt(1 + y * y);
-  const double rectangle = 2 * (x / a * std::atan(y / a) + y / b * std::atan(x / b));
-  double ellipse = 0;
-  constexpr int steps = 400;
-  for (int i = 0; i < steps; ++i)
-    for (int j = 0; j < steps; ++j) {
-      const double r = (i + 0.5) / steps, phi = (j + 0.5) / steps * 2 * pi_d;
-      const double distance2 = 16 + r * r * (4 * std::cos(phi) * std::cos(phi) + 0.25 * std::sin(phi) * std::sin(phi));
-      ellipse += 16 / (distance2 * distance2) * r * (2 * pi_d / (double{steps} * steps));  // times a b = 1
-    }
-  // 1 % are ten standard errors and more.
-  EXPECT_NEAR(irradiance(glowing("rectangle", place, ""), {}, {0, 1, 0}, 1 << 12).x, rectangle, 0.01 * rectangle);
-  EXPECT_NEAR(irradiance(glowing("disk", place, ""), {}, {0, 1, 0}, 1 << 12).x, ellipse, 0.01 * ellipse);
-}
-
-TEST_F(EmitterParameters, area_light_wears_its_texture) {
-  // u grows along the rectangle's local x, v along y: the first texel is at (-, -).
-  put_four_texels("lamp.exr");
-  const std::string lamp =
-      glowing("rectangle", "",
-              "<texture type='bitmap' name='radiance'><string name='filename' value='lamp.exr'/><boolean "
-              "name='raw' value='true'/><string name='filter_type' value='nearest'/></texture>");
-  expect_rgb(seen(lamp, {-0.4, -0.3, 2}, {-0.4, -0.3, 0}), RgbD(1, 2, 3));
-  expect_rgb(seen(lamp, {0.4, -0.3, 2}, {0.4, -0.3, 0}), RgbD(4, 5, 6));
-  expect_rgb(seen(lamp, {-0.4, 0.3, 2}, {-0.4, 0.3, 0}), RgbD(7, 8, 9));
-  expect_rgb(seen(lamp, {0.4, 0.3, 2}, {0.4, 0.3, 0}), RgbD(10, 11, 12));
 }
 
 }  // namespace

@@ -3,8 +3,8 @@
 // per nanometre, W m^-2 sr^-1 nm^-1, as linear Rec. 709 of XYZ with the integral of the CIE 1931 y function divided out
 // (cie_y_integral).
 //
-// Mitsuba's sunsky has the same sky, with the authors' data for RGB instead of XYZ, and another sun (Hosek and Wilkie
-// 2013, with a darker limb): both are fits to one air, and differ by some per cent.
+// Mitsuba's sunsky has the same sky, by the authors' data for RGB instead of XYZ, and another sun (Hosek and Wilkie
+// 2013).
 #pragma once
 
 #include <vector>
