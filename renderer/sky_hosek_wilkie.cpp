@@ -50,8 +50,8 @@ HosekWilkieSky::HosekWilkieSky(double turbidity, double albedo, double sun_eleva
   }
 }
 
-Vec3d HosekWilkieSky::xyz(double cos_theta, double gamma) const {
-  const double cos_gamma = std::cos(gamma), from_zenith = std::sqrt(cos_theta);
+Vec3d HosekWilkieSky::xyz(double cos_theta, double cos_gamma) const {
+  const double gamma = std::acos(cos_gamma), from_zenith = std::sqrt(cos_theta);
   const auto at = [&](const Channel& channel) {
     const auto& [a, b, c, d, e, f, g, i, h] = channel.shape;
     const double forward = 1 + h * h - 2 * h * cos_gamma;  // around the sun: equation 9

@@ -24,9 +24,9 @@ class HosekWilkieSky {
   /// Turbidity from 1 to 10; the ground's albedo, 0 to 1; the sun's height above the horizon, radians, 0 to pi/2.
   HosekWilkieSky(double turbidity, double albedo, double sun_elevation);
 
-  /// CIE XYZ of the radiance, W m^-2 sr^-1 (683 Y is the luminance in cd m^-2): `cos_theta` from the zenith, not
-  /// negative, `gamma` from the sun, radians.
-  Vec3d xyz(double cos_theta, double gamma) const;
+  /// CIE XYZ of the radiance, W m^-2 sr^-1 (683 Y is the luminance in cd m^-2): cosines of the angles from the zenith,
+  /// not negative, and from the sun.
+  Vec3d xyz(double cos_theta, double cos_gamma) const;
 
  private:
   struct Channel {

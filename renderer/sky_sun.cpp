@@ -70,9 +70,9 @@ SunSky::SunSky(const SunSkySettings& settings)
 
 RgbD SunSky::sky(const Vec3d& local) const {
   if (local.z < 0 || sky_scale_ == 0) return RgbD(0.0);
-  const double gamma = std::acos(std::clamp(dot(local, Vec3d(sun_)), -1.0, 1.0));
+  const double cos_gamma = std::clamp(dot(local, Vec3d(sun_)), -1.0, 1.0);
   const auto over = [&](const HosekWilkieSky& sky) {
-    return not_negative(rgb_of_xyz(sky.xyz(local.z, gamma) * (sky_scale_ / cie_y_integral)));
+    return not_negative(rgb_of_xyz(sky.xyz(local.z, cos_gamma) * (sky_scale_ / cie_y_integral)));
   };
   if (skies_.size() == 1) return over(skies_[0]);
   return {over(skies_[0]).x, over(skies_[1]).y, over(skies_[2]).z};
