@@ -9,10 +9,10 @@ namespace {
 
 Vec3f axis(const Transform& to_world, const Vec3d& local) { return Vec3f(normalize(to_world.vector(local))); }
 
-/// Two axes of a frame whose third is `forward`, the first of them near `right`.
-std::pair<Vec3f, Vec3f> across(const Vec3f& forward, const Vec3f& right, bool mirrored) {
+/// Two axes of a right-handed frame whose third is `forward`, the first of them near `right`.
+std::pair<Vec3f, Vec3f> across(const Vec3f& forward, const Vec3f& right) {
   const Vec3f x = normalize(right - forward * dot(right, forward));
-  return {x, cross(forward, x) * (mirrored ? -1.0f : 1.0f)};
+  return {x, cross(forward, x)};
 }
 
 // --- shapes ----------------------------------------------------------------------------------------------------------
@@ -103,7 +103,7 @@ struct Compiler {
                                              Rgb(d.intensity), d.beam_degrees * radians, d.cutoff_degrees * radians);
     if (!d.texture) return spot;
     if (d.cutoff_degrees >= 90) throw InputError(where, "a spot light with a texture needs a cutoff_angle below 90");
-    const auto [right, up] = across(spot.axis, Vec3f(d.to_world.vector({1, 0, 0})), d.to_world.determinant() < 0);
+    const auto [right, up] = across(spot.axis, Vec3f(d.to_world.vector({1, 0, 0})));
     return TexturedSpotLight(spot, right, up, texture(*d.texture));
   }
 
@@ -122,13 +122,13 @@ struct Compiler {
   }
 
   Light operator()(const SunSkyDescription& d) const {
-    return sky(SunSky({d.sun_direction, d.turbidity, d.sun_scale, d.sky_scale,
+    return sky(SunSky({d.sun_direction, d.turbidity, d.albedo, d.sun_scale, d.sky_scale,
                        d.sun_aperture_degrees * std::numbers::pi / 180, d.to_world}));
   }
 
   Light operator()(const IesLightDescription& d) const {
     const Vec3f zenith = axis(d.to_world, {0, 0, 1});
-    const auto [c0, c90] = across(zenith, Vec3f(d.to_world.vector({1, 0, 0})), d.to_world.determinant() < 0);
+    const auto [c0, c90] = across(zenith, Vec3f(d.to_world.vector({1, 0, 0})));
     return IesLight(Vec3f(d.to_world.point({0, 0, 0}) + moved), c0, c90, zenith, Rgb(d.intensity), *d.profile);
   }
 

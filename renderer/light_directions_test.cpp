@@ -54,8 +54,8 @@ std::vector<NamedSky> skies() {
       const double phi = 2 * std::numbers::pi * double{r.next()}, across = std::sqrt(1 - height * height);
       const Vec3d sun{across * std::cos(phi), across * std::sin(phi), height};
       const Transform turned = Transform::rotate(unit(r), 360 * double{r.next()});
-      const SunSkySettings settings{sun,   1 + 9 * double{r.next()}, double{r.next()}, double{r.next()}, aperture,
-                                    turned};
+      const SunSkySettings settings{
+          sun, 1 + 9 * double{r.next()}, {0.3, 0.2, 0.6}, double{r.next()}, double{r.next()}, aperture, turned};
       const double versine = 1 - std::cos(aperture);
       all.push_back({"sunsky " + std::to_string(aperture) + " at " + std::to_string(height), SunSky(settings),
                      aperture < 10 * degree ? DirectionCells(Vec3f(turned.vector(sun)), versine) : DirectionCells()});

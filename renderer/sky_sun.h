@@ -1,15 +1,16 @@
-// Sun and clear sky: Preetham, Shirley and Smits 1999, "A Practical Analytic Model for Daylight". Local +z is up; there
-// is nothing below the horizon. Units are those of Mitsuba's sunsky: radiance per nanometre, W m^-2 sr^-1 nm^-1, as
-// linear Rec.709 of XYZ with the integral of the CIE 1931 y function (106.86 nm) divided out.
+// Sun and clear sky: the sky of Hosek and Wilkie (sky_hosek_wilkie.h), the sun of Preetham, Shirley and Smits
+// (sun_spectrum.h). Local +z is up; there is nothing below the horizon. Units are those of Mitsuba's sunsky: radiance
+// per nanometre, W m^-2 sr^-1 nm^-1, as linear Rec. 709 of XYZ with the integral of the CIE 1931 y function divided out
+// (cie_y_integral).
 //
-// Mitsuba's sunsky is another model (Hosek and Wilkie 2012 and 2013): shapes and magnitudes agree in daylight, numbers
-// do not. This one knows no ground albedo, no darkening of the sun's limb and no turbidity below 2, which is then taken
-// as 2.
+// Mitsuba's sunsky has the same sky, by the authors' data for RGB instead of XYZ, and another sun (Hosek and Wilkie
+// 2013).
 #pragma once
 
-#include <array>
+#include <vector>
 
 #include "renderer/discrete_distribution.h"
+#include "renderer/sky_hosek_wilkie.h"
 #include "scenes/transform.h"
 #include "scenes/vec.h"
 
@@ -17,7 +18,8 @@ namespace photonproof {
 
 struct SunSkySettings {
   Vec3d sun_direction{0, 0, 1};  ///< local, unit, towards the sun
-  double turbidity = 3;
+  double turbidity = 3;          ///< 1 to 10
+  RgbD albedo{0.3};              ///< of the ground, 0 to 1
   double sun_scale = 1, sky_scale = 1;
   double sun_aperture_radians = 0.00935;  ///< full angle; the sun's irradiance does not depend on it
   Transform to_world;                     ///< its rotation counts
@@ -40,13 +42,8 @@ class SunSky {
   Vec3f to_local(const Vec3f& d) const { return {dot(d, x_), dot(d, y_), dot(d, z_)}; }
   Vec3f to_world(const Vec3f& d) const { return x_ * d.x + y_ * d.y + z_ * d.z; }
 
-  /// Relative luminance or chromaticity after Perez: zenith value and five coefficients.
-  struct Perez {
-    double a, b, c, d, e;
-    double scale;  ///< the zenith's value over the function there
-    double at(double cos_theta, double gamma) const;
-  };
-  std::array<Perez, 3> perez_;  ///< of Y (kcd/m^2), x, y
+  /// Over a ground of each component's albedo; one for all where it is grey.
+  std::vector<HosekWilkieSky> skies_;
   double sky_scale_;
   Vec3f x_, y_, z_;  ///< local axes in the world, unit
   Vec3f sun_;        ///< local
@@ -56,8 +53,5 @@ class SunSky {
   DiscreteDistribution cells_;
   Rgb irradiance_;
 };
-
-/// Radiance of the sun's disc seen from the ground at this height, of the real sun's size, in SunSky's units.
-RgbD sun_disc_radiance(double cos_theta_sun, double turbidity);
 
 }  // namespace photonproof

@@ -66,21 +66,14 @@ constexpr std::array<double, kSamples> kD65 = {
     61.604,  65.7448, 69.8856, 72.4863, 75.087,  69.3398, 63.5927, 55.0054, 46.4182, 56.6118, 66.8054, 65.0941,
     63.3828, 63.8434, 64.304,  61.8779, 59.4519, 55.7054, 51.959,  54.6998, 57.4406, 58.8765, 60.3125};
 
-/// Mitsuba's constants, to agree with it in all digits: the integral of kY, and the mean of kD65 seen through kY.
-constexpr double kYIntegral = 106.7502593994140625, kD65Mean = 98.99741751876255;
+/// Mitsuba's, to agree with it in all digits, as cie_y_integral, that of kY: the mean of kD65 seen through kY.
+constexpr double kD65Mean = 98.99741751876255;
 
 double at(const std::array<double, kSamples>& table, double wavelength) {
   const double t = (wavelength - kFirst) * ((kSamples - 1) / (kLast - kFirst));
   const auto i = std::min(static_cast<std::size_t>(t), kSamples - 2);
   const double f = t - static_cast<double>(i);
   return (1 - f) * table[i] + f * table[i + 1];
-}
-
-/// Linear Rec. 709 with the rounded matrix that Mitsuba uses.
-RgbD rgb_of_xyz(const Vec3d& xyz) {
-  return {3.240479 * xyz.x - 1.537150 * xyz.y - 0.498535 * xyz.z,
-          -0.969256 * xyz.x + 1.875991 * xyz.y + 0.041556 * xyz.z,
-          0.055648 * xyz.x - 0.204043 * xyz.y + 1.057311 * xyz.z};
 }
 
 /// Linear between the samples, 0 outside.
@@ -95,6 +88,13 @@ double value_of(const std::vector<SpectrumSample>& samples, double wavelength) {
 
 }  // namespace
 
+// With the rounded matrix that Mitsuba uses.
+RgbD rgb_of_xyz(const Vec3d& xyz) {
+  return {3.240479 * xyz.x - 1.537150 * xyz.y - 0.498535 * xyz.z,
+          -0.969256 * xyz.x + 1.875991 * xyz.y + 0.041556 * xyz.z,
+          0.055648 * xyz.x - 0.204043 * xyz.y + 1.057311 * xyz.z};
+}
+
 RgbD rgb_of_spectrum(const std::vector<SpectrumSample>& samples, SpectrumKind kind) {
   constexpr int kSteps = 1000;  // Mitsuba's; both ends are steps
   Vec3d xyz;
@@ -104,7 +104,7 @@ RgbD rgb_of_spectrum(const std::vector<SpectrumSample>& samples, SpectrumKind ki
     const double value = value_of(samples, wavelength) * light;
     xyz += value * Vec3d(at(kX, wavelength), at(kY, wavelength), at(kZ, wavelength));
   }
-  const RgbD rgb = rgb_of_xyz(xyz * ((kLast - kFirst) / kSteps / kYIntegral));
+  const RgbD rgb = rgb_of_xyz(xyz * ((kLast - kFirst) / kSteps / cie_y_integral));
   return {std::max(rgb.x, 0.0), std::max(rgb.y, 0.0), std::max(rgb.z, 0.0)};
 }
 

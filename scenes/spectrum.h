@@ -22,4 +22,10 @@ enum class SpectrumKind { reflectance, emission };
 /// Rec. 709, become 0.
 RgbD rgb_of_spectrum(const std::vector<SpectrumSample>& samples, SpectrumKind kind);
 
+/// The integral over wavelength, nm, that a unit of Y stands for in rgb_of_spectrum's colours of emission.
+inline constexpr double cie_y_integral = 106.7502593994140625;
+
+/// Linear Rec. 709 of CIE XYZ, negative outside of its gamut.
+RgbD rgb_of_xyz(const Vec3d& xyz);
+
 }  // namespace photonproof

@@ -115,7 +115,7 @@ SurfaceHit<F> closest_small(const SmallSceneView& scene, const Vec3<F>& origin, 
 }
 
 /// Where something lies on the open segment from `origin` to origin + segment. `from` as above; `target` is a primitive
-/// the segment ends on, seen from its front, which cannot be in the way.
+/// the segment ends on, seen from its front: it is in the way only where that is the far side of a sphere.
 template <class F>
 Mask<F> occluded_small(const SmallSceneView& scene, const Vec3<F>& origin, const Vec3<F>& segment, const UInt<F>& from,
                        const UInt<F>& target) {
@@ -136,7 +136,11 @@ Mask<F> occluded_small(const SmallSceneView& scene, const Vec3<F>& origin, const
     const F enter = c.middle - c.half;
     const F elsewhere = select(enter > 0, enter, c.middle + c.half);
     const F t = select(equal<F>(from, U(id)), 2 * c.middle, elsewhere);
-    blocked = blocked || (c.meets && t > 0 && t < segment_end && !equal<F>(target, U(id)));
+    // A target is passed on the way from outside to where it shines inward.
+    const Mask<F> is_target = equal<F>(target, U(id));
+    const Mask<F> passed = enter > 1 - segment_end && c.middle < segment_end && !equal<F>(from, U(id));
+    const Mask<F> between = t > 0 && t < segment_end;
+    blocked = blocked || (c.meets && ((is_target && passed) || (!is_target && between)));
   }
   return blocked;
 }

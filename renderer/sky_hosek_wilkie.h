@@ -1,0 +1,39 @@
+// The clear sky of Hosek and Wilkie 2012, "An Analytic Model for Full Spectral Sky-Dome Radiance", which Mitsuba's
+// sunsky has too: a fit to skies path-traced over a ground that reflects, for turbidities from 1 to 10.
+#pragma once
+
+#include <array>
+
+#include "scenes/vec.h"
+
+namespace photonproof {
+
+/// The fit's data for one channel: for ground albedos 0 and 1, for turbidities 1 to 10, six Bezier points along the
+/// cube root of the sun's height.
+struct HosekWilkieTable {
+  static constexpr int turbidities = 10, points = 6, parameters = 9;
+  std::array<double, std::size_t{2} * turbidities * points * parameters> shape;  ///< equation 8's A to G, I, H
+  std::array<double, std::size_t{2} * turbidities * points> mean;                ///< W m^-2 sr^-1
+};
+
+/// Of CIE X, Y and Z.
+extern const std::array<HosekWilkieTable, 3> hosek_wilkie_tables;
+
+class HosekWilkieSky {
+ public:
+  /// Turbidity from 1 to 10; the ground's albedo, 0 to 1; the sun's height above the horizon, radians, 0 to pi/2.
+  HosekWilkieSky(double turbidity, double albedo, double sun_elevation);
+
+  /// CIE XYZ of the radiance, W m^-2 sr^-1 (683 Y is the luminance in cd m^-2): cosines of the angles from the zenith,
+  /// not negative, and from the sun.
+  Vec3d xyz(double cos_theta, double cos_gamma) const;
+
+ private:
+  struct Channel {
+    std::array<double, HosekWilkieTable::parameters> shape;
+    double mean;
+  };
+  std::array<Channel, 3> channels_;
+};
+
+}  // namespace photonproof
