@@ -28,7 +28,7 @@ BsdfIndex mapped(SceneDescription& d, const Vec3f& n, BsdfIndex nested, MappedNo
   return test::add_bsdf(d, NormalMapDescription{texture, nested, options});
 }
 
-enum class Normals { face, leaning, mapped, plainly_mapped, mapped_in_twosided, mapped_twice };
+enum class Normals { face, leaning, mapped, plainly_mapped, mapped_in_twosided, plain_in_twosided, mapped_twice };
 
 /// A large triangle at z = 0 with a BSDF and normals of that sort.
 SceneDescription surface(const decltype(BsdfDescription::model)& model, Normals normals) {
@@ -37,8 +37,9 @@ SceneDescription surface(const decltype(BsdfDescription::model)& model, Normals 
   const Vec3f lean(0.7f, -0.3f, 0.65f);
   if (normals == Normals::mapped) bsdf = mapped(d, lean, bsdf, {true, true});
   if (normals == Normals::plainly_mapped) bsdf = mapped(d, lean, bsdf, {false, false});
-  if (normals == Normals::mapped_in_twosided) {
-    bsdf = mapped(d, lean, bsdf, {true, true});
+  if (normals == Normals::mapped_in_twosided || normals == Normals::plain_in_twosided) {
+    const bool options = normals == Normals::mapped_in_twosided;
+    bsdf = mapped(d, lean, bsdf, {options, options});
     bsdf = test::add_bsdf(d, TwoSidedDescription{bsdf, bsdf});
   }
   if (normals == Normals::mapped_twice)
@@ -128,13 +129,15 @@ std::vector<Material> materials() {
            RoughDielectricDescription{MicrofacetDistribution::ggx, 0.4, 0.4, true, 1.5, 1.0, one, one}, true}};
 }
 
+bool in_twosided(Normals n) { return n == Normals::mapped_in_twosided || n == Normals::plain_in_twosided; }
+
 class BothModes : public testing::TestWithParam<Normals> {};
 
 TEST_P(BothModes, carry_the_same_light_from_a_lamp_to_a_camera) {
   // A cosine forgotten or of the wrong normal is 10 % and more, a state of a map drawn with another chance than is said
   // 5 %; standard errors are 0.1 to 1 %, and under two maps 2 %.
   for (const Material& m : materials()) {
-    if (m.transmits && GetParam() == Normals::mapped_in_twosided) continue;
+    if (m.transmits && in_twosided(GetParam())) continue;
     const OneSurface one(surface(m.model, GetParam()));
     const Mean by_camera = transported(one, TransportMode::radiance);
     const Mean by_light = transported(one, TransportMode::importance);
@@ -150,7 +153,7 @@ TEST_P(BothModes, carry_the_same_light_from_a_lamp_to_a_camera) {
 TEST_P(BothModes, have_weights_that_are_the_value_over_the_density) {
   // What bdpt and the light tracer connect with is what `scatter` draws: f cos = weight x pdf, to rounding.
   for (const Material& m : materials()) {
-    if (m.transmits && GetParam() == Normals::mapped_in_twosided) continue;
+    if (m.transmits && in_twosided(GetParam())) continue;
     const OneSurface one(surface(m.model, GetParam()));
     int smooth = 0;
     for (const TransportMode mode : {TransportMode::radiance, TransportMode::importance})
@@ -206,13 +209,15 @@ TEST_P(BothModes, agree_on_what_a_map_shows_to_whom) {
 }
 
 std::string name_of(const testing::TestParamInfo<Normals>& sort) {
-  constexpr const char* names[] = {"face", "leaning", "mapped", "plainly_mapped", "mapped_in_twosided", "mapped_twice"};
+  constexpr const char* names[] = {
+      "face", "leaning", "mapped", "plainly_mapped", "mapped_in_twosided", "plain_in_twosided", "mapped_twice"};
   return names[static_cast<int>(sort.param)];
 }
 
 INSTANTIATE_TEST_SUITE_P(normals, BothModes,
                          testing::Values(Normals::face, Normals::leaning, Normals::mapped, Normals::plainly_mapped,
-                                         Normals::mapped_in_twosided, Normals::mapped_twice),
+                                         Normals::mapped_in_twosided, Normals::plain_in_twosided,
+                                         Normals::mapped_twice),
                          name_of);
 
 }  // namespace

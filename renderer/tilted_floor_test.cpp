@@ -180,5 +180,16 @@ TEST(leaning_normals, of_a_lamp_do_not_emit) {
   EXPECT_NEAR(photons_at_radius_zero(scene, 0.02, 1'000'000) / mean_by(scene, "path", 512), 1, 0.02);
 }
 
+TEST(twosided_floor, keeps_the_photons_of_its_two_sides_apart) {
+  // The wall below lights the floor's back; seen from the front it is black.
+  SceneDescription scene = floor_by_wall(0);
+  scene.shapes[0].bsdf = test::add_bsdf(scene, TwoSidedDescription{scene.shapes[0].bsdf, scene.shapes[0].bsdf});
+  scene.shapes[1].to_world = Transform::translate({0, 0, -1}) * scene.shapes[1].to_world;
+  EXPECT_EQ(photons_of_radius(scene, 0.05, 200'000), 0);
+  scene.sensor.to_world =
+      Transform::look_at({0.5, 0.5, -3}, {0.5, 0.5, 0}, {0, 1, 0}) * Transform::scale({0.5, 0.5, 1});
+  EXPECT_GT(photons_of_radius(scene, 0.05, 200'000), 0.05);
+}
+
 }  // namespace
 }  // namespace photonproof
