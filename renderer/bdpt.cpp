@@ -37,6 +37,10 @@ enum What : std::uint32_t { next, lobe, roulette, layer, end_choice, end_point }
 constexpr std::uint32_t at_vertex(std::uint32_t edges, What what) { return first_vertex + edges * of_vertex + what; }
 }  // namespace dimension
 
+constexpr TransportMode reversed(TransportMode mode) {
+  return mode == TransportMode::radiance ? TransportMode::importance : TransportMode::radiance;
+}
+
 class BidirectionalTracer {
  public:
   BidirectionalTracer(const Scene& scene, const PathLimits& limits, int grid, std::int64_t pixels)
@@ -76,7 +80,7 @@ class BidirectionalTracer {
     for (v.edges = 1;; ++v.edges) {
       // One edge more leads to the lens.
       const Vec3f before = ray.origin;
-      if (!within(v.edges + 1) || !meet(ray, draws, v) || !has_density(v, before)) return;
+      if (!within(v.edges + 1) || !meet(ray, draws, TransportMode::importance, v) || !has_density(v, before)) return;
       if (v.edges == 1)
         v.weights = first_light_weights(start, v.at);
       else
@@ -104,7 +108,7 @@ class BidirectionalTracer {
     for (v.edges = 1;; ++v.edges) {
       const Vec3f before = ray.origin;
       if (!within(v.edges)) return radiance;
-      if (!meet(ray, draws, v) || (v.edges == 1 && camera_.beyond_far_plane(v.at.p)))
+      if (!meet(ray, draws, TransportMode::radiance, v) || (v.edges == 1 && camera_.beyond_far_plane(v.at.p)))
         return lights_.has_environment() ? radiance + meet_environment(v, before) : radiance;
       if (!has_density(v, before)) return radiance;
       if (v.edges == 1) {
@@ -125,9 +129,9 @@ class BidirectionalTracer {
     }
   }
 
-  bool meet(Ray& ray, const Draws& draws, Vertex& v) const {
+  bool meet(Ray& ray, const Draws& draws, TransportMode mode, Vertex& v) const {
     v.back = -ray.direction;
-    return travel(world_, ray, v.around, draws.one(dimension::at_vertex(v.edges, dimension::layer)), v.throughput,
+    return travel(world_, ray, v.around, draws.one(dimension::at_vertex(v.edges, dimension::layer)), mode, v.throughput,
                   v.at);
   }
 
@@ -147,28 +151,25 @@ class BidirectionalTracer {
 
   /// Density with which a light path goes on from the vertex as a camera path came.
   static float light_pdf(const Vertex& v, const Vec3f& from_light) {
-    return light_goes_on * scatter_pdf(v.at, from_light, v.back);
+    return light_goes_on * scatter_pdf(v.at, from_light, v.back, TransportMode::importance);
   }
 
   /// Draws the next direction and plays roulette; false where the subpath ends. `full` is the throughput that roulette
   /// compares with.
   bool go_on(Vertex& v, const Draws& draws, TransportMode mode, float full, Ray& ray) const {
-    const Scattering next = scatter(v.at, v.back, draws.one(dimension::at_vertex(v.edges, dimension::lobe)),
-                                    draws.two(dimension::at_vertex(v.edges, dimension::next)), mode);
+    const Scattered next = scatter(v.at, v.back, draws.one(dimension::at_vertex(v.edges, dimension::lobe)),
+                                   draws.two(dimension::at_vertex(v.edges, dimension::next)), mode);
     if (!next.valid) return false;
     const bool from_light = mode == TransportMode::importance;
     const float cos_out = cosine(v.at.ng, next.wi);
     if (next.delta)
       v.weights.scatter_delta(from_light ? 1 / light_goes_on : light_goes_on, cos_out);
     else if (from_light)
-      v.weights.scatter(light_goes_on * next.pdf, scatter_pdf(v.at, next.wi, v.back), cos_out);
+      v.weights.scatter(light_goes_on * next.pdf, scatter_pdf(v.at, next.wi, v.back, TransportMode::radiance), cos_out);
     else
       v.weights.scatter(next.pdf, light_pdf(v, next.wi), cos_out);
     v.throughput *= next.weight;
-    if (from_light)
-      v.throughput *= adjoint_correction(v.at, v.back, next.wi);
-    else
-      v.refraction_scale *= next.eta * next.eta;
+    if (!from_light) v.refraction_scale *= next.eta * next.eta;
     if (!(max_component(v.throughput) > 0)) return false;
     if (v.edges >= static_cast<std::uint32_t>(limits_.rr_depth)) {
       const float weight = max_component(v.throughput) * v.refraction_scale / full;
@@ -237,14 +238,15 @@ class BidirectionalTracer {
     const LightSeen seen = lights_.sample(v.at.p, draws.one(dimension::at_vertex(v.edges, dimension::end_choice)),
                                           draws.two(dimension::at_vertex(v.edges, dimension::end_point)));
     if (!(seen.pdf > 0)) return Rgb(0.0f);
-    const Rgb f = evaluate(v.at, v.back, seen.wi);
-    const Rgb value = v.throughput * f * seen.radiance * (cosine(v.at.frame.n, seen.wi) / seen.pdf);
+    const Rgb f = evaluate(v.at, v.back, seen.wi, TransportMode::radiance);
+    const Rgb value = v.throughput * f * seen.radiance * (1 / seen.pdf);
     if (!(max_component(value) > 0)) return Rgb(0.0f);
     ++work.rays.shadow;
     const Rgb arrives = arriving(v, seen.end, draws);
     if (!(max_component(arrives) > 0)) return Rgb(0.0f);
 
-    const double less = seen.delta ? 0.0 : scatter_pdf(v.at, v.back, seen.wi) / double{seen.pdf};
+    const double less =
+        seen.delta ? 0.0 : scatter_pdf(v.at, v.back, seen.wi, TransportMode::radiance) / double{seen.pdf};
     const EmissionPdf pdf =
         lights_.emit_pdf(seen.light, seen.infinite ? v.at.p : seen.end.p, seen.end.normal, -seen.wi);
     const double f1 = light_goes_on * first_step(pdf, seen.infinite, seen.end.p, v.at, seen.wi);
@@ -260,15 +262,15 @@ class BidirectionalTracer {
     const std::optional<CameraSeen> seen =
         camera_.connect(v.at.p, draws.two(dimension::at_vertex(v.edges, dimension::end_point)));
     if (!seen) return;
-    const Rgb f = evaluate(v.at, seen->wi, v.back);
-    const Rgb value = v.throughput * f *
-                      (adjoint_correction(v.at, v.back, seen->wi) * cosine(v.at.frame.n, seen->wi) * seen->density);
+    Interaction other;
+    const Interaction& at = world_.seen_from(v.at, seen->wi, other);
+    const Rgb value = v.throughput * evaluate(at, seen->wi, v.back, TransportMode::importance) * seen->density;
     if (!(max_component(value) > 0)) return;
     ++work.rays.shadow;
     const Rgb arrives = arriving(v, seen->end, draws);
     if (!(max_component(arrives) > 0)) return;
     const double made = seen->density * cosine(v.at.ng, seen->wi);
-    const double less = v.weights.ratio(made, scatter_pdf(v.at, seen->wi, v.back));
+    const double less = v.weights.ratio(made, scatter_pdf(at, seen->wi, v.back, TransportMode::radiance));
     work.splats.push_back({seen->raster, value * arrives * static_cast<float>(1 / (1 + less))});
   }
 
@@ -278,20 +280,22 @@ class BidirectionalTracer {
     const float distance2 = length_squared(d);
     if (!(distance2 > 0)) return Rgb(0.0f);
     const Vec3f to_light = d / std::sqrt(distance2);
-    const Rgb f_camera = evaluate(c.at, c.back, to_light);
+    const Rgb f_camera = evaluate(c.at, c.back, to_light, TransportMode::radiance);
     if (!(max_component(f_camera) > 0)) return Rgb(0.0f);
-    const Rgb f_light = evaluate(l.at, -to_light, l.back);
-    const Rgb value = c.throughput * f_camera * f_light * l.throughput *
-                      (cosine(c.at.frame.n, to_light) * adjoint_correction(l.at, l.back, -to_light) *
-                       cosine(l.at.frame.n, to_light) / distance2);
+    Interaction other;
+    const Interaction& at_light = world_.seen_from(l.at, -to_light, other);
+    const Rgb f_light = evaluate(at_light, -to_light, l.back, TransportMode::importance);
+    const Rgb value = c.throughput * f_camera * f_light * l.throughput * (1 / distance2);
     if (!(max_component(value) > 0)) return Rgb(0.0f);
     ++work.rays.shadow;
     const Rgb arrives = arriving(c, end_at(l.at), draws);
     if (!(max_component(arrives) > 0)) return Rgb(0.0f);
-    const double made_by_camera = scatter_pdf(c.at, c.back, to_light) * cosine(l.at.ng, to_light) / distance2;
-    const double made_by_light =
-        light_goes_on * scatter_pdf(l.at, l.back, -to_light) * cosine(c.at.ng, to_light) / distance2;
-    const double less = l.weights.ratio(made_by_camera, scatter_pdf(l.at, -to_light, l.back));
+    const double made_by_camera =
+        scatter_pdf(c.at, c.back, to_light, TransportMode::radiance) * cosine(l.at.ng, to_light) / distance2;
+    const double made_by_light = light_goes_on * scatter_pdf(at_light, l.back, -to_light, TransportMode::importance) *
+                                 cosine(c.at.ng, to_light) / distance2;
+    const double less =
+        l.weights.ratio(made_by_camera, scatter_pdf(at_light, -to_light, l.back, TransportMode::radiance));
     const double more = c.weights.ratio(made_by_light, light_pdf(c, to_light));
     return value * arrives * static_cast<float>(1 / (1 + less + more));
   }

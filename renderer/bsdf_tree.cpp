@@ -11,17 +11,26 @@ TexturedNumber textured(const Scalar& scalar) {
 }
 
 BsdfNode wrapper(Kind kind, BsdfIndex first, BsdfIndex second, const TexturedNumber& number) {
-  return {kind, first.value, second.value, number, {}, false};
+  return {.kind = kind, .first = first.value, .second = second.value, .number = number};
+}
+
+BsdfNode map(Kind kind, BsdfIndex nested, const TexturedNumber& number, const MappedNormalsDescription& options) {
+  return {.kind = kind,
+          .first = nested.value,
+          .second = nested.value,
+          .number = number,
+          .flips = options.flip_invalid_normals,
+          .shadows = options.use_shadowing_function};
 }
 
 BsdfNode node(const TwoSidedDescription& d) { return wrapper(Kind::two_sided, d.front, d.back, {}); }
 BsdfNode node(const MaskDescription& d) { return wrapper(Kind::mask, d.nested, d.nested, textured(d.opacity)); }
 BsdfNode node(const BlendDescription& d) { return wrapper(Kind::blend, d.first, d.second, textured(d.weight)); }
 BsdfNode node(const BumpMapDescription& d) {
-  return wrapper(Kind::bump, d.nested, d.nested, {static_cast<float>(d.scale), d.height.value});
+  return map(Kind::bump, d.nested, {static_cast<float>(d.scale), d.height.value}, d.normal_options);
 }
 BsdfNode node(const NormalMapDescription& d) {
-  return wrapper(Kind::normal_map, d.nested, d.nested, {1, d.normals.value});
+  return map(Kind::normal_map, d.nested, {1, d.normals.value}, d.normal_options);
 }
 template <class Leaf>
 BsdfNode node(const Leaf&) {

@@ -28,9 +28,11 @@ struct BsdfNode {
   };
   Kind kind = Kind::leaf;
   std::uint32_t first = 0, second = 0;
-  TexturedNumber number;
-  std::vector<TextureSlot> slots;  ///< of a leaf
-  bool has_directions = false;     ///< a leaf that asks for the tangent along dp/du
+  TexturedNumber number{};
+  std::vector<TextureSlot> slots{};  ///< of a leaf
+  bool has_directions = false;       ///< a leaf that asks for the tangent along dp/du
+  bool flips = false;                ///< a map that mirrors its normal to face the viewer
+  bool shadows = false;              ///< a map whose bumps shadow each other
 };
 
 /// By the description's indices.

@@ -54,13 +54,13 @@ class ParticleTracer {
     for (std::uint32_t edges = 1; within(edges + 1); ++edges) {
       const auto draw = [&](std::uint32_t what) { return dimension::at_vertex(edges, what); };
       Interaction at;
-      if (!travel(world_, ray, around, draws.one(draw(4)), throughput, at)) return;
+      if (!travel(world_, ray, around, draws.one(draw(4)), TransportMode::importance, throughput, at)) return;
       const Vec3f to_light = -ray.direction;
       if (has_smooth(at.bsdf)) connect(at, to_light, throughput, around, draws, draw(0), work);
       if (!within(edges + 2)) return;
-      const Scattering next = scatter(at, to_light, draws.one(draw(2)), draws.two(draw(1)), TransportMode::importance);
+      const Scattered next = scatter(at, to_light, draws.one(draw(2)), draws.two(draw(1)), TransportMode::importance);
       if (!next.valid) return;
-      throughput *= next.weight * adjoint_correction(at, to_light, next.wi);
+      throughput *= next.weight;
       if (!(max_component(throughput) > 0)) return;
       if (edges >= static_cast<std::uint32_t>(limits_.rr_depth)) {
         const float q =
@@ -83,7 +83,8 @@ class ParticleTracer {
     Rgb throughput(1.0f);
     Surroundings around = around_camera_;
     Interaction at;
-    if (travel(world_, *ray, around, draws.one(dimension::layer), throughput, at)) return Rgb(0.0f);
+    if (travel(world_, *ray, around, draws.one(dimension::layer), TransportMode::radiance, throughput, at))
+      return Rgb(0.0f);
     return throughput * lights_.environment(ray->direction);
   }
 
@@ -96,9 +97,9 @@ class ParticleTracer {
                const Draws& draws, std::uint32_t lens, ScalarWork& work) const {
     const std::optional<CameraSeen> seen = camera_.connect(at.p, draws.two(lens));
     if (!seen) return;
-    const Rgb f = evaluate(at, seen->wi, to_light);
-    const Rgb value =
-        throughput * f * (adjoint_correction(at, to_light, seen->wi) * cosine(at.frame.n, seen->wi) * seen->density);
+    Interaction other;
+    const Rgb f = evaluate(world_.seen_from(at, seen->wi, other), seen->wi, to_light, TransportMode::importance);
+    const Rgb value = throughput * f * seen->density;
     around.leave(world_, at, to_light, seen->wi);
     add(value, end_at(at), *seen, around, draws, work);
   }

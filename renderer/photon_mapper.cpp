@@ -76,7 +76,7 @@ void add_photons(const MapState& state, const Scene& scene, const Kernels& kerne
     if (flux[i].count == 0) continue;
     const GatherPoint& point = points[i];
     const float area = std::visit([&](const auto& g) { return disc_area(g, point.p, state.radius); },
-                                  scene.surfaces[point.surface].geometry);
+                                  scene.surfaces[surface_number(point.surface)].geometry);
     const Rgb added = point.weight * flux[i].flux / area;
     float* out = &radiance[3 * std::size_t{point.path}];
     out[0] += added.x;

@@ -136,12 +136,26 @@ void Scene::compile_bsdfs(const SceneDescription& description) {
     node.slots = std::move(compiled.slots);
     node.has_directions = is_anisotropic(description, {i});
   }
+  refuse_deep_maps(description);
   detail_.nothing = static_cast<std::uint32_t>(bsdfs.size());
   if (has_holes) {
     bsdfs.emplace_back(NullBsdf<float>{});
     detail_.tree.emplace_back();
   }
   for (const Bsdf& bsdf : bsdfs) detail_.kinds.push_back(static_cast<std::uint32_t>(bsdf.index()));
+}
+
+void Scene::refuse_deep_maps(const SceneDescription& description) const {
+  std::vector<int> maps(detail_.tree.size(), 0);  // on the way to the deepest leaf; what is nested comes first
+  for (std::size_t i = 0; i < detail_.tree.size(); ++i) {
+    const BsdfNode& node = detail_.tree[i];
+    if (node.kind == BsdfNode::Kind::leaf) continue;
+    const bool is_map = node.kind == BsdfNode::Kind::bump || node.kind == BsdfNode::Kind::normal_map;
+    maps[i] = std::max(maps[node.first], maps[node.second]) + (is_map ? 1 : 0);
+    if (maps[i] > 2)
+      throw InputError(description.where(description.bsdfs[i].loc),
+                       "more than two bump or normal maps nest, one over the other");
+  }
 }
 
 void Scene::compile_detail(const SkipSwitches& skips) {
@@ -151,9 +165,11 @@ void Scene::compile_detail(const SkipSwitches& skips) {
                        !has_shading_normals(surface);
     detail_.plain.push_back(plain ? 1 : 0);
     needs_detail_ = needs_detail_ || !plain;
+    view_.bends_normals |= has_shading_normals(surface);
   }
   for (const BsdfNode& node : detail_.tree)
     view_.maps_normals |= node.kind == BsdfNode::Kind::bump || node.kind == BsdfNode::Kind::normal_map;
+  view_.bends_normals |= view_.maps_normals;
   if (small_ != nullptr) detail_.triangles = small_->triangles();
   view_.detail = &detail_;
   view_.detailed = needs_detail_ || !skips.on(Skip::surface_detail);

@@ -80,6 +80,7 @@ class Scene {
 
  private:
   void compile_bsdfs(const SceneDescription& description);
+  void refuse_deep_maps(const SceneDescription& description) const;
   void add_surface_lights(const SceneDescription& description, const SceneShapes& shapes);
   void compile_detail(const SkipSwitches& skips);
 

@@ -68,6 +68,7 @@ struct SceneView {
   bool dark_shadow_rays = false;  ///< shadow rays are traced even where they can bring no light
   bool small = false;             ///< `primitives` holds everything, `tracer` is not needed
   bool detailed = false;          ///< hits go through detail_at (surface_detail.h)
+  bool bends_normals = false;     ///< shading normals need not be geometric ones
   bool maps_normals = false;      ///< some of them by bump or normal maps
   SmallSceneView primitives;
   const DetailTables* detail = nullptr;

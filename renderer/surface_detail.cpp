@@ -1,8 +1,11 @@
 #include "renderer/surface_detail.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstring>
+
+#include "renderer/sampler.h"
 
 namespace photonproof {
 namespace {
@@ -18,14 +21,15 @@ Vec3f perpendicular(const Vec3f& v, const Vec3f& n) {
 class Descent {
  public:
   Descent(const DetailTables& tables, const LocalGeometry& at, const Vec3f& geometric_normal, const Vec3f& direction,
-          float u)
+          float u, TransportMode mode)
       : tables_(tables),
         at_(at),
         geometric_(geometric_normal),
-        direction_(direction),
+        back_(-direction),
+        mode_(mode),
         u_(u),
-        normal(at.normal),
-        side(at.normal) {}
+        u_flip_(to_unit<float>(mix_bits(std::bit_cast<std::uint32_t>(u)))),
+        normal(at.normal) {}
 
   std::uint32_t leaf_of(std::uint32_t bsdf) {
     for (;;) {
@@ -35,7 +39,8 @@ class Descent {
         case BsdfNode::Kind::leaf:
           return static_cast<std::uint32_t>(&node - tables_.tree.data());
         case BsdfNode::Kind::two_sided:
-          if (dot(normal, direction_) > 0) {
+          if (maps < 2) state |= Maps::faces[maps];
+          if (dot(normal, back_) < 0) {
             turn();
             bsdf = node.second;
           }
@@ -47,10 +52,10 @@ class Descent {
           if (draw(number(node.number))) bsdf = node.second;
           break;
         case BsdfNode::Kind::bump:
-          map(bumped(node.number));
+          map(bumped(node.number), node);
           break;
         case BsdfNode::Kind::normal_map:
-          map(mapped(node.number));
+          map(mapped(node.number), node);
           break;
       }
     }
@@ -59,18 +64,25 @@ class Descent {
  private:
   const DetailTables& tables_;
   const LocalGeometry& at_;
-  const Vec3f geometric_, direction_;
+  const Vec3f geometric_, back_;
+  const TransportMode mode_;
   float u_;
+  float u_flip_;  ///< uniform as well, and as good as independent of u
   bool turned_ = false;
 
  public:
-  Vec3f normal, side;
+  int maps = 0;
+  Vec3f normal, below[2];
+  float shadow[2] = {0, 0};
+  std::uint32_t state = 0;
+  float chance = 1;
 
  private:
   void turn() {
     normal = -normal;
-    side = -side;
+    for (int i = 0; i < maps; ++i) below[i] = -below[i];
     turned_ = !turned_;
+    state ^= Maps::turned;
   }
 
   float number(const TexturedNumber& n) const {
@@ -78,11 +90,13 @@ class Descent {
     return std::clamp(value, 0.0f, 1.0f);
   }
 
+  bool draw(float probability) { return draw_by(u_, probability); }
+
   /// True with that probability; what is left of u is uniform again.
-  bool draw(float probability) {
-    const bool yes = u_ < probability;
-    u_ = yes ? u_ / probability : (u_ - probability) / (1 - probability);
-    u_ = std::min(u_, 0x1.fffffep-1f);
+  static bool draw_by(float& u, float probability) {
+    const bool yes = u < probability;
+    u = yes ? u / probability : (u - probability) / (1 - probability);
+    u = std::min(u, 0x1.fffffep-1f);
     return yes;
   }
 
@@ -107,12 +121,37 @@ class Descent {
   }
 
   /// Seen from behind, a twosided surface is its front's mirror image.
-  void map(const Vec3f& of_front) {
+  void map(const Vec3f& of_front, const BsdfNode& node) {
     const float norm = length(of_front);
     if (!(norm > 0) || !std::isfinite(norm)) return;
     const Vec3f n = of_front / norm;
-    normal = turned_ ? n - normal * (2 * dot(n, normal)) : n;
+    const Vec3f under = normal;
+    const Vec3f shown = turned_ ? n - under * (2 * dot(n, under)) : n;
+    const float tilt = dot(shown, under);
+    const auto k = static_cast<std::size_t>(maps);
+    below[k] = under;
+    normal = shown;
+    if (node.shadows) {
+      const float cos2 = tilt * tilt;
+      shadow[k] = cos2 > 0 ? std::min(0.125f * std::max(1 - cos2, 0.0f) / cos2, 1.0f) : 1;
+    }
+    if (node.flips) {
+      state |= Maps::flips[k];
+      // Of what leaves a Lambertian surface the mirrored normal is seen by (1 - cos) / 2, of all directions above by
+      // the angle over pi; in between, no kind of BSDF has its light paths drawn with far too small a chance.
+      const float chance_to_flip = 0.25f * (1 - tilt + std::sqrt(std::max(1 - tilt * tilt, 0.0f)));
+      const bool flip = mode_ == TransportMode::importance ? draw_by(u_flip_, chance_to_flip)
+                                                           : !(dot(under, back_) * dot(shown, back_) > 0);
+      chance *= flip ? chance_to_flip : 1 - chance_to_flip;
+      if (flip) {
+        state |= Maps::flipped[k];
+        normal = under * (2 * tilt) - shown;
+      }
+    }
+    ++maps;
   }
+
+  using Maps = MappedNormals<float>;
 };
 
 void copy_record(const SceneView& scene, std::uint32_t bsdf, float* record) {
@@ -120,6 +159,19 @@ void copy_record(const SceneView& scene, std::uint32_t bsdf, float* record) {
 }
 
 }  // namespace
+
+Scattering<float> scattering_at(const SceneView& scene, const SurfaceDetail& detail, const Vec3f& normal) {
+  const bool has_tangent = dot(detail.tangent, detail.tangent) > 0;
+  Scattering<float> s{has_tangent ? Frame<float>(detail.normal, detail.tangent) : Frame<float>(detail.normal)};
+  s.bent = scene.bends_normals;
+  s.mapped = scene.maps_normals;
+  s.ng = s.frame.to_local(normal);
+  s.maps = {{s.frame.to_local(detail.below[0]), s.frame.to_local(detail.below[1])},
+            {detail.shadow[0], detail.shadow[1]},
+            detail.state,
+            detail.chance};
+  return s;
+}
 
 LocalGeometry DetailTables::local(std::uint32_t surface, std::uint32_t primitive, const Vec3f& p,
                                   const Vec3f& normal) const {
@@ -129,11 +181,14 @@ LocalGeometry DetailTables::local(std::uint32_t surface, std::uint32_t primitive
 }
 
 void detail_at(const SceneView& scene, std::uint32_t surface, std::uint32_t primitive, const Vec3f& p,
-               const Vec3f& normal, const Vec3f& direction, float u, SurfaceDetail& detail) {
+               const Vec3f& normal, const Vec3f& direction, float u, TransportMode mode, SurfaceDetail& detail) {
   const DetailTables& tables = *scene.detail;
   detail.surface = surface;
   if (tables.plain[surface] != 0) {
-    detail.normal = detail.side = normal;
+    detail.normal = detail.below[0] = detail.below[1] = normal;
+    detail.shadow[0] = detail.shadow[1] = 0;
+    detail.state = 0;
+    detail.chance = 1;
     detail.tangent = Vec3f(0.0f);
     detail.bsdf = scene.surfaces[surface].bsdf;
     detail.kind = tables.kinds[detail.bsdf];
@@ -141,11 +196,17 @@ void detail_at(const SceneView& scene, std::uint32_t surface, std::uint32_t prim
     return;
   }
   const LocalGeometry at = tables.local(surface, primitive, p, normal);
-  Descent descent(tables, at, normal, direction, u);
+  Descent descent(tables, at, normal, direction, u, mode);
   detail.bsdf = descent.leaf_of(scene.surfaces[surface].bsdf);
   detail.kind = tables.kinds[detail.bsdf];
   detail.normal = descent.normal;
-  detail.side = descent.side;
+  for (int map = 0; map < 2; ++map) {
+    detail.below[map] = map < descent.maps ? descent.below[map] : descent.normal;
+    detail.shadow[map] = descent.shadow[map];
+  }
+  detail.state = descent.state;
+  detail.chance = descent.chance;
+  detail.surface |= (descent.state & ((1u << MappedNormals<float>::tag_bits) - 1)) << MappedNormals<float>::tag_shift;
   copy_record(scene, detail.bsdf, detail.record);
   const BsdfNode& leaf = tables.tree[detail.bsdf];
   detail.tangent = leaf.has_directions ? perpendicular(at.dp_du, detail.normal) : Vec3f(0.0f);

@@ -6,6 +6,7 @@
 #include "renderer/bsdf.h"
 #include "renderer/bsdf_tree.h"
 #include "renderer/local_geometry.h"
+#include "renderer/scattering.h"
 #include "renderer/scene_view.h"
 #include "renderer/texture.h"
 
@@ -13,21 +14,22 @@ namespace photonproof {
 
 /// 32-bit words only: kernels gather them.
 struct SurfaceDetail {
-  Vec3f normal;   ///< of the shading frame: unit; on the far side of a twosided BSDF turned towards the ray
-  Vec3f side;     ///< the same before bump and normal maps: what is on one side only by their doing is black
-  Vec3f tangent;  ///< unit, perpendicular to `normal`, along dp/du; 0 where the leaf does not ask for it
-  std::uint32_t surface, bsdf, kind;  ///< bsdf: the leaf, among SceneView::bsdfs; kind: of BsdfKinds
-  float record[BsdfKinds::stride];    ///< of the leaf, texture values in it
+  Vec3f normal;    ///< of the shading frame: unit; on the far side of a twosided BSDF turned towards the ray
+  Vec3f below[2];  ///< this and the next four in world space what MappedNormals has in the frame
+  float shadow[2];
+  std::uint32_t state;
+  float chance;
+  Vec3f tangent;             ///< unit, perpendicular to `normal`, along dp/du; 0 where the leaf does not ask for it
+  std::uint32_t surface;     ///< its number, and above it the bits of `state` that photons and look-ups share
+  std::uint32_t bsdf, kind;  ///< bsdf: the leaf, among SceneView::bsdfs; kind: of BsdfKinds
+  float record[BsdfKinds::stride];  ///< of the leaf, texture values in it
 
-  static constexpr std::uint32_t stride = 12 + BsdfKinds::stride;
+  static constexpr std::uint32_t stride = 19 + BsdfKinds::stride;
 };
 static_assert(sizeof(SurfaceDetail) == SurfaceDetail::stride * sizeof(float));
 
-/// The shading frame.
-inline Frame<float> shading_frame(const SurfaceDetail& detail) {
-  return dot(detail.tangent, detail.tangent) > 0 ? Frame<float>(detail.normal, detail.tangent)
-                                                 : Frame<float>(detail.normal);
-}
+/// How light scatters there. `normal`: the geometric one.
+Scattering<float> scattering_at(const SceneView& scene, const SurfaceDetail& detail, const Vec3f& normal);
 
 /// What detail_at looks up; owned by the scene.
 struct DetailTables {
@@ -46,9 +48,15 @@ struct DetailTables {
   LocalGeometry local(std::uint32_t surface, std::uint32_t primitive, const Vec3f& p, const Vec3f& normal) const;
 };
 
-/// `primitive`, `p`, `normal` (geometric) of the hit; `direction` of the ray; `u`, uniform in [0,1), chooses between
-/// blended BSDFs and between a masked one and nothing.
+/// The number of a surface without what SurfaceDetail::surface has above it.
+inline std::uint32_t surface_number(std::uint32_t tagged) {
+  return tagged << MappedNormals<float>::tag_bits >> MappedNormals<float>::tag_bits;
+}
+
+/// `primitive`, `p`, `normal` (geometric) of the hit; `direction` of the ray, which comes from the camera or
+/// (importance) from a light; `u`, uniform in [0,1), chooses between blended BSDFs and between a masked one and
+/// nothing, and for a light path between what maps show to the one side and to the other.
 void detail_at(const SceneView& scene, std::uint32_t surface, std::uint32_t primitive, const Vec3f& p,
-               const Vec3f& normal, const Vec3f& direction, float u, SurfaceDetail& detail);
+               const Vec3f& normal, const Vec3f& direction, float u, TransportMode mode, SurfaceDetail& detail);
 
 }  // namespace photonproof

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "renderer/kernels/rays.h"
 #include "renderer/test_random.h"
@@ -51,7 +52,7 @@ SurfaceDetail detail_under(const Scene& scene, float x, float y, float u = 0.5f,
   const SurfaceHit<float> hit = closest_hit<float>(scene.view(), {x, y, from}, direction, no_index, true, false);
   EXPECT_TRUE(hit.valid);
   SurfaceDetail detail;
-  detail_at(scene.view(), hit.surface, hit.primitive, hit.p, hit.normal, direction, u, detail);
+  detail_at(scene.view(), hit.surface, hit.primitive, hit.p, hit.normal, direction, u, TransportMode::radiance, detail);
   return detail;
 }
 
@@ -82,7 +83,7 @@ TEST(detail, a_bump_map_tilts_the_normal_by_its_slope) {
   const Scene scene(square_of(d, bumped), 4, 4);
   const Vec3f expected = normalize(Vec3f(-1.2f, 0, 2));
   EXPECT_NEAR(length(detail_under(scene, 0.1f, 0.2f).normal - expected), 0, 1e-6f);
-  EXPECT_EQ(detail_under(scene, 0.1f, 0.2f).side, Vec3f(0, 0, 1));
+  EXPECT_EQ(detail_under(scene, 0.1f, 0.2f).below[0], Vec3f(0, 0, 1));
 }
 
 TEST(detail, a_normal_map_is_in_the_frame_of_dp_du) {
@@ -108,7 +109,7 @@ TEST(detail, twosided_shows_its_back_to_rays_from_behind_as_the_fronts_mirror_im
   const SurfaceDetail behind = detail_under(scene, 0, 0, 0.5f, -1);
   EXPECT_EQ(behind.record[0], 0.75f);
   EXPECT_NEAR(length(behind.normal - Vec3f(0.6f, 0, -0.8f)), 0, 1e-6f);
-  EXPECT_EQ(behind.side, Vec3f(0, 0, -1));
+  EXPECT_EQ(behind.below[0], Vec3f(0, 0, -1));
 }
 
 TEST(detail, nested_choices_share_one_number_without_bias) {
@@ -128,6 +129,66 @@ TEST(detail, nested_choices_share_one_number_without_bias) {
   }
   EXPECT_NEAR(of_a, 2250, 2);
   EXPECT_NEAR(of_b, 750, 2);
+}
+
+/// Six greys, all of them different: 0.1 0.2 0.3 over 0.5 0.7 0.9.
+BitmapDescription six_texels(TextureFilter filter = TextureFilter::nearest, const Transform& to_uv = {}) {
+  auto image = std::make_shared<Image>(3, 2);
+  const float greys[6] = {0.1f, 0.2f, 0.3f, 0.5f, 0.7f, 0.9f};
+  for (int i = 0; i < 6; ++i)
+    for (int c = 0; c < 3; ++c) image->pixel(i % 3, i / 3)[c] = greys[i];
+  return {"", image, true, filter, TextureWrap::repeat, to_uv};
+}
+
+/// The part of the histories at (x, y) that get the leaf.
+double part_of(const Scene& scene, float x, float y, BsdfIndex leaf) {
+  constexpr int steps = 1000;
+  int hits = 0;
+  for (int i = 0; i < steps; ++i)
+    if (detail_under(scene, x, y, (static_cast<float>(i) + 0.5f) / steps).bsdf == leaf.value) ++hits;
+  return hits / double{steps};
+}
+
+TEST(detail, textures_of_masks_and_blends_lie_where_the_texture_does) {
+  // Texels' middles are at u = 1/6, 3/6, 5/6 and v = 1/4, 3/4, the square's at x = 2 u - 1, y = 2 v - 1. A mirrored or
+  // transposed texture, an inverted opacity, swapped BSDFs: every one puts another of six greys there.
+  SceneDescription d;
+  const TextureIndex texture = add_texture(d, six_texels());
+  const BsdfIndex a = test::add_bsdf(d, DiffuseDescription{RgbD(0.1)});
+  const BsdfIndex b = test::add_bsdf(d, DiffuseDescription{RgbD(0.9)});
+  const BsdfIndex mask = test::add_bsdf(d, MaskDescription{texture, a});
+  const BsdfIndex blend = test::add_bsdf(d, BlendDescription{texture, a, b});
+  const Scene masked(square_of(d, mask), 4, 4), blended(square_of(d, blend), 4, 4);
+  const float greys[6] = {0.1f, 0.2f, 0.3f, 0.5f, 0.7f, 0.9f};
+  for (int i = 0; i < 6; ++i) {
+    const float x = (static_cast<float>(i % 3) - 1) * 2 / 3, y = static_cast<float>(i / 3) - 0.5f;
+    EXPECT_NEAR(part_of(masked, x, y, a), greys[i], 0.002) << i;
+    EXPECT_NEAR(part_of(blended, x, y, b), greys[i], 0.002) << i;
+    EXPECT_NEAR(part_of(blended, x, y, a), 1 - greys[i], 0.002) << i;
+  }
+}
+
+TEST(detail_image, a_texture_lies_on_a_square_as_it_does_in_its_file) {
+  // Seen from the front with y up, u runs to the right and v upwards: the file's first row is below. One pixel a texel,
+  // in the same light: brightness in proportion to the six greys. Half a texel to the side would be 20 % somewhere.
+  SceneDescription d;
+  const TextureIndex texture = add_texture(d, six_texels(TextureFilter::bilinear));
+  const BsdfIndex textured = test::add_bsdf(d, DiffuseDescription{texture});
+  test::add_shape(d, RectangleDescription{}, {}, textured);
+  d.emitters.push_back({{}, "", DirectionalLightDescription{{0, 0, -1}, RgbD(std::numbers::pi)}});
+  d.sensor.camera = OrthographicDescription{};
+  d.sensor.to_world = Transform::look_at({0, 0, 4}, {0, 0, 0}, {0, 1, 0});
+  d.sensor.film.width = d.sensor.film.height = 6;  // texels are 2 pixels wide and 3 high
+  const Image image = image_of(d, 256);
+  const float greys[6] = {0.1f, 0.2f, 0.3f, 0.5f, 0.7f, 0.9f};
+  for (int row = 0; row < 2; ++row) {
+    // Over the height of a pixel around the middle of a texel the other row, which is above and below, has 1/12.
+    const auto texel = [&](int column) { return (11 * greys[3 * row + column] + greys[3 - 3 * row + column]) / 12; };
+    const int y = row == 0 ? 4 : 1;
+    // The pixels right and left of the middle texel's middle are on average a quarter of the way to its neighbour.
+    EXPECT_NEAR(test::block_mean(image, 3, y, 1, 1), 0.75f * texel(1) + 0.25f * texel(2), 0.01) << row;
+    EXPECT_NEAR(test::block_mean(image, 2, y, 1, 1), 0.75f * texel(1) + 0.25f * texel(0), 0.01) << row;
+  }
 }
 
 TEST(detail_image, a_mask_lets_its_part_of_the_light_behind_it_through) {

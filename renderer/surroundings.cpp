@@ -80,7 +80,7 @@ const Vec3f odd_direction = normalize(Vec3f(0.3712f, 0.4871f, 0.7906f));
 
 void follow(const World& world, Ray ray, float length_left, Surroundings& surroundings) {
   Interaction at;
-  while (world.intersect(ray, 0, at)) {
+  while (world.intersect(ray, 0, TransportMode::radiance, at)) {
     length_left -= length(at.p - ray.origin);
     if (length_left <= 0) return;
     surroundings.cross(world, at, ray.direction);
@@ -124,7 +124,7 @@ Rgb transmittance(const World& world, const SegmentEnd& from, const SegmentEnd& 
   for (;; ++dimension) {
     const float distance = length(to.p - ray.origin);
     Interaction at;
-    const bool met = world.intersect(ray, draws.one(dimension), at);
+    const bool met = world.intersect(ray, draws.one(dimension), TransportMode::radiance, at);
     const float step = met ? length(at.p - ray.origin) : distance;
     if (!met || step >= distance * segment_end || (at.surface == to.surface && distance - step < at_the_end * whole)) {
       attenuate(to.at_infinity ? std::numeric_limits<float>::infinity() : distance);
@@ -142,9 +142,10 @@ Rgb transmittance(const World& world, const SegmentEnd& from, const SegmentEnd& 
   }
 }
 
-bool travel(const World& world, Ray& ray, Surroundings& surroundings, float u_layer, Rgb& throughput, Interaction& at) {
-  if (!world.has_media_or_bodies()) return world.intersect(ray, u_layer, at);
-  while (world.intersect(ray, u_layer, at)) {
+bool travel(const World& world, Ray& ray, Surroundings& surroundings, float u_layer, TransportMode mode,
+            Rgb& throughput, Interaction& at) {
+  if (!world.has_media_or_bodies()) return world.intersect(ray, u_layer, mode, at);
+  while (world.intersect(ray, u_layer, mode, at)) {
     if (surroundings.medium() != no_index)
       throughput *= world.scene().media.media[surroundings.medium()].transmittance(length(at.p - ray.origin));
     const Crossing crossing = surroundings.crossing(world, at, ray.direction);

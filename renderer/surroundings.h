@@ -66,7 +66,8 @@ Rgb transmittance(const World& world, const SegmentEnd& from, const SegmentEnd& 
                   bool through_null, const Draws& draws, std::uint32_t dimension);
 
 /// The next surface that is there, and what absorbing media leave of `throughput` on the way. `ray` and `surroundings`
-/// are those of the last step. False when there is none.
-bool travel(const World& world, Ray& ray, Surroundings& surroundings, float u_layer, Rgb& throughput, Interaction& at);
+/// are those of the last step, of a history of that mode. False when there is none.
+bool travel(const World& world, Ray& ray, Surroundings& surroundings, float u_layer, TransportMode mode,
+            Rgb& throughput, Interaction& at);
 
 }  // namespace photonproof

@@ -94,6 +94,31 @@ TEST(checkerboard, alternates_on_half_units) {
   EXPECT_EQ(textures.colour(0, {-0.25f, 0.25f}).x, 0.25f);
 }
 
+TEST(checkerboard, is_looked_up_at_the_transformed_uv) {
+  // uv' = (3 u + 0.25, 2 v - 0.25): of the corners of a step of 0.2 each lies on another side when u and v, scale and
+  // translation or a sign are swapped.
+  const Transform to_uv = Transform::translate({0.25, -0.25, 0}) * Transform::scale({3, 2, 1});
+  const std::vector<TextureDescription> board{{{}, "", CheckerboardDescription{RgbD(1), RgbD(0.25), to_uv}}};
+  const Textures textures(board);
+  EXPECT_EQ(textures.colour(0, {0.05f, 0.2f}).x, 1);       // (0.40, 0.15)
+  EXPECT_EQ(textures.colour(0, {0.1f, 0.2f}).x, 0.25f);    // (0.55, 0.15)
+  EXPECT_EQ(textures.colour(0, {0.05f, 0.4f}).x, 0.25f);   // (0.40, 0.55)
+  EXPECT_EQ(textures.colour(0, {0.05f, 0.1f}).x, 0.25f);   // (0.40, -0.05)
+  EXPECT_EQ(textures.colour(0, {0.24f, 0.36f}).x, 0.25f);  // (0.97, 0.47)
+  EXPECT_EQ(textures.colour(0, {0.24f, 0.39f}).x, 1);      // (0.97, 0.53)
+  EXPECT_EQ(textures.colour(0, {0.26f, 0.36f}).x, 1);      // (1.03, 0.47)
+}
+
+TEST(bitmap, is_scaled_within_5_percent_along_each_axis) {
+  // Four texels over a tenth of u and a fifth of v: at their edges 2 % of a texel more or less is another texel.
+  const Transform to_uv = Transform::scale({10, 5, 1});
+  const BitmapTexture t = bitmap(TextureFilter::nearest, TextureWrap::repeat, to_uv);
+  EXPECT_EQ(at(t, 0.049f, 0.02f), 0);
+  EXPECT_EQ(at(t, 0.051f, 0.02f), 1);
+  EXPECT_EQ(at(t, 0.02f, 0.098f), 0);
+  EXPECT_EQ(at(t, 0.02f, 0.102f), 2);
+}
+
 TEST(checkerboard, may_be_of_textures) {
   std::vector<TextureDescription> list{
       {{}, "", BitmapDescription{"", four_texels(), true, TextureFilter::nearest, TextureWrap::repeat, {}}}};

@@ -51,8 +51,9 @@ class VolumetricTracer {
     ++work.rays.camera;
     for (std::uint32_t step = 0;; ++step) {
       Interaction at;
-      const bool met = world_.intersect(h.ray, draws.one(dimension::at_step(step, dimension::layer)), at) &&
-                       !(step == 0 && camera_.beyond_far_plane(at.p));
+      const bool met =
+          world_.intersect(h.ray, draws.one(dimension::at_step(step, dimension::layer)), TransportMode::radiance, at) &&
+          !(step == 0 && camera_.beyond_far_plane(at.p));
       const float distance = met ? length(at.p - h.ray.origin) : world_.far_away();
       const std::optional<float> scattered = cross_medium(h, distance, met, step, draws);
       if (!(max_component(h.throughput) > 0)) return h.radiance;
@@ -127,8 +128,8 @@ class VolumetricTracer {
     }
     Surroundings::refract_as(crossing, at);
     if (has_smooth(at.bsdf) && within(h.depth + 2)) add_direct_light(h, at, wo, step, draws, work);
-    const Scattering next = scatter(at, wo, draws.one(dimension::at_step(step, dimension::lobe)),
-                                    draws.two(dimension::at_step(step, dimension::direction)), TransportMode::radiance);
+    const Scattered next = scatter(at, wo, draws.one(dimension::at_step(step, dimension::lobe)),
+                                   draws.two(dimension::at_step(step, dimension::direction)), TransportMode::radiance);
     if (!next.valid) return false;
     h.throughput *= next.weight;
     h.refraction_scale *= next.eta * next.eta;
@@ -167,13 +168,14 @@ class VolumetricTracer {
                         ScalarWork& work) const {
     const LightSeen seen = light_seen(at.p, step, draws);
     if (!(seen.pdf > 0)) return;
-    const Rgb f = evaluate(at, wo, seen.wi);
+    const Rgb f = evaluate(at, wo, seen.wi, TransportMode::radiance);
     if (!(max_component(f) > 0)) return;
-    const float weight = seen.delta ? 1.0f : power_heuristic(seen.pdf, scatter_pdf(at, wo, seen.wi));
+    const float weight =
+        seen.delta ? 1.0f : power_heuristic(seen.pdf, scatter_pdf(at, wo, seen.wi, TransportMode::radiance));
     Surroundings outward = h.surroundings;
     outward.leave(world_, at, wo, seen.wi);
     ++work.rays.shadow;
-    h.radiance += h.throughput * f * seen.radiance * (cosine(at.frame.n, seen.wi) * weight / seen.pdf) *
+    h.radiance += h.throughput * f * seen.radiance * (weight / seen.pdf) *
                   transmittance(world_, end_at(at), seen.end, outward, true, draws, dimension::segment(step));
   }
 

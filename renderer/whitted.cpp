@@ -46,7 +46,8 @@ class WhittedTracer {
              ScalarWork& work) const {
     Interaction at;
     if (edges > max_edges_) return Rgb(0.0f);
-    if (!world_.intersect(ray, draws.one(dimension++), at) || (edges == 1 && camera_.beyond_far_plane(at.p)))
+    if (!world_.intersect(ray, draws.one(dimension++), TransportMode::radiance, at) ||
+        (edges == 1 && camera_.beyond_far_plane(at.p)))
       return edges == 1 && hide_emitters_ ? Rgb(0.0f) : throughput * lights_.environment(ray.direction);
     const Vec3f wo = -ray.direction;
     Rgb radiance(0.0f);
@@ -55,12 +56,12 @@ class WhittedTracer {
     if (has_smooth(at.bsdf)) radiance += throughput * direct_light(at, wo, draws, dimension, work);
 
     // The lobes of a BSDF share [0,1) among them: its ends give every delta lobe of the kinds there are.
-    std::array<Scattering, 2> lobes{scatter(at, wo, 0.0f, {0.5f, 0.5f}, TransportMode::radiance),
-                                    scatter(at, wo, 1 - 0x1p-24f, {0.5f, 0.5f}, TransportMode::radiance)};
+    std::array<Scattered, 2> lobes{scatter(at, wo, 0.0f, {0.5f, 0.5f}, TransportMode::radiance),
+                                   scatter(at, wo, 1 - 0x1p-24f, {0.5f, 0.5f}, TransportMode::radiance)};
     if (lobes[0].valid && lobes[1].valid && lobes[0].delta && lobes[1].delta &&
         dot(lobes[0].wi, lobes[1].wi) > 0.999999f)
       lobes[1].valid = false;
-    for (const Scattering& lobe : lobes) {
+    for (const Scattered& lobe : lobes) {
       if (!lobe.valid || !lobe.delta) continue;
       const Rgb on = throughput * lobe.weight * lobe.pdf;  // the choice of the lobe taken back
       if (max_component(on) < faint) continue;
@@ -76,7 +77,7 @@ class WhittedTracer {
     for (std::uint32_t light = 0; light < lights_.count(); ++light) {
       const LightSeen seen = lights_.sample_of(light, at.p, draws.two(dimension++));
       if (!(seen.pdf > 0)) continue;
-      const Rgb value = evaluate(at, wo, seen.wi) * seen.radiance * (cosine(at.frame.n, seen.wi) / seen.pdf);
+      const Rgb value = evaluate(at, wo, seen.wi, TransportMode::radiance) * seen.radiance * (1 / seen.pdf);
       if (!(max_component(value) > 0)) continue;
       ++work.rays.shadow;
       if (world_.visible(end_at(at), seen.end)) sum += value;

@@ -39,7 +39,7 @@ World::World(const Scene& scene)
         return std::visit([](const auto& b) { return goes_straight<std::decay_t<decltype(b)>>; }, bsdf);
       })) {}
 
-bool World::intersect(const Ray& ray, float u_choice, Interaction& hit) const {
+bool World::intersect(const Ray& ray, float u_choice, TransportMode mode, Interaction& hit) const {
   const SurfaceHit<float> found = closest_hit<float>(view(), ray.origin, ray.direction, ray.from, true, false);
   if (!found.valid) return false;
   const Surface& surface = scene_.surfaces[found.surface];
@@ -49,16 +49,20 @@ bool World::intersect(const Ray& ray, float u_choice, Interaction& hit) const {
   hit.primitive = found.primitive;
   hit.light = surface.light;
   if (!view().detailed) {
-    hit.frame = Frame<float>(found.normal);
-    hit.side = found.normal;
+    hit.scattering.frame = Frame<float>(found.normal);
     hit.leaf = surface.bsdf;
     hit.bsdf = scene_.bsdfs[surface.bsdf];
     return true;
   }
+  hit.u_choice = u_choice;
+  look_closer(ray.direction, mode, hit);
+  return true;
+}
+
+void World::look_closer(const Vec3f& direction, TransportMode mode, Interaction& hit) const {
   SurfaceDetail detail;
-  detail_at(view(), found.surface, found.primitive, found.p, found.normal, ray.direction, u_choice, detail);
-  hit.frame = shading_frame(detail);
-  hit.side = detail.side;
+  detail_at(view(), hit.surface, hit.primitive, hit.p, hit.ng, direction, hit.u_choice, mode, detail);
+  hit.scattering = scattering_at(view(), detail, hit.ng);
   hit.leaf = detail.bsdf;
   BsdfKinds::for_each([&]<template <class> class Kind>(std::uint32_t kind) {
     if (kind != detail.kind) return;
@@ -66,7 +70,13 @@ bool World::intersect(const Ray& ray, float u_choice, Interaction& hit) const {
     std::memcpy(&bsdf, detail.record, sizeof bsdf);
     hit.bsdf = bsdf;
   });
-  return true;
+}
+
+const Interaction& World::seen_from(const Interaction& at, const Vec3f& to_camera, Interaction& other) const {
+  if (!view().maps_normals || at.scattering.maps.seen_from(at.scattering.frame.to_local(to_camera))) return at;
+  other = at;
+  look_closer(-to_camera, TransportMode::radiance, other);
+  return other;
 }
 
 bool World::visible(const SegmentEnd& from, const SegmentEnd& to) const {
@@ -87,35 +97,34 @@ Ray World::leave(const SegmentEnd& at, const Vec3f& direction) const {
   return {moved_off(at, direction, view().coordinate_floor), direction, at.primitive};
 }
 
-Rgb evaluate(const Interaction& at, const Vec3f& to_camera, const Vec3f& to_light) {
-  if (!at.keeps_side(to_light)) return Rgb(0.0f);
-  const Vec3f wo = at.frame.to_local(to_camera), wi = at.frame.to_local(to_light);
-  return std::visit([&](const auto& b) { return b.eval(wo, wi); }, at.bsdf);
+Rgb evaluate(const Interaction& at, const Vec3f& to_camera, const Vec3f& to_light, TransportMode mode) {
+  const Vec3f wo = at.scattering.frame.to_local(to_camera), wi = at.scattering.frame.to_local(to_light);
+  return std::visit([&](const auto& b) { return at.scattering.eval(b, wo, wi); }, at.bsdf) *
+         at.scattering.cosine(wo, wi, mode);
 }
 
-float scatter_pdf(const Interaction& at, const Vec3f& wo, const Vec3f& wi) {
-  const Vec3f wo_local = at.frame.to_local(wo), wi_local = at.frame.to_local(wi);
-  return std::visit([&](const auto& b) { return b.pdf(wo_local, wi_local); }, at.bsdf);
+float scatter_pdf(const Interaction& at, const Vec3f& wo, const Vec3f& wi, TransportMode mode) {
+  const Vec3f wo_local = at.scattering.frame.to_local(wo), wi_local = at.scattering.frame.to_local(wi);
+  return std::visit([&](const auto& b) { return at.scattering.pdf(b, wo_local, wi_local, mode); }, at.bsdf);
 }
 
-Scattering scatter(const Interaction& at, const Vec3f& wo, float u_lobe, const Vec2<float>& u_direction,
-                   TransportMode mode) {
-  const Vec3f wo_local = at.frame.to_local(wo);
+Scattered scatter(const Interaction& at, const Vec3f& wo, float u_lobe, const Vec2<float>& u_direction,
+                  TransportMode mode) {
+  const Frame<float>& frame = at.scattering.frame;
+  const Vec3f wo_local = frame.to_local(wo);
   return std::visit(
-      [&](const auto& b) -> Scattering {
-        const BsdfSample<float> s = b.sample(wo_local, u_lobe, u_direction, mode);
+      [&](const auto& b) -> Scattered {
+        const BsdfSample<float> s = at.scattering.sample(b, wo_local, u_lobe, u_direction, mode);
         if (!s.valid || !(max_component(s.weight) > 0) || !(s.pdf > 0)) return {};
-        const Vec3f wi = normalize(at.frame.to_world(s.wi_local));
-        if (!at.keeps_side(mode == TransportMode::radiance ? wi : wo)) return {};
         const bool straight =
             goes_straight<std::decay_t<decltype(b)>> && s.delta && dot(s.wi_local, wo_local) < -0.9999f;
-        return {wi, s.weight, s.pdf, s.eta, s.delta, straight, true};
+        return {normalize(frame.to_world(s.wi_local)), s.weight, s.pdf, s.eta, s.delta, straight, true};
       },
       at.bsdf);
 }
 
 std::optional<Rgb> straight_through(const Interaction& at, const Vec3f& wo) {
-  const Vec3f wo_local = at.frame.to_local(wo);
+  const Vec3f wo_local = at.scattering.frame.to_local(wo);
   return std::visit(
       [&](const auto& b) -> std::optional<Rgb> {
         if constexpr (goes_straight<std::decay_t<decltype(b)>>)
@@ -124,12 +133,6 @@ std::optional<Rgb> straight_through(const Interaction& at, const Vec3f& wo) {
           return std::nullopt;
       },
       at.bsdf);
-}
-
-float adjoint_correction(const Interaction& at, const Vec3f& to_light, const Vec3f& to_camera) {
-  const float above = cosine(at.frame.n, to_light) * cosine(at.ng, to_camera);
-  const float below = cosine(at.ng, to_light) * cosine(at.frame.n, to_camera);
-  return below > 0 ? above / below : 0;
 }
 
 }  // namespace photonproof

@@ -1,12 +1,13 @@
 // The scene as one history at a time sees it: what the scalar integrators (volpath, bdpt, ptracer, whitted) ask. With
 // the batched kernels they share the formulas of BSDFs and lights and the ray queries, but nothing of how paths are
 // made. Directions are unit, in world space, and point away from the surface: wo where the history came from, wi where
-// it goes on. Throughout, ng is the geometric normal and the frame's n the one that shades.
+// it goes on. Throughout, ng is the geometric normal and the one of `scattering`'s frame the one that shades.
 #pragma once
 
 #include <optional>
 
 #include "renderer/ray_counts.h"
+#include "renderer/scattering.h"
 #include "renderer/scene.h"
 #include "renderer/warp.h"
 
@@ -20,16 +21,13 @@ struct Ray {
 /// A point of a surface, with all that scattering needs.
 struct Interaction {
   Vec3f p, ng;
-  Frame<float> frame{Vec3f(0, 0, 1)};
-  Vec3f side{0, 0, 1};  ///< the shading normal before it was mapped
+  Scattering<float> scattering{Frame<float>(Vec3f(0, 0, 1))};
+  float u_choice = 0;  ///< as `intersect` had it
   std::uint32_t surface = no_index;
   std::uint32_t primitive = no_index;  ///< as SurfaceHit has it
   std::uint32_t light = no_index;
   std::uint32_t leaf = 0;  ///< index into Scene::bsdfs
   Bsdf bsdf;               ///< that one, with what textures say
-
-  /// Light that only a normal map lets through the surface is dropped, as Mitsuba does.
-  bool keeps_side(const Vec3f& to_light) const { return dot(side, to_light) * dot(frame.n, to_light) >= 0; }
 };
 
 /// One end of a segment: a point, and the primitive and normal it lies on, if any.
@@ -43,9 +41,9 @@ struct SegmentEnd {
 inline SegmentEnd end_at(const Interaction& at) { return {at.p, at.ng, at.primitive, at.surface}; }
 
 /// What drawing a direction at a surface gave; world space.
-struct Scattering {
+struct Scattered {
   Vec3f wi;
-  Rgb weight;     ///< f cos / pdf, the cosine to the shading normal
+  Rgb weight;     ///< f cos / pdf, the cosine as Scattering has it
   float pdf = 0;  ///< per solid angle; of a delta lobe its probability
   float eta = 1;  ///< ior of the side entered / ior of the side left
   bool delta = false;
@@ -67,8 +65,11 @@ class World {
   float far_away() const { return far_away_; }
 
   /// The closest surface; false when there is none. `u_choice` in [0,1) decides among the layers of a surface that is
-  /// several at once.
-  bool intersect(const Ray& ray, float u_choice, Interaction& hit) const;
+  /// several at once, `mode` says whether the ray comes from the camera or a light.
+  bool intersect(const Ray& ray, float u_choice, TransportMode mode, Interaction& hit) const;
+  /// A light path's vertex as it is when seen along `to_camera`, since maps may show another normal there: itself, or
+  /// what is put in `other`.
+  const Interaction& seen_from(const Interaction& at, const Vec3f& to_camera, Interaction& other) const;
   /// Whether nothing lies strictly between two points.
   bool visible(const SegmentEnd& from, const SegmentEnd& to) const;
   /// The ray that leaves a point along `direction`.
@@ -76,26 +77,23 @@ class World {
   Ray leave(const Interaction& at, const Vec3f& direction) const { return leave(end_at(at), direction); }
 
  private:
+  void look_closer(const Vec3f& direction, TransportMode mode, Interaction& hit) const;
+
   const Scene& scene_;
   float far_away_;
   bool has_media_or_bodies_, has_null_surfaces_;
 };
 
-/// f of radiance that arrives along `to_light` and leaves along `to_camera`; no cosine, smooth part alone. Histories of
-/// either direction ask it the same way.
-Rgb evaluate(const Interaction& at, const Vec3f& to_camera, const Vec3f& to_light);
+/// f of radiance that arrives along `to_light` and leaves along `to_camera`, times the cosine that a history of that
+/// mode has in its weight (Scattering::cosine); smooth part alone.
+Rgb evaluate(const Interaction& at, const Vec3f& to_camera, const Vec3f& to_light, TransportMode mode);
 /// Density per solid angle with which `scatter` draws wi when the history came from wo; smooth part alone.
-float scatter_pdf(const Interaction& at, const Vec3f& wo, const Vec3f& wi);
-Scattering scatter(const Interaction& at, const Vec3f& wo, float u_lobe, const Vec2<float>& u_direction,
-                   TransportMode mode);
+float scatter_pdf(const Interaction& at, const Vec3f& wo, const Vec3f& wi, TransportMode mode);
+Scattered scatter(const Interaction& at, const Vec3f& wo, float u_lobe, const Vec2<float>& u_direction,
+                  TransportMode mode);
 
 /// What goes straight on, of light that travels along -wo; nothing where the surface scatters all.
 std::optional<Rgb> straight_through(const Interaction& at, const Vec3f& wo);
-
-/// What light and camera paths divide by each other where normals are interpolated: a light path scatters by
-/// f |to_light . ns| |to_camera . ng| / (|to_light . ng| |to_camera . ns|) times the cosine to_camera . ns (Veach 1997,
-/// section 5.3.2). 1 where both normals are one.
-float adjoint_correction(const Interaction& at, const Vec3f& to_light, const Vec3f& to_camera);
 
 inline float cosine(const Vec3f& normal, const Vec3f& direction) { return std::abs(dot(normal, direction)); }
 

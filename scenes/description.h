@@ -187,11 +187,19 @@ struct NullDescription {
   friend bool operator==(const NullDescription&, const NullDescription&) = default;
 };
 
+/// What Mitsuba 3.7.1 and later do with normals that are not the surface's own.
+struct MappedNormalsDescription {
+  bool flip_invalid_normals = true;    ///< a normal that is turned away from the viewer is mirrored to face them
+  bool use_shadowing_function = true;  ///< bumps shadow each other
+  friend bool operator==(const MappedNormalsDescription&, const MappedNormalsDescription&) = default;
+};
+
 /// Displaces the shading normal by the gradient of a height texture, `scale` times.
 struct BumpMapDescription {
   TextureIndex height;
   double scale = 1;
   BsdfIndex nested;
+  MappedNormalsDescription normal_options{};
   friend bool operator==(const BumpMapDescription&, const BumpMapDescription&) = default;
 };
 
@@ -199,6 +207,7 @@ struct BumpMapDescription {
 struct NormalMapDescription {
   TextureIndex normals;
   BsdfIndex nested;
+  MappedNormalsDescription normal_options{};
   friend bool operator==(const NormalMapDescription&, const NormalMapDescription&) = default;
 };
 

@@ -99,14 +99,20 @@ class BsdfContent {
   void operator()(const BumpMapDescription& m) {
     materials_.use("", m.height);
     xml_.number("scale", m.scale);
+    options(m.normal_options);
     materials_.use(m.nested);
   }
   void operator()(const NormalMapDescription& m) {
     materials_.use("normalmap", m.normals);
+    options(m.normal_options);
     materials_.use(m.nested);
   }
 
  private:
+  void options(const MappedNormalsDescription& m) {
+    xml_.boolean("flip_invalid_normals", m.flip_invalid_normals);
+    xml_.boolean("use_shadowing_function", m.use_shadowing_function);
+  }
   void conductor(const std::optional<ComplexIor>& ior) {
     if (!ior) return xml_.string("material", "none");
     xml_.rgb("eta", ior->eta);

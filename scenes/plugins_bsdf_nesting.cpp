@@ -56,10 +56,18 @@ BsdfModel build_blend(Params& params) {
   return model;
 }
 
+MappedNormalsDescription mapped_normals(Params& params) {
+  MappedNormalsDescription options;
+  options.flip_invalid_normals = params.boolean("flip_invalid_normals", options.flip_invalid_normals);
+  options.use_shadowing_function = params.boolean("use_shadowing_function", options.use_shadowing_function);
+  return options;
+}
+
 BsdfModel build_bump_map(Params& params) {
   BumpMapDescription model;
   model.height = params.objects().texture(params.only_nested("texture"));
   model.scale = params.number("scale", model.scale);
+  model.normal_options = mapped_normals(params);
   model.nested = only_bsdf(params);
   return model;
 }
@@ -68,6 +76,7 @@ BsdfModel build_normal_map(Params& params) {
   NormalMapDescription model;
   params.expect(params.has("normalmap"), "normalmap", "is missing, expected a texture");
   model.normals = *params.texture("normalmap");
+  model.normal_options = mapped_normals(params);
   model.nested = only_bsdf(params);
   return model;
 }
@@ -91,7 +100,12 @@ BsdfModel build_layered(Params& params) {
 std::vector<Plugin<BsdfModel>> nesting_bsdfs() {
   return {
       {"blendbsdf", {{"weight", ParamType::number_map}}, {{"bsdf", 2}}, build_blend},
-      {"bumpmap", {{"scale", ParamType::number}}, {{"bsdf"}, {"texture"}}, build_bump_map},
+      {"bumpmap",
+       {{"scale", ParamType::number},
+        {"flip_invalid_normals", ParamType::boolean},
+        {"use_shadowing_function", ParamType::boolean}},
+       {{"bsdf"}, {"texture"}},
+       build_bump_map},
       {"layered",
        {{"int_ior", ParamType::ior},
         {"ext_ior", ParamType::ior},
@@ -101,7 +115,12 @@ std::vector<Plugin<BsdfModel>> nesting_bsdfs() {
        {{"bsdf"}},
        build_layered},
       {"mask", {{"opacity", ParamType::number_map}}, {{"bsdf"}}, build_mask},
-      {"normalmap", {{"normalmap", ParamType::texture}}, {{"bsdf"}}, build_normal_map},
+      {"normalmap",
+       {{"normalmap", ParamType::texture},
+        {"flip_invalid_normals", ParamType::boolean},
+        {"use_shadowing_function", ParamType::boolean}},
+       {{"bsdf"}},
+       build_normal_map},
       {"twosided", {}, {{"bsdf", 2}}, build_two_sided},
   };
 }

@@ -65,10 +65,22 @@ TEST(plugins, give_mitsubas_defaults_of_bsdfs) {
   EXPECT_EQ(bsdf<BlendDescription>("blendbsdf", "<float name='weight' value='0.2'/>" + kDiffuse + kDiffuse),
             (BlendDescription{0.2, {0}, {1}}));
   EXPECT_EQ(bsdf<BumpMapDescription>("bumpmap", "<texture type='checkerboard'/>" + kDiffuse),
-            (BumpMapDescription{{0}, 1, {0}}));
+            (BumpMapDescription{{0}, 1, {0}, {true, true}}));
   EXPECT_EQ(bsdf<NormalMapDescription>("normalmap", "<texture name='normalmap' type='checkerboard'/>" + kDiffuse),
-            (NormalMapDescription{{0}, {0}}));
+            (NormalMapDescription{{0}, {0}, {true, true}}));
   EXPECT_EQ(bsdf<LayeredDescription>("layered", kDiffuse), LayeredDescription{});
+}
+
+TEST(plugins, read_what_maps_do_with_normals) {
+  const std::string no_flips = "<boolean name='flip_invalid_normals' value='false'/>";
+  const std::string no_shadows = "<boolean name='use_shadowing_function' value='false'/>";
+  const std::string height = "<texture type='checkerboard'/>" + kDiffuse;
+  const std::string normals = "<texture name='normalmap' type='checkerboard'/>" + kDiffuse;
+  const MappedNormalsDescription unflipped{false, true}, unshadowed{true, false};
+  EXPECT_EQ(bsdf<BumpMapDescription>("bumpmap", no_flips + height).normal_options, unflipped);
+  EXPECT_EQ(bsdf<BumpMapDescription>("bumpmap", no_shadows + height).normal_options, unshadowed);
+  EXPECT_EQ(bsdf<NormalMapDescription>("normalmap", no_flips + normals).normal_options, unflipped);
+  EXPECT_EQ(bsdf<NormalMapDescription>("normalmap", no_shadows + normals).normal_options, unshadowed);
 }
 
 TEST(plugins, read_roughness_in_both_forms) {

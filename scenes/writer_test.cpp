@@ -239,11 +239,11 @@ class RandomScene {
       }
       case 4: {
         const TextureIndex height = texture();
-        return BumpMapDescription{height, number(), bsdf(depth)};
+        return BumpMapDescription{height, number(), bsdf(depth), {coin(), coin()}};
       }
       default: {
         const TextureIndex normals = texture();
-        return NormalMapDescription{normals, bsdf(depth)};
+        return NormalMapDescription{normals, bsdf(depth), {coin(), coin()}};
       }
     }
   }

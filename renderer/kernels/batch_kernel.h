@@ -11,6 +11,7 @@
 
 #include "renderer/bsdf.h"
 #include "renderer/kernels/lane_batch.h"
+#include "renderer/scattering.h"
 #include "renderer/scene_view.h"
 #include "renderer/surface_detail.h"
 
@@ -32,31 +33,10 @@ struct AtSurface {
   }
 };
 
-/// What a pack is shaded with: the records of its BSDFs in the frames of the shading normals. Where normals are mapped,
-/// light that only the map lets through the surface is dropped, as Mitsuba does.
-template <template <class> class Kind, class F>
-struct Shading {
-  Kind<F> bsdf;
-  Frame<F> frame;
-  bool has_side = false;
-  Vec3<F> side_local{};  ///< shading normal without the map
-
-  Mask<F> keeps_side(const Vec3<F>& wi) const { return dot(side_local, wi) * wi.z > 0; }
-  Vec3<F> eval(const Vec3<F>& wo, const Vec3<F>& wi) const {
-    const Vec3<F> f = bsdf.eval(wo, wi);
-    return has_side ? select(keeps_side(wi), f, Vec3<F>(F(0.0f))) : f;
-  }
-  F pdf(const Vec3<F>& wo, const Vec3<F>& wi) const { return bsdf.pdf(wo, wi); }
-  BsdfSample<F> sample(const Vec3<F>& wo, const F& u_lobe, const Vec2<F>& u, TransportMode mode) const {
-    BsdfSample<F> drawn = bsdf.sample(wo, u_lobe, u, mode);
-    if (has_side) drawn.valid = drawn.valid && keeps_side(drawn.wi_local);
-    return drawn;
-  }
-};
-
 /// Self offers refill(history, first, lanes), which says which of the lanes begin a history,
-/// meet_surfaces(history, active) and shade<Kind>(at_surface, active). `History` is the state between surfaces.
-template <class Self, template <class> class History, class F>
+/// meet_surfaces(history, active) and shade<Kind>(at_surface, active). `History` is the state between surfaces, `mode`
+/// what histories carry.
+template <class Self, template <class> class History, TransportMode mode, class F>
 class BatchKernel {
   template <class G>
   using Waiting = AtSurface<History, G>;
@@ -123,30 +103,43 @@ class BatchKernel {
   UInt<F> surface_word(const UInt<F>& surface, std::uint32_t SurfaceWords::*word) const {
     return gather(&(scene_.surfaces->*word), UInt<F>(surface * SurfaceWords::stride));
   }
-  /// What waiting lanes are shaded with; `at.surface` is their surface from here on.
+  /// What waiting lanes are shaded with; `at.surface` is their surface from here on, with what photons and look-ups
+  /// must have in common (MappedNormals).
   template <template <class> class Kind>
-  Shading<Kind, F> shading_at(Waiting<F>& at, const Mask<F>& active) const {
+  ScatteringBsdf<Kind<F>, F> scattering_at(Waiting<F>& at, const Mask<F>& active) const {
     const UInt<F> valid = select(active, at.surface, UInt<F>(0u));
     if (!scene_.detailed) {
       const UInt<F> bsdf = surface_word(valid, &SurfaceWords::bsdf);
-      return {gather_record<Kind, F>(scene_.bsdfs, bsdf, BsdfKinds::stride), Frame<F>(at.normal)};
+      return {gather_record<Kind, F>(scene_.bsdfs, bsdf, BsdfKinds::stride), {Frame<F>(at.normal)}};
     }
-    const auto gather3 = [&](const Vec3f SurfaceDetail::*member) {
-      const float* base = &(details_.front().*member).x;
-      const UInt<F> first = valid * SurfaceDetail::stride;
-      return Vec3<F>{gather(base, first), gather(base + 1, first), gather(base + 2, first)};
+    const SurfaceDetail& base = details_.front();
+    const UInt<F> first = valid * SurfaceDetail::stride;
+    const auto gather3 = [&](const Vec3f& member) {
+      return Vec3<F>{gather(&member.x, first), gather(&member.y, first), gather(&member.z, first)};
     };
-    at.surface = gather(&details_.front().surface, UInt<F>(valid * SurfaceDetail::stride));
-    Frame<F> frame(gather3(&SurfaceDetail::normal));
-    const Vec3<F> tangent = gather3(&SurfaceDetail::tangent);
+    at.surface = gather(&base.surface, first);
+    Scattering<F> scattering{Frame<F>(gather3(base.normal))};
+    Frame<F>& frame = scattering.frame;
+    const Vec3<F> tangent = gather3(base.tangent);
     const Mask<F> has_tangent = dot(tangent, tangent) > 0;
     if (any(has_tangent)) {
       const Frame<F> along(frame.n, tangent);
       frame.s = select(has_tangent, along.s, frame.s);
       frame.t = select(has_tangent, along.t, frame.t);
     }
-    return {gather_record<Kind, F>(details_.front().record, valid, SurfaceDetail::stride), frame, scene_.maps_normals,
-            scene_.maps_normals ? frame.to_local(gather3(&SurfaceDetail::side)) : Vec3<F>{}};
+    scattering.bent = scene_.bends_normals;
+    scattering.mapped = scene_.maps_normals;
+    if (scattering.bent) scattering.ng = frame.to_local(at.normal);
+    if (scattering.mapped) {
+      MappedNormals<F>& maps = scattering.maps;
+      for (int map = 0; map < 2; ++map) {
+        maps.below[map] = frame.to_local(gather3(base.below[map]));
+        maps.shadow[map] = gather(&base.shadow[map], first);
+      }
+      maps.state = gather(&base.state, first);
+      maps.chance = gather(&base.chance, first);
+    }
+    return {gather_record<Kind, F>(base.record, valid, SurfaceDetail::stride), scattering};
   }
 
   const SceneView& scene_;
@@ -181,7 +174,7 @@ class BatchKernel {
     for (std::uint32_t bits = to_bits(alive); bits != 0; bits &= bits - 1) {
       const auto i = static_cast<std::size_t>(std::countr_zero(bits));
       SurfaceDetail& detail = details_[detail_count_];
-      detail_at(scene_, surface[i], primitive[i], lane_of(p, i), lane_of(normal, i), lane_of(direction, i), u[i],
+      detail_at(scene_, surface[i], primitive[i], lane_of(p, i), lane_of(normal, i), lane_of(direction, i), u[i], mode,
                 detail);
       kind[i] = detail.kind;
       surface[i] = static_cast<std::uint32_t>(detail_count_++);

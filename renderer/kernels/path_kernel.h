@@ -36,8 +36,8 @@ struct PathState {
 };
 
 template <class F>
-class PathKernel : public BatchKernel<PathKernel<F>, PathState, F> {
-  using Base = BatchKernel<PathKernel<F>, PathState, F>;
+class PathKernel : public BatchKernel<PathKernel<F>, PathState, TransportMode::radiance, F> {
+  using Base = BatchKernel<PathKernel<F>, PathState, TransportMode::radiance, F>;
   using U = UInt<F>;
   static constexpr std::uint32_t dimensions_a_vertex = 5;        // light point, direction, light, lobe, roulette
   static constexpr std::uint32_t surface_dimensions = 1u << 24;  // one a vertex: which of a surface's BSDFs
@@ -94,8 +94,8 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, F> {
   template <template <class> class Kind>
   [[gnu::flatten]] void shade(AtSurface<PathState, F>& at, const Mask<F>& active) {
     PathState<F>& s = at.history;
-    const Shading<Kind, F> bsdf = Base::template shading_at<Kind>(at, active);
-    const Frame<F>& frame = bsdf.frame;
+    const ScatteringBsdf<Kind<F>, F> bsdf = Base::template scattering_at<Kind>(at, active);
+    const Frame<F>& frame = bsdf.at.frame;
     const Vec3<F> wo_local = frame.to_local(Vec3<F>(-s.direction));
     const U dimension = s.vertex * dimensions_a_vertex + 1u;
     const bool gathers = Kind<F>::is_lambertian && task_.gather_points != nullptr;
@@ -109,7 +109,7 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, F> {
     }
     if constexpr (Kind<F>::is_lambertian) {  // a gather point has no direction: its weight is for any photon
       if (gathers) {
-        leave_gather_points(at, bsdf.eval(wo_local, Vec3<F>(F(0.0f), F(0.0f), F(1.0f))), active);
+        leave_gather_points(at, bsdf.bsdf.eval(wo_local, Vec3<F>(F(0.0f), F(0.0f), F(1.0f))), active);
         retire(s, active);
         return;
       }
@@ -117,7 +117,7 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, F> {
     Vec2<F> u_direction{F(0.0f), F(0.0f)};
     if constexpr (Kind<F>::has_smooth) u_direction = draw2<F>(task_.camera.sampler, s.key, s.index, U(dimension + 1u));
     const F u_lobe = draw2<F>(task_.camera.sampler, s.key, s.index, U(dimension + 3u)).x;
-    const BsdfSample<F> next = bsdf.sample(wo_local, u_lobe, u_direction, TransportMode::radiance);
+    const BsdfSample<F> next = bsdf.at.sample(bsdf.bsdf, wo_local, u_lobe, u_direction, TransportMode::radiance);
     s.throughput *= next.weight;
     s.refraction_scale *= next.eta * next.eta;
     Mask<F> alive = active && next.valid && max_component(s.throughput) > 0;

@@ -33,8 +33,8 @@ struct PhotonState {
 };
 
 template <class F>
-class PhotonKernel : public BatchKernel<PhotonKernel<F>, PhotonState, F> {
-  using Base = BatchKernel<PhotonKernel<F>, PhotonState, F>;
+class PhotonKernel : public BatchKernel<PhotonKernel<F>, PhotonState, TransportMode::importance, F> {
+  using Base = BatchKernel<PhotonKernel<F>, PhotonState, TransportMode::importance, F>;
   using U = UInt<F>;
   static constexpr std::uint32_t diffusely = 1, specularly = 2;  // in PhotonState::bounced
   static constexpr std::uint32_t emission_dimensions = 3;        // position, direction, light
@@ -103,14 +103,17 @@ class PhotonKernel : public BatchKernel<PhotonKernel<F>, PhotonState, F> {
   template <template <class> class Kind>
   [[gnu::flatten]] void shade(AtSurface<PhotonState, F>& at, const Mask<F>& active) {
     PhotonState<F>& s = at.history;
-    const Shading<Kind, F> bsdf = Base::template shading_at<Kind>(at, active);
-    const Frame<F>& frame = bsdf.frame;
+    const ScatteringBsdf<Kind<F>, F> bsdf = Base::template scattering_at<Kind>(at, active);
+    const Frame<F>& frame = bsdf.at.frame;
     const Vec3<F> wo_local = frame.to_local(Vec3<F>(-s.direction));
     if constexpr (!Kind<F>::is_lambertian) {
       s.bounced |= U(specularly);
     } else {
       const std::uint32_t wanted = task_.kind == PhotonKind::global ? diffusely : specularly;
-      store(at, active && wo_local.z > 0 && !equal<F>(U(s.bounced & wanted), U(0u)));
+      const Vec3<F> flux = s.flux;
+      if (bsdf.at.bent) s.flux *= bsdf.at.landing(wo_local);
+      store(at, active && wo_local.z > 0 && max_component(s.flux) > 0 && !equal<F>(U(s.bounced & wanted), U(0u)));
+      s.flux = flux;
       if (task_.kind == PhotonKind::caustic) return;
       s.bounced |= U(diffusely);
     }
@@ -124,7 +127,7 @@ class PhotonKernel : public BatchKernel<PhotonKernel<F>, PhotonState, F> {
     const U key(task_.seed);
     const U index = s.path + task_.first;
     const F u_lobe = draw_independent<F>(key, index, U(dimension + 1u));
-    const BsdfSample<F> next = bsdf.sample(wo_local, u_lobe, u_direction, TransportMode::importance);
+    const BsdfSample<F> next = bsdf.at.sample(bsdf.bsdf, wo_local, u_lobe, u_direction, TransportMode::importance);
     const F before = max_component(s.flux);
     s.flux *= next.weight;
     s.weight *= max_component(s.flux) / before;
