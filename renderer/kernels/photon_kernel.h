@@ -105,7 +105,7 @@ class PhotonKernel : public BatchKernel<PhotonKernel<F>, PhotonState, F> {
       s.bounced |= U(specularly);
     } else {
       const std::uint32_t wanted = task_.kind == PhotonKind::global ? diffusely : specularly;
-      store(at, active && wo_local.z > 0 && !equal<F>(U(s.bounced & wanted), U(0u)));
+      store(at, frame.n, active && wo_local.z > 0 && !equal<F>(U(s.bounced & wanted), U(0u)));
       if (task_.kind == PhotonKind::caustic) return;
       s.bounced |= U(diffusely);
     }
@@ -165,7 +165,7 @@ class PhotonKernel : public BatchKernel<PhotonKernel<F>, PhotonState, F> {
     return draw2<F>(task_.sampler, U(task_.seed), U(s.path + task_.first), dimension);
   }
 
-  void store(const AtSurface<PhotonState, F>& at, const Mask<F>& lanes) {
+  void store(const AtSurface<PhotonState, F>& at, const Vec3<F>& shading_normal, const Mask<F>& lanes) {
     const std::uint32_t bits = to_bits(lanes);
     if (bits == 0) return;
     PhotonDeposits& d = *task_.deposits;
@@ -180,7 +180,7 @@ class PhotonKernel : public BatchKernel<PhotonKernel<F>, PhotonState, F> {
     put(at.history.flux.y, d.green);
     put(at.history.flux.z, d.blue);
     put(at.surface, d.surface);
-    put(at.history.edges, d.edges);
+    put(with_edges<F>(sheet_word<F>(at.normal, shading_normal), at.history.edges), d.sheet);
     put(at.history.path, d.path);
     d.count += static_cast<std::size_t>(std::popcount(bits));
   }

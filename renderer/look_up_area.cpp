@@ -1,0 +1,67 @@
+#include "renderer/look_up_area.h"
+
+#include "renderer/disc_area.h"
+
+namespace photonproof {
+namespace {
+
+const Mesh* mesh_of(const Geometry& geometry) {
+  if (const auto* instance = std::get_if<MeshInstance>(&geometry)) return instance->mesh.get();
+  return std::get_if<Mesh>(&geometry);
+}
+
+/// Whether all that a ball of the radius holds of the surface has one normal and one tangent plane, or near enough.
+bool is_one_sheet(const Geometry& geometry, float radius) {
+  const auto is_flat_enough = [&](float surface_radius) { return radius < 0.99f * 2 * sheet_height * surface_radius; };
+  if (const auto* sphere = std::get_if<Sphere>(&geometry)) return is_flat_enough(sphere->radius);
+  if (const auto* cylinder = std::get_if<Cylinder>(&geometry)) return is_flat_enough(cylinder->radius);
+  return mesh_of(geometry) == nullptr;
+}
+// As far from p as the radius r, a sphere or cylinder of radius R is r^2 / 2R from the tangent plane, and the versine
+// of the normals' angle is r^2 / 2R^2: below the limits where r < 2 sheet_height R.
+static_assert(2 * sheet_height * sheet_height < 1 - least_sheet_cosine);
+
+}  // namespace
+
+LookUpAreas::LookUpAreas(const Scene& scene, const Threads& threads) : scene_(scene), mesh_of_(scene.surfaces.size()) {
+  for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
+    const Mesh* mesh = mesh_of(scene.surfaces[i].geometry);
+    if (mesh == nullptr) continue;
+    bool diffuse = false;
+    scene.for_each_leaf(scene.surfaces[i].bsdf,
+                        [&](const Bsdf& leaf, bool) { diffuse = diffuse || is_lambertian(leaf); });
+    if (!diffuse) continue;
+    std::unique_ptr<const MeshArea>& made = meshes_[mesh];
+    if (!made) made = std::make_unique<MeshArea>(*mesh, threads);
+    mesh_of_[i] = made.get();
+  }
+}
+
+std::vector<SheetTest> LookUpAreas::tests(float radius) const {
+  std::vector<SheetTest> tests;
+  tests.reserve(scene_.surfaces.size());
+  for (const Surface& surface : scene_.surfaces) {
+    // What wraps another BSDF may be one that shows the same on both sides.
+    const SheetTest of_flat = scene_.is_leaf(surface.bsdf) ? SheetTest::none : SheetTest::side;
+    tests.push_back(is_one_sheet(surface.geometry, radius) ? of_flat : SheetTest::side_and_normal);
+  }
+  return tests;
+}
+
+float LookUpAreas::area(const GatherPoint& point, float radius) const {
+  const Geometry& geometry = scene_.surfaces[point.surface].geometry;
+  return std::visit(
+      [&]<class Shape>(const Shape& shape) -> float {
+        if constexpr (std::is_same_v<Shape, Mesh>) {
+          return static_cast<float>(mesh_of_[point.surface]->within(point.p, unit_sheet_normal(point.sheet), radius));
+        } else if constexpr (std::is_same_v<Shape, MeshInstance>) {
+          return static_cast<float>(
+              mesh_of_[point.surface]->within(*shape.placement, point.p, unit_sheet_normal(point.sheet), radius));
+        } else {
+          return disc_area(shape, point.p, radius);
+        }
+      },
+      geometry);
+}
+
+}  // namespace photonproof
