@@ -1,6 +1,10 @@
 #include "renderer/look_up_area.h"
 
+#include <algorithm>
+#include <optional>
+
 #include "renderer/disc_area.h"
+#include "renderer/kernels/rays.h"
 
 namespace photonproof {
 namespace {
@@ -21,10 +25,35 @@ bool is_one_sheet(const Geometry& geometry, float radius) {
 // of the normals' angle is r^2 / 2R^2: below the limits where r < 2 sheet_height R.
 static_assert(2 * sheet_height * sheet_height < 1 - least_sheet_cosine);
 
+/// How likely a hit of the BSDF draws a Lambertian leaf; `weight` gives the numbers of masks and blends.
+template <class Weight>
+float chance_of_diffuse(const Scene& scene, std::uint32_t bsdf, bool behind, const Weight& weight) {
+  const BsdfNode& node = scene.view().detail->tree[bsdf];
+  const auto of = [&](std::uint32_t nested) { return chance_of_diffuse(scene, nested, behind, weight); };
+  switch (node.kind) {
+    case BsdfNode::Kind::leaf:
+      return is_lambertian(scene.bsdfs[bsdf]) ? 1.0f : 0.0f;
+    case BsdfNode::Kind::two_sided:
+      return of(behind ? node.second : node.first);
+    case BsdfNode::Kind::mask:
+      return weight(node.number) * of(node.first);
+    case BsdfNode::Kind::blend: {
+      const float second = weight(node.number);
+      return (1 - second) * of(node.first) + second * of(node.second);
+    }
+    default:
+      return of(node.first);
+  }
+}
+
 }  // namespace
 
-LookUpAreas::LookUpAreas(const Scene& scene, const Threads& threads) : scene_(scene), mesh_of_(scene.surfaces.size()) {
+LookUpAreas::LookUpAreas(const Scene& scene, const Threads& threads)
+    : scene_(scene), may_miss_(scene.surfaces.size()), mesh_of_(scene.surfaces.size()) {
   for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
+    bool other = false;
+    scene.for_each_leaf(scene.surfaces[i].bsdf, [&](const Bsdf& leaf, bool) { other = other || !is_lambertian(leaf); });
+    may_miss_[i] = other ? 1 : 0;
     const Mesh* mesh = mesh_of(scene.surfaces[i].geometry);
     if (mesh == nullptr) continue;
     bool diffuse = false;
@@ -46,6 +75,30 @@ std::vector<SheetTest> LookUpAreas::tests(float radius) const {
     tests.push_back(is_one_sheet(surface.geometry, radius) ? of_flat : SheetTest::side_and_normal);
   }
   return tests;
+}
+
+Vec2<float> LookUpAreas::uv_at(const GatherPoint& point) const {
+  const Vec3f front = unit_sheet_normal(point.sheet);
+  std::uint32_t primitive = 0;
+  if (mesh_of(scene_.surfaces[point.surface].geometry) != nullptr) {  // a ray from just above finds the triangle
+    const Vec3f up = (point.sheet & PhotonSheet::from_behind) != 0 ? -front : front;
+    const Vec3f above = offset_from(point.p, up, up, scene_.view().coordinate_floor);
+    primitive = closest_hit<float>(scene_.view(), above, -up, no_index, true, false).primitive;
+  }
+  return scene_.view().detail->local(point.surface, primitive, point.p, front).uv;
+}
+
+float LookUpAreas::diffuse_share(const GatherPoint& point) const {
+  if (may_miss_[point.surface] == 0) return 1;
+  const Surface& surface = scene_.surfaces[point.surface];
+  std::optional<Vec2<float>> uv;
+  const auto weight = [&](const TexturedNumber& n) {
+    if (n.texture == no_index) return std::clamp(n.value, 0.0f, 1.0f);
+    if (!uv) uv = uv_at(point);
+    return std::clamp(scene_.textures.number(n.texture, *uv), 0.0f, 1.0f);
+  };
+  const float share = chance_of_diffuse(scene_, surface.bsdf, (point.sheet & PhotonSheet::from_behind) != 0, weight);
+  return share > 0 ? share : 1;
 }
 
 float LookUpAreas::area(const GatherPoint& point, float radius) const {

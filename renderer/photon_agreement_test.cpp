@@ -31,13 +31,13 @@
 namespace photonproof {
 namespace {
 
-constexpr int seeds = 12;
+constexpr int seeds = 24;
 constexpr int block = 8;
 const double most_of_bias = 1 / (1 - std::sqrt(0.5));
 
 struct Effort {
-  int size = 48;
-  std::int64_t path_spp = 16, photon_spp = 4, photons = 60'000;  // of a seed
+  int size = 32;
+  std::int64_t path_spp = 6, photon_spp = 2, photons = 16'000;  // of a seed
   const char* reference = "path";
 };
 
@@ -89,29 +89,43 @@ Comparison compare(const SceneDescription& description, const Effort& effort) {
     find_integrator(name)->render(scene, method, job, film, stats);
     return film.develop().mean;
   };
+  const auto method = [&](const char* name) {
+    IntegratorDescription of_scene = with_integrator(description.integrator, name);
+    // What only shows lamps as they are would be most of the noise.
+    std::visit([](auto& limits) { limits.hide_emitters = true; }, of_scene.method);
+    return of_scene;
+  };
+  RenderStats stats;
+  RenderJob job;
+  job.sampler = SamplerKind::independent;
+  // The radii are those that a render of 200,000 photons takes by itself.
+  IntegratorDescription photons = method("photonmapper");
+  job.budget.spp = 1;
+  job.budget.photons = 200'000;
+  render("photonmapper", photons, job, stats);
+  const auto radius = [&](const char* name) { return stats.counts.contains(name) ? stats.counts.at(name) : 0; };
+  auto& settings = std::get<PhotonMapperDescription>(photons.method);
+  settings.global_radius = radius("radius_global");
+  settings.caustic_radius = radius("radius_caustic");
+  IntegratorDescription at_half = photons;
+  auto& halved = std::get<PhotonMapperDescription>(at_half.method);
+  halved.global_radius /= 2;
+  halved.caustic_radius /= 2;
+
   Comparison out;
   for (int seed = 1; seed <= seeds; ++seed) {
-    RenderStats stats;
-    RenderJob job;
     job.seed = static_cast<std::uint64_t>(seed);
-    job.sampler = SamplerKind::independent;
+    job.budget.photons.reset();
     job.budget.spp = effort.path_spp;
     std::vector<double> reference, least, most, own;
-    const IntegratorDescription as_file = description.integrator;
-    out.reference.add(render(effort.reference, with_integrator(as_file, effort.reference), job, stats), 1, reference);
+    out.reference.add(render(effort.reference, method(effort.reference), job, stats), 1, reference);
     out.reference.end_run(reference);
 
-    IntegratorDescription photons = with_integrator(as_file, "photonmapper");
     job.seed += 1000;
     job.budget.spp = effort.photon_spp;
     job.budget.photons = effort.photons;
-    stats = {};
     const Image whole = render("photonmapper", photons, job, stats);
-    auto& settings = std::get<PhotonMapperDescription>(photons.method);
-    const auto half_of = [&](const char* name) { return stats.counts.contains(name) ? stats.counts.at(name) / 2 : 0; };
-    settings.global_radius = half_of("radius_global");
-    settings.caustic_radius = half_of("radius_caustic");
-    const Image half = render("photonmapper", photons, job, stats);
+    const Image half = render("photonmapper", at_half, job, stats);
     out.at_radius.add(whole, 1, own);
     out.at_radius.end_run(own);
     out.less_no_bias.add(half, 1, least);
@@ -127,13 +141,17 @@ Comparison compare(const SceneDescription& description, const Effort& effort) {
 double judge(const Comparison& c, const char* name) {
   const std::size_t values = c.reference.size();
   const boost::math::students_t t(seeds - 1);
-  const double bound =
-      boost::math::quantile(boost::math::complement(t, test::sidak_level(static_cast<int>(values)) / 2));
+  // Of the image's means and of the blocks, each with half of the level.
+  const auto bound_of = [&](std::size_t tests) {
+    return boost::math::quantile(boost::math::complement(t, test::sidak_level(static_cast<int>(2 * tests)) / 2));
+  };
+  const double bound_of_mean = bound_of(3), bound_of_block = bound_of(values - 3);
   const double sure = boost::math::quantile(t, 0.99);
-  double worst = 0, mean_power = 0;
+  double worst = 0, mean_power = 0;  // worst: in bounds
   std::size_t worst_at = 0;
   std::vector<double> powers;
   for (std::size_t i = 0; i < values; ++i) {
+    const double bound = i + 3 < values ? bound_of_block : bound_of_mean;
     const double truth = c.reference.mean(i);
     const double rounding = 1e-5 * truth;
     const auto deviation = [&](const Blocks& photons) {
@@ -142,8 +160,8 @@ double judge(const Comparison& c, const char* name) {
     };
     const double least = deviation(c.less_no_bias), most = deviation(c.less_most_bias);
     const double off = least * most < 0 ? 0 : std::min(std::abs(least), std::abs(most));
-    if (off > worst) {
-      worst = off;
+    if (off / bound > worst) {
+      worst = off / bound;
       worst_at = i;
     }
     EXPECT_LE(off, bound) << name << ", value " << i << " of " << values << ": " << truth << ", photon mapper "
@@ -161,10 +179,10 @@ double judge(const Comparison& c, const char* name) {
   std::sort(powers.begin(), powers.end());
   const double mean = c.reference.mean(values - 2);
   std::printf(
-      "%s: mean %+.2f %% at the default radius; would see %.2f %% of the mean, %.1f %% of a block; worst %.1f of "
-      "%.1f deviations (value %zu)\n",
+      "%s: mean %+.2f %% at the default radius; would see %.2f %% of the mean, %.1f %% of a block; worst at %.2f "
+      "of its bound (value %zu)\n",
       name, mean > 0 ? 100 * (c.at_radius.mean(values - 2) / mean - 1) : 0.0, 100 * mean_power,
-      powers.empty() ? 0 : 100 * powers[powers.size() / 2], worst, bound, worst_at);
+      powers.empty() ? 0 : 100 * powers[powers.size() / 2], worst, worst_at);
   return mean_power;
 }
 
@@ -187,8 +205,9 @@ class PhotonAgreement : public testing::TestWithParam<std::string> {};
 
 TEST_P(PhotonAgreement, shows_what_path_tracing_shows) {
   Effort effort;
-  // Light from a direction through glass is found by light paths alone.
+  // Light from a direction or a small lamp through glass is found by light paths alone.
   if (GetParam() == "ball-lens" || GetParam() == "water-caustic") effort.reference = "ptracer";
+  if (GetParam() == "caustic-glass") effort.reference = "bdpt";
   judge(compare(parse_scene_file(PHOTONPROOF_SOURCE_DIR "/scenes/library/" + GetParam() + "/scene.xml"), effort),
         GetParam().c_str());
 }
@@ -209,6 +228,7 @@ class PhotonsOnMeshes : public testing::TestWithParam<MeshCase> {};
 
 TEST_P(PhotonsOnMeshes, show_what_path_tracing_shows_to_two_percent_of_the_mean) {
   Effort effort;
+  effort.photons = 40'000;
   EXPECT_LE(judge(compare(GetParam().scene(effort.size), effort), GetParam().name), 0.02);
 }
 
@@ -222,21 +242,21 @@ INSTANTIATE_TEST_SUITE_P(
                     MeshCase{"normal_mapped", test::normal_mapped_mesh}),
     [](const auto& test) { return test.param.name; });
 
-// The slab from below: what the underside gets, against path, as the radius goes to 0. The same photons at every
-// radius; at 0.002, a tenth of the slab's thickness, a disc could not reach its other side if it had no test at all,
-// and at 0.2 it reaches it ten times over. 1 % is three to four of the differences' deviations.
+// The slab from below against path as the radius goes to 0. At 0.005, a quarter of the slab's thickness, a disc could
+// not reach its lit side if it tested nothing; at 0.2 it reaches it ten times over. The view is all of the dark side,
+// where about 1e5 photons land: 0.4 % of noise.
 TEST(photon_agreement, of_the_slab_is_within_one_percent_at_every_radius) {
   const SceneDescription slab = test::slab_from_below(32);
-  RenderJob job = test::job_with(4096);
-  const double path = test::block_mean(test::render(slab, "path", job).image.mean, 8, 8, 16, 16);
-  for (const double radius : {0.002, 0.01, 0.05, 0.2}) {
+  const double path = test::image_mean(test::render(slab, "path", test::job_with(2048)).image.mean);
+  for (const double radius : {0.005, 0.02, 0.1, 0.2}) {
     SceneDescription photons = slab;
     PhotonMapperDescription settings;
     settings.max_depth = -1;
+    settings.hide_emitters = true;
     settings.global_radius = radius;
     photons.integrator.method = settings;
     const double mean =
-        test::block_mean(test::render(photons, "photonmapper", test::job_with(32, 3'000'000)).image.mean, 8, 8, 16, 16);
+        test::image_mean(test::render(photons, "photonmapper", test::job_with(32, 2'000'000)).image.mean);
     std::printf("slab from below, radius %g: %+.2f %%\n", radius, 100 * (mean / path - 1));
     EXPECT_NEAR(mean / path, 1, 0.01) << radius;
   }

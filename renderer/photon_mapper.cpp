@@ -79,9 +79,9 @@ void add_photons(const MapState& state, const LookUpAreas& areas, const Kernels&
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (flux[i].count == 0) continue;
     const GatherPoint& point = points[i];
-    const float area = areas.area(point, state.radius);
-    if (!(area > 0)) continue;
-    const Rgb added = point.weight * flux[i].flux / area;
+    const float divisor = areas.divisor(point, state.radius);
+    if (!(divisor > 0)) continue;
+    const Rgb added = point.weight * flux[i].flux / divisor;
     float* out = &radiance[3 * std::size_t{point.path}];
     out[0] += added.x;
     out[1] += added.y;
