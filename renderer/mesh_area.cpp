@@ -109,7 +109,10 @@ MeshArea::MeshArea(const Mesh& mesh, const Threads& threads) : mesh_(mesh) {
     const double twice_area = length(across);
     if (!(twice_area > 0)) continue;
     const Vec3f front(across * ((mesh.inward ? -1 : 1) / twice_area));
-    items_.push_back({(a + b + c) * (1.0f / 3), t, sheet_word<float>(front, front)});
+    const Vec3f middle = (a + b + c) * (1.0f / 3);
+    const float reach = std::sqrt(
+        max_component(Vec3f{length_squared(a - middle), length_squared(b - middle), length_squared(c - middle)}));
+    items_.push_back({middle, t, sheet_word<float>(front, front), static_cast<float>(twice_area / 2), reach});
   }
   if (items_.empty()) return;
   while ((items_.size() >> leaf_level_) >= most_in_leaf) ++leaf_level_;
@@ -144,7 +147,7 @@ void MeshArea::bound(int level, std::size_t k) {
     widen(low, high, b);
     widen(low, high, c);
     widen(middle_low, middle_high, item.middle);
-    area += length(cross(Vec3d(b) - Vec3d(a), Vec3d(c) - Vec3d(a))) / 2;
+    area += double{item.area};
     normals += Vec3d(unit_sheet_normal(item.sheet));
   }
   Node& node = nodes_[(std::size_t{1} << level) + k];
@@ -218,7 +221,19 @@ double MeshArea::visit(const LookUp& at, int level, std::size_t k) const {
   for (std::size_t i = begin_of(level, k); i < begin_of(level, k + 1); ++i) {
     const Item& item = items_[i];
     const Vec3f sheet = sheet_normal(item.sheet);
-    if (!at.is_alike(at.placement == nullptr ? sheet : at.placement->normal(sheet))) continue;
+    if (at.placement == nullptr) {  // most are all outside or all inside
+      const Vec3f from = item.middle - at.p;
+      const float distance2 = length_squared(from), outer = radius + item.reach + slack;
+      if (distance2 > outer * outer || !at.is_alike(sheet)) continue;
+      const float off_plane = std::abs(dot(at.normal, from)), inner = radius - item.reach - slack;
+      if (off_plane - item.reach > height + slack) continue;
+      if (inner > 0 && distance2 <= inner * inner && off_plane + item.reach <= height - slack) {
+        area += double{item.area};
+        continue;
+      }
+    } else if (!at.is_alike(at.placement->normal(sheet))) {
+      continue;
+    }
     area += area_within(at.corners(mesh_, item.triangle), at.radius, Vec3d(at.normal), at.height);
   }
   return area;

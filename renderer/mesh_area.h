@@ -31,6 +31,8 @@ class MeshArea {
     Vec3f middle;
     std::uint32_t triangle = 0;
     std::uint32_t sheet = 0;  ///< sheet_word of its front
+    float area = 0;
+    float reach = 0;  ///< of its corners, from the middle
   };
   struct Node {
     Vec3f low, high;
