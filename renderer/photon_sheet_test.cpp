@@ -26,8 +26,8 @@ double angle(const Vec3f& a, const Vec3f& b) {
 }
 
 TEST(photon_sheet, keeps_normals_to_a_quarter_of_a_degree_and_those_along_axes_exactly) {
-  // Rounding moves a point of the octahedron by (1/2, 1/2, -1)/511 at most, 0.0024, which a face's middle, 1/sqrt 3 from
-  // the centre, shows as 0.0042 = 0.238 degrees.
+  // Rounding moves a point of the octahedron by (1/2, 1/2, -1)/511 at most, 0.0024, which a face's middle, 1/sqrt 3
+  // from the centre, shows as 0.0042 = 0.238 degrees.
   double worst = 0;
   for (std::uint64_t i = 0; i < 100'000; ++i) {
     const Vec3f n = direction(i);
