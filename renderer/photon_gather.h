@@ -16,15 +16,18 @@ struct GatheredFlux {
   std::int32_t count = 0;
 };
 
-/// Photons that landed on `surface` after at most `max_edges` edges.
+/// Photons that landed on `surface` after at most `max_edges` edges, on the point's sheet as far as `test` asks.
 struct PhotonFilter {
   std::uint32_t surface;
   std::int32_t max_edges;
+  SheetTest test = SheetTest::none;
+  std::uint32_t sheet = 0;
 };
 
-/// The photons with distance_squared(i, p) <= radius * radius that pass the filter.
-PHOTONPROOF_ALWAYS_INLINE GatheredFlux gather(const PhotonView& map, const Vec3f& p, float radius,
-                                              const PhotonFilter& filter) {
+/// The photons with distance_squared(i, p) <= radius * radius that pass the filter, whose test is `test`.
+template <SheetTest test>
+PHOTONPROOF_ALWAYS_INLINE GatheredFlux gather_by(const PhotonView& map, const Vec3f& p, float radius,
+                                                 const PhotonFilter& filter) {
 #if defined(__AVX512F__)
   constexpr std::size_t width = 16;
 #elif defined(__AVX2__)
@@ -40,6 +43,17 @@ PHOTONPROOF_ALWAYS_INLINE GatheredFlux gather(const PhotonView& map, const Vec3f
 
   const float radius2 = radius * radius;
   const auto surface = static_cast<std::int32_t>(filter.surface);
+  const auto to_floats = [](const Ints& words)
+                             PHOTONPROOF_INLINE_LAMBDA { return __builtin_convertvector(words, Floats); };
+  // Edges are a word's highest bits: words up to this one have few enough.
+  const std::int32_t most_edges = filter.max_edges < static_cast<std::int32_t>(PhotonSheet::most_edges)
+                                      ? filter.max_edges
+                                      : PhotonSheet::most_edges;
+  const std::int32_t last_word =
+      most_edges < 0 ? -1 : most_edges * (1 << PhotonSheet::edges_shift) + static_cast<std::int32_t>(PhotonSheet::mask);
+  const auto side = static_cast<std::int32_t>(filter.sheet & PhotonSheet::from_behind);
+  [[maybe_unused]] const Vec3f normal = unit_sheet_normal(filter.sheet);
+  [[maybe_unused]] const float height = sheet_height * radius;
   constexpr std::int32_t numbers[block] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
   Floats red[parts] = {}, green[parts] = {}, blue[parts] = {};
   Ints count[parts] = {};
@@ -48,12 +62,12 @@ PHOTONPROOF_ALWAYS_INLINE GatheredFlux gather(const PhotonView& map, const Vec3f
       for (std::size_t part = 0; part < parts; ++part) {
         const std::size_t at = i + part * width;
         Floats dx, dy, dz, r, g, b;
-        Ints landed_on, edges, lane;
+        Ints landed_on, sheet, lane;
         load(dx, map.x + at);
         load(dy, map.y + at);
         load(dz, map.z + at);
         load(landed_on, map.surface + at);
-        load(edges, map.edges + at);
+        load(sheet, map.sheet + at);
         load(r, map.red + at);
         load(g, map.green + at);
         load(b, map.blue + at);
@@ -61,8 +75,18 @@ PHOTONPROOF_ALWAYS_INLINE GatheredFlux gather(const PhotonView& map, const Vec3f
         dx -= p.x;
         dy -= p.y;
         dz -= p.z;
-        const Ints counts = (dx * dx + dy * dy + dz * dz <= radius2) & (landed_on == surface) &
-                            (edges <= filter.max_edges) & (lane < static_cast<std::int32_t>(end - i));
+        Ints counts = (dx * dx + dy * dy + dz * dz <= radius2) & (landed_on == surface) & (sheet <= last_word) &
+                      (lane < static_cast<std::int32_t>(end - i));
+        if constexpr (test != SheetTest::none) {
+          counts &= (sheet & static_cast<std::int32_t>(PhotonSheet::from_behind)) == side;
+        }
+        if constexpr (test == SheetTest::side_and_normal) {
+          const SheetNormal<Floats> n = sheet_normal<Floats>(sheet, to_floats);
+          const Floats cosine = n.x * normal.x + n.y * normal.y + n.z * normal.z;
+          const Floats least = (n.x * n.x + n.y * n.y + n.z * n.z) * (least_sheet_cosine * least_sheet_cosine);
+          const Floats above = dx * normal.x + dy * normal.y + dz * normal.z;
+          counts &= (cosine > 0.0f) & (cosine * cosine >= least) & (above <= height) & (above >= -height);
+        }
         red[part] += reinterpret_cast<Floats>(reinterpret_cast<Ints>(r) & counts);
         green[part] += reinterpret_cast<Floats>(reinterpret_cast<Ints>(g) & counts);
         blue[part] += reinterpret_cast<Floats>(reinterpret_cast<Ints>(b) & counts);
@@ -78,6 +102,19 @@ PHOTONPROOF_ALWAYS_INLINE GatheredFlux gather(const PhotonView& map, const Vec3f
     return (s[0] + s[2]) + (s[1] + s[3]);
   };
   return {{sum(red, 0.0f), sum(green, 0.0f), sum(blue, 0.0f)}, sum(count, 0)};
+}
+
+/// The photons with distance_squared(i, p) <= radius * radius that pass the filter.
+PHOTONPROOF_ALWAYS_INLINE GatheredFlux gather(const PhotonView& map, const Vec3f& p, float radius,
+                                              const PhotonFilter& filter) {
+  switch (filter.test) {
+    case SheetTest::side:
+      return gather_by<SheetTest::side>(map, p, radius, filter);
+    case SheetTest::side_and_normal:
+      return gather_by<SheetTest::side_and_normal>(map, p, radius, filter);
+    default:
+      return gather_by<SheetTest::none>(map, p, radius, filter);
+  }
 }
 
 }  // namespace photonproof

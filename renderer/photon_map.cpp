@@ -40,7 +40,7 @@ void put(Photons& photons, std::size_t slot, const StagedPhoton& p) {
   photons.green[slot] = p.green;
   photons.blue[slot] = p.blue;
   photons.surface[slot] = p.surface;
-  photons.edges[slot] = p.edges;
+  photons.sheet[slot] = p.sheet;
 }
 
 }  // namespace

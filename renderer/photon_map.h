@@ -44,7 +44,7 @@ class PhotonMap {
             photons_.green.data(),
             photons_.blue.data(),
             photons_.surface.data(),
-            photons_.edges.data(),
+            photons_.sheet.data(),
             count_,
             grid_,
             cell_begin_.empty() ? nullptr : cell_begin_.data(),

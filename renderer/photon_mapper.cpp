@@ -1,17 +1,19 @@
 // Photon mapping (Jensen 1996, 2001) with fixed-radius density estimation at the first diffuse hit of a camera path:
 //   L = Le + direct (next-event estimation) + rho/pi (sum of caustic fluxes / A_c + sum of global fluxes / A_g)
-// where A is the area of the look-up disc clipped to its surface. The render is cut into passes, each with photons and
-// camera samples of its own: the mean is the same, look-ups are cheaper, and the passes' spread gives an honest
-// variance that includes the photons' noise (not the bias of the radius).
+// where A is the area of that part of the surface whose photons the look-up counts (photon_sheet.h, look_up_area.h).
+// The render is cut into passes, each with photons and camera samples of its own: the mean is the same, look-ups are
+// cheaper, and the passes' spread gives an honest variance that includes the photons' noise (not the bias of the
+// radius).
 
 #include "renderer/photon_mapper.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
-#include "renderer/disc_area.h"
 #include "renderer/faults.h"
+#include "renderer/look_up_area.h"
 #include "renderer/photon_map.h"
 #include "renderer/photon_radius.h"
 #include "renderer/photon_tracing.h"
@@ -45,6 +47,7 @@ struct MapState {
   bool aimed = false;      ///< emitted towards specular surfaces only
   std::int64_t total = 0;  ///< photons to emit over the whole render
   float radius = 0;
+  std::vector<SheetTest> tests{};  ///< by surface
   PhotonCounts counts{};
   PhotonMap map{};
 };
@@ -58,9 +61,9 @@ struct Maps {
 };
 
 /// Adds to the paths' radiance what one map's photons bring to their gather points.
-void add_photons(const MapState& state, const Scene& scene, const Kernels& kernels, int max_depth,
+void add_photons(const MapState& state, const LookUpAreas& areas, const Kernels& kernels, int max_depth,
                  const std::vector<GatherPoint>& points, std::vector<float>& radiance) {
-  if (!state.wanted || state.map.empty()) return;
+  if (state.map.empty()) return;
   if (has_fault(Fault::missing_caustic) && state.kind == PhotonKind::caustic) return;
   const std::vector<std::uint32_t> order = cell_order(state.map, points);
   std::vector<GatheredFlux> flux(points.size());
@@ -71,13 +74,14 @@ void add_photons(const MapState& state, const Scene& scene, const Kernels& kerne
                           .points = points.data(),
                           .order = order.data(),
                           .count = points.size(),
-                          .flux = flux.data()});
+                          .flux = flux.data(),
+                          .tests = state.tests.data()});
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (flux[i].count == 0) continue;
     const GatherPoint& point = points[i];
-    const float area = std::visit([&](const auto& g) { return disc_area(g, point.p, state.radius); },
-                                  scene.surfaces[surface_number(point.surface)].geometry);
-    const Rgb added = point.weight * flux[i].flux / area;
+    const float divisor = areas.divisor(point, state.radius);
+    if (!(divisor > 0)) continue;
+    const Rgb added = point.weight * flux[i].flux / divisor;
     float* out = &radiance[3 * std::size_t{point.path}];
     out[0] += added.x;
     out[1] += added.y;
@@ -166,6 +170,12 @@ void render_photon_mapper(const Scene& scene, const IntegratorDescription& descr
     choose_radii(scene, settings, job, maps, threads, pilot_rays);
     pilot_rays.store(stats);
   }
+  std::optional<LookUpAreas> areas;
+  if (maps.global.wanted || maps.caustic.wanted) {
+    const PhaseTimer phase(stats.phases["build"]);
+    areas.emplace(scene, threads);
+    for (MapState* state : {&maps.global, &maps.caustic}) state->tests = areas->tests(state->radius);
+  }
 
   const std::int64_t spp = job.budget.spp.value_or(job.sample_count);
   // Sixteen passes give a usable variance; with a time budget every pass is one sample, so that the image depends on
@@ -205,7 +215,7 @@ void render_photon_mapper(const Scene& scene, const IntegratorDescription& descr
       });
       points.resize(task.gather_count);
       for (const MapState* state : {&maps.caustic, &maps.global})
-        add_photons(*state, scene, job.kernels(), settings.max_depth, points, radiance);
+        if (state->wanted) add_photons(*state, *areas, job.kernels(), settings.max_depth, points, radiance);
       add_means(film, camera, radiance);
       loop.rays().add(task.counts);
     });

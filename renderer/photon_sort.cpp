@@ -90,7 +90,7 @@ void stage_by_bucket(const Photons& photons, const PhotonGrid& grid, const Threa
     std::uint32_t* to = next.data() + chunk * buckets;
     for (std::size_t i = chunk * chunk_size; i < end; ++i) {
       staged.photons[to[bucket_of[i]]++] = {photons.x[i],     photons.y[i],    photons.z[i],       photons.red[i],
-                                            photons.green[i], photons.blue[i], photons.surface[i], photons.edges[i]};
+                                            photons.green[i], photons.blue[i], photons.surface[i], photons.sheet[i]};
     }
   });
 }

@@ -16,8 +16,7 @@ namespace photonproof {
 /// A photon on its way through the sort; unlike Photon it costs nothing to create.
 struct StagedPhoton {
   float x, y, z, red, green, blue;
-  std::uint32_t surface;
-  std::int32_t edges;
+  std::uint32_t surface, sheet;
 };
 
 struct StagedPhotons {

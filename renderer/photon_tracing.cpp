@@ -26,7 +26,7 @@ void drain(PhotonTask& task) {
   take(landed.photons.green, d.green);
   take(landed.photons.blue, d.blue);
   take(landed.photons.surface, d.surface);
-  take(landed.photons.edges, d.edges);
+  take(landed.photons.sheet, d.sheet);
   take(landed.path, d.path);
   d.count = 0;
 }

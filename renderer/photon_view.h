@@ -18,7 +18,7 @@ struct PhotonView {
   const float *x = nullptr, *y = nullptr, *z = nullptr;           ///< world
   const float *red = nullptr, *green = nullptr, *blue = nullptr;  ///< flux, W
   const std::uint32_t* surface = nullptr;
-  const std::int32_t* edges = nullptr;
+  const std::uint32_t* sheet = nullptr;  ///< with the edges
   std::size_t count = 0;
 
   PhotonGrid grid;

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "renderer/large_array.h"
+#include "renderer/photon_sheet.h"
 #include "scenes/vec.h"
 
 namespace photonproof {
@@ -13,10 +14,11 @@ struct Photon {
   Vec3f p_world;
   Rgb flux;                   ///< W
   std::uint32_t surface = 0;  ///< where it landed: index into Scene::surfaces
-  std::int32_t edges = 0;     ///< path edges from the light to here
+  std::int32_t edges = 0;     ///< path edges from the light to here; PhotonSheet::most_edges where there are more
+  std::uint32_t sheet = 0;    ///< sheet_word
 };
 
-/// Every array has the same size. Positions are finite.
+/// Every array has the same size: 32 bytes a photon. Positions are finite.
 struct Photons {
   /// Arrays of a photon map may be read up to this many elements past the last photon.
   static constexpr std::size_t padding = 16;
@@ -24,12 +26,16 @@ struct Photons {
   LargeArray<float> x, y, z;           ///< position, world
   LargeArray<float> red, green, blue;  ///< flux, W
   LargeArray<std::uint32_t> surface;   ///< index into Scene::surfaces
-  LargeArray<std::int32_t> edges;      ///< path edges from the light to here
+  LargeArray<std::uint32_t> sheet;     ///< with the path's edges from the light to here (photon_sheet.h)
 
   std::size_t size() const { return x.size(); }
   bool empty() const { return x.empty(); }
   Photon operator[](std::size_t i) const {
-    return {{x[i], y[i], z[i]}, {red[i], green[i], blue[i]}, surface[i], edges[i]};
+    return {{x[i], y[i], z[i]},
+            {red[i], green[i], blue[i]},
+            surface[i],
+            static_cast<std::int32_t>(sheet[i] >> PhotonSheet::edges_shift),
+            sheet[i] & PhotonSheet::mask};
   }
 
   /// Applies f to each array and the same array of `other`.
@@ -42,7 +48,7 @@ struct Photons {
     f(green, other.green);
     f(blue, other.blue);
     f(surface, other.surface);
-    f(edges, other.edges);
+    f(sheet, other.sheet);
   }
   void resize(std::size_t count) {
     zip(*this, [count](auto& array, const auto&) { array.resize(count); });
@@ -62,7 +68,7 @@ struct Photons {
     green.push_back(photon.flux.y);
     blue.push_back(photon.flux.z);
     surface.push_back(photon.surface);
-    edges.push_back(photon.edges);
+    sheet.push_back(with_edges<float>(photon.sheet, static_cast<std::uint32_t>(photon.edges)));
   }
 };
 

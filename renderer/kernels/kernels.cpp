@@ -26,7 +26,9 @@ void gather_photons(const GatherTask& task) {
   for (std::size_t i = 0; i < task.count; ++i) {
     const std::uint32_t which = task.order[i];
     const GatherPoint& point = task.points[which];
-    const PhotonFilter filter{point.surface, task.max_edges - static_cast<std::int32_t>(point.edges)};
+    const PhotonFilter filter{point.surface, task.max_edges - static_cast<std::int32_t>(point.edges),
+                              task.tests != nullptr ? task.tests[surface_number(point.surface)] : SheetTest::none,
+                              point.sheet};
     task.flux[which] = gather(task.map, point.p, task.radius, filter);
   }
 }

@@ -109,7 +109,7 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, TransportMode::r
     }
     if constexpr (Kind<F>::is_lambertian) {  // a gather point has no direction: its weight is for any photon
       if (gathers) {
-        leave_gather_points(at, bsdf.bsdf.eval(wo_local, Vec3<F>(F(0.0f), F(0.0f), F(1.0f))), active);
+        leave_gather_points(at, frame.n, bsdf.bsdf.eval(wo_local, Vec3<F>(F(0.0f), F(0.0f), F(1.0f))), active);
         retire(s, active);
         return;
       }
@@ -220,10 +220,11 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, TransportMode::r
     });
   }
 
-  void leave_gather_points(const AtSurface<PathState, F>& at, const Vec3<F>& f, const Mask<F>& active) {
+  void leave_gather_points(const AtSurface<PathState, F>& at, const Vec3<F>& shading_normal, const Vec3<F>& f,
+                           const Mask<F>& active) {
     const Vec3<F> weight = at.history.throughput * f;
     float columns[6][lane_count<F>];
-    std::uint32_t surface[lane_count<F>], vertex[lane_count<F>];
+    std::uint32_t surface[lane_count<F>], vertex[lane_count<F>], sheet[lane_count<F>];
     store_from(at.p.x, columns[0]);
     store_from(at.p.y, columns[1]);
     store_from(at.p.z, columns[2]);
@@ -232,13 +233,15 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, TransportMode::r
     store_from(weight.z, columns[5]);
     store_from(at.surface, surface);
     store_from(at.history.vertex, vertex);
+    store_from(sheet_word<F>(at.normal, shading_normal), sheet);
     const Mask<F> reflects = active && max_component(weight) > 0;
     for_each_path(at.history, reflects, [&](std::size_t lane, std::size_t path) {
       task_.gather_points[task_.gather_count++] = {{columns[0][lane], columns[1][lane], columns[2][lane]},
                                                    {columns[3][lane], columns[4][lane], columns[5][lane]},
                                                    static_cast<std::uint32_t>(path),
                                                    surface[lane],
-                                                   vertex[lane] + 1};
+                                                   vertex[lane] + 1,
+                                                   sheet[lane]};
     });
   }
 

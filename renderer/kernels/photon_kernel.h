@@ -112,7 +112,8 @@ class PhotonKernel : public BatchKernel<PhotonKernel<F>, PhotonState, TransportM
       const std::uint32_t wanted = task_.kind == PhotonKind::global ? diffusely : specularly;
       const Vec3<F> flux = s.flux;
       if (bsdf.at.bent) s.flux *= bsdf.at.landing(wo_local);
-      store(at, active && wo_local.z > 0 && max_component(s.flux) > 0 && !equal<F>(U(s.bounced & wanted), U(0u)));
+      store(at, frame.n,
+            active && wo_local.z > 0 && max_component(s.flux) > 0 && !equal<F>(U(s.bounced & wanted), U(0u)));
       s.flux = flux;
       if (task_.kind == PhotonKind::caustic) return;
       s.bounced |= U(diffusely);
@@ -177,7 +178,7 @@ class PhotonKernel : public BatchKernel<PhotonKernel<F>, PhotonState, TransportM
     return draw2<F>(task_.sampler, U(task_.seed), U(s.path + task_.first), dimension);
   }
 
-  void store(const AtSurface<PhotonState, F>& at, const Mask<F>& lanes) {
+  void store(const AtSurface<PhotonState, F>& at, const Vec3<F>& shading_normal, const Mask<F>& lanes) {
     F stored_share(1.0f);
     Mask<F> stored = lanes;
     const F edges = to_float(at.history.edges);
@@ -201,7 +202,7 @@ class PhotonKernel : public BatchKernel<PhotonKernel<F>, PhotonState, TransportM
     put(flux.y, d.green);
     put(flux.z, d.blue);
     put(at.surface, d.surface);
-    put(at.history.edges, d.edges);
+    put(with_edges<F>(sheet_word<F>(at.normal, shading_normal), at.history.edges), d.sheet);
     put(at.history.path, d.path);
     d.count += static_cast<std::size_t>(std::popcount(bits));
   }

@@ -40,6 +40,7 @@ struct GatherPoint {
   std::uint32_t path = 0;
   std::uint32_t surface = 0;
   std::uint32_t edges = 0;  ///< of the camera path
+  std::uint32_t sheet = 0;  ///< sheet_word
 };
 
 struct PathTask {
@@ -64,7 +65,7 @@ struct PhotonDeposits {
   static constexpr std::size_t slack = 16;  ///< of a pack
   static constexpr std::size_t capacity = 4096;
   float x[capacity]{}, y[capacity]{}, z[capacity]{}, red[capacity]{}, green[capacity]{}, blue[capacity]{};
-  std::uint32_t surface[capacity]{}, edges[capacity]{}, path[capacity]{};
+  std::uint32_t surface[capacity]{}, sheet[capacity]{}, path[capacity]{};
   std::size_t count = 0;
 };
 
@@ -92,7 +93,8 @@ struct GatherTask {
   const GatherPoint* points = nullptr;
   const std::uint32_t* order = nullptr;  ///< in which points are looked up
   std::size_t count = 0;
-  GatheredFlux* flux = nullptr;  ///< of each point
+  GatheredFlux* flux = nullptr;      ///< of each point
+  const SheetTest* tests = nullptr;  ///< of each surface; null: none
 };
 
 /// The kernels of one instruction set.

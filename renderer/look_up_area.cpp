@@ -1,0 +1,123 @@
+#include "renderer/look_up_area.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "renderer/disc_area.h"
+#include "renderer/kernels/rays.h"
+#include "renderer/surface_detail.h"
+
+namespace photonproof {
+namespace {
+
+const Mesh* mesh_of(const Geometry& geometry) {
+  if (const auto* instance = std::get_if<MeshInstance>(&geometry)) return instance->mesh.get();
+  return std::get_if<Mesh>(&geometry);
+}
+
+/// Whether all that a ball of the radius holds of the surface has one normal and one tangent plane, or near enough.
+bool is_one_sheet(const Geometry& geometry, float radius) {
+  const auto is_flat_enough = [&](float surface_radius) { return radius < 0.99f * 2 * sheet_height * surface_radius; };
+  if (const auto* sphere = std::get_if<Sphere>(&geometry)) return is_flat_enough(sphere->radius);
+  if (const auto* cylinder = std::get_if<Cylinder>(&geometry)) return is_flat_enough(cylinder->radius);
+  return mesh_of(geometry) == nullptr;
+}
+// As far from p as the radius r, a sphere or cylinder of radius R is r^2 / 2R from the tangent plane, and the versine
+// of the normals' angle is r^2 / 2R^2: below the limits where r < 2 sheet_height R.
+static_assert(2 * sheet_height * sheet_height < 1 - least_sheet_cosine);
+
+/// How likely a hit of the BSDF draws a Lambertian leaf; `weight` gives the numbers of masks and blends.
+template <class Weight>
+float chance_of_diffuse(const Scene& scene, std::uint32_t bsdf, bool behind, const Weight& weight) {
+  const BsdfNode& node = scene.view().detail->tree[bsdf];
+  const auto of = [&](std::uint32_t nested) { return chance_of_diffuse(scene, nested, behind, weight); };
+  switch (node.kind) {
+    case BsdfNode::Kind::leaf:
+      return is_lambertian(scene.bsdfs[bsdf]) ? 1.0f : 0.0f;
+    case BsdfNode::Kind::two_sided:
+      return of(behind ? node.second : node.first);
+    case BsdfNode::Kind::mask:
+      return weight(node.number) * of(node.first);
+    case BsdfNode::Kind::blend: {
+      const float second = weight(node.number);
+      return (1 - second) * of(node.first) + second * of(node.second);
+    }
+    default:
+      return of(node.first);
+  }
+}
+
+}  // namespace
+
+LookUpAreas::LookUpAreas(const Scene& scene, const Threads& threads)
+    : scene_(scene), may_miss_(scene.surfaces.size()), mesh_of_(scene.surfaces.size()) {
+  for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
+    bool other = false;
+    scene.for_each_leaf(scene.surfaces[i].bsdf, [&](const Bsdf& leaf, bool) { other = other || !is_lambertian(leaf); });
+    may_miss_[i] = other ? 1 : 0;
+    const Mesh* mesh = mesh_of(scene.surfaces[i].geometry);
+    if (mesh == nullptr) continue;
+    bool diffuse = false;
+    scene.for_each_leaf(scene.surfaces[i].bsdf,
+                        [&](const Bsdf& leaf, bool) { diffuse = diffuse || is_lambertian(leaf); });
+    if (!diffuse) continue;
+    std::unique_ptr<const MeshArea>& made = meshes_[mesh];
+    if (!made) made = std::make_unique<MeshArea>(*mesh, threads);
+    mesh_of_[i] = made.get();
+  }
+}
+
+std::vector<SheetTest> LookUpAreas::tests(float radius) const {
+  std::vector<SheetTest> tests;
+  tests.reserve(scene_.surfaces.size());
+  for (const Surface& surface : scene_.surfaces) {
+    // What wraps another BSDF may be one that shows the same on both sides.
+    const SheetTest of_flat = scene_.is_leaf(surface.bsdf) ? SheetTest::none : SheetTest::side;
+    tests.push_back(is_one_sheet(surface.geometry, radius) ? of_flat : SheetTest::side_and_normal);
+  }
+  return tests;
+}
+
+Vec2<float> LookUpAreas::uv_at(const GatherPoint& point) const {
+  const Vec3f front = unit_sheet_normal(point.sheet);
+  std::uint32_t primitive = 0;
+  if (mesh_of(scene_.surfaces[surface_number(point.surface)].geometry) !=
+      nullptr) {  // a ray from just above finds the triangle
+    const Vec3f up = (point.sheet & PhotonSheet::from_behind) != 0 ? -front : front;
+    const Vec3f above = offset_from(point.p, up, up, scene_.view().coordinate_floor);
+    primitive = closest_hit<float>(scene_.view(), above, -up, no_index, true, false).primitive;
+  }
+  return scene_.view().detail->local(surface_number(point.surface), primitive, point.p, front).uv;
+}
+
+float LookUpAreas::diffuse_share(const GatherPoint& point) const {
+  if (may_miss_[surface_number(point.surface)] == 0) return 1;
+  const Surface& surface = scene_.surfaces[surface_number(point.surface)];
+  std::optional<Vec2<float>> uv;
+  const auto weight = [&](const TexturedNumber& n) {
+    if (n.texture == no_index) return std::clamp(n.value, 0.0f, 1.0f);
+    if (!uv) uv = uv_at(point);
+    return std::clamp(scene_.textures.number(n.texture, *uv), 0.0f, 1.0f);
+  };
+  const float share = chance_of_diffuse(scene_, surface.bsdf, (point.sheet & PhotonSheet::from_behind) != 0, weight);
+  return share > 0 ? share : 1;
+}
+
+float LookUpAreas::area(const GatherPoint& point, float radius) const {
+  const Geometry& geometry = scene_.surfaces[surface_number(point.surface)].geometry;
+  return std::visit(
+      [&]<class Shape>(const Shape& shape) -> float {
+        if constexpr (std::is_same_v<Shape, Mesh>) {
+          return static_cast<float>(
+              mesh_of_[surface_number(point.surface)]->within(point.p, unit_sheet_normal(point.sheet), radius));
+        } else if constexpr (std::is_same_v<Shape, MeshInstance>) {
+          return static_cast<float>(mesh_of_[surface_number(point.surface)]->within(
+              *shape.placement, point.p, unit_sheet_normal(point.sheet), radius));
+        } else {
+          return disc_area(shape, point.p, radius);
+        }
+      },
+      geometry);
+}
+
+}  // namespace photonproof

@@ -1,0 +1,56 @@
+// What disc_area.h is for the other shapes, for triangle meshes: the area of the mesh within the look-up radius whose
+// photons pass the sheet's test. A balanced tree over the triangles, whose nodes know their bounds, their area and a
+// cone of their normals, so that a look-up takes or leaves most nodes whole; triangles on the border are clipped.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "renderer/parallel.h"
+#include "renderer/surface.h"
+
+namespace photonproof {
+
+class MeshArea {
+ public:
+  /// `mesh` must outlive this. The same at any number of threads.
+  MeshArea(const Mesh& mesh, const Threads& threads);
+
+  /// For a look-up at p of the mesh's own space with the unit front normal there. Exact but for triangles and flat
+  /// groups of them that are smaller than a sixteenth of the radius: those on the border count whole where their middle
+  /// is within, which is right in the mean.
+  double within(const Vec3f& p, const Vec3f& front_normal, float radius) const;
+
+  /// The same in world space, where `placement` puts the mesh.
+  double within(const AffineMap& placement, const Vec3f& p, const Vec3f& front_normal, float radius) const;
+
+  std::size_t memory_bytes() const;
+
+ private:
+  struct Item {
+    Vec3f middle;
+    std::uint32_t triangle = 0;
+    std::uint32_t sheet = 0;  ///< sheet_word of its front
+    float area = 0;
+    float reach = 0;  ///< of its corners, from the middle
+  };
+  struct Node {
+    Vec3f low, high;
+    float area = 0;
+    Vec3f axis;        ///< of the cone that holds the triangles' normals, unit
+    float cosine = 1;  ///< of the cone's half angle; below 0 where there is no telling
+  };
+  struct LookUp;
+
+  std::size_t begin_of(int level, std::size_t k) const { return (items_.size() * k) >> level; }
+  void cut_subtree(int level, std::size_t k);
+  void bound(int level, std::size_t k);
+  double visit(const LookUp& at, int level, std::size_t k) const;
+
+  const Mesh& mesh_;
+  int leaf_level_ = 0;
+  std::vector<Item> items_;  ///< triangles with an area, leaf after leaf
+  std::vector<Node> nodes_;  ///< node k of a level is 2^level + k; the children of n are 2n and 2n + 1
+};
+
+}  // namespace photonproof

@@ -1,0 +1,82 @@
+// Which photons near a point landed where its light does. Distance and surface alone do not say: a mesh is one surface
+// with many planes, and a thin slab of it has its lit face within the radius of the dark one. So a photon keeps, in one
+// word with its path's edges, the sheet it landed on: the surface's front normal there, octahedral (Meyer et al. 2010)
+// in 2 x 10 bits, at most 0.24 degrees off, and whether it came from behind. A look-up counts photons
+//   of the same side, of normals at most 41 degrees apart, and within a quarter of the radius of its tangent plane,
+// and divides by the area of just these points of the surface (look_up_area.h): both go by the same rounded normals, so
+// that the quotient's mean is the irradiance's whatever the bounds are. For inclusion by kernels, as photon_gather.h.
+#pragma once
+
+#include <cstdint>
+
+#include "renderer/always_inline.h"
+#include "renderer/lane.h"
+
+namespace photonproof {
+
+/// Bits of a word, from the highest used: path edges (10), from behind (1), normal (20). Never negative as an int.
+struct PhotonSheet {
+  static constexpr std::uint32_t most_edges = 1023;  ///< longer paths count as this long
+  static constexpr int edges_shift = 21;
+  static constexpr std::uint32_t from_behind = 1u << 20;
+  static constexpr std::uint32_t mask = (1u << edges_shift) - 1;  ///< all but the edges
+  static constexpr int normal_steps = 511;                        ///< along half an axis
+};
+
+/// How much of the sheet a look-up compares; what is alike all over a surface need not be.
+enum class SheetTest : std::uint8_t { none, side, side_and_normal };
+
+inline constexpr float least_sheet_cosine = 0.75f;  ///< of the angle between the normals
+inline constexpr float sheet_height = 0.25f;        ///< of the radius: the largest distance to the tangent plane
+
+/// `front`: the surface's geometric normal, unit. `shading`: the normal of what was hit, behind where that was.
+template <class F>
+PHOTONPROOF_ALWAYS_INLINE UInt<F> sheet_word(const Vec3<F>& front, const Vec3<F>& shading) {
+  constexpr float steps = PhotonSheet::normal_steps;
+  const F scale = F(steps) / (lane_abs(front.x) + lane_abs(front.y) + lane_abs(front.z));
+  const F x = front.x * scale, y = front.y * scale;
+  const Mask<F> below = front.z < 0;
+  const F u = select(below, lane_copysign(F(F(steps) - lane_abs(y)), x), x);
+  const F v = select(below, lane_copysign(F(F(steps) - lane_abs(x)), y), y);
+  const UInt<F> normal = to_uint(F(u + (steps + 0.5f))) * 1024u + to_uint(F(v + (steps + 0.5f)));
+  const UInt<F> behind = select(dot(front, shading) < 0, UInt<F>(PhotonSheet::from_behind), UInt<F>(0u));
+  return behind + normal;
+}
+
+/// With the edges of the photon's path from the light.
+template <class F>
+PHOTONPROOF_ALWAYS_INLINE UInt<F> with_edges(const UInt<F>& sheet, const UInt<F>& edges) {
+  const UInt<F> most(PhotonSheet::most_edges);
+  return select(as_mask<F>(edges < most), edges, most) * (1u << PhotonSheet::edges_shift) + sheet;
+}
+
+/// The front normal of a word, not unit: whole numbers of magnitude 511 at most, so that its square is exact. `words`
+/// is an int, or a vector of them, `to_floats` converts those.
+template <class Floats>
+struct SheetNormal {
+  Floats x, y, z;
+};
+template <class Floats, class Ints, class ToFloats>
+PHOTONPROOF_ALWAYS_INLINE SheetNormal<Floats> sheet_normal(const Ints& words, const ToFloats& to_floats) {
+  constexpr float steps = PhotonSheet::normal_steps;
+  const Floats zero{};
+  Floats x = to_floats(Ints((words >> 10) & 1023)) - steps;
+  Floats y = to_floats(Ints(words & 1023)) - steps;
+  const Floats z = steps - (x > zero ? x : -x) - (y > zero ? y : -y);
+  const Floats fold = z < zero ? z : zero;
+  x += x >= zero ? fold : -fold;
+  y += y >= zero ? fold : -fold;
+  return {x, y, z};
+}
+PHOTONPROOF_ALWAYS_INLINE Vec3f sheet_normal(std::uint32_t word) {
+  const auto n = sheet_normal<float>(static_cast<std::int32_t>(word),
+                                     [](std::int32_t i) PHOTONPROOF_INLINE_LAMBDA { return static_cast<float>(i); });
+  return {n.x, n.y, n.z};
+}
+/// The same, unit.
+PHOTONPROOF_ALWAYS_INLINE Vec3f unit_sheet_normal(std::uint32_t word) {
+  const Vec3f n = sheet_normal(word);
+  return n * (1 / lane_sqrt(n.x * n.x + n.y * n.y + n.z * n.z));
+}
+
+}  // namespace photonproof

@@ -1,0 +1,152 @@
+// What a photon keeps of where it landed, and which photons a look-up counts by it.
+
+#include "renderer/photon_sheet.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+
+#include "renderer/isa.h"
+#include "renderer/photon_map.h"
+#include "renderer/test_random.h"
+#include "renderer/warp.h"
+
+namespace photonproof {
+namespace {
+
+constexpr double radian = 180 / 3.14159265358979;
+
+Vec3f direction(std::uint64_t i) {
+  test::Random s(51, i);
+  return square_to_sphere(s.next2());
+}
+double angle(const Vec3f& a, const Vec3f& b) {
+  return radian * std::acos(std::clamp(dot(normalize(Vec3d(a)), normalize(Vec3d(b))), -1.0, 1.0));
+}
+
+TEST(photon_sheet, keeps_normals_to_a_quarter_of_a_degree_and_those_along_axes_exactly) {
+  // Rounding moves a point of the octahedron by (1/2, 1/2, -1)/511 at most, 0.0024, which a face's middle, 1/sqrt 3
+  // from the centre, shows as 0.0042 = 0.238 degrees.
+  double worst = 0;
+  for (std::uint64_t i = 0; i < 100'000; ++i) {
+    const Vec3f n = direction(i);
+    worst = std::max(worst, angle(n, unit_sheet_normal(sheet_word<float>(n, n))));
+  }
+  EXPECT_LT(worst, 0.24);
+  EXPECT_GT(worst, 0.2);  // of 1e5 normals: if it were exact, something else were stored
+  for (const Vec3f& axis : {Vec3f{1, 0, 0}, Vec3f{0, 1, 0}, Vec3f{0, 0, 1}})
+    for (const Vec3f& n : {axis, -axis}) EXPECT_EQ(unit_sheet_normal(sheet_word<float>(n, n)), n);
+}
+
+TEST(photon_sheet, tells_the_sides_apart_whatever_the_shading_normal) {
+  for (std::uint64_t i = 0; i < 1000; ++i) {
+    const Vec3f n = direction(i), leaning = normalize(n + direction(i + 5000) * 0.9f);
+    const std::uint32_t front = sheet_word<float>(n, leaning), back = sheet_word<float>(n, -leaning);
+    EXPECT_EQ(back, front + PhotonSheet::from_behind);
+    EXPECT_LT(angle(unit_sheet_normal(back), n), 0.24);
+  }
+}
+
+TEST(photon_sheet, shares_its_word_with_the_paths_edges) {
+  Photons photons;
+  for (const std::int32_t edges : {0, 1, 17, 1022, 1023, 5000})
+    photons.push_back({{1, 2, 3}, Rgb(1), 4, edges, sheet_word<float>({0, 0, -1}, {0, 0, 1})});
+  const std::int32_t kept[] = {0, 1, 17, 1022, 1023, 1023};
+  for (std::size_t i = 0; i < photons.size(); ++i) {
+    EXPECT_EQ(photons[i].edges, kept[i]);
+    EXPECT_EQ(unit_sheet_normal(photons[i].sheet), Vec3f(0, 0, -1));
+    EXPECT_EQ(photons[i].sheet & PhotonSheet::from_behind, PhotonSheet::from_behind);
+  }
+}
+
+/// Photons about the unit square z = 0, up to 0.1 off it, with normals of every direction, on both sides.
+Photons untidy_photons(int count) {
+  Photons photons;
+  for (int i = 0; i < count; ++i) {
+    test::Random s(52, static_cast<std::uint64_t>(i));
+    const auto xy = s.next2();
+    const Vec3f n = square_to_sphere(s.next2());
+    const auto flux = static_cast<float>(i % 128);
+    photons.push_back({{xy.x, xy.y, 0.2f * s.next() - 0.1f},
+                       {flux, flux + 1, 2 * flux},
+                       static_cast<std::uint32_t>(i % 2),
+                       i % 16,
+                       sheet_word<float>(n, s.next() < 0.5f ? n : -n)});
+  }
+  return photons;
+}
+
+struct LookUps {
+  std::vector<GatherPoint> points;
+  std::vector<std::uint32_t> order;
+  explicit LookUps(std::uint32_t count) {
+    for (std::uint32_t q = 0; q < count; ++q) {
+      test::Random s(53, q);
+      const auto xy = s.next2();
+      const Vec3f n = square_to_sphere(s.next2());
+      points.push_back({{xy.x, xy.y, 0}, Rgb(1), q, q % 2, q % 3, sheet_word<float>(n, s.next() < 0.5f ? n : -n)});
+      order.push_back(q);
+    }
+  }
+  std::vector<GatheredFlux> gather(const Kernels& kernels, const PhotonMap& map, float radius,
+                                   const std::vector<SheetTest>& tests) const {
+    std::vector<GatheredFlux> flux(points.size());
+    kernels.gather_photons(
+        {map.view(), radius, 12, points.data(), order.data(), points.size(), flux.data(), tests.data()});
+    return flux;
+  }
+};
+
+TEST(photon_sheet, a_look_up_counts_the_same_side_near_the_tangent_plane_with_a_normal_alike) {
+  const Photons photons = untidy_photons(20'000);
+  const PhotonMap map(photons, 0.1f, Threads(1));
+  const LookUps look_ups(400);
+  constexpr float radius = 0.12f;
+  for (const SheetTest test : {SheetTest::none, SheetTest::side, SheetTest::side_and_normal}) {
+    const auto found = look_ups.gather(kernels_for(""), map, radius, {test, test});
+    std::int64_t all = 0;
+    for (std::size_t q = 0; q < look_ups.points.size(); ++q) {
+      const GatherPoint& point = look_ups.points[q];
+      const Vec3d normal(unit_sheet_normal(point.sheet));
+      int count = 0, unsure = 0;
+      for (std::size_t i = 0; i < photons.size(); ++i) {
+        const Photon photon = photons[i];
+        const Vec3d off = Vec3d(photon.p_world) - Vec3d(point.p);
+        if (photon.surface != point.surface || photon.edges > 12 - static_cast<int>(point.edges)) continue;
+        bool counts = length(off) <= radius;
+        bool close = std::abs(length(off) - radius) < 1e-6;
+        if (test != SheetTest::none) counts = counts && ((photon.sheet ^ point.sheet) & PhotonSheet::from_behind) == 0;
+        if (test == SheetTest::side_and_normal) {
+          const double cosine = dot(normal, Vec3d(unit_sheet_normal(photon.sheet)));
+          const double height = std::abs(dot(normal, off));
+          counts = counts && cosine >= 0.75 && height <= 0.25 * radius;
+          close = close || std::abs(cosine - 0.75) < 1e-6 || std::abs(height - 0.25 * radius) < 1e-6;
+        }
+        count += counts ? 1 : 0;
+        unsure += close ? 1 : 0;
+      }
+      EXPECT_NEAR(found[q].count, count, unsure) << q;
+      all += count;
+    }
+    EXPECT_GT(all, 400);
+  }
+}
+
+TEST(photon_sheet, every_instruction_set_gathers_the_same_bits) {
+  Photons photons = untidy_photons(20'000);
+  for (std::size_t i = 0; i < photons.size(); ++i) photons.red[i] /= 7;  // so that sums round
+  const PhotonMap map(photons, 0.1f, Threads(1));
+  const LookUps look_ups(2000);
+  for (const SheetTest test : {SheetTest::none, SheetTest::side, SheetTest::side_and_normal}) {
+    const std::vector<SheetTest> tests{test, SheetTest::side_and_normal};
+    const auto expected = look_ups.gather(kernels_for("scalar"), map, 0.12f, tests);
+    for (const Kernels* kernels : available_kernels()) {
+      const auto flux = look_ups.gather(*kernels, map, 0.12f, tests);
+      EXPECT_EQ(std::memcmp(flux.data(), expected.data(), flux.size() * sizeof flux[0]), 0) << kernels->isa;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace photonproof
