@@ -11,6 +11,8 @@
 #include "harness/image_blocks.h"
 #include "harness/student.h"
 #include "scenes/input_error.h"
+#include "scenes/mean_error.h"
+#include "scenes/percent_text.h"
 
 namespace photonproof {
 namespace {
@@ -62,18 +64,28 @@ double relative_spread_of_variance(const Block& block, const Differences& d) {
   return median > 0 ? std::pow(of_normal * *middle / median, 2) : 0;
 }
 
-double block_deviate(const Block& block, const Differences& d) {
-  const double variance = sum_over(block, d, d.variance);
-  if (variance == 0) return 0;  // black in both
-  const double mean = variance / block.pixels();
+/// A sum's variance, and the degrees of freedom that this is known with.
+struct Known {
+  double variance = 0, freedom = INFINITY;
+};
+
+/// Of a sum over a block whose pixels are independent. `value(x, y)` is a pixel's variance.
+template <class Value>
+Known known_over(const Block& block, const Value& value) {
+  Known known;
+  for_each_pixel(block, [&](int x, int y) { known.variance += value(x, y); });
+  const double mean = known.variance / block.pixels();
   double spread = 0;
-  for_each_pixel(block, [&](int x, int y) {
-    const double off = d.variance[d.index(x, y)] - mean;
-    spread += off * off;
-  });
+  for_each_pixel(block, [&](int x, int y) { spread += std::pow(value(x, y) - mean, 2); });
   const double unbiased = spread * block.pixels() / std::max(1.0, block.pixels() - 1);
-  const double freedom = unbiased > 0 ? 2 * variance * variance / unbiased : INFINITY;
-  return normal_deviate(sum_over(block, d, d.difference) / std::sqrt(variance), freedom);
+  if (unbiased > 0) known.freedom = 2 * known.variance * known.variance / unbiased;
+  return known;
+}
+
+double block_deviate(const Block& block, const Differences& d) {
+  const Known known = known_over(block, [&](int x, int y) { return d.variance[d.index(x, y)]; });
+  if (known.variance == 0) return 0;  // black in both
+  return normal_deviate(sum_over(block, d, d.difference) / std::sqrt(known.variance), known.freedom);
 }
 
 template <class... Values>
@@ -150,6 +162,82 @@ StatisticalVerdict test_blocks(const std::array<Differences, 3>& channels, const
   return verdict;
 }
 
+/// A channel's mean over an image.
+struct Mean {
+  double value = 0;
+  Known known;
+};
+
+Mean mean_of(const Rendering& rendering, std::size_t channel) {
+  const Block all{0, 0, rendering.mean.width, rendering.mean.height};
+  const double n = all.pixels();
+  Mean mean;
+  for_each_pixel(all, [&](int x, int y) { mean.value += double{rendering.mean.pixel(x, y)[channel]} / n; });
+  if (const auto stored = stored_mean_error(rendering)) {
+    mean.known = {stored->standard_error[channel] * stored->standard_error[channel], stored->passes - 1};
+  } else {
+    mean.known = known_over(all, [&](int x, int y) { return double{rendering.variance->pixel(x, y)[channel]}; });
+    mean.known.variance /= n * n;
+  }
+  return mean;
+}
+
+/// Their difference, with the noise of both together (Welch and Satterthwaite).
+class WholeDifference {
+ public:
+  WholeDifference(const Mean& reference, const Mean& test) : reference_(reference.value) {
+    const double rounding = kRounding * std::max(std::abs(reference.value), std::abs(test.value));
+    variance_of_reference_ = reference.known.variance + rounding * rounding;
+    variance_of_test_ = test.known.variance;
+    const double variance = variance_of_reference_ + variance_of_test_;
+    if (variance == 0) return;  // black in both
+    const double doubt = std::pow(reference.known.variance / variance, 2) / reference.known.freedom +
+                         std::pow(variance_of_test_ / variance, 2) / test.known.freedom;
+    if (doubt > 0) freedom_ = 1 / doubt;
+    difference_ = test.value - reference.value;
+    deviate_ = normal_deviate(difference_ / std::sqrt(variance), freedom_);
+  }
+
+  double deviate() const { return deviate_; }
+  bool has_reference() const { return reference_ != 0; }
+  double reference() const { return reference_; }
+  double relative() const { return has_reference() ? difference_ / reference_ : INFINITY; }
+
+  /// The relative error d that is found with probability `power` by a test of this two-sided level: it exceeds both
+  /// quantiles, d r = q sqrt(v_r + (1 + d)^2 v_x), for the noise of an image that is brighter is larger, too. Infinite
+  /// where none is found so often. Precondition: there is a reference.
+  double would_see(double alpha, double power) const {
+    const double q = t_quantile(alpha / 2, freedom_) + t_quantile(1 - power, freedom_);
+    const double r = q * q * variance_of_reference_ / (reference_ * reference_);
+    const double x = q * q * variance_of_test_ / (reference_ * reference_);
+    return x < 1 ? (x + std::sqrt(x * x + (1 - x) * (r + x))) / (1 - x) : INFINITY;
+  }
+
+ private:
+  double reference_, difference_ = 0, variance_of_reference_ = 0, variance_of_test_ = 0, freedom_ = INFINITY,
+                     deviate_ = 0;
+};
+
+/// Also says what it would have seen.
+StatisticalVerdict test_whole(const Rendering& reference, const Rendering& test, double alpha,
+                              std::optional<double>& would_see) {
+  StatisticalVerdict verdict;
+  verdict.n = 3;
+  verdict.alpha = sidak(alpha, 3);
+  verdict.bound = -boost::math::quantile(boost::math::normal(), verdict.alpha / 2);
+  double worst = -1;
+  for (std::size_t channel = 0; channel < 3; ++channel) {
+    const WholeDifference d(mean_of(reference, channel), mean_of(test, channel));
+    if (d.has_reference()) would_see = std::max(would_see.value_or(0), d.would_see(verdict.alpha, Agreement::power));
+    if (d.deviate() <= worst) continue;
+    worst = verdict.observed = d.deviate();
+    verdict.sentence = text("%s of the whole image: %+.3g %% of %.4g, %.3g deviations, bound %.3g", kChannels[channel],
+                            100 * d.relative(), d.reference(), d.deviate(), verdict.bound);
+  }
+  verdict.pass = verdict.observed <= verdict.bound;
+  return verdict;
+}
+
 void check_variance(const Rendering& rendering, const char* name) {
   if (!rendering.variance)
     throw InputError(name, "the image has no channels variance.R, variance.G, variance.B, which agreement needs");
@@ -157,12 +245,24 @@ void check_variance(const Rendering& rendering, const char* name) {
 
 }  // namespace
 
+std::string Agreement::power_sentence() const {
+  if (!would_see) return "the whole image is black: no error of its brightness could have been seen";
+  if (std::isinf(*would_see)) return "too noisy for any error of the whole image to be seen";
+  return "an error of " + percent_text(*would_see) + " of the whole image would have been seen " +
+         text("(probability %g)", power);
+}
+
 Agreement test_agreement(const Rendering& reference, const Rendering& test, double alpha) {
   check_variance(reference, "reference");
   check_variance(test, "test");
   const std::array<Differences, 3> channels{differences(reference, test, 0), differences(reference, test, 1),
                                             differences(reference, test, 2)};
-  return {test_pixels(channels, reference, test, alpha), test_blocks(channels, reference, alpha)};
+  const double part = sidak(alpha, 3);
+  Agreement agreement;
+  agreement.pixels = test_pixels(channels, reference, test, part);
+  agreement.blocks = test_blocks(channels, reference, part);
+  agreement.whole = test_whole(reference, test, part, agreement.would_see);
+  return agreement;
 }
 
 }  // namespace photonproof
