@@ -30,8 +30,8 @@ struct Agreement {
   /// The largest chi^2 of a channel over blocks of 8 x 8 pixels, at Sidak's level for three channels (which need not be
   /// independent: Sidak 1967).
   StatisticalVerdict blocks;
-  /// The largest difference of a channel's mean over the whole image, in standard errors as a normal deviate, at
-  /// Sidak's level for three channels.
+  /// The largest difference of a channel's weighed mean over the whole image, in standard errors as a normal deviate,
+  /// at Sidak's level for three channels.
   StatisticalVerdict whole;
   /// The least relative error of one channel of the whole image, in either direction, that `whole` alone finds with
   /// probability `power`: where 1.2 % would have been seen, this is 0.012. The largest of the channels that are not
@@ -55,9 +55,11 @@ struct Agreement {
 ///   degrees of freedom that the spread of the variances over the block shows, 2 (sum v)^2 / sum (v - mean v)^2 at
 ///   least, and turned into the normal deviate of the same probability.
 /// - Rounding of float sums counts as a deviation of 1e-5 of the value, so that pixels without noise compare as equal.
-/// - The variance of an image's mean is the sum of its pixels', unless the image says otherwise (scenes/mean_error.h):
-///   where pixels share light paths, that sum may be too small or too large. Pixels count alike: weights by their
-///   variances would see more, and what they see would be wrong, for samples that are high by chance look uncertain.
+/// - In the mean over the whole image the less certain half of the places counts less, for in many an image a few
+/// pixels
+///   at a lamp's edge have nearly all of the noise. A pixel's weight is taken from neighbours whose noise it does not
+///   share: weighed by their own variances, samples that are high by chance would count too little.
+/// - That mean's variance is its pixels', unless the image says that they vary together (scenes/mean_error.h).
 /// It holds its level from 64 estimates a pixel on, from 16 on where samples are no wilder than exponential
 /// (agreement_test.cpp measures it).
 /// Preconditions: equal sizes, finite values. Throws InputError, naming `reference` or `test`, when one has no

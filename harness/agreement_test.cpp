@@ -181,9 +181,9 @@ TEST(agreement, takes_an_images_word_for_how_pixels_vary_together) {
     Rendering test = shared_passes(24, 0.1, 2 * pair + 2);
     const Agreement result = test_agreement(reference, test);
     alarms += result.whole.pass ? 0 : 1;
-    // sqrt(2/32) 0.1 = 2.5 % of the mean, times the quantiles 3.419 and 2.388: 14.5 %.
+    // sqrt(2/32) 0.1 = 2.5 % of the mean, times the quantiles 3.419 and 2.388, more for what is brighter: 15.7 %.
     if (pair < 10) {
-      EXPECT_NEAR(result.would_see.value(), 0.145, 0.05);
+      EXPECT_NEAR(result.would_see.value(), 0.157, 0.05);
     }
     Rendering silent = test;
     silent.metadata.clear();
