@@ -11,11 +11,14 @@
 #include "harness/image_blocks.h"
 #include "harness/student.h"
 #include "scenes/input_error.h"
+#include "scenes/mean_error.h"
+#include "scenes/percent_text.h"
 
 namespace photonproof {
 namespace {
 
 constexpr double kRounding = 1e-5;
+constexpr double kCountedFully = 0.5;
 constexpr const char* kChannels[] = {"R", "G", "B"};
 
 /// One channel of both images: differences and their variances.
@@ -62,18 +65,28 @@ double relative_spread_of_variance(const Block& block, const Differences& d) {
   return median > 0 ? std::pow(of_normal * *middle / median, 2) : 0;
 }
 
-double block_deviate(const Block& block, const Differences& d) {
-  const double variance = sum_over(block, d, d.variance);
-  if (variance == 0) return 0;  // black in both
-  const double mean = variance / block.pixels();
+/// A sum's variance, and the degrees of freedom that this is known with.
+struct Known {
+  double variance = 0, freedom = INFINITY;
+};
+
+/// Of a sum over a block whose pixels are independent. `value(x, y)` is a pixel's variance.
+template <class Value>
+Known known_over(const Block& block, const Value& value) {
+  Known known;
+  for_each_pixel(block, [&](int x, int y) { known.variance += value(x, y); });
+  const double mean = known.variance / block.pixels();
   double spread = 0;
-  for_each_pixel(block, [&](int x, int y) {
-    const double off = d.variance[d.index(x, y)] - mean;
-    spread += off * off;
-  });
+  for_each_pixel(block, [&](int x, int y) { spread += std::pow(value(x, y) - mean, 2); });
   const double unbiased = spread * block.pixels() / std::max(1.0, block.pixels() - 1);
-  const double freedom = unbiased > 0 ? 2 * variance * variance / unbiased : INFINITY;
-  return normal_deviate(sum_over(block, d, d.difference) / std::sqrt(variance), freedom);
+  if (unbiased > 0) known.freedom = 2 * known.variance * known.variance / unbiased;
+  return known;
+}
+
+double block_deviate(const Block& block, const Differences& d) {
+  const Known known = known_over(block, [&](int x, int y) { return d.variance[d.index(x, y)]; });
+  if (known.variance == 0) return 0;  // black in both
+  return normal_deviate(sum_over(block, d, d.difference) / std::sqrt(known.variance), known.freedom);
 }
 
 template <class... Values>
@@ -150,6 +163,159 @@ StatisticalVerdict test_blocks(const std::array<Differences, 3>& channels, const
   return verdict;
 }
 
+/// Weights of the pixels of one channel in its mean over the image. A common factor shows best where values are weighed
+/// by r/v; so a lamp's edge of which a few samples decide does not drown the rest. But v is an estimate, and samples
+/// that are high by chance look uncertain: weighed by their own variances they would count too little. So the pixels
+/// of either colour of a checkerboard take theirs from the other colour, of whose noise theirs knows nothing.
+class Weights {
+ public:
+  Weights(const Rendering& reference, const Rendering& test, std::size_t channel)
+      : width_(reference.mean.width), across_((width_ + block_side - 1) / block_side) {
+    const std::vector<Block> blocks = blocks_of(width_, reference.mean.height);
+    std::array<std::vector<double>, 2> means, variances;  // sums over a block's pixels of either colour
+    for (const Block& block : blocks) {
+      std::array<double, 2> mean{}, variance{};
+      for_each_pixel(block, [&](int x, int y) {
+        const double r = double{reference.mean.pixel(x, y)[channel]}, t = double{test.mean.pixel(x, y)[channel]};
+        const std::size_t c = colour(x, y);
+        mean[c] += std::abs(r + t) / 2;
+        variance[c] += double{reference.variance->pixel(x, y)[channel]} + double{test.variance->pixel(x, y)[channel]} +
+                       std::pow(kRounding * (r + t), 2);
+      });
+      for (const std::size_t c : {std::size_t{0}, std::size_t{1}}) {
+        means[c].push_back(mean[c]);
+        variances[c].push_back(variance[c]);
+      }
+    }
+    // Of either colour's cells, as the other colour shows them: mean, and relative variance.
+    std::array<std::vector<double>, 2> relative;
+    std::vector<double> sorted;
+    for (const std::size_t c : {std::size_t{0}, std::size_t{1}})
+      for (std::size_t b = 0; b < blocks.size(); ++b) {
+        // Few samples may have met nothing of what makes a neighbourhood noisy.
+        constexpr double of_neighbours = 0.2;
+        const double v = std::max(variances[1 - c][b], of_neighbours * around(variances[1 - c], b));
+        const double m = means[1 - c][b];
+        relative[c].push_back(m > 0 ? v / (m * m) : INFINITY);
+        if (m > 0) sorted.push_back(relative[c].back());
+      }
+    if (sorted.empty()) sorted.push_back(1);
+    const auto limit = sorted.begin() + static_cast<std::ptrdiff_t>(kCountedFully * double(sorted.size() - 1));
+    std::nth_element(sorted.begin(), limit, sorted.end());
+    for (const std::size_t c : {std::size_t{0}, std::size_t{1}})
+      for (std::size_t b = 0; b < blocks.size(); ++b) {
+        const double m = means[1 - c][b];
+        weights_[c].push_back(m > 0 ? 1 / (m * std::max(*limit, relative[c][b])) : 0);
+      }
+  }
+
+  double operator()(int x, int y) const {
+    return weights_[colour(x, y)][static_cast<std::size_t>(y / block_side * across_ + x / block_side)];
+  }
+
+ private:
+  static std::size_t colour(int x, int y) { return static_cast<std::size_t>((x + y) & 1); }
+
+  /// Mean over 3 x 3 blocks.
+  double around(const std::vector<double>& values, std::size_t b) const {
+    const int down = static_cast<int>(values.size()) / across_;
+    const int bx = static_cast<int>(b) % across_, by = static_cast<int>(b) / across_;
+    double sum = 0, count = 0;
+    for (int y = std::max(0, by - 1); y <= std::min(down - 1, by + 1); ++y)
+      for (int x = std::max(0, bx - 1); x <= std::min(across_ - 1, bx + 1); ++x, count += 1)
+        sum += values[static_cast<std::size_t>(y * across_ + x)];
+    return sum / count;
+  }
+
+  int width_, across_;
+  std::array<std::vector<double>, 2> weights_;
+};
+
+/// A channel's weighed sum over an image.
+struct Mean {
+  double value = 0;
+  Known known;
+};
+
+/// Where pixels share light paths, an image's MeanError tells of the plain sum, as if any two of them had the one
+/// correlation c: (error of the sum)^2 = (1 - c) sum v + c (sum sqrt v)^2. The weighed sum's is the same with w^2 v.
+Mean mean_of(const Rendering& rendering, std::size_t channel, const Weights& weight) {
+  const Block all{0, 0, rendering.mean.width, rendering.mean.height};
+  const auto variance = [&](int x, int y) { return double{rendering.variance->pixel(x, y)[channel]}; };
+  Mean mean;
+  double sum = 0, roots = 0, weighed_roots = 0;
+  for_each_pixel(all, [&](int x, int y) {
+    mean.value += weight(x, y) * double{rendering.mean.pixel(x, y)[channel]};
+    sum += variance(x, y);
+    roots += std::sqrt(variance(x, y));
+    weighed_roots += weight(x, y) * std::sqrt(variance(x, y));
+  });
+  mean.known = known_over(all, [&](int x, int y) { return std::pow(weight(x, y), 2) * variance(x, y); });
+  const auto stored = stored_mean_error(rendering);
+  if (!stored || roots * roots <= sum) return mean;
+  const double shown = std::pow(stored->standard_error[channel] * all.pixels(), 2);
+  const double correlation = std::clamp((shown - sum) / (roots * roots - sum), 0.0, 1.0);
+  mean.known.variance += correlation * (weighed_roots * weighed_roots - mean.known.variance);
+  if (correlation > 0) mean.known.freedom = std::min(mean.known.freedom, stored->passes - 1);
+  return mean;
+}
+
+/// Their difference, with the noise of both together (Welch and Satterthwaite).
+class WholeDifference {
+ public:
+  WholeDifference(const Mean& reference, const Mean& test) : reference_(reference.value) {
+    const double rounding = kRounding * std::max(std::abs(reference.value), std::abs(test.value));
+    variance_of_reference_ = reference.known.variance + rounding * rounding;
+    variance_of_test_ = test.known.variance;
+    const double variance = variance_of_reference_ + variance_of_test_;
+    if (variance == 0) return;  // black in both
+    const double doubt = std::pow(reference.known.variance / variance, 2) / reference.known.freedom +
+                         std::pow(variance_of_test_ / variance, 2) / test.known.freedom;
+    if (doubt > 0) freedom_ = 1 / doubt;
+    difference_ = test.value - reference.value;
+    deviate_ = normal_deviate(difference_ / std::sqrt(variance), freedom_);
+  }
+
+  double deviate() const { return deviate_; }
+  bool has_reference() const { return reference_ != 0; }
+  double relative() const { return has_reference() ? difference_ / reference_ : INFINITY; }
+
+  /// The relative error d that is found with probability `power` by a test of this two-sided level: it exceeds both
+  /// quantiles, d r = q sqrt(v_r + (1 + d)^2 v_x), for the noise of an image that is brighter is larger, too. Infinite
+  /// where none is found so often. Precondition: there is a reference.
+  double would_see(double alpha, double power) const {
+    const double q = t_quantile(alpha / 2, freedom_) + t_quantile(1 - power, freedom_);
+    const double r = q * q * variance_of_reference_ / (reference_ * reference_);
+    const double x = q * q * variance_of_test_ / (reference_ * reference_);
+    return x < 1 ? (x + std::sqrt(x * x + (1 - x) * (r + x))) / (1 - x) : INFINITY;
+  }
+
+ private:
+  double reference_, difference_ = 0, variance_of_reference_ = 0, variance_of_test_ = 0, freedom_ = INFINITY,
+                     deviate_ = 0;
+};
+
+/// Also says what it would have seen.
+StatisticalVerdict test_whole(const Rendering& reference, const Rendering& test, double alpha,
+                              std::optional<double>& would_see) {
+  StatisticalVerdict verdict;
+  verdict.n = 3;
+  verdict.alpha = sidak(alpha, 3);
+  verdict.bound = -boost::math::quantile(boost::math::normal(), verdict.alpha / 2);
+  double worst = -1;
+  for (std::size_t channel = 0; channel < 3; ++channel) {
+    const Weights weight(reference, test, channel);
+    const WholeDifference d(mean_of(reference, channel, weight), mean_of(test, channel, weight));
+    if (d.has_reference()) would_see = std::max(would_see.value_or(0), d.would_see(verdict.alpha, Agreement::power));
+    if (d.deviate() <= worst) continue;
+    worst = verdict.observed = d.deviate();
+    verdict.sentence = text("%s of the whole image: %+.3g %%, %.3g deviations, bound %.3g", kChannels[channel],
+                            100 * d.relative(), d.deviate(), verdict.bound);
+  }
+  verdict.pass = verdict.observed <= verdict.bound;
+  return verdict;
+}
+
 void check_variance(const Rendering& rendering, const char* name) {
   if (!rendering.variance)
     throw InputError(name, "the image has no channels variance.R, variance.G, variance.B, which agreement needs");
@@ -157,12 +323,24 @@ void check_variance(const Rendering& rendering, const char* name) {
 
 }  // namespace
 
+std::string Agreement::power_sentence() const {
+  if (!would_see) return "the whole image is black: no error of its brightness could have been seen";
+  if (std::isinf(*would_see)) return "too noisy for any error of the whole image to be seen";
+  return "an error of " + percent_text(*would_see) + " of the whole image would have been seen " +
+         text("(probability %g)", power);
+}
+
 Agreement test_agreement(const Rendering& reference, const Rendering& test, double alpha) {
   check_variance(reference, "reference");
   check_variance(test, "test");
   const std::array<Differences, 3> channels{differences(reference, test, 0), differences(reference, test, 1),
                                             differences(reference, test, 2)};
-  return {test_pixels(channels, reference, test, alpha), test_blocks(channels, reference, alpha)};
+  const double part = sidak(alpha, 3);
+  Agreement agreement;
+  agreement.pixels = test_pixels(channels, reference, test, part);
+  agreement.blocks = test_blocks(channels, reference, part);
+  agreement.whole = test_whole(reference, test, part, agreement.would_see);
+  return agreement;
 }
 
 }  // namespace photonproof

@@ -1,11 +1,13 @@
 // Do two renderings show the same expected image? The test METRICS calls `agreement`: every pixel's difference against
-// its noise, and the differences of block means, so that a small wide bias shows, too.
+// its noise, the differences of block means, so that a small wide bias shows, too, and the means of the whole images,
+// whose power is known: a pass says how large an error it would not have passed over.
 //
 // Both sides need variance layers. Those take the estimates of a pixel for independent, so render with `--sampler
 // independent`: of Sobol samples they say too much, and the test then passes too easily, never fails wrongly.
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 
 #include "scenes/image.h"
@@ -28,11 +30,21 @@ struct Agreement {
   /// The largest chi^2 of a channel over blocks of 8 x 8 pixels, at Sidak's level for three channels (which need not be
   /// independent: Sidak 1967).
   StatisticalVerdict blocks;
-  bool pass() const { return pixels.pass && blocks.pass; }
+  /// The largest difference of a channel's weighed mean over the whole image, in standard errors as a normal deviate,
+  /// at Sidak's level for three channels.
+  StatisticalVerdict whole;
+  /// The least relative error of one channel of the whole image, in either direction, that `whole` alone finds with
+  /// probability `power`: where 1.2 % would have been seen, this is 0.012. The largest of the channels that are not
+  /// black; empty where all are, infinite where noise hides any error.
+  std::optional<double> would_see;
+  static constexpr double power = 0.99;
+  bool pass() const { return pixels.pass && blocks.pass && whole.pass; }
+  /// "an error of 1.2 % of the whole image would have been seen (probability 0.99)", to be said beside a pass.
+  std::string power_sentence() const;
 };
 
-/// Each of the two tests fails with probability `alpha` where the expected images are equal. What an estimated variance
-/// needs beside the formulas:
+/// One of the three tests, each at Sidak's level for three, fails with probability `alpha` where the expected images
+/// are equal. What an estimated variance needs beside the formulas:
 /// - A pixel that saw none of its rare bright samples looks dark and certain. Its variance therefore is at least the
 ///   mean one of its block, which saw some. Where an image's blocks miss them, too (fewer than about 20 such samples a
 ///   block), no test of variances can know, and it may fail wrongly.
@@ -43,6 +55,11 @@ struct Agreement {
 ///   degrees of freedom that the spread of the variances over the block shows, 2 (sum v)^2 / sum (v - mean v)^2 at
 ///   least, and turned into the normal deviate of the same probability.
 /// - Rounding of float sums counts as a deviation of 1e-5 of the value, so that pixels without noise compare as equal.
+/// - In the mean over the whole image the less certain half of the places counts less, for in many an image a few
+/// pixels
+///   at a lamp's edge have nearly all of the noise. A pixel's weight is taken from neighbours whose noise it does not
+///   share: weighed by their own variances, samples that are high by chance would count too little.
+/// - That mean's variance is its pixels', unless the image says that they vary together (scenes/mean_error.h).
 /// It holds its level from 64 estimates a pixel on, from 16 on where samples are no wilder than exponential
 /// (agreement_test.cpp measures it).
 /// Preconditions: equal sizes, finite values. Throws InputError, naming `reference` or `test`, when one has no

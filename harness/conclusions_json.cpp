@@ -100,6 +100,9 @@ json gate_to_json(const GateRecord& gate) {
             {"command", gate.command}};
   set_estimate(j, "observed", gate.observed);
   if (gate.bound) j["bound"] = finite(*gate.bound, "bound");
+  if (gate.would_see) j["would_see"] = finite(*gate.would_see, "would_see");
+  if (gate.would_see_in_a_block) j["would_see_in_a_block"] = finite(*gate.would_see_in_a_block, "would_see_in_a_block");
+  if (!gate.regression_only.empty()) j["regression_only"] = gate.regression_only;
   return j;
 }
 
@@ -122,6 +125,9 @@ GateRecord gate_from_json(const json& j) {
   gate.sentence = j.at("sentence");
   gate.observed = optional_estimate(j, "observed");
   gate.bound = optional_at<double>(j, "bound");
+  gate.would_see = optional_at<double>(j, "would_see");
+  gate.would_see_in_a_block = optional_at<double>(j, "would_see_in_a_block");
+  gate.regression_only = j.value("regression_only", "");
   gate.alpha = j.at("alpha");
   gate.looks = j.at("looks");
   gate.samples = j.at("samples");

@@ -111,6 +111,16 @@ TEST(ErrorSplit, parts_add_up_to_the_whole) {
   EXPECT_NEAR(split.relmse.value, (relative_mse(truth(), images[0]) + relative_mse(truth(), images[1])) / 2, 1e-12);
 }
 
+// (0.2 - 0.1)^2/(0.1^2 + 0.01) = 1/2, as the metric of `compare` has it; the images' spread 0.01 weighs the same.
+TEST(ErrorSplit, errors_are_relative_as_relmse_is) {
+  Image reference(8, 8), test(8, 8), spread(8, 8);
+  std::fill(reference.rgb.begin(), reference.rgb.end(), 0.1f);
+  std::fill(test.rgb.begin(), test.rgb.end(), 0.2f);
+  std::fill(spread.rgb.begin(), spread.rgb.end(), 0.01f);
+  EXPECT_NEAR(relative_mse(reference, test), 0.5, 1e-6);
+  EXPECT_NEAR(relative_variance(reference, spread), 0.5, 1e-6);
+}
+
 TEST(ErrorSplit, one_image_tells_nothing_of_its_spread) {
   std::mt19937_64 generator(7);
   const std::vector<Image> images{noisy(0.2, 1, generator)};

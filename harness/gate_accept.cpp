@@ -67,6 +67,7 @@ std::optional<Accepted> accept_reference(const GateSuite& suite, const AcceptOpt
                                 "--quiet",
                                 "-o",
                                 exr.string()};
+  if (old) argv.insert(argv.end(), {"--integrator", old->provenance.estimator});  // as independent as it was
   if (options.standard_error || old)
     argv.insert(argv.end(),
                 {"--standard-error",

@@ -9,6 +9,7 @@
 #include "harness/gate_look.h"
 #include "harness/gate_pictures.h"
 #include "harness/host.h"
+#include "harness/independence.h"
 #include "scenes/expect.h"
 #include "scenes/input_error.h"
 
@@ -85,7 +86,9 @@ class Run {
     record.name = scene.name;
     record.path = scene.given_path;
     const std::string expect = expect_path_of(scene.path.string());
-    record.purpose = fs::exists(expect) ? read_expect(expect).purpose : "";
+    std::optional<Expect>& expected = expectations_[scene.name];
+    if (fs::exists(expect)) expected = read_expect(expect);
+    record.purpose = expected ? expected->purpose : "";
     record.width = scene.width;
     record.height = scene.height;
     const Viewing& viewing = viewings_[scene.name] = viewing_of(scene);
@@ -140,12 +143,17 @@ class Run {
       record.observed = judgement.observed;
       record.sentence = std::move(judgement.sentence);
       record.tiles = std::move(judgement.tiles);
+      record.would_see = judgement.would_see;
+      record.would_see_in_a_block = judgement.would_see_in_a_block;
       if (!judgement.verdict) continue;
       record.verdict = *judgement.verdict;
       break;
     }
     count_images(stream, images.size(), record);
     record.sentence += fmt::format("; {} images of {}", images.size(), gate.budget.label());
+    record.regression_only =
+        regression_only(suite_.engine(gate.engine), references_.at(gate.scene), expectations_.at(gate.scene));
+    if (!record.regression_only.empty()) record.sentence += "; regression only: " + record.regression_only;
     record.skipped = stream.drawn().front()->result.skipped;
     store_pictures(mean_of(images), references_.at(gate.scene), viewings_.at(gate.scene).exposure, options_.folder,
                    record);
@@ -169,6 +177,7 @@ class Run {
   std::map<std::string, EngineVersion> versions_;
   std::map<std::string, StoredReference> references_;
   std::map<std::string, Viewing> viewings_;
+  std::map<std::string, std::optional<Expect>> expectations_;
   std::map<std::string, ImageStream> streams_;
   GateSummary summary_;
 };

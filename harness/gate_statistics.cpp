@@ -169,6 +169,8 @@ Judgement judge_agreement(const Deviations& d, const AgreementBounds& bounds, do
   const Power power = power_of(d, whole_tail, block_tail);
   if (power.whole <= bounds.whole && power.block <= bounds.block) {
     judgement.verdict = GateVerdict::pass;
+    judgement.would_see = power.whole;
+    judgement.would_see_in_a_block = power.block;
     judgement.sentence = fmt::format("agrees; {} overall or {} in a block of 8 x 8 pixels would have been seen",
                                      percent_text(power.whole), percent_text(power.block));
   } else if (power.block > bounds.block) {

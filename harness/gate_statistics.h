@@ -24,6 +24,8 @@ struct Judgement {
   std::string sentence;                ///< where and how, or why it is not decided
   Estimate observed;                   ///< the deviation or metric that was judged, with the interval it was judged by
   std::vector<FailingTile> tiles{};    ///< when it fails, worst first
+  /// When agreement passes: the whole's and a block's relative error that would have been seen with probability 0.99.
+  std::optional<double> would_see{}, would_see_in_a_block{};
 };
 
 /// What an agreement gate promises when it passes: it would have failed with probability 0.99 were the whole image off

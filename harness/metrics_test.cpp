@@ -87,6 +87,20 @@ TEST(Metrics, relmse_trimmed_leaves_out_one_pixel_in_a_thousand) {
   EXPECT_DOUBLE_EQ(value_of("relmse", reference, test), 14 / 1.01 / 2000);
 }
 
+TEST(Metrics, relmse_trimmed_leaves_out_no_more_and_no_fewer) {
+  // 40 000 pixels of which 40 may go, and 41 are wrong, one of them by less: a fraction 5 % too small would leave 39.
+  const Image reference = constant_image(200, 200, 1, 1, 1);
+  Image test = reference;
+  for (int i = 0; i < 41; ++i)
+    for (int c = 0; c < 3; ++c) test.pixel(4 * i, 3 * i)[c] += i == 20 ? 1.0f : 2.0f;
+  EXPECT_DOUBLE_EQ(value_of("relmse_trimmed", reference, test), 1 / 1.01 / 39960);
+  // With 40 wrong ones nothing is left.
+  for (int c = 0; c < 3; ++c) test.pixel(80, 60)[c] = 1;
+  EXPECT_EQ(value_of("relmse_trimmed", reference, test), 0);
+  for (int c = 0; c < 3; ++c) test.pixel(3, 199)[c] = test.pixel(4, 199)[c] = 1.5f;
+  EXPECT_DOUBLE_EQ(value_of("relmse_trimmed", reference, test), 0.5 / 1.01 / 39960);
+}
+
 TEST(Metrics, relmse_trimmed_counts_equal_errors_at_the_limit_as_often_as_they_stay) {
   // Every pixel is off alike, so leaving out two of 2000 changes nothing.
   const Image reference = constant_image(50, 40, 1, 1, 1);

@@ -41,6 +41,15 @@ TEST(PairedRounds, sides_of_the_threshold) {
   EXPECT_EQ(side_of({0.9, 1.1}, 0.015), Change::inconclusive);
 }
 
+TEST(PairedRounds, thresholds_are_one_and_a_half_percent_of_time_and_five_of_error) {
+  const auto change_of = [](double seconds, double relmse) {
+    std::vector<PairedRound> rounds(6, {1, seconds, 1, 0.01, 0.01 * relmse});
+    return std::pair(judge_seconds(rounds).change, judge_relmse(rounds)->change);
+  };
+  EXPECT_EQ(change_of(1.0147, 1.049), std::pair(Change::unchanged, Change::unchanged));
+  EXPECT_EQ(change_of(1.0153, 1.051), std::pair(Change::regression, Change::regression));
+}
+
 // Noise of 1 % a run is 1.2 % a round (new, and the mean of two old ones); 40 rounds determine the median to
 // 1.25 * 1.2 % / sqrt(40) = 0.24 %, six of which separate 0 and 3 % from the threshold between them.
 TEST(PairedRounds, three_percent_are_told_from_none_whatever_disturbs_all_three_alike) {

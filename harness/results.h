@@ -163,6 +163,11 @@ struct GateRecord {
   std::string sentence;  ///< where and how
   std::optional<Estimate> observed;
   std::optional<double> bound;
+  /// Of an agreement gate that passes: the relative error of the whole image, and of a block of 8 x 8 pixels, that it
+  /// would have seen with probability 0.99.
+  std::optional<double> would_see, would_see_in_a_block;
+  /// Why the gate can only notice changes: the engine's own estimator made the reference. Empty: it can convict.
+  std::string regression_only;
   double alpha = 0;                             ///< false-alarm rate of this gate over all its looks
   int looks = 0;                                ///< how often the samples were judged
   std::uint64_t samples = 0;                    ///< a pixel, in all

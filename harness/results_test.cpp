@@ -107,6 +107,9 @@ Results example_with_conclusions() {
   gate.sentence = "a hole at (3, 4)";
   gate.observed = Estimate{0.2, Interval{0.1, 0.3}};
   gate.bound = 0.02;
+  gate.would_see = 0.013;
+  gate.would_see_in_a_block = 0.15;
+  gate.regression_only = "the reference is by path, too";
   gate.alpha = 1e-3;
   gate.looks = 2;
   gate.samples = 128;

@@ -44,6 +44,13 @@ TEST(Statistics, same_values_give_the_same_interval_again) {
   EXPECT_EQ(estimated_median(values), estimated_median(values));
 }
 
+TEST(Statistics, resampling_draws_from_its_seed) {
+  const std::vector<double> values{1, 5, 2, 8, 3, 3, 9};
+  const Interval first = *estimated_mean(values, {0.95, 500, 1}).interval;
+  EXPECT_EQ(first, *estimated_mean(values, {0.95, 500, 1}).interval);
+  EXPECT_NE(first, *estimated_mean(values, {0.95, 500, 2}).interval);
+}
+
 TEST(Statistics, equal_values_have_an_interval_of_no_width) {
   const std::vector<double> values(6, 4.25);
   EXPECT_EQ(estimated_mean(values).interval, (Interval{4.25, 4.25}));
@@ -107,6 +114,9 @@ TEST(Statistics, outliers_are_told_by_the_median_deviation) {
   EXPECT_EQ(outliers_of(std::vector<double>{10, 10.1, 9.9, 14, 10.2, 9.95, 10.15, 10}), std::vector<std::size_t>{3});
   EXPECT_TRUE(outliers_of(std::vector<double>{1, 1, 1, 1, 1, 100}).empty());
   EXPECT_TRUE(outliers_of(std::vector<double>{1, 2, 3, 100}).empty());
+  // Median 0 and median deviation 1: the limit is 3.5/0.6745 = 5.189.
+  EXPECT_TRUE(outliers_of(std::vector<double>{-1, -1, -1, 0, 1, 1, 5.1}).empty());
+  EXPECT_EQ(outliers_of(std::vector<double>{-1, -1, -1, 0, 1, 1, 5.3}), std::vector<std::size_t>{6});
 }
 
 }  // namespace

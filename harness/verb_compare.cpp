@@ -96,7 +96,8 @@ void check_agreement(const CompareOptions& options, const Rendering& reference, 
   if (!reference.variance) throw InputError(options.reference, kNoVariance);
   if (!test.variance) throw InputError(options.test, kNoVariance);
   comparison.agreement = test_agreement(reference, test);
-  for (const StatisticalVerdict* part : {&comparison.agreement->pixels, &comparison.agreement->blocks})
+  for (const StatisticalVerdict* part :
+       {&comparison.agreement->pixels, &comparison.agreement->blocks, &comparison.agreement->whole})
     if (!part->pass) comparison.findings.push_back({Verdict::fail, part->sentence});
 }
 
@@ -169,8 +170,9 @@ void print_text(const CompareOptions& options, const Comparison& comparison) {
     std::printf("%-24s%-16s%s\n", measured.row->name, value.data(), notes.c_str());
   }
   if (comparison.agreement)
-    std::printf("agreement: %s\n  %s\n  %s\n", comparison.agreement->pass() ? "pass" : "fail",
-                comparison.agreement->pixels.sentence.c_str(), comparison.agreement->blocks.sentence.c_str());
+    std::printf("agreement: %s; %s\n  %s\n  %s\n  %s\n", comparison.agreement->pass() ? "pass" : "fail",
+                comparison.agreement->power_sentence().c_str(), comparison.agreement->pixels.sentence.c_str(),
+                comparison.agreement->blocks.sentence.c_str(), comparison.agreement->whole.sentence.c_str());
   if (!comparison.heatmaps.flip.empty())
     std::printf("%s: %s\n%s: %s\n", comparison.heatmaps.flip.c_str(), flip_scale_caption,
                 comparison.heatmaps.error.c_str(), error_scale_caption);
@@ -215,10 +217,16 @@ void print_json(const CompareOptions& options, const Comparison& comparison) {
   if (const auto& region = options.metrics.region)
     record["region"] = {region->x, region->y, region->width, region->height};
   if (!options.mask.empty()) record["mask"] = options.mask;
-  if (comparison.agreement)
+  if (comparison.agreement) {
     record["agreement"] = {{"pass", comparison.agreement->pass()},
+                           {"would_see", nullptr},
+                           {"power", Agreement::power},
                            {"pixels", as_json(comparison.agreement->pixels)},
-                           {"blocks", as_json(comparison.agreement->blocks)}};
+                           {"blocks", as_json(comparison.agreement->blocks)},
+                           {"whole", as_json(comparison.agreement->whole)}};
+    if (const auto& would_see = comparison.agreement->would_see; would_see && std::isfinite(*would_see))
+      record["agreement"]["would_see"] = *would_see;
+  }
   if (!comparison.heatmaps.flip.empty())
     record["heatmaps"] = {{"flip", comparison.heatmaps.flip.string()}, {"error", comparison.heatmaps.error.string()}};
   std::printf("%s\n", record.dump(2, ' ', false, json::error_handler_t::replace).c_str());

@@ -231,13 +231,27 @@ TEST_F(CompareVerb, agreement_fails_beyond_the_noise_and_needs_variances) {
   };
   // Deviations of 0.1 a side: 0.05 is 0.35 of a pixel's difference, but 2.8 of a block's mean: chi^2 of 4 blocks 32.
   const std::string ref = write_noisy("a.exr", 1);
-  EXPECT_EQ(compare({ref, write_noisy("b.exr", 1.01f), "--agreement"}).exit_code, 0);
+  const Run pass = compare({ref, write_noisy("b.exr", 1.01f), "--agreement"});
+  EXPECT_EQ(pass.exit_code, 0);
+  // Each channel's mean is tested at 1 - 0.99^(1/9) = 0.00111608, two-sided quantile 3.2595; with the quantile of 0.99,
+  // 2.3263, that is 5.5858 deviations: d = 5.5858 sqrt((1 + (1 + d)^2) 0.01/256).
+  EXPECT_NE(pass.out.find("agreement: pass; an error of 5.1 % of the whole image would have been seen (probability "
+                          "0.99)\n"),
+            std::string::npos)
+      << pass.out;
+  const Run json = compare({ref, write_noisy("b.exr", 1.01f), "--agreement", "--json"});
+  const auto passed = nlohmann::json::parse(json.out).at("agreement");
+  EXPECT_NEAR(passed.at("would_see"), 0.050638, 1e-5);
+  EXPECT_EQ(passed.at("power"), 0.99);
+  EXPECT_EQ(passed.at("whole").at("pass"), true);
   const Run run = compare({ref, write_noisy("c.exr", 1.05f), "--agreement", "--json"});
   EXPECT_EQ(run.exit_code, 2);
   const auto record = nlohmann::json::parse(run.out).at("agreement");
   EXPECT_EQ(record.at("pass"), false);
   EXPECT_EQ(record.at("pixels").at("pass"), true);
   EXPECT_NEAR(record.at("blocks").at("observed"), 32, 0.1);
+  // The means over 256 pixels differ by 5.657 of their deviations, sqrt(2 0.01/256) = 0.008839.
+  EXPECT_NEAR(record.at("whole").at("observed"), 5.657, 0.01);
   EXPECT_EQ(compare({ref, darker(), "--agreement"}).exit_code, 3) << "sizes differ";
   EXPECT_EQ(compare({reference(), darker(), "--agreement"}).exit_code, 4) << "no variances";
 }

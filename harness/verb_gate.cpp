@@ -71,13 +71,15 @@ void print_json(const GateSummary& summary, const std::vector<fs::path>& reports
                                  {"interrupted", summary.interrupted},
                                  {"gates", nlohmann::json::array()}};
   for (const fs::path& report : reports) json["reports"].push_back(report.string());
-  for (const GateRecord& gate : summary.results.gates)
-    json["gates"].push_back({{"name", gate.name},
-                             {"verdict", to_string(gate.verdict)},
-                             {"sentence", gate.sentence},
-                             {"looks", gate.looks},
-                             {"samples", gate.samples},
-                             {"seconds", gate.seconds}});
+  for (const GateRecord& gate : summary.results.gates) {
+    nlohmann::ordered_json entry = {{"name", gate.name},         {"verdict", to_string(gate.verdict)},
+                                    {"sentence", gate.sentence}, {"looks", gate.looks},
+                                    {"samples", gate.samples},   {"seconds", gate.seconds}};
+    if (gate.would_see) entry["would_see"] = *gate.would_see;
+    if (gate.would_see_in_a_block) entry["would_see_in_a_block"] = *gate.would_see_in_a_block;
+    if (!gate.regression_only.empty()) entry["regression_only"] = gate.regression_only;
+    json["gates"].push_back(std::move(entry));
+  }
   std::printf("%s\n", json.dump(2).c_str());
 }
 

@@ -160,6 +160,54 @@ TEST_F(GateVerb, json_has_every_verdict) {
   EXPECT_EQ(json.at("gates").at(0).at("name"), "scene/dim/agreement");
 }
 
+TEST_F(GateVerb, says_regression_only_where_the_engine_made_its_own_reference) {
+  // A sky of radiance 1 and nothing else: every engine's image is exactly 1.
+  put("scene.xml", R"xml(<scene version="3.0.0">
+  <sensor type="perspective"><film type="hdrfilm"><rfilter type="box"/></film></sensor>
+  <emitter type="constant"><rgb name="radiance" value="1"/></emitter>
+</scene>
+)xml");
+  Rendering sky{Image(width, height), Image(width, height), {}};
+  std::fill(sky.mean.rgb.begin(), sky.mean.rgb.end(), 1.0f);
+  const auto run_with_reference_by = [&](const std::string& estimator) {
+    for (const char* extension : {".exr", ".json"})
+      std::filesystem::remove(
+          committed_reference_path(folder_ / "scene.xml", width, height).replace_extension(extension));
+    Provenance provenance;
+    provenance.scene_hash = scene_hash(parse_scene_file((folder_ / "scene.xml").string()));
+    provenance.width = width;
+    provenance.height = height;
+    provenance.estimator = estimator;
+    provenance.samples = 64;
+    provenance.seeds = {1, 2, 3, 4};
+    provenance.date = "2026-01-01T00:00:00Z";
+    commit_reference(folder_ / "scene.xml", sky, provenance, "");
+    return run_gate(gate("path", "agreement", 0.02), {"--json"});
+  };
+  const std::string words = "the reference is by path, whose sampling is the engine's";
+
+  const ProcessOutcome own = run_with_reference_by("path");
+  EXPECT_EQ(own.exit_code, 0) << own.standard_error;
+  EXPECT_NE(own.standard_error.find("; regression only: " + words), std::string::npos) << own.standard_error;
+  const auto own_gate = nlohmann::json::parse(own.standard_output).at("gates").at(0);
+  EXPECT_EQ(own_gate.at("regression_only"), words);
+  // Without noise what would be seen is a few times what counts as rounding, 1e-5 of the value.
+  EXPECT_LT(own_gate.at("would_see"), 0.001);
+  EXPECT_LT(own_gate.at("would_see_in_a_block"), 0.01);
+  EXPECT_EQ(only_gate().regression_only, words);
+  EXPECT_EQ(only_gate().would_see, own_gate.at("would_see").get<double>());
+  for (const char* report : {"out/report.html", "out/junit.xml"})
+    EXPECT_NE(get(report).find("regression only: the reference is by path"), std::string::npos) << report;
+  EXPECT_NE(get("out/junit.xml").find("<property name=\"scene/path/agreement: would see\""), std::string::npos);
+
+  const ProcessOutcome independent = run_with_reference_by("bdpt");
+  EXPECT_EQ(independent.exit_code, 0) << independent.standard_error;
+  EXPECT_EQ((independent.standard_error + independent.standard_output).find("regression only"), std::string::npos);
+  EXPECT_EQ(only_gate().regression_only, "");
+  for (const char* report : {"out/report.html", "out/junit.xml"})
+    EXPECT_EQ(get(report).find("regression only"), std::string::npos) << report;
+}
+
 TEST_F(GateVerb, accepting_needs_a_reason_and_keeps_it_with_old_and_new) {
   put_reference();
   put("gates.toml", gates_text(gate("good", "agreement", 0.05)));

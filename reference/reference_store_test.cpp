@@ -59,6 +59,14 @@ class ReferenceStore : public FolderTest {
   std::string rebuild() const { return "photonproof reference " + path("scene.xml") + " --size 5x4 --commit"; }
 };
 
+TEST(RelativeStandardError, weighs_as_relmse_does) {
+  // A variance of 1e-4 of values 0.1: sqrt(1e-4/(0.1^2 + 0.01)) = 0.0707107.
+  Rendering rendering{Image(4, 2), Image(4, 2), {}};
+  std::fill(rendering.mean.rgb.begin(), rendering.mean.rgb.end(), 0.1f);
+  std::fill(rendering.variance->rgb.begin(), rendering.variance->rgb.end(), 1e-4f);
+  EXPECT_NEAR(relative_standard_error(rendering), 0.0707107, 1e-6);
+}
+
 TEST_F(ReferenceStore, committed_reference_comes_back_within_half_floats) {
   const Provenance written = commit(image());
   const StoredReference stored = load_reference(scene(), 5, 4);

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "renderer/checkpoint.h"
+#include "scenes/mean_error.h"
 
 namespace photonproof {
 
@@ -23,6 +24,22 @@ RgbD variance_of_mean(const RgbD& spread, std::int64_t estimates) {
 }
 
 }  // namespace
+
+void Film::end_shared_pass(double samples) {
+  Pixel now;
+  for (const Pixel& p : pixels_) {
+    now.sum += p.sum;
+    now.weight += p.weight;
+  }
+  const double weight = now.weight - before_pass_.weight;
+  if (weight != samples * static_cast<double>(pixels_.size())) return;
+  const RgbD mean = (now.sum - before_pass_.sum) / weight;
+  before_pass_ = now;
+  passes_.sum += mean * samples;
+  passes_.sum_of_squares += mean * mean * samples;
+  passes_.weight += samples;
+  passes_.estimates += 1;
+}
 
 Rendering Film::develop() const {
   Rendering rendering;
@@ -43,6 +60,12 @@ Rendering Film::develop() const {
     if (!has_variance) continue;
     const RgbD spread = p.sum_of_squares / p.weight - mean * mean;
     store(&rendering.variance->rgb[3 * i], variance_of_mean(spread, p.estimates));
+  }
+  if (passes_.estimates >= 2) {
+    const RgbD mean = passes_.sum / passes_.weight;
+    const RgbD v = variance_of_mean(passes_.sum_of_squares / passes_.weight - mean * mean, passes_.estimates);
+    store_mean_error(rendering,
+                     {{std::sqrt(v.x), std::sqrt(v.y), std::sqrt(v.z)}, static_cast<double>(passes_.estimates)});
   }
   return rendering;
 }
@@ -68,11 +91,15 @@ std::size_t Film::unsampled_pixels() const {
 void Film::save(StateWriter& out) const {
   out.value(window_);
   out.vector(pixels_);
+  out.value(passes_);
+  out.value(before_pass_);
 }
 
 void Film::restore(StateReader& in) {
   if (in.value<Tile>() != window_) in.refuse("it is of another part of the image");
   in.vector(pixels_);
+  passes_ = in.value<Pixel>();
+  before_pass_ = in.value<Pixel>();
 }
 
 }  // namespace photonproof

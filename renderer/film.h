@@ -39,8 +39,13 @@ class Film {
     p.estimates += estimates;
   }
 
+  /// After every pass of `samples` a pixel whose pixels share light paths or photons: they vary together, so that how
+  /// certain the image's mean is only the passes show. A pass that was broken off does not count before it is whole.
+  void end_shared_pass(double samples);
+
   /// Mean and, where every pixel has at least two estimates, the variance of the mean:
-  /// sum w (x - m)^2 / ((n - 1) sum w), unbiased where an estimate's variance is inverse to its weight.
+  /// sum w (x - m)^2 / ((n - 1) sum w), unbiased where an estimate's variance is inverse to its weight. By the same
+  /// formula, after two shared passes, the MeanError of the image's mean.
   /// The image is of the window's size.
   Rendering develop() const;
   /// Root of the mean, over channel values, of the mean's variance over mean^2 + 0.01: the root of the relmse that
@@ -74,6 +79,8 @@ class Film {
 
   Tile window_;
   std::vector<Pixel> pixels_;
+  Pixel passes_;       ///< of the image's mean, each shared pass an estimate
+  Pixel before_pass_;  ///< sums over all pixels when the last pass had ended
 };
 
 }  // namespace photonproof

@@ -219,6 +219,7 @@ void render_photon_mapper(const Scene& scene, const IntegratorDescription& descr
       add_means(film, camera, radiance);
       loop.rays().add(task.counts);
     });
+    film.end_shared_pass(static_cast<double>(loop.samples()));
   }
   for (const MapState* state : {&maps.global, &maps.caustic}) store_counts(*state, stats);
   stats.counts["passes"] = static_cast<double>(pass_count);

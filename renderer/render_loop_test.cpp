@@ -72,6 +72,7 @@ TEST_F(Resume, gives_the_bits_and_the_counts_of_a_render_never_stopped) {
     EXPECT_GE(stops, 3) << row.name;
     EXPECT_EQ(last.image.mean.rgb, whole.image.mean.rgb) << row.name;
     EXPECT_EQ(last.image.variance->rgb, whole.image.variance->rgb) << row.name;
+    EXPECT_EQ(last.image.metadata, whole.image.metadata) << row.name;  // the MeanError
     for (const auto& [name, count] : whole.stats.counts)
       EXPECT_EQ(last.stats.counts.at(name), count) << row.name << " " << name;
   }

@@ -97,6 +97,7 @@ void render_splats(const Scene& scene, const RenderJob& job, Stream stream, cons
       if (unit + 1 < units) return;
       const auto samples = static_cast<double>(loop.samples());
       for_each_pixel(window, [&](int x, int y) { film.add(x, y, pass.sum(x, y) / samples, samples); });
+      film.end_shared_pass(samples);
       pass.clear();
     };
     loop.for_each_in_order(units, work_on, commit);

@@ -13,6 +13,7 @@
 #include "renderer/scene_facts.h"
 #include "renderer/test_random.h"
 #include "renderer/test_scenes.h"
+#include "scenes/mean_error.h"
 
 namespace photonproof {
 namespace {
@@ -256,6 +257,23 @@ TEST(film, variance_beyond_a_float_is_the_largest_float) {
   film.add(0, 0, RgbD(1e30), 1);
   EXPECT_EQ(film.develop().mean.rgb[0], 5e29f);
   EXPECT_EQ(film.develop().variance->rgb[0], std::numeric_limits<float>::max());
+}
+
+TEST(film, means_of_shared_passes_say_how_certain_the_images_mean_is) {
+  // Two pixels that vary together. Passes of 1 and 2 samples have the means 1 and 4 over both: variance 2, as above;
+  // the pixels alone would say 2/2 and more.
+  Film film(2, 1);
+  film.add(0, 0, RgbD(0.5), 1);
+  film.add(1, 0, RgbD(1.5), 1);
+  film.end_shared_pass(1);
+  EXPECT_FALSE(stored_mean_error(film.develop()));
+  film.add(0, 0, RgbD(2), 2);
+  film.end_shared_pass(2);  // not whole yet
+  film.add(1, 0, RgbD(6), 2);
+  film.end_shared_pass(2);
+  const MeanError error = stored_mean_error(film.develop()).value();
+  EXPECT_EQ(error.passes, 2);
+  for (const double value : error.standard_error) EXPECT_NEAR(value, std::sqrt(2.0), 1e-12);
 }
 
 }  // namespace

@@ -241,6 +241,19 @@ TEST(JunitReport, xmllint_refuses_an_attribute_in_the_wrong_place) {
   EXPECT_NE(refused_by_schema(bad), "");
 }
 
+TEST(JunitReport, says_what_a_gate_would_have_seen_and_where_it_can_only_notice_changes) {
+  Results results = sample_conclusions();
+  results.gates[0].would_see = 0.013;
+  results.gates[0].would_see_in_a_block = 0.15;
+  results.gates[0].regression_only = "the reference is by photonmapper, whose sampling is the engine's";
+  const std::string text = written("junit", results);
+  const std::string name = "<property name=\"" + results.gates[0].name + ": ";
+  EXPECT_EQ(count(text, name + "would see\" value=\"0.013\""), 1u);
+  EXPECT_EQ(count(text, name + "would see in a block\" value=\"0.15\""), 1u);
+  EXPECT_EQ(count(text, name + "regression only\" value=\"the reference is by photonmapper,"), 1u);
+  EXPECT_EQ(count(written("junit", sample_conclusions()), "regression only"), 0u);
+}
+
 TEST(JunitReport, counts_what_failed_and_what_was_not_decided) {
   pugi::xml_document document;
   ASSERT_TRUE(document.load_string(written("junit", sample_conclusions()).c_str()));

@@ -89,6 +89,10 @@ void add_gate(Suite& suite, const GateRecord& gate) {
   if (!gate.command.empty()) output += "repeat with: " + printable(gate.command) + "\n";
   suite.add_number(gate.name, gate.metric, gate.observed);
   if (gate.bound) suite.add_number(gate.name, "bound", Estimate{*gate.bound, {}});
+  if (gate.would_see) suite.add_number(gate.name, "would see", Estimate{*gate.would_see, {}});
+  if (gate.would_see_in_a_block)
+    suite.add_number(gate.name, "would see in a block", Estimate{*gate.would_see_in_a_block, {}});
+  if (!gate.regression_only.empty()) suite.add_property(gate.name + ": regression only", gate.regression_only);
   suite.add_number(gate.name, "alpha", Estimate{gate.alpha, {}});
   suite.add_number(gate.name, "samples", Estimate{static_cast<double>(gate.samples), {}});
   suite.add_case(gate.name, gate.scene + "." + gate.engine, gate.seconds, outcome, to_string(gate.verdict),

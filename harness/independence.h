@@ -1,0 +1,27 @@
+// Whether a stored reference can convict an engine, or only notice that it changed. A reference that the engine's own
+// estimator made shares whatever is wrong with it.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "harness/engines.h"
+#include "reference/reference_store.h"
+#include "scenes/expect.h"
+
+namespace photonproof {
+
+/// The integrator of this program that an engine runs; empty when it runs another program.
+std::optional<std::string> integrator_of(const Engine& engine);
+
+/// Whether two integrators find their paths by the same code: the photon mapper's and `direct`'s camera paths are
+/// `path`'s. (Materials, lights and textures are shared by all; closed forms and published values are for those.)
+bool shares_sampling(const std::string& integrator, const std::string& other);
+
+/// Why a gate on this engine can find nothing but changes: "the reference is by path, whose sampling is the engine's".
+/// Empty where the reference is independent: by other sampling, or held to a closed form that the scene states, which
+/// the reference's mean must keep within 4 standard errors.
+std::string regression_only(const Engine& engine, const StoredReference& reference,
+                            const std::optional<Expect>& expect);
+
+}  // namespace photonproof

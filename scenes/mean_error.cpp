@@ -1,0 +1,31 @@
+#include "scenes/mean_error.h"
+
+#include "scenes/text_numbers.h"
+
+namespace photonproof {
+namespace {
+
+constexpr const char* key = "photonproof:mean_standard_error_and_passes";
+
+}  // namespace
+
+void store_mean_error(Rendering& rendering, const MeanError& error) {
+  std::string text;
+  for (const double value : error.standard_error) text += format_number(value) + " ";
+  rendering.metadata[key] = text + format_number(error.passes);
+}
+
+std::optional<MeanError> stored_mean_error(const Rendering& rendering) {
+  const auto found = rendering.metadata.find(key);
+  if (found == rendering.metadata.end()) return std::nullopt;
+  std::vector<double> numbers;
+  for (const std::string_view part : split_list(found->second)) {
+    const Parsed<double> number = parse_number(part);
+    if (!number.value || *number.value < 0) return std::nullopt;
+    numbers.push_back(*number.value);
+  }
+  if (numbers.size() != 4 || numbers[3] < 2) return std::nullopt;
+  return MeanError{{numbers[0], numbers[1], numbers[2]}, numbers[3]};
+}
+
+}  // namespace photonproof

@@ -1,0 +1,21 @@
+// How certain an image's mean is, where that does not follow from its pixels' variances: pixels that light paths or
+// photons share vary together. Kept among the image's metadata.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "scenes/image.h"
+
+namespace photonproof {
+
+struct MeanError {
+  std::array<double, 3> standard_error{};  ///< of the mean over all pixels, by channel
+  double passes = 0;                       ///< independent estimates of the whole image that showed it; two or more
+};
+
+void store_mean_error(Rendering& rendering, const MeanError& error);
+/// Empty where the image says nothing of it, or nothing that can be read.
+std::optional<MeanError> stored_mean_error(const Rendering& rendering);
+
+}  // namespace photonproof
