@@ -20,6 +20,7 @@ struct SurfaceLight {
   std::vector<Vec3f> places;
   /// Of a point on it, 1 and less towards a rim where chords end so slantingly that rounding moves their ends.
   std::function<double(const Vec3d& q, const Vec3d& n)> slant = [](const Vec3d&, const Vec3d&) { return 1.0; };
+  double width = 1e30;  ///< across its thinnest chord: its points' rounding moves the ends of chords
 };
 
 inline Vec3d random_unit(Random& r) { return normalize(Vec3d(square_to_sphere(r.next2()))); }
@@ -78,9 +79,10 @@ inline void add_flat(std::vector<SurfaceLight>& all, const Vec3d& at, double siz
       if (dot(n, p - center) <= 0) return {};
       // Far from a disk density is even over its area; the chords of an angle's equal steps would be uneven.
       const bool close = dot(p - center, p - center) < 4 * (dot(u, u) + dot(v, v));
-      return {{close || !round ? from(p) : patch}, 1};
+      return {{close || !round ? from(p) : patch}, 1, true, 4};
     };
     all.push_back({name, std::move(light), {patch}, seen, places_before(center, u, v, n, r)});
+    all.back().width = std::min(length(u), length(v));
     if (round) all.back().slant = [patch](const Vec3d& q, const Vec3d&) { return 1 - patch.uv(q).x; };
   };
   const auto quad_seen = [=](const Vec3d& p) { return quad_from(p, corner, u, v, n); };
@@ -148,13 +150,15 @@ inline void add_cylinders(std::vector<SurfaceLight>& all, const Vec3d& at, doubl
                                     place(4, -1),
                                     place(100, 0.5),
                                     place(0.5, 0.4),
-                                    place(0.99, 0.7),
+                                    place(1 - std::max(finest, 0.01), 0.7),
                                     place(0.9, 30)};
     const std::vector<Patch> whole{cylinder_sector(base, axis, start, radius, sign, 0, 2 * std::numbers::pi)};
     const CylinderShape shape{Vec3f(base), Vec3f(axis), Vec3f(start), Vec3f(side), float(radius), float(sign)};
     const std::string name = sign > 0 ? "cylinder" : "inward cylinder";
     all.push_back({name, AreaLight(shape, Rgb(1)), whole, seen, places});
+    all.back().width = radius;
     all.push_back({"textured " + name, AreaLight(shape, gaudy), whole, seen, {places[0]}});
+    all.back().width = radius;
   }
 }
 
@@ -212,8 +216,8 @@ inline void add_meshes(std::vector<SurfaceLight>& all, const Vec3d& at, double s
       const Vec2<double> at = std::max_element(whole.begin(), whole.end(), faces)->uv(q);
       return std::min({1 - at.x, at.x * at.y, at.x * (1 - at.y)});
     };
-    all.push_back({name, AreaLight(shape, Rgb(1)), whole, seen, places, slant});
-    all.push_back({"textured " + name, AreaLight(shape, gaudy), whole, seen, {places[0]}, slant});
+    all.push_back({name, AreaLight(shape, Rgb(1)), whole, seen, places, slant, 1e-4 * size});
+    all.push_back({"textured " + name, AreaLight(shape, gaudy), whole, seen, {places[0]}, slant, 1e-4 * size});
   }
 }
 
