@@ -214,7 +214,7 @@ class BidirectionalTracer {
     const Rgb emitted = lights_.radiance(v.at, v.back);
     if (!(max_component(emitted) > 0)) return Rgb(0.0f);
     if (v.edges == 1) return limits_.hide_emitters ? Rgb(0.0f) : v.throughput * emitted;
-    const EmissionPdf pdf = lights_.emit_pdf(v.at.light, v.at.p, v.at.ng, v.back);
+    const EmissionPdf pdf = lights_.emit_pdf(v.at, v.back);
     const double g = cosine(v.at.ng, v.back) / length_squared(v.at.p - before);
     const double drawn_anew = g * lights_.sample_pdf(before, v.at);
     // (d_0/b_0)^2 for s = 1, and for s > 1 what went before times (f_0 t_0/b_0 ...)^2.
@@ -248,7 +248,7 @@ class BidirectionalTracer {
     const double less =
         seen.delta ? 0.0 : scatter_pdf(v.at, v.back, seen.wi, TransportMode::radiance) / double{seen.pdf};
     const EmissionPdf pdf =
-        lights_.emit_pdf(seen.light, seen.infinite ? v.at.p : seen.end.p, seen.end.normal, -seen.wi);
+        lights_.emit_pdf(seen.light, seen.infinite ? v.at.p : seen.end.p, seen.end.normal, seen.triangle, -seen.wi);
     const double f1 = light_goes_on * first_step(pdf, seen.infinite, seen.end.p, v.at, seen.wi);
     // f_0 over d_0: both per area, or both per direction at an infinite light, or both of the choice alone.
     double drawn = seen.pdf;

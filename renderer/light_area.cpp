@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "renderer/light_tree.h"
 #include "renderer/warp.h"
 
 namespace photonproof {
@@ -97,25 +98,26 @@ MeshShape::MeshShape(std::vector<Vec3f> positions, std::vector<Triangle> triangl
       uvs_(std::move(uvs)),
       sign_(flipped ? -1.0f : 1.0f) {
   std::vector<double> areas;
+  std::vector<std::optional<LightBounds>> bounds;
   areas.reserve(triangles_.size());
+  bounds.reserve(triangles_.size());
   for (const Triangle& t : triangles_) {
-    const Vec3d a(positions_[t[0]]), b(positions_[t[1]]), c(positions_[t[2]]);
-    areas.push_back(0.5 * length(cross(b - a, c - a)));
+    const Vec3f &a = positions_[t[0]], &b = positions_[t[1]], &c = positions_[t[2]];
+    areas.push_back(0.5 * length(cross(Vec3d(b) - Vec3d(a), Vec3d(c) - Vec3d(a))));
+    bounds.push_back(triangle_bounds(a, b, c, normal_of(t), static_cast<float>(areas.back())));
   }
   by_area_ = DiscreteDistribution(areas);
   area_ = static_cast<float>(by_area_.total());
+  if (!(area_ > 0)) return;
+  const LightBounds all = box_around(positions_);
+  center_ = (all.low + all.high) * 0.5f;
+  half_extent2_ = length_squared(all.high - all.low) * 0.25f;
+  by_importance_ = std::make_shared<const LightTree>(bounds);
 }
 
 AreaPoint MeshShape::sample(const Vec2<float>& u) const {
   const DiscreteDistribution::Drawn drawn = by_area_.sample(u.x);
-  const Triangle& t = triangles_[drawn.index];
-  const Vec3f &a = positions_[t[0]], &b = positions_[t[1]], &c = positions_[t[2]];
-  // Uniform on the triangle (Turk 1990).
-  const float root = std::sqrt(drawn.u);
-  const float weight_b = root * (1 - u.y), weight_c = root * u.y;
-  const Vec3f p = a + (b - a) * weight_b + (c - a) * weight_c;
-  const Vec3f n = normalize(cross(b - a, c - a)) * sign_;
-  return {p, n, uv_of(t, weight_b, weight_c), static_cast<std::uint32_t>(drawn.index)};
+  return point_on(static_cast<std::uint32_t>(drawn.index), {drawn.u, u.y});
 }
 
 AreaLight::AreaLight(LightShape shape, const Rgb& radiance)
@@ -132,17 +134,13 @@ AreaPoint AreaLight::at(const Vec2<float>& u) const {
 }
 
 std::pair<LightSample<float>, std::uint32_t> AreaLight::sample_point(const Vec3f& p, const Vec2<float>& u) const {
-  const AreaPoint point = at(u);
-  const Vec3f d = point.p - p;
-  const float distance2 = dot(d, d);
-  const Vec3f wi = d * (1 / std::sqrt(distance2));
-  const float cos_light = -dot(point.normal, wi);
-  const float density = cos_light > 0 ? distance2 / (area_ * cos_light) : 0;
-  return {{point.p, point.normal, wi, radiance_at(point.uv), density}, point.triangle};
+  const SeenPoint seen = std::visit([&](const auto& shape) { return shape.sample_from(p, u); }, shape_);
+  const Vec3f wi = seen.offset * (1 / length(seen.offset));
+  return {{seen.point.p, seen.point.normal, wi, radiance_at(seen.point.uv), seen.pdf}, seen.point.triangle};
 }
 
-float AreaLight::pdf(const Vec3f& p, const Vec3f& p_light, const Vec3f& normal_light) const {
-  return area_to_solid_angle(1 / area_, p, p_light, normal_light);
+float AreaLight::pdf(const Vec3f& p, const Vec3f& p_light, const Vec3f& normal_light, std::uint32_t triangle) const {
+  return std::visit([&](const auto& shape) { return shape.pdf_from(p, p_light, normal_light, triangle); }, shape_);
 }
 
 Emission<float> AreaLight::emit(const Vec2<float>& u_position, const Vec2<float>& u_direction) const {

@@ -1,14 +1,20 @@
-// Lambertian emission from one side of a shape, sampled uniformly by area, for what light_kinds.h has no lanes for:
-// cylinders, meshes, and every shape whose radiance is a texture.
+// Lambertian emission from one side of a shape, for what light_kinds.h has no lanes for: cylinders, meshes, and every
+// shape whose radiance is a texture. Photons start uniformly by area. Seen from a point, quads, disks and spheres are
+// sampled as their kinds in lanes are, cylinders by the angles that their lines are seen under, meshes uniformly by
+// area and from close by by the triangles' importance and the angles those are seen under (light_near.h).
 #pragma once
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <variant>
 #include <vector>
 
 #include "renderer/discrete_distribution.h"
+#include "renderer/light_disk.h"
+#include "renderer/light_quad.h"
 #include "renderer/light_sample.h"
+#include "renderer/light_sphere.h"
 #include "renderer/light_texture.h"
 
 namespace photonproof {
@@ -20,10 +26,21 @@ struct AreaPoint {
   std::uint32_t triangle = 0;
 };
 
+class LightTree;
+
+/// A point drawn as seen from another.
+struct SeenPoint {
+  AreaPoint point;
+  Vec3f offset;   ///< to it
+  float pdf = 0;  ///< per solid angle
+};
+
 /// corner + u edge_u + v edge_v; uv = (u, v).
 struct QuadShape {
   Vec3f corner, edge_u, edge_v, normal;
   AreaPoint sample(const Vec2<float>& u) const { return {corner + edge_u * u.x + edge_v * u.y, normal, u}; }
+  SeenPoint sample_from(const Vec3f& p, const Vec2<float>& u) const;
+  float pdf_from(const Vec3f& p, const Vec3f& q, const Vec3f& n, std::uint32_t triangle) const;
   Vec2<float> uv_at(const Vec3f& p, std::uint32_t) const;
   float area() const { return length(cross(edge_u, edge_v)); }
 };
@@ -32,6 +49,8 @@ struct QuadShape {
 struct DiskShape {
   Vec3f center, half_axis_u, half_axis_v, normal;
   AreaPoint sample(const Vec2<float>& u) const;
+  SeenPoint sample_from(const Vec3f& p, const Vec2<float>& u) const;
+  float pdf_from(const Vec3f& p, const Vec3f& q, const Vec3f& n, std::uint32_t triangle) const;
   Vec2<float> uv_at(const Vec3f& p, std::uint32_t triangle) const;
   float area() const;
 };
@@ -43,6 +62,8 @@ struct SphereShape {
   Vec3f start{1, 0, 0}, side{0, 1, 0}, up{0, 0, 1};  ///< unit
   float sign = 1;                                    ///< 1: outward, -1: inward
   AreaPoint sample(const Vec2<float>& u) const;
+  SeenPoint sample_from(const Vec3f& p, const Vec2<float>& u) const;
+  float pdf_from(const Vec3f& p, const Vec3f& q, const Vec3f& n, std::uint32_t triangle) const;
   Vec2<float> uv_at(const Vec3f& p, std::uint32_t triangle) const;
   float area() const;
 };
@@ -54,6 +75,8 @@ struct CylinderShape {
   float radius = 1;
   float sign = 1;  ///< 1: outward, -1: inward
   AreaPoint sample(const Vec2<float>& u) const;
+  SeenPoint sample_from(const Vec3f& p, const Vec2<float>& u) const;
+  float pdf_from(const Vec3f& p, const Vec3f& q, const Vec3f& n, std::uint32_t triangle) const;
   Vec2<float> uv_at(const Vec3f& p, std::uint32_t triangle) const;
   float area() const;
 };
@@ -66,12 +89,20 @@ class MeshShape {
   /// the winding's. What is passed is copied.
   MeshShape(std::vector<Vec3f> positions, std::vector<Triangle> triangles, std::vector<Vec2<float>> uvs, bool flipped);
   AreaPoint sample(const Vec2<float>& u) const;
+  SeenPoint sample_from(const Vec3f& p, const Vec2<float>& u) const;
+  float pdf_from(const Vec3f& p, const Vec3f& q, const Vec3f& n, std::uint32_t triangle) const;
   Vec2<float> uv_at(const Vec3f& p, std::uint32_t triangle) const;
   float area() const { return area_; }
   const std::vector<Vec3f>& positions() const { return positions_; }
 
  private:
   Vec2<float> uv_of(const Triangle& t, float weight_b, float weight_c) const;
+  Vec3f normal_of(const Triangle& t) const;
+  AreaPoint point_on(std::uint32_t triangle, const Vec2<float>& u) const;
+  /// Of a triangle that p is close to.
+  std::optional<CloseTriangle> close_triangle(const Triangle& t, const Vec3f& p) const;
+  /// Density per solid angle at p of the point at this offset on a triangle that has been chosen.
+  float pdf_on(const Triangle& t, const Vec3f& p, const Vec3f& offset) const;
 
   std::vector<Vec3f> positions_;
   std::vector<Triangle> triangles_;
@@ -79,6 +110,9 @@ class MeshShape {
   float sign_;
   float area_;
   DiscreteDistribution by_area_;
+  Vec3f center_;            ///< of the box around it
+  float half_extent2_ = 0;  ///< of its diagonal
+  std::shared_ptr<const LightTree> by_importance_;
 };
 
 using LightShape = std::variant<QuadShape, DiskShape, SphereShape, CylinderShape, MeshShape>;
@@ -94,7 +128,7 @@ class AreaLight {
   LightSample<float> sample(const Vec3f& p, const Vec2<float>& u) const { return sample_point(p, u).first; }
   /// With the point's triangle.
   std::pair<LightSample<float>, std::uint32_t> sample_point(const Vec3f& p, const Vec2<float>& u) const;
-  float pdf(const Vec3f& p, const Vec3f& p_light, const Vec3f& normal_light) const;
+  float pdf(const Vec3f& p, const Vec3f& p_light, const Vec3f& normal_light, std::uint32_t triangle) const;
   Emission<float> emit(const Vec2<float>& u_position, const Vec2<float>& u_direction) const;
   struct Start {
     Emission<float> emission;

@@ -62,36 +62,24 @@ void sample_lights(const SceneLights& lights, LightSampleBlock& block) {
 
 void light_pdfs(const SceneLights& lights, LightPdfBlock& block) {
   for_each_lane(block, [&](std::size_t i) {
-    block.pdf[i] =
-        std::visit([&](const auto& l) { return l.pdf(get(block.p, i), get(block.p_light, i), get(block.normal, i)); },
-                   lights.light(block.light[i]));
+    block.pdf[i] = density_from(lights.light(block.light[i]), get(block.p, i), get(block.p_light, i),
+                                get(block.normal, i), block.triangle[i]);
   });
 }
 
 void emit_from_lights(const SceneLights& lights, LightEmitBlock& block) {
   for_each_lane(block, [&](std::size_t i) {
-    const Light& light = lights.light(block.light[i]);
-    const Vec2<float> u_position{block.position_x[i], block.position_y[i]};
-    const Vec2<float> u_direction{block.direction_x[i], block.direction_y[i]};
-    Emission<float> start{};
-    Vec2<float> uv;
-    std::uint32_t triangle = 0;
-    if (const auto* area = std::get_if<AreaLight>(&light)) {
-      const AreaLight::Start from = area->start(u_position, u_direction);
-      start = from.emission;
-      uv = from.uv;
-      triangle = from.triangle;
-    } else {
-      start = std::visit([&](const auto& l) { return l.emit(u_position, u_direction); }, light);
-    }
-    put(block.origin, i, start.p_world);
-    put(block.normal, i, start.normal);
-    put(block.direction, i, start.direction);
-    put(block.flux, i, start.flux);
-    block.uv_x[i] = uv.x;
-    block.uv_y[i] = uv.y;
-    block.triangle[i] = triangle;
-    block.can_be_aimed[i] = is_infinite(light) ? 0 : 1;
+    const SceneLights::Start start = lights.start(block.light[i], {block.position_x[i], block.position_y[i]},
+                                                  {block.direction_x[i], block.direction_y[i]});
+    put(block.origin, i, start.emission.p_world);
+    put(block.normal, i, start.emission.normal);
+    put(block.direction, i, start.emission.direction);
+    put(block.flux, i, start.emission.flux);
+    block.uv_x[i] = start.uv.x;
+    block.uv_y[i] = start.uv.y;
+    block.crowding[i] = start.crowding;
+    block.triangle[i] = start.triangle;
+    block.can_be_aimed[i] = lights.is_infinite(block.light[i]) ? 0 : 1;
   });
 }
 

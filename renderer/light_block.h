@@ -35,9 +35,11 @@ struct LightSampleBlock : LightBlock {
   Words is_surface, is_delta, triangle;
 };
 
-/// Densities per solid angle at p of light points, or of directions of an infinite light: p_light is then beyond.
+/// Densities per solid angle at p of light points, of meshes on that triangle, or of directions of an infinite light:
+/// p_light is then beyond.
 struct LightPdfBlock : LightBlock {
   Column3 p, p_light, normal;
+  Words triangle;
   Column pdf;  ///< answer, the choice not inside
 };
 
@@ -46,6 +48,7 @@ struct LightEmitBlock : LightBlock {
   // Answers:
   Column3 origin, normal, direction, flux;
   Column uv_x, uv_y;
+  Column crowding;  ///< density of the origin over that of an even one
   Words triangle, can_be_aimed;
 };
 

@@ -32,15 +32,7 @@ LightBounds shape_bounds(const CylinderShape& s) {
   const Vec3f end = s.base + s.axis;
   return round(lower(s.base, end) - Vec3f(s.radius), upper(s.base, end) + Vec3f(s.radius));
 }
-LightBounds shape_bounds(const MeshShape& s) {
-  LightBounds bounds =
-      round(Vec3f(std::numeric_limits<float>::infinity()), Vec3f(-std::numeric_limits<float>::infinity()));
-  for (const Vec3f& p : s.positions()) {
-    bounds.low = lower(bounds.low, p);
-    bounds.high = upper(bounds.high, p);
-  }
-  return bounds;
-}
+LightBounds shape_bounds(const MeshShape& s) { return box_around(s.positions()); }
 
 LightBounds bounds_of(const QuadLight<float>& l) { return parallelogram(l.corner, l.edge_u, l.edge_v, l.normal); }
 LightBounds bounds_of(const SphereLight<float>& l) {
@@ -70,6 +62,24 @@ std::optional<LightBounds> light_bounds(const Light& light) {
       },
       light);
   bounds.power = power;
+  return bounds;
+}
+
+std::optional<LightBounds> triangle_bounds(const Vec3f& a, const Vec3f& b, const Vec3f& c, const Vec3f& normal,
+                                           float area) {
+  if (!(area > 0) || !std::isfinite(max_component(normal))) return std::nullopt;
+  LightBounds bounds = flat(lower(lower(a, b), c), upper(upper(a, b), c), normal);
+  bounds.power = area;
+  return bounds;
+}
+
+LightBounds box_around(const std::vector<Vec3f>& points) {
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  LightBounds bounds = round(Vec3f(infinity), Vec3f(-infinity));
+  for (const Vec3f& p : points) {
+    bounds.low = lower(bounds.low, p);
+    bounds.high = upper(bounds.high, p);
+  }
   return bounds;
 }
 

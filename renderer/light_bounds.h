@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "renderer/light.h"
 
@@ -19,6 +20,12 @@ struct LightBounds {
 
 /// Nothing for lights that shine on nothing or come from infinity.
 std::optional<LightBounds> light_bounds(const Light& light);
+
+/// Of a triangle that emits to the side of its normal, its area being its power; nothing if it has none.
+std::optional<LightBounds> triangle_bounds(const Vec3f& a, const Vec3f& b, const Vec3f& c, const Vec3f& normal,
+                                           float area);
+/// The box around points, which shine in every direction.
+LightBounds box_around(const std::vector<Vec3f>& points);
 
 /// Of both together.
 LightBounds merge(const LightBounds& a, const LightBounds& b);

@@ -80,7 +80,7 @@ TEST(light_photons, of_point_like_lights_match_their_density) {
     const Lights lights({c.light});
     EXPECT_GT(
         test::direction_p_value([&](Random& r) { return lights.scene.emit(0, r.next2(), r.next2()).direction; },
-                                [&](const Vec3f& d) { return lights.scene.emission_pdfs(0, {}, {}, d).direction; },
+                                [&](const Vec3f& d) { return lights.scene.emission_pdfs(0, {}, {}, 0, d).direction; },
                                 ++seed, samples, 8, c.cells),
         test::sidak_level(static_cast<int>(all.size())))
         << c.name;
@@ -111,11 +111,11 @@ TEST(light_photons, from_infinity_enter_evenly_through_the_disc_that_covers_the_
                                           std::min(static_cast<int>(turns * sectors), sectors - 1))] += 1;
         // On the disc that faces the scene, a radius before its middle, to a few roundings of 4 radii.
         wrong += std::abs(dot(at, d) + 1) > 4e-6 || x * x + y * y > 1 + 4e-6 || (!sky && e.direction != direction);
-        wrong += e.pdf_position != lights.scene.emission_pdfs(0, center, {}, e.direction).position;
+        wrong += e.pdf_position != lights.scene.emission_pdfs(0, center, {}, 0, e.direction).position;
       }
       EXPECT_EQ(wrong, 0);
       const double disc = std::numbers::pi * double{radius} * double{radius};
-      const double density = lights.scene.emission_pdfs(0, center, {}, direction).position;
+      const double density = lights.scene.emission_pdfs(0, center, {}, 0, direction).position;
       for (std::size_t i = 0; i < cells; ++i) {
         expected[i] = samples * density * disc / cells;
         tilted[i] = expected[i] * (i < cells / 2 ? 1.02 : 0.98);

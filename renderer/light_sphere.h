@@ -1,5 +1,6 @@
 // Lambertian emission from a sphere, outward or inward. From outside, the visible cap is sampled uniformly by solid
-// angle (Shirley, Wang, Zimmerman 1996); from inside, or where it emits inward, uniformly by area.
+// angle (Shirley, Wang, Zimmerman 1996), however close it is. Where it emits inward, points of it are drawn uniformly
+// by area; from within also uniformly by solid angle, one sample in two, so that the wall close by is not left out.
 #pragma once
 
 #include "renderer/light_sample.h"
@@ -17,7 +18,7 @@ struct SphereLight {
 
   LightSample<F> sample(const Vec3<F>& p, const Vec2<F>& u) const {
     const Mask<F> cone = samples_cone(p);
-    LightSample<F> s = all(cone) ? sample_cone(p, u) : sample_area(p, u);
+    LightSample<F> s = all(cone) ? sample_cone(p, u) : sample_inward(p, u);
     if (any(cone) && !all(cone)) {
       const LightSample<F> c = sample_cone(p, u);
       s.p_light = select(cone, c.p_light, s.p_light);
@@ -28,8 +29,9 @@ struct SphereLight {
     return s;
   }
   F pdf(const Vec3<F>& p, const Vec3<F>& p_light, const Vec3<F>& normal_light) const {
+    const F by_area = area_to_solid_angle(F(1 / area()), p, p_light, normal_light);
     return select(samples_cone(p), 1 / (2 * pi * cone_one_minus_cos(p)),
-                  area_to_solid_angle(F(1 / area()), p, p_light, normal_light));
+                  select(is_within(p), 0.5f * by_area + 1 / (8 * pi), by_area));
   }
   Emission<F> emit(const Vec2<F>& u_position, const Vec2<F>& u_direction) const {
     const Vec3<F> outward = square_to_sphere(u_position);
@@ -50,15 +52,21 @@ struct SphereLight {
 
  private:
   F area() const { return 4 * pi * radius * radius; }
-  /// Close to the surface the cone fills the hemisphere and its arithmetic degenerates: sampled by area there.
+  /// Not from the surface itself, which sees nothing of its outer side: a point on it is off by two roundings or so.
   Mask<F> samples_cone(const Vec3<F>& p) const {
     const Vec3<F> d = p - center;
-    return side > 0 && dot(d, d) > 1.0001f * radius * radius;
+    return side > 0 && dot(d, d) > 1.0000005f * radius * radius;
+  }
+  /// Not on the wall itself, from where even area sampling is drawing by the cosine, the best there is. Rays that leave
+  /// the wall start a little off it, and must be weighed as the wall is.
+  Mask<F> is_within(const Vec3<F>& p) const {
+    const Vec3<F> d = p - center;
+    return side < 0 && dot(d, d) < 0.9999f * radius * radius;
   }
   F cone_one_minus_cos(const Vec3<F>& p) const {
     const Vec3<F> d = p - center;
-    const F sin2 = radius * radius / dot(d, d);
-    return sin2 / (1 + lane_sqrt(lane_max(F(1 - sin2), F(0.0f))));
+    const F sin2 = lane_min(F(radius * radius / dot(d, d)), F(1.0f));
+    return sin2 / (1 + lane_sqrt(F(1 - sin2)));
   }
   LightSample<F> sample_cone(const Vec3<F>& p, const Vec2<F>& u) const {
     const Vec3<F> to_center = center - p;
@@ -74,11 +82,20 @@ struct SphereLight {
     const Vec3<F> wi = frame.to_world(local);
     return {advance(center, radius, normal), normal, wi, radiance, 1 / (2 * pi * one_minus_cos)};
   }
-  LightSample<F> sample_area(const Vec3<F>& p, const Vec2<F>& u) const {
-    const Vec3<F> outward = square_to_sphere(u);
+  LightSample<F> sample_inward(const Vec3<F>& p, const Vec2<F>& u) const {
+    const Mask<F> within = is_within(p), by_direction = within && u.x < 0.5f;
+    const F twice = 2 * u.x;
+    const Vec3<F> random = square_to_sphere(Vec2<F>{select(within, select(by_direction, twice, twice - 1), u.x), u.y});
+    // Where the direction leaves the sphere, from p on the inner side.
+    const Vec3<F> from_center = p - center;
+    const F b = dot(from_center, random), c = dot(from_center, from_center) - radius * radius;
+    const F root = lane_sqrt(lane_max(F(b * b - c), F(0.0f)));
+    const F t = select(b > 0, -c / select(b > 0, b + root, F(1.0f)), root - b);
+    const Vec3<F> outward = select(by_direction, Vec3<F>(advance(from_center, t, random) * (1 / radius)), random);
     const Vec3<F> p_light = advance(center, radius, outward);
     const Vec3<F> normal = outward * side;
-    return {p_light, normal, normalize(p_light - p), radiance, area_to_solid_angle(F(1 / area()), p, p_light, normal)};
+    const Vec3<F> wi = select(by_direction, random, normalize(p_light - p));
+    return {p_light, normal, wi, radiance, pdf(p, p_light, normal)};
   }
 };
 

@@ -31,12 +31,20 @@ double half_surface(const LightBounds& b) {
   return d.x * d.y + d.y * d.z + d.z * d.x + 1e-3 * dot(d, d);
 }
 
+std::vector<std::optional<LightBounds>> bounds_of(const std::vector<Light>& lights) {
+  std::vector<std::optional<LightBounds>> all;
+  for (const Light& light : lights) all.push_back(light_bounds(light));
+  return all;
+}
+
 }  // namespace
 
-LightTree::LightTree(const std::vector<Light>& lights) : leaf_of_(lights.size(), no_index) {
+LightTree::LightTree(const std::vector<Light>& lights) : LightTree(bounds_of(lights)) {}
+
+LightTree::LightTree(const std::vector<std::optional<LightBounds>>& lights) : leaf_of_(lights.size(), no_index) {
   std::vector<Entry> entries;
   for (std::uint32_t i = 0; i < lights.size(); ++i)
-    if (const auto bounds = light_bounds(lights[i])) entries.push_back({*bounds, i});
+    if (lights[i]) entries.push_back({*lights[i], i});
   nodes_.reserve(2 * entries.size());
   build(entries.data(), entries.data() + entries.size(), no_index);
 }
@@ -125,7 +133,7 @@ std::optional<LightTree::Choice> LightTree::choose(const Vec3f& p, float u) cons
     probability *= goes_left ? *left : 1 - *left;
     node = &nodes_[goes_left ? node->left : node->right];
   }
-  return Choice{node->light, probability};
+  return Choice{node->light, probability, u};
 }
 
 float LightTree::probability(const Vec3f& p, std::uint32_t light) const {

@@ -15,10 +15,13 @@ class LightTree {
  public:
   /// Over the finite lights that shine, at least one.
   explicit LightTree(const std::vector<Light>& lights);
+  /// Over anything with bounds, at least one of which shines.
+  explicit LightTree(const std::vector<std::optional<LightBounds>>& lights);
 
   struct Choice {
     std::uint32_t light;
     float probability;
+    float u;  ///< what is left of the uniform number, uniform again
   };
   /// Nothing where no light can arrive.
   std::optional<Choice> choose(const Vec3f& p, float u) const;

@@ -108,7 +108,7 @@ class ParticleTracer {
   void show_light(const Draws& draws, ScalarWork& work) const {
     const LightStart start = lights_.emit(draws.one(dimension::seen_light), draws.two(dimension::seen_position),
                                           draws.two(dimension::direction));
-    if (start.delta || start.infinite || !(max_component(start.weight) > 0)) return;
+    if (start.delta || start.infinite || !(start.pdf.position > 0)) return;
     const std::optional<CameraSeen> seen = camera_.connect(start.end.p, draws.two(dimension::seen_lens));
     if (!seen) return;
     const Rgb emitted = lights_.radiance(start, seen->wi);

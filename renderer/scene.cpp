@@ -11,6 +11,7 @@
 #include "renderer/compile_light.h"
 #include "renderer/kernels/rays.h"
 #include "renderer/light_table.h"
+#include "renderer/looked_at.h"
 #include "renderer/scene_frame.h"
 #include "renderer/scene_lights.h"
 #include "renderer/scene_shapes.h"
@@ -106,6 +107,8 @@ Scene::Scene(const SceneDescription& description, int width_, int height_, const
   view_.one_light = lights.size() == 1 && skips.on(Skip::light_choice);
   view_.one_bsdf_kind = std::has_single_bit(view_.bsdf_kinds) && skips.on(Skip::bsdf_groups);
   view_.dark_shadow_rays = !skips.on(Skip::shadow_rays);
+  if (purpose == ScenePurpose::render) scene_lights_->guide_emission(EmissionGuide(lights, looked_at(*this)));
+  view_.guided_emission = scene_lights_->has_guide();
 }
 
 Scene::~Scene() = default;

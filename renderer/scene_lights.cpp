@@ -23,6 +23,11 @@ Rgb leaving(const Light& light, const Vec3f& n, const Vec2<float>& uv, const Vec
       light);
 }
 
+/// Without a guide.
+EmissionPdfs<float> even_pdfs(const Light& light, const Vec3f& n, const Vec3f& direction) {
+  return std::visit([&](const auto& l) { return l.emit_pdfs(n, direction); }, light);
+}
+
 }  // namespace
 
 SceneLights::SceneLights(const std::vector<Light>& lights, const std::vector<LightWords>& words, const SceneBall& ball)
@@ -94,8 +99,38 @@ LightConnection SceneLights::sample(const Vec3f& p, float u_choice, const Vec2<f
   return c;
 }
 
-float SceneLights::pdf(const Vec3f& p, std::uint32_t light, const Vec3f& p_light, const Vec3f& n) const {
-  return choice_probability(p, light) * std::visit([&](const auto& l) { return l.pdf(p, p_light, n); }, lights_[light]);
+float SceneLights::pdf(const Vec3f& p, std::uint32_t light, const Vec3f& p_light, const Vec3f& n,
+                       std::uint32_t triangle) const {
+  return choice_probability(p, light) * density_from(lights_[light], p, p_light, n, triangle);
+}
+
+SceneLights::Start SceneLights::start(std::uint32_t index, const Vec2<float>& u_position,
+                                      const Vec2<float>& u_direction) const {
+  const Light& light = lights_[index];
+  Start start{};
+  if (guide_.guides(index)) {
+    const std::optional<GuidedStart> drawn = guide_.start(light, index, u_position, u_direction);
+    if (!drawn) return start;
+    start.uv = drawn->uv;
+    start.triangle = drawn->triangle;
+    start.emission = {drawn->p, drawn->normal, drawn->direction, Rgb(0.0f)};
+    start.pdfs = emission_pdfs(index, drawn->p, drawn->normal, drawn->triangle, drawn->direction);
+    const float cosine = std::max(dot(drawn->normal, drawn->direction), 0.0f);
+    start.emission.flux = leaving(light, drawn->normal, drawn->uv, drawn->direction) *
+                          (cosine / (start.pdfs.position * start.pdfs.direction));
+    start.crowding = start.pdfs.position / even_pdfs(light, drawn->normal, drawn->direction).position;
+    return start;
+  }
+  if (const auto* area = std::get_if<AreaLight>(&light)) {
+    const AreaLight::Start from = area->start(u_position, u_direction);
+    start.emission = from.emission;
+    start.uv = from.uv;
+    start.triangle = from.triangle;
+  } else {
+    start.emission = std::visit([&](const auto& l) { return l.emit(u_position, u_direction); }, light);
+  }
+  start.pdfs = even_pdfs(light, start.emission.normal, start.emission.direction);
+  return start;
 }
 
 LightEmission SceneLights::emit(float u_choice, const Vec2<float>& u_position, const Vec2<float>& u_direction) const {
@@ -103,15 +138,10 @@ LightEmission SceneLights::emit(float u_choice, const Vec2<float>& u_position, c
   if (lights_.empty()) return e;
   const LightChoice<float> drawn = choose_by_flux<float>(words_.data(), static_cast<std::uint32_t>(count()), u_choice);
   const Light& light = lights_[drawn.light];
-  Emission<float> start{};
-  if (const auto* area = std::get_if<AreaLight>(&light)) {
-    const AreaLight::Start from = area->start(u_position, u_direction);
-    start = from.emission;
-    e.uv = from.uv;
-  } else
-    start = std::visit([&](const auto& l) { return l.emit(u_position, u_direction); }, light);
-  const EmissionPdfs<float> pdfs =
-      std::visit([&](const auto& l) { return l.emit_pdfs(start.normal, start.direction); }, light);
+  const Start from = this->start(drawn.light, u_position, u_direction);
+  const Emission<float>& start = from.emission;
+  e.uv = from.uv;
+  e.triangle = from.triangle;
   e.light = drawn.light;
   e.origin = start.p_world;
   e.normal = start.normal;
@@ -119,8 +149,8 @@ LightEmission SceneLights::emit(float u_choice, const Vec2<float>& u_position, c
   e.radiance = leaving(light, start.normal, e.uv, start.direction);
   e.probability = drawn.probability;
   e.flux = drawn.probability > 0 ? start.flux / drawn.probability : Rgb(0.0f);
-  e.pdf_position = pdfs.position;
-  e.pdf_direction = pdfs.direction;
+  e.pdf_position = from.pdfs.position;
+  e.pdf_direction = from.pdfs.direction;
   e.is_infinite = photonproof::is_infinite(light);
   const bool no_surface = start.normal == Vec3f(0.0f);
   e.is_delta_position = no_surface && !e.is_infinite;
@@ -129,8 +159,9 @@ LightEmission SceneLights::emit(float u_choice, const Vec2<float>& u_position, c
 }
 
 EmissionPdfs<float> SceneLights::emission_pdfs(std::uint32_t light, const Vec3f& p, const Vec3f& n,
-                                               const Vec3f& direction) const {
-  EmissionPdfs<float> pdfs = std::visit([&](const auto& l) { return l.emit_pdfs(n, direction); }, lights_[light]);
+                                               std::uint32_t triangle, const Vec3f& direction) const {
+  EmissionPdfs<float> pdfs = even_pdfs(lights_[light], n, direction);
+  if (guide_.guides(light)) return guide_.pdfs(lights_[light], light, p, n, triangle, direction, pdfs);
   if (is_infinite(light)) {
     const Vec3f from_axis = cross(p - ball_.center, direction);
     if (dot(from_axis, from_axis) > ball_.radius * ball_.radius) pdfs.position = 0;

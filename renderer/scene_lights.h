@@ -27,6 +27,7 @@
 #include <optional>
 #include <vector>
 
+#include "renderer/emission_guide.h"
 #include "renderer/light.h"
 #include "renderer/scene_view.h"
 #include "renderer/surface.h"
@@ -66,6 +67,7 @@ struct LightEmission {
   Rgb flux;                         ///< radiance |cos| / (pdf_position pdf_direction probability)
   float pdf_position = 0;           ///< probability not inside
   float pdf_direction = 0;          ///< probability not inside
+  std::uint32_t triangle = 0;       ///< of a mesh
   float probability = 0;            ///< of having chosen this light
   bool is_delta_position = false;   ///< a point-like light
   bool is_delta_direction = false;  ///< a directional light
@@ -88,8 +90,9 @@ class SceneLights {
 
   /// Chooses a light for the reference point p, and a point or direction of it. Without lights pdf is 0.
   LightConnection sample(const Vec3f& p, float u_choice, const Vec2<float>& u) const;
-  /// The density with which `sample` from p gives the point p_light, with normal n, of a surface light.
-  float pdf(const Vec3f& p, std::uint32_t light, const Vec3f& p_light, const Vec3f& n) const;
+  /// The density with which `sample` from p gives the point p_light, with normal n, of a surface light; of a mesh, on
+  /// that triangle.
+  float pdf(const Vec3f& p, std::uint32_t light, const Vec3f& p_light, const Vec3f& n, std::uint32_t triangle) const;
   struct Choice {
     std::uint32_t light = 0;
     float probability = 0;
@@ -99,12 +102,26 @@ class SceneLights {
   /// The probability with which `sample` from p chooses this light.
   float choice_probability(const Vec3f& p, std::uint32_t light) const;
 
+  /// Light paths start where what the camera sees gets its light from (emission_guide.h), from now on.
+  void guide_emission(EmissionGuide guide) { guide_ = std::move(guide); }
+  bool has_guide() const { return !guide_.empty(); }
+
+  /// A light path's start at a light that has been chosen; its flux is 0 where there is none.
+  struct Start {
+    Emission<float> emission;
+    EmissionPdfs<float> pdfs;
+    Vec2<float> uv;
+    std::uint32_t triangle = 0;
+    float crowding = 1;  ///< density of the position over that of an even one
+  };
+  Start start(std::uint32_t light, const Vec2<float>& u_position, const Vec2<float>& u_direction) const;
   /// `u_choice` chooses the light in proportion to its flux.
   LightEmission emit(float u_choice, const Vec2<float>& u_position, const Vec2<float>& u_direction) const;
   /// Densities with which `emit` starts a photon of this light on the ray through p in `direction`, the light's choice
-  /// not inside. `p`, `n`: of a surface light its point and normal there; of others any point of the ray, and n is not
-  /// used. Delta densities are given as 1.
-  EmissionPdfs<float> emission_pdfs(std::uint32_t light, const Vec3f& p, const Vec3f& n, const Vec3f& direction) const;
+  /// not inside. `p`, `n`: of a surface light its point and normal there, of a mesh on that triangle; of others any
+  /// point of the ray, and n is not used. Delta densities are given as 1.
+  EmissionPdfs<float> emission_pdfs(std::uint32_t light, const Vec3f& p, const Vec3f& n, std::uint32_t triangle,
+                                    const Vec3f& direction) const;
   /// The probability with which `emit` chooses this light.
   float emission_probability(std::uint32_t light) const;
 
@@ -130,6 +147,7 @@ class SceneLights {
   const std::vector<Light>& lights_;
   const std::vector<LightWords>& words_;
   SceneBall ball_;
+  EmissionGuide guide_;
   std::optional<std::uint32_t> environment_;
   std::vector<std::uint32_t> infinite_;  ///< with a tree, which holds the others
   float infinite_probability_ = 0;       ///< of all infinite lights together

@@ -166,7 +166,7 @@ TEST(scene_lights, surface_samples_match_their_density_from_random_places) {
         Random r(231 + place, static_cast<std::uint64_t>(i));
         const LightConnection c = lights.scene.sample(p, 0, r.next2());
         if (!(c.pdf > 0)) continue;
-        const float again = lights.scene.pdf(p, c.light, c.p_light, c.normal);
+        const float again = lights.scene.pdf(p, c.light, c.p_light, c.normal, c.triangle);
         ASSERT_NEAR(again, c.pdf, 2e-3f * c.pdf + 1e-5f) << named.name;
         EXPECT_NEAR(c.distance, length(c.p_light - p), 1e-5f);
         // Projected area: the integral of cos / d^2 over the light's front, from the same points by area.
@@ -200,7 +200,7 @@ TEST(scene_lights, photons_leave_with_their_density_and_carry_the_flux) {
       Random r(seed, static_cast<std::uint64_t>(i));
       const LightEmission e = lights.scene.emit(0.5f, r.next2(), r.next2());
       sum += RgbD(e.flux);
-      const EmissionPdfs<float> pdfs = lights.scene.emission_pdfs(0, e.origin, e.normal, e.direction);
+      const EmissionPdfs<float> pdfs = lights.scene.emission_pdfs(0, e.origin, e.normal, e.triangle, e.direction);
       ASSERT_NEAR(pdfs.direction, e.pdf_direction, 1e-3f * e.pdf_direction) << named.name;
       ASSERT_EQ(pdfs.position, e.pdf_position) << named.name;
       const float cosine = e.is_delta_position ? 1 : dot(e.normal, e.direction);
@@ -222,7 +222,7 @@ TEST(scene_lights, directions_of_photons_of_point_like_lights_match_their_densit
     const Lights lights({named.light});
     EXPECT_GT(
         test::direction_p_value([&](Random& r) { return lights.scene.emit(0, r.next2(), r.next2()).direction; },
-                                [&](const Vec3f& d) { return lights.scene.emission_pdfs(0, {}, {}, d).direction; },
+                                [&](const Vec3f& d) { return lights.scene.emission_pdfs(0, {}, {}, 0, d).direction; },
                                 ++seed, 1'000'000),
         test::sidak_level(static_cast<int>(all.size())))
         << named.name;
@@ -259,7 +259,7 @@ TEST(scene_lights, photons_from_infinity_cross_the_ball_evenly) {
       const Vec3f p = e.origin + e.direction * t;
       if (std::abs(p.x - 0.4f) < 0.5f && std::abs(p.y) < 0.5f) through += double{e.flux.y};
       if (i < 100) {
-        const auto pdfs = lights.scene.emission_pdfs(0, p, {}, e.direction);
+        const auto pdfs = lights.scene.emission_pdfs(0, p, {}, 0, e.direction);
         EXPECT_NEAR(pdfs.position, 1 / (4 * pi), 1e-6f);
         EXPECT_NEAR(pdfs.direction, e.pdf_direction, 1e-3f * e.pdf_direction);
       }
@@ -269,7 +269,7 @@ TEST(scene_lights, photons_from_infinity_cross_the_ball_evenly) {
     })
                                                     : 3 / std::sqrt(1.1);
     EXPECT_NEAR(through / samples, exact, 0.015 * exact) << named.name;
-    EXPECT_EQ(lights.scene.emission_pdfs(0, {5, 5, 0}, {}, {0, 0, -1}).position, 0) << "beside the ball";
+    EXPECT_EQ(lights.scene.emission_pdfs(0, {5, 5, 0}, {}, 0, {0, 0, -1}).position, 0) << "beside the ball";
   }
 }
 

@@ -86,6 +86,7 @@ struct SceneView {
   std::uint32_t bsdf_kinds = 0;  ///< bit k: a surface has a BSDF of kind k
   std::uint32_t light_kinds = 0;
   bool lights_can_be_hit = false;
+  bool guided_emission = false;  ///< `general_lights` says where light paths start
   float coordinate_floor = 1;  ///< least magnitude of coordinates that ray offsets reckon with
   CameraView camera;
 };

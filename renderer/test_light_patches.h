@@ -15,6 +15,7 @@ struct PatchPoint {
   Vec3d p, n, along;       ///< n: unit, to the side that emits; along: unit, tangent
   double area = 0;         ///< per du dv
   double solid_angle = 0;  ///< per du dv from the point it is seen from; 0: as the area has it
+  std::uint32_t triangle = 0;
 };
 
 struct Patch {
@@ -28,6 +29,8 @@ struct Patch {
 struct Seen {
   std::vector<Patch> patches;
   double share = 0;
+  bool share_known = true;  ///< else at most that
+  int finer = 1;            ///< cells are cut into so many squared for integrals
 };
 
 inline double turn(double y, double x) {
@@ -68,11 +71,11 @@ inline Patch disk_patch(const Vec3d& center, const Vec3d& u, const Vec3d& v, con
 }
 
 /// u: how far from a towards the opposite side, v: along it.
-inline Patch triangle_patch(const Vec3d& a, const Vec3d& b, const Vec3d& c, double sign) {
+inline Patch triangle_patch(const Vec3d& a, const Vec3d& b, const Vec3d& c, double sign, std::uint32_t index) {
   const Vec3d ab = b - a, ac = c - a, n = normalize(cross(ab, ac)) * sign;
   const double twice = length(cross(ab, ac));
   return {[=](double s, double t) {
-            return PatchPoint{a + ab * (s * (1 - t)) + ac * (s * t), n, normalize(ab), twice * s};
+            return PatchPoint{a + ab * (s * (1 - t)) + ac * (s * t), n, normalize(ab), twice * s, 0, index};
           },
           [=](const Vec3d& p) {
             const Vec2<double> w = in_basis_of(p - a, ab, ac);

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "renderer/bsdf.h"
-#include "renderer/light.h"
+#include "renderer/emission_guide.h"
 
 namespace photonproof::test {
 
@@ -26,7 +26,7 @@ inline LightSample<float> sample(const Light& light, const Vec3f& p, const Vec2<
   return std::visit([&](const auto& l) { return l.sample(p, u); }, light);
 }
 inline float pdf(const Light& light, const Vec3f& p, const Vec3f& p_light, const Vec3f& normal_light) {
-  return std::visit([&](const auto& l) { return l.pdf(p, p_light, normal_light); }, light);
+  return density_from(light, p, p_light, normal_light, 0);
 }
 inline Emission<float> emit(const Light& light, const Vec2<float>& u_position, const Vec2<float>& u_direction) {
   return std::visit([&](const auto& l) { return l.emit(u_position, u_direction); }, light);

@@ -2,10 +2,12 @@
 // from; test code only.
 #pragma once
 
+#include <algorithm>
 #include <ostream>
 #include <string>
 
-#include "renderer/test_light_patches.h"
+#include "renderer/light_bounds.h"
+#include "renderer/test_close_patches.h"
 #include "renderer/test_random.h"
 
 namespace photonproof::test {
@@ -16,6 +18,9 @@ struct SurfaceLight {
   std::vector<Patch> whole;
   std::function<Seen(const Vec3d& p)> seen;
   std::vector<Vec3f> places;
+  /// Of a point on it, 1 and less towards a rim where chords end so slantingly that rounding moves their ends.
+  std::function<double(const Vec3d& q, const Vec3d& n)> slant = [](const Vec3d&, const Vec3d&) { return 1.0; };
+  double width = 1e30;  ///< across its thinnest chord: its points' rounding moves the ends of chords
 };
 
 inline Vec3d random_unit(Random& r) { return normalize(Vec3d(square_to_sphere(r.next2()))); }
@@ -69,29 +74,36 @@ inline void add_flat(std::vector<SurfaceLight>& all, const Vec3d& at, double siz
   const Vec3d n = normalize(cross(u, v)), center = rounded(at), corner = rounded(at - (u + v) * 0.5);
   const auto area = static_cast<float>(length(cross(u, v)));
   const Patch quad = quad_patch(corner, u, v, n), disk = disk_patch(center, u, v, n);
-  const auto add = [&](const std::string& name, Light light, const Patch& patch) {
-    all.push_back({name, std::move(light), {patch}, seen_fronts({patch}), places_before(center, u, v, n, r)});
+  const auto add = [&](const std::string& name, Light light, const Patch& patch, const auto& from, bool round) {
+    const auto seen = [=](const Vec3d& p) -> Seen {
+      if (dot(n, p - center) <= 0) return {};
+      // Far from a disk density is even over its area; the chords of an angle's equal steps would be uneven.
+      const bool close = dot(p - center, p - center) < 4 * (dot(u, u) + dot(v, v));
+      return {{close || !round ? from(p) : patch}, 1, true, 4};
+    };
+    all.push_back({name, std::move(light), {patch}, seen, places_before(center, u, v, n, r)});
+    all.back().width = std::min(length(u), length(v));
+    if (round) all.back().slant = [patch](const Vec3d& q, const Vec3d&) { return 1 - patch.uv(q).x; };
   };
+  const auto quad_seen = [=](const Vec3d& p) { return quad_from(p, corner, u, v, n); };
+  const auto disk_seen = [=](const Vec3d& p) { return disk_from(p, center, u, v, n); };
   const Vec3f uf(u), vf(v), nf(n);
-  add("quad", QuadLight<float>{Vec3f(corner), uf, vf, nf, area, Rgb(1)}, quad);
-  add("textured quad", AreaLight(QuadShape{Vec3f(corner), uf, vf, nf}, gaudy), quad);
-  add("disk", DiskLight<float>{Vec3f(center), uf, vf, nf, pi * area, Rgb(1)}, disk);
-  add("textured disk", AreaLight(DiskShape{Vec3f(center), uf, vf, nf}, gaudy), disk);
+  add("quad", QuadLight<float>{Vec3f(corner), uf, vf, nf, area, Rgb(1)}, quad, quad_seen, false);
+  add("textured quad", AreaLight(QuadShape{Vec3f(corner), uf, vf, nf}, gaudy), quad, quad_seen, false);
+  add("disk", DiskLight<float>{Vec3f(center), uf, vf, nf, pi * area, Rgb(1)}, disk, disk_seen, true);
+  add("textured disk", AreaLight(DiskShape{Vec3f(center), uf, vf, nf}, gaudy), disk, disk_seen, true);
 }
 
-inline void add_spheres(std::vector<SurfaceLight>& all, const Vec3d& at, double size, Random& r) {
+/// `finest`: the least gap, in radii, that floats of the places have.
+inline void add_spheres(std::vector<SurfaceLight>& all, const Vec3d& at, double size, double finest, Random& r) {
   const Vec3d center = rounded(at);
   const double radius = static_cast<float>(size);
   const Vec3d up = random_unit(r);
-  // By area, what shows its emitting side lies within the horizon: z = R / distance on the axis to p.
-  const auto by_area = [=](double sign) {
-    return [=](const Vec3d& p) -> Seen {
-      const Vec3d axis = normalize(p - center);
-      const double horizon = std::min(radius / length(p - center), 1.0);
-      const double low = sign > 0 ? horizon : -1, high = sign > 0 ? 1 : horizon;
-      if (!(high > low)) return {};
-      return {{sphere_zone(center, radius, sign, axis, low, high)}, (high - low) / 2};
-    };
+  const auto seen_inward = [=](const Vec3d& p) -> Seen {
+    if (length(p - center) < radius) return {{sphere_from_within(center, radius, p)}, 1, true, 6};
+    // By area, what shows its emitting side lies beyond the horizon: z = R / distance on the axis to p.
+    const double horizon = radius / length(p - center);
+    return {{sphere_zone(center, radius, -1, normalize(p - center), -1, horizon)}, (horizon + 1) / 2};
   };
   for (const double sign : {1.0, -1.0}) {
     const std::vector<Patch> whole{sphere_zone(center, radius, sign, up, -1, 1)};
@@ -102,45 +114,51 @@ inline void add_spheres(std::vector<SurfaceLight>& all, const Vec3d& at, double 
     };
     const std::vector<double> outside{1.6, 6, 1e3, 0.5};
     all.push_back({name, SphereLight<float>{Vec3f(center), float(radius), float(sign), Rgb(1)}, whole,
-                   sign > 0 ? std::function<Seen(const Vec3d&)>(by_cone) : by_area(sign),
+                   sign > 0 ? std::function<Seen(const Vec3d&)>(by_cone) : seen_inward,
                    places_around(center, radius,
-                                 sign > 0 ? std::vector<double>{1.001, 1.02, 1.3, 6, 1e3, 0.5}
-                                          : std::vector<double>{0.01, 0.5, 0.999, 1.3, 50},
+                                 sign > 0 ? std::vector<double>{1 + finest, 1.001, 1.02, 1.3, 6, 1e3, 0.5}
+                                          : std::vector<double>{0.01, 0.5, 0.98, 0.999, 1.3, 50},
                                  r)});
     const Vec3d start = any_across(up);
     all.push_back({"textured " + name,
                    AreaLight(SphereShape{Vec3f(center), float(radius), Vec3f(start), Vec3f(cross(up, start)), Vec3f(up),
                                          float(sign)},
                              gaudy),
-                   whole, by_area(sign), places_around(center, radius, outside, r)});
+                   whole, sign > 0 ? std::function<Seen(const Vec3d&)>(by_cone) : seen_inward,
+                   places_around(center, radius, outside, r)});
   }
 }
 
-inline void add_cylinders(std::vector<SurfaceLight>& all, const Vec3d& at, double size, double thin, Random& r) {
+inline void add_cylinders(std::vector<SurfaceLight>& all, const Vec3d& at, double size, double thin, double finest,
+                          Random& r) {
   const Vec3d along = random_unit(r), axis = rounded(along * size), base = rounded(at - axis * 0.5);
   const double radius = static_cast<float>(size * thin * 0.5);
   const Vec3d start = any_across(normalize(axis)), side = cross(normalize(axis), start);
   for (const double sign : {1.0, -1.0}) {
     const auto seen = [=](const Vec3d& p) -> Seen {
-      // Points whose outside p sees are those within acos(R / distance from the axis) of p's azimuth, at any height.
       const Vec3d from_axis = p - base - axis * (dot(p - base, axis) / dot(axis, axis));
-      const double distance = length(from_axis), half = std::acos(std::min(radius / distance, 1.0));
-      const double from = sign > 0 ? -half : half, to = sign > 0 ? half : 2 * std::numbers::pi - half;
-      if (!(to > from)) return {};
-      return {{cylinder_sector(base, axis, from_axis / distance, radius, sign, from, to)},
-              (to - from) / (2 * std::numbers::pi)};
+      if (sign > 0 && length(from_axis) < radius) return {};
+      return {{cylinder_from(p, base, axis, radius, sign)}, 1};
     };
     const auto place = [&](double radii, double height) {
       const double phi = random_between(r, 0, 2 * std::numbers::pi);
       return Vec3f(base + axis * height + (start * std::cos(phi) + side * std::sin(phi)) * (radius * radii));
     };
-    const std::vector<Vec3f> places{place(1.3, 0.3), place(2, 2),     place(4, -1),
-                                    place(100, 0.5), place(0.5, 0.4), place(0.9, 30)};
+    const std::vector<Vec3f> places{place(1 + std::max(finest, 1e-4), 0.6),
+                                    place(1.3, 0.3),
+                                    place(2, 2),
+                                    place(4, -1),
+                                    place(100, 0.5),
+                                    place(0.5, 0.4),
+                                    place(1 - std::max(finest, 0.01), 0.7),
+                                    place(0.9, 30)};
     const std::vector<Patch> whole{cylinder_sector(base, axis, start, radius, sign, 0, 2 * std::numbers::pi)};
     const CylinderShape shape{Vec3f(base), Vec3f(axis), Vec3f(start), Vec3f(side), float(radius), float(sign)};
     const std::string name = sign > 0 ? "cylinder" : "inward cylinder";
     all.push_back({name, AreaLight(shape, Rgb(1)), whole, seen, places});
+    all.back().width = radius;
     all.push_back({"textured " + name, AreaLight(shape, gaudy), whole, seen, {places[0]}});
+    all.back().width = radius;
   }
 }
 
@@ -151,6 +169,7 @@ inline void add_meshes(std::vector<SurfaceLight>& all, const Vec3d& at, double s
     std::vector<MeshShape::Triangle> faces;
     std::vector<Vec2<float>> uvs;
     std::vector<Patch> whole;
+    std::vector<std::array<Vec3d, 3>> corners;
     for (std::uint32_t i = 0; i < 10; ++i) {
       const Vec3d middle = at + random_unit(r) * size, u = random_unit(r), v = any_across(u);
       const double edge = size * std::pow(10, random_between(r, -2, 0)), thin = i % 3 == 0 ? 0.01 : 1;
@@ -161,11 +180,24 @@ inline void add_meshes(std::vector<SurfaceLight>& all, const Vec3d& at, double s
       }
       faces.push_back({3 * i, 3 * i + 1, 3 * i + 2});
       const auto corner = [&](std::size_t k) { return Vec3d(positions[3 * i + k]); };
-      whole.push_back(triangle_patch(corner(0), corner(1), corner(2), flipped ? -1 : 1));
+      corners.push_back({corner(0), corner(1), corner(2)});
+      whole.push_back(triangle_patch(corner(0), corner(1), corner(2), flipped ? -1 : 1, i));
     }
     const std::string name = flipped ? "flipped mesh" : "mesh";
     const MeshShape shape(positions, faces, uvs, flipped);
-    const auto seen = seen_fronts(whole);
+    // From close by triangles are chosen by an importance that is above 0 for some that turn out to face away.
+    const auto seen = [=, fronts = seen_fronts(whole), box = box_around(positions)](const Vec3d& p) {
+      Seen found = fronts(p);
+      const Vec3d diagonal(box.high - box.low), from = p - Vec3d(box.low + box.high) * 0.5;
+      if (dot(from, from) > dot(diagonal, diagonal)) return found;
+      for (Patch& patch : found.patches) {
+        const std::uint32_t i = patch.at(0.5, 0.5).triangle;
+        patch = triangle_from(p, corners[i], patch.facing, i);
+      }
+      found.share_known = false;
+      found.finer = 2;
+      return found;
+    };
     // Where a fifth of it is seen at least: a million samples of less take too long.
     std::vector<Vec3f> places;
     for (const double distance : {0.7, 2.0, 3.0, 1e3}) {
@@ -174,8 +206,18 @@ inline void add_meshes(std::vector<SurfaceLight>& all, const Vec3d& at, double s
       while (seen(Vec3d(p)).share < 0.2);
       places.push_back(p);
     }
-    all.push_back({name, AreaLight(shape, Rgb(1)), whole, seen, places});
-    all.push_back({"textured " + name, AreaLight(shape, gaudy), whole, seen, {places[0]}});
+    for (const double away : {1e-3, 0.1}) {  // from the middle of a triangle
+      const std::array<Vec3d, 3>& t = corners[1];
+      places.emplace_back((t[0] + t[1] + t[2]) / 3.0 + whole[1].facing * (away * length(t[1] - t[0])));
+    }
+    // The least barycentric coordinate: chords vanish in corners.
+    const auto slant = [whole](const Vec3d& q, const Vec3d& n) {
+      const auto faces = [&](const Patch& a, const Patch& b) { return dot(a.facing, n) < dot(b.facing, n); };
+      const Vec2<double> at = std::max_element(whole.begin(), whole.end(), faces)->uv(q);
+      return std::min({1 - at.x, at.x * at.y, at.x * (1 - at.y)});
+    };
+    all.push_back({name, AreaLight(shape, Rgb(1)), whole, seen, places, slant, 1e-4 * size});
+    all.push_back({"textured " + name, AreaLight(shape, gaudy), whole, seen, {places[0]}, slant, 1e-4 * size});
   }
 }
 
@@ -194,8 +236,9 @@ inline std::vector<SurfaceLight> surface_lights(const Setting& setting) {
   Random r(setting.seed);
   const Vec3d at = random_unit(r) * setting.away;
   add_flat(all, at, setting.size, setting.thin, r);
-  add_spheres(all, at, setting.size, r);
-  add_cylinders(all, at, setting.size, setting.thin, r);
+  const double finest = std::max(1e-6, 4e-6 * setting.away / setting.size);
+  add_spheres(all, at, setting.size, finest, r);
+  add_cylinders(all, at, setting.size, setting.thin, 10 * finest / setting.thin, r);
   add_meshes(all, at, setting.size, r);
   return all;
 }

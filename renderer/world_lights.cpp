@@ -20,6 +20,7 @@ LightSeen WorldLights::seen(const LightSample<float>& s, std::uint32_t light, st
           s.radiance,
           s.pdf,
           light,
+          triangle,
           lights_.is_delta(light),
           lights_.is_infinite(light)};
 }
@@ -43,7 +44,7 @@ LightSeen WorldLights::sample(const Vec3f& p, float u_choice, const Vec2<float>&
 float WorldLights::sample_pdf(const Vec3f& p, const LightStart& start) const {
   if (start.delta) return lights_.choice_probability(p, start.light);
   if (start.infinite) return lights_.environment_pdf(p, -start.direction);
-  return lights_.pdf(p, start.light, start.end.p, start.end.normal);
+  return lights_.pdf(p, start.light, start.end.p, start.end.normal, start.triangle);
 }
 
 LightStart WorldLights::emit(float u_choice, const Vec2<float>& u_position, const Vec2<float>& u_direction) const {
@@ -57,26 +58,28 @@ LightStart WorldLights::emit(float u_choice, const Vec2<float>& u_position, cons
                             : EmissionPdf{e.pdf_position * e.probability, e.pdf_direction};
   start.uv = e.uv;
   start.light = e.light;
+  start.triangle = e.triangle;
   start.delta = e.is_delta_position || e.is_delta_direction;
   start.infinite = e.is_infinite;
   if (!std::holds_alternative<AreaLight>(lights_.light(e.light))) start.end = end(e.light, e.origin, e.normal, 0);
   return start;
 }
 
-EmissionPdf WorldLights::emit_pdf(std::uint32_t light, const Vec3f& p, const Vec3f& normal,
+EmissionPdf WorldLights::emit_pdf(std::uint32_t light, const Vec3f& p, const Vec3f& normal, std::uint32_t triangle,
                                   const Vec3f& direction) const {
-  const EmissionPdfs<float> pdfs = lights_.emission_pdfs(light, p, normal, direction);
+  const EmissionPdfs<float> pdfs = lights_.emission_pdfs(light, p, normal, triangle, direction);
   const float probability = lights_.emission_probability(light);
   return lights_.is_infinite(light) ? EmissionPdf{pdfs.direction * probability, pdfs.position}
                                     : EmissionPdf{pdfs.position * probability, pdfs.direction};
 }
 
+std::uint32_t WorldLights::triangle_of(const Interaction& met) const {
+  return met.primitive - (world_.view().small ? world_.view().light_words[met.light].primitive : 0);
+}
+
 Rgb WorldLights::radiance(const Interaction& met, const Vec3f& direction) const {
   Vec2<float> uv{0, 0};
-  if (const auto* area = std::get_if<AreaLight>(&lights_.light(met.light))) {
-    const std::uint32_t first = world_.view().small ? world_.view().light_words[met.light].primitive : 0;
-    uv = area->uv_at(met.p, met.primitive - first);
-  }
+  if (const auto* area = std::get_if<AreaLight>(&lights_.light(met.light))) uv = area->uv_at(met.p, triangle_of(met));
   return lights_.emitted_radiance(met.light, met.ng, uv, direction);
 }
 

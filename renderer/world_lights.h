@@ -14,7 +14,8 @@ struct LightSeen {
   Rgb radiance;       ///< arriving along wi; of a delta light: irradiance at normal incidence
   float pdf = 0;      ///< per solid angle at the shaded point; of a delta light the probability of its choice
   std::uint32_t light = no_index;
-  bool delta = false;  ///< no ray can find it
+  std::uint32_t triangle = 0;  ///< of a mesh
+  bool delta = false;          ///< no ray can find it
   bool infinite = false;
 };
 
@@ -32,6 +33,7 @@ struct LightStart {
   EmissionPdf pdf;
   Vec2<float> uv;
   std::uint32_t light = no_index;
+  std::uint32_t triangle = 0;  ///< of a mesh
   bool delta = false, infinite = false;
 };
 
@@ -47,7 +49,9 @@ class WorldLights {
   /// That light, its choice not in the density.
   LightSeen sample_of(std::uint32_t light, const Vec3f& p, const Vec2<float>& u) const;
   /// Density of `sample` at p for a light that a ray met, per solid angle.
-  float sample_pdf(const Vec3f& p, const Interaction& met) const { return lights_.pdf(p, met.light, met.p, met.ng); }
+  float sample_pdf(const Vec3f& p, const Interaction& met) const {
+    return lights_.pdf(p, met.light, met.p, met.ng, triangle_of(met));
+  }
   /// The same for a light path's start; of a delta light, the probability of its choice.
   float sample_pdf(const Vec3f& p, const LightStart& start) const;
   /// The same for the environment, which a ray along `direction` met.
@@ -57,10 +61,15 @@ class WorldLights {
   LightStart emit(float u_choice, const Vec2<float>& u_position, const Vec2<float>& u_direction) const;
   /// Of `emit`, for a path that goes along `direction` through p, which is the light's point with its normal there, or
   /// any point of a path from an infinite light.
-  EmissionPdf emit_pdf(std::uint32_t light, const Vec3f& p, const Vec3f& normal, const Vec3f& direction) const;
+  EmissionPdf emit_pdf(std::uint32_t light, const Vec3f& p, const Vec3f& normal, std::uint32_t triangle,
+                       const Vec3f& direction) const;
+  /// Of a light that a ray met along -`direction`.
+  EmissionPdf emit_pdf(const Interaction& met, const Vec3f& direction) const {
+    return emit_pdf(met.light, met.p, met.ng, triangle_of(met), direction);
+  }
   /// For paths from the environment that come to p against `towards_sky`.
   EmissionPdf environment_emit_pdf(const Vec3f& p, const Vec3f& towards_sky) const {
-    return emit_pdf(*lights_.environment(), p, Vec3f(0.0f), -towards_sky);
+    return emit_pdf(*lights_.environment(), p, Vec3f(0.0f), 0, -towards_sky);
   }
 
   /// Radiance that leaves a surface that a ray met along `direction`.
@@ -71,6 +80,7 @@ class WorldLights {
 
  private:
   LightSeen seen(const LightSample<float>& sample, std::uint32_t light, std::uint32_t triangle) const;
+  std::uint32_t triangle_of(const Interaction& met) const;
   SegmentEnd end(std::uint32_t light, const Vec3f& p, const Vec3f& normal, std::uint32_t triangle) const;
 
   const World& world_;

@@ -62,19 +62,30 @@ F choice_probability(const SceneView& scene, const UInt<F>& light, const Mask<F>
   return take<F>(block.probability);
 }
 
-/// Density per solid angle at `p_from` with which next-event estimation would have drawn the point p of `light`.
+/// Of a mesh light that was met.
+template <class F>
+UInt<F> triangle_of(const SceneView& scene, const SurfaceHit<F>& hit, const UInt<F>& light) {
+  if (!scene.small) return hit.primitive;
+  return hit.primitive - gather(&scene.light_words->primitive, UInt<F>(light * LightWords::stride));
+}
+
+/// Density per solid angle at `p_from` with which next-event estimation would have drawn the point of `light` that was
+/// met.
 template <class F>
 F direct_light_pdf(const SceneView& scene, const UInt<F>& light, const Mask<F>& active, const Vec3<F>& p_from,
-                   const Vec3<F>& p, const Vec3<F>& normal) {
+                   const SurfaceHit<F>& met) {
   F pdf(0.0f);
   for_each_light_kind<F>(
       scene, light, active,
-      [&](const auto& record, const Mask<F>& lanes) { pdf = select(lanes, record.pdf(p_from, p, normal), pdf); },
+      [&](const auto& record, const Mask<F>& lanes) {
+        pdf = select(lanes, record.pdf(p_from, met.p, met.normal), pdf);
+      },
       [&](const Mask<F>& lanes) {
         auto block = ask<LightPdfBlock, F>(light, lanes);
         put(block.p, p_from);
-        put(block.p_light, p);
-        put(block.normal, normal);
+        put(block.p_light, met.p);
+        put(block.normal, met.normal);
+        store_from(triangle_of<F>(scene, met, light), block.triangle);
         light_pdfs(*scene.general_lights, block);
         pdf = select(lanes, take<F>(block.pdf), pdf);
       });
@@ -97,9 +108,7 @@ Vec3<F> emitted_radiance(const SceneView& scene, const SurfaceHit<F>& hit, const
         put(block.p, hit.p);
         put(block.normal, hit.normal);
         put(block.direction, direction);
-        UInt<F> triangle = hit.primitive;
-        if (scene.small) triangle -= gather(&scene.light_words->primitive, UInt<F>(light * LightWords::stride));
-        store_from(triangle, block.triangle);
+        store_from(triangle_of<F>(scene, hit, light), block.triangle);
         radiance_of_lights(*scene.general_lights, block);
         radiance = select(lanes, take3<F>(block.radiance), radiance);
       });

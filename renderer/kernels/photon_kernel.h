@@ -67,20 +67,25 @@ class PhotonKernel : public BatchKernel<PhotonKernel<F>, PhotonState, TransportM
       const F u_target = draw_independent<F>(U(task_.seed), U(s.path + task_.first), U(2u));
       return aim(scene_, p, u_target, u_direction);
     };
-    for_each_light_kind<F>(
-        scene_, choice.light, lanes,
-        [&](const auto& light, const Mask<F>& of_kind) {
-          Emission<F> start = light.emit(u_position, u_direction);
-          if (task_.aimed && !light.is_infinite) {  // what comes from infinity goes where it goes
-            const AimedDirection<F> aimed = aim_from(start.p_world);
-            start.direction = aimed.direction;
-            start.flux = light.flux_towards(start.normal, aimed.direction) * (1 / aimed.pdf);
-          }
-          keep(start, of_kind);
-        },
-        [&](const Mask<F>& of_kind) {
-          keep(emit_from_table(s, choice, u_position, u_direction, aim_from, of_kind), of_kind);
-        });
+    const auto from_table = [&](const Mask<F>& of_kind) {
+      keep(emit_from_table(s, choice, u_position, u_direction, aim_from, of_kind), of_kind);
+    };
+    if (scene_.guided_emission) {
+      from_table(lanes);
+    } else {
+      for_each_light_kind<F>(
+          scene_, choice.light, lanes,
+          [&](const auto& light, const Mask<F>& of_kind) {
+            Emission<F> start = light.emit(u_position, u_direction);
+            if (task_.aimed && !light.is_infinite) {  // what comes from infinity goes where it goes
+              const AimedDirection<F> aimed = aim_from(start.p_world);
+              start.direction = aimed.direction;
+              start.flux = light.flux_towards(start.normal, aimed.direction) * (1 / aimed.pdf);
+            }
+            keep(start, of_kind);
+          },
+          from_table);
+    }
     s.flux *= F(task_.share) / choice.probability;
     s.origin = offset_from(s.origin, normal, s.direction, scene_.coordinate_floor);
     s.weight = F(1.0f);
@@ -145,7 +150,7 @@ class PhotonKernel : public BatchKernel<PhotonKernel<F>, PhotonState, TransportM
  private:
   using Base::scene_;
 
-  /// From lights that need tables.
+  /// From lights that need tables, and from all where starts are guided.
   template <class Aim>
   Emission<F> emit_from_table(PhotonState<F>& s, const LightChoice<F>& choice, const Vec2<F>& u_position,
                               const Vec2<F>& u_direction, const Aim& aim_from, const Mask<F>& lanes) const {
@@ -170,7 +175,8 @@ class PhotonKernel : public BatchKernel<PhotonKernel<F>, PhotonState, TransportM
     std::memcpy(towards.uv_y, block.uv_y, sizeof block.uv_y);
     flux_towards(*scene_.general_lights, towards);
     start.direction = select(aimable, aimed.direction, start.direction);
-    start.flux = select(aimable, take3<F>(towards.flux) * (1 / aimed.pdf), start.flux);
+    start.flux =
+        select(aimable, Vec3<F>(take3<F>(towards.flux) * (1 / aimed.pdf) * (1 / take<F>(block.crowding))), start.flux);
     return start;
   }
 

@@ -1,0 +1,180 @@
+#include "renderer/emission_guide.h"
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
+#include "renderer/kernels/aim.h"
+#include "renderer/light_bounds.h"
+
+namespace photonproof {
+namespace {
+
+/// A lamp is huge where its half-extent is more than this many times its distance: below, what is gained by starting
+/// closer is not worth what is lost by starting there only every other time.
+constexpr float huge = 8;
+
+/// Whence a ball sees a lamp: at least its radius away; nothing where that is not near for the lamp's size.
+struct Viewpoint {
+  const AimTarget& ball;
+
+  std::optional<Vec3f> operator()(const QuadLight<float>& l) const {
+    const auto from = before_plane(l.corner, l.normal, length(l.edge_u + l.edge_v), length(l.edge_u - l.edge_v));
+    return from && l.is_close_to(*from) ? from : std::nullopt;
+  }
+  std::optional<Vec3f> operator()(const DiskLight<float>& l) const {
+    const auto from = before_plane(l.center, l.normal, 2 * length(l.half_axis_u), 2 * length(l.half_axis_v));
+    return from && l.is_close_to(*from) ? from : std::nullopt;
+  }
+  std::optional<Vec3f> operator()(const SphereLight<float>& l) const {
+    return around(ball.center - l.center, l.center, l.radius, l.side, l.radius);
+  }
+  std::optional<Vec3f> operator()(const AreaLight& l) const {
+    return std::visit([&](const auto& shape) { return of_shape(shape); }, l.shape());
+  }
+  template <class L>
+  std::optional<Vec3f> operator()(const L&) const {
+    return std::nullopt;
+  }
+
+ private:
+  std::optional<Vec3f> before_plane(const Vec3f& on, const Vec3f& normal, float diagonal, float other) const {
+    const float height = dot(ball.center - on, normal);
+    if (height <= -ball.radius) return std::nullopt;
+    const float away = std::max(height, ball.radius);
+    if (std::max(diagonal, other) < 2 * huge * away) return std::nullopt;
+    return ball.center + normal * (away - height);
+  }
+  /// Before or within a round shape, from its centre or axis.
+  std::optional<Vec3f> around(const Vec3f& out, const Vec3f& center, float radius, float side, float extent) const {
+    const float distance = length(out);
+    const float away = std::max(side * (distance - radius), ball.radius);
+    if (side * (distance - radius) <= -ball.radius || extent < huge * away) return std::nullopt;
+    const Vec3f axis = distance > 0 ? out / distance : Vec3f(0.0f);
+    return center + axis * std::max(radius + side * away, 0.0f);
+  }
+  std::optional<Vec3f> of_shape(const QuadShape& s) const {
+    return (*this)(QuadLight<float>{s.corner, s.edge_u, s.edge_v, s.normal, s.area(), Rgb(0.0f)});
+  }
+  std::optional<Vec3f> of_shape(const DiskShape& s) const {
+    return (*this)(DiskLight<float>{s.center, s.half_axis_u, s.half_axis_v, s.normal, s.area(), Rgb(0.0f)});
+  }
+  std::optional<Vec3f> of_shape(const SphereShape& s) const {
+    return (*this)(SphereLight<float>{s.center, s.radius, s.sign, Rgb(0.0f)});
+  }
+  std::optional<Vec3f> of_shape(const CylinderShape& s) const {
+    const float whole = length(s.axis);
+    const Vec3f along = s.axis / whole, from_base = ball.center - s.base;
+    const float z = dot(from_base, along);
+    if (z < -ball.radius || z > whole + ball.radius) return std::nullopt;
+    return around(from_base - along * z, s.base + along * z, s.radius, s.sign, std::hypot(whole / 2, s.radius));
+  }
+  /// Its triangles are chosen from where the ball is.
+  std::optional<Vec3f> of_shape(const MeshShape& s) const {
+    const LightBounds box = box_around(s.positions());
+    const auto beside = [](float low, float high, float x) { return std::max({low - x, x - high, 0.0f}); };
+    const Vec3f apart{beside(box.low.x, box.high.x, ball.center.x), beside(box.low.y, box.high.y, ball.center.y),
+                      beside(box.low.z, box.high.z, ball.center.z)};
+    if (length(box.high - box.low) < 2 * huge * std::max(length(apart), ball.radius)) return std::nullopt;
+    return ball.center;
+  }
+};
+
+LightSample<float> sample_from(const Light& light, const Vec3f& p, const Vec2<float>& u, std::uint32_t& triangle) {
+  if (const auto* area = std::get_if<AreaLight>(&light)) {
+    LightSample<float> s{};
+    std::tie(s, triangle) = area->sample_point(p, u);
+    return s;
+  }
+  return std::visit([&](const auto& l) { return l.sample(p, u); }, light);
+}
+
+/// u < 1/2 or not, and what is left of it, uniform again.
+bool takes_second_half(float& u) {
+  const bool second = u >= 0.5f;
+  u = second ? 2 * u - 1 : 2 * u;
+  return second;
+}
+
+}  // namespace
+
+float density_from(const Light& light, const Vec3f& p, const Vec3f& p_light, const Vec3f& n, std::uint32_t triangle) {
+  return std::visit(
+      [&](const auto& l) {
+        if constexpr (std::is_same_v<std::decay_t<decltype(l)>, AreaLight>)
+          return l.pdf(p, p_light, n, triangle);
+        else
+          return l.pdf(p, p_light, n);
+      },
+      light);
+}
+
+EmissionGuide::EmissionGuide(const std::vector<Light>& lights, const std::vector<AimTarget>& seen)
+    : views_(lights.size()) {
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    for (const AimTarget& ball : seen)
+      if (const auto from = std::visit(Viewpoint{ball}, lights[i])) views_[i].push_back({*from, ball});
+    if (!views_[i].empty()) ++guided_;
+  }
+}
+
+std::optional<GuidedStart> EmissionGuide::start(const Light& light, std::uint32_t index, const Vec2<float>& u_position,
+                                                const Vec2<float>& u_direction) const {
+  Vec2<float> u = u_position, u_way = u_direction;
+  GuidedStart start;
+  if (!takes_second_half(u.x)) {
+    Emission<float> even{};
+    if (const auto* area = std::get_if<AreaLight>(&light)) {
+      const AreaLight::Start from = area->start(u, u_direction);
+      even = from.emission;
+      start.uv = from.uv;
+      start.triangle = from.triangle;
+    } else {
+      even = std::visit([&](const auto& l) { return l.emit(u, u_direction); }, light);
+    }
+    start.p = even.p_world;
+    start.normal = even.normal;
+    start.direction = even.direction;
+    return start;
+  }
+  const std::vector<View>& views = views_[index];
+  const float scaled = u.x * static_cast<float>(views.size());
+  const std::size_t which = std::min(static_cast<std::size_t>(scaled), views.size() - 1);
+  u.x = std::min(scaled - static_cast<float>(which), 1 - 0x1p-24f);
+  const LightSample<float> s = sample_from(light, views[which].from, u, start.triangle);
+  if (!(s.pdf > 0)) return std::nullopt;
+  start.p = s.p_light;
+  start.normal = s.normal_light;
+  if (const auto* area = std::get_if<AreaLight>(&light)) start.uv = area->uv_at(start.p, start.triangle);
+  if (takes_second_half(u_way.x)) {
+    const AimCone<float> cone = cone_towards<float>(views[which].ball.center, views[which].ball.radius, start.p);
+    start.direction = normalize(Frame<float>(cone.axis).to_world(square_to_cone(u_way, cone.one_minus_cos)));
+  } else {
+    start.direction = Frame<float>(start.normal).to_world(square_to_cosine_hemisphere(u_way));
+  }
+  return start;
+}
+
+EmissionPdfs<float> EmissionGuide::pdfs(const Light& light, std::uint32_t index, const Vec3f& p, const Vec3f& n,
+                                        std::uint32_t triangle, const Vec3f& direction,
+                                        const EmissionPdfs<float>& even) const {
+  const std::vector<View>& views = views_[index];
+  double position = 0, both = 0;
+  for (const View& view : views) {
+    const Vec3f d = view.from - p;
+    const float distance2 = length_squared(d), cosine = dot(n, d) / std::sqrt(distance2);
+    if (!(cosine > 0)) continue;
+    const double here = double{density_from(light, view.from, p, n, triangle)} * double{cosine} / double{distance2};
+    const AimCone<float> cone = cone_towards<float>(view.ball.center, view.ball.radius, p);
+    const bool inside = 1 - dot(direction, cone.axis) <= cone.one_minus_cos;
+    position += here;
+    both +=
+        here * 0.5 * (double{even.direction} + (inside ? 1 / (2 * std::numbers::pi * double{cone.one_minus_cos}) : 0));
+  }
+  const double share = 0.5 / static_cast<double>(views.size());
+  const double all = 0.5 * double{even.position} + share * position;
+  const double joint = 0.5 * double{even.position} * double{even.direction} + share * both;
+  return {static_cast<float>(all), static_cast<float>(joint / all)};
+}
+
+}  // namespace photonproof

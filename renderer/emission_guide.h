@@ -1,0 +1,54 @@
+// Where on a lamp that is huge for its distance light paths start. Started evenly, hardly any would come near what is
+// looked at: of a lamp of half-size S over a place of size r a share (r/S)^2. So half of the paths from such a lamp are
+// started as next-event estimation would find them from one of some places that the camera sees, and half of those are
+// sent into the ball around it (aim.h). With V places v and their balls, x the start and w the direction,
+//   p(x, w) = 1/2 cos/(pi A) + 1/(2V) sum over v of p(x | v) (1/2 cos/pi + 1/2 p_ball(w | x))
+// Half of the paths start evenly, as every place may matter: no weight is more than twice what it would be without.
+// A place is looked at from a distance from the lamp that is at least its ball's radius, so that the starts spread over
+// all that lights the ball.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "renderer/light.h"
+#include "renderer/scene_view.h"
+
+namespace photonproof {
+
+/// A start of a light path, before its direction is drawn.
+struct GuidedStart {
+  Vec3f p, normal;
+  Vec2<float> uv;
+  std::uint32_t triangle = 0;
+  Vec3f direction{0, 0, 1};
+};
+
+class EmissionGuide {
+ public:
+  EmissionGuide() = default;
+  /// `seen`: balls of what the camera sees. Lights that are not huge for their distance to any are left alone.
+  EmissionGuide(const std::vector<Light>& lights, const std::vector<AimTarget>& seen);
+
+  bool empty() const { return guided_ == 0; }
+  bool guides(std::uint32_t light) const { return light < views_.size() && !views_[light].empty(); }
+  /// Nothing where the place drawn does not see the light. `light` is what `lights` has at `index`, which is guided.
+  std::optional<GuidedStart> start(const Light& light, std::uint32_t index, const Vec2<float>& u_position,
+                                   const Vec2<float>& u_direction) const;
+  /// Densities of that. `even`: what they are without a guide.
+  EmissionPdfs<float> pdfs(const Light& light, std::uint32_t index, const Vec3f& p, const Vec3f& n,
+                           std::uint32_t triangle, const Vec3f& direction, const EmissionPdfs<float>& even) const;
+
+ private:
+  struct View {
+    Vec3f from;
+    AimTarget ball;
+  };
+  std::vector<std::vector<View>> views_;  ///< of each light
+  std::size_t guided_ = 0;                ///< lights with views
+};
+
+/// Density per solid angle of next-event estimation from p for the point p_light of a light that has been chosen.
+float density_from(const Light& light, const Vec3f& p, const Vec3f& p_light, const Vec3f& n, std::uint32_t triangle);
+
+}  // namespace photonproof

@@ -1,0 +1,13 @@
+// What the camera sees, roughly: balls around where some of its rays end. Light paths are guided by them.
+#pragma once
+
+#include <vector>
+
+#include "renderer/scene.h"
+
+namespace photonproof {
+
+/// Around the first surfaces that a lattice of camera rays meets, each as large as its cell of the image is there.
+std::vector<AimTarget> looked_at(const Scene& scene);
+
+}  // namespace photonproof
