@@ -111,13 +111,14 @@ SceneFrame scene_frame(const SceneDescription& description) {
     // Whole floats, so that adding it to what is near it loses nothing that matters.
     const Vec3d origin(Vec3f(focus->point));
     if (is_finite(origin)) frame.moved = -origin;
-    frame.coordinate_floor = static_cast<float>(focus->size / parts_of_reach);
+    // Not less, since faces go far beyond the focus.
+    frame.coordinate_floor = std::min(frame.coordinate_floor, static_cast<float>(16 * focus->size));
   }
   frame.long_edge = very_long * focus->size;
   if (focus->size >= 1 / ordinary_size && focus->size <= ordinary_size) return frame;
   frame.scale = power_of_two_below(1 / focus->size);
-  frame.moved = Vec3d(Vec3f(-focus->point * frame.scale));
-  frame.coordinate_floor = static_cast<float>(focus->size * frame.scale / parts_of_reach);
+  frame.moved = Vec3d(Vec3f(frame.moved * frame.scale));
+  frame.coordinate_floor = static_cast<float>(frame.coordinate_floor * frame.scale);
   frame.long_edge *= frame.scale;
   return frame;
 }
