@@ -19,6 +19,7 @@
 #include "renderer/integrator.h"
 #include "renderer/parallel.h"
 #include "renderer/plan.h"
+#include "renderer/scene_notes.h"
 #include "renderer/version.h"
 #include "scenes/atomic_file.h"
 #include "scenes/scene_hash.h"
@@ -123,7 +124,7 @@ nlohmann::ordered_json plan_json(const RenderPlan& plan) {
 
 nlohmann::ordered_json stats_json(const RenderArguments& arguments, const std::string& integrator,
                                   const RenderStats& stats, const RenderPlan& plan, int threads,
-                                  const Rendering& rendering) {
+                                  const std::vector<std::string>& losses, const Rendering& rendering) {
   return {{"schema_version", 1},
           {"engine", "photonproof " + integrator},
           {"version", version_line()},
@@ -137,7 +138,18 @@ nlohmann::ordered_json stats_json(const RenderArguments& arguments, const std::s
           {"phases", stats.phases},
           {"counts", stats.counts},
           {"skipped", stats.skipped},
+          {"losses", losses},
           {"plan", plan_json(plan)}};
+}
+
+/// Says on stderr what the scene does not get as it asks for; the same, for the stats.
+std::vector<std::string> say_notes(const SceneDescription& description, const Scene& scene) {
+  std::vector<std::string> losses;
+  for (const SceneNote& note : scene_notes(description, scene)) {
+    losses.push_back(note.where + ": " + note.text);
+    std::fprintf(stderr, "%s: warning: %s\n", note.where.c_str(), note.text.c_str());
+  }
+  return losses;
 }
 
 const std::map<std::string, SamplerKind>& sampler_kinds() {
@@ -179,6 +191,7 @@ int print_plan(const RenderArguments& arguments) {
   const Scene scene(description, film.width, film.height, job.skips,
                     find_integrator(integrator_name(method))->small_limit(), ScenePurpose::plan);
   const RenderPlan plan = plan_render(scene, method, job);
+  say_notes(description, scene);
   std::printf("%s", arguments.json ? (plan_json(plan).dump(2) + "\n").c_str() : plan_text(plan).c_str());
   return 0;
 }
@@ -227,6 +240,7 @@ int run_render(const RenderArguments& arguments) {
   check_memory(description, window, arguments.checkpoint_seconds);
   const Scene scene(description, film_size.width, film_size.height, job.skips, find_integrator(name)->small_limit());
   stats.phases["compile"] = compile_timer.seconds();
+  const std::vector<std::string> losses = say_notes(description, scene);
 
   stats.counts["bytes_scene"] = static_cast<double>(scene.memory_bytes());
   if (scene.view().tracer != nullptr) stats.counts["bytes_bvh"] = static_cast<double>(scene.view().tracer->bvh_bytes());
@@ -250,7 +264,7 @@ int run_render(const RenderArguments& arguments) {
   stats.phases["write"] = write_timer.seconds();
 
   const nlohmann::ordered_json json =
-      stats_json(arguments, name, stats, plan, Threads(arguments.threads).count(), rendering);
+      stats_json(arguments, name, stats, plan, Threads(arguments.threads).count(), losses, rendering);
   write_file_atomically(stats_path, json.dump(2) + "\n");
   if (!stats.interrupted && (checkpoint.interval_seconds > 0 || checkpoint.resume)) remove_checkpoint(checkpoint.file);
 

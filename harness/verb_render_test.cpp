@@ -177,6 +177,20 @@ TEST_F(RenderVerb, what_does_not_fit_in_memory_is_one_error_that_says_what_to_ch
             "photonproof: out of memory: make the image, the meshes or the number of photons smaller\n");
 }
 
+TEST_F(RenderVerb, a_value_that_is_rendered_as_another_is_said_and_kept_in_the_stats) {
+  put("metal.xml",
+      "<scene version='3.0.0'><integrator type='path'/><sensor type='perspective'/><emitter type='constant'/>\n"
+      "<bsdf type='roughconductor' id='m'><float name='alpha' value='1e-9'/></bsdf>\n"
+      "<shape type='sphere'><ref id='m'/></shape></scene>");
+  scene_ = path("metal.xml");
+  const std::string place = scene_ + ":2:1", text = "alpha 1e-09 is rendered as 0.0001";
+  for (const std::vector<std::string>& options :
+       {std::vector<std::string>{"--size", "4x4", "--spp", "1", "--quiet"}, {"--size", "4x4", "--plan"}})
+    EXPECT_EQ(render("a.exr", options).standard_error, place + ": warning: " + text + "\n");
+  EXPECT_NE(get("a.stats.json").find("\"losses\": [\n    \"" + place + ": " + text + "\"\n  ]"), std::string::npos)
+      << get("a.stats.json");
+}
+
 TEST_F(RenderVerb, options_that_make_no_sense_are_refused) {
   const auto refusal = [&](const std::vector<std::string>& options) { return render("a.exr", options).standard_error; };
   EXPECT_EQ(refusal({"--integrator", "path", "--photons", "1000"}),

@@ -86,6 +86,17 @@ double hit_distance(const Cylinder& cylinder, const ShapeRay& ray) {
 
 double hit_distance(const Plane& plane, const ShapeRay& ray) { return plane_distance(plane.point, plane.normal, ray); }
 
+double hit_distance(const LongFace& face, const ShapeRay& ray) {
+  const double t = (face.offset - dot(face.normal, ray.origin)) / dot(face.normal, ray.direction);
+  if (!(t > 0 && t >= ray.t_near && t <= ray.t_far)) return missed;
+  const Vec3d q = ray.origin + ray.direction * t - face.corner, n = cross(face.edge_u, face.edge_v);
+  // By volumes rather than in_basis, whose determinant cancels where the edges are nearly parallel.
+  const double nn = dot(n, n), u = dot(n, cross(q, face.edge_v)) / nn, v = dot(n, cross(face.edge_u, q)) / nn;
+  constexpr double low = -1e-12, high = 1 - low;  // so that nothing slips between two faces that share an edge
+  const bool inside = u >= low && v >= low && (face.is_triangle ? u + v <= high : u <= high && v <= high);
+  return inside ? t : missed;
+}
+
 ShapePoint point_on(const Sphere& sphere, const Vec3d& near) {
   const Vec3f along = Vec3f(near) - sphere.center;
   const Vec3f p = sphere.center + along * (sphere.radius / length(along));
@@ -109,6 +120,10 @@ ShapePoint point_on(const Plane& plane, const Vec3d& near) {
   return {Vec3f(near + plane.normal * dot(plane.normal, plane.point - near)), Vec3f(plane.normal)};
 }
 
+ShapePoint point_on(const LongFace& face, const Vec3d& near) {
+  return {Vec3f(near + face.normal * (face.offset - dot(face.normal, near))), Vec3f(face.normal)};
+}
+
 ShapeBox box_around(const Sphere& sphere) {
   const Vec3f r(sphere.radius * (1 + 0x1p-20f));
   return {sphere.center - r, sphere.center + r};
@@ -128,6 +143,18 @@ ShapeBox box_around(const Cylinder& cylinder) {
   const Vec3d low{std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};
   const Vec3d high{std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
   return padded(low - r, high + r);
+}
+
+ShapeBox box_around(const LongFace& face) {
+  const Vec3d& corner = face.corner;
+  Vec3d low = corner, high = corner;
+  for (const Vec3d& p : {corner + face.edge_u, corner + face.edge_v, corner + face.edge_u + face.edge_v}) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  static constexpr double most = 1e18;  // Embree leaves out what reaches further
+  const auto held = [](double x) { return std::clamp(x, -most, most); };
+  return padded({held(low.x), held(low.y), held(low.z)}, {held(high.x), held(high.y), held(high.z)});
 }
 
 }  // namespace photonproof

@@ -1,5 +1,5 @@
-// Where rays meet the shapes that Embree does not know: spheres, discs, cylinders, planes. Double precision: in single
-// the discriminant of a distant or grazing ray loses all its digits.
+// Where rays meet the shapes that Embree does not know: spheres, discs, cylinders, planes, and faces too long for it.
+// Double precision: in single the discriminant of a distant or grazing ray loses all its digits.
 #pragma once
 
 #include "renderer/surface.h"
@@ -17,6 +17,7 @@ double hit_distance(const Sphere& sphere, const ShapeRay& ray);
 double hit_distance(const Disk& disk, const ShapeRay& ray);
 double hit_distance(const Cylinder& cylinder, const ShapeRay& ray);
 double hit_distance(const Plane& plane, const ShapeRay& ray);
+double hit_distance(const LongFace& face, const ShapeRay& ray);
 
 /// A point of the shape and the unit normal there, on the shape's front side.
 struct ShapePoint {
@@ -27,6 +28,7 @@ ShapePoint point_on(const Sphere& sphere, const Vec3d& near);
 ShapePoint point_on(const Disk& disk, const Vec3d& near);
 ShapePoint point_on(const Cylinder& cylinder, const Vec3d& near);
 ShapePoint point_on(const Plane& plane, const Vec3d& near);
+ShapePoint point_on(const LongFace& face, const Vec3d& near);
 
 /// A box that holds the shape, rounding included.
 struct ShapeBox {
@@ -35,5 +37,6 @@ struct ShapeBox {
 ShapeBox box_around(const Sphere& sphere);
 ShapeBox box_around(const Disk& disk);
 ShapeBox box_around(const Cylinder& cylinder);
+ShapeBox box_around(const LongFace& face);
 
 }  // namespace photonproof

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "renderer/face_normal.h"
 #include "renderer/light_tree.h"
 #include "renderer/warp.h"
 
@@ -26,11 +27,18 @@ float area_of(const LightShape& shape) {
   return std::visit([](const auto& s) { return s.area(); }, shape);
 }
 
-/// The solution (a, b) of a u + b v = d, least squares.
+template <class T>
+Vec2<float> solution(const Vec3<T>& d, const Vec3<T>& u, const Vec3<T>& v) {
+  const T uu = dot(u, u), vv = dot(v, v), uv = dot(u, v), du = dot(d, u), dv = dot(d, v);
+  const T determinant = uu * vv - uv * uv;
+  return {static_cast<float>((du * vv - dv * uv) / determinant), static_cast<float>((dv * uu - du * uv) / determinant)};
+}
+
+/// The solution (a, b) of a u + b v = d, least squares. Fourth powers of lengths below 1e-7 or above 1e7 take double.
 Vec2<float> in_basis(const Vec3f& d, const Vec3f& u, const Vec3f& v) {
-  const float uu = dot(u, u), vv = dot(v, v), uv = dot(u, v), du = dot(d, u), dv = dot(d, v);
-  const float determinant = uu * vv - uv * uv;
-  return {(du * vv - dv * uv) / determinant, (dv * uu - du * uv) / determinant};
+  const float scale = dot(u, u) * dot(v, v);
+  if (scale > 1e-28f && scale < 1e28f) return solution(d, u, v);
+  return solution(Vec3d(d), Vec3d(u), Vec3d(v));
 }
 
 float turn_of(float x, float y) {

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "renderer/face_normal.h"
 #include "renderer/light_area.h"
 #include "renderer/light_tree.h"
 
@@ -147,7 +148,7 @@ CloseTriangle::CloseTriangle(const Vec3f& p, const Vec3f& a, const Vec3f& b, con
 
 Vec3f MeshShape::normal_of(const Triangle& t) const {
   const Vec3f& a = positions_[t[0]];
-  return normalize(cross(positions_[t[1]] - a, positions_[t[2]] - a)) * sign_;
+  return face_normal(positions_[t[1]] - a, positions_[t[2]] - a) * sign_;
 }
 
 AreaPoint MeshShape::point_on(std::uint32_t triangle, const Vec2<float>& u) const {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "renderer/face_normal.h"
 #include "renderer/warp.h"
 
 namespace photonproof {
@@ -86,7 +87,7 @@ LocalGeometry on_instance(const MeshInstance& copy, std::uint32_t triangle, cons
   const AffineMap& map = *copy.placement;
   const Mesh& mesh = *copy.mesh;
   const Vec3f corner = mesh.corner(triangle, 0);
-  const Vec3f winding = normalize(cross(mesh.corner(triangle, 1) - corner, mesh.corner(triangle, 2) - corner));
+  const Vec3f winding = face_normal(mesh.corner(triangle, 1) - corner, mesh.corner(triangle, 2) - corner);
   const LocalGeometry local = on_mesh(mesh, triangle, map.local_point(p), mesh.inward ? -winding : winding);
   return {local.uv, map.vector(local.dp_du), map.vector(local.dp_dv), normalize(map.normal(local.normal))};
 }

@@ -92,8 +92,8 @@ void add_photons(const MapState& state, const LookUpAreas& areas, const Kernels&
 /// A map without a radius gets one from the pilot; a map whose pilot stores nothing is small enough for any radius.
 void choose_radii(const Scene& scene, const PhotonMapperDescription& settings, const RenderJob& job, Maps& maps,
                   const Threads& threads, RayTotals& totals) {
-  maps.global.radius = static_cast<float>(settings.global_radius);
-  maps.caustic.radius = static_cast<float>(settings.caustic_radius);
+  maps.global.radius = static_cast<float>(settings.global_radius * scene.scale());
+  maps.caustic.radius = static_cast<float>(settings.caustic_radius * scene.scale());
   for (MapState* state : {&maps.global, &maps.caustic}) {
     if (!state->wanted || state->radius > 0) continue;
     const PhotonRun pilot{state->kind, Stream::pilot, job.seed, 0, pilot_photons, -1, state->aimed};
@@ -123,12 +123,12 @@ void refill(MapState& state, const Scene& scene, const PhotonMapperDescription& 
   state.counts.stored += state.map.size();
 }
 
-void store_counts(const MapState& state, RenderStats& stats) {
+void store_counts(const MapState& state, const Scene& scene, RenderStats& stats) {
   if (!state.wanted) return;
   const std::string name = state.name;
   stats.counts["photons_emitted_" + name] = static_cast<double>(state.counts.emitted);
   stats.counts["photons_stored_" + name] = static_cast<double>(state.counts.stored);
-  stats.counts["radius_" + name] = state.radius;
+  stats.counts["radius_" + name] = state.radius / scene.scale();
   stats.counts["rays_photon"] += static_cast<double>(state.counts.rays);
 }
 
@@ -221,7 +221,7 @@ void render_photon_mapper(const Scene& scene, const IntegratorDescription& descr
     });
     film.end_shared_pass(static_cast<double>(loop.samples()));
   }
-  for (const MapState* state : {&maps.global, &maps.caustic}) store_counts(*state, stats);
+  for (const MapState* state : {&maps.global, &maps.caustic}) store_counts(*state, scene, stats);
   stats.counts["passes"] = static_cast<double>(pass_count);
 }
 

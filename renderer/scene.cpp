@@ -12,6 +12,7 @@
 #include "renderer/kernels/rays.h"
 #include "renderer/light_table.h"
 #include "renderer/looked_at.h"
+#include "renderer/scaled_description.h"
 #include "renderer/scene_frame.h"
 #include "renderer/scene_lights.h"
 #include "renderer/scene_shapes.h"
@@ -39,18 +40,35 @@ TextureLookup texture_lookup(const Textures& textures) {
 
 }  // namespace
 
+/// The description in the scene's unit of length.
+struct Scene::Framed {
+  SceneFrame frame;
+  std::optional<SceneDescription> in_other_unit;
+  const SceneDescription& description;
+
+  explicit Framed(const SceneDescription& d)
+      : frame(scene_frame(d)),
+        in_other_unit(frame.scale != 1 ? std::optional(scaled(d, frame.scale)) : std::nullopt),
+        description(in_other_unit ? *in_other_unit : d) {}
+};
+
 Scene::Scene(const SceneDescription& description, int width_, int height_, const SkipSwitches& skips,
              std::size_t small_limit, ScenePurpose purpose)
+    : Scene(Framed(description), width_, height_, skips, small_limit, purpose) {}
+
+Scene::Scene(const Framed& framed, int width_, int height_, const SkipSwitches& skips, std::size_t small_limit,
+             ScenePurpose purpose)
     : width(width_),
       height(height_),
-      textures(description.textures),
-      media(compile_media(description)),
-      filter(description.sensor.film.filter),
+      textures(framed.description.textures),
+      media(compile_media(framed.description)),
+      filter(framed.description.sensor.film.filter),
+      scale_(framed.frame.scale),
+      moved_(framed.frame.moved),
       detail_(surfaces, textures) {
-  const SceneFrame frame = scene_frame(description);
-  moved_ = frame.moved;
+  const SceneDescription& description = framed.description;
   compile_bsdfs(description);
-  SceneShapes shapes(description, textures, moved_);
+  SceneShapes shapes(description, textures, moved_, framed.frame.long_edge);
   surfaces = std::move(shapes.surfaces);
   primitives_ = shapes.primitives;
   add_surface_lights(description, shapes);
@@ -59,7 +77,7 @@ Scene::Scene(const SceneDescription& description, int width_, int height_, const
     lights.push_back(compile_light(e, moved_, ball, texture_lookup(textures), description.where(e.loc)));
 
   view_.camera = compile_camera(description.sensor, width, height, moved_);
-  view_.coordinate_floor = frame.coordinate_floor;
+  view_.coordinate_floor = framed.frame.coordinate_floor;
 
   simple_ = shapes.simple;
   small_ = primitives_ <= small_limit && simple_ && skips.on(Skip::bvh) ? std::make_unique<SmallSceneTables>(surfaces)

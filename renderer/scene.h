@@ -1,5 +1,6 @@
 // The compiled scene: flat tables ready for tracing, made once from a SceneDescription and immutable. Its origin is the
-// middle of the shapes, so that coordinates are small and rays precise wherever the file puts things.
+// middle of the shapes, so that coordinates are small and rays precise wherever the file puts things, and its unit of
+// length one that single precision can square and cube.
 #pragma once
 
 #include <functional>
@@ -48,6 +49,9 @@ class Scene {
   const SceneView& view() const { return view_; }
   /// All lights behind one interface.
   const SceneLights& scene_lights() const { return *scene_lights_; }
+  /// A length of the description times this is one of the scene: 1, or a power of two where that would be all too small
+  /// or large (scene_frame.h).
+  double scale() const { return scale_; }
   /// Closest surface along a ray with a unit direction: for the host's few own rays.
   Hit intersect(const Vec3f& origin, const Vec3f& direction) const;
 
@@ -79,12 +83,16 @@ class Scene {
   const ReconstructionFilter filter;
 
  private:
+  struct Framed;
+  Scene(const Framed& framed, int width, int height, const SkipSwitches& skips, std::size_t small_limit,
+        ScenePurpose purpose);
   void compile_bsdfs(const SceneDescription& description);
   void refuse_deep_maps(const SceneDescription& description) const;
   void add_surface_lights(const SceneDescription& description, const SceneShapes& shapes);
   void compile_detail(const SkipSwitches& skips);
 
-  Vec3d moved_;  ///< what was added to the description's coordinates
+  double scale_ = 1;
+  Vec3d moved_;  ///< what was added to the description's coordinates, scaled
   std::size_t primitives_ = 0;
   bool simple_ = true, needs_detail_ = false;
   std::vector<SurfaceWords> surface_words_;

@@ -1,5 +1,6 @@
 #include "renderer/scene_shapes.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -50,10 +51,27 @@ Vec3d flat_normal(const Vec3d& edge_u, const Vec3d& edge_v, bool turned) {
   return normalize(cross(edge_u, edge_v)) * (turned ? -1.0 : 1.0);
 }
 
+double edge_of_triangle(const Mesh& mesh, std::size_t triangle) {
+  const Vec3d a(mesh.corner(triangle, 0)), b(mesh.corner(triangle, 1)), c(mesh.corner(triangle, 2));
+  return std::sqrt(std::max({length_squared(b - a), length_squared(c - a), length_squared(c - b)}));
+}
+
+/// Or the diagonal of its box where that is not above `least`: quicker.
+double longest_edge(const Mesh& mesh, double least) {
+  Extent box;
+  for (std::size_t i = 0; i + 1 < mesh.positions.size(); ++i) box.add(Vec3d(mesh.positions[i]));
+  const double diagonal = length(box.high - box.low);
+  if (!(diagonal > least)) return diagonal;
+  double longest = 0;
+  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) longest = std::max(longest, edge_of_triangle(mesh, t));
+  return longest;
+}
+
 }  // namespace
 
-SceneShapes::SceneShapes(const SceneDescription& description, const Textures& textures, const Vec3d& moved)
-    : description_(description), textures_(textures) {
+SceneShapes::SceneShapes(const SceneDescription& description, const Textures& textures, const Vec3d& moved,
+                         double long_edge)
+    : description_(description), textures_(textures), long_edge_(long_edge) {
   for (const ShapeDescription& shape : description.shapes) add(shape, Transform::translate(moved) * shape.to_world);
 }
 
@@ -76,9 +94,7 @@ void SceneShapes::add(const ShapeDescription& shape, const Transform& to_world) 
     add_instance(shape, *instance, to_world);
     return;
   } else {
-    Mesh mesh = compile_mesh(shape, to_world);
-    primitives += mesh.triangle_count();
-    add_surface(std::move(mesh), shape);
+    add_mesh(shape, to_world, false);
     return;
   }
   primitives += surfaces.size() - first;
@@ -157,6 +173,37 @@ void SceneShapes::add_quad(const ShapeDescription& shape, const Vec3d& corner, c
   const Vec3d normal = n / area * (shape.flip_normals != turned ? -1.0 : 1.0);
   add_surface(Quad{Vec3f(corner), Vec3f(edge_u), Vec3f(edge_v), Vec3f(normal), static_cast<float>(area)}, shape,
               flat_frame(corner, edge_u, edge_v));
+  if (length(edge_u) > long_edge_ || length(edge_v) > long_edge_)
+    surfaces.back().long_faces = std::make_shared<const std::vector<LongFace>>(
+        std::vector<LongFace>{{corner, edge_u, edge_v, normal, dot(normal, corner), false, 0}});
+}
+
+void SceneShapes::add_mesh(const ShapeDescription& shape, const Transform& to_world, bool placed_mirrored) {
+  Mesh mesh = compile_mesh(shape, to_world);
+  if (placed_mirrored) {
+    mesh.inward = !mesh.inward;
+    if (!mesh.source->normals.empty())
+      for (Vec3f& n : mesh.normals) n = -n;
+  }
+  primitives += mesh.triangle_count();
+  add_surface(std::move(mesh), shape);
+  mark_long_faces(to_world);
+}
+
+void SceneShapes::mark_long_faces(const Transform& to_world) {
+  const Mesh& mesh = std::get<Mesh>(surfaces.back().geometry);
+  if (!(longest_edge(mesh, long_edge_) > long_edge_)) return;
+  std::vector<LongFace> faces;
+  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
+    if (!(edge_of_triangle(mesh, t) > long_edge_)) continue;
+    const auto& corners = mesh.source->triangles[t];
+    const auto at = [&](std::size_t k) { return to_world.point(Vec3d(mesh.source->positions[corners[k]])); };
+    const Vec3d corner = at(0), edge_u = at(1) - corner, edge_v = at(2) - corner, n = cross(edge_u, edge_v);
+    if (!(dot(n, n) > 0)) continue;
+    const Vec3d normal = normalize(n) * (mesh.inward ? -1.0 : 1.0);
+    faces.push_back({corner, edge_u, edge_v, normal, dot(normal, corner), true, static_cast<std::uint32_t>(t)});
+  }
+  if (!faces.empty()) surfaces.back().long_faces = std::make_shared<const std::vector<LongFace>>(std::move(faces));
 }
 
 Mesh SceneShapes::compile_mesh(const ShapeDescription& shape, const Transform& to_world) const {
@@ -195,12 +242,17 @@ const SceneShapes::GroupMeshes& SceneShapes::meshes_of(ShapeGroupIndex index) {
   Extent extent;
   for (const ShapeDescription& shape : group.shapes)
     if (is_mesh(shape)) extent.add(extent_of(description_, shape));
-  if (extent.is_usable()) made.middle = Vec3d(Vec3f(extent.middle()));
+  if (extent.is_usable()) {
+    made.middle = Vec3d(Vec3f(extent.middle()));
+    const double size = length(extent.high - extent.low);
+    if (size > 0 && (size < 1 / ordinary_size || size > ordinary_size)) made.scale = power_of_two_below(1 / size);
+  }
+  const Transform to_unit = Transform::scale(Vec3d(made.scale)) * Transform::translate(-made.middle);
   for (const ShapeDescription& shape : group.shapes) {
     if (!is_mesh(shape)) continue;
-    made.parts.push_back(
-        std::make_shared<const Mesh>(compile_mesh(shape, Transform::translate(-made.middle) * shape.to_world)));
+    made.parts.push_back(std::make_shared<const Mesh>(compile_mesh(shape, to_unit * shape.to_world)));
     primitives += made.parts.back()->triangle_count();
+    made.longest_edge = std::max(made.longest_edge, longest_edge(*made.parts.back(), 0));
   }
   return groups_.emplace(index, std::move(made)).first->second;
 }
@@ -209,13 +261,20 @@ void SceneShapes::add_instance(const ShapeDescription& shape, const InstanceDesc
                                const Transform& to_world) {
   if (!to_world.inverse()) throw InputError(description_.where(shape.loc), "the instance's to_world has no inverse");
   const GroupMeshes& meshes = meshes_of(instance.group);
-  const auto placement = std::make_shared<const AffineMap>(to_world * Transform::translate(meshes.middle));
+  const auto placement = std::make_shared<const AffineMap>(to_world * Transform::translate(meshes.middle) *
+                                                           Transform::scale(Vec3d(1 / meshes.scale)));
+  // Embree meets an instance's faces in the group's coordinates, which are too coarse where the faces are long.
+  const double stretch = std::sqrt(length_squared(Vec3d(placement->x)) + length_squared(Vec3d(placement->y)) +
+                                   length_squared(Vec3d(placement->z)));
+  const bool too_long = meshes.longest_edge * stretch > long_edge_;
   std::uint32_t part = 0;
   for (const ShapeDescription& member : description_.groups[instance.group.value].shapes) {
     if (member.radiance) throw InputError(description_.where(member.loc), "a shape of a group cannot emit");
     if (std::holds_alternative<InstanceDescription>(member.geometry))
       throw InputError(description_.where(member.loc), "a shape group cannot hold instances");
-    if (is_mesh(member)) {
+    if (is_mesh(member) && too_long) {
+      add_mesh(member, to_world * member.to_world, to_world.determinant() < 0);
+    } else if (is_mesh(member)) {
       add_surface(MeshInstance{meshes.parts[part], placement, instances_, meshes.number, part}, member);
       ++part;
     } else {

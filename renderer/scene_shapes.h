@@ -13,8 +13,9 @@ namespace photonproof {
 
 class SceneShapes {
  public:
-  /// `moved` is added to the description's coordinates. Throws InputError at a shape that cannot be represented.
-  SceneShapes(const SceneDescription& description, const Textures& textures, const Vec3d& moved);
+  /// `moved` is added to the description's coordinates; faces with edges above `long_edge` are long ones. Throws
+  /// InputError at a shape that cannot be represented.
+  SceneShapes(const SceneDescription& description, const Textures& textures, const Vec3d& moved, double long_edge);
 
   std::vector<Surface> surfaces;
   std::vector<const ShapeDescription*> shape_of;  ///< of each surface, in the description
@@ -23,10 +24,12 @@ class SceneShapes {
   bool simple = true;                             ///< parallelograms, triangles and spheres only
 
  private:
-  /// The meshes of a group, around their middle.
+  /// The meshes of a group, around their middle and in a unit of length of their own where the group's is extreme.
   struct GroupMeshes {
     std::uint32_t number = 0;
-    Vec3d middle;
+    Vec3d middle{0.0};
+    double scale = 1;
+    double longest_edge = 0;  ///< in the group's own unit of length
     std::vector<std::shared_ptr<const Mesh>> parts;
   };
 
@@ -42,6 +45,10 @@ class SceneShapes {
                 bool turned);
   void add_instance(const ShapeDescription& shape, const InstanceDescription& instance, const Transform& to_world);
   const GroupMeshes& meshes_of(ShapeGroupIndex group);
+  /// `placed_mirrored`: by an instance, whose mirroring does not turn a mesh over as its own to_world does.
+  void add_mesh(const ShapeDescription& shape, const Transform& to_world, bool placed_mirrored);
+  /// Of the last surface, a mesh.
+  void mark_long_faces(const Transform& to_world);
   Mesh compile_mesh(const ShapeDescription& shape, const Transform& to_world) const;
   void add_surface(Geometry geometry, const ShapeDescription& shape);
   void add_surface(Geometry geometry, const ShapeDescription& shape, const AffineMap& uv_frame);
@@ -49,6 +56,7 @@ class SceneShapes {
 
   const SceneDescription& description_;
   const Textures& textures_;
+  const double long_edge_;
   std::map<ShapeGroupIndex, GroupMeshes> groups_;
   std::uint32_t instances_ = 0;
 };

@@ -118,8 +118,11 @@ TEST(scene, refuses_shapes_whose_area_vanishes_or_overflows) {
   for (const double scale : {1e-20, 1e20}) {
     SceneDescription d;
     d.files = {"s.xml"};
-    test::add_shape(d, RectangleDescription{}, Transform::scale(Vec3d(scale)), test::add_bsdf(d, DiffuseDescription{}))
-        .loc = {0, 3, 5};
+    // Beside two of ordinary size, which keep the scene's unit of length.
+    const Transform ahead = Transform::translate({0, 0, 5});
+    const BsdfIndex grey = test::add_bsdf(d, DiffuseDescription{});
+    for (int i = 0; i < 2; ++i) test::add_shape(d, RectangleDescription{}, ahead, grey);
+    test::add_shape(d, RectangleDescription{}, ahead * Transform::scale(Vec3d(scale)), grey).loc = {0, 3, 5};
     try {
       const Scene scene(d, 4, 4);
       FAIL();

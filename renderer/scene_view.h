@@ -87,7 +87,7 @@ struct SceneView {
   std::uint32_t light_kinds = 0;
   bool lights_can_be_hit = false;
   bool guided_emission = false;  ///< `general_lights` says where light paths start
-  float coordinate_floor = 1;  ///< least magnitude of coordinates that ray offsets reckon with
+  float coordinate_floor = 1;    ///< least magnitude of coordinates that ray offsets reckon with
   CameraView camera;
 };
 

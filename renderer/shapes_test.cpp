@@ -112,6 +112,7 @@ TEST(cylinder, is_met_on_its_curved_side_only) {
 TEST(plane, is_met_wherever_it_is_and_moves_no_other_shape) {
   // Planes have no middle: with and without one the compiled scene has the same origin.
   SceneDescription with = only(SphereDescription{{1e5, 0, 0}, 1}, {});
+  with.sensor.to_world = Transform::translate({1e5, 0, -5});  // looks at the sphere
   const Vec3f center = std::get<Sphere>(Scene(with, 4, 4).surfaces[0].geometry).center;
   test::add_shape(with, PlaneDescription{}, Transform::translate({0, 0, -2}), BsdfIndex{0});
   const Scene scene(with, 4, 4);

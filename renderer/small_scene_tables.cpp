@@ -14,6 +14,8 @@ Plate plate(const Vec3d& corner, const Vec3d& edge_u, const Vec3d& edge_v, const
           Vec3f(v),      static_cast<float>(-dot(v, corner))};
 }
 
+Plate plate(const LongFace& face) { return plate(face.corner, face.edge_u, face.edge_v, face.normal); }
+
 }  // namespace
 
 SmallSceneTables::SmallSceneTables(const std::vector<Surface>& surfaces) : first_primitive_(surfaces.size(), 0) {
@@ -29,7 +31,10 @@ SmallSceneTables::SmallSceneTables(const std::vector<Surface>& surfaces) : first
     if (quad == nullptr) continue;
     start(i);
     add(i);
-    plates_.push_back(plate(Vec3d(quad->corner), Vec3d(quad->edge_u), Vec3d(quad->edge_v), Vec3d(quad->normal)));
+    const LongFace* face = surfaces[i].long_face(0);
+    plates_.push_back(face != nullptr
+                          ? plate(*face)
+                          : plate(Vec3d(quad->corner), Vec3d(quad->edge_u), Vec3d(quad->edge_v), Vec3d(quad->normal)));
   }
   parallelograms_ = static_cast<std::uint32_t>(plates_.size());
   for (std::uint32_t i = 0; i < surfaces.size(); ++i) {
@@ -43,7 +48,8 @@ SmallSceneTables::SmallSceneTables(const std::vector<Surface>& surfaces) : first
       const Vec3d n = cross(edge_u, edge_v) * (mesh->inward ? -1.0 : 1.0);
       if (dot(n, n) == 0) continue;
       add(i, t);
-      plates_.push_back(plate(corner, edge_u, edge_v, normalize(n)));
+      const LongFace* face = surfaces[i].long_face(t);
+      plates_.push_back(face != nullptr ? plate(*face) : plate(corner, edge_u, edge_v, normalize(n)));
     }
   }
   for (std::uint32_t i = 0; i < surfaces.size(); ++i) {

@@ -89,14 +89,28 @@ struct MeshInstance {
   std::uint32_t group = 0, part = 0;           ///< the group, and which of its meshes
 };
 
+/// A parallelogram or triangle that is so much longer than what is looked at that single precision loses the latter:
+/// corner + u edge_u + v edge_v as the description has it, in double.
+struct LongFace {
+  Vec3d corner, edge_u, edge_v;
+  Vec3d normal;       ///< unit, in front
+  double offset = 0;  ///< normal . corner: of x on the face, normal . x, to the last digit of what is near the origin
+  bool is_triangle = false;
+  std::uint32_t primitive = 0;  ///< the triangle of a mesh
+};
+
 using Geometry = std::variant<Quad, Sphere, Mesh, Disk, Cylinder, Plane, MeshInstance>;
 
 struct Surface {
   Geometry geometry;
   std::uint32_t bsdf = 0;
-  std::uint32_t light = no_index;                          ///< index into Scene::lights where it emits
-  std::uint32_t interior = no_index, exterior = no_index;  ///< media, by the description's indices
-  std::uint32_t uv_frame = no_index;                       ///< index into the detail's frames; a mesh has none
+  std::uint32_t light = no_index;                                ///< index into Scene::lights where it emits
+  std::uint32_t interior = no_index, exterior = no_index;        ///< media, by the description's indices
+  std::uint32_t uv_frame = no_index;                             ///< index into the detail's frames; a mesh has none
+  std::shared_ptr<const std::vector<LongFace>> long_faces = {};  ///< by primitive; null where there are none
+
+  /// Null where that primitive is none.
+  const LongFace* long_face(std::size_t primitive) const;
 };
 
 }  // namespace photonproof

@@ -15,6 +15,8 @@
 #include <stdexcept>
 
 #include "renderer/curved_shapes.h"
+#include "renderer/face_normal.h"
+#include "renderer/trace_tables.h"
 
 namespace photonproof {
 namespace {
@@ -23,44 +25,8 @@ constexpr unsigned quad_geometry = 0;
 constexpr unsigned sphere_geometry = 1;
 constexpr unsigned disk_geometry = 2;
 constexpr unsigned cylinder_geometry = 3;
-constexpr unsigned first_mesh = 4;  // then the instances
-
-/// Shapes of one kind, each with the index of its surface.
-template <class Shape>
-struct Table {
-  std::vector<const Shape*> shapes;
-  std::vector<std::uint32_t> surface;
-  void add(const Shape& shape, std::uint32_t index) {
-    shapes.push_back(&shape);
-    surface.push_back(index);
-  }
-};
-
-/// The meshes of a shape group and their hierarchy, built once for all instances.
-struct Group {
-  std::vector<const Mesh*> parts;
-  RTCScene scene = nullptr;
-};
-
-struct Instance {
-  std::uint32_t group = 0;
-  const AffineMap* placement = nullptr;
-  std::vector<std::uint32_t> surface;  ///< of each part
-};
-
-struct Tables {
-  Table<Quad> quads;
-  Table<Sphere> spheres;
-  Table<Disk> disks;
-  Table<Cylinder> cylinders;
-  Table<Plane> planes;  ///< tested one after the other: boxes around them would be of no use
-  Table<Mesh> meshes;   ///< geometries of their own
-  std::vector<Group> groups;
-  std::vector<Instance> instances;
-
-  explicit Tables(const std::vector<Surface>& surfaces);
-  void add(const MeshInstance& copy, std::uint32_t surface);
-};
+constexpr unsigned long_face_geometry = 4;
+constexpr unsigned first_mesh = 5;  // then the instances
 
 struct SurfacePoint {
   Vec3f p, normal;
@@ -68,39 +34,13 @@ struct SurfacePoint {
   std::uint32_t primitive = 0;
 };
 
-Tables::Tables(const std::vector<Surface>& surfaces) {
-  for (std::uint32_t i = 0; i < surfaces.size(); ++i) {
-    const Geometry& geometry = surfaces[i].geometry;
-    if (const auto* quad = std::get_if<Quad>(&geometry)) quads.add(*quad, i);
-    if (const auto* sphere = std::get_if<Sphere>(&geometry)) spheres.add(*sphere, i);
-    if (const auto* disk = std::get_if<Disk>(&geometry)) disks.add(*disk, i);
-    if (const auto* cylinder = std::get_if<Cylinder>(&geometry)) cylinders.add(*cylinder, i);
-    if (const auto* plane = std::get_if<Plane>(&geometry)) planes.add(*plane, i);
-    if (const auto* mesh = std::get_if<Mesh>(&geometry)) meshes.add(*mesh, i);
-    if (const auto* copy = std::get_if<MeshInstance>(&geometry)) add(*copy, i);
-  }
-}
-
-void Tables::add(const MeshInstance& copy, std::uint32_t surface) {
-  if (copy.group >= groups.size()) groups.resize(copy.group + 1);
-  std::vector<const Mesh*>& parts = groups[copy.group].parts;
-  if (copy.part >= parts.size()) parts.resize(copy.part + 1);
-  parts[copy.part] = copy.mesh.get();
-  if (copy.instance >= instances.size()) instances.resize(copy.instance + 1);
-  Instance& instance = instances[copy.instance];
-  instance.group = copy.group;
-  instance.placement = copy.placement.get();
-  if (copy.part >= instance.surface.size()) instance.surface.resize(copy.part + 1, no_index);
-  instance.surface[copy.part] = surface;
-}
-
 ShapeRay shape_ray(const RTCRay& ray) {
   return {{ray.org_x, ray.org_y, ray.org_z}, {ray.dir_x, ray.dir_y, ray.dir_z}, ray.tnear, ray.tfar};
 }
 
 template <class Shape>
 void bounds_callback(const RTCBoundsFunctionArguments* args) {
-  const ShapeBox box = box_around(*static_cast<const Table<Shape>*>(args->geometryUserPtr)->shapes[args->primID]);
+  const ShapeBox box = box_around(*static_cast<const ShapeTable<Shape>*>(args->geometryUserPtr)->shapes[args->primID]);
   RTCBounds& b = *args->bounds_o;
   b.lower_x = box.low.x;
   b.lower_y = box.low.y;
@@ -113,7 +53,7 @@ void bounds_callback(const RTCBoundsFunctionArguments* args) {
 // Called with one ray or with a packet of them.
 template <class Shape>
 void intersect_callback(const RTCIntersectFunctionNArguments* args) {
-  const Shape& shape = *static_cast<const Table<Shape>*>(args->geometryUserPtr)->shapes[args->primID];
+  const Shape& shape = *static_cast<const ShapeTable<Shape>*>(args->geometryUserPtr)->shapes[args->primID];
   RTCRayN* rays = RTCRayHitN_RayN(args->rayhit, args->N);
   RTCHitN* hits = RTCRayHitN_HitN(args->rayhit, args->N);
   for (unsigned i = 0; i < args->N; ++i) {
@@ -129,7 +69,7 @@ void intersect_callback(const RTCIntersectFunctionNArguments* args) {
 
 template <class Shape>
 void occluded_callback(const RTCOccludedFunctionNArguments* args) {
-  const Shape& shape = *static_cast<const Table<Shape>*>(args->geometryUserPtr)->shapes[args->primID];
+  const Shape& shape = *static_cast<const ShapeTable<Shape>*>(args->geometryUserPtr)->shapes[args->primID];
   for (unsigned i = 0; i < args->N; ++i) {
     if (args->valid[i] == 0) continue;
     if (hit_distance(shape, shape_ray(rtcGetRayFromRayN(args->ray, args->N, i))) >= 0)
@@ -210,7 +150,8 @@ bool count_bytes(void* total, ssize_t bytes, bool) {
 }  // namespace
 
 struct Tracer::Impl {
-  Tables tables;
+  TraceTables tables;
+  std::vector<RTCScene> groups;  ///< hierarchies, built once for all instances
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
   std::atomic<std::int64_t> bytes{0};
@@ -218,8 +159,7 @@ struct Tracer::Impl {
   explicit Impl(const std::vector<Surface>& surfaces) : tables(surfaces) {}
   ~Impl() {
     if (scene != nullptr) rtcReleaseScene(scene);
-    for (const Group& group : tables.groups)
-      if (group.scene != nullptr) rtcReleaseScene(group.scene);
+    for (RTCScene group : groups) rtcReleaseScene(group);
     if (device != nullptr) rtcReleaseDevice(device);
   }
   RTCScene new_scene() const;
@@ -227,10 +167,11 @@ struct Tracer::Impl {
   static void attach(RTCScene to, RTCGeometry geometry, unsigned id);
   void attach_quads();
   template <class Shape>
-  void attach_shapes(Table<Shape>& table, unsigned id);
-  void attach_mesh(RTCScene to, const Mesh& mesh, unsigned id);
-  void build_group(Group& group);
-  void attach_instance(const Instance& instance, unsigned id);
+  void attach_shapes(ShapeTable<Shape>& table, unsigned id);
+  /// Without its long faces, which are in a table of their own.
+  void attach_mesh(RTCScene to, const Mesh& mesh, const std::vector<LongFace>* long_faces, unsigned id) const;
+  void build_group(const MeshGroup& group);
+  void attach_instance(const PlacedGroup& instance, unsigned id);
 
   unsigned first_instance() const { return first_mesh + static_cast<unsigned>(tables.meshes.shapes.size()); }
   /// The plane that the ray meets first before its end, which moves there; no_index if none.
@@ -274,7 +215,7 @@ void Tracer::Impl::attach_quads() {
 }
 
 template <class Shape>
-void Tracer::Impl::attach_shapes(Table<Shape>& table, unsigned id) {
+void Tracer::Impl::attach_shapes(ShapeTable<Shape>& table, unsigned id) {
   if (table.shapes.empty()) return;
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
   rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(table.shapes.size()));
@@ -285,25 +226,35 @@ void Tracer::Impl::attach_shapes(Table<Shape>& table, unsigned id) {
   attach(scene, geometry, id);
 }
 
-void Tracer::Impl::attach_mesh(RTCScene to, const Mesh& mesh, unsigned id) {
+void Tracer::Impl::attach_mesh(RTCScene to, const Mesh& mesh, const std::vector<LongFace>* long_faces,
+                               unsigned id) const {
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
   rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, mesh.positions.data(), 0,
                              sizeof(Vec3f), mesh.positions.size() - 1);
-  rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh.source->triangles.data(), 0,
-                             sizeof(TriangleMesh::Triangle), mesh.triangle_count());
+  constexpr std::size_t stride = sizeof(TriangleMesh::Triangle);
+  if (long_faces == nullptr) {
+    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh.source->triangles.data(), 0,
+                               stride, mesh.triangle_count());
+  } else {
+    auto* triangles = static_cast<TriangleMesh::Triangle*>(
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, stride, mesh.triangle_count()));
+    if (triangles == nullptr) fail(rtcGetDeviceError(device), "allocating triangles");
+    std::copy(mesh.source->triangles.begin(), mesh.source->triangles.end(), triangles);
+    for (const LongFace& face : *long_faces) triangles[face.primitive].fill(triangles[face.primitive][0]);
+  }
   attach(to, geometry, id);
 }
 
-void Tracer::Impl::build_group(Group& group) {
-  group.scene = new_scene();
+void Tracer::Impl::build_group(const MeshGroup& group) {
+  groups.push_back(new_scene());
   for (std::size_t part = 0; part < group.parts.size(); ++part)
-    attach_mesh(group.scene, *group.parts[part], static_cast<unsigned>(part));
-  rtcCommitScene(group.scene);
+    attach_mesh(groups.back(), *group.parts[part], nullptr, static_cast<unsigned>(part));
+  rtcCommitScene(groups.back());
 }
 
-void Tracer::Impl::attach_instance(const Instance& instance, unsigned id) {
+void Tracer::Impl::attach_instance(const PlacedGroup& instance, unsigned id) {
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
-  rtcSetGeometryInstancedScene(geometry, tables.groups[instance.group].scene);
+  rtcSetGeometryInstancedScene(geometry, groups[instance.group]);
   rtcSetGeometryTimeStepCount(geometry, 1);
   const AffineMap& m = *instance.placement;
   const float columns[12] = {m.x.x, m.x.y, m.x.z, m.y.x,      m.y.y,      m.y.z,
@@ -333,11 +284,11 @@ SurfacePoint Tracer::Impl::locate(unsigned instance, unsigned geometry, unsigned
     const Vec3f corner = mesh.corner(primitive, 0);
     const Vec3f edge_u = mesh.corner(primitive, 1) - corner;
     const Vec3f edge_v = mesh.corner(primitive, 2) - corner;
-    const Vec3f normal = normalize(cross(edge_u, edge_v));
+    const Vec3f normal = face_normal(edge_u, edge_v);
     return {corner + edge_u * u + edge_v * v, mesh.inward ? -normal : normal, surface, primitive};
   };
   if (instance != RTC_INVALID_GEOMETRY_ID) {
-    const Instance& copy = tables.instances[instance - first_instance()];
+    const PlacedGroup& copy = tables.instances[instance - first_instance()];
     SurfacePoint point = on_triangle(*tables.groups[copy.group].parts[geometry], copy.surface[geometry]);
     point.p = copy.placement->point(point.p);
     point.normal = normalize(copy.placement->normal(point.normal));
@@ -354,13 +305,18 @@ SurfacePoint Tracer::Impl::locate(unsigned instance, unsigned geometry, unsigned
       return on(tables.disks);
     case cylinder_geometry:
       return on(tables.cylinders);
+    case long_face_geometry: {
+      SurfacePoint point = on(tables.long_faces);
+      point.primitive = tables.long_faces.shapes[primitive]->primitive;
+      return point;
+    }
     default:
       return on_triangle(*tables.meshes.shapes[geometry - first_mesh], tables.meshes.surface[geometry - first_mesh]);
   }
 }
 
 Tracer::Tracer(const std::vector<Surface>& surfaces) : impl_(std::make_unique<Impl>(surfaces)) {
-  Tables& tables = impl_->tables;
+  TraceTables& tables = impl_->tables;
   impl_->device = rtcNewDevice(nullptr);
   if (impl_->device == nullptr) fail(rtcGetDeviceError(nullptr), "opening the device");
   rtcSetDeviceMemoryMonitorFunction(impl_->device, count_bytes, &impl_->bytes);
@@ -369,9 +325,11 @@ Tracer::Tracer(const std::vector<Surface>& surfaces) : impl_(std::make_unique<Im
   impl_->attach_shapes(tables.spheres, sphere_geometry);
   impl_->attach_shapes(tables.disks, disk_geometry);
   impl_->attach_shapes(tables.cylinders, cylinder_geometry);
+  impl_->attach_shapes(tables.long_faces, long_face_geometry);
   for (std::size_t i = 0; i < tables.meshes.shapes.size(); ++i)
-    impl_->attach_mesh(impl_->scene, *tables.meshes.shapes[i], static_cast<unsigned>(first_mesh + i));
-  for (Group& group : tables.groups) impl_->build_group(group);
+    impl_->attach_mesh(impl_->scene, *tables.meshes.shapes[i], tables.long_faces_of_mesh[i],
+                       static_cast<unsigned>(first_mesh + i));
+  for (const MeshGroup& group : tables.groups) impl_->build_group(group);
   for (std::size_t i = 0; i < tables.instances.size(); ++i)
     impl_->attach_instance(tables.instances[i], static_cast<unsigned>(impl_->first_instance() + i));
   rtcCommitScene(impl_->scene);

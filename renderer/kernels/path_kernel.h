@@ -142,9 +142,8 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, TransportMode::r
     if (!task_.settings.meet_lights)
       weight = select(shared, F(0.0f), F(1.0f));
     else if (task_.settings.weighted && any(shared))
-      weight = select(shared,
-                      mis_weight(s.bsdf_pdf, direct_light_pdf<F>(scene_, light, shared, s.origin, hit)),
-                      F(1.0f));
+      weight =
+          select(shared, mis_weight(s.bsdf_pdf, direct_light_pdf<F>(scene_, light, shared, s.origin, hit)), F(1.0f));
     if constexpr (can_have_faults)
       if (has_fault(Fault::missing_caustic))
         weight = select(s.bsdf_pdf > 0 || as_mask<F>(s.vertex < U(2u)), weight, F(0.0f));

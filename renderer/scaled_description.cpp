@@ -1,0 +1,68 @@
+#include "renderer/scaled_description.h"
+
+namespace photonproof {
+namespace {
+
+struct LightScaler {
+  double factor;
+  Transform scale;
+
+  void operator()(PointLightDescription& light) const {
+    light.position *= factor;
+    light.intensity *= factor * factor;
+  }
+  void operator()(SpotLightDescription& light) const { place(light); }
+  void operator()(IesLightDescription& light) const { place(light); }
+  template <class FromInfinity>
+  void operator()(FromInfinity&) const {}
+
+ private:
+  template <class Light>
+  void place(Light& light) const {
+    light.to_world = scale * light.to_world;
+    light.intensity *= factor * factor;
+  }
+};
+
+struct CameraScaler {
+  double factor;
+
+  void operator()(ThinLensDescription& camera) const {
+    clip(camera.perspective);
+    camera.aperture_radius *= factor;
+    camera.focus_distance *= factor;
+  }
+  /// Its near plane and its width are scaled by to_world, the distance between the planes is not.
+  void operator()(OrthographicDescription& camera) const {
+    camera.far_clip = camera.near_clip + (camera.far_clip - camera.near_clip) * factor;
+  }
+  template <class Camera>
+  void operator()(Camera& camera) const {
+    clip(camera);
+  }
+
+ private:
+  template <class Camera>
+  void clip(Camera& camera) const {
+    camera.near_clip *= factor;
+    camera.far_clip *= factor;
+  }
+};
+
+}  // namespace
+
+SceneDescription scaled(SceneDescription description, double factor) {
+  const Transform scale = Transform::scale(Vec3d(factor));
+  for (ShapeDescription& shape : description.shapes) shape.to_world = scale * shape.to_world;
+  for (EmitterDescription& emitter : description.emitters) std::visit(LightScaler{factor, scale}, emitter.light);
+  for (MediumDescription& medium : description.media)
+    std::visit([&](auto& model) { model.scale /= factor; }, medium.model);
+  for (BsdfDescription& bsdf : description.bsdfs)
+    if (auto* bumps = std::get_if<BumpMapDescription>(&bsdf.model)) bumps->scale *= factor;
+  SensorDescription& sensor = description.sensor;
+  sensor.to_world = scale * sensor.to_world;
+  std::visit(CameraScaler{factor}, sensor.camera);
+  return description;
+}
+
+}  // namespace photonproof

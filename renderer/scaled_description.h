@@ -1,0 +1,13 @@
+// The same scene in another unit of length.
+#pragma once
+
+#include "scenes/description.h"
+
+namespace photonproof {
+
+/// Every length of shapes, emitters, media, camera and bump maps times `factor`, and intensities (W/sr) times its
+/// square: the picture is the same. What is inside shape groups stays, since the instances' placements scale it; the
+/// integrator's radii stay too, since it gets them from the description itself.
+SceneDescription scaled(SceneDescription description, double factor);
+
+}  // namespace photonproof

@@ -1,0 +1,190 @@
+#include "renderer/scene_focus.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include "renderer/scene_frame.h"
+
+namespace photonproof {
+namespace {
+
+/// Vertices of a mesh with more triangles lie close enough to stand for them.
+constexpr std::size_t most_triangles_to_look_at = 4096;
+
+struct Nearest {
+  const Vec3d& to;
+  Vec3d point{0.0};
+  double distance = std::numeric_limits<double>::infinity();
+  void add(const Vec3d& p) {
+    const double d = length(p - to);
+    if (!(d < distance)) return;
+    distance = d;
+    point = p;
+  }
+};
+
+/// The point a + s u + t v, s, t >= 0, s + t <= 1 nearest to p; of a triangle without area, a point of it.
+Vec3d nearest_on_triangle(const Vec3d& p, const Vec3d& a, const Vec3d& u, const Vec3d& v) {
+  const Vec3d q = p - a;
+  const double uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), qu = dot(q, u), qv = dot(q, v);
+  const double determinant = uu * vv - uv * uv;
+  const double s = (qu * vv - qv * uv) / determinant, t = (qv * uu - qu * uv) / determinant;
+  if (s >= 0 && t >= 0 && s + t <= 1) return a + u * s + v * t;
+  Nearest nearest{p};
+  const auto on_edge = [&](const Vec3d& from, const Vec3d& along) {
+    const double share = dot(p - from, along) / dot(along, along);
+    nearest.add(from + along * (share > 0 ? std::min(share, 1.0) : 0.0));
+  };
+  on_edge(a, u);
+  on_edge(a, v);
+  on_edge(a + u, v - u);
+  return nearest.point;
+}
+
+/// Of a local square, disc or heightfield; of a box with a third axis. A stretched one's is not exactly the nearest.
+void add_box(Nearest& nearest, const Transform& to_world, bool solid) {
+  const auto clamped = [](double x) { return std::clamp(x, -1.0, 1.0); };
+  Vec3d local{0, 0, 0};
+  if (solid) {
+    const std::optional<Transform> to_local = to_world.inverse();
+    if (to_local) local = to_local->point(nearest.to);
+    for (double Vec3d::*axis : {&Vec3d::x, &Vec3d::y, &Vec3d::z}) {
+      for (const double side : {-1.0, 1.0}) {
+        Vec3d on_face{clamped(local.x), clamped(local.y), clamped(local.z)};
+        on_face.*axis = side;
+        nearest.add(to_world.point(on_face));
+      }
+    }
+    return;
+  }
+  const Vec3d u = to_world.vector({2, 0, 0}), v = to_world.vector({0, 2, 0}), corner = to_world.point({-1, -1, 0});
+  nearest.add(nearest_on_triangle(nearest.to, corner, u, v));
+  nearest.add(nearest_on_triangle(nearest.to, corner + u + v, -u, -v));
+}
+
+void add_mesh(Nearest& nearest, const TriangleMesh& mesh, const Transform& to_world) {
+  if (mesh.triangles.size() > most_triangles_to_look_at) {
+    for (const Vec3f& p : mesh.positions) nearest.add(to_world.point(Vec3d(p)));
+    return;
+  }
+  for (const TriangleMesh::Triangle& t : mesh.triangles) {
+    const Vec3d a = to_world.point(Vec3d(mesh.positions[t[0]]));
+    const Vec3d u = to_world.point(Vec3d(mesh.positions[t[1]])) - a;
+    const Vec3d v = to_world.point(Vec3d(mesh.positions[t[2]])) - a;
+    nearest.add(nearest_on_triangle(nearest.to, a, u, v));
+  }
+}
+
+void add_ball(Nearest& nearest, const Vec3d& center, double radius) {
+  const Vec3d to_point = nearest.to - center;
+  const double distance = length(to_point);
+  nearest.add(center + (distance > 0 ? to_point * (radius / distance) : Vec3d{radius, 0, 0}));
+}
+
+void add_shape(Nearest& nearest, const SceneDescription& scene, const ShapeDescription& shape,
+               const Transform& to_world) {
+  if (const auto* sphere = std::get_if<SphereDescription>(&shape.geometry)) {
+    add_ball(nearest, to_world.point(sphere->center), sphere->radius * to_world.similarity_scale());
+  } else if (const auto* cylinder = std::get_if<CylinderDescription>(&shape.geometry)) {
+    const Vec3d base = to_world.point(cylinder->p0), along = to_world.point(cylinder->p1) - base;
+    const double share = std::clamp(dot(nearest.to - base, along) / dot(along, along), 0.0, 1.0);
+    add_ball(nearest, base + along * share, cylinder->radius * to_world.similarity_scale());
+  } else if (const auto* mesh = std::get_if<MeshDescription>(&shape.geometry)) {
+    add_mesh(nearest, *mesh->mesh, to_world);
+  } else if (const auto* instance = std::get_if<InstanceDescription>(&shape.geometry)) {
+    for (const ShapeDescription& member : scene.groups[instance->group.value].shapes)
+      if (!std::holds_alternative<InstanceDescription>(member.geometry))
+        add_shape(nearest, scene, member, to_world * member.to_world);
+  } else if (std::holds_alternative<PlaneDescription>(shape.geometry)) {
+    const Vec3d n = cross(to_world.vector({1, 0, 0}), to_world.vector({0, 1, 0}));
+    nearest.add(nearest.to + n * (dot(n, to_world.point({0, 0, 0}) - nearest.to) / dot(n, n)));
+  } else {
+    add_box(nearest, to_world, std::holds_alternative<CubeDescription>(shape.geometry));
+  }
+}
+
+double near_clip(const ThinLensDescription& camera) { return camera.perspective.near_clip; }
+template <class Camera>
+double near_clip(const Camera& camera) {
+  return camera.near_clip;
+}
+
+/// Around what the camera sees: a cone, or of an orthographic one a cylinder.
+struct View {
+  Vec3d origin, axis;
+  double near = 0, half_angle = 0, half_width = 0;  ///< nothing is seen nearer than `near`
+
+  explicit View(const SensorDescription& sensor)
+      : origin(sensor.to_world.point({0, 0, 0})), axis(normalize(sensor.to_world.vector({0, 0, 1}))) {
+    const double film = std::max(sensor.film.width, sensor.film.height), other = sensor.film.width + sensor.film.height;
+    near = std::visit([](const auto& camera) { return near_clip(camera); }, sensor.camera);
+    if (std::holds_alternative<OrthographicDescription>(sensor.camera)) {
+      half_width = length(sensor.to_world.vector({1, 0, 0})) * other / sensor.film.width;
+      return;
+    }
+    double degrees = 0;
+    if (const auto* pinhole = std::get_if<PerspectiveDescription>(&sensor.camera)) degrees = pinhole->fov_degrees;
+    if (const auto* lens = std::get_if<ThinLensDescription>(&sensor.camera)) degrees = lens->perspective.fov_degrees;
+    if (const auto* fisheye = std::get_if<FisheyeDescription>(&sensor.camera)) degrees = fisheye->fov_degrees;
+    // Up to the corners, whichever axis the angle is along.
+    const double longest = std::numbers::sqrt2 * film / (other - film);
+    half_angle = degrees >= 180 ? std::numbers::pi : std::atan(std::tan(degrees * std::numbers::pi / 360) * longest);
+  }
+
+  bool shows(const Vec3d& center, double radius) const {
+    const Vec3d to_center = center - origin;
+    const double along = dot(to_center, axis), distance = length(to_center);
+    if (!(distance > radius)) return true;
+    if (half_width > 0) return length(to_center - axis * along) <= half_width + radius;
+    return std::acos(std::clamp(along / distance, -1.0, 1.0)) <= half_angle + std::asin(radius / distance);
+  }
+};
+
+struct Part {
+  Vec3d point;
+  double near, size;
+  bool in_view;
+};
+
+/// The least value up to which values of half the weight lie; weights are 1 / near.
+template <class Value>
+double weighted_median(std::vector<Part>& parts, Value&& value) {
+  std::sort(parts.begin(), parts.end(), [&](const Part& a, const Part& b) { return value(a) < value(b); });
+  double total = 0, below = 0;
+  for (const Part& part : parts) total += 1 / part.near;
+  for (const Part& part : parts)
+    if ((below += 1 / part.near) >= 0.5 * total) return value(part);
+  return value(parts.back());
+}
+
+}  // namespace
+
+std::optional<SceneFocus> scene_focus(const SceneDescription& description) {
+  const View view(description.sensor);
+  std::vector<Part> parts;
+  for (const ShapeDescription& shape : description.shapes) {
+    Nearest nearest{view.origin};
+    add_shape(nearest, description, shape, shape.to_world);
+    if (!std::isfinite(nearest.distance)) continue;
+    const Extent extent = extent_of(description, shape);
+    const bool ends = extent.is_usable();
+    const double radius = ends ? length(extent.high - extent.low) * 0.5 : std::numeric_limits<double>::infinity();
+    const double near = std::max({nearest.distance, view.near, view.half_width});
+    const double size = std::min(near, radius);
+    if (!(size > 0) || !std::isfinite(size)) continue;
+    parts.push_back({nearest.point, near, size, !ends || view.shows(extent.middle(), radius)});
+  }
+  const auto unseen = std::partition(parts.begin(), parts.end(), [](const Part& part) { return part.in_view; });
+  if (unseen != parts.begin()) parts.erase(unseen, parts.end());
+  if (parts.empty()) return std::nullopt;
+  const Vec3d point{weighted_median(parts, [](const Part& part) { return part.point.x; }),
+                    weighted_median(parts, [](const Part& part) { return part.point.y; }),
+                    weighted_median(parts, [](const Part& part) { return part.point.z; })};
+  if (!is_finite(point)) return std::nullopt;
+  return SceneFocus{point, weighted_median(parts, [](const Part& part) { return part.size; })};
+}
+
+}  // namespace photonproof

@@ -1,0 +1,151 @@
+#include "renderer/scene_notes.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <set>
+
+#include "renderer/bsdf_phong.h"
+#include "renderer/microfacet.h"
+#include "scenes/text_numbers.h"
+
+namespace photonproof {
+namespace {
+
+class Notes {
+ public:
+  explicit Notes(const SceneDescription& description) : description_(description) {}
+
+  std::vector<SceneNote> made;
+
+  void add(const SourceLoc& loc, const std::string& text) { made.push_back({description_.where(loc), text}); }
+
+  /// A number that is rendered as `rendered(number)`; what textures give is held to the same limits without a word.
+  template <class Rendered>
+  void limit(const SourceLoc& loc, const char* name, const Scalar& value, const Rendered& rendered) {
+    const auto* asked = std::get_if<double>(&value);
+    if (asked == nullptr) return;
+    const auto number = static_cast<float>(*asked);
+    if (rendered(number) == number) return;
+    char text[16];
+    std::snprintf(text, sizeof text, "%.6g", static_cast<double>(rendered(number)));
+    add(loc, std::string(name) + " " + format_number(*asked) + " is rendered as " + text);
+  }
+
+ private:
+  const SceneDescription& description_;
+};
+
+struct BsdfNotes {
+  Notes& notes;
+  const SourceLoc& loc;
+
+  void operator()(const RoughConductorDescription& d) const { roughness(d.alpha_u, d.alpha_v); }
+  void operator()(const RoughDielectricDescription& d) const { roughness(d.alpha_u, d.alpha_v); }
+  void operator()(const RoughPlasticDescription& d) const { roughness(d.alpha, d.alpha); }
+  void operator()(const PhongDescription& d) const {
+    notes.limit(loc, "exponent", d.exponent, [](float n) { return PhongBsdf<float>{n, {}, {}}.exponent(); });
+    const auto* diffuse = std::get_if<RgbD>(&d.diffuse_reflectance);
+    const auto* specular = std::get_if<RgbD>(&d.specular_reflectance);
+    if (diffuse == nullptr || specular == nullptr) return;
+    const double sum = max_component(*diffuse + *specular);
+    if (static_cast<float>(sum) > 1)
+      notes.add(loc, "diffuse_reflectance and specular_reflectance add up to " +
+                         format_number(static_cast<double>(static_cast<float>(sum))) +
+                         " in a channel: both are rendered divided by that");
+  }
+  template <class Other>
+  void operator()(const Other&) const {}
+
+ private:
+  void roughness(const Scalar& along_u, const Scalar& along_v) const {
+    const auto usable = Microfacets<float>::usable;
+    notes.limit(loc, along_u == along_v ? "alpha" : "alpha_u", along_u, usable);
+    if (along_u != along_v) notes.limit(loc, "alpha_v", along_v, usable);
+  }
+};
+
+std::size_t triangles_without_area(const TriangleMesh& mesh) {
+  return static_cast<std::size_t>(std::count_if(mesh.triangles.begin(), mesh.triangles.end(), [&](const auto& t) {
+    const Vec3d a(mesh.positions[t[0]]);
+    return cross(Vec3d(mesh.positions[t[1]]) - a, Vec3d(mesh.positions[t[2]]) - a) == Vec3d(0.0);
+  }));
+}
+
+void add_mesh_notes(const SceneDescription& description, Notes& notes) {
+  std::set<const TriangleMesh*> known;  // a file that several shapes share is told of once
+  const auto look_at = [&](const ShapeDescription& shape) {
+    const auto* file = std::get_if<MeshDescription>(&shape.geometry);
+    if (file == nullptr || !known.insert(file->mesh.get()).second) return;
+    const std::size_t flat = triangles_without_area(*file->mesh), all = file->mesh->triangles.size();
+    if (flat == 0) return;
+    notes.add(shape.loc, std::to_string(flat) + " of the " + std::to_string(all) + " triangles of '" + file->filename +
+                             "' " + (flat == 1 ? "has" : "have") + " no area and cannot be seen");
+  };
+  for (const ShapeDescription& shape : description.shapes) look_at(shape);
+  for (const ShapeGroupDescription& group : description.groups)
+    for (const ShapeDescription& shape : group.shapes) look_at(shape);
+}
+
+bool is_zero(const RgbD& colour) { return colour == RgbD(0.0); }
+
+/// Lights that the scene file itself sets to nothing are meant to be dark.
+struct MeantDark {
+  bool operator()(const PointLightDescription& d) const { return is_zero(d.intensity); }
+  bool operator()(const SpotLightDescription& d) const { return is_zero(d.intensity); }
+  bool operator()(const IesLightDescription& d) const { return is_zero(d.intensity); }
+  bool operator()(const DirectionalLightDescription& d) const { return is_zero(d.irradiance); }
+  bool operator()(const ConstantLightDescription& d) const { return is_zero(d.radiance); }
+  bool operator()(const EnvmapDescription& d) const { return d.scale == 0; }
+  bool operator()(const SunSkyDescription& d) const { return d.sun_scale == 0 && d.sky_scale == 0; }
+};
+
+/// What it is that has no light in it.
+struct Darkness {
+  std::string operator()(const IesLightDescription& d) const { return "every candela of '" + d.filename + "' is 0"; }
+  std::string operator()(const EnvmapDescription& d) const { return "every pixel of '" + d.filename + "' is 0"; }
+  template <class Other>
+  std::string operator()(const Other&) const {
+    return "its light is less than single precision can hold";
+  }
+};
+
+std::string darkness(const ShapeDescription& shape) {
+  if (const auto* file = std::get_if<MeshDescription>(&shape.geometry))
+    if (triangles_without_area(*file->mesh) == file->mesh->triangles.size())
+      return "no triangle of '" + file->filename + "' has an area";
+  if (std::holds_alternative<TextureIndex>(*shape.radiance)) return "its texture is 0 wherever the shape shows it";
+  return "its light is less than single precision can hold";
+}
+
+void add_light_notes(const SceneDescription& description, const Scene& scene, Notes& notes) {
+  const auto is_dark = [&](std::size_t light) { return !(max_component(flux(scene.lights[light])) > 0); };
+  // Lights are those of the shapes, one a surface, and then the emitters.
+  std::size_t light = 0;
+  for (const ShapeDescription& shape : description.shapes) {
+    if (!shape.radiance) continue;
+    const std::size_t surfaces = std::holds_alternative<CubeDescription>(shape.geometry) ? 6 : 1, first = light;
+    light += surfaces;
+    const auto* radiance = std::get_if<RgbD>(&*shape.radiance);
+    if (radiance != nullptr && is_zero(*radiance)) continue;
+    bool all_dark = true;
+    for (std::size_t i = first; i < light; ++i) all_dark = all_dark && is_dark(i);
+    if (all_dark) notes.add(shape.loc, "the shape emits nothing: " + darkness(shape));
+  }
+  for (const EmitterDescription& emitter : description.emitters) {
+    const std::size_t own = light++;
+    if (!std::visit(MeantDark{}, emitter.light) && is_dark(own))
+      notes.add(emitter.loc, "the light emits nothing: " + std::visit(Darkness{}, emitter.light));
+  }
+}
+
+}  // namespace
+
+std::vector<SceneNote> scene_notes(const SceneDescription& description, const Scene& scene) {
+  Notes notes(description);
+  for (const BsdfDescription& bsdf : description.bsdfs) std::visit(BsdfNotes{notes, bsdf.loc}, bsdf.model);
+  add_mesh_notes(description, notes);
+  add_light_notes(description, scene, notes);
+  return std::move(notes.made);
+}
+
+}  // namespace photonproof

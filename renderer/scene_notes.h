@@ -1,0 +1,20 @@
+// What a scene asks for and does not get, or gets otherwise: values that are rendered as others, lights that are dark,
+// triangles without area.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "renderer/scene.h"
+
+namespace photonproof {
+
+struct SceneNote {
+  std::string where;  ///< file:line:col
+  std::string text;   ///< a sentence without its full stop
+};
+
+/// In the order of the description: BSDFs, shapes, emitters. `scene` is compiled from it.
+std::vector<SceneNote> scene_notes(const SceneDescription& description, const Scene& scene);
+
+}  // namespace photonproof

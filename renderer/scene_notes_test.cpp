@@ -1,0 +1,106 @@
+// Every value that is rendered as another, and every light that is dark without having been asked to be, is said; the
+// whole sentence is compared.
+
+#include "renderer/scene_notes.h"
+
+#include <gtest/gtest.h>
+
+#include "renderer/test_scenes.h"
+#include "scenes/parser.h"
+
+namespace photonproof {
+namespace {
+
+/// "file:line:col: text" of all notes, a line each.
+std::string notes_of(const SceneDescription& d) {
+  std::string text;
+  const Scene scene(d, 4, 4, {}, small_scene_limit, ScenePurpose::plan);
+  for (const SceneNote& note : scene_notes(d, scene)) text += note.where + ": " + note.text + "\n";
+  return text;
+}
+
+/// The entities of `body` stand in line 2 of the file from column 1 on.
+std::string notes_of_scene(const std::string& body) {
+  return notes_of(parse_scene_text(
+      "<scene version=\"3.0.0\">\n" + body +
+          "\n<integrator type=\"path\"/><sensor type=\"perspective\"/><emitter type=\"constant\"/></scene>\n",
+      "s.xml"));
+}
+
+TEST(scene_notes, ordinary_scenes_have_none) {
+  EXPECT_EQ(notes_of(test::room(4, true)), "");
+  EXPECT_EQ(notes_of_scene("<bsdf type=\"roughconductor\" id=\"b\"><float name=\"alpha\" value=\"1e-4\"/></bsdf>"), "");
+  EXPECT_EQ(notes_of_scene("<bsdf type=\"phong\" id=\"b\"><float name=\"exponent\" value=\"1e7\"/></bsdf>"), "");
+}
+
+TEST(scene_notes, say_roughness_beyond_its_limits) {
+  EXPECT_EQ(notes_of_scene("<bsdf type=\"roughconductor\" id=\"b\"><float name=\"alpha\" value=\"1e-9\"/></bsdf>"),
+            "s.xml:2:1: alpha 1e-09 is rendered as 0.0001\n");
+  EXPECT_EQ(notes_of_scene("<bsdf type=\"roughplastic\" id=\"b\"><float name=\"alpha\" value=\"1e-5\"/></bsdf>"),
+            "s.xml:2:1: alpha 1e-05 is rendered as 0.0001\n");
+  EXPECT_EQ(notes_of_scene("<bsdf type=\"roughdielectric\" id=\"b\"><float name=\"alpha_u\" value=\"0.1\"/>"
+                           "<float name=\"alpha_v\" value=\"20000\"/></bsdf>"),
+            "s.xml:2:1: alpha_v 20000 is rendered as 10000\n");
+}
+
+TEST(scene_notes, say_what_phong_does_not_take) {
+  EXPECT_EQ(notes_of_scene("<bsdf type=\"phong\" id=\"b\"><float name=\"exponent\" value=\"2e8\"/></bsdf>"),
+            "s.xml:2:1: exponent 2e+08 is rendered as 1e+07\n");
+  EXPECT_EQ(notes_of_scene("<bsdf type=\"phong\" id=\"b\"><rgb name=\"diffuse_reflectance\" value=\"0.5 0.75 0.5\"/>"
+                           "<rgb name=\"specular_reflectance\" value=\"0.5\"/></bsdf>"),
+            "s.xml:2:1: diffuse_reflectance and specular_reflectance add up to 1.25 in a channel: both are rendered "
+            "divided by that\n");
+}
+
+std::shared_ptr<TriangleMesh> mesh_of(const std::vector<Vec3f>& positions) {
+  auto mesh = std::make_shared<TriangleMesh>();
+  mesh->resize_positions(positions.size());
+  for (std::size_t i = 0; i < positions.size(); ++i) mesh->positions[i] = positions[i];
+  for (std::uint32_t t = 0; 3 * t < positions.size(); ++t) mesh->triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
+  return mesh;
+}
+
+SceneDescription lamp_of(const std::shared_ptr<TriangleMesh>& mesh, const RgbD& radiance) {
+  SceneDescription d = test::room(4, false);
+  d.files = {"s.xml"};
+  test::add_shape(d, MeshDescription{MeshDescription::Format::ply, "lamp.ply", true, false, mesh}, {}, {0}).radiance =
+      radiance;
+  d.shapes.back().loc = {0, 7, 3};
+  return d;
+}
+
+TEST(scene_notes, say_triangles_that_cannot_be_seen_and_lamps_of_nothing_else) {
+  const Vec3f a(0.0f), b(0, 0, 1), c(1, 0, 0);
+  EXPECT_EQ(notes_of(lamp_of(mesh_of({a, b, c}), RgbD(1))), "");
+  EXPECT_EQ(notes_of(lamp_of(mesh_of({a, b, c, a, a, b}), RgbD(1))),
+            "s.xml:7:3: 1 of the 2 triangles of 'lamp.ply' has no area and cannot be seen\n");
+  EXPECT_EQ(notes_of(lamp_of(mesh_of({a, a, c, a, a, b}), RgbD(1))),
+            "s.xml:7:3: 2 of the 2 triangles of 'lamp.ply' have no area and cannot be seen\n"
+            "s.xml:7:3: the shape emits nothing: no triangle of 'lamp.ply' has an area\n");
+  EXPECT_EQ(notes_of(lamp_of(mesh_of({a, b, c}), RgbD(1e-60))),
+            "s.xml:7:3: the shape emits nothing: its light is less than single precision can hold\n");
+  EXPECT_EQ(notes_of(lamp_of(mesh_of({a, b, c}), RgbD(0))), "");
+}
+
+TEST(scene_notes, say_lights_whose_files_are_dark) {
+  SceneDescription d = test::room(4, false);
+  d.files = {"s.xml"};
+  auto profile = std::make_shared<IesProfile>();
+  profile->vertical_degrees = {0, 90};
+  profile->horizontal_degrees = {0};
+  profile->candela = {0, 0};
+  IesLightDescription ies{"dark.ies", profile, RgbD(1), {}};
+  d.emitters.push_back({{0, 4, 1}, "", ies});
+  ies.intensity = RgbD(0);  // as the scene asks
+  d.emitters.push_back({{0, 5, 1}, "", ies});
+  EnvmapDescription map;
+  map.filename = "dark.exr";
+  map.image = std::make_shared<Image>(4, 4);
+  d.emitters.push_back({{0, 6, 1}, "", map});
+  EXPECT_EQ(notes_of(d),
+            "s.xml:4:1: the light emits nothing: every candela of 'dark.ies' is 0\n"
+            "s.xml:6:1: the light emits nothing: every pixel of 'dark.exr' is 0\n");
+}
+
+}  // namespace
+}  // namespace photonproof

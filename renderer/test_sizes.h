@@ -1,0 +1,124 @@
+// A scene whose every length is given in a unit, so that it can be asked for at any size, and comparisons of what comes
+// out. Nothing here is shared with scaled_description.cpp.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "renderer/test_scenes.h"
+
+namespace photonproof::test {
+
+/// Positions times `size`, as if the file had them so.
+inline std::shared_ptr<const TriangleMesh> pyramid(double size) {
+  auto mesh = std::make_shared<TriangleMesh>();
+  mesh->resize_positions(5);
+  const Vec3d corners[5] = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}, {0, 0, 1}};
+  for (std::size_t i = 0; i < 5; ++i) mesh->positions[i] = Vec3f(corners[i] * size);
+  mesh->triangles = {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}};
+  return mesh;
+}
+
+/// (-1,-1), (3,-1), (-1,3) in the local xy plane, times `size`: holds the square [-1,1]^2.
+inline std::shared_ptr<const TriangleMesh> large_triangle(double size) {
+  auto mesh = std::make_shared<TriangleMesh>();
+  mesh->resize_positions(3);
+  const Vec3d corners[3] = {{-1, -1, 0}, {3, -1, 0}, {-1, 3, 0}};
+  for (std::size_t i = 0; i < 3; ++i) mesh->positions[i] = Vec3f(corners[i] * size);
+  mesh->triangles = {{0, 1, 2}};
+  return mesh;
+}
+
+struct Room {
+  double unit = 1;
+  bool media = false;   ///< for volpath
+  bool bodies = false;  ///< mirrors and glass, textures' bumps, a lens
+};
+
+/// A floor without end, a shape of every kind on it, a light of every kind with an end over it, dim light from all
+/// around. Intensities go with the square of the unit.
+inline SceneDescription room_of_all_shapes(const Room& room) {
+  const double u = room.unit;
+  const auto at = [&](double x, double y, double z, double size) {
+    return Transform::translate(Vec3d{x, y, z} * u) * Transform::scale(Vec3d(size * u));
+  };
+  SceneDescription d;
+  const BsdfIndex grey = add_bsdf(d, DiffuseDescription{RgbD(0.6)}), black = add_bsdf(d, DiffuseDescription{RgbD(0)});
+  BsdfIndex bumpy = grey, shiny = grey;
+  if (room.bodies) {
+    d.textures.push_back({{}, "", CheckerboardDescription{RgbD(0.9), RgbD(0.1), Transform::scale(Vec3d(8))}});
+    bumpy = add_bsdf(d, BumpMapDescription{{0}, 0.3 * u, grey});
+    shiny = add_bsdf(d, ConductorDescription{});
+  }
+  add_shape(d, PlaneDescription{}, at(0, 0, -0.1, 1), grey);
+  add_shape(d, RectangleDescription{}, at(0, 0, 0, 4), bumpy);
+  add_shape(d, SphereDescription{{0, 0, 0}, 0.5}, at(-1.5, 1.5, 0.5, 1), shiny);
+  add_shape(d, CubeDescription{}, at(0, 1.5, 0.4, 0.4), grey);
+  add_shape(d, DiskDescription{}, at(1.5, 1.5, 0.3, 0.6), grey);
+  add_shape(d, CylinderDescription{{0, 0, 0}, {0, 0, 1}, 0.4}, at(-1.5, 0, 0, 1), grey);
+  const auto ply = MeshDescription::Format::ply;
+  add_shape(d, MeshDescription{ply, "pyramid.ply", true, false, pyramid(0.6 * u)},
+            Transform::translate(Vec3d{0, 0, 0.01} * u), grey);
+  add_shape(d, HeightfieldDescription{8, 8, 0.2, true, HeightfieldNoise{2, 2, 2, 7}}, at(1.5, 0, 0.25, 0.6), grey);
+  ShapeGroupDescription group;
+  ShapeDescription member;
+  member.geometry = MeshDescription{ply, "pyramid.ply", true, false, pyramid(1)};
+  member.bsdf = grey;
+  group.shapes.push_back(member);
+  d.groups.push_back(group);
+  add_shape(d, InstanceDescription{{0}}, at(-1.5, -1.5, 0.01, 0.6), grey);
+
+  const auto lamp = [&](const decltype(ShapeDescription::geometry)& geometry, const Transform& to_world) {
+    add_shape(d, geometry, to_world * Transform::rotate({1, 0, 0}, 180), black).radiance = RgbD(3);
+  };
+  lamp(RectangleDescription{}, at(-1, -1, 3, 0.3));
+  lamp(SphereDescription{{0, 0, 0}, 1}, at(1, -1, 3, 0.2));
+  lamp(DiskDescription{}, at(1, 1, 3, 0.3));
+  lamp(CylinderDescription{{0, 0, 0}, {0, 0, 1}, 0.3}, at(-1, 1, 3, 0.5));
+  lamp(MeshDescription{ply, "pyramid.ply", true, false, pyramid(0.3 * u)}, Transform::translate(Vec3d{0, 0, 3} * u));
+  const RgbD intensity = RgbD(0.5) * (u * u);
+  d.emitters.push_back({{}, "", PointLightDescription{Vec3d{2, -2, 2} * u, intensity}});
+  SpotLightDescription spot;
+  spot.to_world = Transform::look_at(Vec3d{-2, -2, 3} * u, {0, 0, 0}, {0, 1, 0});
+  spot.intensity = intensity * 4.0;
+  d.emitters.push_back({{}, "", spot});
+  auto profile = std::make_shared<IesProfile>();
+  profile->vertical_degrees = {0, 60, 90};
+  profile->horizontal_degrees = {0};
+  profile->candela = {2, 1, 0};
+  d.emitters.push_back({{}, "", IesLightDescription{"lamp.ies", profile, intensity, at(2, 2, 3, 1 / u)}});
+  d.emitters.push_back({{}, "", ConstantLightDescription{RgbD(0.02)}});
+  if (room.media) {
+    d.media.push_back({{}, "", HomogeneousDescription{RgbD{0.1, 0.2, 0.3} * (1 / u), RgbD(0.8), 1, {}}});
+    d.sensor.medium = MediumIndex{0};
+    add_shape(d, SphereDescription{{0, 0, 0}, 20}, at(0, 0, 0, 1), add_bsdf(d, NullDescription{}));
+    d.shapes.back().interior = MediumIndex{0};
+  }
+  PerspectiveDescription camera{.fov_degrees = 50, .near_clip = 0.01 * u, .far_clip = 100 * u};
+  d.sensor.camera = camera;
+  if (room.bodies) d.sensor.camera = ThinLensDescription{camera, 0.1 * u, 5 * u};
+  d.sensor.to_world = Transform::look_at(Vec3d{1, -5, 4} * u, Vec3d{0, 0, 0.4} * u, {0, 0, 1});
+  d.sensor.film.width = 24;
+  d.sensor.film.height = 16;
+  PhotonMapperDescription photons;
+  photons.global_radius = 0.2 * u;
+  photons.caustic_radius = 0.1 * u;
+  photons.max_depth = 6;
+  d.integrator.method = photons;
+  return d;
+}
+
+/// Both images from the same random numbers: equal within rounding at all but a few values, where a path went round
+/// the other side of an edge, and in the mean.
+inline void expect_same_picture(const Image& image, const Image& expected, const std::string& what) {
+  ASSERT_EQ(image.rgb.size(), expected.rgb.size());
+  std::size_t different = 0;
+  for (std::size_t i = 0; i < image.rgb.size(); ++i)
+    if (!(std::abs(image.rgb[i] - expected.rgb[i]) <= 2e-3f * (image.rgb[i] + expected.rgb[i]) + 1e-6f)) ++different;
+  EXPECT_LE(different, image.rgb.size() / 25) << what;
+  EXPECT_NEAR(image_mean(image), image_mean(expected), 0.004 * image_mean(expected)) << what;
+}
+
+}  // namespace photonproof::test

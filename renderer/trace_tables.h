@@ -1,0 +1,49 @@
+// Surfaces sorted by what Embree has to be told of them.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "renderer/surface.h"
+
+namespace photonproof {
+
+/// Shapes of one kind, each with the index of its surface.
+template <class Shape>
+struct ShapeTable {
+  std::vector<const Shape*> shapes;
+  std::vector<std::uint32_t> surface;
+  void add(const Shape& shape, std::uint32_t index) {
+    shapes.push_back(&shape);
+    surface.push_back(index);
+  }
+};
+
+/// The meshes of a shape group, which all its instances share.
+struct MeshGroup {
+  std::vector<const Mesh*> parts;
+};
+
+struct PlacedGroup {
+  std::uint32_t group = 0;
+  const AffineMap* placement = nullptr;
+  std::vector<std::uint32_t> surface;  ///< of each part
+};
+
+struct TraceTables {
+  ShapeTable<Quad> quads;
+  ShapeTable<Sphere> spheres;
+  ShapeTable<Disk> disks;
+  ShapeTable<Cylinder> cylinders;
+  ShapeTable<LongFace> long_faces;
+  ShapeTable<Plane> planes;  ///< tested one after the other: boxes around them would be of no use
+  ShapeTable<Mesh> meshes;   ///< geometries of their own
+  std::vector<const std::vector<LongFace>*> long_faces_of_mesh;  ///< null where there are none
+  std::vector<MeshGroup> groups;
+  std::vector<PlacedGroup> instances;
+
+  explicit TraceTables(const std::vector<Surface>& surfaces);
+  void add(const MeshInstance& copy, std::uint32_t surface);
+};
+
+}  // namespace photonproof
