@@ -212,9 +212,9 @@ inline void add_meshes(std::vector<SurfaceLight>& all, const Vec3d& at, double s
     }
     // The least barycentric coordinate: chords vanish in corners.
     const auto slant = [whole](const Vec3d& q, const Vec3d& n) {
-      const auto faces = [&](const Patch& a, const Patch& b) { return dot(a.facing, n) < dot(b.facing, n); };
-      const Vec2<double> at = std::max_element(whole.begin(), whole.end(), faces)->uv(q);
-      return std::min({1 - at.x, at.x * at.y, at.x * (1 - at.y)});
+      const auto less = [&](const Patch& a, const Patch& b) { return dot(a.facing, n) < dot(b.facing, n); };
+      const Vec2<double> uv = std::max_element(whole.begin(), whole.end(), less)->uv(q);
+      return std::min({1 - uv.x, uv.x * uv.y, uv.x * (1 - uv.y)});
     };
     all.push_back({name, AreaLight(shape, Rgb(1)), whole, seen, places, slant, 1e-4 * size});
     all.push_back({"textured " + name, AreaLight(shape, gaudy), whole, seen, {places[0]}, slant, 1e-4 * size});
