@@ -80,7 +80,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Case{"cornell", paths_and_light(128, 128, 192)}, Case{"corridor", paths(20480, 1024)},
         Case{"light-area", paths_and_light(128, 128, 256)}, Case{"light-sphere", paths_and_light(128, 128, 768)},
-        Case{"light-disk", paths_and_light(128, 128, 256)}, Case{"light-cylinder", paths_and_light(128, 128, 1024)},
+        Case{"light-disk", paths_and_light(128, 128, 256)}, Case{"light-cylinder", paths_and_light(256, 256, 1024)},
         Case{"light-mesh", paths_and_light(128, 128, 768)}, Case{"light-point", paths_and_light(128, 128, 768)},
         Case{"light-spot", paths_and_light(128, 128, 128)}, Case{"light-ies", paths_and_light(128, 128, 192)},
         Case{"light-directional", paths_and_light(128, 128, 1536)},
