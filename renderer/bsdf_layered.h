@@ -8,6 +8,8 @@
 //   mirror          1 / (1 - rho F a): exact, each round leaves in the same direction
 //   glossy part     1 / (1 - rho min(F(wo), F(wi)) a): symmetric, never above the exact one, which it becomes as the
 //                   base becomes a mirror
+// A metal's eta and k are relative to the lacquer here, whose index the record has divided them by: lacquered metal is
+// darker.
 // What a base of two parts reflects inside from one part to the other is lost.
 #pragma once
 

@@ -60,9 +60,10 @@ class Compiler {
   Bsdf operator()(const LayeredDescription& d) {
     const auto& base = scene_.bsdfs[d.base.value].model;
     if (const auto* m = std::get_if<DiffuseDescription>(&base)) return layered<DiffuseBsdf>(d, diffuse(*m));
-    if (const auto* m = std::get_if<ConductorDescription>(&base)) return layered<ConductorBsdf>(d, conductor(*m));
+    if (const auto* m = std::get_if<ConductorDescription>(&base))
+      return layered<ConductorBsdf>(d, conductor(*m, d.int_ior));
     if (const auto* m = std::get_if<RoughConductorDescription>(&base))
-      return layered<RoughConductorBsdf>(d, rough_conductor(*m));
+      return layered<RoughConductorBsdf>(d, rough_conductor(*m, d.int_ior));
     if (const auto* m = std::get_if<PhongDescription>(&base)) return layered<PhongBsdf>(d, phong(*m));
     refuse("layered: the base must be diffuse, conductor, roughconductor or phong");
   }
@@ -102,28 +103,29 @@ class Compiler {
   DiffuseBsdf<float> diffuse(const DiffuseDescription& d) {
     return {colour(d.reflectance, offsetof(DiffuseBsdf<float>, reflectance))};
   }
-  ConductorBsdf<float> conductor(const ConductorDescription& d) {
+  ConductorBsdf<float> conductor(const ConductorDescription& d, double ior_above = 1) {
     using Record = ConductorBsdf<float>;
     Record record{colour(d.specular_reflectance, offsetof(Record, reflectance)), 0, {}, {}};
-    set_ior(record, d.ior);
+    set_ior(record, d.ior, ior_above);
     return record;
   }
-  RoughConductorBsdf<float> rough_conductor(const RoughConductorDescription& d) {
+  RoughConductorBsdf<float> rough_conductor(const RoughConductorDescription& d, double ior_above = 1) {
     using Record = RoughConductorBsdf<float>;
     Record record{facets(d.distribution, d.alpha_u, d.alpha_v, d.sample_visible, offsetof(Record, facets)),
                   colour(d.specular_reflectance, offsetof(Record, reflectance)),
                   0,
                   {},
                   {}};
-    set_ior(record, d.ior);
+    set_ior(record, d.ior, ior_above);
     return record;
   }
+  /// What a metal reflects depends on its index relative to what lies on it.
   template <class Record>
-  static void set_ior(Record& record, const std::optional<ComplexIor>& ior) {
+  static void set_ior(Record& record, const std::optional<ComplexIor>& ior, double ior_above) {
     if (!ior) return;
     record.has_ior = 1;
-    record.eta = Rgb(ior->eta);
-    record.k = Rgb(ior->k);
+    record.eta = Rgb(ior->eta / ior_above);
+    record.k = Rgb(ior->k / ior_above);
   }
   PhongBsdf<float> phong(const PhongDescription& d) {
     using Record = PhongBsdf<float>;
