@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "renderer/test_albedo.h"
+#include "renderer/test_scenes.h"
 #include "scenes/conductor_ior.h"
 #include "scenes/named_ior.h"
 #include "scenes/parser.h"
@@ -227,6 +228,44 @@ TEST(bsdf_oracle, textures_are_the_parameters_they_are_named_for) {
     }
   }
   EXPECT_GT(textured, 40u);
+}
+
+/// In pictures too alpha_u is along dp/du: one spot of a turned rectangle and of a sphere, lit by a point, has the
+/// value of eval in the frame of that tangent. Exchanged, the roughnesses would give less than 3/4 or more than 4/3 of
+/// it.
+TEST(bsdf_oracle, alpha_u_is_along_dp_du_in_pictures) {
+  const auto metal = [](double alpha_u, double alpha_v) {
+    return RoughConductorDescription{MicrofacetDistribution::ggx, alpha_u, alpha_v, true, {}, RgbD(0.8)};
+  };
+  const Vec3f wo = direction({40, 20}, 0), wi = direction({25, 150}, 0);
+  const double intensity = 10, distance = 3;
+  const auto expected = [&](const BsdfDescription& bsdf) {
+    SceneDescription only;
+    only.bsdfs.push_back(bsdf);
+    return test::eval(compile_bsdf(only, {0}).record, wo, wi).x * wi.z * intensity / (distance * distance);
+  };
+  const double value = expected({{}, "", metal(0.15, 0.6)}), exchanged = expected({{}, "", metal(0.6, 0.15)});
+  EXPECT_GT(std::abs(std::log(exchanged / value)), std::log(4.0 / 3));
+  const double turn = 35 * std::numbers::pi / 180;
+  const Vec3d along(std::cos(turn), std::sin(turn), 0), across(-std::sin(turn), std::cos(turn), 0), up(0, 0, 1);
+  for (const bool sphere : {false, true}) {
+    SceneDescription scene;
+    const BsdfIndex bsdf = test::add_bsdf(scene, metal(0.15, 0.6));
+    if (sphere)
+      test::add_shape(scene, SphereDescription{}, {}, bsdf);
+    else
+      test::add_shape(scene, RectangleDescription{}, Transform::rotate(up, 35), bsdf);
+    // u of a sphere runs with the azimuth about z.
+    const Vec3d p = sphere ? along : Vec3d(0, 0, 0), normal = sphere ? along : up, tangent = sphere ? across : along;
+    const auto world = [&](const Vec3f& v) {
+      return tangent * double{v.x} + cross(normal, tangent) * double{v.y} + normal * double{v.z};
+    };
+    scene.emitters.push_back({{}, "", PointLightDescription{p + world(wi) * distance, RgbD(intensity)}});
+    test::set_camera(scene, Transform::look_at(p + world(wo) * 5.0, p, {0.1, 0.2, 1}), 0.01, 2);
+    for (const char* integrator : {"path", "volpath"})
+      EXPECT_NEAR(test::image_mean(test::render(scene, integrator, test::job_with(4)).image.mean) / value, 1, 3e-3)
+          << integrator << (sphere ? " sphere" : " rectangle");
+  }
 }
 
 /// What metals reflect at normal incidence, linear RGB: Akenine-Moeller et al., Real-Time Rendering, 4th edition, table
