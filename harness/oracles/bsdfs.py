@@ -230,7 +230,8 @@ class RoughPlastic(Plastic):
 
 
 class Phong:
-    """Lafortune and Willems 1994, equations 5 and 9; colours scaled down to what conserves energy (Mitsuba 0.6)."""
+    """Lafortune and Willems 1994, equations 5 and 9, as in Mitsuba 0.6. Colours are scaled down to what conserves
+    energy, by the strongest channel of their sum; Mitsuba takes the sum of each one's strongest."""
 
     def __init__(self, p):
         self.n = p.get("exponent", 30.0)
