@@ -47,7 +47,7 @@ class PhotonMap {
             photons_.sheet.data(),
             count_,
             grid_,
-            cell_begin_.empty() ? nullptr : cell_begin_.data(),
+            layout_ == Layout::dense ? cell_begin_.data() : nullptr,
             rows_.view()};
   }
   Photon operator[](std::size_t i) const { return photons_[i]; }

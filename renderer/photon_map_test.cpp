@@ -236,6 +236,23 @@ TEST(photon_map, of_huge_extent_and_tiny_radius_is_compact_and_exact) {
       ASSERT_EQ(found_by(map, photons[q].p_world, radius), found_by_brute_force(photons, photons[q].p_world, radius));
 }
 
+TEST(photon_map, refilled_in_another_layout_keeps_nothing_of_the_last) {
+  // As passes do, one of whose photons may land far out.
+  const Photons near_by = make_cloud(Cloud::uniform, 3000);
+  Photons far_out = near_by;
+  far_out.x[7] = 1e6f;
+  PhotonMap map;
+  for (const auto& [photons, layout] :
+       {std::pair{&near_by, Layout::dense}, std::pair{&far_out, Layout::compact}, std::pair{&near_by, Layout::dense}}) {
+    map.build(*photons, 0.05f, Threads(1));
+    ASSERT_EQ(map.layout(), layout);
+    for (std::uint64_t q = 0; q < 3000; q += 3) {
+      const Vec3f p = (*photons)[q].p_world;
+      ASSERT_EQ(found_by(map, p, 0.05f), found_by_brute_force(*photons, p, 0.05f));
+    }
+  }
+}
+
 TEST(photon_map, radius_larger_than_the_scene_finds_everything_in_either_layout) {
   const Photons photons = make_cloud(Cloud::walls, 2000);
   for (const float width : {1e30f, 5.0f, 0.1f, 1e-4f}) {
