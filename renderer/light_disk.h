@@ -23,20 +23,20 @@ struct DiskLight {
     const Vec3<F> wi = d * (1 / lane_sqrt(distance2));
     const F cos_light = -dot(normal, wi);
     LightSample<F> s{p_light, normal, wi, radiance, select(cos_light > 0, distance2 / (area * cos_light), F(0.0f))};
-    const Mask<F> close = is_close_to(p);
-    if (any(close)) choose_close(s, close, p, close_sample<F>(shape_from(p), normal, u));
+    if (some_may_be_close(distance2, most_half_extent2())) sample_close(*this, p, u, s);
     return s;
   }
   F pdf(const Vec3<F>& p, const Vec3<F>& p_light, const Vec3<F>& normal_light) const {
-    const F by_area = area_to_solid_angle(F(1 / area), p, p_light, normal_light);
-    const Mask<F> close = is_close_to(p);
-    if (!any(close)) return by_area;
-    return select(close, close_pdf<F>(shape_from(p), Vec3<F>(p_light - p)), by_area);
+    F density = area_to_solid_angle(F(1 / area), p, p_light, normal_light);
+    const Vec3<F> d = p - p_light;
+    if (some_may_be_close(F(dot(d, d)), most_half_extent2())) pdf_close(*this, p, p_light, density);
+    return density;
   }
+  Mask<F> is_close_to(const Vec3<F>& p) const { return is_close(p, center, most_half_extent2()); }
   /// The longest half axis is within the root of the sum of both squares.
-  Mask<F> is_close_to(const Vec3<F>& p) const {
-    return is_close(p, center, F(dot(half_axis_u, half_axis_u) + dot(half_axis_v, half_axis_v)));
-  }
+  F most_half_extent2() const { return dot(half_axis_u, half_axis_u) + dot(half_axis_v, half_axis_v); }
+  Mask<F> is_in_front(const Vec3<F>& p) const { return dot(p - center, normal) > 0; }
+  CloseEllipse<F> shape_from(const Vec3<F>& p) const { return {Vec3<F>(p - center), half_axis_u, half_axis_v, normal}; }
   Emission<F> emit(const Vec2<F>& u_position, const Vec2<F>& u_direction) const {
     return {at(u_position), normal, Frame<F>(normal).to_world(square_to_cosine_hemisphere(u_direction)), flux()};
   }
@@ -52,7 +52,6 @@ struct DiskLight {
   }
 
  private:
-  CloseEllipse<F> shape_from(const Vec3<F>& p) const { return {Vec3<F>(p - center), half_axis_u, half_axis_v, normal}; }
   Vec3<F> at(const Vec2<F>& u) const {
     const Vec2<F> d = square_to_disc(u);  // an affine map keeps the density uniform
     return advance(advance(center, d.x, half_axis_u), d.y, half_axis_v);

@@ -23,6 +23,13 @@ Mask<F> is_close(const Vec3<F>& p, const Vec3<F>& center, const F& half_extent2)
   return dot(d, d) < 4 * half_extent2;
 }
 
+/// The quick test that goes before: where p is close, no point of the lamp is as far as three half-extents. `distance2`
+/// is the square to any point; with a margin for rounding.
+template <class F>
+bool some_may_be_close(const F& distance2, const F& half_extent2) {
+  return any(distance2 < 9.1f * half_extent2);
+}
+
 /// The angle, in [0, pi], that [low, high] on a line is seen under from `distance` of the line's origin.
 template <class F>
 F seen_angle(const F& low, const F& high, const F& distance) {
@@ -94,6 +101,19 @@ void choose_close(LightSample<F>& s, const Mask<F>& close, const Vec3<F>& p, con
   s.p_light = select(close, Vec3<F>(p + c.offset), s.p_light);
   s.wi_world = select(close, normalize(c.offset), s.wi_world);
   s.pdf = select(close, c.pdf, s.pdf);
+}
+
+/// Of lamps with is_close_to(p), is_in_front(p) and shape_from(p). Few packs have close lanes: the code is out of the
+/// way of the others. Behind the lamp, on a ceiling around it say, densities are 0 whichever way they are found.
+template <class F, class Lamp>
+[[gnu::noinline]] void sample_close(const Lamp& lamp, const Vec3<F>& p, const Vec2<F>& u, LightSample<F>& s) {
+  const Mask<F> close = lamp.is_close_to(p) && lamp.is_in_front(p);
+  if (any(close)) choose_close(s, close, p, close_sample<F>(lamp.shape_from(p), lamp.normal, u));
+}
+template <class F, class Lamp>
+[[gnu::noinline]] void pdf_close(const Lamp& lamp, const Vec3<F>& p, const Vec3<F>& p_light, F& pdf) {
+  const Mask<F> close = lamp.is_close_to(p) && lamp.is_in_front(p);
+  if (any(close)) pdf = select(close, close_pdf<F>(lamp.shape_from(p), Vec3<F>(p_light - p)), pdf);
 }
 
 /// Axes with `along` on an edge, and where p is, given from their origin.

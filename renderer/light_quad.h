@@ -22,21 +22,24 @@ struct QuadLight {
     const Vec3<F> wi = d * (1 / lane_sqrt(distance2));
     const F cos_light = -dot(normal, wi);
     LightSample<F> s{p_light, normal, wi, radiance, select(cos_light > 0, distance2 / (area * cos_light), F(0.0f))};
-    const Mask<F> close = is_close_to(p);
-    if (any(close)) choose_close(s, close, p, close_sample<F>(shape_from(p), normal, u));
+    if (some_may_be_close(distance2, most_half_extent2())) sample_close(*this, p, u, s);
     return s;
   }
   F pdf(const Vec3<F>& p, const Vec3<F>& p_light, const Vec3<F>& normal_light) const {
-    const F by_area = area_to_solid_angle(F(1 / area), p, p_light, normal_light);
-    const Mask<F> close = is_close_to(p);
-    if (!any(close)) return by_area;
-    return select(close, close_pdf<F>(shape_from(p), Vec3<F>(p_light - p)), by_area);
+    F density = area_to_solid_angle(F(1 / area), p, p_light, normal_light);
+    const Vec3<F> d = p - p_light;
+    if (some_may_be_close(F(dot(d, d)), most_half_extent2())) pdf_close(*this, p, p_light, density);
+    return density;
   }
   Mask<F> is_close_to(const Vec3<F>& p) const {
     const Vec3<F> diagonal = edge_u + edge_v, other = edge_u - edge_v;
     return is_close(p, Vec3<F>(advance(corner, F(0.5f), diagonal)),
                     F(0.25f * lane_max(F(dot(diagonal, diagonal)), F(dot(other, other)))));
   }
+  /// No diagonal's half is longer than the root of this (the parallelogram law).
+  F most_half_extent2() const { return 0.5f * (dot(edge_u, edge_u) + dot(edge_v, edge_v)); }
+  Mask<F> is_in_front(const Vec3<F>& p) const { return dot(p - corner, normal) > 0; }
+  CloseParallelogram<F> shape_from(const Vec3<F>& p) const { return {Vec3<F>(p - corner), edge_u, edge_v, normal}; }
   Emission<F> emit(const Vec2<F>& u_position, const Vec2<F>& u_direction) const {
     return {at(u_position), normal, Frame<F>(normal).to_world(square_to_cosine_hemisphere(u_direction)), flux()};
   }
@@ -52,7 +55,6 @@ struct QuadLight {
   Vec3<F> flux() const { return radiance * (pi * area); }
 
  private:
-  CloseParallelogram<F> shape_from(const Vec3<F>& p) const { return {Vec3<F>(p - corner), edge_u, edge_v, normal}; }
   Vec3<F> at(const Vec2<F>& u) const { return advance(advance(corner, u.x, edge_u), u.y, edge_v); }
 };
 

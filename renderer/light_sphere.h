@@ -29,9 +29,11 @@ struct SphereLight {
     return s;
   }
   F pdf(const Vec3<F>& p, const Vec3<F>& p_light, const Vec3<F>& normal_light) const {
+    const Mask<F> cone = samples_cone(p);
+    const F by_cone = 1 / (2 * pi * cone_one_minus_cos(p));
+    if (all(cone)) return by_cone;
     const F by_area = area_to_solid_angle(F(1 / area()), p, p_light, normal_light);
-    return select(samples_cone(p), 1 / (2 * pi * cone_one_minus_cos(p)),
-                  select(is_within(p), 0.5f * by_area + 1 / (8 * pi), by_area));
+    return select(cone, by_cone, select(is_within(p), 0.5f * by_area + 1 / (8 * pi), by_area));
   }
   Emission<F> emit(const Vec2<F>& u_position, const Vec2<F>& u_direction) const {
     const Vec3<F> outward = square_to_sphere(u_position);

@@ -4,14 +4,15 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <optional>
 
-#include "renderer/disc_area.h"
+#include "renderer/lane_trig.h"
+#include "renderer/photon_sheet.h"
 
 namespace photonproof {
 namespace {
 
-constexpr std::size_t most_in_leaf = 8;
 constexpr int shared_levels = 5;  // cut level by level, their nodes in parallel; below, subtrees are
 constexpr double small_share = 1.0 / 16;
 constexpr float margin = 1e-5f;  // of cosines, for rounding: what is within it is looked at more closely
@@ -20,53 +21,131 @@ using Corners = std::array<Vec3d, 3>;
 
 float component(const Vec3f& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
 
-/// The part of a polygon with normal . x <= limit (Sutherland and Hodgman 1974).
+/// A convex polygon, counterclockwise about its normal.
 struct Polygon {
   std::array<Vec3d, 5> corner;
   std::size_t count = 0;
 
+  std::size_t after(std::size_t i) const { return i + 1 == count ? 0 : i + 1; }
+
+  /// Leaves the part with normal . x <= limit (Sutherland and Hodgman 1974).
   void cut(const Vec3d& normal, double limit) {
     const Polygon whole = *this;
+    std::array<double, 5> off{};
+    for (std::size_t i = 0; i < whole.count; ++i) off[i] = dot(normal, whole.corner[i]) - limit;
     count = 0;
     for (std::size_t i = 0; i < whole.count; ++i) {
       const Vec3d& a = whole.corner[i];
-      const Vec3d& b = whole.corner[(i + 1) % whole.count];
-      const double from = dot(normal, a) - limit, to = dot(normal, b) - limit;
+      const double from = off[i], to = off[whole.after(i)];
       if (from <= 0) corner[count++] = a;
-      if ((from < 0 && to > 0) || (from > 0 && to < 0)) corner[count++] = a + (b - a) * (from / (from - to));
+      if ((from < 0 && to > 0) || (from > 0 && to < 0))
+        corner[count++] = a + (whole.corner[whole.after(i)] - a) * (from / (from - to));
     }
   }
 };
 
+/// The plane of a polygon about the origin, and what the ball cuts out of it.
+struct CutPlane {
+  Vec3d across;    ///< along the normal
+  double length;   ///< of it
+  double above2;   ///< squared distance from the origin
+  double circle2;  ///< squared radius of the circle, above 0
+};
+
+/// What the polygon has in the circle: half the sum of p x q over what each edge has in it, from p to q, and of the
+/// sectors between where one edge leaves and the next enters.
+double area_in_circle(const Polygon& polygon, const CutPlane& plane) {
+  constexpr double tiny_angle = 1e-6;  // rounding decides whether it is 0 or a full turn
+  const double radius2 = plane.circle2 + plane.above2, unit = 1 / (plane.circle2 * plane.length);
+  std::array<double, 5> outside{};  // by how much corners are, of squared distances
+  for (std::size_t i = 0; i < polygon.count; ++i) outside[i] = length_squared(polygon.corner[i]) - radius2;
+  double chords = 0, angles = 0;
+  bool surrounds = true, has_tiny = false;  // the polygon, the circle's centre
+  Vec3d first_entry, last_exit;
+  bool has_first_entry = false, has_exit = false;
+  const auto add_arc = [&](const Vec3d& from, const Vec3d& to) {
+    const double sine = dot(plane.across, cross(from, to)) * unit;
+    const double cosine = (dot(from, to) - plane.above2) * plane.length * unit;
+    if (cosine > 0 && std::abs(sine) < tiny_angle) {
+      has_tiny = true;
+      return;
+    }
+    const double least = angle_of(static_cast<float>(std::abs(sine)), static_cast<float>(cosine));
+    angles += sine >= 0 ? least : 2 * std::numbers::pi - least;
+  };
+  for (std::size_t i = 0; i < polygon.count; ++i) {
+    const std::size_t next = polygon.after(i);
+    const Vec3d &a = polygon.corner[i], &b = polygon.corner[next];
+    const double twice = dot(plane.across, cross(a, b)) * unit;
+    surrounds = surrounds && twice >= 0;
+    const bool from_outside = outside[i] > 0, to_outside = outside[next] > 0;
+    if (!from_outside && !to_outside) {
+      chords += twice;
+      continue;
+    }
+    const Vec3d d = b - a;
+    const double length2 = length_squared(d), half_b = dot(a, d);
+    if (from_outside && to_outside && !(half_b < 0 && -half_b < length2)) continue;
+    const double discriminant = half_b * half_b - length2 * outside[i];
+    if (from_outside && to_outside && !(discriminant > 0)) continue;
+    const double root = std::sqrt(std::max(discriminant, 0.0)), each = 1 / length2;
+    const double enter = from_outside ? std::clamp((-half_b - root) * each, 0.0, 1.0) : 0;
+    const double leave = to_outside ? std::clamp((-half_b + root) * each, enter, 1.0) : 1;
+    chords += twice * (leave - enter);
+    if (from_outside) {
+      const Vec3d entry = a + d * enter;
+      if (has_exit) {
+        add_arc(last_exit, entry);
+      } else {
+        first_entry = entry;
+        has_first_entry = true;
+      }
+    }
+    if (to_outside) {
+      last_exit = a + d * leave;
+      has_exit = true;
+    }
+  }
+  if (has_first_entry) add_arc(last_exit, first_entry);
+  const bool is_untouched = !has_exit && outside[0] > 0;
+  if (is_untouched) angles = surrounds ? 2 * std::numbers::pi : 0;
+  if (has_tiny && surrounds && chords + angles < 1) angles = 2 * std::numbers::pi;
+  return (chords + angles) * plane.circle2 / 2;
+}
+
 /// Of a triangle, given relative to the ball's centre, what is in the ball and within `height` of the plane through the
 /// centre.
 double area_within(const Corners& corners, double radius, const Vec3d& plane_normal, double height) {
-  double farthest2 = 0, highest = 0;
+  double farthest2 = 0, highest = -height, lowest = height;
   for (const Vec3d& x : corners) {
     farthest2 = std::max(farthest2, length_squared(x));
-    highest = std::max(highest, std::abs(dot(plane_normal, x)));
+    const double off = dot(plane_normal, x);
+    highest = std::max(highest, off);
+    lowest = std::min(lowest, off);
   }
-  const Vec3d edge = corners[1] - corners[0];
-  const Vec3d across = cross(edge, corners[2] - corners[0]);
-  const double twice_area = length(across);
-  if (!(twice_area > 0)) return 0;
-  if (farthest2 <= radius * radius && highest <= height) return twice_area / 2;
+  const Vec3d across = cross(corners[1] - corners[0], corners[2] - corners[0]);
+  const double length2 = length_squared(across);
+  if (!(length2 > 0)) return 0;
+  const double twice_area = std::sqrt(length2);
+  if (farthest2 <= radius * radius && highest <= height && lowest >= -height) return twice_area / 2;
 
-  const Vec3d normal = across / twice_area;
-  const double above = dot(normal, corners[0]);
-  const double circle2 = radius * radius - above * above;
-  if (circle2 <= 0) return 0;
+  const double along = dot(across, corners[0]), above2 = along * along / length2;
+  const CutPlane plane{across, twice_area, above2, radius * radius - above2};
+  if (plane.circle2 <= 0) return 0;
   Polygon polygon;
   for (const Vec3d& x : corners) polygon.corner[polygon.count++] = x;
-  if (highest > height) {
-    polygon.cut(plane_normal, height);
-    polygon.cut(-plane_normal, height);
+  if (highest > height || lowest < -height) {
+    // The circle's own reach from the plane through the centre: that of its middle, and by the planes' angle.
+    const double toward = dot(plane_normal, across);
+    const double room = height - std::abs(along * toward) / length2;
+    const bool is_all_within = room >= 0 && room * room >= plane.circle2 * (1 - toward * toward / length2);
+    if (!is_all_within) {
+      if (highest > height) polygon.cut(plane_normal, height);
+      if (lowest < -height) polygon.cut(-plane_normal, height);
+      if (polygon.count < 3) return 0;
+    }
   }
-  const Vec3d x_axis = normalize(edge), y_axis = cross(normal, x_axis);
-  std::array<Vec2<double>, 5> flat;
-  for (std::size_t i = 0; i < polygon.count; ++i)
-    flat[i] = {dot(polygon.corner[i], x_axis), dot(polygon.corner[i], y_axis)};
-  return polygon_in_circle(std::span(flat).first(polygon.count), std::sqrt(circle2));
+  return area_in_circle(polygon, plane);
 }
 
 /// The factor by which a placement scales all lengths, where it does.
@@ -93,10 +172,6 @@ struct MeshArea::LookUp {
     }
     return x;
   }
-  bool is_alike(const Vec3f& sheet) const {
-    const float cosine = dot(sheet, normal);
-    return cosine > 0 && cosine * cosine >= length_squared(sheet) * (least_sheet_cosine * least_sheet_cosine);
-  }
   bool holds(const Vec3d& x) const {
     return length_squared(x) <= radius * radius && std::abs(dot(Vec3d(normal), x)) <= height;
   }
@@ -112,7 +187,8 @@ MeshArea::MeshArea(const Mesh& mesh, const Threads& threads) : mesh_(mesh) {
     const Vec3f middle = (a + b + c) * (1.0f / 3);
     const float reach = std::sqrt(
         max_component(Vec3f{length_squared(a - middle), length_squared(b - middle), length_squared(c - middle)}));
-    items_.push_back({middle, t, sheet_word<float>(front, front), static_cast<float>(twice_area / 2), reach});
+    items_.push_back(
+        {middle, t, sheet_normal(sheet_word<float>(front, front)), static_cast<float>(twice_area / 2), reach});
   }
   if (items_.empty()) return;
   while ((items_.size() >> leaf_level_) >= most_in_leaf) ++leaf_level_;
@@ -121,10 +197,33 @@ MeshArea::MeshArea(const Mesh& mesh, const Threads& threads) : mesh_(mesh) {
   for (int level = 0; level < roots_level; ++level)
     threads.for_each(std::size_t{1} << level, [&](std::size_t k) { bound(level, k); });
   threads.for_each(std::size_t{1} << roots_level, [&](std::size_t k) { cut_subtree(roots_level, k); });
+  leaves_.resize(std::size_t{1} << leaf_level_);
+  threads.for_each(std::size_t{1} << roots_level, [&](std::size_t k) {
+    const int below = leaf_level_ - roots_level;
+    for (std::size_t leaf = k << below; leaf < (k + 1) << below; ++leaf) fill(leaf);
+  });
+  items_ = {};
 }
 
 std::size_t MeshArea::memory_bytes() const {
-  return items_.capacity() * sizeof(Item) + nodes_.capacity() * sizeof(Node);
+  return leaves_.capacity() * sizeof(Leaf) + nodes_.capacity() * sizeof(Node);
+}
+
+void MeshArea::fill(std::size_t leaf) {
+  Leaf& l = leaves_[leaf];
+  const std::size_t begin = begin_of(leaf_level_, leaf), end = begin_of(leaf_level_, leaf + 1);
+  for (std::size_t i = begin; i < end; ++i, ++l.count) {
+    const Item& item = items_[i];
+    l.triangle[l.count] = item.triangle;
+    l.x[l.count] = item.middle.x;
+    l.y[l.count] = item.middle.y;
+    l.z[l.count] = item.middle.z;
+    l.front_x[l.count] = item.front.x;
+    l.front_y[l.count] = item.front.y;
+    l.front_z[l.count] = item.front.z;
+    l.area[l.count] = item.area;
+    l.reach[l.count] = item.reach;
+  }
 }
 
 /// Finds what the node holds and, above the leaves, moves the lower half along its widest axis to the front.
@@ -148,7 +247,7 @@ void MeshArea::bound(int level, std::size_t k) {
     widen(low, high, c);
     widen(middle_low, middle_high, item.middle);
     area += double{item.area};
-    normals += Vec3d(unit_sheet_normal(item.sheet));
+    normals += Vec3d(normalize(item.front));
   }
   Node& node = nodes_[(std::size_t{1} << level) + k];
   node.low = low;
@@ -159,8 +258,9 @@ void MeshArea::bound(int level, std::size_t k) {
     node.axis = Vec3f(normalize(normals));
     node.cosine = 1;
     for (std::size_t i = begin; i < end; ++i)
-      node.cosine = std::min(node.cosine, dot(node.axis, unit_sheet_normal(items_[i].sheet)));
+      node.cosine = std::min(node.cosine, dot(node.axis, normalize(items_[i].front)));
   }
+  node.sine = std::sqrt(std::max(0.0f, 1 - node.cosine * node.cosine));
   if (level == leaf_level_) return;
   const Vec3f extent = middle_high - middle_low;
   const int axis = extent.x >= extent.y ? (extent.x >= extent.z ? 0 : 2) : (extent.y >= extent.z ? 1 : 2);
@@ -202,11 +302,10 @@ double MeshArea::visit(const LookUp& at, int level, std::size_t k) const {
   // A placement changes areas and angles; a scaling one is undone before, the others' nodes are only ever left out.
   if (at.placement == nullptr && node.cosine > 0) {
     const float c = dot(at.normal, node.axis);
-    const float spread = std::sqrt(std::max(0.0f, 1 - node.cosine * node.cosine));
     const float tilt = std::sqrt(std::max(0.0f, 1 - c * c));
-    const bool none_alike = c < node.cosine && c * node.cosine + tilt * spread < least_sheet_cosine - margin;
+    const bool none_alike = c < node.cosine && c * node.cosine + tilt * node.sine < least_sheet_cosine - margin;
     if (none_alike) return 0;
-    const bool all_alike = c > 0 && c * node.cosine - tilt * spread > least_sheet_cosine + margin;
+    const bool all_alike = c > 0 && c * node.cosine - tilt * node.sine > least_sheet_cosine + margin;
     if (all_alike) {
       const Vec3f farthest = distance + half;
       if (length_squared(farthest) <= (radius - slack) * (radius - slack) && above + reach <= height - slack)
@@ -217,35 +316,57 @@ double MeshArea::visit(const LookUp& at, int level, std::size_t k) const {
   }
   if (level < leaf_level_) return visit(at, level + 1, 2 * k) + visit(at, level + 1, 2 * k + 1);
 
-  double area = 0;
-  for (std::size_t i = begin_of(level, k); i < begin_of(level, k + 1); ++i) {
-    const Item& item = items_[i];
-    const Vec3f sheet = sheet_normal(item.sheet);
-    if (at.placement == nullptr) {  // most are all outside or all inside
-      const Vec3f from = item.middle - at.p;
-      const float distance2 = length_squared(from), outer = radius + item.reach + slack;
-      if (distance2 > outer * outer || !at.is_alike(sheet)) continue;
-      const float off_plane = std::abs(dot(at.normal, from)), inner = radius - item.reach - slack;
-      if (off_plane - item.reach > height + slack) continue;
-      if (inner > 0 && distance2 <= inner * inner && off_plane + item.reach <= height - slack) {
-        area += double{item.area};
-        continue;
-      }
-    } else if (!at.is_alike(at.placement->normal(sheet))) {
-      continue;
+  return visit_leaf(at, leaves_[k]);
+}
+
+double MeshArea::visit_leaf(const LookUp& at, const Leaf& leaf) const {
+  const auto radius = static_cast<float>(at.radius), height = static_cast<float>(at.height);
+  const float slack = margin * radius;
+  enum State : std::int32_t { outside, inside, on_border };
+  std::array<std::int32_t, most_in_leaf> state;
+  const auto is_alike = [&](const Vec3f& front) {
+    const float cosine = dot(front, at.normal);
+    const float least2 = length_squared(front) * (least_sheet_cosine * least_sheet_cosine);
+    return (cosine > 0 ? 1 : 0) & (cosine * cosine >= least2 ? 1 : 0);
+  };
+  if (at.placement == nullptr) {
+    // All at once, without branches. Most are all outside or all inside.
+    for (std::size_t i = 0; i < most_in_leaf; ++i) {
+      const Vec3f from = Vec3f{leaf.x[i], leaf.y[i], leaf.z[i]} - at.p;
+      const float distance2 = length_squared(from), reach = leaf.reach[i], off_plane = std::abs(dot(at.normal, from));
+      const float outer = radius + reach + slack, inner = radius - reach - slack;
+      const std::int32_t counts = is_alike({leaf.front_x[i], leaf.front_y[i], leaf.front_z[i]}) &
+                                  (distance2 <= outer * outer ? 1 : 0) & (off_plane - reach <= height + slack ? 1 : 0);
+      const std::int32_t all =
+          (inner > 0 ? 1 : 0) & (distance2 <= inner * inner ? 1 : 0) & (off_plane + reach <= height - slack ? 1 : 0);
+      state[i] = counts * (on_border - all);
     }
-    area += area_within(at.corners(mesh_, item.triangle), at.radius, Vec3d(at.normal), at.height);
+  } else {
+    for (std::size_t i = 0; i < leaf.count; ++i) {
+      const Vec3f front{leaf.front_x[i], leaf.front_y[i], leaf.front_z[i]};
+      state[i] = is_alike(at.placement->normal(front)) * on_border;
+    }
   }
+  double area = 0;
+  std::array<std::uint32_t, most_in_leaf> border;
+  std::size_t border_count = 0;
+  for (std::size_t i = 0; i < leaf.count; ++i) {
+    area += state[i] == inside ? double{leaf.area[i]} : 0.0;
+    border[border_count] = leaf.triangle[i];
+    border_count += state[i] == on_border ? 1 : 0;
+  }
+  for (std::size_t i = 0; i < border_count; ++i)
+    area += area_within(at.corners(mesh_, border[i]), at.radius, Vec3d(at.normal), at.height);
   return area;
 }
 
 double MeshArea::within(const Vec3f& p, const Vec3f& front_normal, float radius) const {
-  if (items_.empty()) return 0;
+  if (leaves_.empty()) return 0;
   return visit({p, front_normal, radius, double{sheet_height} * radius, nullptr}, 0, 0);
 }
 
 double MeshArea::within(const AffineMap& placement, const Vec3f& p, const Vec3f& front_normal, float radius) const {
-  if (items_.empty()) return 0;
+  if (leaves_.empty()) return 0;
   if (const std::optional<double> scale = scale_of(placement)) {
     const Vec3f normal{dot(placement.x, front_normal), dot(placement.y, front_normal), dot(placement.z, front_normal)};
     return *scale * *scale * within(placement.local_point(p), normalize(normal), static_cast<float>(radius / *scale));

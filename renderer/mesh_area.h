@@ -3,6 +3,7 @@
 // cone of their normals, so that a look-up takes or leaves most nodes whole; triangles on the border are clipped.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -30,7 +31,7 @@ class MeshArea {
   struct Item {
     Vec3f middle;
     std::uint32_t triangle = 0;
-    std::uint32_t sheet = 0;  ///< sheet_word of its front
+    Vec3f front;  ///< sheet_normal, not unit
     float area = 0;
     float reach = 0;  ///< of its corners, from the middle
   };
@@ -39,17 +40,28 @@ class MeshArea {
     float area = 0;
     Vec3f axis;        ///< of the cone that holds the triangles' normals, unit
     float cosine = 1;  ///< of the cone's half angle; below 0 where there is no telling
+    float sine = 0;    ///< of the same
+  };
+  static constexpr std::size_t most_in_leaf = 8;
+  /// Items, each member of all of them in a row. Where there are fewer, the others have no front, and so never count.
+  struct Leaf {
+    std::size_t count = 0;
+    std::array<float, most_in_leaf> x{}, y{}, z{}, front_x{}, front_y{}, front_z{}, area{}, reach{};
+    std::array<std::uint32_t, most_in_leaf> triangle{};
   };
   struct LookUp;
 
   std::size_t begin_of(int level, std::size_t k) const { return (items_.size() * k) >> level; }
   void cut_subtree(int level, std::size_t k);
   void bound(int level, std::size_t k);
+  void fill(std::size_t leaf);
   double visit(const LookUp& at, int level, std::size_t k) const;
+  double visit_leaf(const LookUp& at, const Leaf& leaf) const;
 
   const Mesh& mesh_;
   int leaf_level_ = 0;
-  std::vector<Item> items_;  ///< triangles with an area, leaf after leaf
+  std::vector<Item> items_;  ///< triangles with an area, leaf after leaf; none once the tree is made
+  std::vector<Leaf> leaves_;
   std::vector<Node> nodes_;  ///< node k of a level is 2^level + k; the children of n are 2n and 2n + 1
 };
 

@@ -1,6 +1,8 @@
 // The scene's lights for a pack: which one, a point of it, the density with which that point would have been drawn.
 #pragma once
 
+#include <cstring>
+
 #include "renderer/kernels/general_lights.h"
 #include "renderer/lane.h"
 #include "renderer/light_choice.h"
@@ -8,6 +10,18 @@
 #include "renderer/scene_view.h"
 
 namespace photonproof {
+
+/// The record of a chosen light. A single one is the same in every lane: nothing to gather.
+template <template <class> class Kind, class F>
+Kind<F> light_record(const SceneView& scene, const UInt<F>& light) {
+  if (!scene.one_light) return gather_record<Kind, F>(scene.lights, light, LightKinds::stride);
+  constexpr std::size_t words = sizeof(Kind<float>) / sizeof(float);
+  F columns[words];
+  for (std::size_t k = 0; k < words; ++k) columns[k] = F(scene.lights[k]);
+  Kind<F> record;
+  std::memcpy(&record, columns, sizeof record);
+  return record;
+}
 
 /// Calls visit(light record of F, lanes of that kind) for the kinds that occur among the active lanes' lights, and
 /// general(lanes) for those that need tables.
@@ -23,7 +37,7 @@ void for_each_light_kind(const SceneView& scene, const UInt<F>& light, const Mas
   LightKinds::for_each([&]<template <class> class Kind>(std::uint32_t index) {
     if ((scene.light_kinds >> index & 1u) == 0) return;
     const Mask<F> lanes = lanes_of(index);
-    if (any(lanes)) visit(gather_record<Kind, F>(scene.lights, light, LightKinds::stride), lanes);
+    if (any(lanes)) visit(light_record<Kind, F>(scene, light), lanes);
   });
   if ((scene.light_kinds >> general_light_kind & 1u) == 0) return;
   const Mask<F> lanes = lanes_of(general_light_kind);
