@@ -84,7 +84,7 @@ TEST_F(SuiteFile, the_suites_we_ship_are_valid) {
   const std::filesystem::path folder = PHOTONPROOF_SOURCE_DIR "/harness/suites";
   int count = 0;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    if (entry.path().stem() == "gates") continue;  // a suite of the other kind: gate_suite_test.cpp
+    if (entry.path().stem().string().starts_with("gates")) continue;  // the other kind: gate_suite_test.cpp
     EXPECT_EQ(input_error_of([&] { EXPECT_EQ(read_suite(entry.path()).name, entry.path().stem()); }), "no error");
     ++count;
   }
