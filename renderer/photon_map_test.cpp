@@ -239,8 +239,9 @@ TEST(photon_map, of_huge_extent_and_tiny_radius_is_compact_and_exact) {
 TEST(photon_map, refilled_in_another_layout_keeps_nothing_of_the_last) {
   // As passes do, one of whose photons may land far out.
   const Photons near_by = make_cloud(Cloud::uniform, 3000);
-  Photons far_out = near_by;
-  far_out.x[7] = 1e6f;
+  Photons with_one_far_out = near_by;
+  with_one_far_out.x[7] = 1e6f;
+  const Photons& far_out = with_one_far_out;
   PhotonMap map;
   for (const auto& [photons, layout] :
        {std::pair{&near_by, Layout::dense}, std::pair{&far_out, Layout::compact}, std::pair{&near_by, Layout::dense}}) {
