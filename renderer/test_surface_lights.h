@@ -97,6 +97,9 @@ inline void add_flat(std::vector<SurfaceLight>& all, const Vec3d& at, double siz
   add("textured quad", AreaLight(QuadShape{Vec3f(corner), uf, vf, nf}, gaudy), quad, quad_seen, false);
   add("disk", DiskLight<float>{Vec3f(center), uf, vf, nf, pi * area, Rgb(1)}, disk, disk_seen, true);
   add("textured disk", AreaLight(DiskShape{Vec3f(center), uf, vf, nf}, gaudy), disk, disk_seen, true);
+  // Textured ones share the others' code: almost touching, close and behind are enough.
+  for (SurfaceLight& light : all)
+    if (light.name.find("textured") == 0) light.places = {light.places[0], light.places[2], light.places[5]};
 }
 
 /// `finest`: the least gap, in radii, that floats of the places have.
