@@ -116,12 +116,13 @@ SeenPoint CylinderShape::sample_from(const Vec3f& p, const Vec2<float>& u) const
           Vec3f(offset),
           static_cast<float>(seen.per_solid_angle(cos_phi, z, double{sign}))};
 }
-float CylinderShape::pdf_from(const Vec3f& p, const Vec3f& q, const Vec3f&, std::uint32_t) const {
+float CylinderShape::pdf_from(const Vec3f& p, const Vec3f& q, const Vec3f& n, std::uint32_t) const {
   const SeenCylinder seen(*this, p);
-  const Vec3d offset = Vec3d(q) - Vec3d(p), from_axis = offset + seen.from_axis * seen.rho;
-  const double x = dot(from_axis, seen.from_axis), y = dot(from_axis, seen.side);
-  return static_cast<float>(seen.per_solid_angle(
-      x / std::hypot(x, y), std::clamp(dot(offset, seen.along), seen.low, seen.high), double{sign}));
+  // The angle by the normal: far from the origin a thin cylinder's points have few digits of it.
+  const Vec3d outward = Vec3d(n) * double{sign};
+  const double x = dot(outward, seen.from_axis), y = dot(outward, seen.side), z = dot(Vec3d(q) - Vec3d(p), seen.along);
+  return static_cast<float>(
+      seen.per_solid_angle(x / std::hypot(x, y), std::clamp(z, seen.low, seen.high), double{sign}));
 }
 
 // --- meshes ----------------------------------------------------------------------------------------------------------

@@ -33,7 +33,9 @@ inline Patch angle_patch(const Vec3d& p, double height, const Vec3d& n, const Ou
             const double beta = c.low + b * (c.high - c.low), x = c.d * std::tan(beta);
             const double du = height / std::pow(std::cos(alpha), 2) * wide;
             const double dv = c.d / std::pow(std::cos(beta), 2) * (c.high - c.low);
-            return PatchPoint{p - n * height + o.up * c.y + o.along * x, n, o.along, du * dv, 0, triangle};
+            const double far = std::hypot(c.d, x);
+            return PatchPoint{p - n * height + o.up * c.y + o.along * x, n,       o.along, du * dv,
+                              du * dv * height / (far * far * far),      triangle};
           },
           [=](const Vec3d& q) {
             const Point c = chord_at(dot(q - p, o.up));
@@ -109,11 +111,13 @@ inline Patch cylinder_from(const Vec3d& p, const Vec3d& base, const Vec3d& axis,
             const auto [d, low, high] = line(phi);
             const double beta = low + b * (high - low);
             const Vec3d facing = s * std::cos(phi) + t * std::sin(phi);
+            const double far = d / std::cos(beta), to_lamp = sign * (rho * std::cos(phi) - radius);
             const double c = std::cos(w), r = std::sin(w) / stretch;
             const double dphi = 2 / stretch / (c * c + r * r) * (last - first);
             const double dz = d / std::pow(std::cos(beta), 2) * (high - low);
+            const double area = radius * dphi * dz;
             return PatchPoint{base + facing * radius + along * (height + d * std::tan(beta)), facing * sign, along,
-                              radius * dphi * dz};
+                              area, area * to_lamp / (far * far * far)};
           },
           [=](const Vec3d& q) {
             const Vec3d from = q - base;
