@@ -147,6 +147,33 @@ TEST(cameras, the_principal_point_moves_pixels_by_its_share_of_the_film) {
   EXPECT_NEAR(length(plain.direction - moved.direction), 0, 1e-6f);
 }
 
+TEST(cameras, the_field_of_view_is_along_its_axis) {
+  // 60 degrees from edge to edge, or corner to corner, of an image wide or high: what is seen at an edge's middle is
+  // tan 30 degrees off the axis, times the ratio of the sides, or of side and diagonal.
+  const double t = std::tan(std::numbers::pi / 6);
+  for (const auto& [width, height] : {std::pair{40, 20}, std::pair{20, 40}}) {
+    const double diagonal = std::hypot(width, height), smaller = std::min(width, height),
+                 larger = std::max(width, height);
+    for (const auto& [axis, side] : {std::pair<FovAxis, double>{FovAxis::x, width},
+                                     {FovAxis::y, height},
+                                     {FovAxis::diagonal, diagonal},
+                                     {FovAxis::smaller, smaller},
+                                     {FovAxis::larger, larger}}) {
+      PerspectiveDescription perspective;
+      perspective.fov_degrees = 60;
+      perspective.fov_axis = axis;
+      SensorDescription sensor;
+      sensor.camera = perspective;
+      const CameraView camera = compile_camera(sensor, width, height, {0, 0, 0});
+      CameraRay<float> left, top;
+      set_ray<float>(camera, {0, static_cast<float>(height) / 2}, {}, left);
+      set_ray<float>(camera, {static_cast<float>(width) / 2, 0}, {}, top);
+      EXPECT_NEAR(left.direction.x / left.direction.z, t * width / side, 1e-5) << width << " " << int(axis);
+      EXPECT_NEAR(top.direction.y / top.direction.z, t * height / side, 1e-5) << width << " " << int(axis);
+    }
+  }
+}
+
 TEST(cameras, a_thin_lens_is_sharp_at_its_distance) {
   const CameraView camera = view_of(cameras()[2]);
   CameraRay<float> a, b;

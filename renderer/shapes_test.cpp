@@ -204,6 +204,21 @@ TEST(heightfield, spans_the_square_at_its_textures_height) {
     EXPECT_GT(cross(mesh.positions[t[1]] - mesh.positions[t[0]], mesh.positions[t[2]] - mesh.positions[t[0]]).z, 0);
 }
 
+TEST(heightfield, grows_with_v_as_its_textures_rows_do) {
+  auto image = std::make_shared<Image>(1, 2);  // the first row, at v = 0, is black
+  for (int c = 0; c < 3; ++c) image->pixel(0, 1)[c] = 1;
+  HeightfieldDescription field;
+  field.columns = 2;
+  field.rows = 4;
+  field.amplitude = 0.5;
+  field.height = TextureIndex{0};
+  const Textures textures(
+      {{{}, "", BitmapDescription{"", image, true, TextureFilter::bilinear, TextureWrap::clamp, {}}}});
+  const TriangleMesh mesh = make_heightfield(field, textures);
+  EXPECT_EQ(mesh.positions[1], Vec3f(0, -1, 0));
+  EXPECT_EQ(mesh.positions[3 * 4 + 1], Vec3f(0, 1, 0.5f));
+}
+
 TEST(heightfield, lets_no_ray_through_and_stays_within_its_amplitude) {
   HeightfieldDescription field;
   field.amplitude = 0.3;
@@ -261,6 +276,23 @@ TEST(smooth_normals, are_turned_by_the_inverse_transpose) {
     const Vec3f expected = normalize(Vec3f(0, 1, 0.5f)) * (flip ? -1.0f : 1.0f);
     EXPECT_NEAR(length(geometry_at(Scene(d, 4, 4), {0, 0, 1}, {0, 0, -1}).normal - expected), 0, 1e-6f);
   }
+}
+
+TEST(smooth_normals, of_an_instance_are_turned_by_the_inverse_transpose) {
+  // As above, but the placement stretches: the normal must not go along.
+  auto mesh = std::make_shared<TriangleMesh>();
+  mesh->resize_positions(3);
+  mesh->positions = {{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}};
+  mesh->resize_positions(3);
+  mesh->normals.assign(3, {0, 0.70710678f, 0.70710678f});
+  mesh->triangles = {{0, 1, 2}};
+  SceneDescription d = only(InstanceDescription{{0}}, Transform::scale({1, 1, 2}));
+  ShapeDescription member;
+  member.geometry = MeshDescription{MeshDescription::Format::obj, "", false, true, mesh};
+  member.bsdf = d.shapes[0].bsdf;
+  d.groups.push_back({{}, "", {member}});
+  const Vec3f expected = normalize(Vec3f(0, 1, 0.5f));
+  EXPECT_NEAR(length(geometry_at(Scene(d, 4, 4), {0, 0, 1}, {0, 0, -1}).normal - expected), 0, 1e-6f);
 }
 
 TEST(mesh_uv, are_the_files_or_barycentric) {

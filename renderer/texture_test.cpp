@@ -84,6 +84,18 @@ TEST(bitmap, has_the_gradient_of_its_interpolation) {
   EXPECT_EQ(bitmap(TextureFilter::nearest, TextureWrap::repeat).gradient({0.5f, 0.5f}).x, 0);
 }
 
+TEST(bitmap, has_gradients_along_either_side_of_a_picture_that_is_not_square) {
+  // 8 texels wide, 2 high: values x + 10 y. A unit of u is 8 texels of 1 each, one of v 2 texels of 10.
+  auto image = std::make_shared<Image>(8, 2);
+  for (int y = 0; y < 2; ++y)
+    for (int x = 0; x < 8; ++x)
+      for (int c = 0; c < 3; ++c) image->pixel(x, y)[c] = static_cast<float>(x + 10 * y);
+  const BitmapTexture t({"", image, true, TextureFilter::bilinear, TextureWrap::clamp, {}});
+  const Vec2<float> slope = t.gradient({0.5f, 0.5f});
+  EXPECT_FLOAT_EQ(slope.x, 8);
+  EXPECT_FLOAT_EQ(slope.y, 20);
+}
+
 TEST(checkerboard, alternates_on_half_units) {
   const std::vector<TextureDescription> board{{{}, "", CheckerboardDescription{RgbD(1), RgbD(0.25), {}}}};
   const Textures textures(board);
