@@ -191,5 +191,23 @@ TEST(gate_look, blocks_cover_every_pixel_once) {
   }
 }
 
+TEST(gate_look, standard_errors_are_those_of_the_noise_however_few_the_images) {
+  // Of n images a pixel's squared standard error is (0.1 expected)^2 / n, in the sum over pixels: 4 images of 12 bands
+  // of 231 pixels leave 2 % of doubt, and a variance divided by n instead of n - 1 would be 25 % too small.
+  Random random(5);
+  double claimed = 0, true_variance = 0;
+  for (int band = 0; band < 12; ++band) {
+    std::vector<Image> images;
+    for (int i = 0; i < 4; ++i) images.push_back(draw(random));
+    const Deviations found = measure_deviations(reference().rendering, pointers(images), {999});
+    for (std::size_t c = 0; c < 3; ++c)
+      for (const Deviation& pixel : found.pixels[c]) {
+        claimed += std::pow(pixel.standard_error, 2);
+        true_variance += std::pow(0.1 * pixel.expected, 2) / 4;
+      }
+  }
+  EXPECT_NEAR(claimed / true_variance, 1, 0.06);
+}
+
 }  // namespace
 }  // namespace photonproof
