@@ -7,6 +7,10 @@
 
 namespace photonproof {
 
+/// Where the rays through the middles of lattice x lattice cells of the image first meet a surface; those that miss are
+/// left out.
+std::vector<Vec3f> points_looked_at(const Scene& scene, int lattice);
+
 /// Around the first surfaces that a lattice of camera rays meets, each as large as its cell of the image is there.
 std::vector<AimTarget> looked_at(const Scene& scene);
 

@@ -4,7 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "renderer/kernels/camera_rays.h"
+#include "renderer/camera.h"
+#include "renderer/looked_at.h"
 
 namespace photonproof {
 namespace {
@@ -18,18 +19,8 @@ float median(std::vector<float>& values) {
 }  // namespace
 
 float median_pixel_footprint(const Scene& scene) {
-  constexpr int lattice = 16;
-  const CameraView& camera = scene.view().camera;
   std::vector<float> footprints;
-  for (int row = 0; row < lattice; ++row) {
-    for (int column = 0; column < lattice; ++column) {
-      const auto share = [](int i) { return (static_cast<float>(i) + 0.5f) / lattice; };
-      CameraRay<float> ray;
-      set_ray<float>(camera, {share(column) * camera.width, share(row) * camera.height}, {0.5f, 0.5f}, ray);
-      const Hit hit = ray.valid ? scene.intersect(ray.origin, ray.direction) : Hit{};
-      if (hit.valid()) footprints.push_back(pixel_footprint(camera, hit.p_world));
-    }
-  }
+  for (const Vec3f& p : points_looked_at(scene, 16)) footprints.push_back(pixel_footprint(scene.view().camera, p));
   return footprints.empty() ? 0 : median(footprints);
 }
 
