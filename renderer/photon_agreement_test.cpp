@@ -212,7 +212,7 @@ TEST_P(PhotonAgreement, shows_what_path_tracing_shows) {
   Effort effort;
   // Light from a direction or a small lamp through glass is found by light paths alone.
   if (GetParam() == "ball-lens" || GetParam() == "water-caustic") effort.reference = "ptracer";
-  if (GetParam() == "caustic-glass") effort.reference = "bdpt";
+  if (GetParam() == "caustic-glass" || GetParam() == "mirror-light") effort.reference = "bdpt";
   // Paths of many edges among thousands of triangles: a tenth of the others' effort costs as much.
   if (GetParam() == "course-2" || GetParam() == "course-3") {
     effort.path_spp = 2;

@@ -88,6 +88,17 @@ void write_sky(const fs::path& target) {
        {}});
 }
 
+/// 8 x 4 texels without any symmetry: between their middles, 45 degrees apart, nothing but the interpolation is seen.
+void write_coarse_sky(const fs::path& target) {
+  write_exr(target.string(),
+            {picture(8, 4,
+                     [](int x, int y) {
+                       return RgbD{0.1 + (5 * x + 7 * y + 3 * x * y) % 11 / 10.0, 0.2 + 0.1 * x, 0.9 - 0.2 * y};
+                     }),
+             std::nullopt,
+             {}});
+}
+
 /// A pyramid upside down: base [-0.3,0.3]^2 at y = 2.5, tip at (0,2.25,0), faces outward.
 void write_lamp_mesh(const fs::path& target) {
   write_file_atomically(target,
@@ -137,15 +148,16 @@ void write_gem(const fs::path& target) {
                         "f 3/3/3 1/1/1 6/6/6\nf 2/2/2 3/3/3 6/6/6\nf 4/4/4 2/2/2 6/6/6\nf 1/1/1 4/4/4 6/6/6\n");
 }
 
-/// LM-63-2002, a half of the circle: candela that differ along C0 and C180, twice the tabulated by the multiplier.
+/// LM-63-2002, the whole circle: candela that differ in each of the eight planes, twice the tabulated by the
+/// multiplier.
 void write_lopsided_profile(const fs::path& target) {
   std::string text =
       "IESNA:LM-63-2002\n[TEST] made by photonproof generate assets\n[MANUFAC] photonproof\n"
-      "TILT=NONE\n1 1000 2 7 5 1 2 0 0 0\n1 1 10\n0 15 30 45 60 75 90\n0 45 90 135 180\n";
-  for (int horizontal = 0; horizontal <= 180; horizontal += 45)
+      "TILT=NONE\n1 1000 2 7 9 1 2 0 0 0\n1 1 10\n0 15 30 45 60 75 90\n0 45 90 135 180 225 270 315 360\n";
+  for (int horizontal = 0; horizontal <= 360; horizontal += 45)
     for (int vertical = 0; vertical <= 90; vertical += 15) {
-      const double c = std::cos(vertical * pi / 180);
-      const double lean = 1 + 0.8 * std::sin(vertical * pi / 180) * std::cos(horizontal * pi / 180);
+      const double c = std::cos(vertical * pi / 180), h = horizontal * pi / 180;
+      const double lean = 1 + std::sin(vertical * pi / 180) * (0.5 * std::cos(h) + 0.4 * std::sin(h));
       text += hundredths(250 * c * lean) + (vertical == 90 ? "\n" : " ");
     }
   write_file_atomically(target, text);
@@ -181,6 +193,7 @@ const std::vector<LibraryAsset>& library_assets() {
       {"chart-fisheye/chart.png", true, write_chart},
       {"chart-lens/chart.png", true, write_chart},
       {"chart-orthographic/chart.png", true, write_chart},
+      {"chart-sky/sky.exr", true, write_coarse_sky},
       {"daylight/tiles.png", true, write_tiles},
       {"forms/chart.png", true, write_chart},
       {"forms/gem.obj", false, write_gem},
