@@ -55,10 +55,10 @@ struct Agreement {
 ///   degrees of freedom that the spread of the variances over the block shows, 2 (sum v)^2 / sum (v - mean v)^2 at
 ///   least, and turned into the normal deviate of the same probability.
 /// - Rounding of float sums counts as a deviation of 1e-5 of the value, so that pixels without noise compare as equal.
-/// - In the mean over the whole image the less certain half of the places counts less, for in many an image a few
-/// pixels
-///   at a lamp's edge have nearly all of the noise. A pixel's weight is taken from neighbours whose noise it does not
-///   share: weighed by their own variances, samples that are high by chance would count too little.
+/// - In the mean over the whole image the less certain places count less, for in many an image a few pixels at a lamp's
+///   edge have nearly all of the noise, and none counts more than four times as much as the median one. A pixel's
+///   weight is taken from neighbours whose noise it does not share: weighed by their own variances, samples that are
+///   high by chance would count too little.
 /// - That mean's variance is its pixels', unless the image says that they vary together (scenes/mean_error.h).
 /// It holds its level from 64 estimates a pixel on, from 16 on where samples are no wilder than exponential
 /// (agreement_test.cpp measures it).

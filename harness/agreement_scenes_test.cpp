@@ -13,6 +13,10 @@
 namespace photonproof {
 namespace {
 
+/// Relative, of the whole image, with probability 0.99: an estimator whose image is off by more than this from the one
+/// that it agrees with most surely does not pass. (Two noisy ones say less of each other.)
+constexpr double largest_unseen = 0.02;
+
 struct Estimator {
   const char* integrator;
   int spp;
@@ -21,9 +25,7 @@ struct Estimator {
 struct Case {
   const char* scene;
   std::vector<Estimator> estimators;
-  /// Relative, of the whole image, with probability 0.99: an estimator whose image is off by more than this from the
-  /// one that it agrees with most surely does not pass. (Two noisy ones say less of each other.)
-  double largest_unseen = 0.02;
+  const char* definition = nullptr;  ///< of the scene's variable
 };
 void PrintTo(const Case& c, std::ostream* out) { *out << c.scene; }
 
@@ -32,11 +34,24 @@ class AgreementScene : public FolderTest, public testing::WithParamInterface<Cas
   Rendering render(const Estimator& estimator, std::size_t seed) const {
     const std::string integrator = estimator.integrator;
     const std::string out = (folder_ / (integrator + ".exr")).string();
-    const ProcessOutcome outcome =
-        run_process({PHOTONPROOF_BINARY, "render",
-                     PHOTONPROOF_SOURCE_DIR "/scenes/library/" + std::string(GetParam().scene) + "/scene.xml", "-o",
-                     out, "--integrator", integrator, "--spp", std::to_string(estimator.spp), "--size", "48x48",
-                     "--seed", std::to_string(seed), "--sampler", "independent"});
+    std::vector<std::string> command{
+        PHOTONPROOF_BINARY,
+        "render",
+        PHOTONPROOF_SOURCE_DIR "/scenes/library/" + std::string(GetParam().scene) + "/scene.xml",
+        "-o",
+        out,
+        "--integrator",
+        integrator,
+        "--spp",
+        std::to_string(estimator.spp),
+        "--size",
+        "48x48",
+        "--seed",
+        std::to_string(seed),
+        "--sampler",
+        "independent"};
+    if (GetParam().definition != nullptr) command.insert(command.end(), {"-D", GetParam().definition});
+    const ProcessOutcome outcome = run_process(command);
     EXPECT_TRUE(outcome.ok()) << outcome.sentence() << "\n" << outcome.standard_error;
     return read_rendering(out);
   }
@@ -57,8 +72,7 @@ TEST_P(AgreementScene, is_the_same_by_every_integrator) {
       EXPECT_TRUE(result.pass()) << names[0] << " and " << names[1];
       for (const std::size_t i : {a, b}) unseen[i] = std::min(unseen[i], result.would_see.value_or(1));
     }
-  for (std::size_t i = 0; i < images.size(); ++i)
-    EXPECT_LE(unseen[i], GetParam().largest_unseen) << estimators[i].integrator;
+  for (std::size_t i = 0; i < images.size(); ++i) EXPECT_LE(unseen[i], largest_unseen) << estimators[i].integrator;
 }
 
 std::vector<Estimator> paths_and_light(int path, int bdpt, int ptracer) {
@@ -73,31 +87,35 @@ std::vector<Estimator> media(int volpath, int bdpt) { return {{"volpath", volpat
 // scene (parallel-planes) or light comes round corners (corridor). Light from a direction or a point that comes
 // through glass is found by them alone (ball-lens, water-caustic).
 //
-// Samples are as many as 2 % takes. Five scenes would take minutes for that, since camera paths find their caustics by
-// luck or nothing but a keyhole; what they would show is stated for each.
+// Samples are as many as 2 % takes, shared between the two so that the time is least: of estimators that take c_i for a
+// squared error of 1, in the ratio of sqrt(c_i).
+//
+// In daylight camera paths find the sun in the lacquered ball by luck alone: the light that it throws on the ground, .3
+// to 1 % of the image's by channel, comes as one sample in ten million, 75,000 times as bright as the others. No number
+// of paths that a test can wait for knows that light, and most images that miss it look certain. So the sun is 5
+// degrees wide there, of the same irradiance, and found 87 times as often.
 INSTANTIATE_TEST_SUITE_P(
     library, AgreementScene,
     testing::Values(
-        Case{"cornell", paths_and_light(128, 128, 192)}, Case{"corridor", paths(20480, 1024)},
+        Case{"cornell", paths_and_light(128, 128, 160)}, Case{"corridor", paths(14336, 768)},
         Case{"light-area", paths_and_light(128, 128, 256)}, Case{"light-sphere", paths_and_light(128, 128, 768)},
-        Case{"light-disk", paths_and_light(128, 128, 256)}, Case{"light-cylinder", paths_and_light(256, 256, 1024)},
+        Case{"light-disk", paths_and_light(128, 128, 256)}, Case{"light-cylinder", paths_and_light(128, 128, 512)},
         Case{"light-mesh", paths_and_light(128, 128, 768)}, Case{"light-point", paths_and_light(128, 128, 768)},
         Case{"light-spot", paths_and_light(128, 128, 128)}, Case{"light-ies", paths_and_light(128, 128, 192)},
-        Case{"light-directional", paths_and_light(128, 128, 1536)},
-        Case{"light-constant", paths_and_light(128, 128, 6144)}, Case{"light-envmap", paths_and_light(128, 128, 3072)},
-        Case{"light-sunsky", paths_and_light(128, 128, 10240)}, Case{"integrating-sphere", paths_and_light(64, 24, 64)},
+        Case{"light-directional", paths_and_light(128, 128, 1024)},
+        Case{"light-constant", paths_and_light(128, 128, 4096)}, Case{"light-envmap", paths_and_light(128, 128, 2304)},
+        Case{"light-sunsky", paths_and_light(128, 128, 5120)}, Case{"integrating-sphere", paths_and_light(64, 24, 64)},
         Case{"concentric-spheres", paths_and_light(64, 24, 64)},
         Case{"furnace-normalmap", paths_and_light(64, 24, 160)}, Case{"furnace-bumpmap", paths_and_light(64, 24, 160)},
         Case{"furnace-roughplastic", paths_and_light(64, 24, 160)}, Case{"furnace-mask", paths(64, 24)},
         Case{"furnace-phong", paths_and_light(64, 24, 160)}, Case{"furnace-layered", paths(64, 24)},
-        Case{"lens", paths_and_light(128, 128, 2048)}, Case{"million", paths_and_light(64, 64, 1024)},
+        Case{"lens", paths_and_light(128, 128, 384)}, Case{"million", paths_and_light(64, 64, 768)},
         Case{"parallel-planes", paths(64, 24)}, Case{"many-lights", paths(4096, 2048)},
-        Case{"cornell-spheres", paths(2048, 256)}, Case{"course-1", paths(256, 256)}, Case{"fisheye", paths(128, 128)},
+        Case{"cornell-spheres", paths(2048, 256)}, Case{"course-1", paths(128, 112)}, Case{"fisheye", paths(128, 128)},
         Case{"roughness", paths(128, 128)}, Case{"ball-lens", light(512, 192)},
-        Case{"water-caustic", light(2560, 2560)}, Case{"absorption", media(64, 64)},
-        Case{"daylight", paths(1024, 128), 0.25}, Case{"keyhole", paths(1024, 256), 0.10},
-        Case{"course-2", paths(256, 64), 0.08}, Case{"course-3", paths(256, 64), 0.05},
-        Case{"pool", media(512, 256), 0.08}),
+        Case{"water-caustic", light(1536, 1536)}, Case{"absorption", media(64, 64)},
+        Case{"daylight", paths(2048, 320), "sun_aperture=5"}, Case{"keyhole", paths(12288, 1536)},
+        Case{"course-2", paths(2048, 352)}, Case{"course-3", paths(832, 160)}, Case{"pool", media(2048, 1024)}),
     [](const auto& test) {
       std::string name = test.param.scene;
       std::replace(name.begin(), name.end(), '-', '_');
