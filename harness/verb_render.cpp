@@ -124,7 +124,7 @@ nlohmann::ordered_json plan_json(const RenderPlan& plan) {
 
 nlohmann::ordered_json stats_json(const RenderArguments& arguments, const std::string& integrator,
                                   const RenderStats& stats, const RenderPlan& plan, int threads,
-                                  const std::vector<std::string>& losses, const Rendering& rendering) {
+                                  const Rendering& rendering) {
   return {{"schema_version", 1},
           {"engine", "photonproof " + integrator},
           {"version", version_line()},
@@ -138,7 +138,7 @@ nlohmann::ordered_json stats_json(const RenderArguments& arguments, const std::s
           {"phases", stats.phases},
           {"counts", stats.counts},
           {"skipped", stats.skipped},
-          {"losses", losses},
+          {"losses", stats.losses},
           {"plan", plan_json(plan)}};
 }
 
@@ -240,7 +240,7 @@ int run_render(const RenderArguments& arguments) {
   check_memory(description, window, arguments.checkpoint_seconds);
   const Scene scene(description, film_size.width, film_size.height, job.skips, find_integrator(name)->small_limit());
   stats.phases["compile"] = compile_timer.seconds();
-  const std::vector<std::string> losses = say_notes(description, scene);
+  stats.losses = say_notes(description, scene);
 
   stats.counts["bytes_scene"] = static_cast<double>(scene.memory_bytes());
   if (scene.view().tracer != nullptr) stats.counts["bytes_bvh"] = static_cast<double>(scene.view().tracer->bvh_bytes());
@@ -250,7 +250,10 @@ int run_render(const RenderArguments& arguments) {
   job.checkpoint = checkpoint;
 
   Film film(window);
+  const std::size_t said = stats.losses.size();
   find_integrator(name)->render(scene, method, job, film, stats);
+  for (std::size_t i = said; i < stats.losses.size(); ++i)
+    std::fprintf(stderr, "%s: warning: %s\n", arguments.scene.path.c_str(), stats.losses[i].c_str());
 
   const Timer write_timer;
   Rendering rendering = film.develop();
@@ -264,7 +267,7 @@ int run_render(const RenderArguments& arguments) {
   stats.phases["write"] = write_timer.seconds();
 
   const nlohmann::ordered_json json =
-      stats_json(arguments, name, stats, plan, Threads(arguments.threads).count(), losses, rendering);
+      stats_json(arguments, name, stats, plan, Threads(arguments.threads).count(), rendering);
   write_file_atomically(stats_path, json.dump(2) + "\n");
   if (!stats.interrupted && (checkpoint.interval_seconds > 0 || checkpoint.resume)) remove_checkpoint(checkpoint.file);
 

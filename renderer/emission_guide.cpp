@@ -13,6 +13,8 @@ namespace {
 /// A lamp is huge where its half-extent is more than this many times its distance: below, what is gained by starting
 /// closer is not worth what is lost by starting there only every other time.
 constexpr float huge = 8;
+/// So much smaller than the scene, single precision would not hit a place from outside the scene.
+constexpr float smallest_place = 0x1p-14f;
 
 /// Whence a ball sees a lamp: at least its radius away; nothing where that is not near for the lamp's size.
 struct Viewpoint {
@@ -109,41 +111,64 @@ float density_from(const Light& light, const Vec3f& p, const Vec3f& p_light, con
       light);
 }
 
-EmissionGuide::EmissionGuide(const std::vector<Light>& lights, const std::vector<AimTarget>& seen)
-    : views_(lights.size()) {
+EmissionGuide::EmissionGuide(const std::vector<Light>& lights, const std::vector<AimTarget>& seen,
+                             const SceneBall& scene)
+    : scene_(scene), views_(lights.size()) {
   for (std::size_t i = 0; i < lights.size(); ++i) {
-    for (const AimTarget& ball : seen)
-      if (const auto from = std::visit(Viewpoint{ball}, lights[i])) views_[i].push_back({*from, ball});
+    for (const AimTarget& ball : seen) {
+      if (is_infinite(lights[i])) {
+        if (huge * ball.radius < scene.radius && ball.radius > smallest_place * scene.radius)
+          views_[i].push_back({ball.center, ball});
+      } else if (const auto from = std::visit(Viewpoint{ball}, lights[i])) {
+        views_[i].push_back({*from, ball});
+      }
+    }
     if (!views_[i].empty()) ++guided_;
   }
+}
+
+GuidedStart EmissionGuide::start_even(const Light& light, const Vec2<float>& u_position,
+                                      const Vec2<float>& u_direction) const {
+  Emission<float> even{};
+  GuidedStart start;
+  if (const auto* area = std::get_if<AreaLight>(&light)) {
+    const AreaLight::Start from = area->start(u_position, u_direction);
+    even = from.emission;
+    start.uv = from.uv;
+    start.triangle = from.triangle;
+  } else {
+    even = std::visit([&](const auto& l) { return l.emit(u_position, u_direction); }, light);
+  }
+  start.p = start.on_line = even.p_world;
+  start.normal = even.normal;
+  start.direction = even.direction;
+  return start;
+}
+
+/// The direction is drawn as without a guide.
+GuidedStart EmissionGuide::start_far(const Light& light, const AimTarget& ball, const Vec2<float>& u_position,
+                                     const Vec2<float>& u_direction) const {
+  GuidedStart start = start_even(light, {0.5f, 0.5f}, u_direction);
+  const Vec2<float> d = square_to_disc(u_position);
+  start.on_line = ball.center + Frame<float>(start.direction).to_world({d.x, d.y, 0}) * ball.radius;
+  start.p = start.on_line - start.direction * (scene_.radius + length(ball.center - scene_.center));
+  return start;
 }
 
 std::optional<GuidedStart> EmissionGuide::start(const Light& light, std::uint32_t index, const Vec2<float>& u_position,
                                                 const Vec2<float>& u_direction) const {
   Vec2<float> u = u_position, u_way = u_direction;
-  GuidedStart start;
-  if (!takes_second_half(u.x)) {
-    Emission<float> even{};
-    if (const auto* area = std::get_if<AreaLight>(&light)) {
-      const AreaLight::Start from = area->start(u, u_direction);
-      even = from.emission;
-      start.uv = from.uv;
-      start.triangle = from.triangle;
-    } else {
-      even = std::visit([&](const auto& l) { return l.emit(u, u_direction); }, light);
-    }
-    start.p = even.p_world;
-    start.normal = even.normal;
-    start.direction = even.direction;
-    return start;
-  }
+  if (!takes_second_half(u.x)) return start_even(light, u, u_direction);
   const std::vector<View>& views = views_[index];
   const float scaled = u.x * static_cast<float>(views.size());
   const std::size_t which = std::min(static_cast<std::size_t>(scaled), views.size() - 1);
   u.x = std::min(scaled - static_cast<float>(which), 1 - 0x1p-24f);
+  if (is_infinite(light)) return start_far(light, views[which].ball, u, u_direction);
+
+  GuidedStart start;
   const LightSample<float> s = sample_from(light, views[which].from, u, start.triangle);
   if (!(s.pdf > 0)) return std::nullopt;
-  start.p = s.p_light;
+  start.p = start.on_line = s.p_light;
   start.normal = s.normal_light;
   if (const auto* area = std::get_if<AreaLight>(&light)) start.uv = area->uv_at(start.p, start.triangle);
   if (takes_second_half(u_way.x)) {
@@ -159,6 +184,15 @@ EmissionPdfs<float> EmissionGuide::pdfs(const Light& light, std::uint32_t index,
                                         std::uint32_t triangle, const Vec3f& direction,
                                         const EmissionPdfs<float>& even) const {
   const std::vector<View>& views = views_[index];
+  const double share = 0.5 / static_cast<double>(views.size());
+  if (is_infinite(light)) {
+    double here = 0;
+    for (const View& view : views) {
+      const double r2 = double{view.ball.radius} * double{view.ball.radius};
+      if (double{length_squared(cross(p - view.from, direction))} <= r2) here += 1 / (std::numbers::pi * r2);
+    }
+    return {static_cast<float>(0.5 * double{even.position} + share * here), even.direction};
+  }
   double position = 0, both = 0;
   for (const View& view : views) {
     const Vec3f d = view.from - p;
@@ -171,7 +205,6 @@ EmissionPdfs<float> EmissionGuide::pdfs(const Light& light, std::uint32_t index,
     both +=
         here * 0.5 * (double{even.direction} + (inside ? 1 / (2 * std::numbers::pi * double{cone.one_minus_cos}) : 0));
   }
-  const double share = 0.5 / static_cast<double>(views.size());
   const double all = 0.5 * double{even.position} + share * position;
   const double joint = 0.5 * double{even.position} * double{even.direction} + share * both;
   return {static_cast<float>(all), static_cast<float>(joint / all)};

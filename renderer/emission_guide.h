@@ -6,12 +6,18 @@
 // Half of the paths start evenly, as every place may matter: no weight is more than twice what it would be without.
 // A place is looked at from a distance from the lamp that is at least its ball's radius, so that the starts spread over
 // all that lights the ball.
+//
+// Light from infinity starts evenly on the disc across the ball around the scene, of radius R. Where that is large for
+// the places, half of the paths start on the disc across one of their balls, whose radius is r; d is the distance of
+// v's middle from the path's line:
+//   p(x | w) = 1/2 1/(pi R^2) + 1/(2V) sum over v of [d < r] / (pi r^2)
 #pragma once
 
 #include <optional>
 #include <vector>
 
 #include "renderer/light.h"
+#include "renderer/scene_ball.h"
 #include "renderer/scene_view.h"
 
 namespace photonproof {
@@ -22,20 +28,22 @@ struct GuidedStart {
   Vec2<float> uv;
   std::uint32_t triangle = 0;
   Vec3f direction{0, 0, 1};
+  Vec3f on_line;  ///< a point of the path's line near what is looked at; p where the start is on a surface
 };
 
 class EmissionGuide {
  public:
   EmissionGuide() = default;
   /// `seen`: balls of what the camera sees. Lights that are not huge for their distance to any are left alone.
-  EmissionGuide(const std::vector<Light>& lights, const std::vector<AimTarget>& seen);
+  EmissionGuide(const std::vector<Light>& lights, const std::vector<AimTarget>& seen, const SceneBall& scene);
 
   bool empty() const { return guided_ == 0; }
   bool guides(std::uint32_t light) const { return light < views_.size() && !views_[light].empty(); }
   /// Nothing where the place drawn does not see the light. `light` is what `lights` has at `index`, which is guided.
   std::optional<GuidedStart> start(const Light& light, std::uint32_t index, const Vec2<float>& u_position,
                                    const Vec2<float>& u_direction) const;
-  /// Densities of that. `even`: what they are without a guide.
+  /// Densities of that; of light from infinity, p is any point of the path's line. `even`: what they are without a
+  /// guide.
   EmissionPdfs<float> pdfs(const Light& light, std::uint32_t index, const Vec3f& p, const Vec3f& n,
                            std::uint32_t triangle, const Vec3f& direction, const EmissionPdfs<float>& even) const;
 
@@ -44,6 +52,11 @@ class EmissionGuide {
     Vec3f from;
     AimTarget ball;
   };
+  GuidedStart start_even(const Light& light, const Vec2<float>& u_position, const Vec2<float>& u_direction) const;
+  GuidedStart start_far(const Light& light, const AimTarget& ball, const Vec2<float>& u_position,
+                        const Vec2<float>& u_direction) const;
+
+  SceneBall scene_;
   std::vector<std::vector<View>> views_;  ///< of each light
   std::size_t guided_ = 0;                ///< lights with views
 };

@@ -125,5 +125,49 @@ TEST(light_photons, from_infinity_enter_evenly_through_the_disc_that_covers_the_
     }
 }
 
+TEST(light_photons, from_infinity_that_are_guided_carry_what_enters_everywhere) {
+  // Light of irradiance E, or a sky of radiance E/pi from all around, crosses the ball of radius rho around any place
+  // with E pi rho^2 (a sky: times 4, its directions' integral): about the guiding places, across their discs' rims and
+  // beside them. Divided by another density than it is drawn from, a part would be brighter: within them 5 % show.
+  constexpr int draws = 200'000;
+  const SceneBall scene{{1, -2, 0.5f}, 100};
+  const std::vector<AimTarget> seen{{{3, 0, 1}, 0.7f}, {{3.5f, 0, 1}, 0.7f}, {{-6, 2, 0}, 2}, {{0, 0, 0}, 50}};
+  const std::vector<std::pair<Vec3d, double>> places{
+      {{3.2, 0, 1}, 0.4}, {{3, 0, 1}, 2}, {{-6, 2, 0}, 1}, {{-4, 2, 0}, 1}, {{40, 3, 9}, 20}};
+  for (const bool sky : {false, true}) {
+    Lights lights(
+        {sky ? Light(EnvironmentLight(ConstantSky{Rgb(1 / pi)}, scene.center, scene.radius))
+             : Light(DirectionalLight<float>{normalize(Vec3f(0.2f, -0.9f, 0.3f)), Rgb(1), scene.center, scene.radius})},
+        scene);
+    const auto cross_section_error = [&](std::size_t k, double& mean) {
+      double sum = 0, squares = 0;
+      for (int i = 0; i < draws; ++i) {
+        Random r(780, static_cast<std::uint64_t>(i));
+        const Vec2<float> u = r.next2();
+        const LightEmission e = lights.scene.emit(0, u, r.next2());
+        const Vec3d d(e.direction);
+        if (length(cross(places[k].first - Vec3d(e.origin), d)) > places[k].second) continue;
+        sum += double{e.flux.x};
+        squares += double{e.flux.x} * double{e.flux.x};
+      }
+      mean = sum / draws;
+      return std::sqrt((squares / draws - mean * mean) / draws);
+    };
+    for (const bool guided : {false, true}) {
+      if (guided) lights.scene.guide_emission(EmissionGuide(lights.lights, seen, scene));
+      EXPECT_EQ(lights.scene.has_guide(), guided);
+      for (std::size_t k = 0; k < places.size(); ++k) {
+        const double rho = places[k].second, expected = std::numbers::pi * rho * rho * (sky ? 4 : 1);
+        double mean = 0;
+        const double error = cross_section_error(k, mean);
+        EXPECT_NEAR(mean, expected, 4 * error) << sky << guided << k;
+        if (guided && (k == 0 || k == 2)) {
+          EXPECT_LT(error, 0.012 * expected) << sky << k;
+        }
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace photonproof

@@ -1,12 +1,17 @@
 #include "renderer/looked_at.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "renderer/kernels/camera_rays.h"
 
 namespace photonproof {
 
-std::vector<Vec3f> points_looked_at(const Scene& scene, int lattice) {
+namespace {
+
+/// By rows; NaN where the ray meets nothing.
+std::vector<Vec3f> lattice_of_hits(const Scene& scene, int lattice) {
   const CameraView& camera = scene.view().camera;
   const auto share = [lattice](int i) { return (static_cast<float>(i) + 0.5f) / static_cast<float>(lattice); };
   std::vector<Vec3f> points;
@@ -15,19 +20,49 @@ std::vector<Vec3f> points_looked_at(const Scene& scene, int lattice) {
       CameraRay<float> ray;
       set_ray<float>(camera, {share(column) * camera.width, share(row) * camera.height}, {0.5f, 0.5f}, ray);
       const Hit hit = ray.valid ? scene.intersect(ray.origin, ray.direction) : Hit{};
-      if (hit.valid()) points.push_back(hit.p_world);
+      points.push_back(hit.valid() ? hit.p_world : Vec3f(std::numeric_limits<float>::quiet_NaN()));
     }
   }
   return points;
 }
 
+}  // namespace
+
+std::vector<Vec3f> points_looked_at(const Scene& scene, int lattice) {
+  std::vector<Vec3f> points = lattice_of_hits(scene, lattice);
+  points.erase(std::remove_if(points.begin(), points.end(), [](const Vec3f& p) { return !is_finite(p); }),
+               points.end());
+  return points;
+}
+
 std::vector<AimTarget> looked_at(const Scene& scene) {
   constexpr int lattice = 4;
+  constexpr float half_diagonal = 0.75f;  // of a cell
   const CameraView& camera = scene.view().camera;
   const float cell = std::max(camera.width, camera.height) / lattice;
+  const std::vector<Vec3f> points = lattice_of_hits(scene, lattice);
+  const auto at = [&](int row, int column) { return points[static_cast<std::size_t>(row * lattice + column)]; };
+  // To the nearer of the two neighbours along an axis, since behind an edge the other is far away.
+  const auto spacing = [&](int row, int column, int down, int right) {
+    float nearest = std::numeric_limits<float>::infinity();
+    for (const int sign : {-1, 1}) {
+      const int r = row + sign * down, c = column + sign * right;
+      if (r < 0 || r >= lattice || c < 0 || c >= lattice) continue;
+      const float d = length(at(r, c) - at(row, column));
+      if (d < nearest) nearest = d;
+    }
+    return std::isfinite(nearest) ? nearest : 0;
+  };
   std::vector<AimTarget> balls;
-  for (const Vec3f& p : points_looked_at(scene, lattice))
-    balls.push_back({p, 0.75f * cell * pixel_footprint(camera, p)});  // half the diagonal of a cell
+  for (int row = 0; row < lattice; ++row)
+    for (int column = 0; column < lattice; ++column) {
+      const Vec3f p = at(row, column);
+      if (!is_finite(p)) continue;
+      // Surfaces seen at a slant are longer than the cell is wide.
+      const float size =
+          std::max({cell * pixel_footprint(camera, p), spacing(row, column, 1, 0), spacing(row, column, 0, 1)});
+      balls.push_back({p, half_diagonal * size});
+    }
   return balls;
 }
 

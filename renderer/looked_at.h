@@ -11,7 +11,8 @@ namespace photonproof {
 /// left out.
 std::vector<Vec3f> points_looked_at(const Scene& scene, int lattice);
 
-/// Around the first surfaces that a lattice of camera rays meets, each as large as its cell of the image is there.
+/// Around the first surfaces that a lattice of camera rays meets, each as large as its cell of the
+/// image is there.
 std::vector<AimTarget> looked_at(const Scene& scene);
 
 }  // namespace photonproof

@@ -8,7 +8,9 @@
 #include "renderer/photon_mapper.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <optional>
 
@@ -35,6 +37,14 @@ struct PhotonCounts {
   std::uint64_t emitted = 0;
   std::uint64_t stored = 0;
   std::uint64_t rays = 0;
+  std::uint64_t look_ups = 0;
+  std::uint64_t found = 0;  ///< by all of them
+
+  /// In the disc of a look-up, over the whole render: each pass has a part of the photons.
+  double in_disc(std::int64_t passes) const {
+    return static_cast<double>(found) / static_cast<double>(std::max<std::uint64_t>(1, look_ups)) *
+           static_cast<double>(passes);
+  }
 };
 
 /// One of the two maps, with what it takes to refill it every pass.
@@ -60,11 +70,16 @@ struct Maps {
   MapState caustic{PhotonKind::caustic, Stream::caustic_photon, "caustic", 8};
 };
 
-/// Adds to the paths' radiance what one map's photons bring to their gather points.
-void add_photons(const MapState& state, const LookUpAreas& areas, const Kernels& kernels, int max_depth,
-                 const std::vector<GatherPoint>& points, std::vector<float>& radiance) {
-  if (state.map.empty()) return;
-  if (has_fault(Fault::missing_caustic) && state.kind == PhotonKind::caustic) return;
+/// Fewer in a disc than this, and the spread that is seen may miss the few that carry the light.
+constexpr double few_photons_in_disc = 10;
+/// A map of fewer says that hardly any light goes that way, not that it goes elsewhere.
+constexpr std::uint64_t few_photons_in_map = 1000;
+
+/// Adds to the paths' radiance what one map's photons bring to their gather points. Returns how many were found.
+std::uint64_t add_photons(const MapState& state, const LookUpAreas& areas, const Kernels& kernels, int max_depth,
+                          const std::vector<GatherPoint>& points, std::vector<float>& radiance) {
+  if (state.map.empty()) return 0;
+  if (has_fault(Fault::missing_caustic) && state.kind == PhotonKind::caustic) return 0;
   const std::vector<std::uint32_t> order = cell_order(state.map, points);
   std::vector<GatheredFlux> flux(points.size());
   const int max_edges = max_depth >= 0 ? max_depth : std::numeric_limits<int>::max();
@@ -76,8 +91,10 @@ void add_photons(const MapState& state, const LookUpAreas& areas, const Kernels&
                           .count = points.size(),
                           .flux = flux.data(),
                           .tests = state.tests.data()});
+  std::uint64_t found = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (flux[i].count == 0) continue;
+    found += static_cast<std::uint64_t>(flux[i].count);
     const GatherPoint& point = points[i];
     const float divisor = areas.divisor(point, state.radius);
     if (!(divisor > 0)) continue;
@@ -87,6 +104,7 @@ void add_photons(const MapState& state, const LookUpAreas& areas, const Kernels&
     out[1] += added.y;
     out[2] += added.z;
   }
+  return found;
 }
 
 /// A map without a radius gets one from the pilot; a map whose pilot stores nothing is small enough for any radius.
@@ -123,13 +141,29 @@ void refill(MapState& state, const Scene& scene, const PhotonMapperDescription& 
   state.counts.stored += state.map.size();
 }
 
-void store_counts(const MapState& state, const Scene& scene, RenderStats& stats) {
+void store_counts(const MapState& state, const Scene& scene, std::int64_t passes, RenderStats& stats) {
   if (!state.wanted) return;
   const std::string name = state.name;
   stats.counts["photons_emitted_" + name] = static_cast<double>(state.counts.emitted);
   stats.counts["photons_stored_" + name] = static_cast<double>(state.counts.stored);
   stats.counts["radius_" + name] = state.radius / scene.scale();
   stats.counts["rays_photon"] += static_cast<double>(state.counts.rays);
+  stats.counts["photons_in_disc_" + name] = state.counts.in_disc(passes);
+}
+
+/// Of the map that holds the light of every surface; caustics are nowhere but in places.
+void say_if_few_arrive(const MapState& global, std::int64_t passes, RenderStats& stats) {
+  const double in_disc = global.counts.in_disc(passes);
+  if (!global.wanted || global.counts.look_ups == 0 || global.counts.stored < few_photons_in_map ||
+      in_disc >= few_photons_in_disc)
+    return;
+  char text[160];
+  std::snprintf(
+      text, sizeof text,
+      "of %.3g photons %.2g are in the disc of a look-up: too few arrive where the camera looks for the error "
+      "to be known",
+      static_cast<double>(global.counts.emitted), in_disc);
+  stats.losses.emplace_back(text);
 }
 
 /// Photons of a map for the pass that takes samples [first, last) of `spp`; at least one, so that a pass has a map.
@@ -199,6 +233,7 @@ void render_photon_mapper(const Scene& scene, const IntegratorDescription& descr
       refill(*state, scene, settings, job, count, threads, stats);
     }
     const PhaseTimer phase(stats.phases["render"]);
+    std::atomic<std::uint64_t> look_ups{0}, found_global{0}, found_caustic{0};
     loop.for_each_tile([&](const Tile& tile) {
       const CameraTask camera = camera_task(job, tile, loop.first(), loop.samples());
       std::vector<float> radiance(3 * std::size_t{camera.paths()});
@@ -214,14 +249,22 @@ void render_photon_mapper(const Scene& scene, const IntegratorDescription& descr
         job.kernels().trace_paths(task);
       });
       points.resize(task.gather_count);
+      look_ups += points.size();
       for (const MapState* state : {&maps.caustic, &maps.global})
-        if (state->wanted) add_photons(*state, *areas, job.kernels(), settings.max_depth, points, radiance);
+        if (state->wanted)
+          (state == &maps.global ? found_global : found_caustic) +=
+              add_photons(*state, *areas, job.kernels(), settings.max_depth, points, radiance);
       add_means(film, camera, radiance);
       loop.rays().add(task.counts);
     });
+    for (MapState* state : {&maps.global, &maps.caustic}) {
+      state->counts.look_ups += look_ups;
+      state->counts.found += state == &maps.global ? found_global : found_caustic;
+    }
     film.end_shared_pass(static_cast<double>(loop.samples()));
   }
-  for (const MapState* state : {&maps.global, &maps.caustic}) store_counts(*state, scene, stats);
+  for (const MapState* state : {&maps.global, &maps.caustic}) store_counts(*state, scene, pass_count, stats);
+  say_if_few_arrive(maps.global, pass_count, stats);
   stats.counts["passes"] = static_cast<double>(pass_count);
 }
 

@@ -36,6 +36,24 @@ TEST(photon_mapper, a_single_plane_needs_no_map) {
   EXPECT_EQ(out.stats.counts.at("rays_photon"), 0);
 }
 
+TEST(photon_mapper, says_when_few_photons_arrive_where_the_camera_looks) {
+  // A lamp between two planes lights them; at (1000, 0, 0), between two others, 1e-6 of its light arrives.
+  SceneDescription d = test::floor_under_point_light(16);
+  const auto facing_down = [](double x) { return Transform::translate({x, 6, 0}) * Transform::rotate({1, 0, 0}, 90); };
+  const auto facing_up = Transform::translate({1000, 0, 0}) * Transform::rotate({1, 0, 0}, -90);
+  test::add_shape(d, RectangleDescription{}, facing_down(0), {0});
+  test::add_shape(d, RectangleDescription{}, facing_down(1000), {0});
+  test::add_shape(d, RectangleDescription{}, facing_up, {0});
+  const RenderJob job = job_with(4, 200'000);
+  const auto near = render(d, "photonmapper", job);
+  EXPECT_THAT(near.stats.losses, testing::IsEmpty());
+  EXPECT_GT(near.stats.counts.at("photons_in_disc_global"), 10);
+  test::set_camera(d, Transform::look_at({1000, 2, 0.1}, {1000, 0, 0}, {0, 0, 1}), 20, 16);
+  const auto far = render(d, "photonmapper", job);
+  EXPECT_LT(far.stats.counts.at("photons_in_disc_global"), 10);
+  EXPECT_THAT(far.stats.losses, testing::ElementsAre(testing::HasSubstr("too few arrive where the camera looks")));
+}
+
 TEST(photon_mapper, skipping_the_maps_of_a_plane_changes_nothing) {
   // With a second plane far away that faces the first the maps cannot be skipped, yet add next to nothing: E of the far
   // plane is I/d^2 = 1e-4, of which its albedo and its solid angle over pi, 0.5 x 4/(pi 1e4), leave 6e-9 where the lamp

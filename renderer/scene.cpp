@@ -125,7 +125,7 @@ Scene::Scene(const Framed& framed, int width_, int height_, const SkipSwitches& 
   view_.one_light = lights.size() == 1 && skips.on(Skip::light_choice);
   view_.one_bsdf_kind = std::has_single_bit(view_.bsdf_kinds) && skips.on(Skip::bsdf_groups);
   view_.dark_shadow_rays = !skips.on(Skip::shadow_rays);
-  if (purpose == ScenePurpose::render) scene_lights_->guide_emission(EmissionGuide(lights, looked_at(*this)));
+  if (purpose == ScenePurpose::render) scene_lights_->guide_emission(EmissionGuide(lights, looked_at(*this), ball));
   view_.guided_emission = scene_lights_->has_guide();
 }
 

@@ -3,10 +3,15 @@
 
 #include <vector>
 
-#include "renderer/scene_lights.h"
 #include "renderer/surface.h"
 
 namespace photonproof {
+
+/// A ball that holds a scene.
+struct SceneBall {
+  Vec3f center;
+  float radius = 1;
+};
 
 /// Holds all surfaces but infinite ones. With none, radius 1 around the origin.
 SceneBall scene_ball(const std::vector<Surface>& surfaces);

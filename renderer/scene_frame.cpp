@@ -31,12 +31,17 @@ double median(std::vector<double> values) {
   return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
 }
 
-constexpr double parts_of_reach = 16;
+/// The floor: this part of the reach. Near the origin coordinates are small, but what they came from is not.
+constexpr double parts_of_reach = 2;
 /// Beyond so many times the size of what is looked at, coordinates and offsets cost it precision: there, four ulp are a
 /// ten-thousandth of it.
 constexpr double unlike = 256;
-/// A triangle through Embree is right to 1e-7 of its length: at this one to a thousandth of what is looked at.
-constexpr double very_long = 0x1p13;
+/// The floor is no less than this part of what is looked at, where offsets of so many ulp do not show.
+constexpr double part_of_focus = 0x1p-4;
+/// Embree meets a face to some 2^-24 of its length, rays leave by 2^-21 of the floor: faces longer than this many
+/// floors would shade themselves. A fourth of what was found to (sizes_test.cpp).
+constexpr double long_in_floors = 16;
+
 SceneFrame frame_of_middles(const SceneDescription& description) {
   std::vector<Extent> extents;
   for (const ShapeDescription& shape : description.shapes) {
@@ -111,10 +116,11 @@ SceneFrame scene_frame(const SceneDescription& description) {
     // Whole floats, so that adding it to what is near it loses nothing that matters.
     const Vec3d origin(Vec3f(focus->point));
     if (is_finite(origin)) frame.moved = -origin;
-    // Not less, since faces go far beyond the focus.
+    // Not a part of the focus alone, since faces go far beyond it.
     frame.coordinate_floor = std::min(frame.coordinate_floor, static_cast<float>(16 * focus->size));
   }
-  frame.long_edge = very_long * focus->size;
+  frame.coordinate_floor = std::max(frame.coordinate_floor, static_cast<float>(part_of_focus * focus->size));
+  frame.long_edge = long_in_floors * double{frame.coordinate_floor};
   if (focus->size >= 1 / ordinary_size && focus->size <= ordinary_size) return frame;
   frame.scale = power_of_two_below(1 / focus->size);
   frame.moved = Vec3d(Vec3f(frame.moved * frame.scale));

@@ -29,15 +29,15 @@ struct SceneFrame {
   double scale = 1;            ///< a power of two, so that it rounds nothing
   Vec3d moved{0.0};            ///< added to the scaled coordinates
   float coordinate_floor = 1;  ///< least magnitude of coordinates that ray offsets reckon with
-  /// Edges above this, scaled, are some thousands of times as long as what is looked at: single precision would show.
+  /// Faces with edges above this, scaled, need double precision: rays leave them by less than single precision's error.
   double long_edge = std::numeric_limits<double>::infinity();
 };
 
-/// The origin is the median of the middles of the shapes that have one, axis by axis, the floor, a sixteenth of the
-/// median reach from there, for points near the origin, which still come out of arithmetic with the scene's
-/// coordinates. Where what the camera looks at (scene_focus.h) is thousands of times smaller than that or as far away,
-/// both are the focus's: one shape far away, or one so large that its middle is, does not cost the others their
-/// precision. The scale is 1 unless the focus is smaller than 2^-22 or larger than 2^22; then it makes it about 1.
+/// The origin is the median of the middles of the shapes that have one, axis by axis, the floor, half the median
+/// reach from there, for points near the origin, which still come out of arithmetic with the scene's coordinates. Where
+/// what the camera looks at (scene_focus.h) is thousands of times smaller than that or as far away, both are the
+/// focus's: one shape far away, or one so large that its middle is, does not cost the others their precision. The scale
+/// is 1 unless the focus is smaller than 2^-22 or larger than 2^22; then it makes it about 1.
 SceneFrame scene_frame(const SceneDescription& description);
 
 }  // namespace photonproof

@@ -114,8 +114,8 @@ SceneLights::Start SceneLights::start(std::uint32_t index, const Vec2<float>& u_
     start.uv = drawn->uv;
     start.triangle = drawn->triangle;
     start.emission = {drawn->p, drawn->normal, drawn->direction, Rgb(0.0f)};
-    start.pdfs = emission_pdfs(index, drawn->p, drawn->normal, drawn->triangle, drawn->direction);
-    const float cosine = std::max(dot(drawn->normal, drawn->direction), 0.0f);
+    start.pdfs = emission_pdfs(index, drawn->on_line, drawn->normal, drawn->triangle, drawn->direction);
+    const float cosine = is_infinite(index) ? 1 : std::max(dot(drawn->normal, drawn->direction), 0.0f);
     start.emission.flux = leaving(light, drawn->normal, drawn->uv, drawn->direction) *
                           (cosine / (start.pdfs.position * start.pdfs.direction));
     start.crowding = start.pdfs.position / even_pdfs(light, drawn->normal, drawn->direction).position;
@@ -161,11 +161,11 @@ LightEmission SceneLights::emit(float u_choice, const Vec2<float>& u_position, c
 EmissionPdfs<float> SceneLights::emission_pdfs(std::uint32_t light, const Vec3f& p, const Vec3f& n,
                                                std::uint32_t triangle, const Vec3f& direction) const {
   EmissionPdfs<float> pdfs = even_pdfs(lights_[light], n, direction);
-  if (guide_.guides(light)) return guide_.pdfs(lights_[light], light, p, n, triangle, direction, pdfs);
   if (is_infinite(light)) {
     const Vec3f from_axis = cross(p - ball_.center, direction);
     if (dot(from_axis, from_axis) > ball_.radius * ball_.radius) pdfs.position = 0;
   }
+  if (guide_.guides(light)) return guide_.pdfs(lights_[light], light, p, n, triangle, direction, pdfs);
   return pdfs;
 }
 

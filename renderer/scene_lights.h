@@ -36,12 +36,6 @@ namespace photonproof {
 
 class LightTree;
 
-/// A ball that holds a scene.
-struct SceneBall {
-  Vec3f center;
-  float radius = 1;
-};
-
 /// A point or a direction of a light, seen from a reference point.
 struct LightConnection {
   std::uint32_t light = 0;

@@ -35,6 +35,9 @@ bool is_mesh(const ShapeDescription& shape) {
          std::holds_alternative<HeightfieldDescription>(shape.geometry);
 }
 
+/// An instance of so few may be copied for the sake of its faces.
+constexpr std::size_t triangles_to_copy = 0x10000;
+
 /// Estimators divide by areas and normalise by them: both must stay finite with room to spare.
 bool has_usable_size(const Geometry& geometry) {
   const auto usable = [](float area) { return area > 1e-30f && area < 1e30f; };
@@ -252,6 +255,7 @@ const SceneShapes::GroupMeshes& SceneShapes::meshes_of(ShapeGroupIndex index) {
     if (!is_mesh(shape)) continue;
     made.parts.push_back(std::make_shared<const Mesh>(compile_mesh(shape, to_unit * shape.to_world)));
     primitives += made.parts.back()->triangle_count();
+    made.triangles += made.parts.back()->triangle_count();
     made.longest_edge = std::max(made.longest_edge, longest_edge(*made.parts.back(), 0));
   }
   return groups_.emplace(index, std::move(made)).first->second;
@@ -263,10 +267,12 @@ void SceneShapes::add_instance(const ShapeDescription& shape, const InstanceDesc
   const GroupMeshes& meshes = meshes_of(instance.group);
   const auto placement = std::make_shared<const AffineMap>(to_world * Transform::translate(meshes.middle) *
                                                            Transform::scale(Vec3d(1 / meshes.scale)));
-  // Embree meets an instance's faces in the group's coordinates, which are too coarse where the faces are long.
+  // Embree meets an instance's faces in the group's coordinates, which are too coarse where the faces are long. Copies
+  // of large groups take memory: they are made where faces are so long that not making them would show everywhere.
   const double stretch = std::sqrt(length_squared(Vec3d(placement->x)) + length_squared(Vec3d(placement->y)) +
                                    length_squared(Vec3d(placement->z)));
-  const bool too_long = meshes.longest_edge * stretch > long_edge_;
+  const double very_long = meshes.triangles <= triangles_to_copy ? long_edge_ : 32 * long_edge_;
+  const bool too_long = meshes.longest_edge * stretch > very_long;
   std::uint32_t part = 0;
   for (const ShapeDescription& member : description_.groups[instance.group.value].shapes) {
     if (member.radiance) throw InputError(description_.where(member.loc), "a shape of a group cannot emit");

@@ -29,6 +29,7 @@ class SceneShapes {
     std::uint32_t number = 0;
     Vec3d middle{0.0};
     double scale = 1;
+    std::size_t triangles = 0;
     double longest_edge = 0;  ///< in the group's own unit of length
     std::vector<std::shared_ptr<const Mesh>> parts;
   };
