@@ -18,8 +18,8 @@ std::string merge_microbenchmarks(const std::vector<MicrobenchmarkFile>& files);
 
 /// A line for each benchmark of a merged document, in the order of their definitions: the median of its repetitions'
 /// CPU time and, where it counts items, how many a second. A benchmark called
-/// TASK/nanoflann/ARGUMENTS (or embree_alone) is a peer: others of its task and arguments say how many times as fast as
-/// it they are.
+/// TASK/nanoflann/ARGUMENTS (or nanoflann_sorted, embree_alone, embree_packets) is a peer: others of its task and
+/// arguments say how many times as fast as its quickest way they are.
 std::string microbenchmark_table(const std::string& merged);
 
 }  // namespace photonproof

@@ -51,12 +51,13 @@ void path_tracer(benchmark::State& state, const std::string& name, const std::st
   state.SetItemsProcessed(static_cast<std::int64_t>(rays));
 }
 
-void rays_alone(benchmark::State& state, const std::string& name) {
+/// `packets`: camera rays go sixteen at a time, as neighbours. Others are quicker one by one.
+void rays_alone(benchmark::State& state, const std::string& name, bool packets) {
   const Scene& scene = bench::scene(name, true);
   const bench::RecordedRays& rays = rays_of(name, true);
   for (auto _ : state) {
-    benchmark::DoNotOptimize(scene.view().tracer->count_hits_alone(rays.camera));
-    benchmark::DoNotOptimize(scene.view().tracer->count_hits_alone(rays.bounce));
+    benchmark::DoNotOptimize(scene.view().tracer->count_hits_alone(rays.camera, packets));
+    benchmark::DoNotOptimize(scene.view().tracer->count_hits_alone(rays.bounce, false));
     benchmark::DoNotOptimize(scene.view().tracer->count_occluded_alone(rays.shadow));
   }
   const std::size_t count = rays.count(rays.camera) + rays.count(rays.bounce) + rays.count(rays.shadow);
@@ -102,7 +103,8 @@ int register_all() {
   };
   for (const std::string scene : {"cornell", "cornell-spheres", "million:10000", "million:1000000"}) {
     add("path_tracer/ours/" + scene, [scene](benchmark::State& s) { path_tracer(s, scene, "", false); });
-    add("path_tracer/embree_alone/" + scene, [scene](benchmark::State& s) { rays_alone(s, scene); });
+    add("path_tracer/embree_alone/" + scene, [scene](benchmark::State& s) { rays_alone(s, scene, false); });
+    add("path_tracer/embree_packets/" + scene, [scene](benchmark::State& s) { rays_alone(s, scene, true); });
     add("rays/" + scene + "/camera/single", [scene](benchmark::State& s) { query(s, scene, Kind::camera); });
     add("rays/" + scene + "/camera/packet", [scene](benchmark::State& s) { query(s, scene, Kind::camera_packets); });
     add("rays/" + scene + "/bounce/single", [scene](benchmark::State& s) { query(s, scene, Kind::bounce); });

@@ -125,14 +125,42 @@ bool is_occluded(RTCScene scene, RTCRay query) {
   return query.tfar < 0;
 }
 
-void intersect_packet(RTCScene scene, const int* valid, RTCRayHit16& query) {
+struct RayPacket {
+  RTCRayHit16 query{};
+  alignas(64) int valid[16];  // as Embree's packets are: it may load it with aligned instructions
+};
+
+RayPacket packet_of(const RayBlock& rays, std::uint32_t lanes) {
+  RayPacket packet;
+  RTCRayHit16& query = packet.query;
+  for (std::size_t i = 0; i < 16; ++i) {
+    packet.valid[i] = (lanes >> i & 1u) != 0 ? -1 : 0;
+    if (packet.valid[i] == 0) continue;
+    query.ray.org_x[i] = rays.origin_x[i];
+    query.ray.org_y[i] = rays.origin_y[i];
+    query.ray.org_z[i] = rays.origin_z[i];
+    query.ray.tnear[i] = 0;
+    query.ray.dir_x[i] = rays.direction_x[i];
+    query.ray.dir_y[i] = rays.direction_y[i];
+    query.ray.dir_z[i] = rays.direction_z[i];
+    query.ray.time[i] = 0;
+    query.ray.tfar[i] = std::numeric_limits<float>::infinity();
+    query.ray.mask[i] = 0xFFFFFFFFu;
+    query.ray.flags[i] = 0;
+    query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+    query.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
+  }
+  return packet;
+}
+
+void intersect_packet(RTCScene scene, RayPacket& packet) {
 #ifdef PHOTONPROOF_EMBREE4
-  rtcIntersect16(valid, scene, &query, nullptr);
+  rtcIntersect16(packet.valid, scene, &packet.query, nullptr);
 #else
   RTCIntersectContext context{};
   rtcInitIntersectContext(&context);
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-  rtcIntersect16(valid, scene, &context, &query);
+  rtcIntersect16(packet.valid, scene, &context, &packet.query);
 #endif
 }
 
@@ -367,34 +395,19 @@ void Tracer::intersect(const RayBlock& rays, HitBlock& hits, bool coherent) cons
     hits.primitive[i] = point.primitive;
   };
   if (coherent && std::popcount(lanes) > 1) {
-    RTCRayHit16 query{};
+    RayPacket packet = packet_of(rays, lanes);
+    RTCRayHit16& query = packet.query;
     std::uint32_t plane[16];
-    alignas(64) int valid[16];  // as Embree's packets are: it may load it with aligned instructions
-    for (std::size_t i = 0; i < 16; ++i) {
-      valid[i] = (lanes >> i & 1u) != 0 ? -1 : 0;
-      if (valid[i] == 0) continue;
-      query.ray.org_x[i] = rays.origin_x[i];
-      query.ray.org_y[i] = rays.origin_y[i];
-      query.ray.org_z[i] = rays.origin_z[i];
-      query.ray.tnear[i] = 0;
-      query.ray.dir_x[i] = rays.direction_x[i];
-      query.ray.dir_y[i] = rays.direction_y[i];
-      query.ray.dir_z[i] = rays.direction_z[i];
-      query.ray.time[i] = 0;
-      query.ray.tfar[i] = std::numeric_limits<float>::infinity();
-      query.ray.mask[i] = 0xFFFFFFFFu;
-      query.ray.flags[i] = 0;
-      query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
-      query.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
-      plane[i] = no_index;
-      if (!planes) continue;
+    std::fill_n(plane, 16, no_index);
+    for (std::size_t i = 0; planes && i < 16; ++i) {
+      if (packet.valid[i] == 0) continue;
       RTCRay ray = ray_of_lane(rays, i, std::numeric_limits<float>::infinity());
       plane[i] = impl_->meet_planes(ray);
       query.ray.tfar[i] = ray.tfar;
     }
-    intersect_packet(impl_->scene, valid, query);
+    intersect_packet(impl_->scene, packet);
     for (std::size_t i = 0; i < 16; ++i)
-      if (valid[i] != 0)
+      if (packet.valid[i] != 0)
         store(i, plane[i], rtcGetHitFromHitN(reinterpret_cast<RTCHitN*>(&query.hit), 16, static_cast<unsigned>(i)),
               query.ray.tfar[i]);
     return;
@@ -421,9 +434,16 @@ void Tracer::occluded(const RayBlock& rays, std::uint32_t* blocked) const {
   }
 }
 
-std::size_t Tracer::count_hits_alone(const std::vector<RayBlock>& rays) const {
+std::size_t Tracer::count_hits_alone(const std::vector<RayBlock>& rays, bool packets) const {
   std::size_t hits = 0;
   for (const RayBlock& block : rays) {
+    if (packets) {
+      RayPacket packet = packet_of(block, block.active);
+      intersect_packet(impl_->scene, packet);
+      for (std::size_t i = 0; i < 16; ++i)
+        if (packet.valid[i] != 0 && packet.query.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID) ++hits;
+      continue;
+    }
     for (std::uint32_t bits = block.active; bits != 0; bits &= bits - 1) {
       RTCRayHit query{};
       query.ray =

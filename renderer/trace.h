@@ -47,9 +47,9 @@ class Tracer {
   /// Bytes Embree holds, by its own account.
   std::size_t bvh_bytes() const;
 
-  /// rtcIntersect1 or rtcOccluded1 for every active lane and nothing else: what the benches compare with. Returns how
-  /// many rays hit something.
-  std::size_t count_hits_alone(const std::vector<RayBlock>& rays) const;
+  /// rtcIntersect1 or rtcOccluded1 for every active lane, or rtcIntersect16 for a block, and nothing else: what the
+  /// benches compare with. Returns how many rays hit something.
+  std::size_t count_hits_alone(const std::vector<RayBlock>& rays, bool packets) const;
   std::size_t count_occluded_alone(const std::vector<RayBlock>& rays) const;
 
   static std::string embree_version();

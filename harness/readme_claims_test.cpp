@@ -1,0 +1,153 @@
+// What README.md says can be looked up and repeated: its commands name what exists, its counts are those of the files
+// they count, and the figures of the cheap claims are printed again by the commands beside them.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <string>
+#include <vector>
+
+#include "reference/process.h"
+#include "scenes/test_folder.h"
+
+namespace photonproof {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string source = PHOTONPROOF_SOURCE_DIR;
+
+std::string readme() { return read_file(source + "/README.md"); }
+
+/// Of every match of the pattern, the group; of a table's cell, where `\|` stands for `|`.
+std::vector<std::string> all(const std::string& text, const std::string& pattern, std::size_t group = 1) {
+  std::vector<std::string> found;
+  const std::regex regex(pattern);
+  for (std::sregex_iterator i(text.begin(), text.end(), regex), end; i != end; ++i)
+    found.push_back(std::regex_replace((*i)[group].str(), std::regex(R"(\\\|)"), "|"));
+  return found;
+}
+
+std::size_t occurrences(const std::string& text, const std::string& pattern) { return all(text, pattern, 0).size(); }
+
+struct ListedTest {
+  std::string name;
+  std::vector<std::string> command;
+};
+
+const std::vector<ListedTest>& listed_tests() {
+  static const std::vector<ListedTest> tests = [] {
+    const ProcessOutcome outcome = run_process({"ctest", "--test-dir", PHOTONPROOF_BUILD_DIR, "--show-only=json-v1"});
+    EXPECT_TRUE(outcome.ok()) << outcome.sentence() << outcome.standard_error;
+    std::vector<ListedTest> found;
+    for (const nlohmann::json& test : nlohmann::json::parse(outcome.standard_output).at("tests"))
+      found.push_back({test.at("name"), test.value("command", std::vector<std::string>{})});
+    return found;
+  }();
+  return tests;
+}
+
+std::vector<ListedTest> tests_named(const std::string& pattern) {
+  std::vector<ListedTest> found;
+  const std::regex regex(pattern);
+  for (const ListedTest& test : listed_tests())
+    if (std::regex_search(test.name, regex)) found.push_back(test);
+  return found;
+}
+
+TEST(ReadmeClaims, every_check_that_is_named_has_tests) {
+  std::vector<std::string> patterns = all(readme(), R"re(`\./check "([^"`]+)"`)re");
+  const std::vector<std::string> plain = all(readme(), R"(`\./check ([^"`\s]+)`)");
+  patterns.insert(patterns.end(), plain.begin(), plain.end());
+  EXPECT_GT(patterns.size(), 30u);
+  for (const std::string& pattern : patterns)
+    if (pattern != "NAME") EXPECT_FALSE(tests_named(pattern).empty()) << "./check " << pattern;
+}
+
+TEST(ReadmeClaims, every_benchmark_that_is_named_exists) {
+  std::string benches;
+  for (const auto& file : fs::recursive_directory_iterator(source + "/renderer"))
+    if (file.path().filename().string().ends_with("_bench.cpp")) benches += read_file(file.path());
+  const std::vector<std::string> names = all(readme(), R"(`\./run --bench ([a-z_]+)`)");
+  EXPECT_GE(names.size(), 4u);
+  for (const std::string& name : names) EXPECT_NE(benches.find(name), std::string::npos) << name;
+}
+
+TEST(ReadmeClaims, every_file_that_is_named_exists) {
+  const std::vector<std::string> paths =
+      all(readme(), R"(((?:scenes|harness|reports|renderer)/[A-Za-z0-9_./-]*[A-Za-z0-9_/]))");
+  EXPECT_GT(paths.size(), 30u);
+  for (const std::string& path : paths) EXPECT_TRUE(fs::exists(source + "/" + path)) << path;
+}
+
+TEST(ReadmeClaims, every_option_that_is_used_is_one_of_its_verb) {
+  std::size_t options = 0;
+  for (const std::string& line : all(readme(), R"((?:^|\n|`)(photonproof [a-z]+ [^`\n#]*))")) {
+    const std::string verb = all(line, R"(^photonproof ([a-z]+))").at(0);
+    const ProcessOutcome help = run_process({PHOTONPROOF_BINARY, verb, "--help"});
+    ASSERT_TRUE(help.ok()) << line;
+    for (const std::string& option : all(line, R"(\s(--[a-z][a-z-]*))")) {
+      ++options;
+      EXPECT_TRUE(std::regex_search(help.standard_output, std::regex(option + "\\b"))) << option << " of: " << line;
+    }
+  }
+  EXPECT_GT(options, 30u);
+}
+
+TEST(ReadmeClaims, suites_have_as_many_scenes_and_gates_as_it_says) {
+  const std::string gates = read_file(source + "/harness/suites/gates.toml");
+  const std::string scenes = std::to_string(occurrences(gates, R"((^|\n)\[\[scene\]\])"));
+  EXPECT_NE(readme().find("| " + scenes + " scenes, "), std::string::npos) << scenes << " scenes in gates.toml";
+  const std::string features = read_file(source + "/harness/suites/gates-features.toml");
+  const std::string count = std::to_string(occurrences(features, R"((^|\n)\[\[scene\]\])"));
+  EXPECT_TRUE(std::regex_search(readme(), std::regex("gates of every camera[^|\n]*: " + count + " scenes")))
+      << count << " scenes in gates-features.toml";
+  const std::vector<std::string> words{"zero", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine"};
+  const std::string first = read_file(source + "/harness/suites/first-light.toml");
+  EXPECT_NE(readme().find("renders " + words.at(occurrences(first, R"((^|\n)\[\[scene\]\])")) + " scenes"),
+            std::string::npos);
+}
+
+/// The row of the table whose command is this, split into its cells.
+std::vector<std::string> row_of(const std::string& command) {
+  for (const std::string& row : all(readme(), R"((?:^|\n)\|([^\n]*)\|(?=\n))")) {
+    if (row.find("`" + command + "`") == std::string::npos) continue;
+    return all(row + "|", R"(([^|]*)\|)");
+  }
+  return {};
+}
+
+// A figure is repeated where a number is printed that rounds to it, give or take 1.5 units of its last digit, since
+// processors round differently.
+TEST(ReadmeClaims, cheap_ones_are_repeated) {
+  for (const char* pattern : {"furnace_by_path", "light_point_by", "light_area_by"}) {
+    const std::vector<std::string> cells = row_of("./check " + std::string(pattern));
+    ASSERT_EQ(cells.size(), 4u) << pattern;
+    std::string printed;
+    for (const ListedTest& test : tests_named(pattern)) {
+      const ProcessOutcome outcome = run_process(test.command);
+      EXPECT_TRUE(outcome.ok()) << test.name << outcome.sentence();
+      printed += outcome.standard_output;
+    }
+    std::vector<double> figures;
+    for (const std::string& text : all(printed, R"(([+-]?\d+\.\d+) %)"))
+      figures.push_back(std::strtod(text.c_str(), nullptr));
+    const std::vector<std::string> claimed = all(cells[2], R"(([+-]?\d+\.\d+))");
+    EXPECT_FALSE(claimed.empty()) << pattern;
+    for (const std::string& claim : claimed) {
+      const double value = std::strtod(claim.c_str(), nullptr);
+      const double last_digit = std::pow(10.0, -static_cast<double>(claim.size() - claim.find('.') - 1));
+      EXPECT_TRUE(std::any_of(figures.begin(), figures.end(),
+                              [&](double figure) { return std::abs(figure - value) <= 1.5 * last_digit; }))
+          << "README: " << claim << " for ./check " << pattern << ", which prints\n"
+          << printed;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace photonproof

@@ -1,0 +1,3 @@
+#pragma once
+#include <vector>
+int find_two(const std::vector<int>& from);
