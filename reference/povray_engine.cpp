@@ -5,7 +5,7 @@
 
 #include "reference/process.h"
 #include "scenes/atomic_file.h"
-#include "scenes/temporary_folder.h"
+#include "scenes/scratch_folder.h"
 
 namespace photonproof {
 namespace {
@@ -80,7 +80,7 @@ Image box_downsample(const Image& image, int grid, double gain) {
 }
 
 PovrayRun render_povray(const PovrayExport& scene, const PovrayRunOptions& options) {
-  const TemporaryFolder folder("povray");
+  const ScratchFolder folder("povray");
   write_sdl(scene, folder.path() / "scene.pov");
 
   const std::vector<std::string> argv = command(scene, options.program);

@@ -1,13 +1,13 @@
 // Where reports put the files of the programs they run.
 #pragma once
 
-#include "scenes/temporary_folder.h"
+#include "scenes/scratch_folder.h"
 
 namespace photonproof::reports {
 
-class TemporaryFolder : public photonproof::TemporaryFolder {
+class TemporaryFolder : public ScratchFolder {
  public:
-  TemporaryFolder() : photonproof::TemporaryFolder("report") {}
+  TemporaryFolder() : ScratchFolder("report") {}
 };
 
 }  // namespace photonproof::reports

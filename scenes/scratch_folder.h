@@ -6,14 +6,14 @@
 
 namespace photonproof {
 
-class TemporaryFolder {
+class ScratchFolder {
  public:
   /// Private to the user, in the system's folder for temporary files; its name says what it is for. Removes those that
   /// killed processes of the same user left. Throws InputError when it cannot be made.
-  explicit TemporaryFolder(const std::string& purpose);
-  ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  explicit ScratchFolder(const std::string& purpose);
+  ~ScratchFolder();
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
   const std::filesystem::path& path() const { return path_; }
 
  private:

@@ -1,4 +1,4 @@
-#include "scenes/temporary_folder.h"
+#include "scenes/scratch_folder.h"
 
 #include <sys/stat.h>
 #include <unistd.h>
@@ -29,7 +29,7 @@ bool is_abandoned(const fs::path& folder, const std::string& start) {
 
 }  // namespace
 
-TemporaryFolder::TemporaryFolder(const std::string& purpose) {
+ScratchFolder::ScratchFolder(const std::string& purpose) {
   std::error_code error, ignored;
   fs::path parent = fs::temp_directory_path(error);
   if (error) parent = "/tmp";
@@ -42,7 +42,7 @@ TemporaryFolder::TemporaryFolder(const std::string& purpose) {
   path_ = name;
 }
 
-TemporaryFolder::~TemporaryFolder() {
+ScratchFolder::~ScratchFolder() {
   std::error_code ignored;  // a leftover in the temporary folder is no reason to fail
   fs::remove_all(path_, ignored);
 }

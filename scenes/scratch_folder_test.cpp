@@ -1,4 +1,4 @@
-#include "scenes/temporary_folder.h"
+#include "scenes/scratch_folder.h"
 
 #include <cstdlib>
 
@@ -20,7 +20,7 @@ TEST_F(Temporary, folders_of_killed_processes_are_removed_and_no_others) {
   leave("photonproof-test-mine");
   fs::path own;
   {
-    const TemporaryFolder folder("test");
+    const ScratchFolder folder("test");
     own = folder.path();
     EXPECT_TRUE(fs::is_directory(own));
     EXPECT_EQ(own.parent_path(), folder_);
