@@ -137,7 +137,7 @@ class PairRunner {
   }
 
  private:
-  fs::path folder() const { return run_.folder / "against"; }
+  fs::path folder() const { return run_.folder / against_folder; }
   CellCommand command_of(const Cell& cell, std::size_t which) const {
     constexpr std::array<const char*, 3> stems{"old", "new", "again"};
     return cell_command(run_.suite, cell, programs_[which], folder() / stems[which], "image", run_.threads);
@@ -179,7 +179,7 @@ class Comparisons {
         for (ChangeRecord& record : stored_changes(old_, run_.now, cell, options_.thresholds)) say(std::move(record));
     }
     std::error_code ignored;
-    fs::remove_all(run_.folder / "against", ignored);
+    fs::remove_all(run_.folder / against_folder, ignored);
     return std::move(changes_);
   }
 

@@ -15,6 +15,8 @@
 
 namespace photonproof {
 
+inline constexpr const char* against_folder = "cells/against";  ///< in the results folder, while programs are compared
+
 struct AgainstOptions {
   std::filesystem::path results;      ///< the older run's results.json
   std::filesystem::path old_program;  ///< empty: the one that run recorded, where it is still there unchanged

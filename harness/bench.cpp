@@ -35,6 +35,7 @@ constexpr double tolerated_save_share = 0.005;
 // An engine measured this often can afford to have its first cell rendered once before, for at most so long.
 constexpr std::size_t least_cells_for_warm_up = 3;
 constexpr double warm_up_seconds = 2;
+constexpr const char* warm_up_folder = "cells/warm-up";
 
 // Any number that is the suite's own.
 std::uint64_t order_seed(const Suite& suite) {
@@ -60,6 +61,7 @@ class Bench {
     const std::vector<Cell> to_run = choose_cells();
     if (to_run.empty()) keep_session();
     if (options_.fresh && !to_run.empty()) set_old_record_aside();
+    sweep();
     if (!to_run.empty())
       if (const std::string caveat = load_caveat(host_.cores); !caveat.empty()) caveats_.push_back(caveat);
     save();
@@ -128,24 +130,54 @@ class Bench {
     write_file_atomically(name(), read_file(results_file()));
   }
 
+  // What a run that was killed left beside its cells.
+  void sweep() const {
+    std::error_code ignored;
+    for (const char* folder : {warm_up_folder, against_folder})
+      fs::remove_all(options_.results_folder / folder, ignored);
+    remove_all_abandoned_temporaries(options_.results_folder);
+  }
+
   // False when interrupted.
   bool measure(std::size_t number, std::size_t total, PlannedCell& planned) {
     observer_.starts(number, total, planned.cell);
-    const std::string cell_folder = store_.make_folder(planned.key);
-    const CellCommand command = command_of(planned.cell, cell_folder);
-    std::optional<Result> result = run_cell(cell_run(planned.cell, command, suite_.limits));
+    std::string cell_folder;
+    std::optional<Result> result = run_in_folder(planned, cell_folder);
     if (!result) return false;
     summary_.engine_seconds += result->wall_seconds.value_or(0);
     result->calibration = calibration_->after_cell(result->wall_seconds.value_or(0));
     result->key = planned.key;
     result->engine_version = version_of(planned.cell.engine);
-    if (fs::exists(command.image)) result->image = cell_folder + "/" + command.image.filename().string();
     planned.found = CellStore::Found{{std::move(*result), ""}, cell_folder};
-    store_.keep(cell_folder, planned.found->kept);
+    keep(*planned.found);
     save_if_quick();
     ++summary_.measured;
     observer_.ended(number, total, planned.found->kept.result);
     return true;
+  }
+
+  // Folders that cannot be made, or that the engine took away, are a crash of the cell and no end of the run.
+  std::optional<Result> run_in_folder(const PlannedCell& planned, std::string& cell_folder) const try {
+    cell_folder = store_.make_folder(planned.key);
+    const CellCommand command = command_of(planned.cell, cell_folder);
+    std::optional<Result> result = run_cell(cell_run(planned.cell, command, suite_.limits));
+    std::error_code ignored;
+    if (result && fs::exists(command.image, ignored))
+      result->image = cell_folder + "/" + command.image.filename().string();
+    return result;
+  } catch (const InputError& error) {
+    Result result;
+    result.cell = planned.cell;
+    result.status = Status::crash;
+    result.detail = "its folder cannot be used: " + error.summary();
+    return result;
+  }
+
+  // In its folder; where that is gone, in results.json alone, and the next run measures it again.
+  void keep(CellStore::Found& found) const try {
+    if (!found.cell_folder.empty()) store_.keep(found.cell_folder, found.kept);
+  } catch (const InputError& error) {
+    found.kept.result.caveats.push_back("not kept for the next run: " + error.summary());
   }
 
   CellCommand command_of(const Cell& cell, const std::string& cell_folder) const {
@@ -163,15 +195,14 @@ class Bench {
   void warm_up(const std::vector<Cell>& to_run) {
     std::map<std::string, std::vector<const Cell*>> by_engine;
     for (const Cell& cell : to_run) by_engine[cell.engine].push_back(&cell);
-    const fs::path folder = options_.results_folder / "warm-up";
+    const fs::path folder = options_.results_folder / warm_up_folder;
     std::error_code ignored;
     for (const auto& [engine, cells] : by_engine) {
       if (cells.size() < least_cells_for_warm_up) continue;
       fs::create_directories(folder, ignored);
       Limits limits = suite_.limits;
       limits.seconds = std::min(limits.seconds, warm_up_seconds);
-      const auto result =
-          run_cell(cell_run(*cells.front(), command_of(*cells.front(), folder.filename().string()), limits));
+      const auto result = run_cell(cell_run(*cells.front(), command_of(*cells.front(), warm_up_folder), limits));
       if (result) summary_.engine_seconds += result->wall_seconds.value_or(0);
       fs::remove_all(folder, ignored);
     }
@@ -206,20 +237,25 @@ class Bench {
       made_with.emplace_back("hdr_flip_exposures", fmt::format("{} {} {}", range->start, range->stop, range->count));
     const std::string key = content_key(made_with);
     if (planned.found->kept.comparison_key == key) return false;
-    compare_cell(
-        {options_.results_folder, planned.found->cell_folder, reference_result, scene.exposure, scene.hdr_exposures},
-        result);
-    planned.found->kept.comparison_key = key;
+    try {
+      compare_cell(
+          {options_.results_folder, planned.found->cell_folder, reference_result, scene.exposure, scene.hdr_exposures},
+          result);
+      planned.found->kept.comparison_key = key;
+    } catch (const InputError& error) {
+      result.caveats.push_back("its pictures could not be made: " + error.summary());
+    }
     return true;
   }
 
   // Cells that were not compared yet, or whose reference, exposures or metrics are others now. Nothing is measured any
   // more, so every core may help.
   void compare_found_cells() {
-    side_by_side(plan_.cells.size(), host_.cores, [&](std::size_t i) {
-      PlannedCell& planned = plan_.cells[i];
-      if (planned.found && compare(planned)) store_.keep(planned.found->cell_folder, planned.found->kept);
-    });
+    for (const bool references : {true, false})  // which the others read
+      side_by_side(plan_.cells.size(), host_.cores, [&](std::size_t i) {
+        PlannedCell& planned = plan_.cells[i];
+        if (planned.is_reference == references && planned.found && compare(planned)) keep(*planned.found);
+      });
   }
 
   void conclude(bool measured) {
@@ -227,7 +263,11 @@ class Bench {
     std::map<std::string, double> targets;
     for (const SuiteScene& scene : suite_.scenes)
       if (scene.target_relmse) targets[scene.name] = *scene.target_relmse;
-    convergence_ = convergence_of(results, options_.results_folder, targets);
+    try {
+      convergence_ = convergence_of(results, options_.results_folder, targets);
+    } catch (const InputError& error) {  // an image that went since it was compared
+      caveats_.push_back("no conclusions were drawn: " + error.summary());
+    }
     if (!measured || suite_.control.empty()) return;
     const std::string caveat = control_caveat(results, suite_.control, control_name(suite_.control));
     if (!caveat.empty()) caveats_.push_back(caveat);
@@ -253,7 +293,7 @@ class Bench {
     Result result;
     result.cell = planned.cell;
     result.key = planned.key;
-    result.status = Status::unsupported;
+    result.status = planned.status_untried;
     result.detail = *planned.unsupported;
     result.engine_version = version_of(planned.cell.engine);
     return result;
@@ -292,7 +332,7 @@ class Bench {
   void count() {
     summary_.results_file = results_file();
     for (const PlannedCell& planned : plan_.cells) {
-      if (planned.unsupported) ++summary_.by_status[Status::unsupported];
+      if (planned.unsupported) ++summary_.by_status[planned.status_untried];
       if (planned.found) ++summary_.by_status[planned.found->kept.result.status];
       if (!planned.unsupported && !planned.found) ++summary_.missing;
       if (planned.found) ++summary_.kept;

@@ -49,15 +49,16 @@ PlannedCell& BenchPlan::find(const std::string& label) {
 
 BenchPlan plan_bench(const Suite& suite, const fs::path& program, const Host& host, const CellStore& store) {
   BenchPlan plan;
-  for (const SuiteScene& scene : suite.scenes) plan.cells.push_back({scene.reference, true, {}, {}, {}});
-  for (const Cell& cell : suite.cells) plan.cells.push_back({cell, false, {}, {}, {}});
+  for (const SuiteScene& scene : suite.scenes) plan.cells.push_back({scene.reference, true});
+  for (const Cell& cell : suite.cells) plan.cells.push_back({cell, false});
 
   std::map<std::string, EngineVersion> versions;
   for (const Engine& engine : suite.engines) {
     const bool used = std::any_of(plan.cells.begin(), plan.cells.end(),
                                   [&](const PlannedCell& planned) { return planned.cell.engine == engine.name; });
     if (!used) continue;
-    const EngineVersion& version = versions[engine.name] = ask_version(engine, suite.folder, program);
+    const EngineVersion& version = versions[engine.name] =
+        ask_version(engine, suite.folder, program, std::min(20.0, suite.limits.seconds));
     plan.engines.push_back({engine.name, engine.title, version.line, to_string(engine.trust)});
   }
   std::map<std::string, std::string> contents;
@@ -86,10 +87,13 @@ BenchPlan plan_bench(const Suite& suite, const fs::path& program, const Host& ho
     const bool is_control = !suite.control.empty() && cell.engine == control_name(suite.control);
     if (is_control) planned.key = content_key({{"control", planned.key}});
     planned.unsupported = versions[cell.engine].problem;
+    planned.status_untried = versions[cell.engine].cells_end_as;
     if (const auto& expect = expectations[cell.scene]; expect)
       if (const auto why = expect->unsupported.find(is_control ? suite.control : cell.engine);
-          why != expect->unsupported.end())
+          why != expect->unsupported.end()) {
         planned.unsupported = why->second;
+        planned.status_untried = Status::unsupported;
+      }
     if (!planned.unsupported) planned.found = store.latest(planned.key);
   }
   return plan;

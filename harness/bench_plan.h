@@ -14,9 +14,10 @@ namespace photonproof {
 struct PlannedCell {
   Cell cell;
   bool is_reference = false;
-  std::string key;
-  std::optional<std::string> unsupported;  ///< why the engine cannot render the scene, known without trying
-  std::optional<CellStore::Found> found;   ///< its latest result
+  std::string key{};
+  std::optional<std::string> unsupported{};     ///< why the engine cannot render the scene, known without trying
+  Status status_untried = Status::unsupported;  ///< its result's, then
+  std::optional<CellStore::Found> found{};      ///< its latest result
 };
 
 struct BenchPlan {

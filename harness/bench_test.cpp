@@ -128,7 +128,7 @@ TEST_F(BenchRun, conclusions_are_in_the_record_and_the_control_is_measured_apart
   EXPECT_NEAR(point.bias2->value, 0.01 / 0.26, 1e-5);
   EXPECT_NEAR(point.variance->value, 0, 1e-9);
   EXPECT_EQ(record.caveats.back(), "control: 3 pairs of 'brighter' with itself are too few for an interval");
-  EXPECT_FALSE(has("out/warm-up"));
+  EXPECT_FALSE(has("out/cells/warm-up"));
   // Nothing is measured again, and nothing of the session forgotten.
   const std::string before = get("out/results.json");
   EXPECT_EQ(run(text).measured, 0u);
@@ -284,6 +284,86 @@ TEST_F(BenchRun, broken_scene_is_an_input_error_before_anything_runs) {
   put("scene.xml", "<scene");
   EXPECT_NE(input_error_of([&] { run(suite_text("grey", {})); }), "no error");
   EXPECT_EQ(started(), "");
+}
+
+TEST_F(BenchRun, image_replaced_or_cut_short_is_measured_again) {
+  const std::string text = suite_text("grey", {"brighter"});
+  run(text);
+  // Of the same size as what was measured.
+  std::filesystem::copy_file(folder_ / "grey.exr", folder_ / "out" / result_of("brighter").image,
+                             std::filesystem::copy_options::overwrite_existing);
+  forget_log();
+  EXPECT_EQ(run(text).measured, 1u);
+  EXPECT_EQ(started(), "brighter\n");
+  EXPECT_NEAR(metric(result_of("brighter"), "mse"), 0.01, 1e-6);
+  std::filesystem::resize_file(folder_ / "out" / result_of("grey").image, 300);
+  forget_log();
+  EXPECT_EQ(run(text).measured, 1u);
+  EXPECT_EQ(started(), "grey\n");
+  EXPECT_NEAR(metric(result_of("brighter"), "mse"), 0.01, 1e-6);
+}
+
+TEST_F(BenchRun, reference_cut_short_while_others_run_leaves_them_without_metrics) {
+  observer_.after_each = [this] {
+    for (const auto& cell : std::filesystem::directory_iterator(folder_ / "out" / "cells"))
+      if (std::filesystem::exists(cell.path() / "image.exr"))
+        std::filesystem::resize_file(cell.path() / "image.exr", 300);
+    observer_.after_each = {};
+  };
+  const std::string text = suite_text("grey", {"brighter"});
+  const BenchSummary summary = run(text);
+  EXPECT_EQ(summary.by_status.at(Status::bad_image), 1u);
+  EXPECT_EQ(result_of("grey").detail, "its image could not be read any more when it was to be compared");
+  EXPECT_TRUE(result_of("brighter").metrics.empty());
+  EXPECT_EQ(run(text).measured, 1u);
+  EXPECT_FALSE(result_of("brighter").metrics.empty());
+}
+
+TEST_F(BenchRun, engine_that_takes_the_cells_away_is_a_result) {
+  std::string text = suite_text("grey", {"brighter"});
+  text +=
+      "[[engine]]\nname = 'vandal'\ntitle = 'fake'\ncommand = ['sh', '-c', 'rm -r $0; exit 5', '{suite}/out/cells', "
+      "'{output}', '{scene}']\n"
+      "budgets = ['spp']\ntrust = 'external'\nversions = [['cat', '{suite}/version']]\n"
+      "[[run]]\nengine = 'vandal'\nbudgets = ['spp=1']\nseeds = [1]\n";
+  const BenchSummary summary = run(text);
+  EXPECT_EQ(summary.missing, 0u);
+  EXPECT_EQ(result_of("vandal").status, Status::crash);
+  EXPECT_TRUE(has("out/results.json"));
+}
+
+TEST_F(BenchRun, cells_folder_that_cannot_be_made_is_a_crash_of_each_cell) {
+  put("suite.toml", "");
+  std::filesystem::create_directories(folder_ / "out");
+  put("out/cells", "a file");
+  const BenchSummary summary = run(suite_text("grey", {"brighter"}));
+  EXPECT_EQ(summary.by_status.at(Status::crash), 2u);
+  EXPECT_TRUE(result_of("grey").detail.starts_with("its folder cannot be used: ")) << result_of("grey").detail;
+}
+
+// A program that is not there is unsupported; one that hangs or fails is no answer.
+TEST_F(BenchRun, version_that_hangs_or_fails_is_no_pass) {
+  const auto engine = [](const std::string& name, const std::string& version) {
+    return "[[engine]]\nname = '" + name +
+           "'\ntitle = 'fake'\ncommand = ['true', '{output}', '{scene}']\nversions = [" + version +
+           "]\nbudgets = ['spp']\ntrust = 'external'\n[[run]]\nengine = '" + name +
+           "'\nbudgets = ['spp=1']\nseeds = [1]\n";
+  };
+  const BenchSummary summary = run(suite_text("grey", {}, "seconds = 1") + engine("stuck", "['sleep', '30']") +
+                                   engine("broken", "['false']") + engine("absent", "['no-such-program-anywhere']"));
+  EXPECT_EQ(result_of("stuck").status, Status::timeout);
+  EXPECT_EQ(result_of("stuck").detail, "the engine cannot tell its version: 'sleep 30' killed after 1 s (limit)");
+  EXPECT_EQ(result_of("broken").status, Status::crash);
+  EXPECT_EQ(result_of("absent").status, Status::unsupported);
+  EXPECT_EQ(summary.by_status.at(Status::timeout), 1u);
+}
+
+TEST_F(BenchRun, leftovers_of_a_killed_run_are_swept) {
+  std::filesystem::create_directories(folder_ / "out" / "cells" / "warm-up");
+  put("out/.results.partial-2000000000.json", "half");
+  run(suite_text("grey", {}));
+  EXPECT_FALSE(has("out/cells/warm-up"));
+  EXPECT_FALSE(has("out/.results.partial-2000000000.json"));
 }
 
 }  // namespace

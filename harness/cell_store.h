@@ -20,8 +20,9 @@ class CellStore {
     KeptResult kept;
     std::string cell_folder;  ///< relative to the results folder
   };
-  /// The latest result of the key. One whose cell.json cannot be read or whose image is gone does not count, and is
-  /// never touched either; one whose pictures are gone has to be compared again (no comparison_key).
+  /// The latest result of the key. One whose cell.json cannot be read, or whose image is gone or another than was
+  /// measured, does not count, and is never touched either; one whose pictures are gone has to be compared again (no
+  /// comparison_key).
   std::optional<Found> latest(const std::string& key) const;
 
   /// An empty folder for a new measurement, relative to the results folder.

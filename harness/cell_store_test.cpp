@@ -1,5 +1,7 @@
 #include "harness/cell_store.h"
 
+#include "scenes/file_checksum.h"
+#include "scenes/image.h"
 #include "scenes/test_folder.h"
 
 namespace photonproof {
@@ -85,6 +87,41 @@ TEST_F(Store, result_whose_pictures_are_gone_has_to_be_compared_again) {
   EXPECT_EQ(store.latest("key")->kept.comparison_key, "compared");
   std::filesystem::remove(folder_ / name / "image.png");
   EXPECT_EQ(store.latest("key")->kept.comparison_key, "");
+}
+
+TEST_F(Store, image_that_is_another_than_was_measured_does_not_count) {
+  const CellStore store(folder_);
+  const std::string name = store.make_folder("key");
+  KeptResult kept = result("with image");
+  kept.result.image = name + "/image.exr";
+  put(name + "/image.exr", "as it was");
+  kept.result.image_checksum = file_checksum(folder_ / name / "image.exr");
+  store.keep(name, kept);
+  EXPECT_EQ(latest_detail(), "with image");
+  put(name + "/image.exr", "as it is ");  // of the same size
+  EXPECT_EQ(latest_detail(), "none");
+}
+
+TEST_F(Store, image_without_checksum_has_to_be_one) {
+  const CellStore store(folder_);
+  const std::string name = store.make_folder("key");
+  KeptResult kept = result("of an older program");
+  kept.result.status = Status::ok;
+  kept.result.image = name + "/image.exr";
+  Rendering rendering;
+  rendering.mean = Image(4, 4);
+  write_exr((folder_ / name / "image.exr").string(), rendering);
+  store.keep(name, kept);
+  EXPECT_EQ(latest_detail(), "of an older program");
+  std::filesystem::resize_file(folder_ / name / "image.exr", 300);
+  EXPECT_EQ(latest_detail(), "none");
+}
+
+TEST_F(Store, folder_that_is_no_folder_holds_nothing) {
+  put("cells", "a file");
+  EXPECT_EQ(latest_detail(), "none");
+  EXPECT_TRUE(input_error_of([&] { CellStore(folder_).make_folder("key"); }).find("cannot be made") !=
+              std::string::npos);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include "harness/heatmap.h"
 #include "scenes/image.h"
+#include "scenes/input_error.h"
 
 namespace photonproof {
 namespace {
@@ -16,13 +17,25 @@ std::string reference_problem(const Result* reference) {
          reference->detail + ")";
 }
 
+std::optional<Image> image_of(const Comparison& comparison, const Result& result) try {
+  return read_image((comparison.results_folder / result.image).string());
+} catch (const InputError&) {
+  return std::nullopt;
+}
+
 }  // namespace
 
 void compare_cell(const Comparison& comparison, Result& result) {
   std::erase_if(result.caveats, [](const std::string& caveat) { return caveat.starts_with(not_compared); });
   result.metrics.clear();
   result.pictures.clear();
-  const Image image = read_image((comparison.results_folder / result.image).string());
+  const std::optional<Image> found = image_of(comparison, result);
+  if (!found) {
+    result.status = Status::bad_image;
+    result.detail = "its image could not be read any more when it was to be compared";
+    return;
+  }
+  const Image& image = *found;
   const std::string picture = comparison.cell_folder + "/image.png";
   write_png((comparison.results_folder / picture).string(), image, comparison.exposure);
   result.pictures["image"] = picture;
@@ -33,9 +46,13 @@ void compare_cell(const Comparison& comparison, Result& result) {
     return;
   }
   if (comparison.reference->cell.label() == result.cell.label()) return;
-  const Image reference = read_image((comparison.results_folder / comparison.reference->image).string());
+  const std::optional<Image> reference = image_of(comparison, *comparison.reference);
+  if (!reference) {
+    result.caveats.push_back(not_compared + ("the reference " + comparison.reference->image + " cannot be read"));
+    return;
+  }
   HeatmapWriter maps(image.width, image.height, comparison.results_folder / comparison.cell_folder, "map");
-  ImageSource reference_rows(reference), image_rows(image);
+  ImageSource reference_rows(*reference), image_rows(image);
   const MetricOptions metrics{.exposure = comparison.exposure,
                               .hdr_flip = comparison.hdr_exposures.has_value(),
                               .hdr_exposures = comparison.hdr_exposures};

@@ -18,7 +18,8 @@ struct Comparison {
 };
 
 /// Replaces `result`'s metrics, pictures and the caveat that says why there are none. The reference itself gets its
-/// picture and no metrics. Precondition: result.status is ok and its image is readable.
+/// picture and no metrics. A result whose image cannot be read becomes a bad image. Precondition: result.status is ok.
+/// Throws InputError when a picture cannot be written.
 void compare_cell(const Comparison& comparison, Result& result);
 
 }  // namespace photonproof

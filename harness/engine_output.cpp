@@ -7,27 +7,11 @@
 #include <optional>
 
 #include "scenes/input_error.h"
+#include "scenes/output_files.h"
 #include "scenes/timer.h"
 
 namespace photonproof {
-namespace {
-
 namespace fs = std::filesystem;
-
-bool same_file(const fs::path& a, const fs::path& b) {
-  std::error_code neither_exists;
-  return fs::weakly_canonical(a) == fs::weakly_canonical(b) || fs::equivalent(a, b, neither_exists);
-}
-
-void check_writable(const fs::path& file) {
-  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
-  if (!fs::is_directory(folder)) throw InputError(file.string(), "folder '" + folder.string() + "' does not exist");
-  if (fs::is_directory(file)) throw InputError(file.string(), "is a folder, expected a file name");
-  if (access(folder.c_str(), W_OK) != 0)
-    throw InputError(file.string(), "folder '" + folder.string() + "' is not writable");
-}
-
-}  // namespace
 
 std::string time_left(double seconds, double done, double left) {
   constexpr double least_done = 0.002;  // before, the estimate would be noise
@@ -58,10 +42,7 @@ std::string checked_stats_path(const std::string& asked, const std::string& imag
   if (fs::path(image).extension() != ".exr")
     throw InputError("--output", "'" + image + "' is not the name of an EXR, expected NAME.exr");
   const std::string stats = asked.empty() ? fs::path(image).replace_extension(".stats.json").string() : asked;
-  check_writable(image);
-  check_writable(stats);
-  if (same_file(image, scene)) throw InputError(image, "is the scene itself");
-  if (same_file(stats, scene)) throw InputError(stats, "is the scene itself");
+  check_outputs({image, stats}, {{scene, "the scene itself"}});
   if (same_file(stats, image)) throw InputError(stats, "the stats cannot go to the image's own file");
   return stats;
 }

@@ -5,6 +5,7 @@
 
 #include "scenes/atomic_file.h"
 #include "scenes/input_error.h"
+#include "scenes/utf8.h"
 
 namespace photonproof {
 namespace {
@@ -24,9 +25,9 @@ void read_numbers(const json& stats, const char* key, bool may_be_negative, std:
   for (const auto& [name, value] : found->items()) {
     const double number = value.is_number() ? value.get<double>() : std::nan("");
     if (std::isfinite(number) && (may_be_negative || number >= 0))
-      numbers[name] = number;
+      numbers[printable(name)] = number;
     else
-      problem = "'" + std::string(key) + "' has no usable number for '" + name + "'";
+      problem = "'" + std::string(key) + "' has no usable number for '" + printable(name) + "'";
   }
 }
 
@@ -40,7 +41,7 @@ void read_texts(const json& stats, const char* key, std::vector<std::string>& te
   }
   for (const json& entry : *found) {
     if (entry.is_string())
-      texts.push_back(entry.get<std::string>());
+      texts.push_back(printable(entry.get<std::string>()));
     else
       problem = "'" + std::string(key) + "' holds something that is not a string";
   }

@@ -2,11 +2,10 @@
 
 #include "harness/engine_command.h"
 #include "reference/process.h"
+#include "scenes/utf8.h"
 
 namespace photonproof {
 namespace {
-
-constexpr double version_seconds = 20;
 
 std::string first_line(const std::string& text) {
   const std::size_t first = text.find_first_not_of(" \t\r\n");
@@ -16,7 +15,7 @@ std::string first_line(const std::string& text) {
 }  // namespace
 
 EngineVersion ask_version(const Engine& engine, const std::filesystem::path& suite_folder,
-                          const std::filesystem::path& program) {
+                          const std::filesystem::path& program, double most_seconds) {
   EngineVersion version;
   for (const auto& command : engine.version_commands) {
     CommandValues values;
@@ -24,15 +23,19 @@ EngineVersion ask_version(const Engine& engine, const std::filesystem::path& sui
     values.suite = suite_folder;
     const std::vector<std::string> argv = fill_command(command, values);
     ProcessOptions options;
-    options.wall_limit_seconds = version_seconds;
+    options.wall_limit_seconds = most_seconds;
     const ProcessOutcome outcome = run_process(argv, options);
     if (!outcome.ok()) {
       version.problem = "the engine cannot tell its version: '" + shell_line(argv) + "' " + outcome.sentence();
+      using End = ProcessOutcome::End;
+      if (outcome.end != End::not_started)
+        version.cells_end_as = outcome.end == End::timed_out ? Status::timeout : Status::crash;
       return version;
     }
     // Some programs print it on standard error.
     std::string line = first_line(outcome.standard_output);
     if (line.empty()) line = first_line(outcome.standard_error);
+    line = printable(line);
     version.line += (version.line.empty() ? "" : " + ") + line;
   }
   return version;

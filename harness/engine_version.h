@@ -6,16 +6,21 @@
 #include <string>
 
 #include "harness/engines.h"
+#include "harness/results.h"
 
 namespace photonproof {
 
 struct EngineVersion {
   std::string line;                    ///< what its version commands print, joined by " + "
   std::optional<std::string> problem;  ///< why the engine cannot be used
+  /// What its cells have come to then: unsupported where the engine is not installed, else what its version command
+  /// did.
+  Status cells_end_as = Status::unsupported;
 };
 
-/// `suite_folder` and `program` (this one) stand for {suite} and {photonproof} in its commands.
+/// `suite_folder` and `program` (this one) stand for {suite} and {photonproof} in its commands, which have 20 s at
+/// most.
 EngineVersion ask_version(const Engine& engine, const std::filesystem::path& suite_folder,
-                          const std::filesystem::path& program);
+                          const std::filesystem::path& program, double most_seconds = 20);
 
 }  // namespace photonproof

@@ -46,9 +46,13 @@ std::uint8_t error_shade(float relative_squared_error) {
   return shade(std::log(relative_squared_error / static_cast<float>(error_scale_least)) * scale);
 }
 
+HeatmapFiles heatmap_files(const std::filesystem::path& folder, const std::string& stem) {
+  return {folder / (stem + "-flip.png"), folder / (stem + "-error.png")};
+}
+
 HeatmapWriter::HeatmapWriter(int width, int height, const std::filesystem::path& folder, const std::string& stem)
     : width_(static_cast<std::size_t>(width)),
-      files_{made(folder) / (stem + "-flip.png"), folder / (stem + "-error.png")},
+      files_(heatmap_files(made(folder), stem)),
       flip_(files_.flip.string(), width, height),
       error_(files_.error.string(), width, height) {}
 

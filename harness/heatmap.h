@@ -28,7 +28,10 @@ struct HeatmapFiles {
   std::filesystem::path flip, error;
 };
 
-/// Writes <folder>/<stem>-flip.png and <folder>/<stem>-error.png while the metrics run.
+/// <folder>/<stem>-flip.png and <folder>/<stem>-error.png
+HeatmapFiles heatmap_files(const std::filesystem::path& folder, const std::string& stem);
+
+/// Writes heatmap_files while the metrics run.
 class HeatmapWriter : public MapSink {
  public:
   /// Makes the folder when it is missing. Throws InputError when the files cannot be written.

@@ -7,11 +7,25 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <new>
+#include <sstream>
+#include <string>
 
 #include "harness/verbs.h"
 #include "renderer/version.h"
 #include "scenes/input_error.h"
+#include "scenes/utf8.h"
+
+namespace {
+
+/// On standard error, without what a terminal would obey: arguments and exceptions may quote anything.
+void print_lines(const std::string& text) {
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) std::fprintf(stderr, "%s\n", photonproof::printable(line).c_str());
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   using namespace photonproof;
@@ -32,7 +46,11 @@ int main(int argc, char** argv) {
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return program.exit(error) == 0 ? 0 : 2;
+    std::ostringstream help, complaint;
+    const int code = program.exit(error, help, complaint);
+    std::printf("%s", help.str().c_str());
+    print_lines(complaint.str());
+    return code == 0 ? 0 : 2;
   } catch (const InputError& error) {
     const bool terminal = isatty(STDERR_FILENO) != 0;
     std::fprintf(stderr, "%s\n", terminal ? error.what() : error.summary().c_str());
@@ -40,8 +58,12 @@ int main(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     std::fprintf(stderr, "photonproof: out of memory: make the image, the meshes or the number of photons smaller\n");
     return 2;
+  } catch (const std::filesystem::filesystem_error& error) {
+    // Of a user's folder: unreadable, gone in the meantime, a name too long.
+    print_lines(InputError(error.path1().string(), "cannot be used: " + error.code().message()).summary() + "\n");
+    return 2;
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "photonproof: internal error: %s\n", error.what());
+    print_lines("photonproof: internal error: " + std::string(error.what()) + "\n");
     return 70;
   }
   return exit_code;

@@ -114,6 +114,7 @@ json result_to_json(const Result& result) {
             {"engine_version", result.engine_version},
             {"command", result.command},
             {"caveats", result.caveats}};
+  if (!result.image_checksum.empty()) j["image_checksum"] = result.image_checksum;
   if (result.wall_seconds) j["wall_seconds"] = finite(*result.wall_seconds, "wall time");
   if (result.cpu_seconds) j["cpu_seconds"] = finite(*result.cpu_seconds, "CPU time");
   if (result.peak_bytes) j["peak_bytes"] = *result.peak_bytes;
@@ -136,6 +137,7 @@ Result result_from_json(const json& j) {
   for (const json& metric : j.at("metrics"))
     result.metrics.push_back({metric.at("name"), metric.at("value"), metric.at("parameters")});
   result.image = j.at("image");
+  result.image_checksum = j.value("image_checksum", std::string());
   result.pictures = j.at("pictures").get<std::map<std::string, std::string>>();
   result.phases = j.at("phases").get<std::map<std::string, double>>();
   result.counts = j.at("counts").get<std::map<std::string, double>>();

@@ -44,6 +44,7 @@ Result full_result() {
   result.peak_bytes = std::uint64_t{1} << 40;
   result.metrics = {{"relmse", 3.1e-3, "epsilon=0.01"}, {"bias", -1e-17, ""}};
   result.image = "cells/0123abcd/image.exr";
+  result.image_checksum = "0123456789abcdef";
   result.pictures = {{"image", "cells/0123abcd/image.png"}};
   result.phases = {{"render", 0.09}};
   result.counts = {{"rays", 123456789}};
@@ -150,6 +151,7 @@ void expect_same(const Result& a, const Result& b) {
     EXPECT_EQ(a.metrics[i].parameters, b.metrics[i].parameters);
   }
   EXPECT_EQ(a.image, b.image);
+  EXPECT_EQ(a.image_checksum, b.image_checksum);
   EXPECT_EQ(a.pictures, b.pictures);
   EXPECT_EQ(a.phases, b.phases);
   EXPECT_EQ(a.counts, b.counts);

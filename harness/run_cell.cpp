@@ -8,9 +8,11 @@
 #include "harness/metrics.h"
 #include "reference/process.h"
 #include "scenes/atomic_file.h"
+#include "scenes/file_checksum.h"
 #include "scenes/image.h"
 #include "scenes/input_error.h"
 #include "scenes/size_text.h"
+#include "scenes/utf8.h"
 
 namespace photonproof {
 namespace {
@@ -24,8 +26,8 @@ constexpr double tolerated_share_of_others = 0.1;
 
 // The last line that is not blank, at most 300 bytes of it.
 std::string last_words(const std::string& text) {
-  const std::string line = last_line(text);
-  return line.size() <= 300 ? line : "..." + line.substr(line.size() - 297);
+  const std::string line = printable(last_line(text));
+  return line.size() <= 300 ? line : printable("..." + line.substr(line.size() - 297));
 }
 
 std::string sentence_with_last_words(const ProcessOutcome& outcome) {
@@ -38,9 +40,11 @@ std::optional<std::string> image_problem(const CellRun& run) {
   std::error_code ignored;
   if (!fs::exists(run.image, ignored)) return "wrote no image";
   try {
+    const ImageRows size(run.image.string());  // before memory is taken for it
+    if (size.width() != run.width || size.height() != run.height)
+      return "wrote " + size_text(size.width(), size.height()) + " pixels instead of " +
+             size_text(run.width, run.height);
     const Image image = read_image(run.image.string());
-    if (image.width != run.width || image.height != run.height)
-      return "wrote " + size_text(image.width, image.height) + " pixels instead of " + size_text(run.width, run.height);
     const std::vector<ImageDefect> defects = find_defects(Image(run.width, run.height), image);
     if (!defects.empty()) return defects.front().sentence;
   } catch (const InputError& unreadable) {
@@ -83,8 +87,11 @@ void add_timing_caveats(const ProcessOutcome& outcome, std::optional<double> bus
         fmt::format("host was busy: others used {:.2g} of {} cores meanwhile", others / outcome.wall_seconds, cores));
 }
 
-void keep_output(const fs::path& file, const std::string& text) {
+// What the engine did to its folder, or a full disk, must not end the run.
+void keep_output(const fs::path& file, const std::string& text, Result& result) try {
   if (!text.empty()) write_file_atomically(file, text);
+} catch (const InputError& error) {
+  result.caveats.push_back("what it printed could not be kept: " + error.summary());
 }
 
 }  // namespace
@@ -112,9 +119,11 @@ std::optional<Result> run_cell(const CellRun& run) {
     result.instructions = outcome.instructions;
   }
   add_timing_caveats(outcome, busy_before, own_before, cores, result);
-  keep_output(run.output_folder / "stdout.txt", outcome.standard_output);
-  keep_output(run.output_folder / "stderr.txt", outcome.standard_error);
+  keep_output(run.output_folder / "stdout.txt", outcome.standard_output, result);
+  keep_output(run.output_folder / "stderr.txt", outcome.standard_error, result);
+  remove_all_abandoned_temporaries(run.output_folder);  // of the engine's processes, which have all ended
   set_status(run, outcome, result);
+  result.image_checksum = file_checksum(run.image);
   EngineStats stats = read_engine_stats(run.stats);
   result.phases = std::move(stats.phases);
   result.counts = std::move(stats.counts);

@@ -27,9 +27,9 @@ struct CellRun {
 /// The exit code by which an engine says that it cannot render this scene; the last line on standard error says why.
 inline constexpr int unsupported_exit_code = 3;
 
-/// A result without key, image path and metrics; empty when the interrupt ended it. Its status is `timeout` past the
-/// wall limit; `crash` past the memory limit, by a signal, an exit code or a failed start; `bad_image` when the image
-/// is missing, unreadable, of another size or not finite everywhere.
+/// A result without key, image path and metrics but with the image's checksum; empty when the interrupt ended it. Its
+/// status is `timeout` past the wall limit; `crash` past the memory limit, by a signal, an exit code or a failed start;
+/// `bad_image` when the image is missing, unreadable, of another size or not finite everywhere.
 std::optional<Result> run_cell(const CellRun& run);
 
 }  // namespace photonproof

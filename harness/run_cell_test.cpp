@@ -1,6 +1,7 @@
 #include "harness/run_cell.h"
 
 #include "harness/test_suite.h"
+#include "scenes/file_checksum.h"
 
 namespace photonproof {
 namespace {
@@ -115,6 +116,23 @@ TEST_F(RunCell, sleeping_engine_gets_a_caveat_about_its_timing) {
 TEST_F(RunCell, interrupted_cell_has_no_result) {
   interrupt_ = true;
   EXPECT_EQ(ending("grey"), "interrupted");
+}
+
+TEST_F(RunCell, words_of_an_engine_are_no_commands_to_a_terminal) {
+  EXPECT_EQ(ending("escapes"), "crash|exited with 5: ?]0;owned??[2Jred?31m");
+}
+
+TEST_F(RunCell, temporaries_of_a_killed_engine_are_removed) {
+  limits_.seconds = 0.5;
+  EXPECT_EQ(run("leaves_temporary")->status, Status::timeout);
+  for (const auto& file : std::filesystem::directory_iterator(folder_))
+    EXPECT_EQ(file.path().filename().string().find(".partial-"), std::string::npos) << file.path();
+}
+
+TEST_F(RunCell, image_has_its_checksum) {
+  EXPECT_EQ(run("grey")->image_checksum, file_checksum(folder_ / "grey.exr"));
+  std::filesystem::remove(folder_ / "image.exr");
+  EXPECT_EQ(run("silent")->image_checksum, "");
 }
 
 }  // namespace

@@ -60,6 +60,8 @@ case $1 in
   hangs) sleep 60 ;;
   segfaults) kill -SEGV $$ ;;
   fails) echo 'first words' >&2; echo 'out of ideas' >&2; exit 5 ;;
+  escapes) printf '\033]0;owned\007\033[2Jred\302\23331m\n' >&2; exit 5 ;;
+  leaves_temporary) echo half > "$2/.image.partial-$$.exr"; sleep 60 ;;
   refuses) echo 'no mirrors here' >&2; exit 3 ;;
   silent) exit 0 ;;
   half) head -c 300 "$2/grey.exr" > "$3" ;;

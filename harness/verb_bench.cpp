@@ -17,6 +17,8 @@
 #include "reports/html_report.h"
 #include "reports/markdown_report.h"
 #include "scenes/input_error.h"
+#include "scenes/json_text.h"
+#include "scenes/output_files.h"
 
 namespace photonproof {
 namespace {
@@ -93,6 +95,16 @@ std::vector<fs::path> write_reports(const fs::path& results_file) {
   return {html, markdown};
 }
 
+/// Throws InputError when what is written would replace what is read.
+void check_bench_outputs(const BenchArguments& arguments, const Suite& suite, const fs::path& folder) {
+  std::vector<fs::path> reads{arguments.suite, arguments.against};
+  for (const SuiteScene& scene : suite.scenes) reads.push_back(scene.path);
+  for (const char* name : {"results.json", "report.html", "report.md"})
+    for (const fs::path& read : reads)
+      if (!read.empty() && same_file(folder / name, read))
+        throw InputError(read.string(), "is read, and would be replaced: choose another results folder with -o");
+}
+
 void print_json(const BenchSummary& summary, const std::vector<fs::path>& reports) {
   nlohmann::ordered_json json = {{"results", summary.results_file.string()},
                                  {"reports", nlohmann::json::array()},
@@ -108,7 +120,7 @@ void print_json(const BenchSummary& summary, const std::vector<fs::path>& report
   for (const auto& [status, number] : summary.by_status) json["status"][to_string(status)] = number;
   if (!summary.by_change.empty()) json["changes"] = nlohmann::json::object();
   for (const auto& [change, number] : summary.by_change) json["changes"][to_string(change)] = number;
-  std::printf("%s\n", json.dump(2).c_str());
+  std::printf("%s\n", json_text(json).c_str());
 }
 
 void print_text(const Suite& suite, const BenchSummary& summary, const std::vector<fs::path>& reports) {
@@ -172,6 +184,7 @@ int run(const BenchArguments& arguments) {
     options.against->thresholds.relmse = arguments.error_percent / 100;
   }
 
+  check_bench_outputs(arguments, suite, options.results_folder);
   ProgressLines progress;
   const BenchSummary summary = run_bench(suite, options, progress);
   progress.done();

@@ -190,8 +190,9 @@ TEST_F(BenchVerb, against_says_by_its_exit_code_what_it_found) {
                         "command = ['{photonproof}', '{scene}', '{output}']\n"
                         "[[run]]\nengine = 'ours'\nbudgets = ['spp=1']\nseeds = [1]\n");
   const std::string fast = program("fast", 20000), slow = program("slow", 40000);
-  const std::string old_results = (folder_ / "out" / "results.json").string();
+  const std::string old_results = (folder_ / "old.json").string();
   ASSERT_EQ(bench({"--no-report", "--program", fast}).exit_code, 0);
+  std::filesystem::copy_file(folder_ / "out" / "results.json", old_results);
   const std::vector<std::string> against{"--no-report", "--against", old_results, "--slower", "20"};
   const auto compared = [&](std::vector<std::string> more) {
     more.insert(more.begin(), against.begin(), against.end());

@@ -17,6 +17,7 @@
 #include "harness/metric_bounds.h"
 #include "harness/verbs.h"
 #include "scenes/input_error.h"
+#include "scenes/output_files.h"
 #include "scenes/text_numbers.h"
 
 namespace photonproof {
@@ -120,6 +121,15 @@ std::shared_ptr<const PixelMask> read_mask(const std::string& path, const std::o
   return mask;
 }
 
+/// Throws InputError when a heat map would replace what it is made of.
+void check_heatmaps(const CompareOptions& options, const std::string& stem) {
+  const HeatmapFiles maps = heatmap_files(options.heatmap_folder, stem);
+  for (const std::filesystem::path& map : {maps.flip, maps.error})
+    for (const std::string& read : {options.reference, options.test, options.mask})
+      if (!read.empty() && same_file(map, read))
+        throw InputError(map.string(), "is an image that is read, which it would replace");
+}
+
 /// Throws InputError when a file cannot be read or written.
 void compare_files(const CompareOptions& options, const std::vector<MetricBound>& warn,
                    const std::vector<MetricBound>& fail, Comparison& comparison) {
@@ -139,10 +149,11 @@ void compare_files(const CompareOptions& options, const std::vector<MetricBound>
   }
   const bool same_size = reference->width() == test->width() && reference->height() == test->height();
   std::optional<HeatmapWriter> maps;
+  const std::string stem = std::filesystem::path(options.test).stem().string();
+  if (!options.heatmap_folder.empty()) check_heatmaps(options, stem);
   if (!options.heatmap_folder.empty() && same_size)
     maps.emplace(metrics.region ? metrics.region->width : reference->width(),
-                 metrics.region ? metrics.region->height : reference->height(), options.heatmap_folder,
-                 std::filesystem::path(options.test).stem().string());
+                 metrics.region ? metrics.region->height : reference->height(), options.heatmap_folder, stem);
   PairMeasurements measured = measure_pair(*reference, *test, metrics, maps ? &*maps : nullptr);
   comparison.width = measured.width;
   comparison.height = measured.height;

@@ -263,5 +263,15 @@ TEST_F(CompareVerb, wrong_usage_is_refused_before_any_file_is_read) {
   EXPECT_THROW(compare({"missing.exr", "missing.exr", "--exposure", "65"}), CLI::ParseError);
 }
 
+TEST_F(CompareVerb, heat_map_never_replaces_an_image_that_is_read) {
+  const std::string reference = (folder / "darker-flip.png").string();
+  write_png(reference, constant_image(12, 14, 1, 1, 1));
+  const std::string before = read_file(reference);
+  const Run run = compare({reference, darker(), "--heatmaps", folder.string()});
+  EXPECT_EQ(run.exit_code, 4);
+  EXPECT_EQ(run.err, reference + ": error: is an image that is read, which it would replace\n");
+  EXPECT_EQ(read_file(reference), before);
+}
+
 }  // namespace
 }  // namespace photonproof

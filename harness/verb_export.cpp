@@ -7,12 +7,15 @@
 #include "harness/povray_arguments.h"
 #include "harness/verbs.h"
 #include "reference/povray_export.h"
+#include "scenes/output_files.h"
 
 namespace photonproof {
 namespace {
 
 int run_export(const PovrayArguments& arguments) {
-  const PovrayExport scene = export_povray(load_scene(arguments.scene), arguments.options);
+  const SceneDescription description = load_scene(arguments.scene);
+  check_outputs({arguments.output}, scene_inputs(description));
+  const PovrayExport scene = export_povray(description, arguments.options);
   write_sdl(scene, arguments.output);
   std::string antialias;
   for (const std::string& word : scene.antialias) antialias += " " + word;

@@ -11,6 +11,8 @@
 #include "harness/verbs.h"
 #include "reference/povray_engine.h"
 #include "scenes/atomic_file.h"
+#include "scenes/json_text.h"
+#include "scenes/output_files.h"
 
 namespace photonproof {
 namespace {
@@ -48,7 +50,9 @@ nlohmann::ordered_json stats_json(const PovrayVerbArguments& arguments, const Po
 
 int run_povray(const PovrayVerbArguments& arguments) {
   const std::string stats_path = checked_stats_path(arguments.stats_path, arguments.output, arguments.scene.path);
-  const PovrayExport scene = export_povray(load_scene(arguments.scene), arguments.options);
+  const SceneDescription description = load_scene(arguments.scene);
+  check_outputs({arguments.output, stats_path}, scene_inputs(description));
+  const PovrayExport scene = export_povray(description, arguments.options);
   PovrayRunOptions options;
   options.interrupt = &interrupt_flag();
   options.progress = progress_line(arguments.quiet);
@@ -56,10 +60,10 @@ int run_povray(const PovrayVerbArguments& arguments) {
 
   write_exr(arguments.output, run.rendering);
   const nlohmann::ordered_json json = stats_json(arguments, scene, run);
-  write_file_atomically(stats_path, json.dump(2) + "\n");
+  write_file_atomically(stats_path, json_text(json) + "\n");
 
   if (arguments.json) {
-    std::printf("%s\n", json.dump(2).c_str());
+    std::printf("%s\n", json_text(json).c_str());
   } else {
     std::printf("%s: %s, %dx%d, quality %d, %.2f s\n", arguments.output.c_str(), run.version.c_str(), scene.width,
                 scene.height, arguments.options.quality, run.wall_seconds);

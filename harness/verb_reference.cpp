@@ -22,6 +22,8 @@
 #include "renderer/version.h"
 #include "scenes/checksum.h"
 #include "scenes/input_error.h"
+#include "scenes/json_text.h"
+#include "scenes/output_files.h"
 #include "scenes/percent_text.h"
 #include "scenes/scene_hash.h"
 
@@ -150,7 +152,7 @@ void print(const Job& job, const Provenance& p, const std::vector<fs::path>& fil
     nlohmann::ordered_json json = {{"files", nlohmann::json::array()}, {"reached", reached}};
     for (const fs::path& file : files) json["files"].push_back(file.string());
     json["provenance"] = nlohmann::ordered_json::parse(provenance_text(p));
-    std::printf("%s\n", json.dump(2).c_str());
+    std::printf("%s\n", json_text(json).c_str());
     return;
   }
   std::printf("%s: %s, %dx%d, %zu batches of %llu samples, standard error %s\n", job.arguments.scene.path.c_str(),
@@ -194,6 +196,30 @@ int unfinished(const ReferenceProgress& progress) {
   return interrupted ? 130 : 1;
 }
 
+/// What would be refused after minutes of rendering is refused now.
+void check_before_rendering(const Job& job) {
+  const ReferenceArguments& arguments = job.arguments;
+  const fs::path committed = committed_reference_path(arguments.scene.path, job.width, job.height);
+  std::vector<InputFile> inputs = scene_inputs(job.scene);
+  if (arguments.commit) {
+    check_committable(arguments.scene.path, job.width, job.height);
+    check_outputs({committed, provenance_path(committed)}, inputs);
+  }
+  if (arguments.output.empty()) return;
+  for (const fs::path& beside : {committed, provenance_path(committed)})
+    inputs.push_back({beside, "the scene's committed reference"});
+  check_outputs({arguments.output, provenance_path(arguments.output)}, inputs);
+}
+
+/// The same of what cannot be known before it is known that there is something to render: a good reference is not
+/// replaced without a word.
+void check_reason(const Job& job) {
+  const ReferenceArguments& arguments = job.arguments;
+  if (arguments.commit && arguments.reason.empty() &&
+      has_good_commit(arguments.scene.path, job.hash, job.width, job.height))
+    throw InputError(committed_reference_path(arguments.scene.path, job.width, job.height).string(), reason_is_missing);
+}
+
 int run(const ReferenceArguments& arguments) {
   interrupt_flag();
   if (!arguments.output.empty() && fs::path(arguments.output).extension() != ".exr")
@@ -202,7 +228,8 @@ int run(const ReferenceArguments& arguments) {
   if (!arguments.scene.defines.empty() && arguments.commit)
     throw InputError("--commit", "is for the scene as it is, without -D; the cache keeps this reference, or -o FILE");
   const Job job = job_of(arguments);
-  const FolderLock lock(job.folder);
+  check_before_rendering(job);
+  const FolderLock lock(job.folder, "it makes the same reference: wait for it, then this command uses what it made");
   const auto is_enough = [&](const std::optional<StoredReference>& kept) {
     return kept && kept->provenance.standard_error <= arguments.standard_error;
   };
@@ -213,6 +240,7 @@ int run(const ReferenceArguments& arguments) {
     if (is_enough(committed)) return write_out(job, committed->file, committed->rendering, committed->provenance, true);
   }
 
+  check_reason(job);
   const std::string integrator = integrator_for(job);
   const ReferenceProgress progress = render(job, integrator);
   using End = ReferenceProgress::End;

@@ -228,5 +228,17 @@ TEST_F(ReferenceVerb, bad_options_are_refused) {
   EXPECT_NE(fog.standard_error.find("volpath"), std::string::npos) << fog.standard_error;
 }
 
+TEST_F(ReferenceVerb, what_cannot_be_committed_is_refused_before_it_is_rendered) {
+  const ProcessOutcome large = reference({"--size", "257x256", "--commit"});
+  EXPECT_EQ(large.exit_code, 2);
+  EXPECT_NE(large.standard_error.find("a reference of 257x256 pixels is too large to be committed"), std::string::npos)
+      << large.standard_error;
+  const ProcessOutcome over = reference({"--size", "8x8", "-o", path("reference-8x8.exr")});
+  EXPECT_EQ(over.exit_code, 2);
+  EXPECT_NE(over.standard_error.find("is the scene's committed reference, which it would replace"), std::string::npos)
+      << over.standard_error;
+  EXPECT_FALSE(has("cache"));  // nothing was rendered
+}
+
 }  // namespace
 }  // namespace photonproof

@@ -22,6 +22,8 @@
 #include "renderer/scene_notes.h"
 #include "renderer/version.h"
 #include "scenes/atomic_file.h"
+#include "scenes/json_text.h"
+#include "scenes/output_files.h"
 #include "scenes/scene_hash.h"
 #include "scenes/size_text.h"
 #include "scenes/timer.h"
@@ -192,7 +194,7 @@ int print_plan(const RenderArguments& arguments) {
                     find_integrator(integrator_name(method))->small_limit(), ScenePurpose::plan);
   const RenderPlan plan = plan_render(scene, method, job);
   say_notes(description, scene);
-  std::printf("%s", arguments.json ? (plan_json(plan).dump(2) + "\n").c_str() : plan_text(plan).c_str());
+  std::printf("%s", arguments.json ? (json_text(plan_json(plan)) + "\n").c_str() : plan_text(plan).c_str());
   return 0;
 }
 
@@ -227,6 +229,7 @@ int run_render(const RenderArguments& arguments) {
   RenderStats stats;
   const Timer load_timer;
   const SceneDescription description = load_scene(arguments.scene);
+  check_outputs({arguments.output, stats_path, checkpoint.file}, scene_inputs(description));
   stats.phases["load"] = load_timer.seconds();
   const IntegratorDescription method = method_of(arguments, description);
   const std::string name = integrator_name(method);
@@ -268,11 +271,12 @@ int run_render(const RenderArguments& arguments) {
 
   const nlohmann::ordered_json json =
       stats_json(arguments, name, stats, plan, Threads(arguments.threads).count(), rendering);
-  write_file_atomically(stats_path, json.dump(2) + "\n");
+  write_file_atomically(stats_path, json_text(json) + "
+");
   if (!stats.interrupted && (checkpoint.interval_seconds > 0 || checkpoint.resume)) remove_checkpoint(checkpoint.file);
 
   if (arguments.json) {
-    std::printf("%s\n", json.dump(2).c_str());
+    std::printf("%s\n", json_text(json).c_str());
   } else {
     std::printf("%s: %s, %dx%d, %.0f samples a pixel, %.2f s\n", arguments.output.c_str(), name.c_str(),
                 rendering.mean.width, rendering.mean.height, stats.counts["samples_per_pixel"], load_timer.seconds());

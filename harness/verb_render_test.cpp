@@ -206,5 +206,59 @@ TEST_F(RenderVerb, options_that_make_no_sense_are_refused) {
   EXPECT_NE(help.find("sobol,independent"), std::string::npos) << help;
 }
 
+TEST_F(RenderVerb, scene_whose_name_is_no_utf8_has_its_stats) {
+  const std::string named = path("sc\xFFne.xml");
+  std::filesystem::copy_file(scene_, named);
+  const ProcessOutcome outcome =
+      run_process({PHOTONPROOF_BINARY, "render", named, "-o", path("a.exr"), "--size", "4x4", "--spp", "1", "--json"},
+                  {.wall_limit_seconds = 120});
+  EXPECT_TRUE(outcome.ok()) << outcome.standard_error;
+  EXPECT_NE(get("a.stats.json").find("sc\xEF\xBF\xBDne.xml"), std::string::npos);
+}
+
+TEST_F(RenderVerb, name_that_is_too_long_is_one_sentence_before_anything_is_rendered) {
+  // With .exr, 255 bytes: the image could be written, its stats could not.
+  for (const std::size_t length : {251u, 252u, 300u}) {
+    const ProcessOutcome outcome = render(std::string(length, 'n') + ".exr", {"--size", "4x4", "--spp", "1"});
+    EXPECT_EQ(outcome.exit_code, 2) << length;
+    EXPECT_TRUE(outcome.standard_error.ends_with(": error: cannot be written: File name too long\n"))
+        << outcome.standard_error;
+  }
+}
+
+TEST_F(RenderVerb, image_that_the_scene_uses_is_not_rendered_over) {
+  Rendering rendering;
+  rendering.mean = Image(2, 2);
+  rendering.mean.rgb.assign(rendering.mean.rgb.size(), 1.0f);
+  write_exr(path("sky.exr"), rendering);
+  put("scene.xml",
+      "<scene version='3.0.0'><sensor type='perspective'><film type='hdrfilm'><rfilter type='box'/></film>"
+      "</sensor><emitter type='envmap'><string name='filename' value='sky.exr'/></emitter></scene>");
+  scene_ = path("scene.xml");
+  const std::string before = get("sky.exr");
+  const ProcessOutcome outcome = render("sky.exr", {"--size", "4x4", "--spp", "1"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.standard_error,
+            path("sky.exr") + ": error: is a file that the scene uses, which it would replace\n");
+  EXPECT_EQ(get("sky.exr"), before);
+}
+
+TEST_F(RenderVerb, checkpoint_of_a_render_at_work_is_not_called_unfinished) {
+  const pid_t pid =
+      start_program(argv("a.exr", {"--size", "64x64", "--seconds", "60", "--checkpoint", "0.05"}), path("stderr"));
+  for (int i = 0; i < 2000 && !has("a.exr.checkpoint"); ++i) usleep(10000);
+  for (const char* option : {"--quiet", "--resume"}) {
+    const ProcessOutcome outcome = render("a.exr", {"--size", "64x64", "--spp", "1", option});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_NE(outcome.standard_error.find("the render that writes this checkpoint is still at work"), std::string::npos)
+        << outcome.standard_error;
+  }
+  kill(pid, SIGKILL);
+  int status = 0;
+  waitpid(pid, &status, 0);
+  const ProcessOutcome outcome = render("a.exr", {"--size", "64x64", "--spp", "1"});
+  EXPECT_NE(outcome.standard_error.find("an unfinished render left this checkpoint"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace photonproof

@@ -13,6 +13,8 @@
 #include "harness/verbs.h"
 #include "reports/formats.h"
 #include "scenes/input_error.h"
+#include "scenes/json_text.h"
+#include "scenes/output_files.h"
 
 namespace photonproof {
 namespace {
@@ -32,6 +34,26 @@ fs::path folder_of(const std::string& file) {
   return folder.empty() ? fs::path(".") : folder;
 }
 
+/// The record, and the images and pictures that it names.
+std::vector<InputFile> inputs_of(const std::string& file, const Results& results, const fs::path& folder) {
+  std::vector<InputFile> inputs{{file, "the record that is reported"}};
+  const auto add = [&](const std::string& name) {
+    if (!name.empty()) inputs.push_back({folder / name, "an image of the record"});
+  };
+  const auto add_all = [&](const auto& entry) {
+    add(entry.image);
+    for (const auto& [role, picture] : entry.pictures) add(picture);
+  };
+  for (const Result& result : results.results) add_all(result);
+  for (const GateRecord& gate : results.gates) add_all(gate);
+  for (const SceneRecord& scene : results.scenes)
+    if (scene.reference) {
+      add(scene.reference->image);
+      add(scene.reference->picture);
+    }
+  return inputs;
+}
+
 void write_reports(const ReportOptions& options) {
   std::vector<const ReportFormat*> formats;
   for (const std::string& name : options.formats) formats.push_back(&report_format(name));
@@ -41,10 +63,15 @@ void write_reports(const ReportOptions& options) {
   }
   const Results results = read_results(options.results);
   const fs::path folder = folder_of(options.results);
+  std::vector<fs::path> outputs;
+  for (const ReportFormat* format : formats)
+    outputs.push_back(options.output.empty() ? folder / ("report" + std::string(format->extension))
+                                             : fs::path(options.output));
+  check_outputs(outputs, inputs_of(options.results, results, folder));
   nlohmann::json written = nlohmann::json::array();
-  for (const ReportFormat* format : formats) {
-    const fs::path out =
-        options.output.empty() ? folder / ("report" + std::string(format->extension)) : fs::path(options.output);
+  for (std::size_t i = 0; i < formats.size(); ++i) {
+    const ReportFormat* format = formats[i];
+    const fs::path& out = outputs[i];
     format->write(results, folder, out);
     if (options.json) {
       written.push_back({{"format", format->name}, {"file", out.string()}});
@@ -52,7 +79,7 @@ void write_reports(const ReportOptions& options) {
       std::printf("%s\n", out.string().c_str());
     }
   }
-  if (options.json) std::printf("%s\n", nlohmann::json{{"written", written}}.dump(2).c_str());
+  if (options.json) std::printf("%s\n", json_text(nlohmann::json{{"written", written}}).c_str());
 }
 
 }  // namespace

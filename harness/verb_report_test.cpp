@@ -106,5 +106,17 @@ TEST_F(ReportVerb, a_missing_record_is_an_input_error) {
   EXPECT_NE(complaint([&] { run({path("none.json")}); }).find("none.json"), std::string::npos);
 }
 
+TEST_F(ReportVerb, never_replaces_the_record_it_reports) {
+  const std::string before = read_file(path("results.json"));
+  fs::create_symlink("results.json", folder / "link.json");
+  for (const char* name : {"results.json", "link.json"}) try {
+      run({path("results.json"), "--format", "gbench", "-o", path(name)});
+      ADD_FAILURE() << name;
+    } catch (const InputError& error) {
+      EXPECT_EQ(error.summary(), path(name) + ": error: is the record that is reported, which it would replace");
+    }
+  EXPECT_EQ(read_file(path("results.json")), before);
+}
+
 }  // namespace
 }  // namespace photonproof

@@ -1,38 +1,16 @@
 #include "reference/povray_engine.h"
 
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
-#include <system_error>
 
 #include "reference/process.h"
 #include "scenes/atomic_file.h"
+#include "scenes/scratch_folder.h"
 
 namespace photonproof {
 namespace {
 
 namespace fs = std::filesystem;
-
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string pattern = (fs::temp_directory_path() / "photonproof-povray-XXXXXX").string();
-    if (!mkdtemp(pattern.data()))
-      throw std::system_error(errno, std::generic_category(),
-                              "cannot make a temporary folder in " + fs::temp_directory_path().string());
-    path_ = pattern;
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 std::string joined(const std::vector<std::string>& argv) {
   std::string line;
@@ -102,7 +80,7 @@ Image box_downsample(const Image& image, int grid, double gain) {
 }
 
 PovrayRun render_povray(const PovrayExport& scene, const PovrayRunOptions& options) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder("povray");
   write_sdl(scene, folder.path() / "scene.pov");
 
   const std::vector<std::string> argv = command(scene, options.program);

@@ -1,5 +1,5 @@
-// fork and exec with three pipes: output, errors, and one that closes on a successful exec and carries errno otherwise.
-// Everything between fork and exec is async-signal-safe, since the caller may run threads.
+// fork and exec with pipes: output, errors, one that closes on a successful exec and carries errno otherwise, and those
+// of the keeper in between. Everything between fork and exec is async-signal-safe, since the caller may run threads.
 
 #include "reference/process.h"
 
@@ -22,6 +22,7 @@
 #include <utility>
 
 #include "reference/instruction_counter.h"
+#include "reference/process_keeper.h"
 #include "reference/process_memory.h"
 #include "scenes/timer.h"
 
@@ -124,15 +125,14 @@ class Stream {
 struct Orders {
   char* const* argv;
   const char* folder;
-  pid_t parent;
   int processor;  // or -1
   int input, out, err, failure;
   int go;  // becomes readable when the caller has done what must be done before exec
 };
 
 // The child's side of fork. Never returns; only async-signal-safe calls.
-[[noreturn]] void become(const Orders& orders) {
-  const auto& [argv, folder, parent, processor, input, out, err, failure, go] = orders;
+[[noreturn]] void become(const Orders& orders, pid_t parent) {
+  const auto& [argv, folder, processor, input, out, err, failure, go] = orders;
   const auto give_up = [&orders] {
     const int code = errno;
     [[maybe_unused]] const ssize_t written = write(orders.failure, &code, sizeof code);
@@ -162,10 +162,30 @@ struct Orders {
 }
 
 struct Child {
-  pid_t pid = 0;
+  pid_t keeper = 0;
   int start_error = 0;  // errno of the failed exec, 0 when it runs
-  Descriptor out, err;
+  Descriptor out, err, orders, report;
 };
+
+// Whether all of the message came.
+template <class Message>
+bool read_whole(int descriptor, Message& message) {
+  ssize_t length = 0;
+  while ((length = read(descriptor, &message, sizeof message)) < 0 && errno == EINTR) {
+  }
+  return length == sizeof message;
+}
+
+void write_byte(int descriptor, char byte) {
+  while (write(descriptor, &byte, 1) < 0 && errno == EINTR) {
+  }
+}
+
+// Ours to wait for; blocks until it has ended all of its children.
+void wait_for(pid_t keeper, int& status, rusage& usage) {
+  while (wait4(keeper, &status, 0, &usage) < 0 && errno == EINTR) {
+  }
+}
 
 Child start(const std::vector<std::string>& argv, const ProcessOptions& options, InstructionCounter& counter) {
   std::vector<char*> pointers;
@@ -173,32 +193,40 @@ Child start(const std::vector<std::string>& argv, const ProcessOptions& options,
   for (const std::string& argument : argv) pointers.push_back(const_cast<char*>(argument.c_str()));
   pointers.push_back(nullptr);
   const std::string folder = options.working_folder.string();
-  Pipe out, err, failure, go;
+  Pipe out, err, failure, go, orders, report;
   const Descriptor input = above_standard(open("/dev/null", O_RDONLY | O_CLOEXEC));
-  const pid_t self = getpid();
-  const pid_t pid = fork();
-  if (pid < 0) fail("cannot start a process");
-  if (pid == 0)
-    become({pointers.data(), folder.c_str(), self, options.processor.value_or(-1), input.get(), out.write_end.get(),
-            err.write_end.get(), failure.write_end.get(), go.read_end.get()});
-  setpgid(pid, pid);  // also here: the group must exist before anything is sent to it
-  counter.attach(pid);
-  while (write(go.write_end.get(), "", 1) < 0 && errno == EINTR) {
+  const Orders told{pointers.data(),     folder.c_str(),      options.processor.value_or(-1), input.get(),
+                    out.write_end.get(), err.write_end.get(), failure.write_end.get(),        go.read_end.get()};
+  const std::function<void(pid_t)> child_side = [&told](pid_t keeper) { become(told, keeper); };
+  const pid_t keeper = fork();
+  if (keeper < 0) fail("cannot start a process");
+  if (keeper == 0) {
+    for (Descriptor* ours :
+         {&out.read_end, &err.read_end, &failure.read_end, &go.write_end, &orders.write_end, &report.read_end})
+      ours->reset();
+    keep_child(orders.read_end.get(), report.write_end.get(), child_side);
   }
+  report.write_end.reset();
+  KeeperStart begun;
+  if (!read_whole(report.read_end.get(), begun)) begun.error = EAGAIN;
+  if (begun.error != 0) {
+    int status = 0;
+    rusage usage{};
+    wait_for(keeper, status, usage);
+    errno = begun.error;
+    fail("cannot start a process");
+  }
+  counter.attach(begun.child);
+  write_byte(go.write_end.get(), 0);
   failure.write_end.reset();
   Child child;
-  child.pid = pid;
-  while (read(failure.read_end.get(), &child.start_error, sizeof child.start_error) < 0 && errno == EINTR) {
-  }
+  child.keeper = keeper;
+  read_whole(failure.read_end.get(), child.start_error);
   child.out = std::move(out.read_end);
   child.err = std::move(err.read_end);
+  child.orders = std::move(orders.write_end);
+  child.report = std::move(report.read_end);
   return child;
-}
-
-bool has_ended(pid_t pid) {
-  siginfo_t info{};
-  // WNOWAIT leaves it a zombie, so that its number and its group stay ours until the group is killed.
-  return waitid(P_PID, static_cast<id_t>(pid), &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == pid;
 }
 
 double cpu_seconds(const rusage& usage) {
@@ -212,24 +240,24 @@ double cpu_seconds(const rusage& usage) {
 class Watch {
  public:
   using End = ProcessOutcome::End;
-  Watch(pid_t pid, const ProcessOptions& options, const Timer& since_start)
-      : pid_(pid), options_(options), since_start_(since_start) {}
+  Watch(const Child& child, const ProcessOptions& options, const Timer& since_start)
+      : child_(child), options_(options), since_start_(since_start) {}
 
   void check(ProcessOutcome& outcome) {
     if (killed_) return;
     const auto now = Clock::now();
     if (outcome.end == End::interrupted) {
-      if (now >= patience_ends_) kill_group();
+      if (now >= patience_ends_) kill_all();
       return;
     }
     if (options_.interrupt != nullptr && *options_.interrupt) {
       outcome.end = End::interrupted;
       patience_ends_ = now + grace_after_interrupt;
-      kill(-pid_, SIGINT);
+      order(KeeperOrder::interrupt);
     } else if (options_.wall_limit_seconds && since_start_.seconds() >= *options_.wall_limit_seconds) {
       outcome.end = End::timed_out;
       outcome.cause = number(*options_.wall_limit_seconds) + " s";
-      kill_group();
+      kill_all();
     } else if (now >= next_sample_) {
       check_memory(outcome);
     }
@@ -239,22 +267,23 @@ class Watch {
  private:
   void check_memory(ProcessOutcome& outcome) {
     const auto before = Clock::now();
-    const MemorySample sample = sample_memory(pid_);
+    const MemorySample sample = sample_memory(child_.keeper);
     sampled_peak_ = std::max(sampled_peak_, sample.largest_peak_bytes);
     const auto after = Clock::now();
     next_sample_ = after + std::max<Clock::duration>(tick, sampling_restraint * (after - before));
     if (options_.memory_limit_bytes && sample.resident_bytes > *options_.memory_limit_bytes) {
       outcome.end = End::out_of_memory;
       outcome.cause = mebibytes(*options_.memory_limit_bytes);
-      kill_group();
+      kill_all();
     }
   }
-  void kill_group() {
-    kill(-pid_, SIGKILL);
+  void kill_all() {
+    order(KeeperOrder::kill);
     killed_ = true;
   }
+  void order(KeeperOrder order) const { write_byte(child_.orders.get(), static_cast<char>(order)); }
 
-  pid_t pid_;
+  const Child& child_;
   const ProcessOptions& options_;
   const Timer& since_start_;
   Clock::time_point next_sample_{}, patience_ends_{};
@@ -296,8 +325,7 @@ ProcessOutcome run_process(const std::vector<std::string>& argv, const ProcessOp
   int status = 0;
   rusage usage{};
   if (child.start_error != 0) {
-    while (waitpid(child.pid, &status, 0) < 0 && errno == EINTR) {
-    }
+    wait_for(child.keeper, status, usage);
     std::error_code ignored;
     const bool bad_folder = !folder.empty() && !std::filesystem::is_directory(folder, ignored);
     outcome.cause = "'" + (bad_folder ? folder : argv[0]) + "': " + std::generic_category().message(child.start_error);
@@ -306,19 +334,23 @@ ProcessOutcome run_process(const std::vector<std::string>& argv, const ProcessOp
 
   Stream out(std::move(child.out), outcome.standard_output);
   Stream err(std::move(child.err), outcome.standard_error);
-  Watch watch(child.pid, options, since_start);
-  while (!has_ended(child.pid)) {
-    std::array<pollfd, 2> waiting{pollfd{out.descriptor(), POLLIN, 0}, pollfd{err.descriptor(), POLLIN, 0}};
-    // With both pipes closed the end is near, so look again soon: the wall time should not be rounded up to a tick.
-    const int patience = out.open() || err.open() ? static_cast<int>(tick.count()) : 1;
-    poll(waiting.data(), waiting.size(), patience);
+  Watch watch(child, options, since_start);
+  while (true) {
+    std::array<pollfd, 3> waiting{pollfd{child.report.get(), POLLIN, 0}, pollfd{out.descriptor(), POLLIN, 0},
+                                  pollfd{err.descriptor(), POLLIN, 0}};
+    const bool heard = poll(waiting.data(), waiting.size(), static_cast<int>(tick.count())) > 0;
+    if (heard && waiting[0].revents != 0) break;
     out.drain({});
     err.drain(options.on_stderr);
     watch.check(outcome);
   }
   outcome.wall_seconds = since_start.seconds();
-  kill(-child.pid, SIGKILL);
-  while (wait4(child.pid, &status, 0, &usage) < 0 && errno == EINTR) {
+  KeeperEnd end;
+  const bool told = read_whole(child.report.get(), end);
+  wait_for(child.keeper, status, usage);
+  if (told) {  // otherwise somebody killed the keeper, and the child with it
+    status = end.status;
+    usage = end.usage;
   }
   out.drain({});
   err.drain(options.on_stderr);

@@ -14,8 +14,8 @@
 namespace photonproof {
 
 struct ProcessOptions {
-  std::optional<double> wall_limit_seconds{};         ///< the whole process group is killed past it
-  std::optional<std::uint64_t> memory_limit_bytes{};  ///< resident set of the group, sampled; killed past it
+  std::optional<double> wall_limit_seconds{};         ///< the child and all its descendants are killed past it
+  std::optional<std::uint64_t> memory_limit_bytes{};  ///< resident set of the same, sampled; killed past it
   const std::atomic<bool>* interrupt = nullptr;       ///< when it turns true the group gets SIGINT, after 2 s SIGKILL
   std::filesystem::path working_folder{};             ///< empty: the caller's
   std::function<void(std::string_view)> on_stderr{};  ///< sees each chunk as it arrives (progress); may be empty
@@ -38,8 +38,8 @@ struct ProcessOutcome {
   std::string sentence() const;  ///< "exited with 3", "killed by SIGSEGV", "killed after 10 s (limit)" ...
 };
 
-/// No shell: argv[0] is looked up on PATH. Standard input is /dev/null. The child leads a process group of its own;
-/// whatever is left of that group when the child ends is killed, and the child is killed when the caller dies.
+/// No shell: argv[0] is looked up on PATH. Standard input is /dev/null. The child leads a process group of its own.
+/// Whatever descends from it, in any group or session, is killed when the child ends or the caller dies.
 /// Limits and the interrupt are looked at every 20 ms. Never throws for what the child does; throws std::system_error
 /// when the system has no more processes or file descriptors. May be called on several threads at once. Precondition:
 /// argv is not empty.

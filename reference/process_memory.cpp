@@ -25,11 +25,11 @@ std::string read_proc(const std::string& path) {
 }
 
 struct ProcessRow {
-  pid_t pid = 0, parent = 0, group = 0;
+  pid_t pid = 0, parent = 0;
   std::uint64_t resident_bytes = 0;
 };
 
-// Fields of /proc/<pid>/stat by proc(5): 3 state, 4 ppid, 5 pgrp, ... 24 rss in pages. The second field is the
+// Fields of /proc/<pid>/stat by proc(5): 3 state, 4 ppid, ... 24 rss in pages. The second field is the
 // program's name in parentheses, which may hold spaces and parentheses itself, so counting starts behind the last one.
 ProcessRow read_row(pid_t pid) {
   const std::string stat = read_proc("/proc/" + std::to_string(pid) + "/stat");
@@ -44,7 +44,6 @@ ProcessRow read_row(pid_t pid) {
     if (at == nullptr) return {};
     ++at;
     if (field == 4) row.parent = static_cast<pid_t>(std::strtol(at, nullptr, 10));
-    if (field == 5) row.group = static_cast<pid_t>(std::strtol(at, nullptr, 10));
     if (field == 24) row.resident_bytes = std::strtoull(at, nullptr, 10) * page_bytes;
   }
   return row;
@@ -72,18 +71,18 @@ std::uint64_t peak_of(const std::string& pid) {
 
 }  // namespace
 
-MemorySample sample_memory(pid_t leader) {
+MemorySample sample_memory(pid_t keeper) {
   const std::vector<ProcessRow> rows = all_processes();
-  std::set<pid_t> members{leader};
+  std::set<pid_t> members{keeper};
   // A parent may stand behind its child in the listing (process numbers wrap around), hence until nothing changes.
   for (std::size_t before = 0; before != members.size();) {
     before = members.size();
     for (const ProcessRow& row : rows)
-      if (row.group == leader || members.count(row.parent) != 0) members.insert(row.pid);
+      if (members.count(row.parent) != 0) members.insert(row.pid);
   }
   MemorySample sample;
   for (const ProcessRow& row : rows) {
-    if (members.count(row.pid) == 0) continue;
+    if (row.pid == keeper || members.count(row.pid) == 0) continue;
     sample.resident_bytes += row.resident_bytes;
     sample.largest_peak_bytes = std::max(sample.largest_peak_bytes, peak_of(std::to_string(row.pid)));
   }

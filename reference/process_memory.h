@@ -12,9 +12,9 @@ struct MemorySample {
   std::uint64_t largest_peak_bytes = 0;  ///< high-water mark of the process that has the highest
 };
 
-/// The tree is `leader`, every process of its process group, and their descendants in any group. Zeroes when none is
-/// left. Costs about 10 us for each process of the machine.
-MemorySample sample_memory(pid_t leader);
+/// The tree is all descendants of `keeper` (process_keeper.h), in any group or session, without itself. Zeroes when
+/// none is left. Costs about 10 us for each process of the machine.
+MemorySample sample_memory(pid_t keeper);
 
 /// This process's own high-water mark; 0 when /proc does not say.
 std::uint64_t own_peak_bytes();

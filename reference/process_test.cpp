@@ -208,6 +208,35 @@ TEST(Process, grandchild_dies_at_the_limit_too) {
   EXPECT_TRUE(ends_within_two_seconds(static_cast<pid_t>(std::stol(outcome.standard_output))));
 }
 
+// A session and, by the second fork, a parent of its own: neither its group nor its ancestry names the child any more.
+constexpr const char* daemon = "(setsid sleep 60 </dev/null >/dev/null 2>&1 & echo $!)";
+
+TEST(Process, daemon_dies_with_the_child_that_left_it) {
+  const ProcessOutcome outcome = shell(daemon);
+  EXPECT_TRUE(outcome.ok()) << outcome.sentence();
+  EXPECT_FALSE(is_alive(static_cast<pid_t>(std::stol(outcome.standard_output))));
+}
+
+TEST(Process, daemon_dies_at_the_limit) {
+  const ProcessOutcome outcome = shell(std::string(daemon) + "; sleep 30", {.wall_limit_seconds = 0.3});
+  EXPECT_EQ(outcome.end, End::timed_out);
+  EXPECT_LT(outcome.wall_seconds, 10);
+  EXPECT_FALSE(is_alive(static_cast<pid_t>(std::stol(outcome.standard_output))));
+}
+
+TEST(Process, daemons_of_one_child_die_and_another_child_lives_on) {
+  auto other = std::async(std::launch::async, [] { return shell("sleep 1; echo lived"); });
+  const ProcessOutcome outcome = shell(daemon);
+  EXPECT_FALSE(is_alive(static_cast<pid_t>(std::stol(outcome.standard_output))));
+  EXPECT_EQ(other.get().standard_output, "lived\n");
+}
+
+TEST(Process, memory_of_a_daemon_counts_towards_the_limit) {
+  const ProcessOutcome outcome = shell("(setsid tail -n 1 /dev/zero &) ; sleep 30",
+                                       {.wall_limit_seconds = 30, .memory_limit_bytes = std::uint64_t{64} << 20});
+  EXPECT_EQ(outcome.end, End::out_of_memory);
+}
+
 TEST(Process, interrupt_lets_the_child_finish_by_itself) {
   std::atomic<bool> interrupt = false;
   ProcessOptions options{.wall_limit_seconds = 30, .interrupt = &interrupt};
@@ -236,8 +265,9 @@ TEST(Process, nothing_starts_once_interrupted) {
   EXPECT_EQ(outcome.standard_output, "");
 }
 
-TEST(Process, child_dies_when_the_caller_is_killed) {
-  // The caller is a forked copy that prints its child's number into a pipe and is killed by SIGKILL while it waits.
+TEST(Process, child_and_daemon_die_when_the_caller_is_killed) {
+  // The caller is a forked copy that prints its child's number and that of a daemon of it into a pipe and is killed by
+  // SIGKILL while it waits.
   int ends[2];
   ASSERT_EQ(pipe(ends), 0);
   const pid_t caller = fork();
@@ -246,17 +276,19 @@ TEST(Process, child_dies_when_the_caller_is_killed) {
     options.on_stderr = [&](std::string_view chunk) {
       [[maybe_unused]] auto n = write(ends[1], chunk.data(), chunk.size());
     };
-    shell("echo $$ >&2; exec sleep 60", options);
+    shell("echo $$ $(setsid sleep 60 </dev/null >/dev/null 2>&1 & echo $!) >&2; exec sleep 60", options);
     _exit(0);
   }
   char text[32] = {};
   ASSERT_GT(read(ends[0], text, sizeof text - 1), 0);
-  const auto child = static_cast<pid_t>(std::stol(text));
+  pid_t child = 0, left = 0;
+  ASSERT_EQ(std::sscanf(text, "%d %d", &child, &left), 2);
   EXPECT_TRUE(is_alive(child));
   kill(caller, SIGKILL);
   int status = 0;
   waitpid(caller, &status, 0);
   EXPECT_TRUE(ends_within_two_seconds(child));
+  EXPECT_TRUE(ends_within_two_seconds(left));
   close(ends[0]);
   close(ends[1]);
 }

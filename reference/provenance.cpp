@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "scenes/input_error.h"
+#include "scenes/json_text.h"
 #include "scenes/percent_text.h"
 
 namespace photonproof {
@@ -102,7 +103,7 @@ std::string provenance_text(const Provenance& p) {
                        {"history", history},
                        {"seeds", p.seeds}};
   if (!p.definitions.empty()) json["definitions"] = p.definitions;
-  return json.dump(2) + "\n";
+  return json_text(json) + "\n";
 }
 
 Provenance parse_provenance(const std::string& text, const std::string& file) {

@@ -19,8 +19,6 @@ namespace fs = std::filesystem;
 
 constexpr int largest_committed_pixels = 256 * 256;
 
-fs::path provenance_path(fs::path exr) { return exr.replace_extension(".json"); }
-
 std::string checksum_of(const Rendering& rendering) {
   Checksum checksum;
   for (const Image* image : {&rendering.mean, &*rendering.variance})
@@ -94,6 +92,8 @@ bool is_there(const fs::path& file) {
 
 }  // namespace
 
+fs::path provenance_path(fs::path exr) { return exr.replace_extension(".json"); }
+
 StoredReference read_reference(const fs::path& exr, const std::string& hash, int width, int height,
                                const std::string& rebuild) {
   try {
@@ -137,13 +137,26 @@ Provenance write_reference(const fs::path& exr, const Rendering& rendering, Prov
   return provenance;
 }
 
-Provenance commit_reference(const fs::path& scene_file, const Rendering& rendering, Provenance provenance,
-                            const std::string& reason) {
-  const int width = rendering.mean.width, height = rendering.mean.height;
-  if (width * height > largest_committed_pixels)
+void check_committable(const fs::path& scene_file, int width, int height) {
+  if (std::int64_t{width} * height > largest_committed_pixels)
     throw InputError(scene_file.string(),
                      "a reference of " + size_text(width, height) +
                          " pixels is too large to be committed (256x256 at most): keep it in the cache");
+}
+
+bool has_good_commit(const fs::path& scene_file, const std::string& hash, int width, int height) {
+  try {
+    checked(committed_reference_path(scene_file, width, height), hash, width, height);
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+Provenance commit_reference(const fs::path& scene_file, const Rendering& rendering, Provenance provenance,
+                            const std::string& reason) {
+  const int width = rendering.mean.width, height = rendering.mean.height;
+  check_committable(scene_file, width, height);
   const fs::path exr = committed_reference_path(scene_file, width, height);
   std::optional<Provenance> old;
   bool good = false;
@@ -156,8 +169,7 @@ Provenance commit_reference(const fs::path& scene_file, const Rendering& renderi
     }
   }
   if (good && old->date == provenance.date && old->seeds == provenance.seeds) return *old;  // there already
-  if (good && reason.empty())
-    throw InputError(exr.string(), "is a good reference of this scene: say why it is replaced with --reason TEXT");
+  if (good && reason.empty()) throw InputError(exr.string(), reason_is_missing);
   if (old) provenance.history = old->history;
   const Provenance written = write_reference(exr, rendering, provenance, ReferenceSamples::halves);
   if (!old) return written;

@@ -46,9 +46,20 @@ Provenance write_reference(const std::filesystem::path& exr, const Rendering& re
 Provenance commit_reference(const std::filesystem::path& scene_file, const Rendering& rendering, Provenance provenance,
                             const std::string& reason);
 
+/// Throws what commit_reference does for the size alone.
+void check_committable(const std::filesystem::path& scene_file, int width, int height);
+
+/// Whether a reference beside the scene is good and of this content: replacing it needs a reason.
+bool has_good_commit(const std::filesystem::path& scene_file, const std::string& scene_hash, int width, int height);
+inline constexpr const char* reason_is_missing =
+    "is a good reference of this scene: say why it is replaced with --reason TEXT";
+
 /// sqrt(mean over pixels and channels of variance / (mean^2 + 0.01)): what relmse would say of the rendering's own
 /// noise, as a ratio of values rather than of squares. Precondition: there is a variance.
 double relative_standard_error(const Rendering& rendering);
+
+/// Of a reference: beside it, with the extension .json.
+std::filesystem::path provenance_path(std::filesystem::path exr);
 
 /// <folder of the scene>/reference-<W>x<H>.exr
 std::filesystem::path committed_reference_path(const std::filesystem::path& scene_file, int width, int height);

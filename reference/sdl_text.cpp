@@ -22,7 +22,7 @@ std::string rounded(double value) {
   return text;
 }
 
-std::string printable(std::string_view text) {
+std::string ascii_line(std::string_view text) {
   std::string line(text);
   for (char& c : line)
     if (c < 0x20 || c > 0x7e) c = '?';
@@ -50,7 +50,7 @@ std::string SdlText::str() const {
 }
 
 void SdlWriter::explain(std::string_view text) {
-  explanations_.push_back(printable(text));
+  explanations_.push_back(ascii_line(text));
   line("// " + explanations_.back());
 }
 

@@ -20,7 +20,7 @@ std::string sdl_rgb(const RgbD& colour);
 /// A figure for people, four significant digits.
 std::string rounded(double value);
 /// `text` as one line of printable ASCII: control and other bytes become '?'.
-std::string printable(std::string_view text);
+std::string ascii_line(std::string_view text);
 
 /// A text in parts, of which some are made only when they are written, because they are too long to be kept.
 class SdlText {

@@ -75,6 +75,9 @@ bool CheckpointPolicy::finds_what_it_resumes() {
     resume = false;
     return false;
   }
+  if ((resume || interval_seconds > 0) && FileClaim::is_on(file))
+    throw InputError(file.string(),
+                     "the render that writes this checkpoint is still at work: wait for it, or choose another output");
   if (!resume && exists && interval_seconds > 0)
     throw InputError(file.string(),
                      "an unfinished render left this checkpoint: go on from it with --resume, or delete it");
@@ -125,7 +128,7 @@ void fill_checkpoint(std::string& content, const RenderIdentity& identity,
   state(writer);
 }
 
-void write_checkpoint(const std::filesystem::path& file, const std::string& content) {
+void write_checkpoint(const std::filesystem::path& file, const std::string& content, FileClaim* claim) {
   Checksum checksum;
   checksum.add(content.data(), content.size());
   const std::uint64_t sum = checksum.value();
@@ -136,6 +139,7 @@ void write_checkpoint(const std::filesystem::path& file, const std::string& cont
     out.close();
     if (!out || !reaches_disk(temporary))
       throw InputError(file.string(), "cannot be written (permission or disk full)");
+    if (claim != nullptr) claim->move_to(temporary);
   });
 }
 

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "scenes/checksum.h"
+#include "scenes/file_claim.h"
 
 namespace photonproof {
 
@@ -28,7 +29,7 @@ struct CheckpointPolicy {
 
   /// Before the work begins. Where there is nothing to go on from, `resume` is switched off and the answer is no: a
   /// script may ask for it always. Throws InputError when a render that starts anew would replace a checkpoint, which
-  /// may be hours of somebody's work.
+  /// may be hours of somebody's work, or when the render that writes it is still at work.
   bool finds_what_it_resumes();
 };
 
@@ -91,8 +92,8 @@ void fill_checkpoint(std::string& content, const RenderIdentity& identity,
                      const std::function<void(StateWriter&)>& state);
 
 /// Replaces `file` atomically: after kill -9 at any moment there is the old one or the new one. Throws InputError when
-/// it cannot be written.
-void write_checkpoint(const std::filesystem::path& file, const std::string& content);
+/// it cannot be written. `claim`, where there is one, moves to the new file before it has its name.
+void write_checkpoint(const std::filesystem::path& file, const std::string& content, FileClaim* claim = nullptr);
 
 /// Reads what `write_checkpoint` wrote. Throws InputError when the file is missing, no checkpoint, damaged, or of a
 /// render of another identity, naming the first difference; all this before `state` is called.

@@ -118,6 +118,18 @@ TEST_F(Checkpoint, policy_resumes_from_a_file_if_there_is_one_and_wants_none_to_
       said(false, 60),
       file_.string() + ": error: an unfinished render left this checkpoint: go on from it with --resume, or delete it");
   EXPECT_EQ(said(false, 0), "");  // it will not be touched
+
+  FileClaim claim;
+  std::string content;
+  fill_checkpoint(content, identity_, [&](StateWriter& out) { out.vector(values_); });
+  write_checkpoint(file_, content, &claim);
+  const std::string busy = file_.string() +
+                           ": error: the render that writes this checkpoint is still at work: wait for it, or choose "
+                           "another output";
+  EXPECT_EQ(said(false, 60), busy);
+  EXPECT_EQ(said(true, 60), busy);
+  write();  // by somebody else
+  EXPECT_EQ(said(true, 60), "");
 }
 
 TEST(checksum, does_not_depend_on_how_the_bytes_are_cut) {

@@ -45,6 +45,7 @@ bool RenderLoop::next() {
     begun_ = true;
     if (job_.checkpoint && job_.checkpoint->resume) {
       read_checkpoint(job_.checkpoint->file, job_.checkpoint->identity, [&](StateReader& in) { restore(in); });
+      claim_.move_to(job_.checkpoint->file);
       stats_.counts["resumed_from_samples"] = static_cast<double>(schedule_.samples_done());
       stats_.counts["resumed_after_seconds"] = schedule_.seconds_spent();
     }
@@ -151,7 +152,7 @@ void RenderLoop::write() {
     const Timer timer;
     Written written;
     try {
-      write_checkpoint(job_.checkpoint->file, content_);
+      write_checkpoint(job_.checkpoint->file, content_, &claim_);
     } catch (const InputError& error) {  // a full disk must not end a render that could still finish
       written.problem = error.summary();
     }

@@ -135,6 +135,7 @@ class RenderLoop {
     double seconds = 0;
     std::string problem;
   };
+  FileClaim claim_;               ///< on the checkpoint that is this render's
   std::string content_;           ///< of the checkpoint that is being written
   std::future<Written> writing_;  ///< the last member: it ends before what it uses
 };

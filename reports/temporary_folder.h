@@ -1,21 +1,13 @@
-// A folder for a child process's files, gone when the object is.
+// Where reports put the files of the programs they run.
 #pragma once
 
-#include <filesystem>
+#include "scenes/scratch_folder.h"
 
 namespace photonproof::reports {
 
-class TemporaryFolder {
+class TemporaryFolder : public ScratchFolder {
  public:
-  /// Private to the user. Throws InputError when the system's folder for temporary files cannot be written.
-  TemporaryFolder();
-  ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
+  TemporaryFolder() : ScratchFolder("report") {}
 };
 
 }  // namespace photonproof::reports

@@ -6,66 +6,11 @@
 #include <iterator>
 #include <utility>
 
+#include "scenes/utf8.h"
+
 namespace photonproof::reports {
-namespace {
 
-constexpr std::string_view replacement = "\xEF\xBF\xBD";  // U+FFFD
-
-struct Decoded {
-  std::uint32_t code = 0;
-  std::size_t length = 0;  ///< 0: malformed
-};
-
-/// One code point as Unicode 15 table 3-7 allows it: no overlong forms, no surrogates, nothing past U+10FFFF.
-Decoded decode_utf8(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return static_cast<std::uint32_t>(static_cast<unsigned char>(text[i])); };
-  const std::uint32_t lead = byte(0);
-  if (lead < 0x80) return {lead, 1};
-  const std::size_t length = lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : 2;
-  if (lead < 0xC2 || lead > 0xF4 || text.size() < length) return {};
-  std::uint32_t code = lead & (0xFFu >> (length + 1));
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((byte(i) & 0xC0) != 0x80) return {};
-    code = (code << 6) | (byte(i) & 0x3F);
-  }
-  constexpr std::uint32_t smallest[] = {0, 0, 0x80, 0x800, 0x10000};
-  const bool surrogate = code >= 0xD800 && code <= 0xDFFF;
-  if (code < smallest[length] || surrogate || code > 0x10FFFF) return {};
-  return {code, length};
-}
-
-bool is_control(std::uint32_t code) {
-  return code < 0x20 || (code >= 0x7F && code < 0xA0) || code == 0x2028 || code == 0x2029;
-}
-
-/// Embeddings, overrides and isolates: they can make a line read as something it is not.
-bool is_bidirectional_control(std::uint32_t code) {
-  return (code >= 0x202A && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069);
-}
-
-}  // namespace
-
-std::string printable(std::string_view text) {
-  std::string out;
-  out.reserve(text.size());
-  while (!text.empty()) {
-    const Decoded point = decode_utf8(text);
-    if (point.length == 0) {
-      out += replacement;
-      text.remove_prefix(1);
-      continue;
-    }
-    if (is_control(point.code)) {
-      out += ' ';
-    } else if (is_bidirectional_control(point.code)) {
-      out += replacement;
-    } else {
-      out += text.substr(0, point.length);
-    }
-    text.remove_prefix(point.length);
-  }
-  return out;
-}
+std::string printable(std::string_view text) { return harmless(text, " ", "\xEF\xBF\xBD"); }
 
 std::string markdown_text(std::string_view text) {
   constexpr std::string_view markup = "\\`*_[]<>|~&#$!";

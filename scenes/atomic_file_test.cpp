@@ -15,6 +15,7 @@ namespace fs = std::filesystem;
 
 class atomic_file : public FolderTest {
  protected:
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
   std::size_t count_files() const {
     return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
   }
@@ -64,6 +65,44 @@ TEST_F(atomic_file, temporaries_of_killed_processes_are_removed_and_no_others) {
   EXPECT_EQ(count_files(), 3u);
   EXPECT_FALSE(fs::exists(folder_ / ".a.exr.partial-2000000000.checkpoint"));
   remove_abandoned_temporaries(folder_ / "missing/a.exr.checkpoint");
+}
+
+TEST_F(atomic_file, of_the_longest_name_is_written_and_a_longer_one_refused) {
+  const std::string longest(251, 'n');  // and 4 of the extension: file systems end at 255
+  write_file_atomically(folder_ / (longest + ".txt"), "x");
+  EXPECT_EQ(read_file(folder_ / (longest + ".txt")), "x");
+  EXPECT_EQ(count_files(), 1u);
+  const fs::path longer = folder_ / (longest + "n.txt");
+  EXPECT_EQ(input_error_of([&] { write_file_atomically(longer, "x"); }),
+            longer.string() + ": error: cannot be written: File name too long");
+  EXPECT_EQ(input_error_of([&] { read_file(longer); }),
+            longer.string() + ": error: cannot be read: File name too long");
+}
+
+TEST_F(atomic_file, does_not_follow_a_link_under_the_name_of_its_temporary) {
+  std::ofstream(folder_ / "victim") << "mine";
+  fs::create_symlink("victim", folder_ / (".a.partial-" + std::to_string(getpid()) + ".txt"));
+  write_file_atomically(folder_ / "a.txt", "new");
+  EXPECT_EQ(read_file(folder_ / "victim"), "mine");
+  EXPECT_EQ(read_file(folder_ / "a.txt"), "new");
+  EXPECT_FALSE(fs::is_symlink(folder_ / "a.txt"));
+}
+
+TEST_F(atomic_file, next_write_removes_what_a_killed_process_left_of_the_same_target) {
+  std::ofstream(folder_ / ".a.partial-2000000000.txt") << "half";
+  std::ofstream(folder_ / ".a.partial-2000000000-rows.txt") << "half";
+  std::ofstream(folder_ / ".b.partial-2000000000.txt") << "of another";
+  write_file_atomically(folder_ / "a.txt", "new");
+  EXPECT_EQ(count_files(), 2u);
+  EXPECT_TRUE(fs::exists(folder_ / ".b.partial-2000000000.txt"));
+  remove_all_abandoned_temporaries(folder_);
+  EXPECT_EQ(count_files(), 1u);
+}
+
+TEST_F(atomic_file, pointer_of_git_lfs_is_named_as_one) {
+  put("a.obj", "version https://git-lfs.github.com/spec/v1\noid sha256:0123\nsize 12345\n");
+  EXPECT_EQ(input_error_of([&] { read_file(folder_ / "a.obj"); }),
+            path("a.obj") + ": error: is a pointer of Git LFS, not the file itself: fetch it with git lfs pull");
 }
 
 }  // namespace

@@ -89,6 +89,11 @@ class ExrFile : public ImageFile {
     window_ = header.dataWindow();
     header_.width = window_.max.x - window_.min.x + 1;
     header_.height = window_.max.y - window_.min.y + 1;
+    const Imath::Box2i& display = header.displayWindow();
+    header_.x = window_.min.x - display.min.x;
+    header_.y = window_.min.y - display.min.y;
+    header_.display_width = display.max.x - display.min.x + 1;
+    header_.display_height = display.max.y - display.min.y + 1;
     if (header.hasTileDescription()) header_.rows_together = static_cast<int>(header.tileDescription().ySize);
     for (auto channel = header.channels().begin(); channel != header.channels().end(); ++channel) {
       header_.channels.emplace_back(channel.name());

@@ -168,5 +168,50 @@ TEST_F(ExrFile, that_does_not_fit_on_the_disk_is_an_error) {
               "a.exr: error: cannot be written: No space left on device");
 }
 
+// A data window of 2x2 pixels at (1, 1) of a display window of 4x3 whose corner is (10, 20); with it, the same pixels
+// as an image of their own and shifted by one.
+TEST_F(ExrFile, data_window_is_read_at_its_place_in_the_display_window) {
+  const auto write_at = [&](int x, int y, bool tiled) {
+    Imf::Header header(Imath::Box2i({10, 20}, {13, 22}), Imath::Box2i({10 + x, 20 + y}, {11 + x, 21 + y}));
+    if (tiled) header.setTileDescription({2, 2, Imf::ONE_LEVEL});
+    const Imf::FrameBuffer buffer = channels(header, {"R", "G", "B"});
+    if (tiled) {
+      Imf::TiledOutputFile out(path().c_str(), header);
+      out.setFrameBuffer(buffer);
+      out.writeTiles(0, 0, 0, 0);
+    } else {
+      Imf::OutputFile out(path().c_str(), header);
+      out.setFrameBuffer(buffer);
+      out.writePixels(2);
+    }
+  };
+  const auto reds = [](const Image& image) {
+    std::vector<float> values;
+    for (std::size_t i = 0; i < image.pixels(); ++i) values.push_back(image.rgb[3 * i]);
+    return values;
+  };
+  for (const bool tiled : {false, true}) {
+    write_at(1, 1, tiled);
+    const Image image = read_image(path());
+    ASSERT_EQ(image.width, 4);
+    ASSERT_EQ(image.height, 3);
+    EXPECT_EQ(reds(image), (std::vector<float>{0, 0, 0, 0, 0, 0, 1, 0, 0, 2, 3, 0}));
+    EXPECT_EQ(image.pixel(2, 2)[1], 1003);
+    std::vector<float> row(3 * 4);
+    ImageRows(path()).read(2, 3, row.data());
+    EXPECT_EQ(row[3 * 2], 3);
+    EXPECT_EQ(read_texture_image(path(), true).width, 2);
+    write_at(3, -1, tiled);  // all but its lower left pixel outside
+    EXPECT_EQ(reds(read_image(path())), (std::vector<float>{0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0}));
+    write_at(4, 0, tiled);
+    EXPECT_EQ(refusal(), path() + ": error: no pixel of its data window lies in its display window");
+  }
+}
+
+TEST_F(ExrFile, pointer_of_git_lfs_is_named_as_one) {
+  put("a.exr", "version https://git-lfs.github.com/spec/v1\noid sha256:0123\nsize 12345\n");
+  EXPECT_EQ(refusal(), path() + ": error: is a pointer of Git LFS, not the file itself: fetch it with git lfs pull");
+}
+
 }  // namespace
 }  // namespace photonproof

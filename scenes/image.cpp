@@ -1,14 +1,14 @@
 #include "scenes/image.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <memory>
 
 #include "scenes/atomic_file.h"
+#include "scenes/display_window.h"
 #include "scenes/exr_file.h"
 #include "scenes/image_file.h"
 #include "scenes/input_error.h"
@@ -88,18 +88,29 @@ int rows_at_once(const ImageHeader& header) {
   return static_cast<int>(std::clamp<std::int64_t>(kValues / row, 1, 256));
 }
 
-std::unique_ptr<ImageFile> open_image(const std::string& path) {
+std::unique_ptr<ImageFile> open_stored(const std::string& path) {
   std::error_code ignored;
   if (!std::filesystem::exists(path, ignored)) throw InputError(path, "no such file");
   if (!std::filesystem::is_regular_file(path, ignored)) throw InputError(path, "not a regular file");
   if (is_exr(path)) return open_exr(path);
-  return is_png(path) ? open_png(path) : open_other_format(path);
+  if (is_png(path)) return open_png(path);
+  std::string start(64, '\0');
+  std::ifstream(path, std::ios::binary).read(start.data(), static_cast<std::streamsize>(start.size()));
+  refuse_lfs_pointer(path, start);
+  return open_other_format(path);
+}
+
+enum class Window { display, data };
+
+std::unique_ptr<ImageFile> open_image(const std::string& path, Window window) {
+  std::unique_ptr<ImageFile> stored = open_stored(path);
+  return window == Window::data ? std::move(stored) : as_displayed(std::move(stored), path);
 }
 
 /// An open file whose rows are asked for in any order.
 class OpenImage {
  public:
-  explicit OpenImage(const std::string& path) : file_(open_image(path)) {
+  OpenImage(const std::string& path, Window window) : file_(open_image(path, window)) {
     if (header().width <= 0 || header().height <= 0) throw InputError(path, "image has no pixels");
     const auto found = find_colour(header());
     if (!found) throw InputError(path, "image has no colour: expected channels R, G, B or a single grey one");
@@ -153,8 +164,8 @@ struct Decoded {
   std::optional<Image> variance;
 };
 
-Decoded decode(const std::string& path) {
-  OpenImage file(path);
+Decoded decode(const std::string& path, Window window) {
+  OpenImage file(path, window);
   const ImageHeader& header = file.header();
   if (static_cast<std::int64_t>(header.width) * header.height > kMaxPixels)
     throw InputError(path, "image is " + size_text(header.width, header.height) + ", the limit is 2^28 pixels");
@@ -196,7 +207,8 @@ struct ImageRows::State {
   std::optional<SrgbDecoder> decoder;
 };
 
-ImageRows::ImageRows(const std::string& path) : state_(std::make_unique<State>(State{OpenImage(path), {}})) {
+ImageRows::ImageRows(const std::string& path)
+    : state_(std::make_unique<State>(State{OpenImage(path, Window::display), {}})) {
   const ImageHeader& header = state_->file.header();
   constexpr std::int64_t kMaxWidth = std::int64_t{1} << 18, kMaxStreamed = (std::int64_t{1} << 32) - 1;
   if (header.width > kMaxWidth || std::int64_t{header.width} * header.height > kMaxStreamed)
@@ -217,7 +229,7 @@ void ImageRows::read(int begin, int end, float* rgb) {
 }
 
 Rendering read_rendering(const std::string& path) {
-  Decoded decoded = decode(path);
+  Decoded decoded = decode(path, Window::display);
   Rendering rendering;
   rendering.metadata = std::move(decoded.header.metadata);
   rendering.variance = std::move(decoded.variance);
@@ -226,7 +238,7 @@ Rendering read_rendering(const std::string& path) {
 }
 
 Image read_texture_image(const std::string& path, bool raw) {
-  Image image = colour_of(decode(path), raw);
+  Image image = colour_of(decode(path, Window::data), raw);
   const auto bad =
       std::find_if(image.rgb.begin(), image.rgb.end(), [](float v) { return !(v >= 0 && std::isfinite(v)); });
   if (bad == image.rgb.end()) return image;
@@ -260,11 +272,8 @@ struct PngRows::State {
 };
 
 PngRows::PngRows(const std::string& path, int width, int height) : state_(std::make_unique<State>()) {
-  const std::filesystem::path target(path);
   state_->path = path;
-  state_->temporary =
-      (target.parent_path() / ("." + target.stem().string() + ".partial-" + std::to_string(getpid()) + "-rows.png"))
-          .string();
+  state_->temporary = temporary_for_rows(path).string();
   state_->out = create_png(state_->temporary, path, width, height);
 }
 PngRows::~PngRows() = default;

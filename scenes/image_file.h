@@ -13,7 +13,9 @@ namespace photonproof {
 
 struct ImageHeader {
   enum class Samples { floating, bytes, words };
-  int width = 0, height = 0;
+  int width = 0, height = 0;  ///< of the pixels that are stored: the data window
+  /// Where their upper left one lies in the display window, the image that is meant, and how large that is.
+  int x = 0, y = 0, display_width = 0, display_height = 0;
   std::vector<std::string> channels;
   Samples samples = Samples::floating;
   int rows_together = 0;                        ///< rows that are stored as one, as in tiles; 0: each by itself

@@ -27,6 +27,10 @@ class OpenImageIoFile : public ImageFile {
     if (spec_.deep || spec_.depth > 1) throw InputError(path, "is a deep or volume image, expected a flat one");
     header_.width = spec_.width;
     header_.height = spec_.height;
+    header_.x = spec_.x - spec_.full_x;
+    header_.y = spec_.y - spec_.full_y;
+    header_.display_width = spec_.full_width;
+    header_.display_height = spec_.full_height;
     header_.channels = spec_.channelnames;
     if (spec_.format == OIIO::TypeUInt8)
       header_.samples = ImageHeader::Samples::bytes;

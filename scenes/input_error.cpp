@@ -8,7 +8,7 @@ namespace photonproof {
 namespace {
 
 std::string one_line(const std::string& file, int line, int column, const std::string& message) {
-  return file + ":" + std::to_string(line) + ":" + std::to_string(column) + ": error: " + message;
+  return printable(file + ":" + std::to_string(line) + ":" + std::to_string(column) + ": error: " + message);
 }
 
 bool continues_a_character(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
@@ -33,7 +33,7 @@ std::string with_excerpt(const std::string& summary, int column, const std::stri
 }  // namespace
 
 InputError::InputError(const std::string& where, const std::string& message)
-    : std::runtime_error(where + ": error: " + message), summary_(where + ": error: " + message) {}
+    : std::runtime_error(printable(where + ": error: " + message)), summary_(std::runtime_error::what()) {}
 
 InputError::InputError(const std::string& file, int line, int column, const std::string& message,
                        const std::string& source_line)

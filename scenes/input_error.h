@@ -16,7 +16,7 @@ struct SourceLoc {
 
 /// `what()` is "file:line:col: error: message" and, where the source is known, the source line and a caret below it.
 /// `summary()` is its first line alone. The program prints the summary (plus the excerpt on a terminal) and exits
-/// with 2.
+/// with 2. File names and quoted texts may be anybody's: what a terminal would obey is shown as '?'.
 class InputError : public std::runtime_error {
  public:
   /// An error about a whole file or value, without a position: "where: error: message".

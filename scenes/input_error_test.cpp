@@ -40,5 +40,12 @@ TEST(input_error, is_valid_utf8_whatever_the_line_holds) {
     EXPECT_EQ(find_invalid_utf8(InputError("a", 1, column, "bad", umlauts).what()), std::string_view::npos);
 }
 
+TEST(input_error, shows_no_control_characters_of_file_names) {
+  const InputError error("scene\x1B]0;title\x07.xml", "no such\nfile");
+  EXPECT_EQ(error.summary(), "scene?]0;title?.xml: error: no such?file");
+  EXPECT_STREQ(error.what(), error.summary().c_str());
+  EXPECT_EQ(InputError("a\x1B[2J.xml", 1, 2, "bad").summary(), "a?[2J.xml:1:2: error: bad");
+}
+
 }  // namespace
 }  // namespace photonproof

@@ -2,7 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <ctime>
+#include <string>
+
+#include "scenes/input_error.h"
 
 namespace photonproof {
 namespace {
@@ -218,6 +223,23 @@ TEST(parser, accepts_a_byte_order_mark_and_names_columns_after_it) {
   } catch (const InputError& error) {
     EXPECT_EQ(error.summary().rfind("test.xml:2:2: error: <oops> is not supported in <scene>", 0), 0u) << error.what();
   }
+}
+
+// Linear, 16 times as many attributes take 16 times as long; compared each with each, 256 times.
+TEST(parser, many_attributes_take_time_in_proportion) {
+  const auto seconds = [](int count) {
+    std::string text = "<scene version='3.0.0'";
+    for (int i = 0; i < count; ++i) text += " a" + std::to_string(i) + "='1'";
+    text += "/>";
+    double least = 1e9;
+    for (int repeat = 0; repeat < 3; ++repeat) {
+      const std::clock_t begin = std::clock();
+      EXPECT_THROW(parse_scene_text(text, "test.xml"), InputError);
+      least = std::min(least, static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
+    }
+    return least;
+  };
+  EXPECT_LT(seconds(32000), 64 * seconds(2000));
 }
 
 }  // namespace

@@ -108,6 +108,8 @@ class PngReader : public ImageFile {
     if (!good) fail();
     header_.width = static_cast<int>(png_get_image_width(png, info));
     header_.height = static_cast<int>(png_get_image_height(png, info));
+    header_.display_width = header_.width;
+    header_.display_height = header_.height;
     header_.samples = png_get_bit_depth(png, info) == 16 ? ImageHeader::Samples::words : ImageHeader::Samples::bytes;
     header_.channels =
         png_get_channels(png, info) == 3 ? std::vector<std::string>{"R", "G", "B"} : std::vector<std::string>{"Y"};

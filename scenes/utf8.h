@@ -14,7 +14,12 @@ inline bool is_control_character(char c) {
   return static_cast<unsigned char>(c) < 32 && c != '\t' && c != '\n' && c != '\r';
 }
 
-/// The text on one line: what would break it or a JSON record (control characters but tab, invalid UTF-8) becomes '?'.
-std::string printable(std::string text);
+/// Text of other programs, files or command lines as it may be shown on a terminal, in JSON, HTML or XML: valid UTF-8
+/// on one line. A control character (line breaks, tabs and those of C1 among them) becomes `for_controls`, a byte that
+/// is malformed and what turns the direction of writing `for_others`.
+std::string harmless(std::string_view text, std::string_view for_controls, std::string_view for_others);
+
+/// The same for messages: '?' in place of each, and tabs stay.
+std::string printable(std::string_view text);
 
 }  // namespace photonproof

@@ -35,5 +35,13 @@ TEST(printable, replaces_only_what_breaks_a_line) {
   EXPECT_EQ(printable(std::string("\0\n\x1B[31m\xFF\xC3", 9)), "???[31m??");
 }
 
+// A terminal obeys U+009B (C2 9B) as it does ESC [; U+202E turns what follows round.
+TEST(printable, shows_what_a_terminal_would_obey) {
+  EXPECT_EQ(printable("\xC2\x9B"
+                      "31m\x7F\xE2\x80\xA8"),
+            "?31m??");
+  EXPECT_EQ(printable("a\xE2\x80\xAEgpj.exr"), "a?gpj.exr");
+}
+
 }  // namespace
 }  // namespace photonproof

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <pugixml.hpp>
+#include <unordered_set>
 
 #include "scenes/edit_distance.h"
 #include "scenes/text_numbers.h"
@@ -96,10 +97,11 @@ class TreeBuilder {
   void read_attributes(const pugi::xml_node& node, Element& element) const {
     const std::string_view text = sources_.text(file_);
     StartTag tag(text, element.at.offset + 1 + element.tag.size());
+    std::unordered_set<std::string_view> names;
     for (const pugi::xml_attribute& attribute : node.attributes()) {
       const StartTag::Raw raw = tag.next();
       check_references(raw);
-      if (element.find(attribute.name()))
+      if (!names.insert(attribute.name()).second)
         sources_.fail(at(raw.offset), "attribute " + in_quotes(attribute.name()) + " is given twice");
       element.attributes.push_back({attribute.name(), attribute.value(), at(raw.offset), {}});
     }

@@ -1,0 +1,58 @@
+#include "scenes/output_files.h"
+
+#include <unistd.h>
+
+#include "scenes/atomic_file.h"
+#include "scenes/input_error.h"
+
+namespace photonproof {
+namespace {
+
+namespace fs = std::filesystem;
+
+void check_writable(const fs::path& file) {
+  check_replaceable(file);
+  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  if (access(folder.c_str(), W_OK) != 0)
+    throw InputError(file.string(), "folder '" + folder.string() + "' is not writable");
+}
+
+}  // namespace
+
+std::vector<InputFile> scene_inputs(const SceneDescription& scene) {
+  std::vector<InputFile> inputs;
+  for (const std::string& file : scene.files)
+    inputs.push_back({file, inputs.empty() ? "the scene itself" : "a part of the scene"});
+  const fs::path folder = scene.files.empty() ? fs::path() : fs::path(scene.files.front()).parent_path();
+  const auto add = [&](const auto* named) {
+    if (named != nullptr) inputs.push_back({folder / named->filename, "a file that the scene uses"});
+  };
+  for (const TextureDescription& texture : scene.textures) add(std::get_if<BitmapDescription>(&texture.pattern));
+  for (const ShapeDescription& shape : scene.shapes) add(std::get_if<MeshDescription>(&shape.geometry));
+  for (const ShapeGroupDescription& group : scene.groups)
+    for (const ShapeDescription& shape : group.shapes) add(std::get_if<MeshDescription>(&shape.geometry));
+  for (const EmitterDescription& emitter : scene.emitters) {
+    add(std::get_if<EnvmapDescription>(&emitter.light));
+    add(std::get_if<IesLightDescription>(&emitter.light));
+  }
+  return inputs;
+}
+
+bool same_file(const fs::path& a, const fs::path& b) {
+  std::error_code unresolved, neither_exists;
+  const fs::path real_a = fs::weakly_canonical(fs::absolute(a), unresolved);
+  if (unresolved) return false;
+  const fs::path real_b = fs::weakly_canonical(fs::absolute(b), unresolved);
+  return (!unresolved && real_a == real_b) || fs::equivalent(a, b, neither_exists);
+}
+
+void check_outputs(const std::vector<fs::path>& outputs, const std::vector<InputFile>& inputs) {
+  for (const fs::path& output : outputs) {
+    check_writable(output);
+    for (const InputFile& input : inputs)
+      if (same_file(output, input.file))
+        throw InputError(output.string(), "is " + input.what + ", which it would replace");
+  }
+}
+
+}  // namespace photonproof

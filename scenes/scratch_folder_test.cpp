@@ -1,0 +1,37 @@
+#include "scenes/scratch_folder.h"
+
+#include <cstdlib>
+
+#include "scenes/test_folder.h"
+
+namespace photonproof {
+namespace {
+
+namespace fs = std::filesystem;
+using Temporary = FolderTest;
+
+TEST_F(Temporary, folders_of_killed_processes_are_removed_and_no_others) {
+  setenv("TMPDIR", folder_.c_str(), 1);
+  const auto leave = [&](const std::string& name) { fs::create_directories(folder_ / name / "deep"); };
+  // Process numbers end below 2^22 on Linux, so the first is nobody's; the second is this process's own.
+  leave("photonproof-test-2000000000-AbCdEf");
+  leave("photonproof-test-" + std::to_string(getpid()) + "-AbCdEf");
+  leave("photonproof-other-2000000000-AbCdEf");
+  leave("photonproof-test-mine");
+  fs::path own;
+  {
+    const ScratchFolder folder("test");
+    own = folder.path();
+    EXPECT_TRUE(fs::is_directory(own));
+    EXPECT_EQ(own.parent_path(), folder_);
+  }
+  unsetenv("TMPDIR");
+  EXPECT_FALSE(fs::exists(own));
+  EXPECT_FALSE(has("photonproof-test-2000000000-AbCdEf"));
+  EXPECT_TRUE(has("photonproof-test-" + std::to_string(getpid()) + "-AbCdEf"));
+  EXPECT_TRUE(has("photonproof-other-2000000000-AbCdEf"));
+  EXPECT_TRUE(has("photonproof-test-mine"));
+}
+
+}  // namespace
+}  // namespace photonproof
