@@ -55,12 +55,6 @@ std::optional<std::string> argument_problem(const std::string& argument, Command
   return std::nullopt;
 }
 
-bool mentions(const std::vector<std::string>& command, const char* placeholder) {
-  return std::any_of(command.begin(), command.end(), [placeholder](const std::string& argument) {
-    return argument.find(placeholder) != std::string::npos;
-  });
-}
-
 std::string filled(const std::string& argument, const CommandValues& values) {
   std::string text;
   std::size_t at = 0;
@@ -75,6 +69,12 @@ std::string filled(const std::string& argument, const CommandValues& values) {
 }
 
 }  // namespace
+
+bool mentions(const std::vector<std::string>& command, const char* placeholder) {
+  return std::any_of(command.begin(), command.end(), [placeholder](const std::string& argument) {
+    return argument.find(placeholder) != std::string::npos;
+  });
+}
 
 std::optional<std::string> command_problem(const std::vector<std::string>& command, CommandUse use) {
   if (command.empty()) return "a command needs at least a program";

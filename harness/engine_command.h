@@ -28,6 +28,9 @@ enum class CommandUse { render, version };
 /// only part of an argument, or one that renders lacks {scene} or {output}. Empty when it can.
 std::optional<std::string> command_problem(const std::vector<std::string>& command, CommandUse use);
 
+/// Whether an argument of the template has the placeholder, "{seed}".
+bool mentions(const std::vector<std::string>& command, const char* placeholder);
+
 /// The arguments. Precondition: command_problem is empty.
 std::vector<std::string> fill_command(const std::vector<std::string>& command, const CommandValues& values);
 

@@ -1,12 +1,16 @@
 #include "harness/gate_look.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <optional>
 
 #include "harness/deviations.h"
+#include "harness/error_shares.h"
 #include "harness/metrics.h"
+#include "harness/repeated_images.h"
 #include "scenes/expect.h"
 #include "scenes/input_error.h"
 
@@ -36,13 +40,20 @@ bool is_metric_of_one_image(const Gate& gate) {
   return gate.metric != agreement_metric && gate.metric != bias_metric && gate.metric != block_bias_metric;
 }
 
+namespace {
+
+MetricOptions options_for(const Gate& gate, const Viewing& viewing) {
+  return {.exposure = viewing.exposure,
+          .threads = 1,
+          .hdr_flip = find_metric(gate.metric)->on_request,
+          .hdr_exposures = viewing.hdr_exposures,
+          .only = {gate.metric}};
+}
+
+}  // namespace
+
 double metric_of(const Gate& gate, const StoredReference& reference, const Viewing& viewing, const Image& image) {
-  const std::vector<MetricValue> values = compute_metrics(reference.rendering.mean, image,
-                                                          {.exposure = viewing.exposure,
-                                                           .threads = 1,
-                                                           .hdr_flip = find_metric(gate.metric)->on_request,
-                                                           .hdr_exposures = viewing.hdr_exposures,
-                                                           .only = {gate.metric}});
+  const std::vector<MetricValue> values = compute_metrics(reference.rendering.mean, image, options_for(gate, viewing));
   constexpr double as_good_as_equal = 1000;  // dB: psnr of equal images is infinite and left out
   if (values.empty() && gate.metric == "psnr") return as_good_as_equal;
   if (values.empty())
@@ -54,13 +65,65 @@ Judgement look_at_values(const Gate& gate, std::span<const double> values) {
   return judge_metric(gate.metric, values, find_metric(gate.metric)->bound, gate.bound, gate.alpha / gate.looks);
 }
 
+namespace {
+
+Judgement without_numbers(std::optional<GateVerdict> verdict, std::string sentence) {
+  Judgement judgement;
+  judgement.verdict = verdict;
+  judgement.sentence = std::move(sentence);
+  return judgement;
+}
+
+std::string all_the_same(const Gate& gate, std::size_t images) {
+  return gate.takes_seed ? fmt::format("all {} seeds gave the same image", images)
+                         : fmt::format("all {} images are the same and the engine's command has no {{seed}}", images);
+}
+
+/// Why these images cannot be judged, or must not be believed. Empty where they can.
+std::optional<Judgement> fault_of_seeds(const Gate& gate, const StoredReference& reference,
+                                        std::span<const Image* const> images, const Repeats& repeats) {
+  // In fewer values than this, chance may make two images of coarse noise equal.
+  constexpr std::size_t least_difference = 64;
+  if (std::any_of(images.begin(), images.end(),
+                  [&](const Image* image) { return is_copy(reference.rendering, *image); }))
+    return without_numbers(GateVerdict::fail, "an image is the reference itself, bit for bit, and not a rendering");
+  if (repeats.different == repeats.images || !has_noise(reference.rendering)) return std::nullopt;
+  if (repeats.different > 1) {
+    if (repeats.least_difference < least_difference) return std::nullopt;
+    return without_numbers(GateVerdict::fail,
+                           fmt::format("{} images are {} different ones: the same seeds' noise counts more than once",
+                                       repeats.images, repeats.different));
+  }
+  if (is_metric_of_one_image(gate)) return std::nullopt;
+  if (gate.takes_seed)
+    return without_numbers(GateVerdict::fail, all_the_same(gate, repeats.images) +
+                                                  ": it does not heed {seed}, and a variance of zero proves nothing");
+  return without_numbers(GateVerdict::inconclusive,
+                         fmt::format("{}: {} weighs noise, of which one image shows none; bound a metric of compare "
+                                     "instead (relmse, ssim ...)",
+                                     all_the_same(gate, repeats.images), gate.metric));
+}
+
+Judgement look_at_metric(const Gate& gate, const StoredReference& reference, const Viewing& viewing,
+                         std::span<const Image* const> images, const Repeats& repeats) {
+  std::vector<double> values;
+  for (const Image* image : images) values.push_back(metric_of(gate, reference, viewing, *image));
+  Judgement judgement = look_at_values(gate, values);
+  if (repeats.different == 1 && has_noise(reference.rendering))
+    judgement.sentence = all_the_same(gate, repeats.images) + ": " + judgement.sentence;
+  if (judgement.verdict != GateVerdict::fail) return judgement;
+  judgement.tiles = largest_error_shares(gate.metric, reference.rendering.mean, images, options_for(gate, viewing));
+  if (!judgement.tiles.empty()) judgement.sentence += "; " + judgement.tiles.front().sentence;
+  return judgement;
+}
+
+}  // namespace
+
 Judgement look_at(const Gate& gate, const StoredReference& reference, const Viewing& viewing,
                   std::span<const Image* const> images) {
-  if (is_metric_of_one_image(gate)) {
-    std::vector<double> values;
-    for (const Image* image : images) values.push_back(metric_of(gate, reference, viewing, *image));
-    return look_at_values(gate, values);
-  }
+  const Repeats repeats = count_repeats(images);
+  if (const auto fault = fault_of_seeds(gate, reference, images, repeats)) return *fault;
+  if (is_metric_of_one_image(gate)) return look_at_metric(gate, reference, viewing, images, repeats);
   const double alpha = gate.alpha / gate.looks;
   const double freedom = static_cast<double>(std::max<std::size_t>(2, reference.provenance.seeds.size()) - 1);
   const std::optional<Image> least = least_variance(gate, reference);

@@ -168,15 +168,178 @@ TEST(gate_look, finds_one_wrong_pixel_of_the_last_column_and_row) {
 TEST(gate_look, says_exactly_what_an_agreement_gate_would_have_seen) {
   // Images without noise, a reference with a standard error of 1 % a pixel. A fourth of alpha = 0.001 shared by three
   // channels (and six blocks) has the two-sided normal quantile 3.9346 (4.3456), and 0.99 has 2.3263.
-  StoredReference stored = reference();
-  std::fill(stored.rendering.mean.rgb.begin(), stored.rendering.mean.rgb.end(), 1.0f);
-  std::fill(stored.rendering.variance->rgb.begin(), stored.rendering.variance->rgb.end(), 1e-4f);
-  const std::vector<Image> images(8, stored.rendering.mean);
-  const Judgement judgement = look_at(gate(agreement_metric, 0.05, 0.001, 1), stored, {}, pointers(images));
+  Rendering exact{Image(width, height), Image(width, height), {}};
+  std::fill(exact.mean.rgb.begin(), exact.mean.rgb.end(), 1.0f);
+  std::fill(exact.variance->rgb.begin(), exact.variance->rgb.end(), 1e-4f);
+  const std::vector<Image> images(8, exact.mean);
+  const Judgement judgement = judge_agreement(measure_deviations(exact, pointers(images), {999}), {0.05, 0.05}, 0.001);
   ASSERT_EQ(judgement.verdict, GateVerdict::pass) << judgement.sentence;
   EXPECT_NEAR(judgement.would_see.value(), 6.26093 * 0.01 / std::sqrt(231.0), 2e-6);
   EXPECT_NEAR(judgement.would_see_in_a_block.value(), 6.67193 * 0.01 / std::sqrt(15.0), 2e-6);
   EXPECT_EQ(judgement.sentence, "agrees; 0.41 % overall or 1.7 % in a block of 8 x 8 pixels would have been seen");
+}
+
+TEST(gate_look, the_reference_itself_fails_every_gate_also_as_one_image_of_eight) {
+  const StoredReference stored = reference();
+  Random random(6);
+  std::vector<Image> images;
+  for (int i = 0; i < 7; ++i) images.push_back(draw(random));
+  images.push_back(stored.rendering.mean);
+  for (const char* metric : {agreement_metric, bias_metric, block_bias_metric, "relmse", "flip"}) {
+    const Judgement judgement = look_at(gate(metric, 0.9, 0.001, 1), stored, {}, pointers(images));
+    EXPECT_EQ(judgement.verdict, GateVerdict::fail) << metric;
+    EXPECT_EQ(judgement.sentence, "an image is the reference itself, bit for bit, and not a rendering") << metric;
+  }
+  images.back().rgb[100] = std::nextafter(images.back().rgb[100], 1.0f);  // one bit off: no proof any more
+  EXPECT_EQ(look_at(gate(bias_metric, 0.9, 0.001, 1), stored, {}, pointers(images)).verdict, GateVerdict::pass);
+}
+
+TEST(gate_look, an_exact_image_is_no_copy_of_a_reference_that_is_exact_or_rounds_to_it) {
+  // An engine that writes half floats: 1 where the truth is 1, and 1 where it is so near that hardly a value of the
+  // reference went to the other half float. Of 693 values 1e-3 of the way, 0.7 are expected to.
+  StoredReference stored = reference();
+  std::fill(stored.rendering.mean.rgb.begin(), stored.rendering.mean.rgb.end(), 1.0f);
+  const std::vector<Image> images(8, stored.rendering.mean);
+  for (const double away : {0.0, 1e-3}) {
+    const auto variance = static_cast<float>(away * (1 - away) * std::ldexp(1.0, -20));
+    std::fill(stored.rendering.variance->rgb.begin(), stored.rendering.variance->rgb.end(), variance);
+    for (const char* metric : {agreement_metric, bias_metric, "relmse"})
+      EXPECT_EQ(look_at(gate(metric, 0.05, 0.001, 1), stored, {}, pointers(images)).verdict, GateVerdict::pass)
+          << metric << " " << away;
+  }
+}
+
+TEST(gate_look, one_image_for_all_seeds_is_named_and_passes_nothing_that_weighs_noise) {
+  const StoredReference stored = reference();
+  Random random(7);
+  const std::vector<Image> images(8, draw(random));
+  Gate tested = gate(agreement_metric, 0.9, 0.001, 1);
+  for (const char* metric : {agreement_metric, bias_metric, block_bias_metric}) {
+    tested.metric = metric;
+    tested.takes_seed = true;
+    const Judgement ignores = look_at(tested, stored, {}, pointers(images));
+    EXPECT_EQ(ignores.verdict, GateVerdict::fail) << metric;
+    EXPECT_EQ(ignores.sentence,
+              "all 8 seeds gave the same image: it does not heed {seed}, and a variance of zero proves nothing");
+    EXPECT_TRUE(ignores.tiles.empty());  // no fault of place
+    tested.takes_seed = false;           // deterministic, and says so
+    const Judgement deterministic = look_at(tested, stored, {}, pointers(images));
+    EXPECT_EQ(deterministic.verdict, GateVerdict::inconclusive) << metric;
+    EXPECT_EQ(deterministic.sentence.rfind("all 8 images are the same and the engine's command has no {seed}: " +
+                                               std::string(metric) + " weighs noise",
+                                           0),
+              0u)
+        << deterministic.sentence;
+  }
+  // What one image says of itself holds.
+  tested.metric = "relmse";
+  tested.bound = 0.1;
+  EXPECT_EQ(look_at(tested, stored, {}, pointers(images)).verdict, GateVerdict::pass);
+  tested.takes_seed = true;
+  const Judgement relmse = look_at(tested, stored, {}, pointers(images));
+  EXPECT_EQ(relmse.verdict, GateVerdict::pass);
+  EXPECT_EQ(relmse.sentence.rfind("all 8 seeds gave the same image: relmse is 0.0", 0), 0u) << relmse.sentence;
+}
+
+TEST(gate_look, an_image_that_comes_twice_among_others_is_found) {
+  const StoredReference stored = reference();
+  Random random(8);
+  std::vector<Image> images;
+  for (int i = 0; i < 7; ++i) images.push_back(draw(random));
+  images.push_back(images[2]);
+  for (const char* metric : {agreement_metric, "relmse"}) {
+    const Judgement judgement = look_at(gate(metric, 0.9, 0.001, 1), stored, {}, pointers(images));
+    EXPECT_EQ(judgement.verdict, GateVerdict::fail) << metric;
+    EXPECT_EQ(judgement.sentence, "8 images are 7 different ones: the same seeds' noise counts more than once");
+  }
+  // Two kinds of image that differ in one value are chance: one sample in a thousand saw a lamp.
+  for (std::size_t i = 1; i < images.size(); ++i) images[i] = images[0];
+  for (std::size_t i = 4; i < images.size(); ++i) images[i].rgb[7] += 0.01f;
+  EXPECT_EQ(look_at(gate("relmse", 0.9, 0.001, 1), stored, {}, pointers(images)).verdict, GateVerdict::pass);
+}
+
+TEST(gate_look, a_metric_that_fails_names_the_tile_with_most_of_the_error) {
+  const StoredReference stored = reference();
+  Random random(9);
+  std::vector<Image> images;
+  for (int i = 0; i < 8; ++i) {
+    images.push_back(draw(random));
+    for (int y = 0; y < 8; ++y)
+      for (int x = 8; x < 16; ++x)
+        for (int c = 0; c < 3; ++c) images.back().pixel(x, y)[c] *= 0.5f;
+  }
+  // The tile's relative squared error is near 0.25, that of the others 0.01 of 167 pixels: 64/(64 + 6.7) = 0.9 of all.
+  for (const auto& [metric, bound] : {std::pair{"relmse", 1e-3},
+                                      {"ssim", 0.999},
+                                      {"flip", 1e-3},
+                                      {"psnr", 90.0},
+                                      {"rmse", 1e-3},
+                                      {"relmse_trimmed", 1e-3},
+                                      {"max_abs", 1e-3}}) {
+    const Judgement judgement = look_at(gate(metric, bound, 0.001, 1), stored, {}, pointers(images));
+    ASSERT_EQ(judgement.verdict, GateVerdict::fail) << metric;
+    ASSERT_FALSE(judgement.tiles.empty()) << metric;
+    const FailingTile& tile = judgement.tiles.front();
+    EXPECT_EQ((std::array{tile.x, tile.y, tile.width, tile.height}), (std::array{8, 0, 8, 8})) << metric;
+    EXPECT_NE(judgement.sentence.find("in 8 x 8 px at (8, 0), where the image is -50 %"), std::string::npos)
+        << judgement.sentence;
+    if (metric == std::string("relmse")) {
+      EXPECT_NEAR(tile.score, 0.9, 0.03);
+    }
+  }
+}
+
+TEST(gate_look, what_only_all_blocks_together_show_has_its_worst_blocks_and_their_sign) {
+  // Every block of the right half a little darker, none of them beyond its own bound.
+  const int side = 64;
+  StoredReference stored;
+  stored.rendering = {Image(side, side), Image(side, side), {}};
+  std::fill(stored.rendering.mean.rgb.begin(), stored.rendering.mean.rgb.end(), 1.0f);
+  std::fill(stored.rendering.variance->rgb.begin(), stored.rendering.variance->rgb.end(), 1e-8f);
+  stored.provenance.seeds.resize(1000);
+  Random random(10);
+  std::vector<Image> images(64, Image(side, side));
+  // A block's mean over 64 images has a standard error of 0.1/sqrt(64 64) = 0.16 %: 0.35 % is 2.2 of them, under the
+  // bound of about 4.7, while 32 blocks add 32 2.2^2 = 150 to a chi^2 of 64. The other half makes up for it.
+  for (Image& image : images)
+    for (int y = 0; y < side; ++y)
+      for (int x = 0; x < side; ++x)
+        for (int c = 0; c < 3; ++c)
+          image.pixel(x, y)[c] = static_cast<float>((c == 0 ? (x < side / 2 ? 1.0035 : 0.9965) : 1) *
+                                                    std::normal_distribution<double>(1, 0.1)(random));
+  const Judgement judgement = look_at(gate(agreement_metric, 0.1, 0.001, 1), stored, {}, pointers(images));
+  ASSERT_EQ(judgement.verdict, GateVerdict::fail);
+  ASSERT_EQ(judgement.sentence.rfind("blocks of 8 x 8 pixels are off by more than noise in R: ", 0), 0u)
+      << judgement.sentence;
+  ASSERT_EQ(judgement.tiles.size(), 3u);
+  for (const FailingTile& tile : judgement.tiles)
+    EXPECT_EQ(tile.sentence.front(), tile.x < side / 2 ? '+' : '-') << tile.sentence;
+  EXPECT_NE(judgement.sentence.find(judgement.tiles.front().sentence.substr(0, 16)), std::string::npos)
+      << judgement.sentence;
+  EXPECT_NE(judgement.sentence.find(" are darker, "), std::string::npos) << judgement.sentence;
+}
+
+TEST(gate_look, a_whole_image_that_is_off_says_whether_by_a_factor_an_amount_or_unevenly) {
+  const StoredReference stored = reference();
+  const auto sentence_of = [&](const std::function<double(int x, int y, int c)>& truth) {
+    Random random(11);
+    std::vector<Image> images(32, Image(width, height));
+    for (Image& image : images)
+      for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+          for (int c = 0; c < 3; ++c)
+            image.pixel(x, y)[c] =
+                static_cast<float>(truth(x, y, c) * std::normal_distribution<double>(1, 0.1)(random));
+    return look_at(gate(agreement_metric, 0.1, 0.001, 1), stored, {}, pointers(images)).sentence;
+  };
+  const std::string factor = sentence_of([](int x, int y, int c) { return 0.9 * expected(x, y, c); });
+  EXPECT_EQ(factor.rfind("the whole image is off: R -10 % G -", 0), 0u) << factor;
+  EXPECT_NE(factor.find("; one factor everywhere"), std::string::npos) << factor;
+  const std::string amount = sentence_of([](int x, int y, int c) { return 0.1 + expected(x, y, c); });
+  EXPECT_NE(amount.find("; one amount everywhere, +0.1 in "), std::string::npos) << amount;
+  const std::string uneven = sentence_of([](int x, int y, int c) { return (0.95 - 0.02 * x) * expected(x, y, c); });
+  EXPECT_NE(uneven.find("; unevenly, from -"), std::string::npos) << uneven;
+  EXPECT_NE(uneven.find(" at (16, "), std::string::npos) << uneven;
 }
 
 TEST(gate_look, blocks_cover_every_pixel_once) {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
+#include <functional>
+#include <numeric>
 
 #include "harness/gate_tiles.h"
 #include "harness/student.h"
@@ -89,11 +91,87 @@ std::string places_text(const std::vector<FailingTile>& tiles) {
   return text;
 }
 
-std::string whole_text(const Deviations& d) {
+/// The channel that is off by the most standard errors.
+std::size_t worst_channel(const Deviations& d) {
+  std::size_t worst = 0;
+  for (std::size_t c = 1; c < 3; ++c)
+    if (std::abs(d.whole[c].errors()) > std::abs(d.whole[worst].errors())) worst = c;
+  return worst;
+}
+
+/// Whether noise explains what is left of a channel's blocks when `explained` of each is taken away.
+bool is_explained(const Deviations& d, std::size_t channel, double alpha,
+                  const std::function<double(const Deviation& block)>& explained) {
+  double sum = 0;
+  for (const Deviation& block : d.blocks[channel])
+    if (block.standard_error > 0) sum += std::pow((block.difference - explained(block)) / block.standard_error, 2);
+  const auto blocks = static_cast<double>(d.places.size());
+  return sum <= boost::math::quantile(boost::math::complement(boost::math::chi_squared(blocks), alpha));
+}
+
+std::string block_text(const Deviations& d, std::size_t b, std::size_t channel) {
+  const Deviation& block = d.blocks[channel][b];
+  return fmt::format("{} at ({}, {})", relative_text(block.difference, block.expected), d.places[b].x0, d.places[b].y0);
+}
+
+/// How the deviation of a whole image is spread over it, which tells a lamp's power from a material or a background.
+std::string spread_text(const Deviations& d, double alpha) {
+  const std::size_t c = worst_channel(d);
+  const Deviation& whole = d.whole[c];
+  const double factor = whole.expected != 0 ? whole.difference / whole.expected : 0;
+  if (is_explained(d, c, alpha, [&](const Deviation& block) { return factor * block.expected; }))
+    return "one factor everywhere, as by the power of all light, the exposure or the film";
+  if (is_explained(d, c, alpha, [&](const Deviation&) { return whole.difference; }))
+    return fmt::format("one amount everywhere, {:+.2g} in {}, as by light from all sides", whole.difference,
+                       channel_letters[c]);
+  const auto relative = [&](std::size_t b) {
+    return d.blocks[c][b].difference / std::max(std::abs(d.blocks[c][b].expected), 1e-3 * std::abs(whole.expected));
+  };
+  std::size_t least = 0, most = 0;
+  for (std::size_t b = 1; b < d.places.size(); ++b) {
+    if (relative(b) < relative(least)) least = b;
+    if (relative(b) > relative(most)) most = b;
+  }
+  return fmt::format("unevenly, from {} to {} in {}", block_text(d, least, c), block_text(d, most, c),
+                     channel_letters[c]);
+}
+
+std::string whole_text(const Deviations& d, double alpha) {
   std::string text = "the whole image is off:";
   for (std::size_t c = 0; c < 3; ++c)
     text += fmt::format(" {} {}", channel_letters[c], relative_text(d.whole[c].difference, d.whole[c].expected));
-  return text;
+  return text + "; " + spread_text(d, alpha);
+}
+
+constexpr double noticed = 2;          // deviations from which a block is counted where all blocks fail together
+constexpr std::size_t most_named = 3;  // of them
+
+/// Blocks none of which is beyond its bound, but all together: the worst, and whether most go the same way.
+void name_blocks(const Deviations& d, const ChiSquare& chi_square, Judgement& judgement) {
+  const std::size_t c = chi_square.channel;
+  std::vector<std::size_t> order(d.places.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto size = [&](std::size_t b) { return std::abs(d.blocks[c][b].deviate()); };
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return size(a) > size(b); });
+  std::size_t beyond = 0, darker = 0;
+  for (const Deviation& block : d.blocks[c]) {
+    if (std::abs(block.deviate()) <= noticed) continue;
+    ++beyond;
+    if (block.difference < 0) ++darker;
+  }
+  std::string named;
+  for (std::size_t i = 0; i < std::min(most_named, order.size()); ++i) {
+    const std::size_t b = order[i];
+    const Block& place = d.places[b];
+    named += (i > 0 ? ", " : "") + block_text(d, b, c);
+    judgement.tiles.push_back({place.x0, place.y0, place.x1 - place.x0, place.y1 - place.y0, size(b),
+                               fmt::format("{} in {}, one of {} blocks beyond {} deviations", block_text(d, b, c),
+                                           channel_letters[c], beyond, noticed)});
+  }
+  judgement.sentence = fmt::format(
+      "blocks of 8 x 8 pixels are off by more than noise in {}: {}; of {} beyond {} deviations {} are darker, {} "
+      "brighter; chi^2 {:.4g}, bound {:.4g}",
+      channel_letters[c], named, beyond, noticed, darker, beyond - darker, chi_square.value, chi_square.bound);
 }
 
 bool is_everywhere(const Deviations& d, const std::vector<FailingTile>& tiles) {
@@ -155,15 +233,13 @@ Judgement judge_agreement(const Deviations& d, const AgreementBounds& bounds, do
   if (whole_off || !judgement.tiles.empty() || chi_square.beyond() || pixels.beyond > 0) {
     judgement.verdict = GateVerdict::fail;
     if (whole_off && (judgement.tiles.empty() || is_everywhere(d, judgement.tiles)))
-      judgement.sentence = whole_text(d);
+      judgement.sentence = whole_text(d, part);
     else if (!judgement.tiles.empty())
       judgement.sentence = places_text(judgement.tiles);
     else if (pixels.beyond > 0)
       judgement.sentence = pixel_text(d, pixels);
     else
-      judgement.sentence =
-          fmt::format("blocks of 8 x 8 pixels are off by more than noise in {}: chi^2 {:.4g}, bound {:.4g}",
-                      channel_letters[chi_square.channel], chi_square.value, chi_square.bound);
+      name_blocks(d, chi_square, judgement);
     return judgement;
   }
   const Power power = power_of(d, whole_tail, block_tail);

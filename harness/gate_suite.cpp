@@ -1,5 +1,6 @@
 #include "harness/gate_suite.h"
 
+#include "harness/engine_command.h"
 #include "harness/gate_look.h"
 #include "harness/metric_rows.h"
 #include "harness/suite_rows.h"
@@ -56,6 +57,7 @@ Gate gate_from_toml(const TomlTable& table, const GateSuite& suite, const Gate& 
     throw table.error("scene", "unknown scene '" + gate.scene + "'; known: " + names_of(suite.scenes));
   const Engine& engine = known_engine(table, suite.engines);
   gate.engine = engine.name;
+  gate.takes_seed = mentions(engine.command, "{seed}");
   const std::string budget = table.string("budget");
   if (const auto problem = budget_problem(budget, engine)) throw table.error("budget", *problem);
   gate.budget = *budget_from_text(budget);

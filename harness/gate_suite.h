@@ -40,6 +40,7 @@ struct Gate {
   double alpha = 0;
   int seeds = 0;  ///< images at the first look
   int looks = 0;
+  bool takes_seed = true;  ///< its engine's command has a {seed}
 };
 
 /// Its scenes are without SuiteScene::reference.

@@ -1,0 +1,110 @@
+#include "harness/error_shares.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "harness/gate_tiles.h"
+#include "harness/image_blocks.h"
+#include "harness/metric_rows.h"
+
+namespace photonproof {
+namespace {
+
+constexpr int most_tiles_a_side = 8;
+constexpr std::size_t most_images = 4;
+constexpr std::size_t most_named = 3;
+constexpr double named_over_even = 2;
+constexpr int least_window = 11;  // pixels, of ssim
+
+/// The metric whose values on tiles add up to this one's.
+std::string additive(const std::string& metric) {
+  if (metric == "rmse") return "mse";
+  if (metric == "relmse_trimmed") return "relmse";
+  if (metric == "ms_ssim") return "ssim";
+  return metric.starts_with("flip_weighted") ? "flip" : metric;
+}
+
+bool is_greatest(const std::string& metric) { return metric == "max_abs" || metric == "flip_max"; }
+
+bool has_windows(const std::string& metric) { return metric == "ssim" || metric.find("flip") != std::string::npos; }
+
+/// What the value is short of a perfect one; psnr's as the mean square it is made of.
+double loss_of(const std::string& metric, double value) {
+  if (metric == "psnr") return std::pow(10, -value / 10);
+  return metric == "ssim" ? 1 - value : std::abs(value);
+}
+
+/// A tile's pixels with half a window around them, within the image.
+PixelRegion region_of(const Block& tile, bool windows, int width, int height) {
+  if (!windows) return {tile.x0, tile.y0, tile.x1 - tile.x0, tile.y1 - tile.y0};
+  const auto range = [](int from, int to, int size) {
+    int low = std::max(0, from - least_window / 2), high = std::min(size, to + least_window / 2);
+    if (high - low < least_window) low = std::max(0, high - least_window);
+    if (high - low < least_window) high = std::min(size, low + least_window);
+    return std::pair(low, high);
+  };
+  const auto [x0, x1] = range(tile.x0, tile.x1, width);
+  const auto [y0, y1] = range(tile.y0, tile.y1, height);
+  return {x0, y0, x1 - x0, y1 - y0};
+}
+
+std::string relative_to(const Image& reference, std::span<const Image* const> images, const Block& tile) {
+  double expected = 0, found = 0;
+  for_each_pixel(tile, [&](int x, int y) {
+    for (int c = 0; c < 3; ++c) {
+      expected += double{reference.pixel(x, y)[c]};
+      for (const Image* image : images) found += double{image->pixel(x, y)[c]} / static_cast<double>(images.size());
+    }
+  });
+  return relative_text(found - expected, expected);
+}
+
+}  // namespace
+
+int share_tile_side(int width, int height) {
+  const int side = (std::max(width, height) + most_tiles_a_side - 1) / most_tiles_a_side;
+  return std::max(block_side, side);
+}
+
+std::vector<FailingTile> largest_error_shares(const std::string& metric, const Image& reference,
+                                              std::span<const Image* const> images, MetricOptions options) {
+  images = images.first(std::min(images.size(), most_images));
+  const std::string name = additive(metric);
+  options.only = {name};
+  const int side = share_tile_side(reference.width, reference.height);
+  std::vector<Block> tiles;
+  std::vector<double> losses;
+  for (int y = 0; y < reference.height; y += side)
+    for (int x = 0; x < reference.width; x += side) {
+      const Block tile{x, y, std::min(x + side, reference.width), std::min(y + side, reference.height)};
+      options.region = region_of(tile, has_windows(name), reference.width, reference.height);
+      double loss = 0;
+      for (const Image* image : images)
+        for (const MetricValue& value : compute_metrics(reference, *image, options)) loss += loss_of(name, value.value);
+      tiles.push_back(tile);
+      losses.push_back(is_greatest(name) ? loss : loss * tile.pixels());
+    }
+  const double sum = std::accumulate(losses.begin(), losses.end(), 0.0);
+  std::vector<std::size_t> order(tiles.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return losses[a] > losses[b]; });
+  std::vector<FailingTile> named;
+  for (const std::size_t i : order) {
+    const double share = sum > 0 ? losses[i] / sum : 0;
+    const bool stands_out = share * static_cast<double>(tiles.size()) > named_over_even;
+    if (share <= 0 || named.size() == most_named || (!named.empty() && (!stands_out || is_greatest(name)))) break;
+    const Block& tile = tiles[i];
+    FailingTile out{tile.x0, tile.y0, tile.x1 - tile.x0, tile.y1 - tile.y0, share, {}};
+    const std::string part =
+        is_greatest(name) ? "the greatest error" : fmt::format("{:.2g} % of the error", 100 * share);
+    out.sentence = fmt::format("{} in {} x {} px at ({}, {}), where the image is {}", part, out.width, out.height,
+                               out.x, out.y, relative_to(reference, images, tile));
+    named.push_back(std::move(out));
+  }
+  return named;
+}
+
+}  // namespace photonproof
