@@ -140,7 +140,7 @@ class PairRunner {
   fs::path folder() const { return run_.folder / against_folder; }
   CellCommand command_of(const Cell& cell, std::size_t which) const {
     constexpr std::array<const char*, 3> stems{"old", "new", "again"};
-    return cell_command(run_.suite, cell, programs_[which], folder() / stems[which], "image", run_.threads);
+    return cell_command(run_.suite, cell, programs_[which], folder() / stems[which], "image", run_.threads, nullptr);
   }
   fs::path image_of(const Cell& cell, std::size_t which) const { return command_of(cell, which).image; }
 
@@ -149,8 +149,7 @@ class PairRunner {
     fs::remove_all(command.image.parent_path());
     fs::create_directories(command.image.parent_path());
     const SuiteScene& scene = run_.suite.scene(cell.scene);
-    CellRun one{cell,        command.argv, command.image,     command.stats, command.image.parent_path(),
-                scene.width, scene.height, run_.suite.limits, run_.interrupt};
+    CellRun one = cell_run(cell, command, scene, run_.suite.limits, run_.interrupt);
     if (!processors_.empty()) one.processor = processors_[number % processors_.size()];
     // Three share one processor.
     one.limits.seconds *= 3;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "harness/bench_findings.h"
 #include "harness/bench_plan.h"
 #include "harness/calibration.h"
 #include "harness/cell_command.h"
@@ -13,10 +14,12 @@
 #include "harness/folder_lock.h"
 #include "harness/host.h"
 #include "harness/run_cell.h"
+#include "harness/scene_copies.h"
 #include "harness/session_quality.h"
 #include "harness/side_by_side.h"
 #include "reference/reference_store.h"
 #include "scenes/atomic_file.h"
+#include "scenes/edit_distance.h"
 #include "scenes/input_error.h"
 #include "scenes/timer.h"
 
@@ -50,6 +53,7 @@ class Bench {
         observer_(observer),
         old_run_(options.against ? std::optional(read_old_run(*options.against)) : std::nullopt),
         lock_(options.results_folder),
+        copies_(options.results_folder),
         store_(options.results_folder),
         host_(describe_host()),
         plan_(plan_bench(suite, options.program, host_, store_)),
@@ -93,8 +97,13 @@ class Bench {
 
   // References first: all others are compared with them.
   std::vector<Cell> choose_cells() {
-    if (std::none_of(plan_.cells.begin(), plan_.cells.end(), [&](const auto& p) { return is_selected(p.cell); }))
-      throw InputError("--only", "no cell of the suite has '" + options_.only + "' in its label");
+    if (std::none_of(plan_.cells.begin(), plan_.cells.end(), [&](const auto& p) { return is_selected(p.cell); })) {
+      std::vector<std::string> near;
+      for (const PlannedCell& planned : plan_.cells)
+        near.insert(near.end(), {planned.cell.scene, planned.cell.engine, planned.cell.label()});
+      throw InputError("--only", "no cell of the suite has '" + options_.only + "' in its label" +
+                                     did_you_mean(options_.only, near));
+    }
     std::vector<Cell> references, others;
     for (const PlannedCell& planned : plan_.cells)
       if (!planned.is_reference && is_selected(planned.cell) && is_wanted(planned)) others.push_back(planned.cell);
@@ -149,7 +158,8 @@ class Bench {
     result->key = planned.key;
     result->engine_version = version_of(planned.cell.engine);
     planned.found = CellStore::Found{{std::move(*result), ""}, cell_folder};
-    keep(*planned.found);
+    // What could not be started may be there the next time.
+    if (planned.found->kept.result.status != Status::not_started) keep(*planned.found);
     save_if_quick();
     ++summary_.measured;
     observer_.ended(number, total, planned.found->kept.result);
@@ -159,8 +169,9 @@ class Bench {
   // Folders that cannot be made, or that the engine took away, are a crash of the cell and no end of the run.
   std::optional<Result> run_in_folder(const PlannedCell& planned, std::string& cell_folder) const try {
     cell_folder = store_.make_folder(planned.key);
-    const CellCommand command = command_of(planned.cell, cell_folder);
-    std::optional<Result> result = run_cell(cell_run(planned.cell, command, suite_.limits));
+    // What others are compared with may come from the scene's committed reference.
+    const CellCommand command = command_of(planned.cell, cell_folder, planned.is_reference ? nullptr : &copies_);
+    std::optional<Result> result = this->run(planned.cell, command, suite_.limits);
     std::error_code ignored;
     if (result && fs::exists(command.image, ignored))
       result->image = cell_folder + "/" + command.image.filename().string();
@@ -180,15 +191,13 @@ class Bench {
     found.kept.result.caveats.push_back("not kept for the next run: " + error.summary());
   }
 
-  CellCommand command_of(const Cell& cell, const std::string& cell_folder) const {
+  CellCommand command_of(const Cell& cell, const std::string& cell_folder, SceneCopies* copies) const {
     return cell_command(suite_, cell, options_.program, options_.results_folder / cell_folder, "image",
-                        threads_of(suite_, host_));
+                        threads_of(suite_, host_), copies);
   }
 
-  CellRun cell_run(const Cell& cell, const CellCommand& command, const Limits& limits) const {
-    const SuiteScene& scene = suite_.scene(cell.scene);
-    return {cell,        command.argv, command.image, command.stats,     command.image.parent_path(),
-            scene.width, scene.height, limits,        options_.interrupt};
+  std::optional<Result> run(const Cell& cell, const CellCommand& command, const Limits& limits) const {
+    return run_cell(cell_run(cell, command, suite_.scene(cell.scene), limits, options_.interrupt));
   }
 
   // What an engine does once and never again (reading its files from disk, waking the processors) is not measured.
@@ -202,7 +211,8 @@ class Bench {
       fs::create_directories(folder, ignored);
       Limits limits = suite_.limits;
       limits.seconds = std::min(limits.seconds, warm_up_seconds);
-      const auto result = run_cell(cell_run(*cells.front(), command_of(*cells.front(), warm_up_folder), limits));
+      const auto result =
+          this->run(*cells.front(), command_of(*cells.front(), warm_up_folder, &copies_), limits);
       if (result) summary_.engine_seconds += result->wall_seconds.value_or(0);
       fs::remove_all(folder, ignored);
     }
@@ -263,6 +273,7 @@ class Bench {
     std::map<std::string, double> targets;
     for (const SuiteScene& scene : suite_.scenes)
       if (scene.target_relmse) targets[scene.name] = *scene.target_relmse;
+    findings_ = findings_of_bench(results, options_.results_folder);
     try {
       convergence_ = convergence_of(results, options_.results_folder, targets);
     } catch (const InputError& error) {  // an image that went since it was compared
@@ -325,6 +336,7 @@ class Bench {
     }
     results.convergence = convergence_;
     results.changes = changes_;
+    results.findings = findings_;
     results.caveats = caveats_;
     return results;
   }
@@ -345,6 +357,7 @@ class Bench {
   BenchObserver& observer_;
   std::optional<Results> old_run_;
   FolderLock lock_;
+  SceneCopies copies_;
   CellStore store_;
   Host host_;
   BenchPlan plan_;
@@ -352,6 +365,7 @@ class Bench {
   std::string created_;
   std::vector<Convergence> convergence_;
   std::vector<ChangeRecord> changes_;
+  std::vector<std::string> findings_;
   std::vector<std::string> caveats_;  // of the session
   double save_seconds_ = 0;
   Timer since_save_;

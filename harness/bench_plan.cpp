@@ -83,6 +83,8 @@ BenchPlan plan_bench(const Suite& suite, const fs::path& program, const Host& ho
                                {"memory_mb", std::to_string(suite.limits.memory_mb)},
                                {"threads", std::to_string(threads_of(suite, host))},
                                {"host", host.cpu + "/" + std::to_string(host.cores)}});
+    if (const std::string content = scene.file_content(cell.engine); !content.empty())
+      planned.key = content_key({{"cell", planned.key}, {"file", content}});
     // The same work, to be measured a second time.
     const bool is_control = !suite.control.empty() && cell.engine == control_name(suite.control);
     if (is_control) planned.key = content_key({{"control", planned.key}});

@@ -243,13 +243,65 @@ TEST_F(BenchRun, engine_that_cannot_tell_its_version_is_unsupported) {
   std::string text = suite_text("grey", {"brighter"});
   const std::string row = "name = 'brighter'";
   const auto at = text.find("[['cat', '{suite}/version']]", text.find(row));
-  text.replace(at, 28, "[['no-such-program']]");
+  constexpr const char* fails = "[['sh', '-c', 'exit 1']]";
+  text.replace(at, 28, fails);
   run(text);
   EXPECT_EQ(result_of("brighter").status, Status::unsupported);
+  EXPECT_EQ(result_of("brighter").detail, "the engine cannot tell its version: 'sh -c 'exit 1'' exited with 1");
+
+  text.replace(at, std::string(fails).size(), "[['no-such-program']]");
+  run(text);
+  EXPECT_EQ(result_of("brighter").status, Status::not_started);
   EXPECT_EQ(
       result_of("brighter").detail,
       "the engine cannot tell its version: 'no-such-program' could not be started: 'no-such-program': No such file "
-      "or directory");
+      "or directory; it is not on PATH");
+}
+
+TEST_F(BenchRun, an_engine_that_cannot_be_started_is_tried_again_when_it_is_there) {
+  const std::string text = suite_text("grey", {}) +
+                           "[[engine]]\nname = 'mine'\ntitle = 'm'\ncommand = ['bin/mine', '{suite}', '{output}', "
+                           "'{scene}']\nbudgets = ['spp']\ntrust = 'external'\n"
+                           "[[run]]\nengine = 'mine'\nbudgets = ['spp=1']\nseeds = [1]\n";
+  EXPECT_EQ(run(text).by_status.at(Status::not_started), 1u);
+  std::filesystem::create_directories(folder_ / "bin");
+  put("bin/mine", "#!/bin/sh\ncp \"$1/brighter.exr\" \"$2\"\n");
+  std::filesystem::permissions(folder_ / "bin/mine", std::filesystem::perms::owner_all);
+  EXPECT_EQ(run(text).measured, 1u);
+  EXPECT_EQ(result_of("mine").status, Status::ok);
+}
+
+TEST_F(BenchRun, engines_are_given_scenes_without_answers_and_results_name_the_scenes_themselves) {
+  put("reference-16x12.exr", "an answer");
+  put("ls.sh", "ls \"$(dirname \"$2\")\" > \"$1/$4\"; cp \"$1/grey.exr\" \"$3\"\n");
+  std::string rows;
+  for (const char* engine : {"judge", "judged"})
+    rows += "[[engine]]\nname = '" + std::string(engine) + "'\ntitle = 'm'\ncommand = ['sh', '{suite}/ls.sh', " +
+            "'{suite}', '{scene}', '{output}', 'seen-" + engine + "']\nbudgets = ['spp']\ntrust = 'external'\n";
+  std::string text = suite_text("grey", {}) + rows + "[[run]]\nengine = 'judged'\nbudgets = ['spp=1']\nseeds = [1]\n";
+  text.replace(text.find("engine = 'grey'"), 15, "engine = 'judge'");
+  run(text);
+  EXPECT_NE(get("seen-judge").find("reference-16x12.exr"), std::string::npos);  // it gives the answer
+  EXPECT_EQ(get("seen-judged").find("reference-"), std::string::npos);
+  EXPECT_NE(get("seen-judged").find("scene.xml"), std::string::npos);
+  EXPECT_NE(result_of("judged").command.find((folder_ / "scene.xml").string()), std::string::npos)
+      << result_of("judged").command;
+}
+
+TEST_F(BenchRun, one_image_for_all_seeds_and_one_that_is_the_reference_are_named) {
+  std::string text = suite_text("grey", {"brighter"});
+  text.replace(text.rfind("seeds = [1]"), 11, "seeds = [1, 2, 3]");
+  run(text);
+  const std::string same =
+      "scene/brighter/spp=1: all 3 seeds gave the same image; its noise is not known, and not zero for that";
+  EXPECT_EQ(results().findings, std::vector<std::string>{same});
+  std::filesystem::copy_file(folder_ / "grey.exr", folder_ / "brighter.exr",
+                             std::filesystem::copy_options::overwrite_existing);
+  options_.fresh = true;
+  run(text);
+  ASSERT_EQ(results().findings.size(), 4u);
+  EXPECT_EQ(results().findings[0], "scene/brighter/spp=1/seed=1: its image is the reference itself, bit for bit");
+  EXPECT_EQ(results().findings[3], same);
 }
 
 TEST_F(BenchRun, interrupt_keeps_what_is_finished_and_the_next_run_goes_on) {

@@ -1,6 +1,7 @@
 #include "harness/cell_command.h"
 
 #include "harness/engine_command.h"
+#include "harness/scene_copies.h"
 
 namespace photonproof {
 namespace {
@@ -15,7 +16,7 @@ fs::path short_path(const fs::path& path) {
 }  // namespace
 
 CellCommand cell_command(const SuiteCommon& suite, const Cell& cell, const fs::path& program, const fs::path& folder,
-                         const std::string& stem, int threads) {
+                         const std::string& stem, int threads, SceneCopies* copies) {
   const SuiteScene& scene = suite.scene(cell.scene);
   const Engine& engine = suite.engine(cell.engine);
   CellCommand command;
@@ -27,7 +28,9 @@ CellCommand cell_command(const SuiteCommon& suite, const Cell& cell, const fs::p
   // A bare name would be looked up on PATH.
   if (!values.photonproof.has_parent_path()) values.photonproof = fs::path(".") / values.photonproof;
   values.suite = short_path(suite.folder);
-  values.scene = short_path(scene.path);
+  const fs::path& own = scene.file_for(cell.engine);
+  values.scene = short_path(own);
+  values.scene_name = scene.name;
   values.output = command.image;
   values.stats = command.stats;
   values.width = scene.width;
@@ -35,8 +38,36 @@ CellCommand cell_command(const SuiteCommon& suite, const Cell& cell, const fs::p
   values.threads = threads;
   values.seed = cell.seed;
   values.budget = cell.budget;
+  command.typed = fill_command(engine.command, values);
+  if (copies != nullptr) {
+    values.scene = short_path(copies->of(scene, own));
+    command.own_folder = short_path(own.has_parent_path() ? own.parent_path() : fs::path(".")).string();
+    command.given_folder = values.scene.parent_path().string();
+  }
   command.argv = fill_command(engine.command, values);
+  command.start_hint = start_hint(engine.command, suite.folder);
+  command.argument_hint = argument_hint(engine.command, suite.folder);
   return command;
+}
+
+CellRun cell_run(const Cell& cell, const CellCommand& command, const SuiteScene& scene, const Limits& limits,
+                 const std::atomic<bool>* interrupt) {
+  CellRun run;
+  run.cell = cell;
+  run.argv = command.argv;
+  run.image = command.image;
+  run.stats = command.stats;
+  run.output_folder = command.image.parent_path();
+  run.width = scene.width;
+  run.height = scene.height;
+  run.limits = limits;
+  run.interrupt = interrupt;
+  run.typed = command.typed;
+  run.given_folder = command.given_folder;
+  run.own_folder = command.own_folder;
+  run.start_hint = command.start_hint;
+  run.argument_hint = command.argument_hint;
+  return run;
 }
 
 }  // namespace photonproof

@@ -102,6 +102,7 @@ json gate_to_json(const GateRecord& gate) {
   if (gate.bound) j["bound"] = finite(*gate.bound, "bound");
   if (gate.would_see) j["would_see"] = finite(*gate.would_see, "would_see");
   if (gate.would_see_in_a_block) j["would_see_in_a_block"] = finite(*gate.would_see_in_a_block, "would_see_in_a_block");
+  if (gate.status) j["status"] = to_string(*gate.status);
   if (!gate.regression_only.empty()) j["regression_only"] = gate.regression_only;
   return j;
 }
@@ -128,6 +129,7 @@ GateRecord gate_from_json(const json& j) {
   gate.would_see = optional_at<double>(j, "would_see");
   gate.would_see_in_a_block = optional_at<double>(j, "would_see_in_a_block");
   gate.regression_only = j.value("regression_only", "");
+  if (const auto status = j.find("status"); status != j.end()) gate.status = status_from_string(*status);
   gate.alpha = j.at("alpha");
   gate.looks = j.at("looks");
   gate.samples = j.at("samples");
@@ -189,6 +191,7 @@ void conclusions_to_json(const Results& results, json& document) {
   list_to_json(document, "convergence", results.convergence, convergence_to_json);
   list_to_json(document, "gates", results.gates, gate_to_json);
   list_to_json(document, "changes", results.changes, change_to_json);
+  if (!results.findings.empty()) document["findings"] = results.findings;
   if (!results.caveats.empty()) document["caveats"] = results.caveats;
 }
 
@@ -196,6 +199,7 @@ void conclusions_from_json(const json& document, Results& results) {
   list_from_json(document, "convergence", results.convergence, convergence_from_json);
   list_from_json(document, "gates", results.gates, gate_from_json);
   list_from_json(document, "changes", results.changes, change_from_json);
+  results.findings = document.value("findings", std::vector<std::string>{});
   results.caveats = document.value("caveats", std::vector<std::string>{});
 }
 

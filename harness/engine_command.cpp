@@ -4,6 +4,8 @@
 #include <array>
 #include <string_view>
 
+#include "scenes/edit_distance.h"
+
 namespace photonproof {
 namespace {
 
@@ -15,10 +17,11 @@ struct Placeholder {
   std::string (*text)(const CommandValues&);
 };
 
-constexpr std::array<Placeholder, 10> placeholders{{
+constexpr std::array<Placeholder, 11> placeholders{{
     {"photonproof", true, [](const CommandValues& v) { return v.photonproof.string(); }},
     {"suite", true, [](const CommandValues& v) { return v.suite.string(); }},
     {"scene", false, [](const CommandValues& v) { return v.scene.string(); }},
+    {"scene_name", false, [](const CommandValues& v) { return v.scene_name; }},
     {"output", false, [](const CommandValues& v) { return v.output.string(); }},
     {"stats", false, [](const CommandValues& v) { return v.stats.string(); }},
     {"width", false, [](const CommandValues& v) { return std::to_string(v.width); }},
@@ -32,6 +35,14 @@ const Placeholder* find_placeholder(std::string_view name, CommandUse use) {
   for (const Placeholder& placeholder : placeholders)
     if (placeholder.name == name && (use == CommandUse::render || placeholder.in_version_commands)) return &placeholder;
   return nullptr;
+}
+
+std::vector<std::string> placeholder_names(CommandUse use) {
+  std::vector<std::string> names;
+  for (const Placeholder& placeholder : placeholders)
+    if (find_placeholder(placeholder.name, use) != nullptr) names.emplace_back(placeholder.name);
+  if (use == CommandUse::render) names.emplace_back("budget");
+  return names;
 }
 
 std::string known_placeholders(CommandUse use) {
@@ -50,7 +61,8 @@ std::optional<std::string> argument_problem(const std::string& argument, Command
     if (name == "budget" && use == CommandUse::render)
       return "{budget} becomes two arguments and must stand alone, not in '" + argument + "'";
     if (find_placeholder(name, use) == nullptr)
-      return "'" + argument + "' has an unknown placeholder; known: " + known_placeholders(use);
+      return "'" + argument + "' has an unknown placeholder" + did_you_mean(name, placeholder_names(use)) +
+             "; known: " + known_placeholders(use);
   }
   return std::nullopt;
 }
@@ -81,9 +93,41 @@ std::optional<std::string> command_problem(const std::vector<std::string>& comma
   for (const std::string& argument : command)
     if (auto problem = argument_problem(argument, use)) return problem;
   if (use == CommandUse::version) return std::nullopt;
-  for (const char* needed : {"{scene}", "{output}"})
-    if (!mentions(command, needed)) return "the command does not mention " + std::string(needed);
+  if (!mentions(command, "{scene}") && !mentions(command, "{scene_name}"))
+    return "the command does not mention {scene} or {scene_name}";
+  if (!mentions(command, "{output}")) return "the command does not mention {output}";
   return std::nullopt;
+}
+
+bool is_from_suite(const std::string& program) {
+  return program.find('/') != std::string::npos && program.front() != '/' && program.front() != '{';
+}
+
+std::string start_hint(const std::vector<std::string>& command, const std::filesystem::path& suite_folder) {
+  const std::string& program = command.front();
+  std::error_code ignored;
+  if (is_from_suite(program)) {
+    const std::string from = "; a relative program starts from the suite's folder, {suite}: '" + suite_folder.string();
+    return from + (std::filesystem::exists(program, ignored)
+                       ? "', and not from the current one, which has it: write an absolute path or the one from there"
+                       : "'");
+  }
+  if (program.find_first_of("/{") != std::string::npos) return "";
+  return "; it is not on PATH" + (std::filesystem::exists(suite_folder / program, ignored)
+                                      ? ": write {suite}/" + program + " for the one beside the suite"
+                                      : "");
+}
+
+std::string argument_hint(const std::vector<std::string>& command, const std::filesystem::path& suite_folder) {
+  for (std::size_t i = 1; i < command.size(); ++i) {
+    const std::string& argument = command[i];
+    std::error_code ignored;
+    if (argument.empty() || argument.front() == '/' || argument.find('{') != std::string::npos) continue;
+    if (std::filesystem::is_regular_file(suite_folder / argument, ignored) &&
+        !std::filesystem::exists(argument, ignored))
+      return "; for the '" + argument + "' beside the suite write {suite}/" + argument;
+  }
+  return "";
 }
 
 std::vector<std::string> fill_command(const std::vector<std::string>& command, const CommandValues& values) {
@@ -95,6 +139,10 @@ std::vector<std::string> fill_command(const std::vector<std::string>& command, c
     } else {
       arguments.push_back(filled(argument, values));
     }
+  }
+  if (is_from_suite(command.front())) {
+    const std::filesystem::path program = (values.suite / command.front()).lexically_normal();
+    arguments.front() = program.has_parent_path() ? program.string() : "./" + program.string();  // not one on PATH
   }
   return arguments;
 }

@@ -28,8 +28,10 @@ EngineVersion ask_version(const Engine& engine, const std::filesystem::path& sui
     if (!outcome.ok()) {
       version.problem = "the engine cannot tell its version: '" + shell_line(argv) + "' " + outcome.sentence();
       using End = ProcessOutcome::End;
-      if (outcome.end != End::not_started)
-        version.cells_end_as = outcome.end == End::timed_out ? Status::timeout : Status::crash;
+      version.cells_end_as = outcome.end == End::not_started ? Status::not_started
+                             : outcome.end == End::timed_out ? Status::timeout
+                                                             : Status::crash;
+      if (outcome.end == End::not_started) *version.problem += start_hint(command, suite_folder);
       return version;
     }
     // Some programs print it on standard error.

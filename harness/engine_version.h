@@ -13,8 +13,8 @@ namespace photonproof {
 struct EngineVersion {
   std::string line;                    ///< what its version commands print, joined by " + "
   std::optional<std::string> problem;  ///< why the engine cannot be used
-  /// What its cells have come to then: unsupported where the engine is not installed, else what its version command
-  /// did.
+  /// What its cells have come to then: not_started where the command's program cannot be started at all, else what its
+  /// version command did.
   Status cells_end_as = Status::unsupported;
 };
 

@@ -4,6 +4,7 @@
 
 #include "harness/engine_command.h"
 #include "harness/engines_text.h"
+#include "scenes/edit_distance.h"
 
 namespace photonproof {
 namespace {
@@ -12,7 +13,8 @@ Trust trust_from_toml(const TomlTable& row) {
   const std::string name = row.string("trust");
   for (const Trust trust : {Trust::unbiased, Trust::biased, Trust::external})
     if (name == to_string(trust)) return trust;
-  throw row.error("trust", "'trust' is one of unbiased, biased, external; not '" + name + "'");
+  throw row.error("trust", "'trust' is one of unbiased, biased, external; not '" + name + "'" +
+                               did_you_mean(name, {"unbiased", "biased", "external"}));
 }
 
 // Names become folder names, labels and HTML ids.

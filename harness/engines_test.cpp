@@ -18,6 +18,7 @@ CommandValues example_values() {
           .scene = "my scene.xml",
           .output = "o/image.exr",
           .stats = "o/stats.json",
+          .scene_name = "my",
           .width = 64,
           .height = 48,
           .threads = 2,
@@ -78,7 +79,7 @@ TEST(Engines, row_of_a_suite_is_read) {
   EXPECT_EQ(fill_command(engines[0].version_commands.at(0), example_values()),
             (std::vector<std::string>{"suites/mine", "-v"}));
   EXPECT_EQ(fill_command(engines[0].command, example_values()),
-            (std::vector<std::string>{"./mine", "my scene.xml", "o/image.exr"}));
+            (std::vector<std::string>{"suites/mine", "my scene.xml", "o/image.exr"}));
 }
 
 TEST(Engines, name_that_is_taken_is_refused) {
@@ -110,13 +111,26 @@ TEST(Engines, commands_that_cannot_work_are_refused) {
   EXPECT_EQ(problem({"x", "{scene}", "{output}"}), "fine");
   EXPECT_EQ(problem({}), "a command needs at least a program");
   EXPECT_EQ(problem({"x", "{scene}"}), "the command does not mention {output}");
-  EXPECT_EQ(problem({"x", "{output}"}), "the command does not mention {scene}");
+  EXPECT_EQ(problem({"x", "{output}"}), "the command does not mention {scene} or {scene_name}");
   EXPECT_EQ(
       problem({"x", "{scne}"}),
-      "'{scne}' has an unknown placeholder; known: {budget} {photonproof} {suite} {scene} {output} {stats} {width} "
-      "{height} {threads} {seed} {amount}");
+      "'{scne}' has an unknown placeholder (did you mean 'scene'?); known: {budget} {photonproof} {suite} {scene} "
+      "{scene_name} {output} {stats} {width} {height} {threads} {seed} {amount}");
   EXPECT_EQ(problem({"x", "{scene"}).substr(0, 35), "'{scene' has an unknown placeholder");
   EXPECT_EQ(problem({"x", "-b{budget}"}), "{budget} becomes two arguments and must stand alone, not in '-b{budget}'");
+}
+
+TEST(Engines, relative_programs_start_from_the_suites_folder_and_names_from_path) {
+  CommandValues values = example_values();
+  const auto program = [&](const std::string& name) { return fill_command({name}, values).front(); };
+  EXPECT_EQ(program("build/mine"), "suites/build/mine");
+  EXPECT_EQ(program("../mine"), "./mine");  // not one on PATH
+  EXPECT_EQ(program("mine"), "mine");
+  EXPECT_EQ(program("/bin/mine"), "/bin/mine");
+  EXPECT_EQ(program("{suite}/mine"), "suites/mine");
+  values.suite = ".";
+  EXPECT_EQ(program("./mine"), "./mine");
+  EXPECT_EQ(program("build/mine"), "build/mine");
 }
 
 TEST(Engines, version_commands_know_no_scene) {

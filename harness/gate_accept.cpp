@@ -52,7 +52,7 @@ std::optional<Accepted> accept_reference(const GateSuite& suite, const AcceptOpt
   if (trimmed(options.reason).empty())
     throw InputError("--reason", "say why the reference of '" + options.gate + "' is replaced");
   const Gate* gate = find_named(suite.gates, options.gate);
-  if (gate == nullptr) throw InputError("--accept", "no gate '" + options.gate + "'; known: " + names_of(suite.gates));
+  if (gate == nullptr) throw InputError("--accept", unknown_name("gate", options.gate, suite.gates));
   const SuiteScene& scene = suite.scene(gate->scene);
   const std::optional<StoredReference> old = committed(scene);
 

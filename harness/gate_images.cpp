@@ -30,6 +30,7 @@ ImageStream::ImageStream(const GateSuite& suite, const Gate& gate, StreamContent
       avoided_(std::move(avoided)),
       options_(options),
       store_(options.folder),
+      file_content_(scene_.file_content(engine_.name)),
       seed_(options.seed * seeds_of_a_run) {}
 
 const DrawnImage* ImageStream::failed() const {
@@ -67,16 +68,17 @@ bool ImageStream::draw(std::size_t count) {
 
 std::unique_ptr<DrawnImage> ImageStream::draw_one(std::uint64_t seed) const {
   const Cell cell{scene_.name, engine_.name, budget_, seed};
-  const std::string key = content_key({{"scene", content_.scene_hash},
-                                       {"engine", length_prefixed(engine_.command) + length_prefixed(options_.further)},
-                                       {"version", content_.engine_version},
-                                       {"fault", options_.fault},
-                                       {"budget", budget_.label()},
-                                       {"seed", std::to_string(seed)},
-                                       {"size", size_text(scene_.width, scene_.height)},
-                                       {"seconds", std::to_string(suite_.limits.seconds)},
-                                       {"memory_mb", std::to_string(suite_.limits.memory_mb)},
-                                       {"threads", std::to_string(suite_.limits.threads)}});
+  std::string key = content_key({{"scene", content_.scene_hash},
+                                 {"engine", length_prefixed(engine_.command) + length_prefixed(options_.further)},
+                                 {"version", content_.engine_version},
+                                 {"fault", options_.fault},
+                                 {"budget", budget_.label()},
+                                 {"seed", std::to_string(seed)},
+                                 {"size", size_text(scene_.width, scene_.height)},
+                                 {"seconds", std::to_string(suite_.limits.seconds)},
+                                 {"memory_mb", std::to_string(suite_.limits.memory_mb)},
+                                 {"threads", std::to_string(suite_.limits.threads)}});
+  if (!file_content_.empty()) key = content_key({{"cell", key}, {"file", file_content_}});
   if (options_.resume)
     if (auto found = store_.latest(key); found && found->kept.result.status == Status::ok) {
       auto drawn = std::make_unique<DrawnImage>();
@@ -85,14 +87,14 @@ std::unique_ptr<DrawnImage> ImageStream::draw_one(std::uint64_t seed) const {
       return drawn;
     }
   const std::string cell_folder = store_.make_folder(key);
-  CellCommand command =
-      cell_command(suite_, cell, options_.program, options_.folder / cell_folder, "image", suite_.limits.threads);
-  command.argv.insert(command.argv.end(), options_.further.begin(), options_.further.end());
-  if (!options_.fault.empty())
-    command.argv.insert(command.argv.begin(), {"env", "PHOTONPROOF_FAULT=" + options_.fault});
+  CellCommand command = cell_command(suite_, cell, options_.program, options_.folder / cell_folder, "image",
+                                     suite_.limits.threads, options_.copies);
+  for (std::vector<std::string>* argv : {&command.argv, &command.typed}) {
+    argv->insert(argv->end(), options_.further.begin(), options_.further.end());
+    if (!options_.fault.empty()) argv->insert(argv->begin(), {"env", "PHOTONPROOF_FAULT=" + options_.fault});
+  }
   const fs::path folder = command.image.parent_path();
-  std::optional<Result> result = run_cell({cell, std::move(command.argv), command.image, command.stats, folder,
-                                           scene_.width, scene_.height, suite_.limits, options_.interrupt});
+  std::optional<Result> result = run_cell(cell_run(cell, command, scene_, suite_.limits, options_.interrupt));
   if (!result) return nullptr;
   auto drawn = std::make_unique<DrawnImage>();
   drawn->result = std::move(*result);

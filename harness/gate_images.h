@@ -11,6 +11,7 @@
 
 #include "harness/cell_store.h"
 #include "harness/gate_suite.h"
+#include "harness/scene_copies.h"
 #include "scenes/image.h"
 
 namespace photonproof {
@@ -31,6 +32,7 @@ struct DrawOptions {
   bool resume = false;                 ///< use what an earlier run left in `folder`
   bool keep = true;                    ///< leave the images in `folder`
   const std::atomic<bool>* interrupt = nullptr;
+  SceneCopies* copies = nullptr;  ///< what engines are given of scenes; null: the scenes themselves
 };
 
 /// What decides an image, but for its seed.
@@ -64,6 +66,7 @@ class ImageStream {
   std::vector<std::uint64_t> avoided_;
   const DrawOptions& options_;
   CellStore store_;
+  std::string file_content_;  ///< of the engine's own file of the scene
   std::uint64_t seed_;
   std::vector<std::unique_ptr<DrawnImage>> drawn_;
 };

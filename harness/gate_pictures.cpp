@@ -37,6 +37,11 @@ void store_pictures(const Image& mean, const StoredReference& reference, double 
   record.pictures["error"] = place + "/" + files.error.filename().string();
 }
 
+void remove_reference(const std::string& scene, const fs::path& folder) {
+  std::error_code ignored;
+  for (const char* extension : {".exr", ".png"}) fs::remove(folder / "references" / (scene + extension), ignored);
+}
+
 ReferenceRecord store_reference(const StoredReference& reference, const std::string& scene, double exposure,
                                 const fs::path& folder) {
   fs::create_directories(folder / "references");

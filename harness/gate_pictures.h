@@ -14,6 +14,9 @@ namespace photonproof {
 void store_pictures(const Image& mean, const StoredReference& reference, double exposure,
                     const std::filesystem::path& folder, GateRecord& record);
 
+/// Removes what store_reference left of an earlier run: engines write near it.
+void remove_reference(const std::string& scene, const std::filesystem::path& folder);
+
 /// Writes references/<scene>.exr and .png under `folder`.
 ReferenceRecord store_reference(const StoredReference& reference, const std::string& scene, double exposure,
                                 const std::filesystem::path& folder);

@@ -8,6 +8,7 @@
 #include "harness/folder_lock.h"
 #include "harness/gate_look.h"
 #include "harness/gate_pictures.h"
+#include "harness/gates_together.h"
 #include "harness/host.h"
 #include "harness/independence.h"
 #include "scenes/expect.h"
@@ -25,6 +26,7 @@ class Run {
         options_(options),
         observer_(observer),
         lock_(options.folder),
+        copies_(options.folder),
         host_(describe_host()),
         draw_{.program = options.program,
               .folder = options.folder,
@@ -33,10 +35,11 @@ class Run {
               .processes = std::max(1, host_.cores / suite.limits.threads),
               .resume = options.resume,
               .keep = true,
-              .interrupt = options.interrupt} {}
+              .interrupt = options.interrupt,
+              .copies = &copies_} {}
 
   GateSummary run() {
-    const std::vector<const Gate*> chosen = choose();
+    const std::vector<const Gate*> chosen = gates_named(suite_, options_.only);
     begin_record(chosen);
     for (std::size_t i = 0; i < chosen.size() && !summary_.interrupted; ++i) {
       const std::optional<GateRecord> record = decide(i + 1, chosen.size(), *chosen[i]);
@@ -47,20 +50,15 @@ class Run {
       summary_.results.gates.push_back(*record);
       observer_.ended(i + 1, chosen.size(), *record);
     }
+    for (SceneRecord& scene : summary_.results.scenes)
+      scene.reference = store_reference(references_.at(scene.name), scene.name, scene.exposure, options_.folder);
+    summary_.results.findings = gates_together(summary_.results.gates, suite_);
     summary_.results_file = options_.folder / "results.json";
     write_results(summary_.results_file.string(), summary_.results);
     return std::move(summary_);
   }
 
  private:
-  std::vector<const Gate*> choose() const {
-    std::vector<const Gate*> chosen;
-    for (const Gate& gate : suite_.gates)
-      if (gate.name.find(options_.only) != std::string::npos) chosen.push_back(&gate);
-    if (chosen.empty()) throw InputError("--only", "no gate of the suite has '" + options_.only + "' in its name");
-    return chosen;
-  }
-
   void begin_record(const std::vector<const Gate*>& chosen) {
     Results& results = summary_.results;
     results.suite = suite_.name;
@@ -80,8 +78,7 @@ class Run {
   }
 
   void add_scene(const SuiteScene& scene) {
-    const StoredReference& reference =
-        references_.emplace(scene.name, load_reference(scene.path, scene.width, scene.height)).first->second;
+    references_.emplace(scene.name, load_reference(scene.path, scene.width, scene.height));
     SceneRecord record;
     record.name = scene.name;
     record.path = scene.given_path;
@@ -94,7 +91,7 @@ class Run {
     const Viewing& viewing = viewings_[scene.name] = viewing_of(scene);
     record.exposure = viewing.exposure;
     record.hdr_exposures = viewing.hdr_exposures;
-    record.reference = store_reference(reference, scene.name, record.exposure, options_.folder);
+    remove_reference(scene.name, options_.folder);  // until the engines are done
     summary_.results.scenes.push_back(std::move(record));
   }
 
@@ -120,6 +117,7 @@ class Run {
         fmt::format("photonproof gate {} --only {} --seed {}", suite_.file.string(), gate.name, options_.seed);
     if (const auto& problem = versions_.at(gate.engine).problem) {
       record.verdict = GateVerdict::fail;
+      record.status = Status::not_started;
       record.sentence = *problem;
       return record;
     }
@@ -131,7 +129,8 @@ class Run {
       if (!stream.draw(count)) return std::nullopt;
       record.looks = look + 1;
       if (const DrawnImage* failed = stream.failed()) {
-        record.verdict = GateVerdict::fail;
+        record.status = failed->result.status;
+        record.verdict = record.status == Status::unsupported ? GateVerdict::inconclusive : GateVerdict::fail;
         record.sentence = fmt::format("seed {}: {} ({})", failed->result.cell.seed, failed->result.detail,
                                       to_string(failed->result.status));
         record.command = failed->result.command;
@@ -172,6 +171,7 @@ class Run {
   const GateOptions& options_;
   GateObserver& observer_;
   FolderLock lock_;
+  SceneCopies copies_;
   Host host_;
   DrawOptions draw_;
   std::map<std::string, EngineVersion> versions_;

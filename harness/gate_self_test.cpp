@@ -40,18 +40,20 @@ struct Pool {
 class SelfTestRun {
  public:
   SelfTestRun(const GateSuite& suite, const SelfTestOptions& options)
-      : suite_(suite), options_(options), lock_(options.gates.folder), host_(describe_host()) {
+      : suite_(suite),
+        options_(options),
+        lock_(options.gates.folder),
+        copies_(options.gates.folder),
+        host_(describe_host()) {
     test_.pool = options.pool;
     test_.other_pool = options.other_pool;
     for (const Variant& variant : gate_variants()) test_.variants.push_back(variant);
-    for (const Gate& gate : suite.gates) {
-      if (gate.name.find(options.gates.only) == std::string::npos) continue;
-      gates_.push_back(&gate);
-      test_.gates.push_back(gate.name);
-      test_.alphas.push_back(gate.alpha);
-      test_.seeds = std::max(test_.seeds, gate.seeds);
+    gates_ = gates_named(suite, options.gates.only);
+    for (const Gate* gate : gates_) {
+      test_.gates.push_back(gate->name);
+      test_.alphas.push_back(gate->alpha);
+      test_.seeds = std::max(test_.seeds, gate->seeds);
     }
-    if (gates_.empty()) throw InputError("--only", "no gate of the suite has '" + options.gates.only + "' in its name");
     test_.counts.assign(test_.variants.size(), std::vector<VerdictCounts>(gates_.size()));
     test_.any.resize(test_.variants.size());
     for (const Variant& variant : test_.variants)
@@ -131,6 +133,7 @@ class SelfTestRun {
     draw.processes = std::max(1, host_.cores / suite.limits.threads);
     draw.resume = options_.gates.resume;
     draw.interrupt = options_.gates.interrupt;
+    draw.copies = &copies_;
     const EngineVersion version = ask_version(suite.engine(gate.engine), suite.folder, options_.gates.program);
     if (version.problem) throw InputError(gate.engine, *version.problem);
     ImageStream stream(suite, gate, {reference.provenance.scene_hash, version.line}, reference.provenance.seeds, draw);
@@ -224,6 +227,7 @@ class SelfTestRun {
   const GateSuite& suite_;
   const SelfTestOptions& options_;
   FolderLock lock_;
+  SceneCopies copies_;
   Host host_;
   std::vector<const Gate*> gates_;
   std::vector<std::vector<bool>> found_;  ///< by variant and run

@@ -31,16 +31,20 @@ void read_statistics(const TomlTable& table, Gate& gate) {
   if (table.has("looks")) gate.looks = bounded_integer(table, "looks", 1, 12);
 }
 
-std::string known_metrics() {
-  std::string names = std::string(agreement_metric) + ", " + block_bias_metric;
-  for (const MetricRow& row : metric_rows()) names += ", " + std::string(row.name);
+struct MetricName {
+  std::string name;
+};
+
+std::vector<MetricName> known_metrics() {
+  std::vector<MetricName> names{{agreement_metric}, {block_bias_metric}};
+  for (const MetricRow& row : metric_rows()) names.push_back({row.name});
   return names;
 }
 
 std::string metric_from_toml(const TomlTable& table, const SuiteScene& scene) {
   const std::string metric = table.string("metric");
   if (metric != agreement_metric && metric != block_bias_metric && find_metric(metric) == nullptr)
-    throw table.error("metric", "unknown metric '" + metric + "'; known: " + known_metrics());
+    throw table.error("metric", unknown_name("metric", metric, known_metrics()));
   if (metric == "ssim" && std::min(scene.width, scene.height) < least_ssim_side)
     throw table.error("metric", "ssim needs images of at least 11 x 11 pixels");
   if (metric == "hdr_flip" && !viewing_of(scene).hdr_exposures)
@@ -49,19 +53,17 @@ std::string metric_from_toml(const TomlTable& table, const SuiteScene& scene) {
   return metric;
 }
 
-Gate gate_from_toml(const TomlTable& table, const GateSuite& suite, const Gate& defaults) {
+/// The gate of one of the row's scenes and engines; `several`: it has more than one of either.
+Gate gate_from_toml(const TomlTable& table, const GateSuite& suite, const Gate& defaults, const SuiteScene& scene,
+                    const Engine& engine, bool several) {
   Gate gate = defaults;
-  gate.scene = table.string("scene");
-  const SuiteScene* scene = find_named(suite.scenes, gate.scene);
-  if (scene == nullptr)
-    throw table.error("scene", "unknown scene '" + gate.scene + "'; known: " + names_of(suite.scenes));
-  const Engine& engine = known_engine(table, suite.engines);
+  gate.scene = scene.name;
   gate.engine = engine.name;
   gate.takes_seed = mentions(engine.command, "{seed}");
   const std::string budget = table.string("budget");
   if (const auto problem = budget_problem(budget, engine)) throw table.error("budget", *problem);
   gate.budget = *budget_from_text(budget);
-  gate.metric = metric_from_toml(table, *scene);
+  gate.metric = metric_from_toml(table, scene);
   if (gate.metric == agreement_metric && engine.trust == Trust::biased)
     throw table.error("metric", "engine '" + engine.name +
                                     "' has a known error, which agreement would find; bound it by bias or block_bias");
@@ -70,15 +72,40 @@ Gate gate_from_toml(const TomlTable& table, const GateSuite& suite, const Gate& 
   gate.bound = relative ? positive(table, "bound", 1) : table.number("bound");
   if (gate.metric == agreement_metric)
     gate.block_bound = table.has("block_bound") ? positive(table, "block_bound", 10) : block_over_whole * gate.bound;
-  gate.name = table.has("name") ? table.string("name") : gate.scene + "/" + gate.engine + "/" + gate.metric;
+  const std::string place = gate.scene + "/" + gate.engine;
+  gate.name = !table.has("name") ? place + "/" + gate.metric
+              : several          ? table.string("name") + "/" + place
+                                 : table.string("name");
   if (find_named(suite.gates, gate.name) != nullptr)
     throw table.error("there is a gate '" + gate.name + "' already; give this one a 'name'");
   read_statistics(table, gate);
-  table.expect_no_other_keys();
   return gate;
 }
 
+/// One gate for each scene and engine of the row.
+void add_gates(const TomlTable& table, GateSuite& suite, const Gate& defaults) {
+  const auto scenes = named_rows("scene", "scenes", table, suite.scenes);
+  const auto engines = named_rows("engine", "engines", table, suite.engines);
+  const bool several = scenes.size() * engines.size() > 1;
+  for (const SuiteScene* scene : scenes)
+    for (const Engine* engine : engines)
+      suite.gates.push_back(gate_from_toml(table, suite, defaults, *scene, *engine, several));
+  table.expect_no_other_keys();
+}
+
 }  // namespace
+
+std::vector<const Gate*> gates_named(const GateSuite& suite, const std::string& part) {
+  std::vector<const Gate*> chosen;
+  std::vector<std::string> near;
+  for (const Gate& gate : suite.gates) {
+    if (gate.name.find(part) != std::string::npos) chosen.push_back(&gate);
+    near.insert(near.end(), {gate.scene, gate.engine, gate.metric, gate.name});
+  }
+  if (chosen.empty())
+    throw InputError("--only", "no gate of the suite has '" + part + "' in its name" + did_you_mean(part, near));
+  return chosen;
+}
 
 GateSuite read_gate_suite(const std::filesystem::path& file) {
   const TomlTable document = TomlTable::parse(read_file(file, max_suite_bytes), file.string());
@@ -97,10 +124,10 @@ GateSuite read_gate_suite(const std::filesystem::path& file) {
   suite.engines = builtin_engines();
   for (Engine& engine : engines_from_toml(document, suite.engines)) suite.engines.push_back(std::move(engine));
   for (const TomlTable& table : document.tables("scene")) {
-    suite.scenes.push_back(scene_row(table, suite.folder, suite.scenes));
+    suite.scenes.push_back(scene_row(table, suite));
     table.expect_no_other_keys();
   }
-  for (const TomlTable& table : document.tables("gate")) suite.gates.push_back(gate_from_toml(table, suite, defaults));
+  for (const TomlTable& table : document.tables("gate")) add_gates(table, suite, defaults);
   document.expect_no_other_keys();
   if (suite.gates.empty()) throw document.error("the suite has no [[gate]]");
   return suite;

@@ -53,6 +53,39 @@ TEST_F(GateSuiteFile, a_gate_takes_what_it_does_not_say_from_the_suite) {
   EXPECT_EQ(suite.limits.threads, 1);
 }
 
+TEST_F(GateSuiteFile, a_row_with_several_scenes_and_engines_is_a_gate_for_each_pair) {
+  put("b.xml", "");
+  const std::string both = std::string(head) + scene + "[[scene]]\nname = 'b'\npath = 'b.xml'\nwidth = 8\nheight = 8\n";
+  const std::string rest = "budget = 'spp=1'\nmetric = 'bias'\nbound = 0.1\n";
+  const auto names = [&](const std::string& row) {
+    std::vector<std::string> all;
+    for (const Gate& gate : read(both + "[[gate]]\n" + row + rest).gates) all.push_back(gate.name);
+    return all;
+  };
+  const std::vector<std::string> four{"a/path/bias", "a/bdpt/bias", "b/path/bias", "b/bdpt/bias"};
+  EXPECT_EQ(names("scene = ['a', 'b']\nengine = ['path', 'bdpt']\n"), four);
+  EXPECT_EQ(names("scenes = ['a', 'b']\nengines = ['path', 'bdpt']\n"), four);
+  EXPECT_EQ(names("name = 'n'\nscene = ['a', 'b']\nengine = 'path'\n"),
+            (std::vector<std::string>{"n/a/path", "n/b/path"}));
+  const auto problem = [&](const std::string& row) { return error(both + "[[gate]]\n" + row + rest); };
+  EXPECT_EQ(problem("scene = ['a', 'a']\nengine = 'path'\n"), "g.toml:14:15: error: 'a' is named twice");
+  EXPECT_EQ(problem("scene = []\nengine = 'path'\n"), "g.toml:14:9: error: 'scene' must not be empty");
+  EXPECT_EQ(problem("scene = 'a'\nscenes = ['b']\nengine = 'path'\n"),
+            "g.toml:15:10: error: 'scenes' beside 'scene': say one of them");
+}
+
+TEST_F(GateSuiteFile, only_an_engine_whose_command_has_a_seed_is_asked_for_independent_images) {
+  const auto takes_seed = [&](const std::string& command) {
+    return read(std::string(head) + scene + "[[engine]]\nname = 'mine'\ntitle = 'm'\nbudgets = ['spp']\n" +
+                "trust = 'unbiased'\ncommand = " + command + "\n" +
+                gate("engine = 'mine'\nbudget = 'spp=1'\nmetric = 'relmse'\nbound = 0.1\n"))
+        .gates.at(0)
+        .takes_seed;
+  };
+  EXPECT_TRUE(takes_seed("['x', '{scene}', '{output}', '-s{seed}']"));
+  EXPECT_FALSE(takes_seed("['x', '{scene}', '{output}']"));
+}
+
 TEST_F(GateSuiteFile, mistakes_are_told_with_their_place) {
   const std::string front = std::string(head) + scene;
   const std::string good = "engine = 'path'\nbudget = 'spp=16'\nmetric = 'agreement'\nbound = 0.02\n";
@@ -70,7 +103,13 @@ TEST_F(GateSuiteFile, mistakes_are_told_with_their_place) {
   EXPECT_EQ(error(front + gate(good) + gate(good)).substr(0, 11), "g.toml:14:1");
   EXPECT_NE(error(front + gate(good) + gate(good)).find("there is a gate 'a/path/agreement' already"),
             std::string::npos);
-  EXPECT_NE(error(front + gate(good) + "blok_bound = 1\n").find("'blok_bound'"), std::string::npos);
+  EXPECT_NE(error(front + gate(good) + "blok_bound = 1\n").find("'blok_bound' (did you mean 'block_bound'?)"),
+            std::string::npos);
+  EXPECT_NE(error(front + gate("engine = 'path'\nbudget = 'spp=1'\nmetric = 'agrement'\nbound = 1\n"))
+                .find("unknown metric 'agrement' (did you mean 'agreement'?)"),
+            std::string::npos);
+  EXPECT_EQ(input_error_of([&] { gates_named(read(front + gate(good)), "pth"); }),
+            "--only: error: no gate of the suite has 'pth' in its name (did you mean 'path'?)");
 }
 
 TEST_F(GateSuiteFile, hdr_flip_is_bounded_only_where_the_scene_pins_its_exposures) {

@@ -20,11 +20,12 @@ using nlohmann::json;
 
 constexpr std::size_t max_file_bytes = std::size_t{1} << 28;
 
-constexpr std::array<std::pair<Status, const char*>, 5> status_names{{{Status::ok, "ok"},
+constexpr std::array<std::pair<Status, const char*>, 6> status_names{{{Status::ok, "ok"},
                                                                       {Status::timeout, "timeout"},
                                                                       {Status::crash, "crash"},
                                                                       {Status::bad_image, "bad_image"},
-                                                                      {Status::unsupported, "unsupported"}}};
+                                                                      {Status::unsupported, "unsupported"},
+                                                                      {Status::not_started, "not_started"}}};
 
 json parse(const std::string& path) {
   const std::string text = read_file(path, max_file_bytes);

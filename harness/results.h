@@ -16,7 +16,7 @@ namespace photonproof {
 inline constexpr int results_schema_version = 1;
 
 /// What ended a cell. Anything but `ok` leaves metrics empty and `detail` saying why in one sentence.
-enum class Status { ok, timeout, crash, bad_image, unsupported };
+enum class Status { ok, timeout, crash, bad_image, unsupported, not_started };
 std::string to_string(Status status);
 /// Throws InputError on an unknown name.
 Status status_from_string(const std::string& name);
@@ -162,6 +162,8 @@ struct GateRecord {
   std::string scene, engine, metric;
   GateVerdict verdict = GateVerdict::inconclusive;
   std::string sentence;  ///< where and how
+  /// What became of the engine where it left no image to be judged: the verdict is about that, not about images.
+  std::optional<Status> status{};
   std::optional<Estimate> observed;
   std::optional<double> bound;
   /// Of an agreement gate that passes: the relative error of the whole image, and of a block of 8 x 8 pixels, that it
@@ -209,7 +211,8 @@ struct Results {
   std::vector<Convergence> convergence;
   std::vector<GateRecord> gates;
   std::vector<ChangeRecord> changes;
-  std::vector<std::string> caveats;  ///< of the session: "the control's interval excludes 1: this machine is noisy"
+  std::vector<std::string> findings;  ///< what only several results or gates show together
+  std::vector<std::string> caveats;   ///< of the session: "the control's interval excludes 1: this machine is noisy"
 
   const Result* find(const std::string& cell_label) const;
 };

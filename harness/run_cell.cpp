@@ -67,9 +67,13 @@ void set_status(const CellRun& run, const ProcessOutcome& outcome, Result& resul
     result.status = Status::unsupported;
     result.detail = last_words(outcome.standard_error);
     if (result.detail.empty()) result.detail = "the engine says so by its exit code and gives no reason";
+  } else if (outcome.end == End::not_started) {
+    result.status = Status::not_started;
+    result.detail = outcome.sentence() + run.start_hint;
   } else {
     result.status = Status::crash;
     result.detail = sentence_with_last_words(outcome);
+    if (outcome.end == End::exited) result.detail += run.argument_hint;
   }
 }
 
@@ -85,6 +89,16 @@ void add_timing_caveats(const ProcessOutcome& outcome, std::optional<double> bus
   if (others > tolerated_share_of_others * outcome.wall_seconds * cores)
     result.caveats.push_back(
         fmt::format("host was busy: others used {:.2g} of {} cores meanwhile", others / outcome.wall_seconds, cores));
+}
+
+/// What the engine said, with the scene's own folder instead of the copy it was given.
+std::string in_own_words(std::string text, const CellRun& run) {
+  if (run.given_folder.empty()) return text;
+  const std::string absolute = fs::absolute(run.given_folder).lexically_normal().string();
+  for (const std::string& given : {absolute, run.given_folder})
+    for (std::size_t at = text.find(given); at != std::string::npos; at = text.find(given, at + run.own_folder.size()))
+      text.replace(at, given.size(), run.own_folder);
+  return text;
 }
 
 // What the engine did to its folder, or a full disk, must not end the run.
@@ -106,12 +120,14 @@ std::optional<Result> run_cell(const CellRun& run) {
   const int cores = describe_host().cores;
   const double own_before = own_cpu_seconds();
   const std::optional<double> busy_before = machine_busy_seconds();
-  const ProcessOutcome outcome = run_process(run.argv, options);
+  ProcessOutcome outcome = run_process(run.argv, options);
   if (outcome.end == ProcessOutcome::End::interrupted) return std::nullopt;
 
   Result result;
   result.cell = run.cell;
-  result.command = shell_line(run.argv);
+  result.command = shell_line(run.typed.empty() ? run.argv : run.typed);
+  outcome.standard_output = in_own_words(std::move(outcome.standard_output), run);
+  outcome.standard_error = in_own_words(std::move(outcome.standard_error), run);
   if (outcome.end != ProcessOutcome::End::not_started) {
     result.wall_seconds = outcome.wall_seconds;
     result.cpu_seconds = outcome.cpu_seconds;
@@ -128,7 +144,9 @@ std::optional<Result> run_cell(const CellRun& run) {
   result.phases = std::move(stats.phases);
   result.counts = std::move(stats.counts);
   result.skipped = std::move(stats.skipped);
-  for (const std::string& loss : stats.losses) result.caveats.push_back("declared by the engine: " + loss);
+  for (std::string& words : result.skipped) words = in_own_words(std::move(words), run);
+  for (const std::string& loss : stats.losses)
+    result.caveats.push_back("declared by the engine: " + in_own_words(loss, run));
   if (stats.problem) result.caveats.push_back("its stats cannot all be used: " + *stats.problem);
   return result;
 }

@@ -21,15 +21,20 @@ struct CellRun {
   int width = 0, height = 0;            ///< pixels the image must have
   Limits limits;
   const std::atomic<bool>* interrupt = nullptr;
-  std::optional<int> processor{};  ///< all of its processes run on this one alone
+  std::optional<int> processor{};    ///< all of its processes run on this one alone
+  std::vector<std::string> typed{};  ///< how a person repeats it, where that is not `argv`
+  /// What the engine calls `given` in its words is said as `own`: a copy of the scene's folder, and the folder itself.
+  std::string given_folder{}, own_folder{};
+  std::string start_hint{}, argument_hint{};  ///< ends of the sentence when it cannot be started, when it fails
 };
 
 /// The exit code by which an engine says that it cannot render this scene; the last line on standard error says why.
 inline constexpr int unsupported_exit_code = 3;
 
 /// A result without key, image path and metrics but with the image's checksum; empty when the interrupt ended it. Its
-/// status is `timeout` past the wall limit; `crash` past the memory limit, by a signal, an exit code or a failed start;
-/// `bad_image` when the image is missing, unreadable, of another size or not finite everywhere.
+/// status is `timeout` past the wall limit; `crash` past the memory limit, by a signal or an exit code; `not_started`
+/// where the system cannot start the program; `bad_image` when the image is missing, unreadable, of another size or not
+/// finite everywhere.
 std::optional<Result> run_cell(const CellRun& run);
 
 }  // namespace photonproof

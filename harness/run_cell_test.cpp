@@ -63,13 +63,13 @@ TEST_F(RunCell, failing_engine_is_a_crash_with_its_last_words) {
 
 TEST_F(RunCell, refusal_is_unsupported_with_its_reason) { EXPECT_EQ(ending("refuses"), "unsupported|no mirrors here"); }
 
-TEST_F(RunCell, engine_that_cannot_be_started_is_a_crash_without_a_cost) {
+TEST_F(RunCell, engine_that_cannot_be_started_says_so_without_a_cost) {
   CellRun cell;
   cell.argv = {"no-such-engine"};
   cell.output_folder = folder_;
   const std::optional<Result> result = run_cell(cell);
   ASSERT_TRUE(result.has_value());
-  EXPECT_EQ(result->status, Status::crash);
+  EXPECT_EQ(result->status, Status::not_started);
   EXPECT_EQ(result->detail, "could not be started: 'no-such-engine': No such file or directory");
   EXPECT_FALSE(result->wall_seconds.has_value());
   EXPECT_FALSE(result->peak_bytes.has_value());

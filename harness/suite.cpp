@@ -24,7 +24,7 @@ Cell reference_from_toml(const TomlTable& scene, const std::string& scene_name, 
 }
 
 SuiteScene scene_from_toml(const TomlTable& table, const Suite& suite) {
-  SuiteScene scene = scene_row(table, suite.folder, suite.scenes);
+  SuiteScene scene = scene_row(table, suite);
   scene.reference = reference_from_toml(table, scene.name, suite.engines);
   if (table.has("target_relmse")) {
     scene.target_relmse = table.number("target_relmse");
@@ -43,29 +43,32 @@ std::vector<std::string> scenes_of_run(const TomlTable& run, const Suite& suite)
   names = run.strings("scenes");
   for (std::size_t i = 0; i < names.size(); ++i)
     if (find_named(suite.scenes, names[i]) == nullptr)
-      throw run.error("scenes", i, "unknown scene '" + names[i] + "'; known: " + names_of(suite.scenes));
+      throw run.error("scenes", i, unknown_name("scene", names[i], suite.scenes));
   return names;
 }
 
 void add_run(const TomlTable& run, Suite& suite, std::set<std::string>& labels) {
-  const Engine& engine = known_engine(run, suite.engines);
+  const auto engines = named_rows("engine", "engines", run, suite.engines);
   const std::vector<std::string> budgets = run.strings("budgets");
-  for (std::size_t i = 0; i < budgets.size(); ++i)
-    if (const auto problem = budget_problem(budgets[i], engine)) throw run.error("budgets", i, *problem);
+  for (const Engine* engine : engines)
+    for (std::size_t i = 0; i < budgets.size(); ++i)
+      if (const auto problem = budget_problem(budgets[i], *engine)) throw run.error("budgets", i, *problem);
   const std::vector<std::int64_t> seeds = run.integers("seeds");
   for (std::size_t i = 0; i < seeds.size(); ++i)
     if (seeds[i] < 0) throw run.error("seeds", i, "a seed must not be negative");
   const std::vector<std::string> scenes = scenes_of_run(run, suite);
   run.expect_no_other_keys();
-  for (const std::string& scene : scenes)
-    for (const std::string& budget : budgets)
-      for (const std::int64_t seed : seeds) {
-        const Cell cell{scene, engine.name, *budget_from_text(budget), static_cast<std::uint64_t>(seed)};
-        if (cell.label() == suite.scene(scene).reference.label())
-          throw run.error("the cell " + cell.label() + " is the scene's reference; it would be compared with itself");
-        if (!labels.insert(cell.label()).second) throw run.error("the cell " + cell.label() + " occurs twice");
-        suite.cells.push_back(cell);
-      }
+  const auto add = [&](const Cell& cell) {
+    if (cell.label() == suite.scene(cell.scene).reference.label())
+      throw run.error("the cell " + cell.label() + " is the scene's reference; it would be compared with itself");
+    if (!labels.insert(cell.label()).second) throw run.error("the cell " + cell.label() + " occurs twice");
+    suite.cells.push_back(cell);
+  };
+  for (const Engine* engine : engines)
+    for (const std::string& scene : scenes)
+      for (const std::string& budget : budgets)
+        for (const std::int64_t seed : seeds)
+          add({scene, engine->name, *budget_from_text(budget), static_cast<std::uint64_t>(seed)});
 }
 
 void add_control(const TomlTable& document, Suite& suite) {
@@ -74,8 +77,7 @@ void add_control(const TomlTable& document, Suite& suite) {
   if (table.has("control")) {
     suite.control = table.string("control");
     const Engine* engine = find_named(suite.engines, suite.control);
-    if (engine == nullptr)
-      throw table.error("control", "unknown engine '" + suite.control + "'; known: " + names_of(suite.engines));
+    if (engine == nullptr) throw table.error("control", unknown_name("engine", suite.control, suite.engines));
     Engine twin = *engine;
     twin.name = control_name(suite.control);
     twin.title += ", a second time";
@@ -88,6 +90,9 @@ void add_control(const TomlTable& document, Suite& suite) {
       cell.engine = control_name(suite.control);
       twins.push_back(std::move(cell));
     }
+    for (SuiteScene& scene : suite.scenes)
+      if (const auto own = scene.files.find(suite.control); own != scene.files.end())
+        scene.files[control_name(suite.control)] = own->second;
     if (twins.empty()) throw table.error("control", "engine '" + suite.control + "' has no [[run]]");
     suite.cells.insert(suite.cells.end(), twins.begin(), twins.end());
   }
@@ -97,6 +102,16 @@ void add_control(const TomlTable& document, Suite& suite) {
 }  // namespace
 
 std::string control_name(const std::string& engine) { return engine + "-control"; }
+
+const fs::path& SuiteScene::file_for(const std::string& engine_name) const {
+  const auto own = files.find(engine_name);
+  return own == files.end() ? path : own->second;
+}
+
+std::string SuiteScene::file_content(const std::string& engine_name) const {
+  const auto own = files.find(engine_name);
+  return own == files.end() ? "" : read_file(own->second, max_scene_file_bytes);
+}
 
 const Engine& SuiteCommon::engine(const std::string& engine_name) const { return *find_named(engines, engine_name); }
 

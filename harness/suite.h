@@ -1,19 +1,10 @@
 // A benchmark suite: which scenes, which engines at which budgets and seeds, what each is compared with, and the
-// limits. A TOML file, read strictly:
-//   name, title
-//   [limits]   seconds, memory_mb, threads (each optional)
-//   [bench]    control = an engine whose cells are measured twice, the second time as "<engine>-control", to see
-//              whether this session's times can be trusted (optional)
-//   [[engine]] further engines, as in engines.toml
-//   [[scene]]  name, path (relative to this file), width, height, exposure (optional),
-//              reference = {engine, budget, seed}, for example {engine = "reference", budget = "standard-error=0.005",
-//              seed = 1}; target_relmse (optional: the time to reach it is reported)
-//   [[run]]    engine, budgets = ["spp=16", ...], seeds = [1, ...], scenes = [...] (optional; all of them)
-// Seeds are the repetitions: two tell bias from noise, five give a time its interval.
+// limits. Its keys are in suites/FORMAT.md, which suite_format_test.cpp holds to what is read here.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,6 +28,12 @@ struct SuiteScene {
   std::optional<double> exposure;  ///< stops; otherwise the scene's expect.toml says
   Cell reference;
   std::optional<double> target_relmse{};
+  std::map<std::string, std::filesystem::path> files{};  ///< what {scene} is instead of `path`, by engine
+
+  const std::filesystem::path& file_for(const std::string& engine_name) const;
+  /// What decides a cell of the engine beside the scene's own content: that of its file; empty without one. Throws
+  /// InputError when it cannot be read.
+  std::string file_content(const std::string& engine_name) const;
 };
 
 /// What benchmark suites and gate suites have in common.

@@ -31,15 +31,31 @@ Limits limits_from_toml(const TomlTable& document) {
   return limits;
 }
 
-SuiteScene scene_row(const TomlTable& table, const std::filesystem::path& folder,
-                     const std::vector<SuiteScene>& others) {
+namespace {
+
+std::filesystem::path file_of(const TomlTable& table, const std::string& key, const SuiteCommon& suite) {
+  std::filesystem::path file = (suite.folder / table.string(key)).lexically_normal();
+  if (!std::filesystem::is_regular_file(file)) throw table.error(key, "no such file: " + file.string());
+  return file;
+}
+
+}  // namespace
+
+SuiteScene scene_row(const TomlTable& table, const SuiteCommon& suite) {
   SuiteScene scene;
   scene.name = file_name(table, "name");
-  if (find_named(others, scene.name) != nullptr)
+  if (find_named(suite.scenes, scene.name) != nullptr)
     throw table.error("name", "there is a scene '" + scene.name + "' already");
   scene.given_path = table.string("path");
-  scene.path = (folder / scene.given_path).lexically_normal();
-  if (!std::filesystem::is_regular_file(scene.path)) throw table.error("path", "no such file: " + scene.path.string());
+  scene.path = file_of(table, "path", suite);
+  if (table.has("files")) {
+    const TomlTable files = table.table("files");
+    for (const std::string& engine : files.keys()) {
+      if (find_named(suite.engines, engine) == nullptr)
+        throw files.error(engine, unknown_name("engine", engine, suite.engines));
+      scene.files[engine] = file_of(files, engine, suite);
+    }
+  }
   scene.width = bounded_integer(table, "width", 1, max_side);
   scene.height = bounded_integer(table, "height", 1, max_side);
   if (table.has("exposure")) scene.exposure = table.number("exposure");
@@ -49,7 +65,7 @@ SuiteScene scene_row(const TomlTable& table, const std::filesystem::path& folder
 const Engine& known_engine(const TomlTable& table, const std::vector<Engine>& engines) {
   const std::string name = table.string("engine");
   const Engine* engine = find_named(engines, name);
-  if (engine == nullptr) throw table.error("engine", "unknown engine '" + name + "'; known: " + names_of(engines));
+  if (engine == nullptr) throw table.error("engine", unknown_name("engine", name, engines));
   return *engine;
 }
 
@@ -59,7 +75,8 @@ std::optional<std::string> budget_problem(const std::string& text, const Engine&
   if (engine.accepts(budget->kind)) return std::nullopt;
   std::string kinds;
   for (const std::string& kind : engine.budget_kinds) kinds += (kinds.empty() ? "" : ", ") + kind;
-  return "engine '" + engine.name + "' takes budgets of " + kinds + "; not '" + budget->kind + "'";
+  return "engine '" + engine.name + "' takes budgets of " + kinds + "; not '" + budget->kind + "'" +
+         did_you_mean(budget->kind, engine.budget_kinds);
 }
 
 }  // namespace photonproof

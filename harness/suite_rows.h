@@ -10,11 +10,13 @@
 
 #include "harness/suite.h"
 #include "harness/toml_table.h"
+#include "scenes/edit_distance.h"
 
 namespace photonproof {
 
 inline constexpr std::size_t max_suite_bytes = std::size_t{1} << 24;
-inline constexpr std::int64_t max_side = 1 << 14;  // 2^28 pixels, as scenes/image.h reads
+inline constexpr std::size_t max_scene_file_bytes = std::size_t{1} << 30;  // of an engine's own file of a scene
+inline constexpr std::int64_t max_side = 1 << 14;                          // 2^28 pixels, as scenes/image.h reads
 
 /// "a, b, c", or "none".
 template <class Items>
@@ -22,6 +24,15 @@ std::string names_of(const Items& items) {
   std::string names;
   for (const auto& item : items) names += (names.empty() ? "" : ", ") + item.name;
   return names.empty() ? "none" : names;
+}
+
+/// "unknown engine 'pth' (did you mean 'path'?); known: path, bdpt"
+template <class Items>
+std::string unknown_name(const std::string& what, const std::string& name, const Items& known) {
+  std::vector<std::string> names;
+  for (const auto& item : known) names.push_back(item.name);
+  const std::string near = name.size() > 1 ? did_you_mean(name, names) : "";  // of one letter, any other is as near
+  return "unknown " + what + " '" + name + "'" + near + "; known: " + names_of(known);
 }
 
 template <class Items>
@@ -39,12 +50,35 @@ std::string file_name(const TomlTable& table, const std::string& key);
 /// The optional table [limits].
 Limits limits_from_toml(const TomlTable& document);
 
-/// Name, path, size and exposure of a scene, whose name none of `others` has.
-SuiteScene scene_row(const TomlTable& table, const std::filesystem::path& folder,
-                     const std::vector<SuiteScene>& others);
+/// Name, path, files, size and exposure of a scene of `suite`, whose engines are known and none of whose scenes has the
+/// name.
+SuiteScene scene_row(const TomlTable& table, const SuiteCommon& suite);
 
 /// The engine that "engine" names.
 const Engine& known_engine(const TomlTable& table, const std::vector<Engine>& engines);
+
+/// The rows that one of two keys names, either of which takes a name or an array of names: scene = "a", scenes = ["a",
+/// "b"]. At least one, none twice.
+template <class Items>
+auto named_rows(const std::string& one, const std::string& many, const TomlTable& table, Items& items) {
+  if (table.has(one) && table.has(many))
+    throw table.error(many, "'" + many + "' beside '" + one + "': say one of them");
+  const std::string& key = table.has(many) ? many : one;
+  const bool is_array = table.is_array(key);
+  const std::vector<std::string> names = is_array ? table.strings(key) : std::vector{table.string(key)};
+  if (names.empty()) throw table.error(key, "'" + key + "' must not be empty");
+  std::vector<decltype(find_named(items, std::string()))> rows;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const auto error = [&](const std::string& message) {
+      return is_array ? table.error(key, i, message) : table.error(key, message);
+    };
+    auto* row = find_named(items, names[i]);
+    if (row == nullptr) throw error(unknown_name(one, names[i], items));
+    if (std::find(rows.begin(), rows.end(), row) != rows.end()) throw error("'" + names[i] + "' is named twice");
+    rows.push_back(row);
+  }
+  return rows;
+}
 
 /// The problem with a budget for an engine, empty when there is none.
 std::optional<std::string> budget_problem(const std::string& text, const Engine& engine);

@@ -56,6 +56,15 @@ TEST_F(SuiteFile, runs_expand_to_cells_in_order) {
                                               "b/povray/quality=1/seed=1"}));
 }
 
+TEST_F(SuiteFile, a_run_may_name_several_engines) {
+  const Suite suite =
+      read(std::string(head) + scenes + "[[run]]\nengine = ['path', 'bdpt']\nbudgets = ['spp=1']\nseeds = [1]\n");
+  std::vector<std::string> labels;
+  for (const Cell& cell : suite.cells) labels.push_back(cell.label());
+  EXPECT_EQ(labels, (std::vector<std::string>{"a/path/spp=1/seed=1", "b/path/spp=1/seed=1", "a/bdpt/spp=1/seed=1",
+                                              "b/bdpt/spp=1/seed=1"}));
+}
+
 TEST_F(SuiteFile, own_engine_can_be_used) {
   const Suite suite = read(std::string(head) + scenes +
                            "[[engine]]\nname = 'mine'\ntitle = 'Mine'\ncommand = ['x', '{scene}', '{output}']\n"
@@ -84,6 +93,7 @@ TEST_F(SuiteFile, the_suites_we_ship_are_valid) {
   const std::filesystem::path folder = PHOTONPROOF_SOURCE_DIR "/harness/suites";
   int count = 0;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() != ".toml") continue;                // FORMAT.md
     if (entry.path().stem().string().starts_with("gates")) continue;  // the other kind: gate_suite_test.cpp
     EXPECT_EQ(input_error_of([&] { EXPECT_EQ(read_suite(entry.path()).name, entry.path().stem()); }), "no error");
     ++count;
@@ -105,7 +115,7 @@ TEST_F(SuiteFile, mistakes_are_named_with_their_place) {
   EXPECT_EQ(with("'tiny'", "'../up'"),
             "s.toml:1:8: error: 'name' may hold letters, digits, '_', '.' and '-' and not start with '.'");
   EXPECT_EQ(with("[[run]]", "sets = 1\n[[run]]"),
-            "s.toml:16:1: error: unknown key 'sets'; known here: exposure, height, "
+            "s.toml:16:1: error: unknown key 'sets'; known here: exposure, files, height, "
             "name, path, reference, target_relmse, width");
   EXPECT_EQ(with("[[scene]]", "[limits]\nsecs = 1\n[[scene]]"),
             "s.toml:4:1: error: unknown key 'secs'; known here: memory_mb, seconds, threads");
@@ -117,13 +127,22 @@ TEST_F(SuiteFile, mistakes_are_named_with_their_place) {
             "s.toml:9:40: error: a budget is written \"kind=amount\" with a positive amount, not 'spp=0'");
   EXPECT_EQ(with("name = 'b'", "name = 'a'"), "s.toml:11:8: error: there is a scene 'a' already");
   EXPECT_EQ(with("engine = 'path'\nbudgets", "engine = 'pth'\nbudgets"),
-            "s.toml:17:10: error: unknown engine 'pth'; known: path, photonmapper, bdpt, ptracer, volpath, povray, "
+            "s.toml:17:10: error: unknown engine 'pth' (did you mean 'path'?); known: path, photonmapper, bdpt, "
+            "ptracer, volpath, povray, "
             "reference");
   EXPECT_EQ(with("['spp=1']", "['spp=1', 'photons=2']"),
             "s.toml:18:21: error: engine 'path' takes budgets of spp, seconds, target-error; not 'photons'");
   EXPECT_EQ(with("seeds = [1]", "seeds = [1, -2]"), "s.toml:19:13: error: a seed must not be negative");
   EXPECT_EQ(with("seeds = [1]", "seeds = [1]\nscenes = ['a', 'z']"),
             "s.toml:20:16: error: unknown scene 'z'; known: a, b");
+  EXPECT_EQ(with("['spp=1']", "['sp=1']"),
+            "s.toml:18:12: error: engine 'path' takes budgets of spp, seconds, target-error; not 'sp' (did you mean "
+            "'spp'?)");
+  EXPECT_EQ(with("engine = 'path'\nbudgets", "engine = ['path', 'bdtp']\nbudgets").substr(0, 60),
+            std::string("s.toml:17:19: error: unknown engine 'bdtp' (did you mean 'bdpt'?)").substr(0, 60));
+  EXPECT_EQ(with("width = 8", "files = {pth = 'b.xml'}\nwidth = 8").substr(0, 43),
+            "s.toml:6:16: error: unknown engine 'pth' (d");
+  EXPECT_EQ(with("width = 8", "files = {path = 'c.xml'}\nwidth = 8"), "s.toml:6:17: error: no such file: c.xml");
   EXPECT_EQ(with("seeds = [1]", "seeds = [1, 1]"), "s.toml:16:1: error: the cell a/path/spp=1/seed=1 occurs twice");
   EXPECT_EQ(error(good + run), "s.toml:20:1: error: the cell a/path/spp=1/seed=1 occurs twice");
   EXPECT_EQ(with("['spp=1']\nseeds = [1]", "['spp=64']\nseeds = [9]"),
@@ -131,7 +150,8 @@ TEST_F(SuiteFile, mistakes_are_named_with_their_place) {
             "itself");
   EXPECT_EQ(error(head), "s.toml:1:1: error: the suite has no [[scene]]");
   EXPECT_EQ(with("[[run]]", "[[rnu]]"),
-            "s.toml:16:3: error: unknown key 'rnu'; known here: bench, engine, limits, name, run, scene, title");
+            "s.toml:16:3: error: unknown key 'rnu' (did you mean 'run'?); known here: bench, engine, limits, name, "
+            "run, scene, title");
 }
 
 TEST_F(SuiteFile, missing_suite_is_named) {

@@ -6,6 +6,8 @@
 #include <set>
 #include <sstream>
 
+#include "scenes/edit_distance.h"
+
 namespace photonproof {
 namespace {
 
@@ -134,6 +136,14 @@ TomlTable TomlTable::table(const std::string& key) const {
   return TomlTable(std::make_shared<View>(View{view_->document, value.as_table()}));
 }
 
+bool TomlTable::is_array(const std::string& key) const { return view_->node(key).is_array(); }
+
+std::vector<std::string> TomlTable::keys() const {
+  std::vector<std::string> names;
+  for (const auto& [key, value] : *view_->table) names.emplace_back(key.str());
+  return names;
+}
+
 bool TomlTable::has(const std::string& key) const {
   view_->asked.insert(key);
   return view_->table->contains(key);
@@ -152,10 +162,13 @@ std::vector<TomlTable> TomlTable::tables(const std::string& key) const {
 void TomlTable::expect_no_other_keys() const {
   for (const auto& [key, value] : *view_->table) {
     if (view_->asked.count(std::string(key.str())) != 0) continue;
+    const std::string name(key.str());
     std::string known;
-    for (const std::string& name : view_->asked) known += (known.empty() ? "" : ", ") + name;
+    for (const std::string& other : view_->asked) known += (known.empty() ? "" : ", ") + other;
     throw view_->document->error(key.source().begin,
-                                 "unknown key '" + std::string(key.str()) + "'; known here: " + known);
+                                 "unknown key '" + name + "'" +
+                                     did_you_mean(name, {view_->asked.begin(), view_->asked.end()}) +
+                                     "; known here: " + known);
   }
 }
 

@@ -30,6 +30,8 @@ class TomlTable {
   TomlTable table(const std::string& key) const;
 
   bool has(const std::string& key) const;
+  bool is_array(const std::string& key) const;
+  std::vector<std::string> keys() const;  ///< all there are
   /// An array of tables; empty when the key is absent.
   std::vector<TomlTable> tables(const std::string& key) const;
 

@@ -66,8 +66,9 @@ TEST(TomlTable, unknown_key_is_refused_with_the_known_ones) {
   const TomlTable table = parse("a = 1\nsecnds = 2");
   table.integer("a");
   table.has("seconds");
-  EXPECT_EQ(input_error_of([&] { table.expect_no_other_keys(); }),
-            "t.toml:2:1: error: unknown key 'secnds'; known here: a, seconds\n  secnds = 2\n  ^");
+  EXPECT_EQ(
+      input_error_of([&] { table.expect_no_other_keys(); }),
+      "t.toml:2:1: error: unknown key 'secnds' (did you mean 'seconds'?); known here: a, seconds\n  secnds = 2\n  ^");
 }
 
 }  // namespace

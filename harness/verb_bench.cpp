@@ -152,6 +152,7 @@ int exit_code_of(const BenchArguments& arguments, const BenchSummary& summary) {
     const auto found = summary.by_change.find(change);
     return found == summary.by_change.end() ? std::size_t{0} : found->second;
   };
+  if (summary.by_status.count(Status::not_started) > 0) return 2;
   if (failures(summary) > 0 || count(Change::regression) > 0) return 1;
   const bool compared_nothing = !arguments.against.empty() && summary.by_change.empty();
   return compared_nothing || count(Change::inconclusive) > 0 ? 3 : 0;
@@ -205,7 +206,7 @@ void add_bench_verb(CLI::App& program, int& exit_code) {
       "bench",
       "Run a suite: every scene, engine, budget and seed in a process of its own; finished cells are kept.\n"
       "Exit codes: 0 done; 1 a cell timed out, crashed or wrote a bad image, or --against found a regression; 2 bad\n"
-      "input; 3 --against could not tell; 130 interrupted");
+      "input or an engine that cannot be started; 3 --against could not tell; 130 interrupted");
   verb->add_option("suite", arguments->suite, "suite (TOML)")->required();
   verb->add_option("-o,--output", arguments->output, "results folder (default: out/<name of the suite>)");
   verb->add_flag("--fresh", arguments->fresh,

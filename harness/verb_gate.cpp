@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
@@ -69,12 +70,14 @@ void print_json(const GateSummary& summary, const std::vector<fs::path>& reports
                                  {"fail", summary.count(GateVerdict::fail)},
                                  {"inconclusive", summary.count(GateVerdict::inconclusive)},
                                  {"interrupted", summary.interrupted},
+                                 {"together", summary.results.findings},
                                  {"gates", nlohmann::json::array()}};
   for (const fs::path& report : reports) json["reports"].push_back(report.string());
   for (const GateRecord& gate : summary.results.gates) {
     nlohmann::ordered_json entry = {{"name", gate.name},         {"verdict", to_string(gate.verdict)},
                                     {"sentence", gate.sentence}, {"looks", gate.looks},
                                     {"samples", gate.samples},   {"seconds", gate.seconds}};
+    if (gate.status) entry["status"] = to_string(*gate.status);
     if (gate.would_see) entry["would_see"] = *gate.would_see;
     if (gate.would_see_in_a_block) entry["would_see_in_a_block"] = *gate.would_see_in_a_block;
     if (!gate.regression_only.empty()) entry["regression_only"] = gate.regression_only;
@@ -87,6 +90,7 @@ void print_text(const GateSuite& suite, const GateSummary& summary, const std::v
   std::printf("%s: %zu pass, %zu fail, %zu inconclusive%s\n", suite.name.c_str(), summary.count(GateVerdict::pass),
               summary.count(GateVerdict::fail), summary.count(GateVerdict::inconclusive),
               summary.interrupted ? "; interrupted: --resume goes on from here" : "");
+  for (const std::string& finding : summary.results.findings) std::printf("together: %s\n", finding.c_str());
   std::printf("results: %s\n", summary.results_file.c_str());
   for (const fs::path& report : reports) std::printf("report: %s\n", report.c_str());
 }
@@ -117,6 +121,9 @@ void print_annotations(const GateSummary& summary) {
 
 int exit_code_of(const GateSummary& summary) {
   if (summary.interrupted) return 130;
+  if (std::ranges::any_of(summary.results.gates,
+                          [](const GateRecord& gate) { return gate.status == Status::not_started; }))
+    return 2;
   if (summary.count(GateVerdict::fail) > 0) return 1;
   return summary.count(GateVerdict::inconclusive) > 0 ? 3 : 0;
 }
@@ -207,7 +214,8 @@ void add_gate_verb(CLI::App& program, int& exit_code) {
   CLI::App* verb = program.add_subcommand(
       "gate",
       "Decide a suite's gates: draw as many images as each verdict needs, and say where and how one fails.\n"
-      "Exit codes: 0 pass, 1 a gate fails, 2 bad input, 3 none fails but one is inconclusive, 130 interrupted");
+      "Exit codes: 0 pass, 1 a gate fails, 2 bad input or an engine that cannot be started, 3 none fails but one is "
+      "inconclusive, 130 interrupted");
   verb->add_option("suite", arguments->suite, "gate suite (TOML)")->required();
   verb->add_option("-o,--output", arguments->output, "results folder (default: out/<name of the suite>)");
   verb->add_option("--seed", arguments->seed, "of the run: same build, suite and seed, same verdicts (default 1)")

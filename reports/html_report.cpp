@@ -26,6 +26,9 @@ void set_header(data& page, const Results& results, const View& view) {
   page.set("host", printable(host_text(results.host)));
   page.set("versions", printable(versions_text(results.versions)));
   page.set("command", printable(results.command));
+  data findings(data::type::list);
+  for (const std::string& finding : results.findings) findings.push_back(printable(finding));
+  page.set("findings", findings);
   data caveats(data::type::list);
   for (const std::string& caveat : results.caveats) caveats.push_back(printable(caveat));
   page.set("caveats", caveats);

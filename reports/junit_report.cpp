@@ -1,6 +1,7 @@
-// A testcase's outcome: a gate that fails and a regression are a `failure`, a cell that did not finish is an `error`,
-// and what was not decided (an inconclusive gate or change, an unsupported cell) is `skipped`, each with its sentence.
-// The schema has properties on testsuites only, so metrics are named by the testcase they belong to: "case: metric".
+// A testcase's outcome: a gate whose images fail and a regression are a `failure`; a cell that did not finish, and a
+// gate whose engine crashed, hung or could not be started, are an `error`; and what was not decided (an inconclusive
+// gate or change, an unsupported cell) is `skipped`, each with its sentence. The schema has properties on testsuites
+// only, so metrics are named by the testcase they belong to: "case: metric".
 #include <fmt/format.h>
 
 #include <pugixml.hpp>
@@ -79,9 +80,11 @@ class Suite {
 };
 
 void add_gate(Suite& suite, const GateRecord& gate) {
-  const char* outcome = gate.verdict == GateVerdict::fail           ? "failure"
-                        : gate.verdict == GateVerdict::inconclusive ? "skipped"
-                                                                    : "";
+  const bool no_images = gate.status && *gate.status != Status::bad_image;  // which is one, and a wrong one
+  const char* outcome = gate.verdict == GateVerdict::fail && no_images ? "error"
+                        : gate.verdict == GateVerdict::fail            ? "failure"
+                        : gate.verdict == GateVerdict::inconclusive    ? "skipped"
+                                                                       : "";
   std::string output = printable(gate.sentence) + "\n";
   for (const FailingTile& tile : gate.tiles) {
     output += fmt::format("tile {},{} {}x{}: {}\n", tile.x, tile.y, tile.width, tile.height, printable(tile.sentence));
@@ -95,8 +98,8 @@ void add_gate(Suite& suite, const GateRecord& gate) {
   if (!gate.regression_only.empty()) suite.add_property(gate.name + ": regression only", gate.regression_only);
   suite.add_number(gate.name, "alpha", Estimate{gate.alpha, {}});
   suite.add_number(gate.name, "samples", Estimate{static_cast<double>(gate.samples), {}});
-  suite.add_case(gate.name, gate.scene + "." + gate.engine, gate.seconds, outcome, to_string(gate.verdict),
-                 gate.sentence, output);
+  suite.add_case(gate.name, gate.scene + "." + gate.engine, gate.seconds, outcome,
+                 gate.status ? to_string(*gate.status) : to_string(gate.verdict), gate.sentence, output);
 }
 
 void add_change(Suite& suite, const ChangeRecord& change) {

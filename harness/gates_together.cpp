@@ -1,0 +1,126 @@
+#include "harness/gates_together.h"
+
+#include <algorithm>
+#include <map>
+
+#include "harness/independence.h"
+#include "harness/suite_rows.h"
+
+namespace photonproof {
+namespace {
+
+using Names = std::vector<std::string>;
+
+bool holds(const Names& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// The code of ours that an integrator runs beside what all of them share (CONTRIBUTING, "A batch's life" and "One
+/// history at a time").
+const Names& passes_of(const std::string& integrator) {
+  static const std::string direct = "direct light", weights = "weights of lamps that bounces meet",
+                           diffuse = "diffuse bounces", specular = "mirrors and glass",
+                           camera_paths = "camera paths of one history at a time",
+                           light_paths = "light paths of one history at a time";
+  static const std::map<std::string, Names> table{
+      {"path", {direct, weights, diffuse, specular}},
+      {"direct", {direct, weights}},
+      {"photonmapper", {direct, specular, "photon paths", "densities of photons"}},
+      {"bdpt", {camera_paths, light_paths, "weights of bdpt"}},
+      {"ptracer", {light_paths, "splats"}},
+      {"volpath", {camera_paths, "media"}},
+      {"whitted", {"rays of whitted"}}};
+  static const Names unknown;
+  const auto found = table.find(integrator);
+  return found == table.end() ? unknown : found->second;
+}
+
+constexpr const char* shared_by_all = "camera, materials, lamps and textures";
+
+struct Verdicts {
+  bool failed = false, undecided = false;
+};
+
+class SceneVerdicts {
+ public:
+  SceneVerdicts(const SuiteCommon& suite, const std::vector<GateRecord>& gates, const std::string& scene)
+      : suite_(suite) {
+    std::map<std::string, Verdicts> engines;
+    for (const GateRecord& gate : gates) {
+      if (gate.scene != scene) continue;
+      Verdicts& verdicts = engines[gate.engine];
+      if (gate.verdict == GateVerdict::fail && !gate.status) verdicts.failed = true;
+      if (gate.verdict == GateVerdict::inconclusive || gate.status) verdicts.undecided = true;
+    }
+    for (const auto& [engine, verdicts] : engines) {
+      if (verdicts.failed)
+        failing_.push_back(engine);
+      else if (!verdicts.undecided)
+        passing_.push_back(engine);
+    }
+  }
+
+  /// Empty where there is nothing to say of engines together.
+  std::string sentence() const {
+    if (failing_.empty() || failing_.size() + passing_.size() < 2) return "";
+    const std::string fail = listed(failing_, "and") + (failing_.size() == 1 ? " fails" : " fail");
+    const bool ours = all_ours(failing_);
+    if (passing_.empty())
+      return fail + ", and no engine passes: look at what they share: the scene or its reference" +
+             (ours ? ", " + std::string(shared_by_all) + common_text(own(failing_)) : "");
+    const std::string where =
+        fail + " where " + listed(passing_, "and") + (passing_.size() == 1 ? " passes" : " pass") + ": ";
+    if (!ours) return where + "its reference serves others";
+    Names suspects;
+    for (const std::string& pass : own(failing_))
+      if (!run_by_any(passing_, pass)) suspects.push_back(pass);
+    if (!suspects.empty()) return where + "look at " + listed(suspects, "or");
+    return where + "no part of ours is theirs alone; the bounds may differ more than the engines do";
+  }
+
+ private:
+  static std::string listed(const Names& names, const std::string& last) {
+    std::string text;
+    for (std::size_t i = 0; i < names.size(); ++i)
+      text += (i == 0 ? "" : i + 1 < names.size() ? ", " : " " + last + " ") + names[i];
+    return text;
+  }
+
+  static std::string common_text(const Names& passes) { return passes.empty() ? "" : ", " + listed(passes, "or"); }
+
+  std::string integrator(const std::string& engine) const { return integrator_of(suite_.engine(engine)).value_or(""); }
+
+  bool all_ours(const Names& engines) const {
+    return std::ranges::none_of(engines, [&](const auto& engine) { return passes_of(integrator(engine)).empty(); });
+  }
+
+  /// What all of these engines run. Precondition: one at least.
+  Names own(const Names& engines) const {
+    Names passes = passes_of(integrator(engines.front()));
+    for (const std::string& engine : engines)
+      std::erase_if(passes, [&](const auto& pass) { return !holds(passes_of(integrator(engine)), pass); });
+    return passes;
+  }
+
+  bool run_by_any(const Names& engines, const std::string& pass) const {
+    return std::ranges::any_of(engines, [&](const auto& engine) { return holds(passes_of(integrator(engine)), pass); });
+  }
+
+  const SuiteCommon& suite_;
+  Names failing_, passing_;
+};
+
+}  // namespace
+
+std::vector<std::string> gates_together(const std::vector<GateRecord>& gates, const SuiteCommon& suite) {
+  Names scenes, sentences;
+  for (const GateRecord& gate : gates) {
+    if (holds(scenes, gate.scene)) continue;
+    scenes.push_back(gate.scene);
+    const std::string sentence = SceneVerdicts(suite, gates, gate.scene).sentence();
+    if (!sentence.empty()) sentences.push_back(gate.scene + ": " + sentence);
+  }
+  return sentences;
+}
+
+}  // namespace photonproof

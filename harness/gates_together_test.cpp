@@ -1,0 +1,75 @@
+#include "harness/gates_together.h"
+
+#include <gtest/gtest.h>
+
+namespace photonproof {
+namespace {
+
+class GatesTogether : public testing::Test {
+ protected:
+  GatesTogether() {
+    suite_.engines = builtin_engines();
+    suite_.engines.push_back({"mine", "mine", {"mine", "{scene}", "{output}"}, {}, {"spp"}});
+  }
+  void add(const std::string& scene, const std::string& engine, GateVerdict verdict,
+           std::optional<Status> status = std::nullopt) {
+    GateRecord record;
+    record.scene = scene;
+    record.engine = engine;
+    record.verdict = verdict;
+    record.status = status;
+    gates_.push_back(record);
+  }
+  std::vector<std::string> said() const { return gates_together(gates_, suite_); }
+
+  SuiteCommon suite_;
+  std::vector<GateRecord> gates_;
+};
+
+using enum GateVerdict;
+using Sentences = std::vector<std::string>;
+
+TEST_F(GatesTogether, what_the_failing_engine_has_and_the_passing_one_has_not_is_named) {
+  add("cornell", "path", fail);
+  add("cornell", "photonmapper", pass);
+  add("cornell", "photonmapper", pass);
+  add("furnace", "photonmapper", fail);
+  add("furnace", "path", pass);
+  add("furnace", "path", pass);
+  add("pool", "path", fail);
+  add("pool", "bdpt", pass);
+  EXPECT_EQ(said(),
+            (Sentences{"cornell: path fails where photonmapper passes: look at weights of lamps that bounces meet or "
+                       "diffuse bounces",
+                       "furnace: photonmapper fails where path passes: look at photon paths or densities of photons",
+                       "pool: path fails where bdpt passes: look at direct light, weights of lamps that bounces meet, "
+                       "diffuse bounces or mirrors and glass"}));
+}
+
+TEST_F(GatesTogether, where_all_fail_it_is_what_they_share) {
+  add("cornell", "path", fail);
+  add("cornell", "photonmapper", fail);
+  add("cornell", "photonmapper", pass);  // one of its gates is not enough
+  EXPECT_EQ(said(),
+            (Sentences{"cornell: path and photonmapper fail, and no engine passes: look at what they share: the "
+                       "scene or its reference, camera, materials, lamps and textures, direct light or mirrors "
+                       "and glass"}));
+}
+
+TEST_F(GatesTogether, programs_of_others_are_set_against_ours_without_guesses_about_their_insides) {
+  add("cornell", "mine", fail);
+  add("cornell", "path", pass);
+  EXPECT_EQ(said(), Sentences{"cornell: mine fails where path passes: its reference serves others"});
+}
+
+TEST_F(GatesTogether, one_engine_alone_and_what_left_no_images_say_nothing) {
+  add("cornell", "path", fail);
+  add("furnace", "path", fail, Status::crash);
+  add("furnace", "bdpt", pass);
+  add("pool", "path", pass);
+  add("pool", "bdpt", inconclusive);
+  EXPECT_EQ(said(), Sentences{});
+}
+
+}  // namespace
+}  // namespace photonproof
