@@ -106,6 +106,7 @@ Results example_with_conclusions() {
   gate.metric = "agreement";
   gate.verdict = GateVerdict::fail;
   gate.sentence = "a hole at (3, 4)";
+  gate.status = Status::bad_image;
   gate.observed = Estimate{0.2, Interval{0.1, 0.3}};
   gate.bound = 0.02;
   gate.would_see = 0.013;
@@ -132,6 +133,7 @@ Results example_with_conclusions() {
   change.change = Change::regression;
   change.sentence = "3 % slower";
   results.changes.push_back(change);
+  results.findings.emplace_back("cornell: path fails where bdpt passes");
   results.caveats.emplace_back("noisy");
   return results;
 }
@@ -173,6 +175,7 @@ TEST_F(ResultsFile, round_trip_keeps_every_conclusion) {
   EXPECT_EQ(read.convergence, written.convergence);
   EXPECT_EQ(read.gates, written.gates);
   EXPECT_EQ(read.changes, written.changes);
+  EXPECT_EQ(read.findings, written.findings);
   EXPECT_EQ(read.caveats, written.caveats);
 }
 
