@@ -22,8 +22,8 @@ Viewing viewing_of(const SuiteScene& scene);
 
 /// Images as in deviations.h. Those that prove nothing (repeated_images.h) are judged first: one that is the reference
 /// itself fails every gate; where the reference has noise, the same image for all seeds fails what weighs noise
-/// (without {seed} in the command nothing can be said), and is named by the other gates; images that repeat among
-/// others fail.
+/// (nothing can be said without {seed} in the command, or where the engine does not claim to be unbiased), and is named
+/// by the other gates; images that repeat among others fail.
 Judgement look_at(const Gate& gate, const StoredReference& reference, const Viewing& viewing,
                   std::span<const Image* const> images);
 

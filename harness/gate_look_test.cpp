@@ -222,7 +222,14 @@ TEST(gate_look, one_image_for_all_seeds_is_named_and_passes_nothing_that_weighs_
     EXPECT_EQ(ignores.sentence,
               "all 8 seeds gave the same image: it does not heed {seed}, and a variance of zero proves nothing");
     EXPECT_TRUE(ignores.tiles.empty());  // no fault of place
-    tested.takes_seed = false;           // deterministic, and says so
+    // An engine that claims no noise, as POV-Ray where nothing is random.
+    tested.unbiased = false;
+    const Judgement smooth = look_at(tested, stored, {}, pointers(images));
+    EXPECT_EQ(smooth.verdict, GateVerdict::inconclusive) << metric;
+    EXPECT_EQ(smooth.sentence.rfind("all 8 seeds gave the same image: " + std::string(metric) + " weighs noise", 0), 0u)
+        << smooth.sentence;
+    tested.unbiased = true;
+    tested.takes_seed = false;  // deterministic, and says so
     const Judgement deterministic = look_at(tested, stored, {}, pointers(images));
     EXPECT_EQ(deterministic.verdict, GateVerdict::inconclusive) << metric;
     EXPECT_EQ(deterministic.sentence.rfind("all 8 images are the same and the engine's command has no {seed}: " +

@@ -60,6 +60,7 @@ Gate gate_from_toml(const TomlTable& table, const GateSuite& suite, const Gate& 
   gate.scene = scene.name;
   gate.engine = engine.name;
   gate.takes_seed = mentions(engine.command, "{seed}");
+  gate.unbiased = engine.trust == Trust::unbiased;
   const std::string budget = table.string("budget");
   if (const auto problem = budget_problem(budget, engine)) throw table.error("budget", *problem);
   gate.budget = *budget_from_text(budget);

@@ -21,6 +21,7 @@ struct Gate {
   int seeds = 0;  ///< images at the first look
   int looks = 0;
   bool takes_seed = true;  ///< its engine's command has a {seed}
+  bool unbiased = true;    ///< its engine's trust: images whose noise averages out
 };
 
 /// Its scenes are without SuiteScene::reference.

@@ -75,7 +75,9 @@ class SceneVerdicts {
     for (const std::string& pass : own(failing_))
       if (!run_by_any(passing_, pass)) suspects.push_back(pass);
     if (!suspects.empty()) return where + "look at " + listed(suspects, "or");
-    return where + "no part of ours is theirs alone; the bounds may differ more than the engines do";
+    return where + (failing_.size() > 1 && own(failing_).empty()
+                        ? "they share no part but what the others run, too: more than one cause"
+                        : "no part of ours is theirs alone; the bounds may differ more than the engines do");
   }
 
  private:

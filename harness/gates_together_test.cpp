@@ -56,6 +56,20 @@ TEST_F(GatesTogether, where_all_fail_it_is_what_they_share) {
                        "and glass"}));
 }
 
+TEST_F(GatesTogether, nothing_is_blamed_that_a_passing_engine_runs_too) {
+  add("cornell", "path", fail);
+  add("cornell", "bdpt", fail);
+  add("cornell", "photonmapper", pass);
+  add("furnace", "path", pass);
+  suite_.engines.push_back(suite_.engine("path"));
+  suite_.engines.back().name = "path-2";
+  add("furnace", "path-2", fail);
+  EXPECT_EQ(said(), (Sentences{"cornell: bdpt and path fail where photonmapper passes: they share no part but what the "
+                               "others run, too: more than one cause",
+                               "furnace: path-2 fails where path passes: no part of ours is theirs alone; the bounds "
+                               "may differ more than the engines do"}));
+}
+
 TEST_F(GatesTogether, programs_of_others_are_set_against_ours_without_guesses_about_their_insides) {
   add("cornell", "mine", fail);
   add("cornell", "path", pass);
