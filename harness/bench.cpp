@@ -167,11 +167,11 @@ class Bench {
   }
 
   // Folders that cannot be made, or that the engine took away, are a crash of the cell and no end of the run.
-  std::optional<Result> run_in_folder(const PlannedCell& planned, std::string& cell_folder) const try {
+  std::optional<Result> run_in_folder(const PlannedCell& planned, std::string& cell_folder) try {
     cell_folder = store_.make_folder(planned.key);
     // What others are compared with may come from the scene's committed reference.
     const CellCommand command = command_of(planned.cell, cell_folder, planned.is_reference ? nullptr : &copies_);
-    std::optional<Result> result = this->run(planned.cell, command, suite_.limits);
+    std::optional<Result> result = run(planned.cell, command, suite_.limits);
     std::error_code ignored;
     if (result && fs::exists(command.image, ignored))
       result->image = cell_folder + "/" + command.image.filename().string();
@@ -211,8 +211,7 @@ class Bench {
       fs::create_directories(folder, ignored);
       Limits limits = suite_.limits;
       limits.seconds = std::min(limits.seconds, warm_up_seconds);
-      const auto result =
-          this->run(*cells.front(), command_of(*cells.front(), warm_up_folder, &copies_), limits);
+      const auto result = run(*cells.front(), command_of(*cells.front(), warm_up_folder, &copies_), limits);
       if (result) summary_.engine_seconds += result->wall_seconds.value_or(0);
       fs::remove_all(folder, ignored);
     }
