@@ -25,7 +25,7 @@ Cell reference_from_toml(const TomlTable& scene, const std::string& scene_name, 
 
 SuiteScene scene_from_toml(const TomlTable& table, const Suite& suite) {
   SuiteScene scene = scene_row(table, suite.folder, suite.scenes);
-  scene.reference = reference_from_toml(table, scene.name, suite.engines);
+  if (table.has("reference")) scene.reference = reference_from_toml(table, scene.name, suite.engines);
   if (table.has("target_relmse")) {
     scene.target_relmse = table.number("target_relmse");
     if (*scene.target_relmse <= 0) throw table.error("target_relmse", "'target_relmse' must be positive");
@@ -61,7 +61,8 @@ void add_run(const TomlTable& run, Suite& suite, std::set<std::string>& labels) 
     for (const std::string& budget : budgets)
       for (const std::int64_t seed : seeds) {
         const Cell cell{scene, engine.name, *budget_from_text(budget), static_cast<std::uint64_t>(seed)};
-        if (cell.label() == suite.scene(scene).reference.label())
+        const std::optional<Cell>& reference = suite.scene(scene).reference;
+        if (reference && cell.label() == reference->label())
           throw run.error("the cell " + cell.label() + " is the scene's reference; it would be compared with itself");
         if (!labels.insert(cell.label()).second) throw run.error("the cell " + cell.label() + " occurs twice");
         suite.cells.push_back(cell);

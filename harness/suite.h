@@ -6,8 +6,9 @@
 //              whether this session's times can be trusted (optional)
 //   [[engine]] further engines, as in engines.toml
 //   [[scene]]  name, path (relative to this file), width, height, exposure (optional),
-//              reference = {engine, budget, seed}, for example {engine = "reference", budget = "standard-error=0.005",
-//              seed = 1}; target_relmse (optional: the time to reach it is reported)
+//              reference = {engine, budget, seed}, rendered by the run itself, for example {engine = "reference",
+//              budget = "standard-error=0.005", seed = 1} (optional; the stored one of this size, `photonproof
+//              reference`); target_relmse (optional: the time to reach it is reported)
 //   [[run]]    engine, budgets = ["spp=16", ...], seeds = [1, ...], scenes = [...] (optional; all of them)
 // Seeds are the repetitions: two tell bias from noise, five give a time its interval.
 #pragma once
@@ -34,8 +35,8 @@ struct SuiteScene {
   std::filesystem::path path;  ///< openable from the current folder
   std::string given_path;      ///< as the suite says it
   int width = 0, height = 0;
-  std::optional<double> exposure;  ///< stops; otherwise the scene's expect.toml says
-  Cell reference;
+  std::optional<double> exposure;   ///< stops; otherwise the scene's expect.toml says
+  std::optional<Cell> reference{};  ///< empty: the stored one
   std::optional<double> target_relmse{};
 };
 
