@@ -11,7 +11,7 @@ namespace {
 
 using Points = std::vector<std::pair<double, double>>;
 
-/// An error that grows with the time by more than this is not known.
+/// An error that grows with the budget by more than this is not known.
 constexpr double tolerated_growth = 2;
 
 double least_error(const Points& points) {
@@ -26,9 +26,10 @@ Points points_of(const Convergence& curve) {
   for (const CurvePoint& point : curve.points)
     if (point.relmse && point.relmse->value > 0 && point.seconds.value > 0 && !point.undefined.contains(own_error_key))
       points.emplace_back(point.seconds.value, point.relmse->value);
-  std::sort(points.begin(), points.end());
-  // Small budgets that met none of the rare bright samples look better than they are.
+  // Small budgets that met none of the rare bright samples look better than they are. In the order of budgets: times of
+  // a busy machine may have another.
   if (!points.empty() && points.back().second > tolerated_growth * least_error(points)) return {};
+  std::sort(points.begin(), points.end());
   return points;
 }
 

@@ -40,6 +40,10 @@ TEST(Race, is_without_engines_whose_error_grows) {
   EXPECT_TRUE(races_of({curve("lucky", {{1, 0.01}, {2, 1}}), curve("other", {{1, 0.1}})}).empty());
 }
 
+TEST(Race, is_run_by_an_engine_whose_small_budget_took_longer_by_chance) {
+  EXPECT_EQ(races_of({curve("busy", {{3, 0.04}, {2, 0.01}}), curve("other", {{1, 0.1}})}).size(), 1u);
+}
+
 TEST(Race, needs_two_engines_with_errors_of_their_own) {
   Convergence rounding = curve("path", {{1, 1e-12}});
   rounding.points[0].undefined[own_error_key] = "it is rounding";
