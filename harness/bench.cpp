@@ -11,8 +11,12 @@
 #include "harness/cells.h"
 #include "harness/compare_cell.h"
 #include "harness/convergence.h"
+#include "harness/correctness.h"
 #include "harness/folder_lock.h"
+#include "harness/gate_pictures.h"
 #include "harness/host.h"
+#include "harness/independence.h"
+#include "harness/race.h"
 #include "harness/run_cell.h"
 #include "harness/scene_copies.h"
 #include "harness/session_quality.h"
@@ -57,7 +61,11 @@ class Bench {
         store_(options.results_folder),
         host_(describe_host()),
         plan_(plan_bench(suite, options.program, host_, store_)),
-        created_(utc_now()) {}
+        created_(utc_now()) {
+    for (SceneRecord& scene : plan_.scenes)
+      if (const auto stored = plan_.stored.find(scene.name); stored != plan_.stored.end())
+        scene.reference = store_reference(stored->second, scene.name, scene.exposure, options.results_folder);
+  }
 
   BenchSummary run() {
     const Timer timer;
@@ -228,28 +236,40 @@ class Bench {
                          [&](const SceneRecord& record) { return record.name == name; });
   }
 
+  struct ReferenceOfScene {
+    std::optional<Result> result;  // what it is compared with; empty where that is not there yet
+    std::string identity;          // another for other pixels
+  };
+
+  ReferenceOfScene reference_of(const SceneRecord& scene) const {
+    if (scene.reference) {
+      Result stored;
+      stored.image = scene.reference->image;
+      return {std::move(stored), "stored " + plan_.stored.at(scene.name).provenance.pixels};
+    }
+    const PlannedCell& planned = plan_.find(scene.reference_label);
+    if (planned.unsupported) return {unsupported_result(planned), *planned.unsupported};
+    if (!planned.found) return {};
+    return {planned.found->kept.result, planned.found->cell_folder};
+  }
+
   // Whether the cell's metrics and pictures had to be made.
   bool compare(PlannedCell& planned) {
     Result& result = planned.found->kept.result;
     if (result.status != Status::ok) return false;
     const SceneRecord& scene = scene_record(planned.cell.scene);
-    const PlannedCell& reference = plan_.find(scene.reference_label);
-    const Result unsupported_reference = reference.unsupported ? unsupported_result(reference) : Result{};
-    const Result* reference_result = reference.found         ? &reference.found->kept.result
-                                     : reference.unsupported ? &unsupported_reference
-                                                             : nullptr;
-    std::vector<std::pair<std::string, std::string>> made_with = {
-        {"reference", reference.found ? reference.found->cell_folder : reference.unsupported.value_or("")},
-        {"exposure", std::to_string(scene.exposure)},
-        {"version", options_.comparison_version}};
+    const ReferenceOfScene reference = reference_of(scene);
+    std::vector<std::pair<std::string, std::string>> made_with = {{"reference", reference.identity},
+                                                                  {"exposure", std::to_string(scene.exposure)},
+                                                                  {"version", options_.comparison_version}};
     if (const auto& range = scene.hdr_exposures)
       made_with.emplace_back("hdr_flip_exposures", fmt::format("{} {} {}", range->start, range->stop, range->count));
     const std::string key = content_key(made_with);
     if (planned.found->kept.comparison_key == key) return false;
     try {
-      compare_cell(
-          {options_.results_folder, planned.found->cell_folder, reference_result, scene.exposure, scene.hdr_exposures},
-          result);
+      compare_cell({options_.results_folder, planned.found->cell_folder,
+                    reference.result ? &*reference.result : nullptr, scene.exposure, scene.hdr_exposures},
+                   result);
       planned.found->kept.comparison_key = key;
     } catch (const InputError& error) {
       result.caveats.push_back("its pictures could not be made: " + error.summary());
@@ -274,13 +294,55 @@ class Bench {
       if (scene.target_relmse) targets[scene.name] = *scene.target_relmse;
     findings_ = findings_of_bench(results, options_.results_folder);
     try {
-      convergence_ = convergence_of(results, options_.results_folder, targets);
+      draw_conclusions(results, targets);
     } catch (const InputError& error) {  // an image that went since it was compared
       caveats_.push_back("no conclusions were drawn: " + error.summary());
     }
     if (!measured || suite_.control.empty()) return;
     const std::string caveat = control_caveat(results, suite_.control, control_name(suite_.control));
     if (!caveat.empty()) caveats_.push_back(caveat);
+  }
+
+  void draw_conclusions(const Results& results, const std::map<std::string, double>& targets) {
+    const References references = load_references();
+    convergence_ =
+        convergence_of(results, options_.results_folder, targets, [&](const Cell& like, std::span<const Image> images) {
+          return judge_correctness(judge_of(like.scene, references), suite_.engine(like.engine), like.budget, images);
+        });
+    for (Convergence& curve : convergence_)
+      if (suite_.engine(curve.engine).trust == Trust::unbiased) reconcile(curve.points);
+    races_ = races_of(convergence_);
+  }
+
+  using References = std::map<std::string, StoredReference>;
+
+  // Those that the run rendered itself, as far as they are there.
+  References load_references() const {
+    References references;
+    for (const SceneRecord& scene : plan_.scenes) {
+      if (scene.reference || !scene.reference_doubt.empty()) continue;
+      const std::optional<Result> result = reference_of(scene).result;
+      if (!result || result->status != Status::ok) continue;
+      StoredReference reference;
+      try {
+        reference.rendering = read_rendering((options_.results_folder / result->image).string());
+      } catch (const InputError&) {
+        continue;  // gone since: then nothing is known
+      }
+      reference.provenance.estimator = integrator_of(suite_.engine(result->cell.engine)).value_or("");
+      references.emplace(scene.name, std::move(reference));
+    }
+    return references;
+  }
+
+  Judge judge_of(const std::string& scene, const References& rendered) const {
+    const auto of = [&](const References& references) {
+      const auto found = references.find(scene);
+      return found == references.end() ? nullptr : &found->second;
+    };
+    const StoredReference* stored = of(plan_.stored);
+    return {stored != nullptr ? stored : of(rendered), scene_record(scene).reference_doubt,
+            &plan_.expectations.at(scene)};
   }
 
   void compare_with_old() {
@@ -334,6 +396,7 @@ class Bench {
       if (planned.found) results.results.push_back(planned.found->kept.result);
     }
     results.convergence = convergence_;
+    results.races = races_;
     results.changes = changes_;
     results.findings = findings_;
     results.caveats = caveats_;
@@ -363,6 +426,7 @@ class Bench {
   std::optional<Calibration> calibration_;  // only where something is measured
   std::string created_;
   std::vector<Convergence> convergence_;
+  std::vector<RaceRecord> races_;
   std::vector<ChangeRecord> changes_;
   std::vector<std::string> findings_;
   std::vector<std::string> caveats_;  // of the session

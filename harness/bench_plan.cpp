@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "harness/cells.h"
+#include "harness/correctness.h"
 #include "harness/engine_version.h"
 #include "scenes/expect.h"
 #include "scenes/parser.h"
@@ -24,7 +26,7 @@ SceneRecord describe_scene(const SuiteScene& scene, const std::optional<Expect>&
   record.width = scene.width;
   record.height = scene.height;
   record.exposure = scene.exposure.value_or(expect ? expect->exposure : 0);
-  record.reference_label = scene.reference.label();
+  if (scene.reference) record.reference_label = scene.reference->label();
   if (expect) record.hdr_exposures = expect->hdr_exposures;
   return record;
 }
@@ -43,13 +45,18 @@ int threads_of(const Suite& suite, const Host& host) {
 }
 
 PlannedCell& BenchPlan::find(const std::string& label) {
+  return const_cast<PlannedCell&>(std::as_const(*this).find(label));
+}
+
+const PlannedCell& BenchPlan::find(const std::string& label) const {
   return *std::find_if(cells.begin(), cells.end(),
                        [&](const PlannedCell& planned) { return planned.cell.label() == label; });
 }
 
 BenchPlan plan_bench(const Suite& suite, const fs::path& program, const Host& host, const CellStore& store) {
   BenchPlan plan;
-  for (const SuiteScene& scene : suite.scenes) plan.cells.push_back({scene.reference, true});
+  for (const SuiteScene& scene : suite.scenes)
+    if (scene.reference) plan.cells.push_back({*scene.reference, true});
   for (const Cell& cell : suite.cells) plan.cells.push_back({cell, false});
 
   std::map<std::string, EngineVersion> versions;
@@ -62,11 +69,14 @@ BenchPlan plan_bench(const Suite& suite, const fs::path& program, const Host& ho
     plan.engines.push_back({engine.name, engine.title, version.line, to_string(engine.trust)});
   }
   std::map<std::string, std::string> contents;
-  std::map<std::string, std::optional<Expect>> expectations;
   for (const SuiteScene& scene : suite.scenes) {
     contents[scene.name] = scene_hash(parse_scene_file(scene.path.string()));
-    const std::optional<Expect>& expect = expectations[scene.name] = read_expectations(scene);
+    const std::optional<Expect>& expect = plan.expectations[scene.name] = read_expectations(scene);
     plan.scenes.push_back(describe_scene(scene, expect));
+    if (scene.reference)
+      plan.scenes.back().reference_doubt = doubt_of(suite.engine(scene.reference->engine));
+    else
+      plan.stored.emplace(scene.name, load_reference(scene.path, scene.width, scene.height));
   }
 
   for (PlannedCell& planned : plan.cells) {
@@ -90,7 +100,7 @@ BenchPlan plan_bench(const Suite& suite, const fs::path& program, const Host& ho
     if (is_control) planned.key = content_key({{"control", planned.key}});
     planned.unsupported = versions[cell.engine].problem;
     planned.status_untried = versions[cell.engine].cells_end_as;
-    if (const auto& expect = expectations[cell.scene]; expect)
+    if (const auto& expect = plan.expectations[cell.scene]; expect)
       if (const auto why = expect->unsupported.find(is_control ? suite.control : cell.engine);
           why != expect->unsupported.end()) {
         planned.unsupported = why->second;

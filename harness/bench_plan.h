@@ -2,12 +2,15 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "harness/cell_store.h"
 #include "harness/suite.h"
+#include "reference/reference_store.h"
+#include "scenes/expect.h"
 
 namespace photonproof {
 
@@ -22,15 +25,18 @@ struct PlannedCell {
 
 struct BenchPlan {
   std::vector<SceneRecord> scenes;
-  std::vector<EngineRecord> engines;  ///< those that a cell uses
-  std::vector<PlannedCell> cells;     ///< references first, then the suite's order
+  std::vector<EngineRecord> engines;              ///< those that a cell uses
+  std::vector<PlannedCell> cells;                 ///< references first, then the suite's order
+  std::map<std::string, StoredReference> stored;  ///< by scene, of those that the run does not render a reference for
+  std::map<std::string, std::optional<Expect>> expectations;  ///< by scene
 
   PlannedCell& find(const std::string& label);  ///< precondition: it exists
+  const PlannedCell& find(const std::string& label) const;
 };
 
 /// Asks the engines for their versions, reads the scenes and their expectations, and looks up what `store` holds.
 /// `program` is this program; `host` decides keys too, since a timing holds for one machine. Throws InputError for a
-/// scene or expect.toml that cannot be read.
+/// scene or expect.toml that cannot be read, and for a stored reference that is missing or bad.
 BenchPlan plan_bench(const Suite& suite, const std::filesystem::path& program, const Host& host,
                      const CellStore& store);
 

@@ -36,19 +36,58 @@ std::optional<Estimate> optional_estimate(const json& j, const char* key) {
   return found == j.end() ? std::nullopt : std::optional(estimate_from_json(*found));
 }
 
+// The schema has checked that the name is one of them.
+template <class Enum, std::size_t N>
+Enum from_name(const std::array<Enum, N>& values, const std::string& name) {
+  for (const Enum value : values)
+    if (to_string(value) == name) return value;
+  return values.back();
+}
+
+json correctness_to_json(const CorrectnessRecord& record) {
+  json j = {{"verdict", to_string(record.verdict)}, {"sentence", record.sentence}};
+  set_estimate(j, "whole", record.whole);
+  if (record.would_see) j["would_see"] = finite(*record.would_see, "would_see");
+  if (record.would_see_in_a_block)
+    j["would_see_in_a_block"] = finite(*record.would_see_in_a_block, "would_see_in_a_block");
+  if (!record.regression_only.empty()) j["regression_only"] = record.regression_only;
+  return j;
+}
+
+CorrectnessRecord correctness_from_json(const json& j) {
+  using enum Correctness;
+  return {from_name(std::array{right, noisy, biased, unknown}, j.at("verdict")),
+          j.at("sentence"),
+          optional_estimate(j, "whole"),
+          optional_at<double>(j, "would_see"),
+          optional_at<double>(j, "would_see_in_a_block"),
+          j.value("regression_only", "")};
+}
+
+void set_reasons(json& j, const Reasons& reasons) {
+  if (!reasons.empty()) j["undefined"] = reasons;
+}
+
+Reasons reasons_from_json(const json& j) { return j.value("undefined", Reasons{}); }
+
 json point_to_json(const CurvePoint& point) {
   json j = {
       {"budget", budget_to_json(point.budget)}, {"seeds", point.seeds}, {"seconds", estimate_to_json(point.seconds)}};
   set_estimate(j, "relmse", point.relmse);
   set_estimate(j, "bias2", point.bias2);
   set_estimate(j, "variance", point.variance);
+  if (point.correctness) j["correctness"] = correctness_to_json(*point.correctness);
+  set_reasons(j, point.undefined);
   return j;
 }
 
 CurvePoint point_from_json(const json& j) {
-  return {budget_from_json(j.at("budget")),    j.at("seeds"),
-          estimate_from_json(j.at("seconds")), optional_estimate(j, "relmse"),
-          optional_estimate(j, "bias2"),       optional_estimate(j, "variance")};
+  CurvePoint point{budget_from_json(j.at("budget")),    j.at("seeds"),
+                   estimate_from_json(j.at("seconds")), optional_estimate(j, "relmse"),
+                   optional_estimate(j, "bias2"),       optional_estimate(j, "variance")};
+  if (const auto found = j.find("correctness"); found != j.end()) point.correctness = correctness_from_json(*found);
+  point.undefined = reasons_from_json(j);
+  return point;
 }
 
 json convergence_to_json(const Convergence& curve) {
@@ -58,6 +97,7 @@ json convergence_to_json(const Convergence& curve) {
   set_estimate(j, "efficiency", curve.efficiency);
   if (curve.target_relmse) j["target_relmse"] = finite(*curve.target_relmse, "target");
   set_estimate(j, "seconds_to_target", curve.seconds_to_target);
+  set_reasons(j, curve.undefined);
   return j;
 }
 
@@ -71,7 +111,24 @@ Convergence convergence_from_json(const json& j) {
   curve.target_relmse = optional_at<double>(j, "target_relmse");
   curve.seconds_to_target = optional_estimate(j, "seconds_to_target");
   curve.caveats = j.at("caveats").get<std::vector<std::string>>();
+  curve.undefined = reasons_from_json(j);
   return curve;
+}
+
+json race_to_json(const RaceRecord& race) {
+  json times = json::array();
+  for (const RaceRecord::Time& time : race.times) {
+    times.push_back({{"engine", time.engine}, {"seconds", finite(time.seconds, "time of a race")}});
+    if (time.at_most) times.back()["at_most"] = true;
+  }
+  return {{"scene", race.scene}, {"relmse", finite(race.relmse, "error of a race")}, {"times", std::move(times)}};
+}
+
+RaceRecord race_from_json(const json& j) {
+  RaceRecord race{j.at("scene"), j.at("relmse"), {}};
+  for (const json& time : j.at("times"))
+    race.times.push_back({time.at("engine"), time.at("seconds"), time.value("at_most", false)});
+  return race;
 }
 
 json gate_to_json(const GateRecord& gate) {
@@ -105,14 +162,6 @@ json gate_to_json(const GateRecord& gate) {
   if (gate.status) j["status"] = to_string(*gate.status);
   if (!gate.regression_only.empty()) j["regression_only"] = gate.regression_only;
   return j;
-}
-
-// The schema has checked that the name is one of them.
-template <class Enum, std::size_t N>
-Enum from_name(const std::array<Enum, N>& values, const std::string& name) {
-  for (const Enum value : values)
-    if (to_string(value) == name) return value;
-  return values.back();
 }
 
 GateRecord gate_from_json(const json& j) {
@@ -189,6 +238,7 @@ void list_from_json(const json& document, const char* key, std::vector<T>& recor
 
 void conclusions_to_json(const Results& results, json& document) {
   list_to_json(document, "convergence", results.convergence, convergence_to_json);
+  list_to_json(document, "races", results.races, race_to_json);
   list_to_json(document, "gates", results.gates, gate_to_json);
   list_to_json(document, "changes", results.changes, change_to_json);
   if (!results.findings.empty()) document["findings"] = results.findings;
@@ -197,6 +247,7 @@ void conclusions_to_json(const Results& results, json& document) {
 
 void conclusions_from_json(const json& document, Results& results) {
   list_from_json(document, "convergence", results.convergence, convergence_from_json);
+  list_from_json(document, "races", results.races, race_from_json);
   list_from_json(document, "gates", results.gates, gate_from_json);
   list_from_json(document, "changes", results.changes, change_from_json);
   results.findings = document.value("findings", std::vector<std::string>{});

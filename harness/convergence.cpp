@@ -17,6 +17,13 @@ namespace fs = std::filesystem;
 
 // An error of which the reference's noise is more than this share is as much the reference's.
 constexpr double tolerated_reference_share = 0.1;
+// Of which it is more than this share, of nobody else's.
+constexpr double foreign_reference_share = 0.5;
+// Relative deviations of 1e-5 are rounding (deviations.h): an error of their square is no error.
+constexpr double rounding_relmse = 1e-10;
+// A slope that is not known to +-1 does not tell a method that converges from one that does not.
+constexpr double useful_slope_margin = 1;
+constexpr std::size_t least_points_for_slope = 3;
 
 // A curve of which less than this share of the time is rendering is one of the start-up.
 constexpr double least_rendering_share = 0.5;
@@ -69,7 +76,21 @@ std::optional<double> rendering_share(const Cells& cells) {
   return shares.empty() ? std::nullopt : std::optional(median_of(shares));
 }
 
-void add_error(const Cells& cells, const Reference* reference, const fs::path& folder, CurvePoint& point) {
+// bias^2 is an unbiased estimate: where there is none it is as often negative, and only its interval's end means much.
+void set_split(const ErrorSplit& split, CurvePoint& point) {
+  point.relmse = split.relmse;
+  point.variance = split.variance;
+  if (!split.bias2) {
+    point.undefined["bias2"] = point.undefined["variance"] = "one seed";
+  } else if (const auto& interval = split.bias2->interval; interval && interval->low <= 0) {
+    point.undefined["bias2"] = fmt::format("none seen above {:.2g}", std::max(0.0, interval->high));
+  } else {
+    point.bias2 = split.bias2;
+  }
+}
+
+void add_error(const Cells& cells, const Reference* reference, const fs::path& folder, const JudgeImages& judge,
+               CurvePoint& point) {
   std::vector<Image> images;
   for (const Result* cell : cells) {
     std::optional<Rendering> image = reference == nullptr ? std::nullopt : read_if_there(folder / cell->image);
@@ -78,35 +99,43 @@ void add_error(const Cells& cells, const Reference* reference, const fs::path& f
   }
   if (images.size() == cells.size()) {
     const auto& variance = reference->rendering.variance;
-    ErrorSplit split =
-        split_error(reference->rendering.mean, variance ? &*variance : nullptr, images, reference->known);
-    point.relmse = split.relmse;
-    point.bias2 = split.bias2;
-    point.variance = split.variance;
+    set_split(split_error(reference->rendering.mean, variance ? &*variance : nullptr, images, reference->known), point);
+    if (judge) point.correctness = judge(cells.front()->cell, images);
     return;
   }
+  if (judge) point.correctness = judge(cells.front()->cell, {});
+  point.undefined["bias2"] = point.undefined["variance"] =
+      reference == nullptr ? "no reference" : "an image is missing";
   std::vector<double> errors;
   for (const Result* cell : cells)
     if (const auto error = relmse_of(*cell)) errors.push_back(*error);
   if (errors.size() == cells.size()) point.relmse = estimated_mean(errors);
 }
 
+void add_reference_share(const Reference* reference, CurvePoint& point, Convergence& curve) {
+  if (!point.relmse) return;
+  if (point.relmse->value <= rounding_relmse) point.undefined[own_error_key] = "it is rounding";
+  if (reference == nullptr) return;
+  const double share = reference->relative_variance / point.relmse->value;
+  if (share > foreign_reference_share) point.undefined.try_emplace(own_error_key, "it is the reference's noise");
+  if (share > tolerated_reference_share)
+    curve.caveats.push_back(fmt::format("{}: {} of the error is the reference's own noise", point.budget.label(),
+                                        share < 1 ? fmt::format("{:.0f} %", 100 * share) : "all"));
+}
+
 void add_point(const Budget& budget, const Cells& cells, const Reference* reference, const fs::path& folder,
-               Convergence& curve) {
+               const JudgeImages& judge, Convergence& curve) {
   CurvePoint point;
   point.budget = budget;
   point.seeds = static_cast<int>(cells.size());
   std::vector<double> seconds;
   for (const Result* cell : cells) seconds.push_back(cell->wall_seconds.value_or(0));
   point.seconds = estimated_median(seconds);
-  add_error(cells, reference, folder, point);
+  add_error(cells, reference, folder, judge, point);
   for (const std::size_t i : outliers_of(seconds))
     curve.caveats.push_back(fmt::format("{}: seed {} took {:.3g} s, the median {:.3g} s: an outlier", budget.label(),
                                         cells[i]->cell.seed, seconds[i], point.seconds.value));
-  if (reference != nullptr && point.relmse &&
-      reference->relative_variance > tolerated_reference_share * point.relmse->value)
-    curve.caveats.push_back(fmt::format("{}: {:.0f} % of the error is the reference's own noise", budget.label(),
-                                        100 * reference->relative_variance / point.relmse->value));
+  add_reference_share(reference, point, curve);
   curve.points.push_back(std::move(point));
 }
 
@@ -148,6 +177,7 @@ void add_time_to_target(const Points& points, const Points& low, const Points& h
       curve.seconds_to_target->interval = Interval{std::min(*earliest, *latest), std::max(*earliest, *latest)};
     return;
   }
+  curve.undefined["seconds_to_target"] = points.empty() ? "no error of its own" : "not between two budgets";
   if (points.empty()) return;
   const auto least =
       std::min_element(points.begin(), points.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
@@ -156,6 +186,36 @@ void add_time_to_target(const Points& points, const Points& low, const Points& h
           ? fmt::format("the target relmse of {:.3g} is below every budget's; nothing is extrapolated", target)
           : fmt::format("the target relmse of {:.3g} is reached by the smallest budget; nothing is extrapolated",
                         target));
+}
+
+bool has_own_error(const CurvePoint& point) {
+  return point.relmse && point.relmse->value > 0 && point.seconds.value > 0 && !point.undefined.contains(own_error_key);
+}
+
+std::string why_no_error(const CurvePoint& point) {
+  const auto why = point.undefined.find(own_error_key);
+  return why != point.undefined.end() ? "error: " + why->second
+         : point.relmse               ? "no error or no time"
+                                      : "no error known";
+}
+
+void set_slope(const std::vector<double>& log_seconds, const std::vector<double>& log_relmse, Convergence& curve) {
+  if (log_seconds.size() < least_points_for_slope) {
+    curve.undefined["slope"] = log_seconds.empty()       ? "no budget has an error of its own"
+                               : log_seconds.size() == 1 ? "one budget"
+                                                         : "two budgets";
+    return;
+  }
+  const auto fit = fit_line(log_seconds, log_relmse);
+  if (!fit) {
+    curve.undefined["slope"] = "budgets take the same time";
+    return;
+  }
+  const double margin = (fit->slope_interval->high - fit->slope_interval->low) / 2;
+  if (margin > useful_slope_margin)
+    curve.undefined["slope"] = fmt::format("known to \u00b1{:.2g} only", margin);
+  else
+    curve.slope = Estimate{fit->slope, fit->slope_interval};
 }
 
 // Relative half-widths add in quadrature on the logarithm.
@@ -187,7 +247,7 @@ void conclude(Convergence& curve) {
   Points points, low, high;
   std::vector<double> log_seconds, log_relmse;
   for (const CurvePoint& point : curve.points) {
-    if (!point.relmse || point.relmse->value <= 0 || point.seconds.value <= 0) continue;
+    if (!has_own_error(point)) continue;
     const double seconds = point.seconds.value;
     points.emplace_back(seconds, point.relmse->value);
     if (point.relmse->interval) {
@@ -198,11 +258,13 @@ void conclude(Convergence& curve) {
     log_relmse.push_back(std::log(point.relmse->value));
   }
   for (Points* list : {&points, &low, &high}) std::sort(list->begin(), list->end());
-  if (const auto fit = fit_line(log_seconds, log_relmse)) curve.slope = Estimate{fit->slope, fit->slope_interval};
+  set_slope(log_seconds, log_relmse, curve);
   if (!curve.points.empty()) {
     const CurvePoint& last = curve.points.back();
-    if (last.relmse && last.relmse->value > 0 && last.seconds.value > 0)
+    if (has_own_error(last))
       curve.efficiency = efficiency_of(*last.relmse, last.seconds);
+    else
+      curve.undefined["efficiency"] = why_no_error(last);
   }
   if (curve.target_relmse) add_time_to_target(points, low, high, curve);
   const auto few = [](const CurvePoint& point) { return point.seeds < 2; };
@@ -211,7 +273,7 @@ void conclude(Convergence& curve) {
 }
 
 std::vector<Convergence> convergence_of(const Results& results, const fs::path& folder,
-                                        const std::map<std::string, double>& target_relmse) {
+                                        const std::map<std::string, double>& target_relmse, const JudgeImages& judge) {
   std::vector<Convergence> curves;
   for (const SceneRecord& scene : results.scenes) {
     const std::optional<Reference> reference = reference_of(results, scene, folder);
@@ -228,7 +290,7 @@ std::vector<Convergence> convergence_of(const Results& results, const fs::path& 
       if (const auto target = target_relmse.find(scene.name); target != target_relmse.end())
         curve.target_relmse = target->second;
       for (const auto& [amount, seeds] : cells)
-        add_point(seeds.front()->cell.budget, seeds, reference ? &*reference : nullptr, folder, curve);
+        add_point(seeds.front()->cell.budget, seeds, reference ? &*reference : nullptr, folder, judge, curve);
       add_start_up_caveat(cells, curve);
       conclude(curve);
       curves.push_back(std::move(curve));

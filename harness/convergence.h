@@ -2,22 +2,34 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "harness/results.h"
+#include "scenes/image.h"
 
 namespace photonproof {
 
+/// The verdict on the images of one budget; `like` is one of its cells.
+using JudgeImages = std::function<CorrectnessRecord(const Cell& like, std::span<const Image> images)>;
+
+/// Key of CurvePoint::undefined where an error is as much the reference's, or that of rounding: then nothing follows
+/// from it.
+inline constexpr const char* own_error_key = "own_error";
+
 /// One record for each scene, engine and kind of budget that has a finished cell (references are left out), in the
 /// order of the results. Images are read from `folder`, where results.json lies; where one cannot be, the point keeps
-/// what the record itself tells. `target_relmse` by scene.
+/// what the record itself tells. `target_relmse` by scene. Without `judge` there are no verdicts.
 std::vector<Convergence> convergence_of(const Results& results, const std::filesystem::path& folder,
-                                        const std::map<std::string, double>& target_relmse);
+                                        const std::map<std::string, double>& target_relmse,
+                                        const JudgeImages& judge = {});
 
-/// Slope, efficiency and time to target of a record whose points are complete, and the caveats that go with them.
+/// Slope, efficiency and time to target of a record whose points are complete, or why they are not there, and the
+/// caveats that go with them.
 void conclude(Convergence& curve);
 
 /// When the curve through `points` (seconds and error, ascending seconds) first comes down to `target`: log-log between

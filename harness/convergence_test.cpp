@@ -59,6 +59,38 @@ TEST(Convergence, target_outside_what_was_measured_is_never_extrapolated) {
   EXPECT_EQ(time_to_error({{1, 0.02}, {2, 0.01}}, 0.01), 2);
 }
 
+// Statistics that mean nothing are not printed, and the record says why.
+TEST(Convergence, slope_of_two_budgets_is_undefined_as_its_error_is_unknown) {
+  Convergence curve = exact_curve();
+  curve.points.resize(2);
+  conclude(curve);
+  EXPECT_FALSE(curve.slope);
+  EXPECT_EQ(curve.undefined.at("slope"), "two budgets");
+  curve.undefined.clear();
+  curve.points.resize(1);
+  conclude(curve);
+  EXPECT_EQ(curve.undefined.at("slope"), "one budget");
+}
+
+// log relmse is 0, 1 and 0 at log seconds 0, 1 and 2: slope 0, residuals -1/3, 2/3 and -1/3, so the slope's standard
+// error is sqrt((6/9) / 1 / 2) = 0.577 and its margin t(0.975, 1) = 12.71 times that, 7.3.
+TEST(Convergence, slope_that_is_not_known_to_one_is_undefined) {
+  Convergence curve;
+  for (int i = 0; i < 3; ++i) curve.points.push_back(point(i + 1, std::exp(i), std::exp(i == 1 ? 1 : 0)));
+  conclude(curve);
+  EXPECT_FALSE(curve.slope);
+  EXPECT_EQ(curve.undefined.at("slope"), "known to ±7.3 only");
+}
+
+TEST(Convergence, error_that_is_rounding_or_the_references_has_no_efficiency) {
+  Convergence curve = exact_curve();
+  for (CurvePoint& p : curve.points) p.undefined[own_error_key] = "it is rounding";
+  conclude(curve);
+  EXPECT_FALSE(curve.efficiency);
+  EXPECT_EQ(curve.undefined.at("efficiency"), "error: it is rounding");
+  EXPECT_EQ(curve.undefined.at("slope"), "no budget has an error of its own");
+}
+
 // A results folder with a black reference of no variance and cells of constant error.
 class ConvergenceOfImages : public FolderTest {
  protected:
@@ -106,6 +138,40 @@ TEST_F(ConvergenceOfImages, cells_become_curves_by_engine_and_kind_of_budget) {
   EXPECT_NEAR(curves[0].seconds_to_target->value, 2 * std::pow(2.0, std::log10(2.0)), 1e-6);
   EXPECT_EQ(curves[1].points[0].budget.kind, "seconds");
   EXPECT_EQ(curves[2].engine, "other");
+}
+
+// relmse = (5e-7)^2 / 0.01 = 2.5e-11, under the square of a relative 1e-5.
+TEST_F(ConvergenceOfImages, error_of_rounding_is_named) {
+  add({"s", "path", {"spp", 4}, 1}, 5e-7f, 1);
+  const Convergence curve = convergence_of(results_, folder_, {})[0];
+  EXPECT_EQ(curve.points[0].undefined.at(own_error_key), "it is rounding");
+  EXPECT_FALSE(curve.efficiency);
+}
+
+// Of +-0.02 the mean is the reference: bias2 is 0 - 0.0004 * 2 / 2 / 0.01 = -0.04 exactly, in every block.
+TEST_F(ConvergenceOfImages, bias_that_is_not_seen_is_a_bound_and_no_negative_square) {
+  add({"s", "path", {"spp", 4}, 1}, 0.02f, 1);
+  add({"s", "path", {"spp", 4}, 2}, -0.02f, 1);
+  const Convergence curve = convergence_of(results_, folder_, {})[0];
+  EXPECT_FALSE(curve.points[0].bias2);
+  EXPECT_EQ(curve.points[0].undefined.at("bias2"), "none seen above 0");
+}
+
+TEST_F(ConvergenceOfImages, of_one_seed_neither_bias_nor_variance_is_known_and_the_record_says_why) {
+  add({"s", "path", {"spp", 4}, 1}, 0.02f, 1);
+  const CurvePoint one = convergence_of(results_, folder_, {})[0].points[0];
+  EXPECT_EQ(one.undefined, (Reasons{{"bias2", "one seed"}, {"variance", "one seed"}}));
+}
+
+TEST_F(ConvergenceOfImages, every_budget_is_judged_by_the_images_of_all_its_seeds) {
+  add({"s", "path", {"spp", 4}, 1}, 0.02f, 1);
+  add({"s", "path", {"spp", 4}, 2}, 0.04f, 1);
+  const JudgeImages judge = [](const Cell& like, std::span<const Image> images) {
+    CorrectnessRecord record;
+    record.sentence = like.budget.label() + ": " + std::to_string(images.size());
+    return record;
+  };
+  EXPECT_EQ(convergence_of(results_, folder_, {}, judge)[0].points[0].correctness->sentence, "spp=4: 2");
 }
 
 TEST_F(ConvergenceOfImages, lost_image_leaves_the_recorded_metric) {

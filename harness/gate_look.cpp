@@ -20,16 +20,16 @@ namespace {
 /// The least variance of a pixel of one image, from the reference, where that is the same integrator's: its batches
 /// had at least as many samples, of which each counts for no less in a small image than in a large one. Without what
 /// rounding to half floats added at most (reference/half_rounding.h).
-std::optional<Image> least_variance(const Gate& gate, const StoredReference& reference) {
+std::optional<Image> least_variance(const std::string& engine, const Budget& budget, const StoredReference& reference) {
   const Provenance& provenance = reference.provenance;
-  if (provenance.estimator != gate.engine || gate.budget.kind != "spp" || provenance.seeds.empty()) return std::nullopt;
+  if (provenance.estimator != engine || budget.kind != "spp" || provenance.seeds.empty()) return std::nullopt;
   const auto samples = static_cast<double>(provenance.samples);
-  if (samples / static_cast<double>(provenance.seeds.size()) < gate.budget.amount) return std::nullopt;
+  if (samples / static_cast<double>(provenance.seeds.size()) < budget.amount) return std::nullopt;
   Image least = *reference.rendering.variance;
   for (std::size_t i = 0; i < least.rgb.size(); ++i) {
     const double rounding = std::ldexp(double{reference.rendering.mean.rgb[i]}, -11);
     const double noise = std::max(0.0, double{least.rgb[i]} - rounding * rounding);
-    least.rgb[i] = static_cast<float>(noise * samples / gate.budget.amount);
+    least.rgb[i] = static_cast<float>(noise * samples / budget.amount);
   }
   return least;
 }
@@ -120,17 +120,22 @@ Judgement look_at_metric(const Gate& gate, const StoredReference& reference, con
 
 }  // namespace
 
+Deviations deviations_of(const std::string& engine, const Budget& budget, const StoredReference& reference,
+                         std::span<const Image* const> images) {
+  const double freedom = static_cast<double>(std::max<std::size_t>(2, reference.provenance.seeds.size()) - 1);
+  const std::optional<Image> least = least_variance(engine, budget, reference);
+  KnownNoise known{.reference_freedom = freedom, .least_variance = least ? &*least : nullptr};
+  if (budget.kind == "spp") known.samples = budget.amount;
+  return measure_deviations(reference.rendering, images, known);
+}
+
 Judgement look_at(const Gate& gate, const StoredReference& reference, const Viewing& viewing,
                   std::span<const Image* const> images) {
   const Repeats repeats = count_repeats(images);
   if (const auto fault = fault_of_seeds(gate, reference, images, repeats)) return *fault;
   if (is_metric_of_one_image(gate)) return look_at_metric(gate, reference, viewing, images, repeats);
   const double alpha = gate.alpha / gate.looks;
-  const double freedom = static_cast<double>(std::max<std::size_t>(2, reference.provenance.seeds.size()) - 1);
-  const std::optional<Image> least = least_variance(gate, reference);
-  KnownNoise known{.reference_freedom = freedom, .least_variance = least ? &*least : nullptr};
-  if (gate.budget.kind == "spp") known.samples = gate.budget.amount;
-  const Deviations deviations = measure_deviations(reference.rendering, images, known);
+  const Deviations deviations = deviations_of(gate.engine, gate.budget, reference, images);
   if (gate.metric == agreement_metric) return judge_agreement(deviations, {gate.bound, gate.block_bound}, alpha);
   return judge_bias(deviations, gate.metric == block_bias_metric, gate.bound, alpha);
 }

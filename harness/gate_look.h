@@ -20,6 +20,10 @@ struct Viewing {
 /// As the suite says it, else the scene's expect.toml, which alone may pin hdr_exposures. Throws InputError.
 Viewing viewing_of(const SuiteScene& scene);
 
+/// Of an engine's images of one budget, with what is known of their noise. Images as in deviations.h.
+Deviations deviations_of(const std::string& engine, const Budget& budget, const StoredReference& reference,
+                         std::span<const Image* const> images);
+
 /// Images as in deviations.h. Those that prove nothing (repeated_images.h) are judged first: one that is the reference
 /// itself fails every gate; where the reference has noise, the same image for all seeds fails what weighs noise
 /// (nothing can be said without {seed} in the command, or where the engine does not claim to be unbiased), and is named

@@ -81,6 +81,11 @@ std::string to_string(GateVerdict verdict) {
   return names[static_cast<int>(verdict)];
 }
 
+std::string to_string(Correctness correctness) {
+  constexpr const char* names[] = {"right", "noisy", "biased", "unknown"};
+  return names[static_cast<int>(correctness)];
+}
+
 std::string to_string(Change change) {
   constexpr const char* names[] = {"regression", "improvement", "unchanged", "inconclusive"};
   return names[static_cast<int>(change)];

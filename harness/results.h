@@ -107,6 +107,9 @@ struct SceneRecord {
   std::string reference_label;  ///< Cell::label of the Result that serves as the reference; empty when one is stored
   std::optional<ReferenceRecord> reference{};    ///< the stored one
   std::optional<ExposureRange> hdr_exposures{};  ///< of hdr_flip, which is computed where they are pinned
+  /// Why errors against the reference are not errors: "the reference is by photonmapper, which is biased". Empty where
+  /// it may be believed.
+  std::string reference_doubt{};
 };
 
 struct EngineRecord {
@@ -122,14 +125,36 @@ struct Host {
   std::uint64_t memory_bytes = 0;
 };
 
+/// Whether images show what they should: they agree with the reference, and a small error would have been seen; nothing
+/// is seen, but a large error could hide; they differ by more than noise explains; nothing can be said.
+enum class Correctness { right, noisy, biased, unknown };
+std::string to_string(Correctness correctness);
+
+/// The verdict on a budget's images, by the gates' statistics (harness/correctness.h).
+struct CorrectnessRecord {
+  Correctness verdict = Correctness::unknown;
+  std::string sentence;           ///< where and how large, or why nothing can be said
+  std::optional<Estimate> whole;  ///< relative error of the whole image in its worst channel; its interval is the test's
+  /// Where right: the relative error of the whole image, and of a block of 8 x 8 pixels, that would have been seen with
+  /// probability 0.99.
+  std::optional<double> would_see, would_see_in_a_block;
+  std::string regression_only{};  ///< as GateRecord's
+  friend bool operator==(const CorrectnessRecord&, const CorrectnessRecord&) = default;
+};
+
+/// Why a number is not there, by its name in results.json: {"slope": "two budgets"}.
+using Reasons = std::map<std::string, std::string>;
+
 /// One budget of an engine on a scene, over its seeds.
 struct CurvePoint {
   Budget budget;
   int seeds = 0;                     ///< finished cells
   Estimate seconds;                  ///< median wall time
   std::optional<Estimate> relmse;    ///< mean; absent without a reference
-  std::optional<Estimate> bias2;     ///< relative, as relmse; needs two seeds. May be negative: it is unbiased itself
+  std::optional<Estimate> bias2;     ///< relative, as relmse; where its interval excludes 0
   std::optional<Estimate> variance;  ///< relative, of one image; needs two seeds
+  std::optional<CorrectnessRecord> correctness{};
+  Reasons undefined{};
   friend bool operator==(const CurvePoint&, const CurvePoint&) = default;
 };
 
@@ -142,7 +167,22 @@ struct Convergence {
   std::optional<double> target_relmse;        ///< of the scene, when the suite states one
   std::optional<Estimate> seconds_to_target;  ///< interpolated between measured budgets, never beyond them
   std::vector<std::string> caveats;
+  Reasons undefined{};
   friend bool operator==(const Convergence&, const Convergence&) = default;
+};
+
+/// How long each engine took on a scene to come down to the least error that all of them reach.
+struct RaceRecord {
+  struct Time {
+    std::string engine;
+    double seconds = 0;    ///< interpolated between its budgets
+    bool at_most = false;  ///< its smallest budget is below that error already: it may need less
+    friend bool operator==(const Time&, const Time&) = default;
+  };
+  std::string scene;
+  double relmse = 0;
+  std::vector<Time> times;  ///< fastest first
+  friend bool operator==(const RaceRecord&, const RaceRecord&) = default;
 };
 
 enum class GateVerdict { pass, fail, inconclusive };
@@ -209,6 +249,7 @@ struct Results {
   std::vector<Result> results;  ///< references included
   // What the harness concluded from them; reports compute no statistics of their own.
   std::vector<Convergence> convergence;
+  std::vector<RaceRecord> races;
   std::vector<GateRecord> gates;
   std::vector<ChangeRecord> changes;
   std::vector<std::string> findings;  ///< what only several results or gates show together

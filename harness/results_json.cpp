@@ -38,6 +38,7 @@ json scene_to_json(const SceneRecord& scene) {
                       {"image", reference->image},
                       {"picture", reference->picture},
                       {"provenance", reference->provenance}};
+  if (!scene.reference_doubt.empty()) j["reference_doubt"] = scene.reference_doubt;
   if (const auto& range = scene.hdr_exposures)
     j["hdr_flip_exposures"] = {{"start", finite(range->start, "first exposure")},
                                {"stop", finite(range->stop, "last exposure")},
@@ -53,6 +54,7 @@ SceneRecord scene_from_json(const json& j) {
                                       found->at("provenance").get<std::map<std::string, std::string>>()};
   if (const auto found = j.find("hdr_flip_exposures"); found != j.end())
     scene.hdr_exposures = ExposureRange{found->at("start"), found->at("stop"), found->at("count")};
+  scene.reference_doubt = j.value("reference_doubt", "");
   return scene;
 }
 

@@ -25,7 +25,7 @@ Cell reference_from_toml(const TomlTable& scene, const std::string& scene_name, 
 
 SuiteScene scene_from_toml(const TomlTable& table, const Suite& suite) {
   SuiteScene scene = scene_row(table, suite);
-  scene.reference = reference_from_toml(table, scene.name, suite.engines);
+  if (table.has("reference")) scene.reference = reference_from_toml(table, scene.name, suite.engines);
   if (table.has("target_relmse")) {
     scene.target_relmse = table.number("target_relmse");
     if (*scene.target_relmse <= 0) throw table.error("target_relmse", "'target_relmse' must be positive");
@@ -59,7 +59,8 @@ void add_run(const TomlTable& run, Suite& suite, std::set<std::string>& labels) 
   const std::vector<std::string> scenes = scenes_of_run(run, suite);
   run.expect_no_other_keys();
   const auto add = [&](const Cell& cell) {
-    if (cell.label() == suite.scene(cell.scene).reference.label())
+    const std::optional<Cell>& reference = suite.scene(cell.scene).reference;
+    if (reference && cell.label() == reference->label())
       throw run.error("the cell " + cell.label() + " is the scene's reference; it would be compared with itself");
     if (!labels.insert(cell.label()).second) throw run.error("the cell " + cell.label() + " occurs twice");
     suite.cells.push_back(cell);

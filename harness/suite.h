@@ -25,8 +25,8 @@ struct SuiteScene {
   std::filesystem::path path;  ///< openable from the current folder
   std::string given_path;      ///< as the suite says it
   int width = 0, height = 0;
-  std::optional<double> exposure;  ///< stops; otherwise the scene's expect.toml says
-  Cell reference;
+  std::optional<double> exposure;   ///< stops; otherwise the scene's expect.toml says
+  std::optional<Cell> reference{};  ///< empty: the stored one
   std::optional<double> target_relmse{};
   std::map<std::string, std::filesystem::path> files{};  ///< what {scene} is instead of `path`, by engine
 

@@ -48,7 +48,7 @@ TEST_F(SuiteFile, runs_expand_to_cells_in_order) {
   EXPECT_EQ(suite.scenes[0].given_path, "a.xml");
   EXPECT_EQ(suite.scenes[0].exposure, 1.0);
   EXPECT_FALSE(suite.scenes[1].exposure.has_value());
-  EXPECT_EQ(suite.scenes[0].reference.label(), "a/path/spp=64/seed=9");
+  EXPECT_EQ(suite.scenes[0].reference.value().label(), "a/path/spp=64/seed=9");
   std::vector<std::string> labels;
   for (const Cell& cell : suite.cells) labels.push_back(cell.label());
   EXPECT_EQ(labels, (std::vector<std::string>{"b/path/spp=1/seed=1", "b/path/spp=1/seed=2", "b/path/spp=2/seed=1",

@@ -16,6 +16,7 @@
 #include "harness/versions.h"
 #include "reports/html_report.h"
 #include "reports/markdown_report.h"
+#include "reports/verdicts.h"
 #include "scenes/input_error.h"
 #include "scenes/json_text.h"
 #include "scenes/output_files.h"
@@ -42,7 +43,7 @@ struct BenchArguments {
 std::string ending_of(const Result& result) {
   if (result.status != Status::ok) return to_string(result.status) + ": " + result.detail;
   char text[64];
-  std::snprintf(text, sizeof text, "ok %.2f s", result.wall_seconds.value_or(0));
+  std::snprintf(text, sizeof text, "finished %.2f s", result.wall_seconds.value_or(0));
   return text;
 }
 
@@ -86,9 +87,7 @@ std::size_t failures(const BenchSummary& summary) {
   return count;
 }
 
-std::vector<fs::path> write_reports(const fs::path& results_file) {
-  const Results results = read_results(results_file.string());
-  const fs::path folder = results_file.parent_path();
+std::vector<fs::path> write_reports(const Results& results, const fs::path& folder) {
   const fs::path html = folder / "report.html", markdown = folder / "report.md";
   write_html_report(results, folder, html);
   write_markdown_report(results, folder, markdown);
@@ -123,20 +122,21 @@ void print_json(const BenchSummary& summary, const std::vector<fs::path>& report
   std::printf("%s\n", json_text(json).c_str());
 }
 
-void print_text(const Suite& suite, const BenchSummary& summary, const std::vector<fs::path>& reports) {
+void print_text(const Suite& suite, const BenchSummary& summary, const Results& results,
+                const std::vector<fs::path>& report_files) {
   std::printf("%s: %zu cells measured, %zu kept from before", suite.name.c_str(), summary.measured, summary.kept);
   if (summary.missing > 0) std::printf(", %zu not run", summary.missing);
   const char* separator = "; ";
   for (const auto& [status, number] : summary.by_status) {
-    std::printf("%s%zu %s", separator, number, to_string(status).c_str());
+    std::printf("%s%zu %s", separator, number, reports::status_text(status).c_str());
     separator = ", ";
   }
-  std::printf("\n");
+  std::printf("\n%s", reports::verdict_lines(reports::arrange(results)).c_str());
   if (summary.measured == 0 && !summary.interrupted)
     std::printf("nothing to run: every cell asked for has its result (--fresh measures again, --retry what failed)\n");
   if (summary.interrupted) std::printf("interrupted: kept what was finished; the same command goes on from here\n");
   std::printf("results: %s\n", summary.results_file.c_str());
-  for (const fs::path& report : reports) std::printf("report: %s\n", report.c_str());
+  for (const fs::path& report : report_files) std::printf("report: %s\n", report.c_str());
   if (summary.by_change.empty()) return;
   separator = "against the old run: ";
   for (const auto& [change, number] : summary.by_change) {
@@ -189,12 +189,13 @@ int run(const BenchArguments& arguments) {
   ProgressLines progress;
   const BenchSummary summary = run_bench(suite, options, progress);
   progress.done();
-  const std::vector<fs::path> reports =
-      arguments.report ? write_reports(summary.results_file) : std::vector<fs::path>{};
+  const Results results = read_results(summary.results_file.string());
+  const std::vector<fs::path> report_files =
+      arguments.report ? write_reports(results, summary.results_file.parent_path()) : std::vector<fs::path>{};
   if (arguments.json)
-    print_json(summary, reports);
+    print_json(summary, report_files);
   else
-    print_text(suite, summary, reports);
+    print_text(suite, summary, results, report_files);
   return exit_code_of(arguments, summary);
 }
 

@@ -83,7 +83,7 @@ void print_json(const GateSummary& summary, const std::vector<fs::path>& reports
     if (!gate.regression_only.empty()) entry["regression_only"] = gate.regression_only;
     json["gates"].push_back(std::move(entry));
   }
-  std::printf("%s\n", json.dump(2).c_str());
+  std::printf("%s\n", json_text(json).c_str());
 }
 
 void print_text(const GateSuite& suite, const GateSummary& summary, const std::vector<fs::path>& reports) {

@@ -52,7 +52,9 @@ int run_povray(const PovrayVerbArguments& arguments) {
   const std::string stats_path = checked_stats_path(arguments.stats_path, arguments.output, arguments.scene.path);
   const SceneDescription description = load_scene(arguments.scene);
   check_outputs({arguments.output, stats_path}, scene_inputs(description));
-  const PovrayExport scene = export_povray(description, arguments.options);
+  PovrayOptions povray = arguments.options;
+  povray.lamps_apart = true;
+  const PovrayExport scene = export_povray(description, povray);
   PovrayRunOptions options;
   options.interrupt = &interrupt_flag();
   options.progress = progress_line(arguments.quiet);

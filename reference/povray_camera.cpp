@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <span>
 
 #include "reference/convex_clip.h"
@@ -23,6 +24,41 @@ std::vector<HalfSpace> frustum(const PovCamera& camera, double nearest, double f
           through_eye(-camera.up - camera.forward * camera.tan_y),
           {-camera.forward, -(at_eye + nearest)},
           {camera.forward, at_eye + farthest}};
+}
+
+/// In pixels across and down; empty behind the camera.
+std::optional<Vec2<double>> pixel_of(const PovCamera& camera, const Vec3d& p, int width, int height) {
+  const Vec3d d = p - camera.origin;
+  const double depth = dot(d, camera.forward);
+  if (depth <= 0) return std::nullopt;
+  return Vec2<double>{dot(d, camera.right) / (depth * camera.tan_x) * width / 2,
+                      dot(d, camera.up) / (depth * camera.tan_y) * height / 2};
+}
+
+double thickness(const PovCamera& camera, const PovParallelogram& face, int width, int height) {
+  std::vector<Vec2<double>> corners;
+  for (const Vec3d& v : face.vertices()) {
+    const auto pixel = pixel_of(camera, v, width, height);
+    if (!pixel) return INFINITY;
+    corners.push_back(*pixel);
+  }
+  double twice_area = 0, longest = 0;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Vec2<double>&a = corners[i], &b = corners[(i + 1) % corners.size()];
+    twice_area += a.x * b.y - a.y * b.x;
+    for (const Vec2<double>& other : corners) longest = std::max(longest, std::hypot(a.x - other.x, a.y - other.y));
+  }
+  return std::abs(twice_area) / 2 / longest;
+}
+
+double thickness(const PovCamera& camera, const PovSphere& sphere, int, int height) {
+  const double depth = dot(sphere.center - camera.origin, camera.forward);
+  return depth <= 0 ? INFINITY : sphere.radius / (depth * camera.tan_y) * height;
+}
+
+template <class Other>
+double thickness(const PovCamera&, const Other&, int, int) {
+  return INFINITY;  // no small lamp
 }
 
 /// Whether some of a polygon, and not only an edge of it, is in the region.
@@ -144,6 +180,17 @@ PovCamera lower_camera(const SceneDescription& scene, int width, int height) {
   camera.tan_x = per_pixel * width;
   camera.tan_y = per_pixel * height;
   return camera;
+}
+
+double thinnest_lamp(const PovCamera& camera, const PovScene& scene, int width, int height) {
+  double thinnest = INFINITY;
+  for (const PovSurface& surface : scene.surfaces) {
+    if (surface.emission != PovSurface::Emission::spots) continue;
+    const double across =
+        std::visit([&](const auto& geometry) { return thickness(camera, geometry, width, height); }, surface.geometry);
+    if (across > 0) thinnest = std::min(thinnest, across);  // 0: seen from its edge, that is not at all
+  }
+  return thinnest;
 }
 
 std::string camera_sdl(const PovCamera& camera, double scale) {

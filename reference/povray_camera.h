@@ -26,6 +26,11 @@ PovCamera lower_camera(const SceneDescription& scene, int width, int height);
 /// "camera{...}" with lengths multiplied by `scale`.
 std::string camera_sdl(const PovCamera& camera, double scale);
 
+/// How many pixels across the thinnest of the small lamps is in the picture (PovSurface::Emission::spots), as a
+/// parallelogram's image is no rectangle: its area over its longest diagonal or side. Infinite where there is none in
+/// front of the camera.
+double thinnest_lamp(const PovCamera& camera, const PovScene& scene, int width, int height);
+
 /// Makes the picture what it would be with the clip planes, or proves that it already is. A surface that the near plane
 /// hides is made clear from behind (`clear_back`) when the camera sees nothing but its back and nothing else is behind
 /// it, so that no light is let through. Throws Unrepresentable for any other surface that a clip plane cuts out of

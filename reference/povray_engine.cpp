@@ -1,5 +1,6 @@
 #include "reference/povray_engine.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -58,6 +59,14 @@ std::vector<std::string> find_non_finite(const Image& image) {
           std::to_string(first / width) + "): brighter than half floats reach"};
 }
 
+void add(const PovrayRun& part, PovrayRun& run) {
+  for (std::size_t i = 0; i < run.rendering.mean.rgb.size(); ++i)
+    run.rendering.mean.rgb[i] += part.rendering.mean.rgb[i];
+  run.wall_seconds += part.wall_seconds;
+  run.cpu_seconds += part.cpu_seconds;
+  run.peak_bytes = std::max(run.peak_bytes, part.peak_bytes);
+}
+
 }  // namespace
 
 Image box_downsample(const Image& image, int grid, double gain) {
@@ -109,6 +118,7 @@ PovrayRun render_povray(const PovrayExport& scene, const PovrayRunOptions& optio
       box_downsample(read_image((folder.path() / "scene.exr").string()), scene.grid, 1 / scene.exposure);
   run.rendering.metadata["photonproof:version"] = run.version;
   run.rendering.metadata["photonproof:command"] = run.command;
+  for (const PovrayExport& part : scene.besides) add(render_povray(part, options), run);
   run.defects = find_non_finite(run.rendering.mean);
   return run;
 }

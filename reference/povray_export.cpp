@@ -1,6 +1,7 @@
 #include "reference/povray_export.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 
 #include "reference/povray_camera.h"
@@ -44,15 +45,19 @@ void write_sdl(const PovrayExport& scene, const std::filesystem::path& target) {
   });
 }
 
-PovrayExport export_povray(const SceneDescription& description, const PovrayOptions& options) {
-  PovrayExport result;
-  result.width = options.width > 0 ? options.width : description.sensor.film.width;
-  result.height = options.height > 0 ? options.height : description.sensor.film.height;
-  PovScene scene = lower_scene(description);
-  const PovPlan plan = make_plan(scene, options);
-  const PovCamera camera = lower_camera(description, result.width, result.height);
-  apply_clip_planes(camera, scene);
+namespace {
 
+/// A lamp that is thinner than this many pixels may lie between the corners that POV-Ray samples first, which then see
+/// no edge to refine; and what is seen of it is far brighter than all else.
+constexpr double thin_lamp = 1.5;
+constexpr int finest_lamp_grid = 16;
+
+PovrayExport export_scene(const PovScene& scene, const PovPlan& plan, const PovCamera& camera,
+                          const PovrayOptions& options) {
+  const SceneDescription& description = *scene.description;
+  PovrayExport result;
+  result.width = options.width;
+  result.height = options.height;
   SdlWriter out;
   write_header(scene, plan, out);
   out.explain(
@@ -74,6 +79,36 @@ PovrayExport export_povray(const SceneDescription& description, const PovrayOpti
   result.explanations = out.explanations();
   result.skipped = plan.skipped;
   result.losses = plan.losses;
+  return result;
+}
+
+/// Only what is seen of lamps, directly or in mirrors and glass: nothing is lit, so that many samples cost little. The
+/// grid is one of which several lines pass through every lamp.
+PovrayExport export_lamps(const PovScene& scene, PovPlan plan, const PovCamera& camera, const PovrayOptions& options,
+                          double thinnest) {
+  plan.point_lights = plan.radiosity = plan.photons = false;
+  plan.brightness = 1;
+  PovrayExport lamps = export_scene(scene, plan, camera, options);
+  lamps.grid = std::clamp(static_cast<int>(std::ceil(2 * thin_lamp / thinnest)), 2, finest_lamp_grid);
+  return lamps;
+}
+
+}  // namespace
+
+PovrayExport export_povray(const SceneDescription& description, const PovrayOptions& given) {
+  PovrayOptions options = given;
+  if (options.width <= 0) options.width = description.sensor.film.width;
+  if (options.height <= 0) options.height = description.sensor.film.height;
+  PovScene scene = lower_scene(description);
+  PovPlan plan = make_plan(scene, options);
+  const PovCamera camera = lower_camera(description, options.width, options.height);
+  apply_clip_planes(camera, scene);
+  const double thinnest = thinnest_lamp(camera, scene, options.width, options.height);
+  plan.shows_lamps = !options.lamps_apart || options.grid > 0 || thinnest > thin_lamp;
+  PovrayExport result = export_scene(scene, plan, camera, options);
+  if (plan.shows_lamps) return result;
+  plan.shows_lamps = true;
+  result.besides.push_back(export_lamps(scene, plan, camera, options, thinnest));
   return result;
 }
 

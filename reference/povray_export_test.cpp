@@ -70,7 +70,8 @@ TEST(povray_export, writes_the_surfaces_of_cornell_spheres_once_each_and_the_wal
   EXPECT_EQ(count(text, "\npolygon{"), 5u + 1 + 5) << "walls, the light, and the walls for radiosity";
   EXPECT_EQ(count(text, "interior{Interior_"), 1u) << "the glass";
   EXPECT_EQ(count(text, "photons{target "), 2u) << "mirror and glass";
-  EXPECT_EQ(count(text, "no_image no_shadow"), 5u);
+  EXPECT_EQ(count(text, " no_shadow}"), 5u);
+  EXPECT_EQ(count(text, "no_image"), 0u) << "which would show radiosity's rays no photons";
 }
 
 TEST(povray_export, asks_for_radiosity_only_where_surfaces_see_each_other) {

@@ -1,5 +1,7 @@
 #include "reference/povray_geometry.h"
 
+#include <stdexcept>
+
 #include "reference/povray_materials.h"
 #include "scenes/text_numbers.h"
 
@@ -9,6 +11,10 @@ namespace {
 // A ray through the common edge of two exactly adjoining polygons can miss both; walls that reach this far past their
 // edges (as a fraction of their size) leave no gap, and change no picture at double precision's 1e-16.
 constexpr double kOverlap = 1e-6;
+
+// How far twins lie behind what they are twins of, in POV-Ray's lengths: what is seen first is not the twin, and shadow
+// rays to it still end at the surface (they forgive 1e-3 along the ray). Below what kOverlap closes at edges.
+constexpr double kBehind = 2e-5;
 
 /// The opening of an object: its type and coordinates.
 std::string shape_sdl(const PovParallelogram& face, double scale) {
@@ -77,6 +83,27 @@ std::string outline(const PovSurface& surface, const PovPlan& plan) {
   return std::visit([&](const auto& geometry) { return shape_sdl(geometry, plan.scale); }, surface.geometry);
 }
 
+PovParallelogram behind(PovParallelogram face, double distance) {
+  face.corner = face.corner - face.normal() * distance;
+  return face;
+}
+PovSphere behind(PovSphere sphere, double distance) {
+  sphere.radius += sphere.inward ? distance : -distance;
+  return sphere;
+}
+PovBox behind(PovBox box, double distance) {
+  const auto by = [&](const Vec3d& axis) {
+    return 1 + (box.inward ? distance : -distance) / length(box.to_world.vector(axis));
+  };
+  box.to_world = box.to_world * Transform::scale({by({1, 0, 0}), by({0, 1, 0}), by({0, 0, 1})});
+  return box;
+}
+PovMesh behind(const PovMesh&, double) { throw std::logic_error("has_twin says no"); }
+
+/// POV-Ray shows no photons on what is `no_image`, not even to radiosity's rays: where there are photons, twins are
+/// hidden from the camera by what they are twins of.
+bool hides_behind(const PovPlan& plan) { return plan.photons; }
+
 std::string plain_texture(const PovScene& scene, const PovSurface& surface) {
   return " texture{Bsdf_" + std::to_string(bsdf_number(scene, surface)) + "}";
 }
@@ -88,7 +115,7 @@ void write_surface(const PovScene& scene, const PovSurface& surface, const PovPl
     out.explain(surrounding ? "  emits inwards: radiosity's rays find it, so it needs no light_source"
                             : "  emits: this body is what is seen of the light; its light_sources are what lights");
     object += " " + emitter_texture(constant(std::get<DiffuseDescription>(surface.bsdf->model).reflectance),
-                                    constant(*surface.shape->radiance) * plan.exposure);
+                                    constant(*surface.shape->radiance) * (plan.shows_lamps ? plan.exposure : 0));
   } else {
     object += plain_texture(scene, surface);
   }
@@ -120,17 +147,20 @@ void write_surfaces(const PovScene& scene, const PovPlan& plan, SdlWriter& out) 
 }
 
 bool has_twin(const PovSurface& surface, const PovPlan& plan) {
+  if (hides_behind(plan) && std::holds_alternative<PovMesh>(surface.geometry)) return false;  // it has no behind
   return plan.radiosity && plan.point_lights && surface.emission != PovSurface::Emission::radiosity &&
          is_diffuse(surface);
 }
 
 void write_twins(const PovScene& scene, const PovPlan& plan, SdlWriter& out) {
-  for (const PovSurface& surface : scene.surfaces) {
+  for (PovSurface surface : scene.surfaces) {
     if (!has_twin(surface, plan)) continue;
+    if (hides_behind(plan))
+      std::visit([&](auto& geometry) { geometry = behind(geometry, kBehind / plan.scale); }, surface.geometry);
     // Mirrors must show a light's body and not its dark twin; of other surfaces either will do.
     const bool emits = surface.emission != PovSurface::Emission::none;
-    out.line(outline(surface, plan) + plain_texture(scene, surface) + back_of(surface) + " no_image no_shadow" +
-             (emits ? " no_reflection}" : "}"));
+    out.line(outline(surface, plan) + plain_texture(scene, surface) + back_of(surface) +
+             (hides_behind(plan) ? "" : " no_image") + " no_shadow" + (emits ? " no_reflection}" : "}"));
   }
 }
 

@@ -10,7 +10,8 @@ struct PovrayOptions {
   int height = 0;   ///< pixels; 0: the scene's film
   int grid = 0;     ///< k: each pixel is the mean of k x k sub-pixel centres; 0: POV-Ray refines where it sees an edge
   int quality = 1;  ///< 1 seconds, 2 tens of seconds, 3 for comparisons that claim agreement
-  std::uint64_t seed = 1;  ///< of the places of light samples; POV-Ray's own sample directions are fixed
+  bool lamps_apart = false;  ///< what is seen of lamps that are thin in the picture is rendered besides, and added
+  std::uint64_t seed = 1;    ///< of the places of light samples; POV-Ray's own sample directions are fixed
 };
 
 /// How lights become points: a rectangle n x n of them, a sphere `sphere` of them.

@@ -68,12 +68,12 @@ std::string caveats_text(const Result& result) {
 std::string state_text(const EngineOutcome& outcome) {
   const std::size_t total = outcome.cells.size();
   if (total == 0) return "not run";
-  if (outcome.finished == total) return fmt::format("{} ok", total);
+  if (outcome.finished == total) return fmt::format("{} finished", total);
   const auto failed = [](const Result* cell) { return cell->status != Status::ok; };
   const Status first = (*std::ranges::find_if(outcome.cells, failed))->status;
   const bool alike =
       std::ranges::all_of(outcome.cells, [&](const Result* cell) { return !failed(cell) || cell->status == first; });
-  return fmt::format("{} of {} {}", total - outcome.finished, total, alike ? to_string(first) : "not ok");
+  return fmt::format("{} of {} {}", total - outcome.finished, total, alike ? to_string(first) : "not finished");
 }
 
 }  // namespace photonproof::reports

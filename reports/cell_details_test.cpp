@@ -48,9 +48,9 @@ TEST(CellDetails, an_engines_state_counts_its_cells) {
   late.status = Status::timeout;
   crashed.status = Status::crash;
   EXPECT_EQ(state_text({0, {}, 0, nullptr}), "not run");
-  EXPECT_EQ(state_text({0, {&ok, &ok}, 2, &ok}), "2 ok");
+  EXPECT_EQ(state_text({0, {&ok, &ok}, 2, &ok}), "2 finished");
   EXPECT_EQ(state_text({0, {&ok, &late, &late}, 1, &ok}), "2 of 3 timeout");
-  EXPECT_EQ(state_text({0, {&crashed, &late}, 0, nullptr}), "2 of 2 not ok");
+  EXPECT_EQ(state_text({0, {&crashed, &late}, 0, nullptr}), "2 of 2 not finished");
 }
 
 }  // namespace

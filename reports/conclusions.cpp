@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "reports/numbers.h"
+#include "reports/verdicts.h"
 #include "reports/view.h"
 
 namespace photonproof::reports {
@@ -22,13 +23,20 @@ std::string estimate_text(const std::optional<Estimate>& estimate, int digits) {
   return or_dash(estimate, [&](const Estimate& e) { return estimate_text(e, digits); });
 }
 
-PlainTable points_table(const std::vector<const Convergence*>& curves) {
-  PlainTable table{{"Engine", "Budget", "Seeds", "Median wall s", "relMSE", "bias²", "variance"}, {}};
+std::string estimate_text(const std::optional<Estimate>& estimate, const Reasons& undefined, const char* name) {
+  const auto why = undefined.find(name);
+  if (estimate || why == undefined.end()) return estimate_text(estimate);
+  return fmt::format("{} ({})", undefined_number, why->second);
+}
+
+PlainTable points_table(const std::vector<const Convergence*>& curves, const std::string& mark) {
+  PlainTable table{{"Engine", "Budget", "Seeds", "Verdict", "Median wall s", "relMSE", "bias²", "variance"}, {}};
   for (const Convergence* curve : curves) {
     for (const CurvePoint& point : curve->points) {
       table.rows.push_back({curve->engine, budget_text(point.budget), std::to_string(point.seeds),
-                            estimate_text(point.seconds), estimate_text(point.relmse), estimate_text(point.bias2),
-                            estimate_text(point.variance)});
+                            or_dash(point.correctness, verdict_text), estimate_text(point.seconds),
+                            estimate_text(point.relmse) + mark, estimate_text(point.bias2, point.undefined, "bias2"),
+                            estimate_text(point.variance, point.undefined, "variance")});
     }
   }
   return table;
@@ -37,9 +45,11 @@ PlainTable points_table(const std::vector<const Convergence*>& curves) {
 PlainTable slopes_table(const std::vector<const Convergence*>& curves) {
   PlainTable table{{"Engine", "Slope", "Efficiency 1/s", "Target relMSE", "s to target"}, {}};
   for (const Convergence* curve : curves) {
-    table.rows.push_back({curve->engine, estimate_text(curve->slope), estimate_text(curve->efficiency),
+    const Reasons& undefined = curve->undefined;
+    table.rows.push_back({curve->engine, estimate_text(curve->slope, undefined, "slope"),
+                          estimate_text(curve->efficiency, undefined, "efficiency"),
                           or_dash(curve->target_relmse, [](double v) { return significant(v); }),
-                          estimate_text(curve->seconds_to_target)});
+                          estimate_text(curve->seconds_to_target, undefined, "seconds_to_target")});
   }
   return table;
 }

@@ -19,8 +19,11 @@ struct PlainTable {
   std::vector<std::vector<std::string>> rows;
 };
 
-/// Engine, budget, seeds, seconds, relMSE, bias², variance: a row a point.
-PlainTable points_table(const std::vector<const Convergence*>& curves);
+/// The same, or the dash and why there is no such number: "– (one seed)".
+std::string estimate_text(const std::optional<Estimate>& estimate, const Reasons& undefined, const char* name);
+
+/// Engine, budget, seeds, verdict, seconds, relMSE, bias², variance: a row a point. `mark` goes beside every error.
+PlainTable points_table(const std::vector<const Convergence*>& curves, const std::string& mark = {});
 
 /// Engine, slope, efficiency, target, seconds to it: a row an engine.
 PlainTable slopes_table(const std::vector<const Convergence*>& curves);

@@ -3,7 +3,7 @@
 //   name      of a gate
 //   quantity  a metric, wall_seconds, relmse, observed, ratio ...
 //   value     in full; low and high are the ends of its 95 % interval, empty when none is known
-//   outcome   how a cell ended, a gate's verdict, a change's kind
+//   outcome   how a cell ended, a gate's verdict, a budget's (right, noisy, biased, unknown), a change's kind
 //   text      why, in a sentence
 // A cell that did not finish is one row without a value.
 #include <fmt/format.h>
@@ -81,6 +81,15 @@ void add_cell(Table& table, const Result& result) {
   table.add_if(subject, "instructions", estimate(result.instructions));
 }
 
+/// An empty value with the reason as its text where there is one.
+void add_or_why(Table& table, Subject subject, const std::string& quantity, const std::optional<Estimate>& estimate,
+                const Reasons& undefined) {
+  const auto why = undefined.find(quantity);
+  if (!estimate && why == undefined.end()) return;
+  if (!estimate) subject.text = why->second;
+  table.add(subject, quantity, estimate);
+}
+
 void add_curve(Table& table, const Convergence& curve) {
   Subject subject{"curve", "", curve.scene, curve.engine, "", "", "", "", ""};
   for (const CurvePoint& point : curve.points) {
@@ -88,14 +97,20 @@ void add_curve(Table& table, const Convergence& curve) {
     subject.budget = point.budget.amount_text();
     table.add(subject, "seconds", point.seconds);
     table.add_if(subject, "relmse", point.relmse);
-    table.add_if(subject, "bias2", point.bias2);
-    table.add_if(subject, "variance", point.variance);
+    add_or_why(table, subject, "bias2", point.bias2, point.undefined);
+    add_or_why(table, subject, "variance", point.variance, point.undefined);
+    if (const auto& correctness = point.correctness) {
+      Subject verdict = subject;
+      verdict.outcome = to_string(correctness->verdict);
+      verdict.text = correctness->sentence;
+      table.add(verdict, "relative_error_of_mean", correctness->whole);
+    }
   }
   subject.budget_kind = subject.budget = "";
-  table.add_if(subject, "slope", curve.slope);
-  table.add_if(subject, "efficiency", curve.efficiency);
+  add_or_why(table, subject, "slope", curve.slope, curve.undefined);
+  add_or_why(table, subject, "efficiency", curve.efficiency, curve.undefined);
   table.add_if(subject, "target_relmse", estimate(curve.target_relmse));
-  table.add_if(subject, "seconds_to_target", curve.seconds_to_target);
+  add_or_why(table, subject, "seconds_to_target", curve.seconds_to_target, curve.undefined);
 }
 
 void add_gate(Table& table, const GateRecord& gate) {

@@ -22,7 +22,6 @@ std::optional<Interval> drawable_part(const std::optional<Interval>& interval, d
 
 ErrorPlot plot_of_curves(const View& view, const SceneView& scene) {
   ErrorPlot plot;
-  plot.over_seeds = true;
   for (const Convergence* curve : scene.curves) {
     if (drawable(curve->target_relmse)) plot.target = curve->target_relmse;
     PlotSeries series{engine_index(view, curve->engine), {}};
@@ -31,6 +30,7 @@ ErrorPlot plot_of_curves(const View& view, const SceneView& scene) {
         ++plot.left_out;
         continue;
       }
+      plot.over_seeds = plot.over_seeds || point.seeds > 1;
       series.points.push_back(
           {point.seconds.value, point.relmse->value, drawable_part(point.seconds.interval, point.seconds.value),
            drawable_part(point.relmse->interval, point.relmse->value),

@@ -7,6 +7,7 @@
 #include "reports/html_data.h"
 #include "reports/numbers.h"
 #include "reports/text.h"
+#include "reports/verdicts.h"
 #include "reports/viewer_data.h"
 
 namespace photonproof::reports {
@@ -65,6 +66,30 @@ data header_data(const PlainTable& table, std::size_t from, std::size_t numbers_
 }  // namespace
 
 void set_verdict(data& object, GateVerdict verdict) { set_chip(object, verdict); }
+
+void set_correctness(data& object, const CorrectnessRecord& record) {
+  data chip;
+  chip.set("verdict", verdict_text(record));
+  chip.set("class", verdict_class(record.verdict));
+  chip.set("symbol", verdict_symbol(record.verdict));
+  object.set("has_correctness", true);
+  object.set("chip", chip);
+  object.set("sentence", printable(sentence_of(record)));
+}
+
+void set_glance(data& page, const View& view) {
+  data engines(data::type::list), races(data::type::list);
+  for (const EngineGlance& glance : glances(view)) {
+    data item = engine_data(view, glance.engine);
+    item.set("text", printable(glance.text));
+    engines.push_back(item);
+  }
+  for (const std::string& race : race_texts(view)) races.push_back(printable(race));
+  page.set("has_glance", engines.is_non_empty_list());
+  page.set("glances", engines);
+  page.set("has_races", races.is_non_empty_list());
+  page.set("races", races);
+}
 
 data table_data(const PlainTable& table, std::size_t numbers_from) {
   data out, rows(data::type::list);

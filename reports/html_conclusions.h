@@ -13,6 +13,12 @@ namespace photonproof::reports {
 /// {verdict, class, symbol}: a chip that is not told by its colour alone.
 void set_verdict(kainjow::mustache::data& object, GateVerdict verdict);
 
+/// {has_correctness, verdict, class, symbol, sentence}: the same for a budget's images; green for right alone.
+void set_correctness(kainjow::mustache::data& object, const CorrectnessRecord& record);
+
+/// {has_glance, glances: {swatch, text}, races}: what to see first.
+void set_glance(kainjow::mustache::data& page, const View& view);
+
 /// {has_table, header, rows: {cells: {text, number}}}: cells from `numbers_from` on are right-aligned.
 kainjow::mustache::data table_data(const PlainTable& table, std::size_t numbers_from);
 

@@ -4,6 +4,7 @@
 #include "reports/metric_columns.h"
 #include "reports/numbers.h"
 #include "reports/text.h"
+#include "reports/verdicts.h"
 
 namespace photonproof::reports {
 
@@ -33,8 +34,8 @@ data parameters_data(const std::vector<MetricParameters>& parameters) {
 }
 
 void set_status(data& object, const Result& result) {
-  object.set("status", to_string(result.status));
-  object.set("class", result.status == Status::ok ? "good" : "poor");
+  object.set("status", status_text(result.status));
+  object.set("class", result.status == Status::ok ? "quiet" : "poor");
   object.set("detail", printable(result.detail));
 }
 

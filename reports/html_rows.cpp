@@ -7,6 +7,7 @@
 #include "reports/metric_columns.h"
 #include "reports/numbers.h"
 #include "reports/text.h"
+#include "reports/verdicts.h"
 
 namespace photonproof::reports {
 namespace {
@@ -38,10 +39,11 @@ data number_cell(const std::string& text, const std::optional<double>& sort) {
 }
 
 /// Numbers of the row: metrics, then time and memory.
-data numbers_data(const Result& result) {
+data numbers_data(const SceneView& scene, const Result& result) {
   data list(data::type::list);
   for (const MetricColumn& column : metric_columns()) {
-    list.push_back(number_cell(metric_text(result, column.metric), metric(result, column.metric)));
+    const auto value = metric(result, column.metric);
+    list.push_back(number_cell(metric_text(result, column.metric) + (value ? doubt_mark(scene) : ""), value));
   }
   list.push_back(number_cell(seconds_text(result.wall_seconds), result.wall_seconds));
   list.push_back(number_cell(seconds_text(result.cpu_seconds), result.cpu_seconds));
@@ -57,7 +59,7 @@ data row_data(const View& view, const SceneView& scene, std::size_t engine, cons
   set_status(row, result);
   if (is_reference) row.set("engine", printable(result.cell.engine + " (reference)"));
   row.set("budget_sort", result.cell.budget.amount_text());
-  row.set("numbers", numbers_data(result));
+  row.set("numbers", numbers_data(scene, result));
   row.set("first", first);
   row.set("reason", text_or_false(reason_text(result)));
   row.set("caveats", text_or_false(caveats_text(result)));

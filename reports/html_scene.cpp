@@ -12,6 +12,7 @@
 #include "reports/html_data.h"
 #include "reports/html_rows.h"
 #include "reports/text.h"
+#include "reports/verdicts.h"
 #include "reports/viewer_data.h"
 
 namespace photonproof::reports {
@@ -35,23 +36,33 @@ data shown_data(const fs::path& folder, const std::string& file, const std::stri
   return out;
 }
 
-data outcome_data(const View& view, const EngineOutcome& outcome, const fs::path& folder, std::size_t& bytes) {
+data correctness_data(const Convergence& curve, const CurvePoint& point) {
+  data out;
+  set_correctness(out, *point.correctness);
+  out.set("of", printable(curve.engine + ", " + budget_text(point.budget)));
+  return out;
+}
+
+data outcome_data(const View& view, const SceneView& scene, const EngineOutcome& outcome, const fs::path& folder,
+                  std::size_t& bytes) {
   data out;
   out.set("name", printable(view.engines[outcome.engine].name));
   out.set("shown", false);
+  out.set("has_correctness", false);
   out.set("sort", data(false));
   if (outcome.shown) {
     const Result& result = *outcome.shown;
     data shown =
         shown_data(folder, picture_file(result, "image"), result.cell.scene + " by " + result.cell.engine, bytes);
     shown.set("wall", seconds_text(result.wall_seconds));
-    shown.set("relmse", metric_text(result, "relmse"));
-    shown.set("ssim", metric_text(result, "ssim"));
+    shown.set("relmse", metric_text(result, "relmse") + doubt_mark(scene));
+    shown.set("ssim", metric_text(result, "ssim") + doubt_mark(scene));
+    if (const CorrectnessRecord* record = correctness_of(scene, result.cell)) set_correctness(out, *record);
     out.set("shown", shown);
     if (const auto relmse = metric(result, "relmse")) out.set("sort", fmt::format("{}", *relmse));
   }
   out.set("state", state_text(outcome));
-  out.set("class", outcome.cells.empty() ? "quiet" : outcome.finished == outcome.cells.size() ? "good" : "poor");
+  out.set("class", outcome.cells.empty() ? "quiet" : outcome.finished == outcome.cells.size() ? "quiet" : "poor");
   return out;
 }
 
@@ -88,7 +99,13 @@ void set_curves(data& out, const View& view, const SceneView& scene) {
   out.set("has_no_plot", plot.series.empty() && !view.compared.empty());
   out.set("plot", plot.series.empty() ? data(false) : plot_data(view, plot, scene.record.name));
   out.set("slopes", table_data(slopes_table(scene.curves), 1));
-  out.set("points", table_data(points_table(scene.curves), 2));
+  out.set("points", table_data(points_table(scene.curves, doubt_mark(scene)), 4));
+  data verdicts(data::type::list);
+  for (const Convergence* curve : scene.curves)
+    for (const CurvePoint& point : curve->points)
+      if (point.correctness) verdicts.push_back(correctness_data(*curve, point));
+  out.set("has_correctness_list", verdicts.is_non_empty_list());
+  out.set("correctness_list", verdicts);
   data caveats(data::type::list);
   for (const Convergence* curve : scene.curves) {
     for (const std::string& caveat : curve->caveats) caveats.push_back(printable(curve->engine + ": " + caveat));
@@ -146,7 +163,7 @@ data scene_data(const View& view, const SceneView& scene, const fs::path& folder
   data out, outcomes(data::type::list);
   std::size_t thumbnail_bytes = 0;
   for (const EngineOutcome& outcome : scene.engines) {
-    outcomes.push_back(outcome_data(view, outcome, folder, thumbnail_bytes));
+    outcomes.push_back(outcome_data(view, scene, outcome, folder, thumbnail_bytes));
   }
   out.set("id", id);
   out.set("name", printable(scene.record.name));
@@ -154,6 +171,7 @@ data scene_data(const View& view, const SceneView& scene, const fs::path& folder
   out.set("facts", printable(facts_text(scene.record)));
   out.set("reference", reference_data(scene, folder, thumbnail_bytes));
   out.set("reference_problem", text_or_false(scene.reference_problem));
+  out.set("doubt", text_or_false(doubt_text(scene)));
   out.set("wide", scene.record.width >= 400);
   out.set("outcomes", outcomes);
   out.set("has_verdict", scene.verdict.has_value());

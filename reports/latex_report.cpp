@@ -7,6 +7,7 @@
 #include "reports/metric_columns.h"
 #include "reports/numbers.h"
 #include "reports/text.h"
+#include "reports/verdicts.h"
 #include "reports/view.h"
 #include "scenes/atomic_file.h"
 
@@ -61,7 +62,7 @@ PlainTable errors_table(const View& view) {
       auto& row =
           table.rows.emplace_back(std::vector{scene.record.name, shown.cell.engine, budget_text(shown.cell.budget)});
       for (const MetricColumn& column : metric_columns()) {
-        row.push_back(or_dash(metric(shown, column.metric), column.format));
+        row.push_back(or_dash(metric(shown, column.metric), column.format) + doubt_mark(scene));
       }
       row.push_back(or_dash(shown.wall_seconds, [](double v) { return significant(v); }));
     }
@@ -96,8 +97,9 @@ void write_latex_report(const Results& results, const std::filesystem::path&, co
   };
   add(errors_table(view), 3, "errors against each scene's reference, at the largest budget an engine finished.",
       "errors");
-  add(by_scene(view, points_table, &SceneView::curves), 3, "error against time over seeds, with 95 % intervals.",
-      "points");
+  add(by_scene(
+          view, [](const std::vector<const Convergence*>& curves) { return points_table(curves); }, &SceneView::curves),
+      3, "error against time over seeds, with 95 % intervals.", "points");
   add(by_scene(view, slopes_table, &SceneView::curves), 2, "slope of log relMSE on log seconds, and efficiency.",
       "slopes");
   add(by_scene(view, gates_table, &SceneView::gates), 5, "gates and their verdicts.", "gates");

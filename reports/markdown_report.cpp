@@ -10,6 +10,7 @@
 #include "reports/metric_columns.h"
 #include "reports/numbers.h"
 #include "reports/text.h"
+#include "reports/verdicts.h"
 #include "reports/view.h"
 #include "scenes/atomic_file.h"
 
@@ -67,7 +68,7 @@ class Writer {
   }
 
   std::string write() const {
-    std::string text = header() + gates() + changes() + summary() + failures();
+    std::string text = header() + at_a_glance() + gates() + changes() + summary() + failures();
     for (const SceneView& scene : view_.scenes) text += scene_section(scene);
     return text + notes();
   }
@@ -119,13 +120,31 @@ class Writer {
     return text + "\n";
   }
 
+  std::string at_a_glance() const {
+    const std::vector<EngineGlance> engines = glances(view_);
+    if (engines.empty()) return {};
+    std::string text = "## At a glance\n\n";
+    for (const EngineGlance& glance : engines)
+      text += "* " + markdown_text(view_.engines[glance.engine].name) + ": " + markdown_text(glance.text) + "\n";
+    for (const std::string& race : race_texts(view_)) text += "* " + markdown_text(race) + "\n";
+    return text + "\n";
+  }
+
   std::string changes() const {
     if (view_.changes.empty()) return {};
     return "## Against the older run\n\n" + plain_table(changes_table(view_.changes), 8);
   }
 
   static std::string convergence(const SceneView& scene) {
-    std::string text = plain_table(slopes_table(scene.curves), 1) + plain_table(points_table(scene.curves), 1);
+    std::string text =
+        plain_table(slopes_table(scene.curves), 1) + plain_table(points_table(scene.curves, doubt_mark(scene)), 1);
+    for (const Convergence* curve : scene.curves)
+      for (const CurvePoint& point : curve->points)
+        if (point.correctness)
+          text += "* " +
+                  markdown_text(curve->engine + ", " + budget_text(point.budget) + ": " +
+                                to_string(point.correctness->verdict) + ": " + sentence_of(*point.correctness)) +
+                  "\n";
     for (const Convergence* curve : scene.curves) {
       for (const std::string& caveat : curve->caveats) {
         text += "* " + markdown_text(curve->engine) + ": " + markdown_text(caveat) + "\n";
@@ -143,16 +162,24 @@ class Writer {
       Row& row = rows.emplace_back(Row{markdown_text(scene.record.name)});
       row.push_back(markdown_text(reference_text(scene)));
       for (const EngineOutcome& outcome : scene.engines) {
-        const std::string shown =
-            outcome.shown ? fmt::format("relMSE {}, SSIM {}, {} s; ", value_of(*outcome.shown, "relmse"),
-                                        value_of(*outcome.shown, "ssim"), seconds(outcome.shown->wall_seconds))
-                          : "";
+        std::string shown;
+        if (outcome.shown) {
+          const std::string mark = doubt_mark(scene);
+          if (const CorrectnessRecord* verdict = correctness_of(scene, outcome.shown->cell))
+            shown = "**" + markdown_text(verdict_text(*verdict)) + "**; ";
+          shown += fmt::format("relMSE {}{}, SSIM {}{}, {} s; ", value_of(*outcome.shown, "relmse"), mark,
+                               value_of(*outcome.shown, "ssim"), mark, seconds(outcome.shown->wall_seconds));
+        }
         row.push_back(shown + state_text(outcome));
       }
     }
+    std::string doubts;
+    for (const SceneView& scene : view_.scenes)
+      if (const std::string doubt = doubt_text(scene); !doubt.empty())
+        doubts += markdown_text(scene.record.name + ": " + doubt) + "\n\n";
     return "## Summary\n\nErrors are measured against the reference of each scene. A cell shows the largest budget its "
            "engine finished, first seed.\n\n" +
-           table(head, rows, head.size());
+           table(head, rows, head.size()) + doubts;
   }
 
   std::string failures() const {
@@ -173,6 +200,7 @@ class Writer {
     if (scene.record.width > 0) text += fmt::format("{} × {} pixels, ", scene.record.width, scene.record.height);
     text += "all pictures at " + exposure_text(scene.record.exposure) + ".\n\n";
     if (!scene.reference_problem.empty()) text += "**" + markdown_text(scene.reference_problem) + "**\n\n";
+    if (const std::string doubt = doubt_text(scene); !doubt.empty()) text += "**" + markdown_text(doubt) + "**\n\n";
     return text + gallery(scene) + convergence(scene) + measurements(scene) + details(scene);
   }
 
@@ -223,9 +251,10 @@ class Writer {
     std::string remarks;
     const auto add = [&](const Result& result, const char* suffix) {
       const Cell& cell = result.cell;
-      Row& row = rows.emplace_back(Row{markdown_text(cell.engine) + suffix, to_string(result.status),
+      Row& row = rows.emplace_back(Row{markdown_text(cell.engine) + suffix, status_text(result.status),
                                        markdown_text(budget_text(cell.budget)), std::to_string(cell.seed)});
-      for (const MetricColumn& column : metric_columns()) row.push_back(value_of(result, column.metric));
+      for (const MetricColumn& column : metric_columns())
+        row.push_back(value_of(result, column.metric) + doubt_mark(scene));
       row.push_back(seconds(result.wall_seconds));
       row.push_back(seconds(result.cpu_seconds));
       row.push_back(or_dash(result.peak_bytes, megabytes));

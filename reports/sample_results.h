@@ -88,12 +88,19 @@ inline Results sample_conclusions() {
   curve.scene = "box";
   curve.engine = "photon";
   CurvePoint early{{"photons", 2000}, 3, {1.25, Interval{1.2, 1.5}}, Estimate{0.05, Interval{0.04, 0.0625}}, {}, {}};
-  CurvePoint late{{"photons", 20000},
-                  3,
-                  {4.5, {}},
-                  Estimate{0.0125, Interval{0.01, 0.02}},
-                  Estimate{-0.0001, Interval{-0.001, 0.0005}},
-                  Estimate{0.0126, {}}};
+  CurvePoint late{{"photons", 20000}, 3, {4.5, {}}, Estimate{0.0125, Interval{0.01, 0.02}}, {}, Estimate{0.0126, {}}};
+  early.undefined = {{"bias2", "an image is missing"}, {"variance", "an image is missing"}};
+  late.undefined = {{"bias2", "none seen above 0.0005"}};
+  early.correctness = CorrectnessRecord{Correctness::noisy,
+                                        "too noisy to tell: 12 % could hide overall, bound 2 %",
+                                        Estimate{0.01, Interval{-0.11, 0.13}},
+                                        {},
+                                        {}};
+  late.correctness = CorrectnessRecord{Correctness::biased,
+                                       "the whole image is off: R +1.2 % G +1 % B +0.9 %",
+                                       Estimate{0.012, Interval{0.008, 0.016}},
+                                       {},
+                                       {}};
   curve.points = {early, late};
   curve.slope = Estimate{-1.08, Interval{-1.2, -0.9}};
   curve.efficiency = Estimate{17.8, {}};
@@ -101,6 +108,7 @@ inline Results sample_conclusions() {
   curve.seconds_to_target = Estimate{2.4, Interval{2, 3}};
   curve.caveats = {"three seeds are few"};
   results.convergence = {curve};
+  results.races = {{"box", 0.05, {{"photon", 1.25, false}, {"povray", 2.5, true}}}};
 
   GateRecord pass;
   pass.name = "box-photon-relmse";

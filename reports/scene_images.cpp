@@ -4,6 +4,7 @@
 
 #include "reports/metric_columns.h"
 #include "reports/numbers.h"
+#include "reports/verdicts.h"
 
 namespace photonproof::reports {
 namespace {
@@ -39,7 +40,8 @@ SceneImage engine_image(const View& view, const SceneView& scene, const EngineOu
                   or_dash(shown.wall_seconds, [](double v) { return significant(v); }) + " s";
   image.image = shown.image;
   image.pictures = shown.pictures;
-  image.scores = {{"flip", score(shown, "FLIP", "flip")}, {"error", score(shown, "relMSE", "relmse")}};
+  const std::string mark = doubt_mark(scene);
+  image.scores = {{"flip", score(shown, "FLIP", "flip") + mark}, {"error", score(shown, "relMSE", "relmse") + mark}};
   return image;
 }
 

@@ -142,6 +142,7 @@ void collect_conclusions(const Results& results, View& view) {
   }
   std::ranges::stable_sort(view.tiles, std::ranges::greater{}, [](const RankedTile& t) { return t.tile->score; });
   for (const Convergence& curve : results.convergence) scene_of(curve.scene).curves.push_back(&curve);
+  for (const RaceRecord& race : results.races) view.races.push_back(&race);
   for (const ChangeRecord& change : results.changes) view.changes.push_back(&change);
   std::ranges::stable_sort(view.changes, std::ranges::greater{},
                            [](const ChangeRecord* change) { return urgency(change->change); });

@@ -59,6 +59,7 @@ struct View {
   std::vector<const GateRecord*> gates;      ///< of all scenes, worst first
   std::vector<RankedTile> tiles;             ///< of all gates, largest score first
   std::vector<const ChangeRecord*> changes;  ///< regressions first
+  std::vector<const RaceRecord*> races;
 };
 
 /// The view points into `results`, which must outlive it. Scenes and engines that only cells name are kept, after the

@@ -1,0 +1,59 @@
+#include "reports/verdicts.h"
+
+#include "reports/sample_results.h"
+
+namespace photonproof::reports {
+namespace {
+
+CorrectnessRecord record(Correctness verdict, std::optional<Estimate> whole = {},
+                         std::optional<double> would_see = {}) {
+  CorrectnessRecord out;
+  out.verdict = verdict;
+  out.whole = whole;
+  out.would_see = would_see;
+  return out;
+}
+
+TEST(Verdicts, say_the_number_that_goes_with_them) {
+  EXPECT_EQ(verdict_text(record(Correctness::right, Estimate{0.0001, Interval{-0.001, 0.0012}}, 0.0031)),
+            "right within 0.31 %");
+  EXPECT_EQ(verdict_text(record(Correctness::biased, Estimate{-0.51, Interval{-0.53, -0.49}})), "biased −51 %");
+  EXPECT_EQ(verdict_text(record(Correctness::biased, Estimate{0.001, Interval{-0.003, 0.005}})), "biased in places");
+  EXPECT_EQ(verdict_text(record(Correctness::noisy, Estimate{0.01, Interval{-0.11, 0.13}})), "noisy ±12 %");
+  EXPECT_EQ(verdict_text(record(Correctness::unknown)), "unknown");
+  EXPECT_EQ(verdict_text(record(Correctness::unknown, Estimate{0.02, {}})), "unknown +2.0 %");
+}
+
+TEST(Verdicts, that_rest_on_the_engines_own_sampling_say_so) {
+  CorrectnessRecord own = record(Correctness::right, {}, 0.01);
+  own.regression_only = "the reference is by path, whose sampling is the engine's";
+  EXPECT_EQ(verdict_text(own), "right within 1.0 % (regression only)");
+}
+
+TEST(Verdicts, are_green_for_right_alone) {
+  EXPECT_STREQ(verdict_class(Correctness::right), "good");
+  for (const Correctness other : {Correctness::noisy, Correctness::biased, Correctness::unknown})
+    EXPECT_STRNE(verdict_class(other), "good");
+  EXPECT_EQ(status_text(Status::ok), "finished") << "an engine's end says nothing of its image";
+}
+
+TEST(Verdicts, at_a_glance_count_the_right_scenes_and_name_the_others) {
+  const Results results = sample_conclusions();
+  const View view = arrange(results);
+  const std::vector<EngineGlance> seen = glances(view);
+  ASSERT_EQ(seen.size(), 1u) << "POV-Ray has no verdict";
+  EXPECT_EQ(seen[0].text, "biased on box (+1.2 %)");
+  EXPECT_EQ(race_texts(view), std::vector<std::string>{"box, to relMSE 0.050: photon 1.2 s, povray ≤ 2.5 s (×2.0)"});
+}
+
+TEST(Verdicts, on_the_console_stand_beside_the_error_with_the_doubt_about_the_reference) {
+  Results results = sample_conclusions();
+  results.scenes[0].reference_doubt = "the reference is by path, which is biased";
+  EXPECT_EQ(verdict_lines(arrange(results)),
+            "box, photon, 20\u202f000 photons: biased +1.2 %, relMSE 0.0125 †, 4.50 s\n"
+            "box: † the reference is by path, which is biased: these numbers say how far from it an image is, not how "
+            "wrong\n");
+}
+
+}  // namespace
+}  // namespace photonproof::reports
