@@ -22,6 +22,7 @@
 #include "reports/html_report.h"
 #include "scenes/atomic_file.h"
 #include "scenes/input_error.h"
+#include "scenes/json_text.h"
 
 namespace photonproof {
 namespace {
