@@ -6,6 +6,7 @@
 
 #include <boost/math/distributions/binomial.hpp>
 #include <cmath>
+#include <cstdio>
 #include <functional>
 #include <random>
 

@@ -1,6 +1,7 @@
 #include "harness/gate_pictures.h"
 
 #include <algorithm>
+#include <cctype>
 
 #include "harness/heatmap.h"
 

@@ -7,6 +7,7 @@
 // many, the smaller ones are added to the sum after all and the threshold rises.
 
 #include <algorithm>
+#include <iterator>
 
 #include "harness/metric_rows.h"
 #include "harness/metric_sum.h"

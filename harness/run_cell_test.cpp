@@ -1,5 +1,7 @@
 #include "harness/run_cell.h"
 
+#include <algorithm>
+
 #include "harness/test_suite.h"
 #include "scenes/file_checksum.h"
 

@@ -1,5 +1,7 @@
 #include "harness/suite.h"
 
+#include <algorithm>
+
 #include "scenes/test_folder.h"
 
 namespace photonproof {

@@ -1,5 +1,6 @@
 #include "reference/half_rounding.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 

@@ -1,5 +1,6 @@
 #include "reference/povray_statistics.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <utility>

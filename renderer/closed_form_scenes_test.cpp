@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 
 #include "renderer/test_albedo.h"

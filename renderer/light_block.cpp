@@ -1,6 +1,7 @@
 #include "renderer/light_block.h"
 
 #include <bit>
+#include <tuple>
 
 #include "renderer/scene_lights.h"
 

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <memory>
 
 #include "renderer/test_random.h"

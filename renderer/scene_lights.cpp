@@ -1,6 +1,7 @@
 #include "renderer/scene_lights.h"
 
 #include <algorithm>
+#include <tuple>
 #include <type_traits>
 
 #include "renderer/light_choice.h"

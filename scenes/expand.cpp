@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <iterator>
 
 #include "scenes/atomic_file.h"
 #include "scenes/edit_distance.h"

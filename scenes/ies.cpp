@@ -1,5 +1,6 @@
 #include "scenes/ies.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 

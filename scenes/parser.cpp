@@ -2,6 +2,7 @@
 #include "scenes/parser.h"
 
 #include <algorithm>
+#include <type_traits>
 
 #include "scenes/atomic_file.h"
 #include "scenes/expand.h"

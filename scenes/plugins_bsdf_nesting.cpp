@@ -1,5 +1,7 @@
 // BSDFs around other BSDFs: Mitsuba 3's twosided, mask, blendbsdf, bumpmap and normalmap, and the extension layered;
 // defaults are Mitsuba's.
+#include <type_traits>
+
 #include "scenes/plugins.h"
 
 namespace photonproof::scene_xml {

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 #include <png.h>
 
+#include <cstdio>
+
 #include "scenes/image.h"
 #include "scenes/test_folder.h"
 

@@ -1,6 +1,7 @@
 #include "scenes/scene_hash.h"
 
 #include <algorithm>
+#include <type_traits>
 
 #include "scenes/atomic_file.h"
 #include "scenes/checksum.h"

@@ -1,6 +1,7 @@
 #include "scenes/scene_objects.h"
 
 #include <algorithm>
+#include <type_traits>
 
 #include "scenes/edit_distance.h"
 #include "scenes/plugins.h"

@@ -1,5 +1,6 @@
 #include "scenes/text_numbers.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
