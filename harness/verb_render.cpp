@@ -271,8 +271,7 @@ int run_render(const RenderArguments& arguments) {
 
   const nlohmann::ordered_json json =
       stats_json(arguments, name, stats, plan, Threads(arguments.threads).count(), rendering);
-  write_file_atomically(stats_path, json_text(json) + "
-");
+  write_file_atomically(stats_path, json_text(json) + "\n");
   if (!stats.interrupted && (checkpoint.interval_seconds > 0 || checkpoint.resume)) remove_checkpoint(checkpoint.file);
 
   if (arguments.json) {
