@@ -406,7 +406,7 @@ TEST_F(BenchRun, version_that_hangs_or_fails_is_no_pass) {
   EXPECT_EQ(result_of("stuck").status, Status::timeout);
   EXPECT_EQ(result_of("stuck").detail, "the engine cannot tell its version: 'sleep 30' killed after 1 s (limit)");
   EXPECT_EQ(result_of("broken").status, Status::crash);
-  EXPECT_EQ(result_of("absent").status, Status::unsupported);
+  EXPECT_EQ(result_of("absent").status, Status::not_started);
   EXPECT_EQ(summary.by_status.at(Status::timeout), 1u);
 }
 
@@ -416,44 +416,46 @@ TEST_F(BenchRun, leftovers_of_a_killed_run_are_swept) {
   run(suite_text("grey", {}));
   EXPECT_FALSE(has("out/cells/warm-up"));
   EXPECT_FALSE(has("out/.results.partial-2000000000.json"));
-  class BenchOfStoredReference : public FakeGateTest {
-   protected:
-    Results run(const std::string& runs) {
-      put("suite.toml", gates_text(runs));
-      BenchOptions options;
-      options.results_folder = folder_ / "out";
-      options.program = "/bin/true";
-      Silent observer;
-      run_bench(read_suite(folder_ / "suite.toml"), options, observer);
-      return read_results((folder_ / "out" / "results.json").string());
-    }
-    static constexpr const char* eight_seeds = "budgets = ['spp=64']\nseeds = [1, 2, 3, 4, 5, 6, 7, 8]\n";
-  };
+}
 
-  // The prepared images are off by a normal 2 % a value; those of `dim` are halved in a corner.
-  TEST_F(BenchOfStoredReference, says_what_is_right_and_what_is_not) {
-    put_reference();
-    const Results results =
-        run(std::string("[[run]]\nengine = 'good'\n") + eight_seeds + "[[run]]\nengine = 'dim'\n" + eight_seeds);
-    EXPECT_EQ(results.scenes[0].reference_label, "");
-    EXPECT_EQ(results.scenes[0].reference.value().provenance.at("estimator"), "path");
-    ASSERT_EQ(results.results.size(), 16u) << "no reference was rendered";
-    EXPECT_GT(results.results[0].metrics.size(), 0u);
-    ASSERT_EQ(results.convergence.size(), 2u);
-    const CorrectnessRecord& good = results.convergence[0].points[0].correctness.value();
-    EXPECT_EQ(good.verdict, Correctness::right) << good.sentence;
-    const CorrectnessRecord& dim = results.convergence[1].points[0].correctness.value();
-    EXPECT_EQ(dim.verdict, Correctness::biased) << dim.sentence;
+class BenchOfStoredReference : public FakeGateTest {
+ protected:
+  Results run(const std::string& runs) {
+    put("suite.toml", gates_text(runs));
+    BenchOptions options;
+    options.results_folder = folder_ / "out";
+    options.program = "/bin/true";
+    Silent observer;
+    run_bench(read_suite(folder_ / "suite.toml"), options, observer);
+    return read_results((folder_ / "out" / "results.json").string());
   }
+  static constexpr const char* eight_seeds = "budgets = ['spp=64']\nseeds = [1, 2, 3, 4, 5, 6, 7, 8]\n";
+};
 
-  TEST_F(BenchOfStoredReference, that_is_missing_is_asked_for) {
-    try {
-      run(std::string("[[run]]\nengine = 'good'\n") + eight_seeds);
-      FAIL() << "it ran";
-    } catch (const InputError& error) {
-      EXPECT_NE(std::string(error.what()).find("photonproof reference "), std::string::npos) << error.what();
-    }
+// The prepared images are off by a normal 2 % a value; those of `dim` are halved in a corner.
+TEST_F(BenchOfStoredReference, says_what_is_right_and_what_is_not) {
+  put_reference();
+  const Results results =
+      run(std::string("[[run]]\nengine = 'good'\n") + eight_seeds + "[[run]]\nengine = 'dim'\n" + eight_seeds);
+  EXPECT_EQ(results.scenes[0].reference_label, "");
+  EXPECT_EQ(results.scenes[0].reference.value().provenance.at("estimator"), "path");
+  ASSERT_EQ(results.results.size(), 16u) << "no reference was rendered";
+  EXPECT_GT(results.results[0].metrics.size(), 0u);
+  ASSERT_EQ(results.convergence.size(), 2u);
+  const CorrectnessRecord& good = results.convergence[0].points[0].correctness.value();
+  EXPECT_EQ(good.verdict, Correctness::right) << good.sentence;
+  const CorrectnessRecord& dim = results.convergence[1].points[0].correctness.value();
+  EXPECT_EQ(dim.verdict, Correctness::biased) << dim.sentence;
+}
+
+TEST_F(BenchOfStoredReference, that_is_missing_is_asked_for) {
+  try {
+    run(std::string("[[run]]\nengine = 'good'\n") + eight_seeds);
+    FAIL() << "it ran";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("photonproof reference "), std::string::npos) << error.what();
   }
+}
 
 }  // namespace
 }  // namespace photonproof
