@@ -1,6 +1,7 @@
 #include "harness/engine_version.h"
 
 #include "harness/engine_command.h"
+#include "harness/run_cell.h"
 #include "reference/process.h"
 #include "scenes/utf8.h"
 
@@ -28,9 +29,11 @@ EngineVersion ask_version(const Engine& engine, const std::filesystem::path& sui
     if (!outcome.ok()) {
       version.problem = "the engine cannot tell its version: '" + shell_line(argv) + "' " + outcome.sentence();
       using End = ProcessOutcome::End;
-      version.cells_end_as = outcome.end == End::not_started ? Status::not_started
-                             : outcome.end == End::timed_out ? Status::timeout
-                                                             : Status::crash;
+      const bool refuses = outcome.end == End::exited && outcome.exit_code == unsupported_exit_code;
+      version.cells_end_as = refuses                           ? Status::unsupported
+                             : outcome.end == End::not_started ? Status::not_started
+                             : outcome.end == End::timed_out   ? Status::timeout
+                                                               : Status::crash;
       if (outcome.end == End::not_started) *version.problem += start_hint(command, suite_folder);
       return version;
     }

@@ -13,8 +13,8 @@ namespace photonproof {
 struct EngineVersion {
   std::string line;                    ///< what its version commands print, joined by " + "
   std::optional<std::string> problem;  ///< why the engine cannot be used
-  /// What its cells have come to then: not_started where the command's program cannot be started at all, else what its
-  /// version command did.
+  /// What its cells have come to then: unsupported where the version command ends with unsupported_exit_code (a program
+  /// that need not be installed), not_started where it cannot be started at all, else what it did.
   Status cells_end_as = Status::unsupported;
 };
 
