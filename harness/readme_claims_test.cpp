@@ -47,7 +47,8 @@ const std::vector<ListedTest>& listed_tests() {
         run_process({"sh", "-c", "ctest --test-dir \"$0\" --show-only=json-v1 >\"$1\"", PHOTONPROOF_BUILD_DIR, list});
     EXPECT_TRUE(outcome.ok()) << outcome.sentence() << outcome.standard_error;
     std::vector<ListedTest> found;
-    for (const nlohmann::json& test : nlohmann::json::parse(read_file(list)).at("tests"))
+    const nlohmann::json document = nlohmann::json::parse(read_file(list));
+    for (const nlohmann::json& test : document.at("tests"))
       found.push_back({test.at("name"), test.value("command", std::vector<std::string>{})});
     return found;
   }();

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <regex>
 
 #include "reference/process.h"
 #include "scenes/test_folder.h"
@@ -94,6 +95,8 @@ trust = "unbiased"
   EXPECT_NE(outcome.standard_output.find("exit code 1\n"), std::string::npos) << all_of(outcome);
   EXPECT_NE(outcome.standard_error.find("fail cornell: "), std::string::npos) << all_of(outcome);
   EXPECT_NE(outcome.standard_output.find("relmse"), std::string::npos) << all_of(outcome);
+  // Too dark reads as too dark: the reference goes first.
+  EXPECT_TRUE(std::regex_search(outcome.standard_output, std::regex("(^|\\n)bias +-"))) << all_of(outcome);
 }
 
 }  // namespace

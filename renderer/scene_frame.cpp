@@ -39,7 +39,7 @@ constexpr double unlike = 256;
 /// The floor is no less than this part of what is looked at, where offsets of so many ulp do not show.
 constexpr double part_of_focus = 0x1p-4;
 /// Embree meets a face to some 2^-24 of its length, rays leave by 2^-21 of the floor: faces longer than this many
-/// floors would shade themselves. A fourth of what was found to (sizes_test.cpp).
+/// floors would shade themselves (at 64 some do, sizes_test.cpp).
 constexpr double long_in_floors = 16;
 
 SceneFrame frame_of_middles(const SceneDescription& description) {

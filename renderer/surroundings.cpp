@@ -81,7 +81,7 @@ const Vec3f odd_direction = normalize(Vec3f(0.3712f, 0.4871f, 0.7906f));
 void follow(const World& world, Ray ray, float length_left, Surroundings& surroundings) {
   Interaction at;
   while (world.intersect(ray, 0, TransportMode::radiance, at)) {
-    length_left -= length(at.p - ray.origin);
+    length_left -= ray.way_to(at.p);
     if (length_left <= 0) return;
     surroundings.cross(world, at, ray.direction);
     ray = world.leave(at, ray.direction);
@@ -122,10 +122,10 @@ Rgb transmittance(const World& world, const SegmentEnd& from, const SegmentEnd& 
   constexpr float at_the_end = 1e-3f;  // part of the segment within which its own end is met
   const float whole = length(to.p - from.p);
   for (;; ++dimension) {
-    const float distance = length(to.p - ray.origin);
+    const float distance = ray.way_to(to.p);
     Interaction at;
     const bool met = world.intersect(ray, draws.one(dimension), TransportMode::radiance, at);
-    const float step = met ? length(at.p - ray.origin) : distance;
+    const float step = met ? ray.way_to(at.p) : distance;
     if (!met || step >= distance * segment_end || (at.surface == to.surface && distance - step < at_the_end * whole)) {
       attenuate(to.at_infinity ? std::numeric_limits<float>::infinity() : distance);
       return left;
@@ -147,7 +147,7 @@ bool travel(const World& world, Ray& ray, Surroundings& surroundings, float u_la
   if (!world.has_media_or_bodies()) return world.intersect(ray, u_layer, mode, at);
   while (world.intersect(ray, u_layer, mode, at)) {
     if (surroundings.medium() != no_index)
-      throughput *= world.scene().media.media[surroundings.medium()].transmittance(length(at.p - ray.origin));
+      throughput *= world.scene().media.media[surroundings.medium()].transmittance(ray.way_to(at.p));
     const Crossing crossing = surroundings.crossing(world, at, ray.direction);
     if (crossing.is_boundary) {
       Surroundings::refract_as(crossing, at);

@@ -54,7 +54,7 @@ class VolumetricTracer {
       const bool met =
           world_.intersect(h.ray, draws.one(dimension::at_step(step, dimension::layer)), TransportMode::radiance, at) &&
           !(step == 0 && camera_.beyond_far_plane(at.p));
-      const float distance = met ? length(at.p - h.ray.origin) : world_.far_away();
+      const float distance = met ? h.ray.way_to(at.p) : world_.far_away();
       const std::optional<float> scattered = cross_medium(h, distance, met, step, draws);
       if (!(max_component(h.throughput) > 0)) return h.radiance;
       const bool goes_on = scattered ? scatter_in_medium(h, *scattered, step, draws, work)
@@ -100,7 +100,7 @@ class VolumetricTracer {
   bool scatter_in_medium(History& h, float distance, std::uint32_t step, const Draws& draws, ScalarWork& work) const {
     if (!within(h.depth + 2)) return false;
     const HenyeyGreenstein& phase = world_.scene().media.media[h.surroundings.medium()].phase;
-    const Vec3f p = h.ray.origin + h.ray.direction * distance;
+    const Vec3f p = h.ray.origin + h.ray.direction * (distance - h.ray.gap);
     const LightSeen seen = light_seen(p, step, draws);
     if (seen.pdf > 0) {
       const float f = phase.eval(h.ray.direction, seen.wi);

@@ -94,7 +94,8 @@ bool World::visible(const SegmentEnd& from, const SegmentEnd& to) const {
 }
 
 Ray World::leave(const SegmentEnd& at, const Vec3f& direction) const {
-  return {moved_off(at, direction, view().coordinate_floor), direction, at.primitive};
+  const Vec3f origin = moved_off(at, direction, view().coordinate_floor);
+  return {origin, direction, at.primitive, dot(origin - at.p, direction)};
 }
 
 Rgb evaluate(const Interaction& at, const Vec3f& to_camera, const Vec3f& to_light, TransportMode mode) {

@@ -16,6 +16,10 @@ namespace photonproof {
 struct Ray {
   Vec3f origin, direction;        ///< direction: unit
   std::uint32_t from = no_index;  ///< primitive it leaves, of a small scene
+  float gap = 0;                  ///< from the surface it leaves to its origin, which was moved off it
+
+  /// Of a point ahead, from the surface: what media on the way count.
+  float way_to(const Vec3f& p) const { return length(p - origin) + gap; }
 };
 
 /// A point of a surface, with all that scattering needs.
