@@ -113,7 +113,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"lens", paths_and_light(128, 128, 384)}, Case{"million", paths_and_light(64, 64, 768)},
         Case{"parallel-planes", paths(64, 24)}, Case{"many-lights", paths(4096, 2048)},
         Case{"cornell-spheres", paths(2048, 256)}, Case{"course-1", paths(128, 112)}, Case{"fisheye", paths(128, 128)},
-        Case{"roughness", paths(128, 128)}, Case{"ball-lens", light(640, 224)},
+        Case{"roughness", paths(128, 128)}, Case{"ball-lens", light(1024, 320)},
         Case{"water-caustic", light(1536, 1536)}, Case{"absorption", media(64, 64)},
         Case{"daylight", paths(2048, 320), "sun_aperture=5"}, Case{"keyhole", paths(12288, 1536)},
         Case{"course-2", paths(2048, 352)}, Case{"course-3", paths(832, 160)}, Case{"pool", media(2048, 1024)}),
