@@ -79,7 +79,8 @@ struct Result {
   std::optional<CalibrationReading> calibration{};
   std::vector<MetricValue> metrics;  ///< against the scene's reference; empty for the reference itself
   std::string image;                 ///< EXR, relative to results.json; empty when there is none
-  std::string image_checksum{};  ///< of the image's file (scenes/file_checksum.h); empty in records of before it was kept
+  std::string
+      image_checksum{};  ///< of the image's file (scenes/file_checksum.h); empty in records of before it was kept
   std::map<std::string, std::string> pictures;  ///< PNGs relative to results.json by role: "image", "flip", "error"
   std::map<std::string, double> phases;  ///< seconds by phase as the engine reports them ("render", "photons" ...)
   std::map<std::string, double> counts;  ///< rays, photons ... as the engine reports them
@@ -133,8 +134,9 @@ std::string to_string(Correctness correctness);
 /// The verdict on a budget's images, by the gates' statistics (harness/correctness.h).
 struct CorrectnessRecord {
   Correctness verdict = Correctness::unknown;
-  std::string sentence;           ///< where and how large, or why nothing can be said
-  std::optional<Estimate> whole;  ///< relative error of the whole image in its worst channel; its interval is the test's
+  std::string sentence;  ///< where and how large, or why nothing can be said
+  std::optional<Estimate>
+      whole;  ///< relative error of the whole image in its worst channel; its interval is the test's
   /// Where right: the relative error of the whole image, and of a block of 8 x 8 pixels, that would have been seen with
   /// probability 0.99.
   std::optional<double> would_see, would_see_in_a_block;

@@ -27,7 +27,8 @@ std::string reason_text(const Result& result);
 /// The caveats on a cell's numbers in one line; empty when there are none.
 std::string caveats_text(const Result& result);
 
-/// How an engine's cells on one scene ended, in few words: "6 finished", "2 of 6 timeout", "3 of 6 not finished", "not run".
+/// How an engine's cells on one scene ended, in few words: "6 finished", "2 of 6 timeout", "3 of 6 not finished", "not
+/// run".
 std::string state_text(const EngineOutcome& outcome);
 
 }  // namespace photonproof::reports
