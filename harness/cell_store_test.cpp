@@ -18,6 +18,12 @@ class Store : public FolderTest {
     kept.comparison_key = "compared";
     return kept;
   }
+  KeptResult with_image(const std::string& folder, const std::string& content) const {
+    KeptResult kept = result("with image");
+    kept.result.image = folder + "/image.exr";
+    put(kept.result.image, content);
+    return kept;
+  }
   std::string latest_detail() const {
     const auto found = CellStore(folder_).latest("key");
     return found ? found->kept.result.detail : "none";
@@ -68,10 +74,7 @@ TEST_F(Store, damaged_record_does_not_count_and_is_not_touched) {
 TEST_F(Store, result_whose_image_is_gone_does_not_count) {
   const CellStore store(folder_);
   const std::string name = store.make_folder("key");
-  KeptResult kept = result("with image");
-  kept.result.image = name + "/image.exr";
-  put(name + "/image.exr", "x");
-  store.keep(name, kept);
+  store.keep(name, with_image(name, "x"));
   EXPECT_EQ(latest_detail(), "with image");
   std::filesystem::remove(folder_ / name / "image.exr");
   EXPECT_EQ(latest_detail(), "none");
@@ -92,9 +95,7 @@ TEST_F(Store, result_whose_pictures_are_gone_has_to_be_compared_again) {
 TEST_F(Store, image_that_is_another_than_was_measured_does_not_count) {
   const CellStore store(folder_);
   const std::string name = store.make_folder("key");
-  KeptResult kept = result("with image");
-  kept.result.image = name + "/image.exr";
-  put(name + "/image.exr", "as it was");
+  KeptResult kept = with_image(name, "as it was");
   kept.result.image_checksum = file_checksum(folder_ / name / "image.exr");
   store.keep(name, kept);
   EXPECT_EQ(latest_detail(), "with image");

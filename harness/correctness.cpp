@@ -8,6 +8,7 @@
 
 #include "harness/gate_look.h"
 #include "harness/independence.h"
+#include "harness/repeated_images.h"
 
 namespace photonproof {
 namespace {
@@ -37,10 +38,6 @@ CorrectnessRecord unknown(std::string why) {
   CorrectnessRecord record;
   record.sentence = std::move(why);
   return record;
-}
-
-bool all_equal(std::span<const Image> images) {
-  return std::all_of(images.begin(), images.end(), [&](const Image& image) { return image.rgb == images[0].rgb; });
 }
 
 // A count of which this is the mean is 0 with probability 1e-3.
@@ -110,7 +107,8 @@ CorrectnessRecord judge_correctness(const Judge& judge, const Engine& engine, co
     record.verdict = Correctness::noisy;
     record.sentence = "too few samples to meet rare bright ones: ";
   }
-  record.sentence += (all_equal(images) ? "all seeds gave the same image; " : "") + judgement.sentence;
+  record.sentence +=
+      (count_repeats(pointers).different == 1 ? "all seeds gave the same image; " : "") + judgement.sentence;
   if (judgement.observed.interval) record.whole = judgement.observed;
   record.would_see = judgement.would_see;
   record.would_see_in_a_block = judgement.would_see_in_a_block;

@@ -99,7 +99,17 @@ bool takes_second_half(float& u) {
   return second;
 }
 
+GuidedStart guided(const AreaLight::Start& even) {
+  const Vec3f& p = even.emission.p_world;
+  return {p, even.emission.normal, even.uv, even.triangle, even.emission.direction, p};
+}
+
 }  // namespace
+
+AreaLight::Start even_start(const Light& light, const Vec2<float>& u_position, const Vec2<float>& u_direction) {
+  if (const auto* area = std::get_if<AreaLight>(&light)) return area->start(u_position, u_direction);
+  return {std::visit([&](const auto& l) { return l.emit(u_position, u_direction); }, light), {}, 0};
+}
 
 float density_from(const Light& light, const Vec3f& p, const Vec3f& p_light, const Vec3f& n, std::uint32_t triangle) {
   return std::visit(
@@ -128,28 +138,10 @@ EmissionGuide::EmissionGuide(const std::vector<Light>& lights, const std::vector
   }
 }
 
-GuidedStart EmissionGuide::start_even(const Light& light, const Vec2<float>& u_position,
-                                      const Vec2<float>& u_direction) const {
-  Emission<float> even{};
-  GuidedStart start;
-  if (const auto* area = std::get_if<AreaLight>(&light)) {
-    const AreaLight::Start from = area->start(u_position, u_direction);
-    even = from.emission;
-    start.uv = from.uv;
-    start.triangle = from.triangle;
-  } else {
-    even = std::visit([&](const auto& l) { return l.emit(u_position, u_direction); }, light);
-  }
-  start.p = start.on_line = even.p_world;
-  start.normal = even.normal;
-  start.direction = even.direction;
-  return start;
-}
-
 /// The direction is drawn as without a guide.
 GuidedStart EmissionGuide::start_far(const Light& light, const AimTarget& ball, const Vec2<float>& u_position,
                                      const Vec2<float>& u_direction) const {
-  GuidedStart start = start_even(light, {0.5f, 0.5f}, u_direction);
+  GuidedStart start = guided(even_start(light, {0.5f, 0.5f}, u_direction));
   const Vec2<float> d = square_to_disc(u_position);
   start.on_line = ball.center + Frame<float>(start.direction).to_world({d.x, d.y, 0}) * ball.radius;
   start.p = start.on_line - start.direction * (scene_.radius + length(ball.center - scene_.center));
@@ -159,7 +151,7 @@ GuidedStart EmissionGuide::start_far(const Light& light, const AimTarget& ball, 
 std::optional<GuidedStart> EmissionGuide::start(const Light& light, std::uint32_t index, const Vec2<float>& u_position,
                                                 const Vec2<float>& u_direction) const {
   Vec2<float> u = u_position, u_way = u_direction;
-  if (!takes_second_half(u.x)) return start_even(light, u, u_direction);
+  if (!takes_second_half(u.x)) return guided(even_start(light, u, u_direction));
   const std::vector<View>& views = views_[index];
   const float scaled = u.x * static_cast<float>(views.size());
   const std::size_t which = std::min(static_cast<std::size_t>(scaled), views.size() - 1);

@@ -52,7 +52,6 @@ class EmissionGuide {
     Vec3f from;
     AimTarget ball;
   };
-  GuidedStart start_even(const Light& light, const Vec2<float>& u_position, const Vec2<float>& u_direction) const;
   GuidedStart start_far(const Light& light, const AimTarget& ball, const Vec2<float>& u_position,
                         const Vec2<float>& u_direction) const;
 
@@ -60,6 +59,9 @@ class EmissionGuide {
   std::vector<std::vector<View>> views_;  ///< of each light
   std::size_t guided_ = 0;                ///< lights with views
 };
+
+/// Where a path from the light starts without a guide: its texture coordinates and triangle are those of area lights.
+AreaLight::Start even_start(const Light& light, const Vec2<float>& u_position, const Vec2<float>& u_direction);
 
 /// Density per solid angle of next-event estimation from p for the point p_light of a light that has been chosen.
 float density_from(const Light& light, const Vec3f& p, const Vec3f& p_light, const Vec3f& n, std::uint32_t triangle);

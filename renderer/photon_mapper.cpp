@@ -59,6 +59,7 @@ struct MapState {
   float radius = 0;
   std::vector<SheetTest> tests{};  ///< by surface
   PhotonCounts counts{};
+  std::atomic<std::uint64_t> found{0};  ///< in this pass
   PhotonMap map{};
 };
 
@@ -233,7 +234,7 @@ void render_photon_mapper(const Scene& scene, const IntegratorDescription& descr
       refill(*state, scene, settings, job, count, threads, stats);
     }
     const PhaseTimer phase(stats.phases["render"]);
-    std::atomic<std::uint64_t> look_ups{0}, found_global{0}, found_caustic{0};
+    std::atomic<std::uint64_t> look_ups{0};
     loop.for_each_tile([&](const Tile& tile) {
       const CameraTask camera = camera_task(job, tile, loop.first(), loop.samples());
       std::vector<float> radiance(3 * std::size_t{camera.paths()});
@@ -250,16 +251,15 @@ void render_photon_mapper(const Scene& scene, const IntegratorDescription& descr
       });
       points.resize(task.gather_count);
       look_ups += points.size();
-      for (const MapState* state : {&maps.caustic, &maps.global})
+      for (MapState* state : {&maps.caustic, &maps.global})
         if (state->wanted)
-          (state == &maps.global ? found_global : found_caustic) +=
-              add_photons(*state, *areas, job.kernels(), settings.max_depth, points, radiance);
+          state->found += add_photons(*state, *areas, job.kernels(), settings.max_depth, points, radiance);
       add_means(film, camera, radiance);
       loop.rays().add(task.counts);
     });
     for (MapState* state : {&maps.global, &maps.caustic}) {
       state->counts.look_ups += look_ups;
-      state->counts.found += state == &maps.global ? found_global : found_caustic;
+      state->counts.found += state->found.exchange(0);
     }
     film.end_shared_pass(static_cast<double>(loop.samples()));
   }

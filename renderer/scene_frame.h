@@ -33,7 +33,7 @@ struct SceneFrame {
   double long_edge = std::numeric_limits<double>::infinity();
 };
 
-/// The origin is the median of the middles of the shapes that have one, axis by axis, the floor, an eighth of the
+/// The origin is the median of the middles of the shapes that have one, axis by axis, the floor, half of the
 /// median reach from there, for points near the origin, which still come out of arithmetic with the scene's
 /// coordinates. Where what the camera looks at (scene_focus.h) is thousands of times smaller than that or as far away,
 /// both are the focus's: one shape far away, or one so large that its middle is, does not cost the others their

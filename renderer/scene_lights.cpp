@@ -122,14 +122,10 @@ SceneLights::Start SceneLights::start(std::uint32_t index, const Vec2<float>& u_
     start.crowding = start.pdfs.position / even_pdfs(light, drawn->normal, drawn->direction).position;
     return start;
   }
-  if (const auto* area = std::get_if<AreaLight>(&light)) {
-    const AreaLight::Start from = area->start(u_position, u_direction);
-    start.emission = from.emission;
-    start.uv = from.uv;
-    start.triangle = from.triangle;
-  } else {
-    start.emission = std::visit([&](const auto& l) { return l.emit(u_position, u_direction); }, light);
-  }
+  const AreaLight::Start even = even_start(light, u_position, u_direction);
+  start.emission = even.emission;
+  start.uv = even.uv;
+  start.triangle = even.triangle;
   start.pdfs = even_pdfs(light, start.emission.normal, start.emission.direction);
   return start;
 }

@@ -183,17 +183,22 @@ TEST(uv, of_a_cube_are_those_of_mitsubas_faces) {
   }
 }
 
-TEST(heightfield, spans_the_square_at_its_textures_height) {
-  auto image = std::make_shared<Image>(2, 1);
-  for (int c = 0; c < 3; ++c) image->pixel(1, 0)[c] = 1;
+/// Of amplitude 0.5 and the image's heights.
+TriangleMesh heightfield_of(const std::shared_ptr<Image>& image, int columns, int rows) {
   HeightfieldDescription field;
-  field.columns = 8;
-  field.rows = 3;
+  field.columns = columns;
+  field.rows = rows;
   field.amplitude = 0.5;
   field.height = TextureIndex{0};
   const Textures textures(
       {{{}, "", BitmapDescription{"", image, true, TextureFilter::bilinear, TextureWrap::clamp, {}}}});
-  const TriangleMesh mesh = make_heightfield(field, textures);
+  return make_heightfield(field, textures);
+}
+
+TEST(heightfield, spans_the_square_at_its_textures_height) {
+  const auto image = std::make_shared<Image>(2, 1);
+  for (int c = 0; c < 3; ++c) image->pixel(1, 0)[c] = 1;
+  const TriangleMesh mesh = heightfield_of(image, 8, 3);
   EXPECT_EQ(mesh.positions.size(), 9u * 4u);
   EXPECT_EQ(mesh.triangles.size(), 2u * 8u * 3u);
   EXPECT_TRUE(mesh.is_padded());
@@ -205,16 +210,9 @@ TEST(heightfield, spans_the_square_at_its_textures_height) {
 }
 
 TEST(heightfield, grows_with_v_as_its_textures_rows_do) {
-  auto image = std::make_shared<Image>(1, 2);  // the first row, at v = 0, is black
+  const auto image = std::make_shared<Image>(1, 2);  // the first row, at v = 0, is black
   for (int c = 0; c < 3; ++c) image->pixel(0, 1)[c] = 1;
-  HeightfieldDescription field;
-  field.columns = 2;
-  field.rows = 4;
-  field.amplitude = 0.5;
-  field.height = TextureIndex{0};
-  const Textures textures(
-      {{{}, "", BitmapDescription{"", image, true, TextureFilter::bilinear, TextureWrap::clamp, {}}}});
-  const TriangleMesh mesh = make_heightfield(field, textures);
+  const TriangleMesh mesh = heightfield_of(image, 2, 4);
   EXPECT_EQ(mesh.positions[1], Vec3f(0, -1, 0));
   EXPECT_EQ(mesh.positions[3 * 4 + 1], Vec3f(0, 1, 0.5f));
 }
