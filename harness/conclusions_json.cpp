@@ -161,6 +161,7 @@ json gate_to_json(const GateRecord& gate) {
   if (gate.would_see_in_a_block) j["would_see_in_a_block"] = finite(*gate.would_see_in_a_block, "would_see_in_a_block");
   if (gate.status) j["status"] = to_string(*gate.status);
   if (!gate.regression_only.empty()) j["regression_only"] = gate.regression_only;
+  if (!gate.accepted.empty()) j["accepted"] = gate.accepted;
   return j;
 }
 
@@ -178,6 +179,7 @@ GateRecord gate_from_json(const json& j) {
   gate.would_see = optional_at<double>(j, "would_see");
   gate.would_see_in_a_block = optional_at<double>(j, "would_see_in_a_block");
   gate.regression_only = j.value("regression_only", "");
+  gate.accepted = j.value("accepted", "");
   if (const auto status = j.find("status"); status != j.end()) gate.status = status_from_string(*status);
   gate.alpha = j.at("alpha");
   gate.looks = j.at("looks");

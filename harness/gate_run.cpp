@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "harness/accepted_verdicts.h"
 #include "harness/engine_version.h"
 #include "harness/folder_lock.h"
 #include "harness/gate_look.h"
@@ -122,6 +123,14 @@ class Run {
       return record;
     }
     ImageStream& stream = stream_of(gate);
+    const std::size_t fewest = static_cast<std::size_t>(std::min(images_of_acceptance, gate.seeds));
+    if (!stream.draw(fewest)) return std::nullopt;
+    std::string accepted_as;
+    if (stream.failed() == nullptr) {
+      accepted_as = key_of_verdict(gate, stream, fewest);
+      if (const std::optional<Results> kept = options_.fresh ? std::nullopt : find_accepted(accepted_as))
+        return as_accepted(*kept, stream, fewest, record);
+    }
     std::vector<const Image*> images;
     for (int look = 0; look < gate.looks; ++look) {
       const std::size_t count = static_cast<std::size_t>(gate.seeds) << look;
@@ -153,10 +162,48 @@ class Run {
     record.regression_only =
         regression_only(suite_.engine(gate.engine), references_.at(gate.scene), expectations_.at(gate.scene));
     if (!record.regression_only.empty()) record.sentence += "; regression only: " + record.regression_only;
-    record.skipped = stream.drawn().front()->result.skipped;
-    store_pictures(mean_of(images), references_.at(gate.scene), viewings_.at(gate.scene).exposure, options_.folder,
-                   record);
+    add_pictures(images, stream, record);
+    if (record.verdict == GateVerdict::pass) keep(accepted_as, record);
     return record;
+  }
+
+  std::string key_of_verdict(const Gate& gate, const ImageStream& stream, std::size_t images) const {
+    std::vector<const DrawnImage*> first;
+    for (std::size_t i = 0; i < images; ++i) first.push_back(stream.drawn()[i].get());
+    return verdict_key(gate, suite_, references_.at(gate.scene), viewings_.at(gate.scene), first);
+  }
+
+  /// The verdict is the kept one's; what it cost, and the pictures, are of the images that were drawn now.
+  GateRecord as_accepted(const Results& kept, const ImageStream& stream, std::size_t drawn, const GateRecord& asked) {
+    GateRecord record = kept.gates[0];
+    record.accepted = kept.created;
+    record.sentence +=
+        fmt::format("; decided {}, and the first {} images are the same, bit for bit", kept.created, drawn);
+    record.command = asked.command;
+    record.seconds = 0;
+    record.samples = 0;
+    count_images(stream, drawn, record);
+    std::vector<const Image*> images;
+    for (std::size_t i = 0; i < drawn; ++i) images.push_back(&stream.drawn()[i]->image);
+    add_pictures(images, stream, record);
+    return record;
+  }
+
+  /// What cannot be kept costs time at the next run and nothing else.
+  void keep(const std::string& key, const GateRecord& record) {
+    try {
+      keep_accepted(key, summary_.results, record);
+    } catch (const InputError& error) {
+      const std::string caveat = std::string("passes are not kept for the next run: ") + error.what();
+      if (std::ranges::find(summary_.results.caveats, caveat) == summary_.results.caveats.end())
+        summary_.results.caveats.push_back(caveat);
+    }
+  }
+
+  void add_pictures(const std::vector<const Image*>& images, const ImageStream& stream, GateRecord& record) const {
+    record.skipped = stream.drawn().front()->result.skipped;
+    store_pictures(mean_of(images), references_.at(record.scene), viewings_.at(record.scene).exposure, options_.folder,
+                   record);
   }
 
   static void count_images(const ImageStream& stream, std::size_t count, GateRecord& record) {
@@ -187,6 +234,11 @@ class Run {
 std::size_t GateSummary::count(GateVerdict verdict) const {
   return static_cast<std::size_t>(std::count_if(results.gates.begin(), results.gates.end(),
                                                 [&](const GateRecord& gate) { return gate.verdict == verdict; }));
+}
+
+std::size_t GateSummary::accepted() const {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(results.gates, [](const GateRecord& gate) { return !gate.accepted.empty(); }));
 }
 
 GateSummary run_gates(const GateSuite& suite, const GateOptions& options, GateObserver& observer) {

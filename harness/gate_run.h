@@ -20,6 +20,7 @@ struct GateOptions {
   std::uint64_t seed = 1;  ///< the same build, suite and seed give the same verdicts
   std::string only;        ///< gates whose name contains this
   bool resume = false;     ///< use the images that an earlier run left in `folder`
+  bool fresh = false;      ///< judge every gate, also where an accepted verdict is of the same images
   const std::atomic<bool>* interrupt = nullptr;
 };
 
@@ -35,6 +36,7 @@ struct GateSummary {
   Results results;  ///< as written
   bool interrupted = false;
   std::size_t count(GateVerdict verdict) const;
+  std::size_t accepted() const;  ///< passes that an earlier run decided (accepted_verdicts.h)
 };
 
 /// Throws InputError for a suite or reference that cannot be used, before anything is drawn. Whatever an engine does is

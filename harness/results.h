@@ -213,6 +213,8 @@ struct GateRecord {
   std::optional<double> would_see, would_see_in_a_block;
   /// Why the gate can only notice changes: the engine's own estimator made the reference. Empty: it can convict.
   std::string regression_only;
+  /// When the verdict was decided (UTC, ISO 8601), where not by this run: its images are those of that verdict.
+  std::string accepted{};
   double alpha = 0;                             ///< false-alarm rate of this gate over all its looks
   int looks = 0;                                ///< how often the samples were judged
   std::uint64_t samples = 0;                    ///< a pixel, in all

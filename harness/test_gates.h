@@ -55,13 +55,13 @@ class FakeGateTest : public FakeSuiteTest {
   }
 
   /// The exact expectation, as if from so many samples that 1e-4 of each value is its standard error.
-  void put_reference() const {
+  void put_reference(double standard_error = 1e-4) const {
     Rendering exact{Image(width, height), Image(width, height), {}};
     for (int y = 0; y < height; ++y)
       for (int x = 0; x < width; ++x)
         for (int c = 0; c < 3; ++c) {
           exact.mean.pixel(x, y)[c] = static_cast<float>(expected(x, y, c));
-          exact.variance->pixel(x, y)[c] = static_cast<float>(std::pow(1e-4 * expected(x, y, c), 2));
+          exact.variance->pixel(x, y)[c] = static_cast<float>(std::pow(standard_error * expected(x, y, c), 2));
         }
     Provenance provenance;
     provenance.scene_hash = scene_hash(parse_scene_file((folder_ / "scene.xml").string()));

@@ -32,7 +32,7 @@ namespace fs = std::filesystem;
 struct GateArguments {
   std::string suite, output, only;
   std::uint64_t seed = 1;
-  bool resume = false, json = false, report = true, annotations = false;
+  bool resume = false, fresh = false, json = false, report = true, annotations = false;
   bool self_test = false;
   int runs = 100, pool = 64, other_pool = 16;
   std::string accept, reason;
@@ -70,6 +70,7 @@ void print_json(const GateSummary& summary, const std::vector<fs::path>& reports
                                  {"pass", summary.count(GateVerdict::pass)},
                                  {"fail", summary.count(GateVerdict::fail)},
                                  {"inconclusive", summary.count(GateVerdict::inconclusive)},
+                                 {"accepted", summary.accepted()},
                                  {"interrupted", summary.interrupted},
                                  {"together", summary.results.findings},
                                  {"gates", nlohmann::json::array()}};
@@ -82,6 +83,7 @@ void print_json(const GateSummary& summary, const std::vector<fs::path>& reports
     if (gate.would_see) entry["would_see"] = *gate.would_see;
     if (gate.would_see_in_a_block) entry["would_see_in_a_block"] = *gate.would_see_in_a_block;
     if (!gate.regression_only.empty()) entry["regression_only"] = gate.regression_only;
+    if (!gate.accepted.empty()) entry["accepted"] = gate.accepted;
     json["gates"].push_back(std::move(entry));
   }
   std::printf("%s\n", json_text(json).c_str());
@@ -91,6 +93,9 @@ void print_text(const GateSuite& suite, const GateSummary& summary, const std::v
   std::printf("%s: %zu pass, %zu fail, %zu inconclusive%s\n", suite.name.c_str(), summary.count(GateVerdict::pass),
               summary.count(GateVerdict::fail), summary.count(GateVerdict::inconclusive),
               summary.interrupted ? "; interrupted: --resume goes on from here" : "");
+  if (const std::size_t accepted = summary.accepted(); accepted > 0)
+    std::printf("%zu of these passes were decided before, by the same images (--fresh judges all again)\n", accepted);
+  for (const std::string& caveat : summary.results.caveats) std::printf("note: %s\n", caveat.c_str());
   for (const std::string& finding : summary.results.findings) std::printf("together: %s\n", finding.c_str());
   std::printf("results: %s\n", summary.results_file.c_str());
   for (const fs::path& report : reports) std::printf("report: %s\n", report.c_str());
@@ -141,6 +146,7 @@ GateOptions options_of(const GateArguments& arguments, const GateSuite& suite) {
   options.seed = arguments.seed;
   options.only = arguments.only;
   options.resume = arguments.resume;
+  options.fresh = arguments.fresh;
   options.interrupt = &interrupt_flag();
   return options;
 }
@@ -223,6 +229,9 @@ void add_gate_verb(CLI::App& program, int& exit_code) {
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000'000}));
   verb->add_option("--only", arguments->only, "only gates whose name contains this");
   verb->add_flag("--resume", arguments->resume, "use the images that an interrupted run left in the results folder");
+  verb->add_flag("--fresh", arguments->fresh,
+                 "judge every gate again, also where two images are those of a pass in the cache (default: it passes at "
+                 "once)");
   verb->add_flag("--json", arguments->json, "print the verdicts as JSON");
   verb->add_flag("--annotations", arguments->annotations,
                  "print a GitHub annotation for each gate that does not pass (default where GITHUB_ACTIONS is true)");

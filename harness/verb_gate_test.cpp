@@ -132,10 +132,10 @@ TEST_F(GateVerb, the_same_seed_gives_the_same_verdict_and_another_seed_other_ima
   put_reference();
   run_gate(gate("good", "agreement", 0.05));
   const GateRecord first = only_gate();
-  run_gate(gate("good", "agreement", 0.05));
+  run_gate(gate("good", "agreement", 0.05), {"--fresh"});
   EXPECT_EQ(only_gate().observed, first.observed);
   EXPECT_EQ(only_gate().sentence, first.sentence);
-  EXPECT_EQ(images_drawn(), 16);  // nothing is taken from the first run unless asked
+  EXPECT_EQ(images_drawn(), 16);  // nothing is taken from the first run
   put("log", "");
   run_gate(gate("good", "agreement", 0.05), {"--seed", "3"});
   EXPECT_NE(get("log").find("good 3000000\n"), std::string::npos) << get("log");  // a million apart
@@ -148,6 +148,100 @@ TEST_F(GateVerb, resume_takes_the_images_that_are_there) {
   EXPECT_EQ(images_drawn(), 8);
   EXPECT_EQ(run_gate(gate("good", "agreement", 0.05), {"--resume"}).exit_code, 0);
   EXPECT_EQ(images_drawn(), 8);
+}
+
+TEST_F(GateVerb, images_of_an_accepted_verdict_pass_at_once_and_say_so) {
+  put_reference();
+  const std::string gates = gate("good", "agreement", 0.05);
+  run_gate(gates);
+  const GateRecord decided = only_gate();
+  EXPECT_EQ(decided.accepted, "");
+  EXPECT_EQ(images_drawn(), 8);
+  put("version", "fake 2\n");  // another build, the same images
+  const ProcessOutcome outcome = run_gate(gates, {"--json"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.standard_error;
+  EXPECT_EQ(images_drawn(), 8 + 2);
+  const GateRecord accepted = only_gate();
+  EXPECT_EQ(accepted.verdict, GateVerdict::pass);
+  EXPECT_EQ(accepted.observed, decided.observed);
+  EXPECT_EQ(accepted.would_see, decided.would_see);
+  EXPECT_EQ(accepted.sentence, decided.sentence + "; decided " + accepted.accepted +
+                                   ", and the first 2 images are the same, bit for bit");
+  EXPECT_TRUE(has("out/" + accepted.image));
+  const auto json = nlohmann::json::parse(outcome.standard_output);
+  EXPECT_EQ(json.at("accepted"), 1);
+  EXPECT_EQ(json.at("gates").at(0).at("accepted"), accepted.accepted);
+  EXPECT_NE(run_gate(gates).standard_output.find("1 of these passes were decided before, by the same images"),
+            std::string::npos);
+  EXPECT_EQ(only_gate().sentence, accepted.sentence);  // of the verdict itself, not of its repetition
+}
+
+TEST_F(GateVerb, what_differs_from_an_accepted_verdict_is_judged_anew) {
+  put_reference();
+  const std::string gates = gate("good", "agreement", 0.05);
+  run_gate(gates);
+  const auto images_of = [&](const std::string& changed, const std::vector<std::string>& more = {}) {
+    const long before = images_drawn();
+    run_gate(changed, more);
+    EXPECT_EQ(only_gate().accepted, "");
+    return images_drawn() - before;
+  };
+  EXPECT_EQ(images_of(gate("good", "agreement", 0.06)), 8);
+  EXPECT_EQ(images_of(gate("good", "agreement", 0.05) + "alpha = 0.002\n"), 8);
+  EXPECT_EQ(images_of(gate("good", "agreement", 0.05) + "seeds = 4\n"), 8);  // 4 are too few to tell
+  EXPECT_EQ(images_of(gate("good", "bias", 0.05)), 8);
+  EXPECT_EQ(images_of(gates, {"--seed", "2"}), 8);
+  put("expect.toml", "purpose = 'to be measured'\nexposure = 1.5\n");
+  EXPECT_EQ(images_of(gates), 8);
+  put("expect.toml", "purpose = 'to be measured'\nexposure = 0.5\n");
+  // The last of the first two, by one bit of one value.
+  Image second = read_image((folder_ / "good-1.exr").string());
+  const Image kept = second;
+  second.rgb[100] = std::nextafter(second.rgb[100], 1.0f);
+  write_image("good-1.exr", second);
+  EXPECT_EQ(images_of(gates), 8);
+  write_image("good-1.exr", kept);
+  // The same images of another reference.
+  std::filesystem::remove(folder_ / "reference-16x12.exr");
+  std::filesystem::remove(folder_ / "reference-16x12.json");
+  put_reference(2e-4);
+  EXPECT_EQ(images_of(gates), 8);
+}
+
+TEST_F(GateVerb, an_engine_that_no_longer_heeds_its_seed_is_not_taken_for_unchanged) {
+  put_reference();
+  const std::string gates = gate("good", "agreement", 0.05);
+  EXPECT_EQ(run_gate(gates).exit_code, 0);
+  const Image first = read_image((folder_ / "good-0.exr").string());
+  for (int i = 1; i < prepared; ++i) write_image("good-" + std::to_string(i) + ".exr", first);
+  EXPECT_EQ(run_gate(gates).exit_code, 1);
+  EXPECT_NE(only_gate().sentence.find("all 8 seeds gave the same image"), std::string::npos) << only_gate().sentence;
+}
+
+TEST_F(GateVerb, only_passes_are_accepted) {
+  put_reference();
+  for (int run = 1; run <= 2; ++run) {
+    EXPECT_EQ(run_gate(gate("dim", "agreement", 0.05)).exit_code, 1);
+    EXPECT_EQ(images_drawn(), 8 * run);
+  }
+}
+
+TEST_F(GateVerb, a_damaged_cache_is_judged_anew_and_one_that_cannot_be_written_is_noted) {
+  put_reference();
+  const std::string gates = gate("good", "agreement", 0.05);
+  run_gate(gates);
+  for (const auto& entry : std::filesystem::directory_iterator(folder_ / "cache" / "verdicts"))
+    put(std::filesystem::relative(entry.path(), folder_).string(), "{\"suite\": ");
+  EXPECT_EQ(run_gate(gates).exit_code, 0);
+  EXPECT_EQ(images_drawn(), 16);
+  EXPECT_EQ(run_gate(gates).exit_code, 0);
+  EXPECT_EQ(images_drawn(), 18);  // the damaged one was replaced
+  std::filesystem::remove_all(folder_ / "cache");
+  put("cache", "a file where the folder would be");
+  const ProcessOutcome outcome = run_gate(gates);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.standard_error;
+  EXPECT_NE(outcome.standard_output.find("note: passes are not kept for the next run: "), std::string::npos)
+      << outcome.standard_output;
 }
 
 TEST_F(GateVerb, json_has_every_verdict) {

@@ -1,4 +1,4 @@
-# Writes source_hash.h: the version and a short hash over the contents of SOURCES, in order of their names.
+# Writes OUT, a header: the version and a short hash over the contents of SOURCES, in order of their names.
 list(SORT SOURCES)
 set(all "")
 foreach(source IN LISTS SOURCES)

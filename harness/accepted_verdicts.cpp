@@ -1,0 +1,78 @@
+#include "harness/accepted_verdicts.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "harness/cells.h"
+#include "judging_hash.h"
+#include "scenes/checksum.h"
+#include "scenes/input_error.h"
+#include "scenes/size_text.h"
+
+namespace photonproof {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string checksum_of(const Image& image) {
+  Checksum checksum;
+  checksum.add(image.rgb.data(), image.rgb.size() * sizeof(float));
+  return size_text(image.width, image.height) + " " + checksum.hex();
+}
+
+std::string settings_of(const Gate& gate) {
+  return fmt::format("{} {} {} {} {} {} {} {}", gate.metric, gate.bound, gate.block_bound, gate.alpha, gate.seeds,
+                     gate.looks, gate.takes_seed, gate.unbiased);
+}
+
+std::string exposures_of(const Viewing& viewing) {
+  if (!viewing.hdr_exposures) return fmt::format("{}", viewing.exposure);
+  const ExposureRange& range = *viewing.hdr_exposures;
+  return fmt::format("{} {} {} {}", viewing.exposure, range.start, range.stop, range.count);
+}
+
+fs::path file_of(const std::string& key) { return cache_folder() / "verdicts" / (key + ".json"); }
+
+}  // namespace
+
+std::string verdict_key(const Gate& gate, const GateSuite& suite, const StoredReference& reference,
+                        const Viewing& viewing, std::span<const DrawnImage* const> first_images) {
+  std::vector<std::string> images;
+  for (const DrawnImage* drawn : first_images)
+    images.push_back(std::to_string(drawn->result.cell.seed) + " " + checksum_of(drawn->image));
+  return content_key({{"gate", gate.name},
+                      {"settings", settings_of(gate)},
+                      {"engine", gate.engine + length_prefixed(suite.engine(gate.engine).command)},
+                      {"budget", gate.budget.label()},
+                      {"threads", std::to_string(suite.limits.threads)},
+                      {"reference", provenance_text(reference.provenance)},
+                      {"exposures", exposures_of(viewing)},
+                      {"judging", PHOTONPROOF_SOURCE_HASH},
+                      {"images", length_prefixed(images)}});
+}
+
+std::optional<Results> find_accepted(const std::string& key) {
+  try {
+    Results kept = read_results(file_of(key).string());
+    if (kept.gates.size() == 1 && kept.gates[0].verdict == GateVerdict::pass) return kept;
+  } catch (const InputError&) {
+    // Not there, or damaged: the same to us as never accepted.
+  }
+  return std::nullopt;
+}
+
+void keep_accepted(const std::string& key, Results run, GateRecord passed) {
+  passed.image.clear();
+  passed.pictures.clear();
+  std::erase_if(run.engines, [&](const EngineRecord& engine) { return engine.name != passed.engine; });
+  std::erase_if(run.scenes, [&](const SceneRecord& scene) { return scene.name != passed.scene; });
+  run.gates = {std::move(passed)};
+  const fs::path file = file_of(key);
+  std::error_code error;
+  fs::create_directories(file.parent_path(), error);
+  if (error) throw InputError(file.parent_path().string(), "cannot be made: " + error.message());
+  write_results(file.string(), run);
+}
+
+}  // namespace photonproof
