@@ -12,6 +12,7 @@
 #include "harness/results.h"
 #include "harness/verbs.h"
 #include "reports/formats.h"
+#include "scenes/file_checksum.h"
 #include "scenes/input_error.h"
 #include "scenes/json_text.h"
 #include "scenes/output_files.h"
@@ -54,6 +55,16 @@ std::vector<InputFile> inputs_of(const std::string& file, const Results& results
   return inputs;
 }
 
+/// A picture of another image beside measured numbers misleads: what was replaced is said on the page.
+void note_replaced_images(Results& results, const fs::path& folder) {
+  for (const Result& result : results.results) {
+    if (result.image.empty() || result.image_checksum.empty()) continue;
+    const std::string checksum = file_checksum(folder / result.image);
+    if (!checksum.empty() && checksum != result.image_checksum)
+      results.caveats.push_back(result.image + " is not the image that was measured");
+  }
+}
+
 void write_reports(const ReportOptions& options) {
   std::vector<const ReportFormat*> formats;
   for (const std::string& name : options.formats) formats.push_back(&report_format(name));
@@ -61,8 +72,11 @@ void write_reports(const ReportOptions& options) {
   if (!options.output.empty() && formats.size() > 1) {
     throw InputError("--output", "names one file, but more than one format is asked for");
   }
-  const Results results = read_results(options.results);
+  if (options.output.empty() && (options.results.starts_with("/dev/") || options.results.starts_with("/proc/")))
+    throw InputError(options.results, "is no file that a report can lie beside: name the report with -o");
+  Results results = read_results(options.results);
   const fs::path folder = folder_of(options.results);
+  note_replaced_images(results, folder);
   std::vector<fs::path> outputs;
   for (const ReportFormat* format : formats)
     outputs.push_back(options.output.empty() ? folder / ("report" + std::string(format->extension))

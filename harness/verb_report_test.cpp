@@ -8,6 +8,7 @@
 #include "harness/results.h"
 #include "harness/verbs.h"
 #include "scenes/atomic_file.h"
+#include "scenes/file_checksum.h"
 #include "scenes/input_error.h"
 
 namespace photonproof {
@@ -105,6 +106,30 @@ TEST_F(ReportVerb, an_unknown_format_is_refused_before_anything_is_written) {
 
 TEST_F(ReportVerb, a_missing_record_is_an_input_error) {
   EXPECT_NE(complaint([&] { run({path("none.json")}); }).find("none.json"), std::string::npos);
+}
+
+TEST_F(ReportVerb, a_record_from_a_pipe_needs_a_name_for_its_report) {
+  EXPECT_EQ(complaint([&] { run({"/dev/stdin"}); }),
+            "/dev/stdin: error: is no file that a report can lie beside: name the report with -o");
+}
+
+TEST_F(ReportVerb, says_which_image_is_not_the_one_that_was_measured) {
+  Results results = read_results(path("results.json"));
+  Result result;
+  result.key = "key";
+  result.cell = {"scene", "engine", {"spp", 1}, 1};
+  result.status = Status::ok;
+  result.image = "image.exr";
+  write_file_atomically(folder / "image.exr", "the image");
+  result.image_checksum = file_checksum(folder / "image.exr");
+  results.results = {result};
+  write_results(path("results.json"), results);
+  const std::string words = "image.exr is not the image that was measured";
+  run({path("results.json")});
+  EXPECT_EQ(read_file(path("report.html")).find(words), std::string::npos);
+  write_file_atomically(folder / "image.exr", "another");
+  run({path("results.json")});
+  EXPECT_NE(read_file(path("report.html")).find(words), std::string::npos);
 }
 
 TEST_F(ReportVerb, never_replaces_the_record_it_reports) {

@@ -144,7 +144,8 @@ class ExpectReader {
 
   static std::map<std::string, std::string> unsupported(const Table& parent, const toml::node& node) {
     std::map<std::string, std::string> reasons;
-    for (const auto& [engine, reason] : as_table(parent, node, "[unsupported]"))
+    const toml::table& table = as_table(parent, node, "[unsupported]");
+    for (const auto& [engine, reason] : table)
       reasons[std::string(engine.str())] = parent.as_text(reason, std::string(engine.str()));
     return reasons;
   }
