@@ -193,7 +193,9 @@ std::string to_string(GateVerdict verdict);
 /// A part of an image where a gate failed, in pixels, row 0 on top.
 struct FailingTile {
   int x = 0, y = 0, width = 0, height = 0;
-  double score = 0;      ///< how far beyond what noise explains, in standard errors; tiles rank by it
+  /// Tiles rank by it: how far beyond what noise explains, in standard errors; of gates on a metric of `compare` the
+  /// tile's share of the error.
+  double score = 0;
   std::string sentence;  ///< "+6 % at the floor's contact, 41 px"
   friend bool operator==(const FailingTile&, const FailingTile&) = default;
 };

@@ -65,6 +65,11 @@ PlainTable gates_table(const std::vector<const GateRecord*>& gates) {
   return table;
 }
 
+std::string beyond_noise(const GateRecord& gate, const FailingTile& tile) {
+  if (gate.metric != "agreement" && !gate.metric.ends_with("bias")) return "";
+  return ", " + significant(tile.score) + " standard errors beyond noise";
+}
+
 PlainTable changes_table(const std::vector<const ChangeRecord*>& changes) {
   PlainTable table{{"Change", "Scene", "Engine", "Budget", "Of", "New / old", "A/A control", "In words"}, {}};
   for (const ChangeRecord* change : changes) {

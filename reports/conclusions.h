@@ -31,6 +31,10 @@ PlainTable slopes_table(const std::vector<const Convergence*>& curves);
 /// Verdict, gate, engine, metric, observed, bound, samples, looks, α, seconds: a row a gate.
 PlainTable gates_table(const std::vector<const GateRecord*>& gates);
 
+/// ", 12.5 standard errors beyond noise", or nothing for a gate on a metric of `compare`, whose tiles have a share of
+/// the error, which their sentence says.
+std::string beyond_noise(const GateRecord& gate, const FailingTile& tile);
+
 /// Change, scene, engine, budget, quantity, new / old, A/A control, sentence: a row a change.
 PlainTable changes_table(const std::vector<const ChangeRecord*>& changes);
 

@@ -137,7 +137,7 @@ void set_tiles(data& page, const View& view) {
     item.set("gate", printable(ranked.gate->name));
     item.set("sentence", printable(tile.sentence));
     item.set("where", fmt::format("{} × {} pixels at ({}, {})", tile.width, tile.height, tile.x, tile.y));
-    item.set("score", significant(tile.score));
+    item.set("beyond_noise", beyond_noise(*ranked.gate, tile));
     tiles.push_back(item);
   }
   page.set("has_tiles", !view.tiles.empty());

@@ -114,8 +114,9 @@ class Writer {
     for (const RankedTile& ranked : view_.tiles) {
       const FailingTile& tile = *ranked.tile;
       text +=
-          fmt::format("1. {}: {} (at {}, {}; {} × {} pixels; {} standard errors)\n", markdown_text(ranked.gate->name),
-                      markdown_text(tile.sentence), tile.x, tile.y, tile.width, tile.height, significant(tile.score));
+          fmt::format("1. {}: {} (at {}, {}; {} × {} pixels{})\n", markdown_text(ranked.gate->name),
+                      markdown_text(tile.sentence), tile.x, tile.y, tile.width, tile.height,
+                      beyond_noise(*ranked.gate, tile));
     }
     return text + "\n";
   }

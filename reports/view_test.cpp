@@ -1,5 +1,6 @@
 #include "reports/view.h"
 
+#include "reports/conclusions.h"
 #include "reports/sample_results.h"
 
 namespace photonproof::reports {
@@ -113,6 +114,19 @@ TEST(View, scenes_gates_and_changes_come_worst_first) {
   EXPECT_EQ(view.gates[2]->verdict, GateVerdict::pass);
   EXPECT_EQ(view.changes[0]->change, Change::regression);
   EXPECT_EQ(verdicts_text(view.gates), "3 gates: 1 passes, 1 fails, 1 inconclusive");
+}
+
+TEST(View, only_tiles_of_gates_that_weigh_noise_are_so_many_standard_errors_off) {
+  const FailingTile tile{0, 0, 8, 8, 0.067, "6.7 % of the error"};
+  GateRecord gate;
+  for (const char* metric : {"agreement", "bias", "block_bias"}) {
+    gate.metric = metric;
+    EXPECT_EQ(beyond_noise(gate, tile), ", 0.0670 standard errors beyond noise") << metric;
+  }
+  for (const char* metric : {"ssim", "relmse_trimmed"}) {
+    gate.metric = metric;
+    EXPECT_EQ(beyond_noise(gate, tile), "") << metric;
+  }
 }
 
 TEST(View, tiles_of_all_gates_are_ranked_by_score) {
