@@ -23,8 +23,8 @@ inline constexpr int images_of_acceptance = 2;
 std::string verdict_key(const Gate& gate, const GateSuite& suite, const StoredReference& reference,
                         const Viewing& viewing, std::span<const DrawnImage* const> first_images);
 
-/// <cache>/verdicts/<key>.json: the record of a run, with the one gate that passed and without pictures. Empty when there
-/// is none, or none that can be read.
+/// <cache>/verdicts/<key>.json: the record of a run, with the one gate that passed and without pictures. Empty when
+/// there is none, or none that can be read.
 std::optional<Results> find_accepted(const std::string& key);
 
 /// Throws InputError when it cannot be written.

@@ -229,9 +229,10 @@ void add_gate_verb(CLI::App& program, int& exit_code) {
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000'000}));
   verb->add_option("--only", arguments->only, "only gates whose name contains this");
   verb->add_flag("--resume", arguments->resume, "use the images that an interrupted run left in the results folder");
-  verb->add_flag("--fresh", arguments->fresh,
-                 "judge every gate again, also where two images are those of a pass in the cache (default: it passes at "
-                 "once)");
+  verb->add_flag(
+      "--fresh", arguments->fresh,
+      "judge every gate again, also where two images are those of a pass in the cache (default: it passes at "
+      "once)");
   verb->add_flag("--json", arguments->json, "print the verdicts as JSON");
   verb->add_flag("--annotations", arguments->annotations,
                  "print a GitHub annotation for each gate that does not pass (default where GITHUB_ACTIONS is true)");

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Proves ./run and ./check on a bare Debian: debootstraps one, clones this repository into it, runs both there.
 #   sudo harness/setup/clean_debian.sh [FOLDER] [SUITE]    e.g. /var/tmp/bare bookworm
-# Takes the package mirror of this machine. The folder is left for a look; remove it when done.
+# Takes the package mirror of this machine. The folder is left for a look; remove it when done. BARE_ENV, "NAME=VALUE ...",
+# is set for both runs.
 set -euo pipefail
 folder=${1:-/var/tmp/photonproof-bare}
 suite=${2:-bookworm}
@@ -19,6 +20,7 @@ git clone -q "file://$source" "$folder/photonproof"
 mount -t proc proc "$folder/proc"
 mount --rbind /dev "$folder/dev"
 trap 'umount "$folder/proc"; umount -l "$folder/dev"' EXIT
-in_bare() { env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LANG=C.UTF-8 chroot "$folder" bash -ec "cd /photonproof && $1"; }
+# shellcheck disable=SC2086
+in_bare() { env -i ${BARE_ENV:-} PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LANG=C.UTF-8 chroot "$folder" bash -ec "cd /photonproof && $1"; }
 time in_bare "time ./run"
 time in_bare "time ./check"
