@@ -120,7 +120,8 @@ struct Compiler {
     if (image.width < 2 || image.height < 3) throw InputError(where, "an envmap needs at least 2x3 pixels");
     if (!std::all_of(image.rgb.begin(), image.rgb.end(), [](float v) { return std::isfinite(v) && v >= 0; }))
       throw InputError(where, "the envmap's pixels must be finite and not negative");
-    return sky(EnvmapSky(image, static_cast<float>(d.scale), has_fault(Fault::turned_sky) ? *d.to_world.inverse() : d.to_world));
+    return sky(EnvmapSky(image, static_cast<float>(d.scale),
+                         has_fault(Fault::turned_sky) ? *d.to_world.inverse() : d.to_world));
   }
 
   Light operator()(const SunSkyDescription& d) const {

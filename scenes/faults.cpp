@@ -68,7 +68,8 @@ std::optional<Fault> fault_of_this_program = fault_of_environment();
 bool has_fault(Fault fault) { return fault_of_this_program == fault; }
 
 std::string planted_fault() {
-  const auto row = std::find_if(std::begin(names), std::end(names), [](const auto& name) { return has_fault(name.second); });
+  const auto row =
+      std::find_if(std::begin(names), std::end(names), [](const auto& name) { return has_fault(name.second); });
   return row == std::end(names) ? "" : row->first;
 }
 

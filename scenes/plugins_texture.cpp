@@ -30,7 +30,8 @@ Pattern build_bitmap(Params& params) {
   bitmap.filter = filter_of(params);
   bitmap.wrap = wrap_of(params);
   bitmap.to_uv = params.transform("to_uv");
-  const auto loaded = params.objects().files().image(params.value_of("filename"), bitmap.raw || has_fault(Fault::raw_srgb));
+  const auto loaded =
+      params.objects().files().image(params.value_of("filename"), bitmap.raw || has_fault(Fault::raw_srgb));
   bitmap.filename = loaded.name;
   bitmap.image = loaded.content;
   return bitmap;
