@@ -37,7 +37,7 @@ CellCommand cell_command(const SuiteCommon& suite, const Cell& cell, const fs::p
   values.width = scene.width;
   values.height = scene.height;
   values.threads = threads;
-  values.seed = cell.seed;
+  values.seed = has_fault(Fault::repeated_seed) ? 1 : cell.seed;
   values.budget = cell.budget;
   if (has_fault(Fault::quarter_budget)) values.budget.amount /= 4;
   command.typed = fill_command(engine.command, values);

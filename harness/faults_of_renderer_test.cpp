@@ -1,6 +1,7 @@
 // What the renderer's faults do to an image (scenes/faults.h): a closed form, or the image of a sound program that is
 // told the mistake.
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -217,6 +218,7 @@ std::string cube_of_medium(const std::string& medium) {
 }
 
 TEST_F(FaultsOfRenderer, thin_medium_lets_through_what_nine_tenths_of_it_would) {
+  kernels_ = {};
   // Two units of extinction 0.5, seen straight on against a sky of 1.
   const std::string scene =
       put_scene("scene.xml", R"(volpath">)",
@@ -227,6 +229,7 @@ TEST_F(FaultsOfRenderer, thin_medium_lets_through_what_nine_tenths_of_it_would) 
 }
 
 TEST_F(FaultsOfRenderer, backward_phase_scatters_by_minus_g) {
+  kernels_ = {};
   const auto put_fog = [&](const std::string& name, const std::string& g) {
     return put_scene(name, R"(volpath">)",
                      cube_of_medium(R"(<float name="sigma_t" value="0.5"/><rgb name="albedo" value="0.8"/>

@@ -55,7 +55,7 @@ const DrawnImage* ImageStream::failed() const {
 
 std::uint64_t ImageStream::next_seed() {
   while (std::find(avoided_.begin(), avoided_.end(), seed_) != avoided_.end()) ++seed_;
-  return has_fault(Fault::repeated_seed) ? seed_ : seed_++;
+  return seed_++;
 }
 
 bool ImageStream::draw(std::size_t count) {

@@ -15,11 +15,11 @@ enum class PlantedIn { renderer, drawing, judging, image, nothing };
 
 /// Something done to an engine's images, to the engine, or to us.
 struct Variant {
-  std::string name;  ///< "one-pixel shift"; of a fault, the one by which it is planted
-  std::string what;  ///< in plain words
+  std::string name{};  ///< "one-pixel shift"; of a fault, the one by which it is planted
+  std::string what{};  ///< in plain words
   PlantedIn planted = PlantedIn::nothing;
   Image (*change)(const Image& image) = nullptr;  ///< of an edit
-  /// Of a fault of the renderer: those of our engines that can have it, by the value of --integrator; empty: all.
+  /// Those of our engines that can have the fault or know the arguments, by the value of --integrator; empty: all.
   std::vector<std::string> integrators{};
   std::vector<std::string> further{};  ///< arguments after the engine's own
   int threads = 0;                     ///< of the engine; 0: the suite's
@@ -35,7 +35,8 @@ struct Variant {
 /// Mutants first: the renderer's, the harness's, edits of images.
 std::span<const Variant> gate_variants();
 
-/// Arguments for those kernels that photonproof-faulty has faults in (renderer/CMakeLists.txt).
-const std::vector<std::string>& kernels_with_faults();
+/// Arguments for those kernels that photonproof-faulty has faults in (renderer/CMakeLists.txt). None for integrators
+/// without.
+std::vector<std::string> kernels_with_faults(const std::string& integrator);
 
 }  // namespace photonproof

@@ -145,7 +145,7 @@ class SelfTestRun {
       return draw_pool(stream, variant, v + 1, nullptr, options_.other_pool.of(stream.label));
     if (variant.planted == PlantedIn::renderer) {
       std::optional<Pool>& sound = stream.with_faulty_kernels;
-      if (!sound) sound = draw_pool(stream, {.further = kernels_with_faults()}, 0, nullptr, test_.seeds);
+      if (!sound) sound = draw_pool(stream, {.further = kernels_for(stream)}, 0, nullptr, test_.seeds);
       if (!sound) return std::nullopt;
       return draw_pool(stream, variant, 0, &*sound, options_.other_pool.of(stream.label));
     }
@@ -159,6 +159,10 @@ class SelfTestRun {
     const bool alike =
         variant.change != nullptr && starts_alike(pool.images, stream.healthy->images, pool.images.size());
     return alike ? std::nullopt : std::optional(std::move(pool));
+  }
+
+  std::vector<std::string> kernels_for(const Stream& stream) const {
+    return kernels_with_faults(integrator_of(suite_.engine(stream.gate.engine)));
   }
 
   /// As many as make all runs of the variant disjoint.
@@ -193,6 +197,7 @@ class SelfTestRun {
     if (variant.planted == PlantedIn::renderer) {
       draw.program = options_.faulty;
       draw.fault = variant.name;
+      draw.further = kernels_for(of);
     }
     const EngineVersion version = ask_version(suite.engine(gate.engine), suite.folder, options_.gates.program);
     if (version.problem) throw InputError(gate.engine, *version.problem);

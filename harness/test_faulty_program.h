@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "harness/gate_mutants.h"
 #include "reference/process.h"
 #include "scenes/image.h"
 #include "scenes/test_folder.h"
@@ -16,6 +17,7 @@ class FaultyProgramTest : public FolderTest {
   const std::string sound = PHOTONPROOF_BINARY, faulty = sound + "-faulty";
   const std::string library = PHOTONPROOF_SOURCE_DIR "/scenes/library/";
   std::string size_ = "16x16", seed_ = "5";
+  std::vector<std::string> kernels_ = kernels_with_faults("path");
 
   void TearDown() override {
     unsetenv("PHOTONPROOF_FAULT");
@@ -30,14 +32,9 @@ class FaultyProgramTest : public FolderTest {
       unsetenv("PHOTONPROOF_FAULT");
     else
       setenv("PHOTONPROOF_FAULT", fault.c_str(), 1);
-      // The faults are in one instruction set's kernels.
-#if defined(__x86_64__)
-    const std::string isa = "v2";
-#else
-    const std::string isa = "native";
-#endif
-    std::vector<std::string> argv{program,  "render", scene,    "-o",  path("out.exr"), "--isa", isa,
-                                  "--size", size_,    "--seed", seed_, "--threads",     "2",     "--quiet"};
+    std::vector<std::string> argv{program,  "render", scene,       "-o", path("out.exr"), "--size", size_,
+                                  "--seed", seed_,    "--threads", "2",  "--quiet"};
+    argv.insert(argv.end(), kernels_.begin(), kernels_.end());
     argv.insert(argv.end(), options.begin(), options.end());
     return run_process(argv, {.wall_limit_seconds = 60});
   }
