@@ -59,8 +59,8 @@ SelfTest run_self_test(const GateSuite& suite, const SelfTestOptions& options);
 /// Markdown: a row a mutant, with the gates that find it, and a row a gate with its false alarms.
 std::string self_test_table(const GateSuite& suite, const SelfTest& test, const std::string& command);
 
-/// Every mutant that changes what the suite sees found in at least 99 of 100 runs by at least one gate, and no gate
-/// with more false alarms than its alpha explains (95 %).
+/// Every mutant that changes what the suite sees, and that gates promise to find, found in at least 99 of 100 runs by
+/// at least one gate, and no gate with more false alarms than its alpha explains (95 %).
 bool self_test_passes(const SelfTest& test);
 
 }  // namespace photonproof

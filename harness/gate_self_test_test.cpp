@@ -84,13 +84,17 @@ TEST_F(GateSelfTest, passes_when_all_that_changes_an_image_is_found) {
   const std::size_t noise = number_of(test, "certain-noise"), hole = number_of(test, "hole");
   test.any[noise].fail = test.any[noise].runs;
   EXPECT_TRUE(self_test_passes(test));
-  EXPECT_NE(self_test_table(suite_, test, "").find("All that changes what this suite sees is found"),
-            std::string::npos);
+  EXPECT_NE(self_test_table(suite_, test, "").find("What gates promise to find is found"), std::string::npos);
   test.any[hole].fail = 19;  // of 20
   EXPECT_FALSE(self_test_passes(test));
   EXPECT_NE(self_test_table(suite_, test, "").find("Not found in 99 of 100 runs: hole.\n"), std::string::npos);
   test.any[hole] = {};
   EXPECT_TRUE(self_test_passes(test));
+  const std::size_t photons = number_of(test, "same-photons");
+  test.any[photons] = {.runs = 20, .fail = 1};
+  EXPECT_TRUE(self_test_passes(test));
+  EXPECT_NE(self_test_table(suite_, test, "").find("Not promised is same-photons, found in 5 % of the runs: "),
+            std::string::npos);
   test.counts[number_of(test, "other seeds")][0].fail = 100;
   EXPECT_FALSE(self_test_passes(test));
 }
