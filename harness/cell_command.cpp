@@ -2,6 +2,7 @@
 
 #include "harness/engine_command.h"
 #include "harness/scene_copies.h"
+#include "scenes/faults.h"
 
 namespace photonproof {
 namespace {
@@ -36,8 +37,9 @@ CellCommand cell_command(const SuiteCommon& suite, const Cell& cell, const fs::p
   values.width = scene.width;
   values.height = scene.height;
   values.threads = threads;
-  values.seed = cell.seed;
+  values.seed = has_fault(Fault::repeated_seed) ? 1 : cell.seed;
   values.budget = cell.budget;
+  if (has_fault(Fault::quarter_budget)) values.budget.amount /= 4;
   command.typed = fill_command(engine.command, values);
   if (copies != nullptr) {
     values.scene = short_path(copies->of(scene, own));

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "harness/student.h"
+#include "scenes/faults.h"
 
 namespace photonproof {
 namespace {
@@ -25,7 +26,7 @@ Channel channel_of(const Rendering& reference, std::span<const Image* const> ima
       static_cast<std::size_t>(reference.mean.width), static_cast<double>(images.size()), {}, {}, {}, {}, {}};
   for (std::size_t i = c; i < reference.mean.rgb.size(); i += 3) {
     double mean = 0, squares = 0, cubes = 0;
-    for (const Image* image : images) mean += double{image->rgb[i]};
+    for (const Image* image : images) mean += double{image->rgb[has_fault(Fault::red_for_all) ? i - c : i]};
     mean /= channel.images;
     for (const Image* image : images) {
       const double off = double{image->rgb[i]} - mean;
@@ -180,7 +181,7 @@ class ChannelDeviations {
           sums.variance_squared > 0 ? (freedom_ + 2) * sums.variance * sums.variance / sums.variance_squared : infinity;
       const Known expectation{factor * sums.variance / (sums.pixels * sums.pixels), std::min(worth, of_pixels)};
       Known known = steadied({own[b], freedom_}, expectation);
-      known.variance /= channel_.images;
+      known.variance /= has_fault(Fault::certain_noise) ? channel_.images * channel_.images : channel_.images;
       out_.blocks[c_].push_back(deviation(sums.mean / sums.pixels, sums.reference / sums.pixels, known,
                                           {sums.reference_variance / (sums.pixels * sums.pixels), infinity}));
     }

@@ -1,19 +1,14 @@
-// The second program, photonproof-faulty (renderer/faults.h): what each fault does to an image follows from theory, and
-// without one it is the first. gate --self-test counts on both.
+// The second program, photonproof-faulty (scenes/faults.h): without a fault it is the first, and what its faults do to
+// an image follows from theory; faults_of_*_test.cpp have more of them. gate --self-test counts on both.
 
 #include <cmath>
-#include <cstdlib>
 #include <numbers>
 
-#include "reference/process.h"
-#include "scenes/image.h"
-#include "scenes/test_folder.h"
+#include "harness/gate_mutants.h"
+#include "harness/test_faulty_program.h"
 
 namespace photonproof {
 namespace {
-
-const std::string sound = PHOTONPROOF_BINARY, faulty = sound + "-faulty";
-const std::string library = PHOTONPROOF_SOURCE_DIR "/scenes/library/";
 
 // A square lamp that shines up alone, on a mirror over it. The floor below gets its light from the mirror only. Paths
 // of three edges, so that no light comes by the floor to the mirror a second time.
@@ -41,48 +36,13 @@ constexpr const char* light_by_mirror = R"xml(<scene version="3.0.0">
 </scene>
 )xml";
 
-class FaultyProgram : public FolderTest {
+class FaultyProgram : public FaultyProgramTest {
  protected:
-  void TearDown() override {
-    unsetenv("PHOTONPROOF_FAULT");
-    FolderTest::TearDown();
-  }
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-
-  /// `fault` empty: the variable is not set.
-  ProcessOutcome run(const std::string& program, const std::string& fault, const std::string& scene,
-                     std::vector<std::string> options) const {
-    if (fault.empty())
-      unsetenv("PHOTONPROOF_FAULT");
-    else
-      setenv("PHOTONPROOF_FAULT", fault.c_str(), 1);
-      // The faults are in one instruction set's kernels.
-#if defined(__x86_64__)
-    const std::string isa = "v2";
-#else
-    const std::string isa = "native";
-#endif
-    std::vector<std::string> argv{program,  "render", scene,    "-o", path("out.exr"), "--isa", isa,
-                                  "--size", "16x16",  "--seed", "5",  "--threads",     "2",     "--quiet"};
-    argv.insert(argv.end(), options.begin(), options.end());
-    return run_process(argv, {.wall_limit_seconds = 60});
-  }
-  Image render(const std::string& program, const std::string& fault, const std::string& scene,
-               const std::vector<std::string>& options) const {
-    const ProcessOutcome outcome = run(program, fault, scene, options);
-    EXPECT_TRUE(outcome.ok()) << outcome.standard_error;
-    return outcome.ok() ? read_image(path("out.exr")) : Image();
-  }
   std::string put_light_by_mirror(const std::string& radii = "") const {
     std::string text = light_by_mirror;
     text.replace(text.find("%RADII%"), 7, radii);
     put("mirror.xml", text);
     return path("mirror.xml");
-  }
-  static double sum(const Image& image) {
-    double all = 0;
-    for (const float value : image.rgb) all += double{value};
-    return all;
   }
 };
 
@@ -140,9 +100,12 @@ TEST_F(FaultyProgram, half_photons_gives_the_image_of_half_the_photons) {
 
 TEST_F(FaultyProgram, unknown_fault_is_one_error_at_the_start) {
   const std::string scene = library + "cornell/scene.xml";
-  const std::string error =
-      "PHOTONPROOF_FAULT: error: unknown fault 'dropped-cosin'; known: dropped-cosine, missing-caustic, half-photons\n";
-  // volpath has none of the faults, and would not notice by itself.
+  std::string error = "PHOTONPROOF_FAULT: error: unknown fault 'dropped-cosin'; known: ";
+  for (const Variant& variant : gate_variants())
+    if (variant.planted == PlantedIn::renderer || variant.is_fault_of_harness())
+      error += (error.back() == ' ' ? "" : ", ") + variant.name;
+  error += "\n";
+  // volpath has none of this fault, and would not notice by itself.
   for (const char* integrator : {"path", "volpath"}) {
     const ProcessOutcome outcome = run(faulty, "dropped-cosin", scene, {"--integrator", integrator, "--spp", "1"});
     EXPECT_EQ(outcome.exit_code, 2);
@@ -155,7 +118,7 @@ TEST_F(FaultyProgram, sound_program_has_no_faults) {
   const std::string scene = library + "light-directional/scene.xml";
   const std::vector<std::string> options{"--spp", "2"};
   const Image expected = render(sound, "", scene, options);
-  for (const char* fault : {"dropped-cosine", "missing-caustic", "half-photons", "dropped-cosin"})
+  for (const char* fault : {"dropped-cosine", "same-samples", "fov-axis", "dropped-cosin"})
     EXPECT_TRUE(render(sound, fault, scene, options).rgb == expected.rgb) << fault;
 }
 

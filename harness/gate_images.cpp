@@ -7,6 +7,7 @@
 #include "harness/cells.h"
 #include "harness/run_cell.h"
 #include "harness/side_by_side.h"
+#include "scenes/faults.h"
 #include "scenes/size_text.h"
 
 namespace photonproof {
@@ -14,7 +15,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
+Image upside_down(const Image& image) {
+  Image turned = image;
+  for (int y = 0; y < image.height; ++y)
+    std::copy_n(image.pixel(0, y), 3 * image.width, turned.pixel(0, image.height - 1 - y));
+  return turned;
+}
+
 constexpr std::uint64_t seeds_of_a_run = 1'000'000;
+
+Image read_rendered(const fs::path& file) {
+  Image image = read_image(file.string());
+  if (has_fault(Fault::upside_down)) image = upside_down(image);
+  return image;
+}
 
 }  // namespace
 
@@ -71,7 +85,7 @@ std::unique_ptr<DrawnImage> ImageStream::draw_one(std::uint64_t seed) const {
   std::string key = content_key({{"scene", content_.scene_hash},
                                  {"engine", length_prefixed(engine_.command) + length_prefixed(options_.further)},
                                  {"version", content_.engine_version},
-                                 {"fault", options_.fault},
+                                 {"fault", options_.fault + planted_fault()},
                                  {"budget", budget_.label()},
                                  {"seed", std::to_string(seed)},
                                  {"size", size_text(scene_.width, scene_.height)},
@@ -83,7 +97,7 @@ std::unique_ptr<DrawnImage> ImageStream::draw_one(std::uint64_t seed) const {
     if (auto found = store_.latest(key); found && found->kept.result.status == Status::ok) {
       auto drawn = std::make_unique<DrawnImage>();
       drawn->result = std::move(found->kept.result);
-      drawn->image = read_image((options_.folder / drawn->result.image).string());
+      drawn->image = read_rendered(options_.folder / drawn->result.image);
       return drawn;
     }
   const std::string cell_folder = store_.make_folder(key);
@@ -102,7 +116,7 @@ std::unique_ptr<DrawnImage> ImageStream::draw_one(std::uint64_t seed) const {
   drawn->result.engine_version = content_.engine_version;
   if (drawn->result.status == Status::ok) {
     drawn->result.image = cell_folder + "/" + command.image.filename().string();
-    drawn->image = read_image(command.image.string());
+    drawn->image = read_rendered(command.image);
   }
   if (options_.keep) {
     store_.keep(cell_folder, {drawn->result, ""});

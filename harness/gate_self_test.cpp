@@ -5,12 +5,14 @@
 #include <numeric>
 #include <random>
 #include <span>
+#include <string_view>
 
 #include "harness/engine_version.h"
 #include "harness/folder_lock.h"
 #include "harness/host.h"
 #include "harness/metrics.h"
 #include "harness/side_by_side.h"
+#include "scenes/faults.h"
 #include "scenes/input_error.h"
 
 namespace photonproof {
@@ -20,22 +22,53 @@ constexpr int nulls_a_mutant = 5;
 constexpr std::uint64_t seeds_apart = 1000;  // between the runs of variants that draw images of their own
 
 int runs_of(const Variant& variant, const SelfTestOptions& options) {
-  return variant.is_mutant || variant.draws_its_own() ? options.runs : nulls_a_mutant * options.runs;
+  return variant.is_mutant() || variant.draws_its_own() ? options.runs : nulls_a_mutant * options.runs;
 }
 
 bool is_ours(const Engine& engine) { return engine.command.front() == "{photonproof}" && engine.name != "povray"; }
 
+/// The value of --integrator; empty without.
+std::string integrator_of(const Engine& engine) {
+  const auto option = std::find(engine.command.begin(), engine.command.end(), "--integrator");
+  return option == engine.command.end() || option + 1 == engine.command.end() ? "" : *(option + 1);
+}
+
 /// Whether the engine can have the fault, or knows the arguments.
 bool applies(const Variant& variant, const Engine& engine) {
+  if (variant.is_fault_of_harness()) return can_have_faults;
   if (!variant.draws_its_own()) return true;
-  return is_ours(engine) && (variant.fault != "half-photons" || engine.name == "photonmapper");
+  const std::vector<std::string>& able = variant.integrators;
+  return is_ours(engine) && (able.empty() || std::find(able.begin(), able.end(), integrator_of(engine)) != able.end());
+}
+
+/// What `work` returns, done with the fault in this process. Without a name, or where there are no faults, just done.
+template <class Work>
+auto with_fault(const std::string& name, const Work& work) {
+#ifdef PHOTONPROOF_FAULTS
+  std::optional<PlantedFault> planted;
+  if (!name.empty()) planted.emplace(name);
+#else
+  (void)name;
+#endif
+  return work();
 }
 
 /// Images of one stream, as a variant leaves them, and what one gate knows of each before it looks.
 struct Pool {
   std::vector<Image> images;
-  bool defective = false;  ///< not finite: every gate fails without looking
+  bool defective = false;  ///< not finite, or not even drawn: every gate fails without looking
 };
+
+/// Whether the first `count` of both are the same to the bit.
+bool starts_alike(const std::vector<Image>& a, const std::vector<Image>& b, std::size_t count) {
+  if (a.size() < count || b.size() < count) return false;
+  const auto bits_of = [](const Image& image) {
+    return std::string_view(reinterpret_cast<const char*>(image.rgb.data()), image.rgb.size() * sizeof(float));
+  };
+  for (std::size_t i = 0; i < count; ++i)
+    if (bits_of(a[i]) != bits_of(b[i])) return false;
+  return true;
+}
 
 class SelfTestRun {
  public:
@@ -45,13 +78,12 @@ class SelfTestRun {
         lock_(options.gates.folder),
         copies_(options.gates.folder),
         host_(describe_host()) {
-    test_.pool = options.pool;
-    test_.other_pool = options.other_pool;
     for (const Variant& variant : gate_variants()) test_.variants.push_back(variant);
     gates_ = gates_named(suite, options.gates.only);
     for (const Gate* gate : gates_) {
       test_.gates.push_back(gate->name);
       test_.alphas.push_back(gate->alpha);
+      test_.pools.push_back(options.pool.of(stream_label(*gate)));
       test_.seeds = std::max(test_.seeds, gate->seeds);
     }
     test_.counts.assign(test_.variants.size(), std::vector<VerdictCounts>(gates_.size()));
@@ -67,6 +99,9 @@ class SelfTestRun {
         streams.push_back(stream_label(*gate));
     for (std::size_t i = 0; i < streams.size() && !test_.interrupted; ++i) run_stream(streams[i], i, streams.size());
     for (std::size_t v = 0; v < test_.variants.size(); ++v) {
+      const std::vector<VerdictCounts>& of_gates = test_.counts[v];
+      if (std::none_of(of_gates.begin(), of_gates.end(), [](const VerdictCounts& gate) { return gate.runs > 0; }))
+        continue;
       test_.any[v].runs = static_cast<int>(found_[v].size());
       test_.any[v].fail = static_cast<int>(std::count(found_[v].begin(), found_[v].end(), true));
     }
@@ -78,31 +113,56 @@ class SelfTestRun {
     if (options_.progress) options_.progress((static_cast<double>(done) + part) / static_cast<double>(total), what);
   }
 
+  /// One engine's images of one scene and budget.
+  struct Stream {
+    const Gate& gate;  ///< any of its gates
+    std::string label;
+    StoredReference reference;
+    Viewing viewing;
+    std::optional<Pool> healthy{}, with_faulty_kernels{};  ///< once drawn
+  };
+
   void run_stream(const std::string& label, std::size_t done, std::size_t total) {
     const Gate& first =
         **std::find_if(gates_.begin(), gates_.end(), [&](const Gate* gate) { return stream_label(*gate) == label; });
     const SuiteScene& scene = suite_.scene(first.scene);
-    const StoredReference reference = load_reference(scene.path, scene.width, scene.height);
-    const Viewing viewing = viewing_of(scene);
-    std::optional<Pool> healthy;
-    for (std::size_t v = 0; v < test_.variants.size(); ++v) {
+    Stream stream{first, label, load_reference(scene.path, scene.width, scene.height), viewing_of(scene)};
+    for (std::size_t v = 0; v < test_.variants.size() && !test_.interrupted; ++v) {
       const Variant& variant = test_.variants[v];
       if (!applies(variant, suite_.engine(first.engine))) continue;
       say(done, total, static_cast<double>(v) / static_cast<double>(test_.variants.size()),
           label + ", " + variant.name);
-      if (!variant.draws_its_own() && !healthy) {
-        healthy = draw_pool(first, reference, variant, 0);
-        if (!healthy) return;
-      }
-      std::optional<Pool> own;
-      if (variant.draws_its_own()) {
-        own = draw_pool(first, reference, variant, v + 1);
-        if (!own) return;
-      } else if (variant.change != nullptr) {
-        own = changed(*healthy, variant, images_for(variant));
-      }
-      judge_all(label, reference, viewing, v, own ? *own : *healthy);
+      if (const std::optional<Pool> pool = pool_of(stream, v))
+        with_fault(variant.planted == PlantedIn::judging ? variant.name : "",
+                   [&] { return judge_all(stream, v, *pool); });
     }
+  }
+
+  /// Empty when interrupted, and where the variant changes nothing.
+  std::optional<Pool> pool_of(Stream& stream, std::size_t v) {
+    const Variant& variant = test_.variants[v];
+    if (variant.planted == PlantedIn::nothing && variant.draws_its_own())
+      return draw_pool(stream, variant, v + 1, nullptr, options_.other_pool.of(stream.label));
+    if (variant.planted == PlantedIn::renderer) {
+      std::optional<Pool>& sound = stream.with_faulty_kernels;
+      if (!sound) sound = draw_pool(stream, {.further = kernels_for(stream)}, 0, nullptr, test_.seeds);
+      if (!sound) return std::nullopt;
+      return draw_pool(stream, variant, 0, &*sound, options_.other_pool.of(stream.label));
+    }
+    if (!stream.healthy) stream.healthy = draw_pool(stream, {}, 0, nullptr, options_.pool.of(stream.label));
+    if (!stream.healthy || variant.planted == PlantedIn::nothing) return stream.healthy;
+    if (variant.planted == PlantedIn::drawing)
+      return with_fault(variant.name, [&] {
+        return draw_pool(stream, variant, 0, &*stream.healthy, options_.other_pool.of(stream.label));
+      });
+    Pool pool = changed(*stream.healthy, variant, images_for(variant));
+    const bool alike =
+        variant.change != nullptr && starts_alike(pool.images, stream.healthy->images, pool.images.size());
+    return alike ? std::nullopt : std::optional(std::move(pool));
+  }
+
+  std::vector<std::string> kernels_for(const Stream& stream) const {
+    return kernels_with_faults(integrator_of(suite_.engine(stream.gate.engine)));
   }
 
   /// As many as make all runs of the variant disjoint.
@@ -113,47 +173,64 @@ class SelfTestRun {
   static Pool changed(const Pool& healthy, const Variant& variant, std::size_t most) {
     Pool pool;
     for (const Image& image : std::span(healthy.images).first(std::min(most, healthy.images.size()))) {
-      pool.images.push_back(variant.change(image));
+      pool.images.push_back(variant.change != nullptr ? variant.change(image) : image);
       pool.defective = pool.defective || !find_defects(image, pool.images.back()).empty();
     }
     return pool;
   }
 
-  /// Empty when interrupted.
-  std::optional<Pool> draw_pool(const Gate& gate, const StoredReference& reference, const Variant& variant,
-                                std::size_t number) {
+  /// Of the `number`-th range of seeds. Empty when interrupted, and where the first look's are those of `sound`.
+  std::optional<Pool> draw_pool(const Stream& of, const Variant& variant, std::size_t number, const Pool* sound,
+                                int count) {
+    const Gate& gate = of.gate;
     GateSuite suite = suite_;
     if (variant.threads > 0) suite.limits.threads = variant.threads;
     DrawOptions draw;
-    draw.program = variant.fault.empty() ? options_.gates.program : options_.faulty;
+    draw.program = options_.gates.program;
     draw.folder = options_.gates.folder;
     draw.seed = options_.gates.seed + number * seeds_apart;
-    draw.fault = variant.fault;
     draw.further = variant.further;
     draw.processes = std::max(1, host_.cores / suite.limits.threads);
     draw.resume = options_.gates.resume;
     draw.interrupt = options_.gates.interrupt;
     draw.copies = &copies_;
+    if (variant.planted == PlantedIn::renderer) {
+      draw.program = options_.faulty;
+      draw.fault = variant.name;
+      draw.further = kernels_for(of);
+    }
     const EngineVersion version = ask_version(suite.engine(gate.engine), suite.folder, options_.gates.program);
     if (version.problem) throw InputError(gate.engine, *version.problem);
-    ImageStream stream(suite, gate, {reference.provenance.scene_hash, version.line}, reference.provenance.seeds, draw);
-    if (!stream.draw(static_cast<std::size_t>(number == 0 ? options_.pool : options_.other_pool))) {
-      test_.interrupted = true;
-      return std::nullopt;
-    }
-    if (const DrawnImage* failed = stream.failed())
-      throw InputError(stream_label(gate),
-                       variant.name + ": no image: " + failed->result.detail + "; " + failed->result.command);
+    ImageStream stream(suite, gate, {of.reference.provenance.scene_hash, version.line}, of.reference.provenance.seeds,
+                       draw);
     Pool pool;
-    for (const auto& drawn : stream.drawn()) pool.images.push_back(drawn->image);
+    const auto draw_until = [&](int images) {
+      if (!stream.draw(static_cast<std::size_t>(images))) {
+        test_.interrupted = true;
+        return false;
+      }
+      for (std::size_t i = pool.images.size(); i < stream.drawn().size(); ++i)
+        pool.images.push_back(stream.drawn()[i]->image);
+      return true;
+    };
+    if (sound != nullptr) {
+      if (!draw_until(test_.seeds)) return std::nullopt;
+      if (starts_alike(pool.images, sound->images, pool.images.size())) return std::nullopt;
+    }
+    if (!draw_until(count)) return std::nullopt;
+    if (const DrawnImage* failed = stream.failed()) {
+      if (!variant.is_mutant() || failed->result.status == Status::not_started)
+        throw InputError(of.label,
+                         variant.name + ": no image: " + failed->result.detail + "; " + failed->result.command);
+      pool.defective = true;
+    }
     return pool;
   }
 
-  void judge_all(const std::string& label, const StoredReference& reference, const Viewing& viewing, std::size_t v,
-                 const Pool& pool) {
+  void judge_all(const Stream& stream, std::size_t v, const Pool& pool) {
     for (std::size_t g = 0; g < gates_.size(); ++g) {
-      if (stream_label(*gates_[g]) != label) continue;
-      const PoolJudge judge(*gates_[g], reference, viewing, pool.images, pool.defective);
+      if (stream_label(*gates_[g]) != stream.label) continue;
+      const PoolJudge judge(*gates_[g], stream.reference, stream.viewing, pool.images, pool.defective);
       VerdictCounts& counts = test_.counts[v][g];
       const std::size_t runs = found_[v].size(), seeds = static_cast<std::size_t>(gates_[g]->seeds);
       counts.disjoint = static_cast<int>(std::min(runs, pool.images.size() / seeds));
@@ -235,6 +312,8 @@ class SelfTestRun {
 };
 
 }  // namespace
+
+bool can_plant_in_harness() { return can_have_faults; }
 
 SelfTest run_self_test(const GateSuite& suite, const SelfTestOptions& options) {
   return SelfTestRun(suite, options).run();

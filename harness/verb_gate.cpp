@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -34,7 +35,8 @@ struct GateArguments {
   std::uint64_t seed = 1;
   bool resume = false, fresh = false, json = false, report = true, annotations = false;
   bool self_test = false;
-  int runs = 100, pool = 64, other_pool = 16;
+  int runs = 100;
+  std::vector<std::string> pool, other_pool;
   std::string accept, reason;
   std::optional<double> standard_error;
 };
@@ -159,24 +161,42 @@ fs::path faulty_program(const fs::path& program) {
   return faulty;
 }
 
+/// Goes on as the program with faults, which plants them in itself, too, and draws healthy images with this one.
+[[noreturn]] void become(const fs::path& program) {
+  std::ifstream file("/proc/self/cmdline", std::ios::binary);
+  std::vector<std::string> arguments;
+  for (std::string argument; std::getline(file, argument, '\0');) arguments.push_back(argument);
+  std::vector<char*> argv;
+  for (std::string& argument : arguments) argv.push_back(argument.data());
+  argv.push_back(nullptr);
+  unsetenv("PHOTONPROOF_FAULT");
+  execv(program.c_str(), argv.data());
+  throw InputError("--self-test", "cannot start '" + program.string() + "'");
+}
+
 int self_test(const GateArguments& arguments, const GateSuite& suite) {
   SelfTestOptions options;
   options.gates = options_of(arguments, suite);
   options.gates.folder /= "self-test";
   options.faulty = faulty_program(options.gates.program);
+  if (!can_plant_in_harness()) become(options.faulty);
+  options.gates.program = options.gates.program.parent_path() / "photonproof";
   options.runs = arguments.runs;
-  options.pool = arguments.pool;
-  options.other_pool = arguments.other_pool;
+  options.pool = read_pool_sizes("--pool", arguments.pool, options.pool.usual);
+  options.other_pool = read_pool_sizes("--other-pool", arguments.other_pool, options.other_pool.usual);
   options.progress = progress_line(arguments.json);
   const SelfTest test = run_self_test(suite, options);
   if (test.interrupted) {
     std::printf("interrupted; --resume goes on from here\n");
     return 130;
   }
-  const std::string table = self_test_table(
-      suite, test,
-      fmt::format("photonproof gate {} --self-test --runs {} --pool {} --other-pool {} --seed {}", arguments.suite,
-                  arguments.runs, arguments.pool, arguments.other_pool, arguments.seed));
+  std::vector<std::string> command{"photonproof", "gate",   arguments.suite,
+                                   "--self-test", "--runs", std::to_string(arguments.runs)};
+  for (const auto& [option, sizes] : {std::pair{"--pool", &arguments.pool}, {"--other-pool", &arguments.other_pool}})
+    for (const std::string& size : *sizes) command.insert(command.end(), {option, size});
+  if (!arguments.only.empty()) command.insert(command.end(), {"--only", arguments.only});
+  command.insert(command.end(), {"--seed", std::to_string(arguments.seed)});
+  const std::string table = self_test_table(suite, test, shell_line(command));
   write_file_atomically(options.gates.folder / "power.md", table);
   std::printf("%s", table.c_str());
   return self_test_passes(test) ? 0 : 1;
@@ -240,17 +260,19 @@ void add_gate_verb(CLI::App& program, int& exit_code) {
   verb->add_flag(
       "--self-test", arguments->self_test,
       "plant faults and measure, for every gate, how often it finds them and how often it fails without: exit "
-      "code 0 when the suite finds every fault in 99 of 100 runs");
+      "code 0 when the suite finds every fault that changes what it sees in 99 of 100 runs");
   verb->add_option("--runs", arguments->runs, "of the self-test, for each fault; five times as many without")
       ->check(CLI::Range(1, 1'000'000))
       ->capture_default_str();
-  verb->add_option("--pool", arguments->pool, "images that the self-test's runs draw from, a scene, engine and budget")
-      ->check(CLI::Range(2, 1'000'000))
-      ->capture_default_str();
+  verb->add_option("--pool", arguments->pool,
+                   "images that the self-test's runs draw from, a scene, engine and budget (default 64); "
+                   "'photonmapper=16' for those whose gates' names contain that; may be repeated")
+      ->type_name("[NAME=]N")
+      ->allow_extra_args(false);
   verb->add_option("--other-pool", arguments->other_pool,
-                   "the same for each fault, and other conditions, of the engine")
-      ->check(CLI::Range(2, 1'000'000))
-      ->capture_default_str();
+                   "the same for each fault, and other conditions, of the engine (default 16)")
+      ->type_name("[NAME=]N")
+      ->allow_extra_args(false);
   verb->add_option("--accept", arguments->accept,
                    "instead: render the reference of this gate's scene anew and put it in place of the committed one");
   verb->add_option("--reason", arguments->reason, "why, for --accept; kept in the reference's provenance");

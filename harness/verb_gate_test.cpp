@@ -41,6 +41,28 @@ TEST_F(GateVerb, a_right_engine_passes_every_kind_of_gate_at_its_first_look) {
   EXPECT_EQ(images_drawn(), 8);  // shared by all four
 }
 
+// Faults of the harness are planted by photonproof-faulty, which the program becomes.
+TEST_F(GateVerb, self_test_plants_faults_in_itself) {
+  put_reference();
+  const ProcessOutcome outcome = run_gate(gate("good", "agreement", 0.05), {"--self-test", "--runs", "5", "--pool", "8",
+                                                                            "--pool", "good=16", "--other-pool", "8"});
+  const std::string& table = outcome.standard_output;
+  EXPECT_EQ(table.rfind("# What the gates of `fake` find\n", 0), 0u) << table << outcome.standard_error;
+  for (const char* part : {" --self-test --runs 5 --pool 8 --pool good=16 --other-pool 8 --seed 1\n",
+                           "| **upside-down**: engines' images are read upside down | 100 | good/agreement: scene |\n",
+                           "| scene/good/agreement | 16 | 0 |"})
+    EXPECT_NE(table.find(part), std::string::npos) << part << "\n" << table;
+  EXPECT_EQ(get("out/self-test/power.md"), table);
+}
+
+TEST_F(GateVerb, self_test_refuses_a_pool_that_is_none) {
+  put_reference();
+  const ProcessOutcome outcome = run_gate(gate("good", "agreement", 0.05), {"--self-test", "--pool", "good=1"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.standard_error.rfind("--pool: error: is 'good=1', expected a number of images from 2 to", 0), 0u)
+      << outcome.standard_error;
+}
+
 TEST_F(GateVerb, a_dim_place_fails_and_is_named) {
   put_reference();
   const ProcessOutcome outcome = run_gate(gate("dim", "agreement", 0.05), {"--annotations"});

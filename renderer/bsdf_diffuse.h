@@ -3,6 +3,7 @@
 
 #include "renderer/bsdf_sample.h"
 #include "renderer/warp.h"
+#include "scenes/faults.h"
 
 namespace photonproof {
 
@@ -17,7 +18,7 @@ struct DiffuseBsdf {
   }
   F pdf(const Vec3<F>& wo, const Vec3<F>& wi) const { return select(wo.z > 0, cosine_hemisphere_pdf(wi.z), F(0.0f)); }
   BsdfSample<F> sample(const Vec3<F>& wo, const F&, const Vec2<F>& u, TransportMode) const {
-    const Vec3<F> wi = square_to_cosine_hemisphere(u);
+    const Vec3<F> wi = has_fault(Fault::uniform_diffuse) ? square_to_cone(u, F(1.0f)) : square_to_cosine_hemisphere(u);
     return {wi, reflectance, cosine_hemisphere_pdf(wi.z), F(1.0f), as_mask<F>(false), wo.z > 0 && wi.z > 0};
   }
 };

@@ -5,6 +5,7 @@
 
 #include "renderer/bsdf_sample.h"
 #include "renderer/fresnel.h"
+#include "scenes/faults.h"
 
 namespace photonproof {
 
@@ -33,7 +34,7 @@ struct ThinDielectricBsdf {
  private:
   F reflected_share(const Vec3<F>& wo) const {
     const F once = fresnel_dielectric(lane_abs(wo.z), eta).reflectance;
-    return 2 * once / (1 + once);
+    return has_fault(Fault::single_reflection) ? once : F(2 * once / (1 + once));
   }
 };
 

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "renderer/reconstruction_filter.h"
+#include "scenes/faults.h"
 
 namespace photonproof {
 namespace {
@@ -12,7 +13,7 @@ namespace {
 /// Half-angle tangents along x and y for a full angle given along `axis`.
 Vec2<double> half_tangents(const PerspectiveDescription& camera, double width, double height) {
   const double tangent = std::tan(camera.fov_degrees * std::numbers::pi / 360);
-  FovAxis axis = camera.fov_axis;
+  FovAxis axis = has_fault(Fault::fov_axis) ? FovAxis::y : camera.fov_axis;
   if (axis == FovAxis::smaller) axis = width < height ? FovAxis::x : FovAxis::y;
   if (axis == FovAxis::larger) axis = width < height ? FovAxis::y : FovAxis::x;
   switch (axis) {

@@ -3,6 +3,7 @@
 #include <cstddef>
 
 #include "renderer/interface_tables.h"
+#include "scenes/faults.h"
 
 namespace photonproof {
 namespace {
@@ -21,7 +22,8 @@ class Compiler {
   Bsdf operator()(const NullDescription&) { return NullBsdf<float>{}; }
   Bsdf operator()(const DielectricDescription& d) {
     using Record = DielectricBsdf<float>;
-    return Record{ratio(d.int_ior, d.ext_ior), colour(d.specular_reflectance, offsetof(Record, reflectance)),
+    return Record{has_fault(Fault::swapped_ior) ? ratio(d.ext_ior, d.int_ior) : ratio(d.int_ior, d.ext_ior),
+                  colour(d.specular_reflectance, offsetof(Record, reflectance)),
                   colour(d.specular_transmittance, offsetof(Record, transmittance))};
   }
   Bsdf operator()(const ThinDielectricDescription& d) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "scenes/faults.h"
+
 namespace photonproof {
 namespace {
 
@@ -98,7 +100,7 @@ struct Compiler {
   }
 
   Light operator()(const SpotLightDescription& d) const {
-    constexpr double radians = std::numbers::pi / 180;
+    const double radians = std::numbers::pi / (has_fault(Fault::spot_angle) ? 360 : 180);
     const SpotLight<float> spot = spot_light(Vec3f(d.to_world.point({0, 0, 0}) + moved), axis(d.to_world, {0, 0, 1}),
                                              Rgb(d.intensity), d.beam_degrees * radians, d.cutoff_degrees * radians);
     if (!d.texture) return spot;
@@ -118,7 +120,8 @@ struct Compiler {
     if (image.width < 2 || image.height < 3) throw InputError(where, "an envmap needs at least 2x3 pixels");
     if (!std::all_of(image.rgb.begin(), image.rgb.end(), [](float v) { return std::isfinite(v) && v >= 0; }))
       throw InputError(where, "the envmap's pixels must be finite and not negative");
-    return sky(EnvmapSky(image, static_cast<float>(d.scale), d.to_world));
+    return sky(EnvmapSky(image, static_cast<float>(d.scale),
+                         has_fault(Fault::turned_sky) ? *d.to_world.inverse() : d.to_world));
   }
 
   Light operator()(const SunSkyDescription& d) const {

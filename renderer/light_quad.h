@@ -5,6 +5,7 @@
 #include "renderer/light_near.h"
 #include "renderer/light_sample.h"
 #include "renderer/warp.h"
+#include "scenes/faults.h"
 
 namespace photonproof {
 
@@ -16,7 +17,7 @@ struct QuadLight {
   Vec3<F> radiance;  ///< W m^-2 sr^-1
 
   LightSample<F> sample(const Vec3<F>& p, const Vec2<F>& u) const {
-    const Vec3<F> p_light = at(u);
+    const Vec3<F> p_light = at(has_fault(Fault::part_of_lamp) ? Vec2<F>{F(u.x * 0.9f), u.y} : u);
     const Vec3<F> d = p_light - p;
     const F distance2 = dot(d, d);
     const Vec3<F> wi = d * (1 / lane_sqrt(distance2));

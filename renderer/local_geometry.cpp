@@ -4,6 +4,7 @@
 
 #include "renderer/face_normal.h"
 #include "renderer/warp.h"
+#include "scenes/faults.h"
 
 namespace photonproof {
 namespace {
@@ -75,7 +76,7 @@ LocalGeometry on_mesh(const Mesh& mesh, std::uint32_t triangle, const Vec3f& p, 
       local.dp_dv = (edge_v * du.x - edge_u * du.y) / area;
     }
   }
-  if (!mesh.normals.empty()) {
+  if (!mesh.normals.empty() && !has_fault(Fault::flat_normals)) {
     const Vec3f n = mesh.normals[corners[0]] * b0 + mesh.normals[corners[1]] * b1 + mesh.normals[corners[2]] * b2;
     const float norm = length(n);
     if (norm > 0) local.normal = n * (side / norm);

@@ -1,16 +1,17 @@
 #include "renderer/medium.h"
 
 #include "renderer/ray.h"
+#include "scenes/faults.h"
 
 namespace photonproof {
 namespace {
 
 Medium compile(const HomogeneousDescription& d) {
   Medium medium;
-  medium.sigma_t = Rgb(d.sigma_t * d.scale);
+  medium.sigma_t = Rgb(d.sigma_t * (has_fault(Fault::thin_medium) ? 0.9 * d.scale : d.scale));
   medium.albedo = Rgb(d.albedo);
   if (const auto* phase = std::get_if<HenyeyGreensteinDescription>(&d.phase))
-    medium.phase.g = static_cast<float>(phase->g);
+    medium.phase.g = static_cast<float>(has_fault(Fault::backward_phase) ? -phase->g : phase->g);
   medium.scatters = max_component(medium.sigma_t * medium.albedo) > 0;
   return medium;
 }

@@ -14,7 +14,6 @@
 #include <limits>
 #include <optional>
 
-#include "renderer/faults.h"
 #include "renderer/look_up_area.h"
 #include "renderer/photon_map.h"
 #include "renderer/photon_radius.h"
@@ -24,6 +23,7 @@
 #include "renderer/render_loop.h"
 #include "renderer/scratch_pool.h"
 #include "renderer/tile_film.h"
+#include "scenes/faults.h"
 
 namespace photonproof {
 namespace {
@@ -81,6 +81,7 @@ std::uint64_t add_photons(const MapState& state, const LookUpAreas& areas, const
                           const std::vector<GatherPoint>& points, std::vector<float>& radiance) {
   if (state.map.empty()) return 0;
   if (has_fault(Fault::missing_caustic) && state.kind == PhotonKind::caustic) return 0;
+  const bool is_dim = has_fault(Fault::dim_caustic) && state.kind == PhotonKind::caustic;
   const std::vector<std::uint32_t> order = cell_order(state.map, points);
   std::vector<GatheredFlux> flux(points.size());
   const int max_edges = max_depth >= 0 ? max_depth : std::numeric_limits<int>::max();
@@ -97,9 +98,9 @@ std::uint64_t add_photons(const MapState& state, const LookUpAreas& areas, const
     if (flux[i].count == 0) continue;
     found += static_cast<std::uint64_t>(flux[i].count);
     const GatherPoint& point = points[i];
-    const float divisor = areas.divisor(point, state.radius);
+    const float divisor = areas.divisor(point, has_fault(Fault::density_radius) ? 1.1f * state.radius : state.radius);
     if (!(divisor > 0)) continue;
-    const Rgb added = point.weight * flux[i].flux / divisor;
+    const Rgb added = point.weight * flux[i].flux / (is_dim ? divisor / 0.95f : divisor);
     float* out = &radiance[3 * std::size_t{point.path}];
     out[0] += added.x;
     out[1] += added.y;
@@ -130,9 +131,10 @@ void refill(MapState& state, const Scene& scene, const PhotonMapperDescription& 
     const PhaseTimer phase(stats.phases[std::string("photons_") + state.name]);
     const int max_edges = settings.max_depth >= 0 ? settings.max_depth - 1 : -1;
     const std::uint64_t traced = has_fault(Fault::half_photons) ? (count + 1) / 2 : count;
+    const std::uint64_t seed = has_fault(Fault::same_photons) ? 1 : job.seed;
     RayTotals rays;
     photons =
-        trace_photons(scene, {state.kind, state.stream, job.seed, state.counts.emitted, traced, max_edges, state.aimed},
+        trace_photons(scene, {state.kind, state.stream, seed, state.counts.emitted, traced, max_edges, state.aimed},
                       {job.kernels(), job.sampler}, threads, rays);
     state.counts.rays += rays.counts().photon;
   }

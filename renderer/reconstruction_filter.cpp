@@ -2,6 +2,8 @@
 
 #include <numbers>
 
+#include "scenes/faults.h"
+
 namespace photonproof {
 
 FilterKernel::FilterKernel(const ReconstructionFilter& filter) : kind_(filter.kind) {
@@ -63,7 +65,7 @@ FilterView compile_filter(const ReconstructionFilter& filter) {
       const double middle = (low + high) / 2;
       (2 * kernel.half_integral(middle) < share ? low : high) = middle;
     }
-    view.quantiles[i] = static_cast<float>(high);
+    view.quantiles[i] = static_cast<float>(has_fault(Fault::wide_filter) ? 1.2 * high : high);
   }
   return view;
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scenes/faults.h"
+
 namespace photonproof {
 namespace {
 
@@ -42,7 +44,7 @@ Rgb BitmapTexture::texel(int x, int y) const {
 Vec2<float> BitmapTexture::in_texels(const Vec2<float>& uv) const {
   const Vec2<float> at = to_uv_.apply(uv);
   return {reduced(at.x, wrap_) * static_cast<float>(image_->width),
-          reduced(at.y, wrap_) * static_cast<float>(image_->height)};
+          reduced(has_fault(Fault::flipped_v) ? 1 - at.y : at.y, wrap_) * static_cast<float>(image_->height)};
 }
 
 BitmapTexture::Corners BitmapTexture::corners(const Vec2<float>& uv) const {

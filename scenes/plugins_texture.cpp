@@ -1,4 +1,5 @@
 // Mitsuba 3's bitmap and checkerboard; defaults are its.
+#include "scenes/faults.h"
 #include "scenes/plugins.h"
 
 namespace photonproof::scene_xml {
@@ -29,7 +30,8 @@ Pattern build_bitmap(Params& params) {
   bitmap.filter = filter_of(params);
   bitmap.wrap = wrap_of(params);
   bitmap.to_uv = params.transform("to_uv");
-  const auto loaded = params.objects().files().image(params.value_of("filename"), bitmap.raw);
+  const auto loaded =
+      params.objects().files().image(params.value_of("filename"), bitmap.raw || has_fault(Fault::raw_srgb));
   bitmap.filename = loaded.name;
   bitmap.image = loaded.content;
   return bitmap;

@@ -1,11 +1,11 @@
 // Next-event estimation for a pack: one light, one point of it, one shadow ray a lane.
 #pragma once
 
-#include "renderer/faults.h"
 #include "renderer/kernels/lights.h"
 #include "renderer/kernels/rays.h"
 #include "renderer/ray_counts.h"
 #include "renderer/warp.h"
+#include "scenes/faults.h"
 
 namespace photonproof {
 

@@ -5,12 +5,12 @@
 // mapper's camera paths are the same up to their first Lambertian surface, where they leave a gather point instead.
 #pragma once
 
-#include "renderer/faults.h"
 #include "renderer/kernels/any_bsdf.h"
 #include "renderer/kernels/batch_kernel.h"
 #include "renderer/kernels/camera_rays.h"
 #include "renderer/kernels/direct_light.h"
 #include "renderer/roulette.h"
+#include "scenes/faults.h"
 
 namespace photonproof {
 
@@ -141,7 +141,7 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, TransportMode::r
     const Mask<F> shared = shines && s.bsdf_pdf > 0;  // next-event estimation could have found it too
     if (!task_.settings.meet_lights)
       weight = select(shared, F(0.0f), F(1.0f));
-    else if (task_.settings.weighted && any(shared))
+    else if (task_.settings.weighted && any(shared) && !has_fault(Fault::unweighted_hits))
       weight =
           select(shared, mis_weight(s.bsdf_pdf, direct_light_pdf<F>(scene_, light, shared, s.origin, hit)), F(1.0f));
     if constexpr (can_have_faults)
@@ -190,7 +190,7 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, TransportMode::r
     if (!any(mortal)) return alive;
     const F weight = max_component(s.throughput) * s.refraction_scale;
     const F q = survival_probability<F>(weight, U(s.vertex + 1u), task_.settings.rr_depth);
-    s.throughput *= select(mortal, 1 / q, F(1.0f));
+    s.throughput *= select(mortal, has_fault(Fault::unpaid_roulette) ? F(1.0f) : F(1 / q), F(1.0f));
     return alive && (!mortal || draw_independent<F>(s.key, s.index, U(dimension + 4u)) < q);
   }
 
