@@ -97,9 +97,6 @@ std::vector<Variant> all_variants() {
   renderer({"photonmapper"}, "density-radius",
            "photons are divided by the area of a radius 10 % larger than they are looked for in");
   renderer({"photonmapper"}, "same-photons", "photons do not heed the seed");
-  variants.back().not_promised =
-      "what one set of photons is off by is within the bounds of gates on biased engines, which are not asked for "
-      "noise";
   renderer(with_kernels, "same-samples", "samples of paths from the camera do not heed the seed");
   renderer({}, "wide-filter", "samples spread 20 % wider than the reconstruction filter says");
   renderer({}, "flipped-v", "bitmaps are read upside down");

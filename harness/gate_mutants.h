@@ -24,9 +24,6 @@ struct Variant {
   std::vector<std::string> further{};  ///< arguments after the engine's own
   int threads = 0;                     ///< of the engine; 0: the suite's
 
-  /// Why gates do not promise to find it; empty: they do.
-  std::string not_promised{};
-
   bool is_mutant() const { return planted != PlantedIn::nothing; }
   bool is_fault_of_harness() const { return planted == PlantedIn::drawing || planted == PlantedIn::judging; }
   /// Variants whose images come out of the engine as they do without them share those.

@@ -79,6 +79,7 @@ class SelfTestRun {
         copies_(options.gates.folder),
         host_(describe_host()) {
     for (const Variant& variant : gate_variants()) test_.variants.push_back(variant);
+    test_.unpromised = suite.unpromised;
     gates_ = gates_named(suite, options.gates.only);
     for (const Gate* gate : gates_) {
       test_.gates.push_back(gate->name);

@@ -84,7 +84,8 @@ TEST_F(GateSelfTest, passes_when_all_that_changes_an_image_is_found) {
   const std::size_t noise = number_of(test, "certain-noise"), hole = number_of(test, "hole");
   test.any[noise].fail = test.any[noise].runs;
   EXPECT_TRUE(self_test_passes(test));
-  EXPECT_NE(self_test_table(suite_, test, "").find("What gates promise to find is found"), std::string::npos);
+  EXPECT_NE(self_test_table(suite_, test, "").find("All else that changes an image of this suite is found"),
+            std::string::npos);
   test.any[hole].fail = 19;  // of 20
   EXPECT_FALSE(self_test_passes(test));
   EXPECT_NE(self_test_table(suite_, test, "").find("Not found in 99 of 100 runs: hole.\n"), std::string::npos);
@@ -92,11 +93,25 @@ TEST_F(GateSelfTest, passes_when_all_that_changes_an_image_is_found) {
   EXPECT_TRUE(self_test_passes(test));
   const std::size_t photons = number_of(test, "same-photons");
   test.any[photons] = {.runs = 20, .fail = 1};
+  EXPECT_FALSE(self_test_passes(test));
+  test.unpromised = {{"same-photons", "they are few"}};
   EXPECT_TRUE(self_test_passes(test));
-  EXPECT_NE(self_test_table(suite_, test, "").find("Not promised is same-photons, found in 5 % of the runs: "),
+  EXPECT_NE(self_test_table(suite_, test, "")
+                .find("The suite does not promise to find same-photons, found in 5 % of the runs: they are few.\n"),
             std::string::npos);
   test.counts[number_of(test, "other seeds")][0].fail = 100;
   EXPECT_FALSE(self_test_passes(test));
+}
+
+TEST_F(GateSelfTest, what_a_suite_does_not_promise_is_one_of_what_is_planted) {
+  put("gates.toml", gates_text("[[unpromised]]\nplanted = 'hole'\nwhy = 'it is small'\n" + gate("good", "flip", 0.9)));
+  const GateSuite suite = read_gate_suite(folder_ / "gates.toml");
+  ASSERT_EQ(suite.unpromised.size(), 1u);
+  EXPECT_EQ(suite.unpromised[0].planted, "hole");
+  EXPECT_EQ(suite.unpromised[0].why, "it is small");
+  put("gates.toml", gates_text("[[unpromised]]\nplanted = 'holes'\nwhy = 'x'\n" + gate("good", "flip", 0.9)));
+  EXPECT_NE(input_error_of([&] { read_gate_suite(folder_ / "gates.toml"); }).find("unknown planted fault 'holes'"),
+            std::string::npos);
 }
 
 TEST_F(GateSelfTest, where_a_first_look_is_unchanged_no_more_is_drawn) {

@@ -2,6 +2,7 @@
 
 #include "harness/engine_command.h"
 #include "harness/gate_look.h"
+#include "harness/gate_mutants.h"
 #include "harness/metric_rows.h"
 #include "harness/suite_rows.h"
 #include "scenes/atomic_file.h"
@@ -94,6 +95,21 @@ void add_gates(const TomlTable& table, GateSuite& suite, const Gate& defaults) {
   table.expect_no_other_keys();
 }
 
+struct MutantName {
+  std::string name;
+};
+
+Unpromised unpromised_from_toml(const TomlTable& table) {
+  Unpromised row{table.string("planted"), table.string("why")};
+  std::vector<MutantName> known;
+  for (const Variant& variant : gate_variants())
+    if (variant.is_mutant()) known.push_back({variant.name});
+  if (find_named(known, row.planted) == nullptr)
+    throw table.error("planted", unknown_name("planted fault", row.planted, known));
+  table.expect_no_other_keys();
+  return row;
+}
+
 }  // namespace
 
 std::vector<const Gate*> gates_named(const GateSuite& suite, const std::string& part) {
@@ -129,6 +145,7 @@ GateSuite read_gate_suite(const std::filesystem::path& file) {
     table.expect_no_other_keys();
   }
   for (const TomlTable& table : document.tables("gate")) add_gates(table, suite, defaults);
+  for (const TomlTable& table : document.tables("unpromised")) suite.unpromised.push_back(unpromised_from_toml(table));
   document.expect_no_other_keys();
   if (suite.gates.empty()) throw document.error("the suite has no [[gate]]");
   return suite;

@@ -24,9 +24,16 @@ struct Gate {
   bool unbiased = true;    ///< its engine's trust: images whose noise averages out
 };
 
+/// What --self-test plants and no gate of the suite has to find, though it changes images of the suite.
+struct Unpromised {
+  std::string planted;  ///< name of a mutant (gate_mutants.h)
+  std::string why;      ///< clause, without a full stop
+};
+
 /// Its scenes are without SuiteScene::reference.
 struct GateSuite : SuiteCommon {
   std::vector<Gate> gates;
+  std::vector<Unpromised> unpromised;
 };
 
 inline constexpr const char* agreement_metric = "agreement";

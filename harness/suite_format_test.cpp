@@ -117,6 +117,9 @@ engine = 'path'
 budget = 'spp=1'
 metric = 'agreement'
 bound = 0.5
+[[unpromised]]
+planted = 'hole'
+why = 'w'
 )toml";
 
 // A key that a reader takes and the page does not have, or the other way round, fails here.
@@ -135,9 +138,10 @@ TEST_F(SuiteFormat, every_key_that_is_read_is_in_the_page_and_no_other) {
   for (const Part& part : {Part{"Keys of the file", "name = 'n'\n"},
                            {"`[limits]`", "seconds = 1\n"},
                            {"`[[scene]]`", "exposure = 0\n"},
-                           {"`[[gate]]`", "bound = 0.5\n"}})
+                           {"`[[gate]]`", "bound = 0.5\n"},
+                           {"`[[unpromised]]`", "why = 'w'\n"}})
     add(part.heading, keys_of_message(with_unknown(gate_text, part.after), read_gate_suite));
-  ASSERT_EQ(read.size(), 7u);
+  ASSERT_EQ(read.size(), 8u);
   for (auto& [heading, keys] : read) {
     std::set<std::string> documented = documented_keys(heading);
     for (const auto& [one, many] : {std::pair{"engine", "engines"}, {"scene", "scenes"}})
@@ -184,8 +188,8 @@ TEST_F(SuiteFormat, the_examples_of_the_page_load) {
             }),
             "no error");
   // A key that every table has in some example, or its table's row would teach by words alone.
-  for (const char* heading :
-       {"Keys of the file", "`[limits]`", "`[bench]`", "`[[engine]]`", "`[[scene]]`", "`[[run]]`", "`[[gate]]`"})
+  for (const char* heading : {"Keys of the file", "`[limits]`", "`[bench]`", "`[[engine]]`", "`[[scene]]`", "`[[run]]`",
+                              "`[[gate]]`", "`[[unpromised]]`"})
     for (const std::string& key : documented_keys(heading))
       EXPECT_TRUE(std::ranges::any_of(examples,
                                       [&](const std::string& example) {
