@@ -187,8 +187,8 @@ TEST_F(GateVerb, images_of_an_accepted_verdict_pass_at_once_and_say_so) {
   EXPECT_EQ(accepted.verdict, GateVerdict::pass);
   EXPECT_EQ(accepted.observed, decided.observed);
   EXPECT_EQ(accepted.would_see, decided.would_see);
-  EXPECT_EQ(accepted.sentence, decided.sentence + "; decided " + accepted.accepted +
-                                   ", and the first 2 images are the same, bit for bit");
+  EXPECT_EQ(accepted.sentence,
+            decided.sentence + "; decided " + accepted.accepted + ", and the first 2 images are the same, bit for bit");
   EXPECT_TRUE(has("out/" + accepted.image));
   const auto json = nlohmann::json::parse(outcome.standard_output);
   EXPECT_EQ(json.at("accepted"), 1);
