@@ -96,8 +96,9 @@ CorrectnessRecord judge_correctness(const Judge& judge, const Engine& engine, co
   }
   std::vector<const Image*> pointers;
   for (const Image& image : images) pointers.push_back(&image);
-  const Judgement judgement = judge_agreement(deviations_of(engine.name, budget, *judge.reference, pointers),
-                                              {right_within, right_within_in_a_block}, correctness_alpha);
+  const Judgement judgement =
+      judge_agreement(deviations_of(engine.trust == Trust::unbiased, budget, *judge.reference, pointers),
+                      {right_within, right_within_in_a_block}, correctness_alpha);
   CorrectnessRecord record;
   record.verdict = !judgement.verdict                        ? Correctness::noisy
                    : *judgement.verdict == GateVerdict::pass ? Correctness::right

@@ -8,8 +8,7 @@
 //   pixels). How much these expectations are worth is measured, too, a block or a channel at a time.
 // - What is left of not knowing is in the degrees of freedom of Student's t.
 // - A pixel's mean of a few skewed images is skewed, and its upper tail longer than normal's: it is taken as that of
-// the
-//   Gamma distribution with the skewness that the block's pixels show together.
+//   the Gamma distribution with the skewness that the block's pixels show together.
 // - The whole image's variance has no neighbours: it has the degrees of freedom of the images' number.
 // - A committed reference is rounded to half floats at random (reference/half_rounding.h). Its variance knows that, but
 //   a value that goes up once in a thousand is no normal one: each pixel of the reference is taken to be as uncertain
@@ -55,7 +54,8 @@ struct Deviations {
 struct KnownNoise {
   double reference_freedom = 1;  ///< degrees of freedom of the reference's variance
   /// Of each pixel of one image: no less than this counts. It helps where images are too few to have met rare bright
-  /// samples that the reference has met.
+  /// samples that the reference has met: a lamp smaller than a pixel, met by half of the images, is met by none of
+  /// eight in one gate of 256.
   const Image* least_variance = nullptr;
   /// A pixel of one image. Stratified samples fall on the two sides of an edge in the same numbers in nearly every
   /// image, and not in the expected ones: a pixel alone may be off by one sample of the contrast around it.

@@ -17,12 +17,12 @@
 namespace photonproof {
 namespace {
 
-/// The least variance of a pixel of one image, from the reference, where that is the same integrator's: its batches
-/// had at least as many samples, of which each counts for no less in a small image than in a large one. Without what
-/// rounding to half floats added at most (reference/half_rounding.h).
-std::optional<Image> least_variance(const std::string& engine, const Budget& budget, const StoredReference& reference) {
+/// The variance of a pixel of one image, from the reference: its batches had at least as many samples, of which each
+/// counts for no less in a small image than in a large one. Without what rounding to half floats added at most
+/// (reference/half_rounding.h). Empty where the reference is not made of samples through pixels.
+std::optional<Image> variance_by_reference(const Budget& budget, const StoredReference& reference) {
   const Provenance& provenance = reference.provenance;
-  if (provenance.estimator != engine || budget.kind != "spp" || provenance.seeds.empty()) return std::nullopt;
+  if (provenance.estimator == "ptracer" || budget.kind != "spp" || provenance.seeds.empty()) return std::nullopt;
   const auto samples = static_cast<double>(provenance.samples);
   if (samples / static_cast<double>(provenance.seeds.size()) < budget.amount) return std::nullopt;
   Image least = *reference.rendering.variance;
@@ -120,10 +120,10 @@ Judgement look_at_metric(const Gate& gate, const StoredReference& reference, con
 
 }  // namespace
 
-Deviations deviations_of(const std::string& engine, const Budget& budget, const StoredReference& reference,
+Deviations deviations_of(bool unbiased, const Budget& budget, const StoredReference& reference,
                          std::span<const Image* const> images) {
   const double freedom = static_cast<double>(std::max<std::size_t>(2, reference.provenance.seeds.size()) - 1);
-  const std::optional<Image> least = least_variance(engine, budget, reference);
+  const std::optional<Image> least = unbiased ? variance_by_reference(budget, reference) : std::nullopt;
   KnownNoise known{.reference_freedom = freedom, .least_variance = least ? &*least : nullptr};
   if (budget.kind == "spp") known.samples = budget.amount;
   return measure_deviations(reference.rendering, images, known);
@@ -135,7 +135,7 @@ Judgement look_at(const Gate& gate, const StoredReference& reference, const View
   if (const auto fault = fault_of_seeds(gate, reference, images, repeats)) return *fault;
   if (is_metric_of_one_image(gate)) return look_at_metric(gate, reference, viewing, images, repeats);
   const double alpha = gate.alpha / gate.looks;
-  const Deviations deviations = deviations_of(gate.engine, gate.budget, reference, images);
+  const Deviations deviations = deviations_of(gate.unbiased, gate.budget, reference, images);
   if (gate.metric == agreement_metric) return judge_agreement(deviations, {gate.bound, gate.block_bound}, alpha);
   return judge_bias(deviations, gate.metric == block_bias_metric, gate.bound, alpha);
 }

@@ -20,8 +20,9 @@ struct Viewing {
 /// As the suite says it, else the scene's expect.toml, which alone may pin hdr_exposures. Throws InputError.
 Viewing viewing_of(const SuiteScene& scene);
 
-/// Of an engine's images of one budget, with what is known of their noise. Images as in deviations.h.
-Deviations deviations_of(const std::string& engine, const Budget& budget, const StoredReference& reference,
+/// Of an engine's images of one budget, with what is known of their noise: that of an unbiased engine is not taken to
+/// be less than the reference's samples had, whoever made them (KnownNoise::least_variance). Images as in deviations.h.
+Deviations deviations_of(bool unbiased, const Budget& budget, const StoredReference& reference,
                          std::span<const Image* const> images);
 
 /// Images as in deviations.h. Those that prove nothing (repeated_images.h) are judged first: one that is the reference

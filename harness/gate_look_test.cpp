@@ -130,6 +130,42 @@ TEST(gate_look, a_gate_on_a_metric_holds_alpha_over_all_its_looks) {
   EXPECT_LE(passed, most_alarms(runs, alpha / 2));
 }
 
+// A lamp smaller than a pixel: of 64 samples 0.6 meet it, so that one pixel in 120 is black of it in all of eight
+// images, and then looks dark and certain. What the reference's samples met says how uncertain it is, whoever made
+// them.
+TEST(gate_look, a_lamp_smaller_than_a_pixel_that_no_image_met_alarms_no_more_often_than_alpha) {
+  constexpr int runs = 2000;
+  constexpr double alpha = 0.001, met = 0.6, light = 0.2, noise = 0.01, batches = 256;
+  const auto has_lamp = [](int x, int y) { return x == 9 && y == 4; };
+  StoredReference stored = reference();
+  stored.provenance.samples = static_cast<std::uint64_t>(batches) * 64;
+  for (int c = 0; c < 3; ++c)
+    stored.rendering.variance->pixel(9, 4)[c] =
+        static_cast<float>(std::pow(expected(9, 4, c), 2) * (met * light * light + noise * noise) / batches);
+  stored.provenance.seeds.resize(static_cast<std::size_t>(batches));
+  Gate one = gate("agreement", 1e-9, alpha, 1);
+  one.budget = {"spp", 64};
+  Random random(11);
+  int alarms = 0;
+  for (int run = 0; run < runs; ++run) {
+    std::vector<Image> images;
+    for (int i = 0; i < 8; ++i) {
+      Image image(width, height);
+      for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+          const double lamp = has_lamp(x, y) ? light * (std::poisson_distribution<int>(met)(random) - met) : 0;
+          for (int c = 0; c < 3; ++c)
+            image.pixel(x, y)[c] =
+                static_cast<float>(expected(x, y, c) * (1 + lamp + noise * std::normal_distribution<double>()(random)));
+        }
+      images.push_back(std::move(image));
+    }
+    if (look_at(one, stored, {}, pointers(images)).verdict == GateVerdict::fail) ++alarms;
+  }
+  std::printf("%d false alarms in %d, alpha %g\n", alarms, runs, alpha);
+  EXPECT_LE(alarms, most_alarms(runs, alpha));
+}
+
 TEST(gate_look, finds_a_fault_in_the_corner_that_is_less_than_a_block) {
   // Columns 16 to 20 and rows 8 to 10 are what is left of a block at the right and lower edge: 15 pixels.
   const StoredReference stored = reference();
