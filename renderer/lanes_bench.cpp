@@ -3,6 +3,8 @@
 
 #include <benchmark/benchmark.h>
 
+#include <string>
+
 #include "renderer/isa.h"
 #include "renderer/sampler.h"
 #include "renderer/test_scenes.h"
@@ -48,7 +50,8 @@ void shade(benchmark::State& state, const decltype(BsdfDescription::model)& mate
   test::add_shape(description, SphereDescription{}, {}, test::add_bsdf(description, material)).flip_normals = true;
   test::set_camera(description, {}, 90, 16);
   const Scene scene(description, 16, 16);
-  const Kernels& kernels = kernels_for("");
+  const std::string best;
+  const Kernels& kernels = kernels_for(best);
   std::vector<std::uint32_t> scratch(kernels.path_scratch);
   std::vector<float> radiance(3 * 16 * 16 * 16);
   std::uint64_t bounces = 0;
