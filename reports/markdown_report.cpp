@@ -113,10 +113,9 @@ class Writer {
     text += "Failing tiles, worst first:\n\n";
     for (const RankedTile& ranked : view_.tiles) {
       const FailingTile& tile = *ranked.tile;
-      text +=
-          fmt::format("1. {}: {} (at {}, {}; {} × {} pixels{})\n", markdown_text(ranked.gate->name),
-                      markdown_text(tile.sentence), tile.x, tile.y, tile.width, tile.height,
-                      beyond_noise(*ranked.gate, tile));
+      text += fmt::format("1. {}: {} (at {}, {}; {} × {} pixels{})\n", markdown_text(ranked.gate->name),
+                          markdown_text(tile.sentence), tile.x, tile.y, tile.width, tile.height,
+                          beyond_noise(*ranked.gate, tile));
     }
     return text + "\n";
   }

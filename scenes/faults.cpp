@@ -7,7 +7,8 @@
 #include <stdexcept>
 #include <utility>
 
-namespace photonproof::inline faulty {
+namespace photonproof {
+inline namespace faulty {
 namespace {
 
 constexpr std::pair<const char*, Fault> names[] = {
@@ -81,4 +82,5 @@ PlantedFault::PlantedFault(const std::string& name) : before_(fault_of_this_prog
 
 PlantedFault::~PlantedFault() { fault_of_this_program = before_; }
 
-}  // namespace photonproof::inline faulty
+}  // namespace faulty
+}  // namespace photonproof
