@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "harness/cells.h"
+#include "harness/repeated_images.h"
 #include "judging_hash.h"
 #include "scenes/checksum.h"
 #include "scenes/input_error.h"
@@ -16,8 +17,9 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string checksum_of(const Image& image) {
+  const std::string_view bytes = bytes_of(image);
   Checksum checksum;
-  checksum.add(image.rgb.data(), image.rgb.size() * sizeof(float));
+  checksum.add(bytes.data(), bytes.size());
   return size_text(image.width, image.height) + " " + checksum.hex();
 }
 
@@ -37,9 +39,9 @@ fs::path file_of(const std::string& key) { return cache_folder() / "verdicts" / 
 }  // namespace
 
 std::string verdict_key(const Gate& gate, const GateSuite& suite, const StoredReference& reference,
-                        const Viewing& viewing, std::span<const DrawnImage* const> first_images) {
+                        const Viewing& viewing, std::span<const std::unique_ptr<DrawnImage>> first_images) {
   std::vector<std::string> images;
-  for (const DrawnImage* drawn : first_images)
+  for (const auto& drawn : first_images)
     images.push_back(std::to_string(drawn->result.cell.seed) + " " + checksum_of(drawn->image));
   return content_key({{"gate", gate.name},
                       {"settings", settings_of(gate)},

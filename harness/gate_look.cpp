@@ -34,14 +34,6 @@ std::optional<Image> variance_by_reference(const Budget& budget, const StoredRef
   return least;
 }
 
-}  // namespace
-
-bool is_metric_of_one_image(const Gate& gate) {
-  return gate.metric != agreement_metric && gate.metric != bias_metric && gate.metric != block_bias_metric;
-}
-
-namespace {
-
 MetricOptions options_for(const Gate& gate, const Viewing& viewing) {
   return {.exposure = viewing.exposure,
           .threads = 1,
@@ -94,7 +86,7 @@ std::optional<Judgement> fault_of_seeds(const Gate& gate, const StoredReference&
                            fmt::format("{} images are {} different ones: the same seeds' noise counts more than once",
                                        repeats.images, repeats.different));
   }
-  if (is_metric_of_one_image(gate)) return std::nullopt;
+  if (!weighs_noise(gate.metric)) return std::nullopt;
   // What is right in the mean draws noise; POV-Ray has none where nothing is random, whatever its seed.
   if (gate.takes_seed && gate.unbiased)
     return without_numbers(GateVerdict::fail, all_the_same(gate, repeats.images) +
@@ -133,7 +125,7 @@ Judgement look_at(const Gate& gate, const StoredReference& reference, const View
                   std::span<const Image* const> images) {
   const Repeats repeats = count_repeats(images);
   if (const auto fault = fault_of_seeds(gate, reference, images, repeats)) return *fault;
-  if (is_metric_of_one_image(gate)) return look_at_metric(gate, reference, viewing, images, repeats);
+  if (!weighs_noise(gate.metric)) return look_at_metric(gate, reference, viewing, images, repeats);
   const double alpha = gate.alpha / gate.looks;
   const Deviations deviations = deviations_of(gate.unbiased, gate.budget, reference, images);
   if (gate.metric == agreement_metric) return judge_agreement(deviations, {gate.bound, gate.block_bound}, alpha);

@@ -32,9 +32,8 @@ Deviations deviations_of(bool unbiased, const Budget& budget, const StoredRefere
 Judgement look_at(const Gate& gate, const StoredReference& reference, const Viewing& viewing,
                   std::span<const Image* const> images);
 
-/// Gates on a metric of `compare` need one number of each image, which need not be computed again at the next look.
-bool is_metric_of_one_image(const Gate& gate);
-/// Throws InputError when the metric is undefined for these images.
+/// Gates that do not weigh noise (gate_metrics.h) need one number of each image, which need not be computed again at
+/// the next look. Throws InputError when the metric is undefined for these images.
 double metric_of(const Gate& gate, const StoredReference& reference, const Viewing& viewing, const Image& image);
 Judgement look_at_values(const Gate& gate, std::span<const double> values);
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 
 #include "harness/accepted_verdicts.h"
 #include "harness/engine_version.h"
@@ -127,7 +128,8 @@ class Run {
     if (!stream.draw(fewest)) return std::nullopt;
     std::string accepted_as;
     if (stream.failed() == nullptr) {
-      accepted_as = key_of_verdict(gate, stream, fewest);
+      accepted_as = verdict_key(gate, suite_, references_.at(gate.scene), viewings_.at(gate.scene),
+                                std::span(stream.drawn()).first(fewest));
       if (const std::optional<Results> kept = options_.fresh ? std::nullopt : find_accepted(accepted_as))
         return as_accepted(*kept, stream, fewest, record);
     }
@@ -146,7 +148,7 @@ class Run {
         count_images(stream, stream.drawn().size(), record);
         return record;
       }
-      for (std::size_t i = images.size(); i < count; ++i) images.push_back(&stream.drawn()[i]->image);
+      images = first_images(stream, count);
       Judgement judgement = look_at(gate, references_.at(gate.scene), viewings_.at(gate.scene), images);
       record.observed = judgement.observed;
       record.sentence = std::move(judgement.sentence);
@@ -167,12 +169,6 @@ class Run {
     return record;
   }
 
-  std::string key_of_verdict(const Gate& gate, const ImageStream& stream, std::size_t images) const {
-    std::vector<const DrawnImage*> first;
-    for (std::size_t i = 0; i < images; ++i) first.push_back(stream.drawn()[i].get());
-    return verdict_key(gate, suite_, references_.at(gate.scene), viewings_.at(gate.scene), first);
-  }
-
   /// The verdict is the kept one's; what it cost, and the pictures, are of the images that were drawn now.
   GateRecord as_accepted(const Results& kept, const ImageStream& stream, std::size_t drawn, const GateRecord& asked) {
     GateRecord record = kept.gates[0];
@@ -183,9 +179,7 @@ class Run {
     record.seconds = 0;
     record.samples = 0;
     count_images(stream, drawn, record);
-    std::vector<const Image*> images;
-    for (std::size_t i = 0; i < drawn; ++i) images.push_back(&stream.drawn()[i]->image);
-    add_pictures(images, stream, record);
+    add_pictures(first_images(stream, drawn), stream, record);
     return record;
   }
 
@@ -204,6 +198,12 @@ class Run {
     record.skipped = stream.drawn().front()->result.skipped;
     store_pictures(mean_of(images), references_.at(record.scene), viewings_.at(record.scene).exposure, options_.folder,
                    record);
+  }
+
+  static std::vector<const Image*> first_images(const ImageStream& stream, std::size_t count) {
+    std::vector<const Image*> images;
+    for (std::size_t i = 0; i < count; ++i) images.push_back(&stream.drawn()[i]->image);
+    return images;
   }
 
   static void count_images(const ImageStream& stream, std::size_t count, GateRecord& record) {

@@ -5,12 +5,12 @@
 #include <numeric>
 #include <random>
 #include <span>
-#include <string_view>
 
 #include "harness/engine_version.h"
 #include "harness/folder_lock.h"
 #include "harness/host.h"
 #include "harness/metrics.h"
+#include "harness/repeated_images.h"
 #include "harness/side_by_side.h"
 #include "scenes/faults.h"
 #include "scenes/input_error.h"
@@ -62,11 +62,8 @@ struct Pool {
 /// Whether the first `count` of both are the same to the bit.
 bool starts_alike(const std::vector<Image>& a, const std::vector<Image>& b, std::size_t count) {
   if (a.size() < count || b.size() < count) return false;
-  const auto bits_of = [](const Image& image) {
-    return std::string_view(reinterpret_cast<const char*>(image.rgb.data()), image.rgb.size() * sizeof(float));
-  };
   for (std::size_t i = 0; i < count; ++i)
-    if (bits_of(a[i]) != bits_of(b[i])) return false;
+    if (bytes_of(a[i]) != bytes_of(b[i])) return false;
   return true;
 }
 
@@ -120,6 +117,7 @@ class SelfTestRun {
     std::string label;
     StoredReference reference;
     Viewing viewing;
+    std::string engine_version;
     std::optional<Pool> healthy{}, with_faulty_kernels{};  ///< once drawn
   };
 
@@ -127,7 +125,9 @@ class SelfTestRun {
     const Gate& first =
         **std::find_if(gates_.begin(), gates_.end(), [&](const Gate* gate) { return stream_label(*gate) == label; });
     const SuiteScene& scene = suite_.scene(first.scene);
-    Stream stream{first, label, load_reference(scene.path, scene.width, scene.height), viewing_of(scene)};
+    const EngineVersion version = ask_version(suite_.engine(first.engine), suite_.folder, options_.gates.program);
+    if (version.problem) throw InputError(first.engine, *version.problem);
+    Stream stream{first, label, load_reference(scene.path, scene.width, scene.height), viewing_of(scene), version.line};
     for (std::size_t v = 0; v < test_.variants.size() && !test_.interrupted; ++v) {
       const Variant& variant = test_.variants[v];
       if (!applies(variant, suite_.engine(first.engine))) continue;
@@ -183,7 +183,6 @@ class SelfTestRun {
   /// Of the `number`-th range of seeds. Empty when interrupted, and where the first look's are those of `sound`.
   std::optional<Pool> draw_pool(const Stream& of, const Variant& variant, std::size_t number, const Pool* sound,
                                 int count) {
-    const Gate& gate = of.gate;
     GateSuite suite = suite_;
     if (variant.threads > 0) suite.limits.threads = variant.threads;
     DrawOptions draw;
@@ -200,10 +199,8 @@ class SelfTestRun {
       draw.fault = variant.name;
       draw.further = kernels_for(of);
     }
-    const EngineVersion version = ask_version(suite.engine(gate.engine), suite.folder, options_.gates.program);
-    if (version.problem) throw InputError(gate.engine, *version.problem);
-    ImageStream stream(suite, gate, {of.reference.provenance.scene_hash, version.line}, of.reference.provenance.seeds,
-                       draw);
+    ImageStream stream(suite, of.gate, {of.reference.provenance.scene_hash, of.engine_version},
+                       of.reference.provenance.seeds, draw);
     Pool pool;
     const auto draw_until = [&](int images) {
       if (!stream.draw(static_cast<std::size_t>(images))) {
@@ -268,7 +265,7 @@ class SelfTestRun {
     PoolJudge(const Gate& gate, const StoredReference& reference, const Viewing& viewing,
               const std::vector<Image>& images, bool defective)
         : gate_(gate), reference_(reference), viewing_(viewing), images_(images), defective_(defective) {
-      if (!defective && is_metric_of_one_image(gate))
+      if (!defective && !weighs_noise(gate.metric))
         for (const Image& image : images) values_.push_back(metric_of(gate, reference, viewing, image));
     }
 

@@ -1,6 +1,6 @@
 // What a self-test found, as a table for people: thresholds are chosen from it.
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <boost/math/distributions/binomial.hpp>
@@ -58,12 +58,6 @@ std::vector<std::string> missed(const SelfTest& test) {
   return names;
 }
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text;
-}
-
 /// "path/agreement", of gates that a suite names by their scene.
 std::string kind_of(const Gate& gate) { return gate.engine + "/" + gate.metric; }
 
@@ -91,12 +85,11 @@ std::string finders(const GateSuite& suite, const SelfTest& test, std::size_t va
   std::vector<std::string> texts;
   for (const Kind& kind : kinds) {
     if (kind.found.empty()) continue;
-    texts.push_back(kind.always == kind.gates && kind.gates > 1 ? fmt::format("all {} {}", kind.gates, kind.name)
-                                                                : kind.name + ": " + joined(kind.found));
+    texts.push_back(kind.always == kind.gates && kind.gates > 1
+                        ? fmt::format("all {} {}", kind.gates, kind.name)
+                        : fmt::format("{}: {}", kind.name, fmt::join(kind.found, ", ")));
   }
-  std::string text;
-  for (const std::string& one : texts) text += (text.empty() ? "" : "; ") + one;
-  return text.empty() ? "–" : text;
+  return texts.empty() ? "–" : fmt::format("{}", fmt::join(texts, "; "));
 }
 
 struct Section {
@@ -147,14 +140,15 @@ std::string conclusion(const SelfTest& test) {
     if (test.variants[v].is_mutant() && test.any[v].runs == 0) unseen.push_back(test.variants[v].name);
   std::string text;
   if (!unseen.empty())
-    text += "Change no image of this suite, which shows nothing that could have them: " + joined(unseen) + ".\n\n";
+    text += fmt::format("Change no image of this suite, which shows nothing that could have them: {}.\n\n",
+                        fmt::join(unseen, ", "));
   for (const Unpromised& row : test.unpromised)
     for (std::size_t v = 0; v < test.variants.size(); ++v)
       if (test.variants[v].name == row.planted && test.any[v].runs > 0)
         text += fmt::format("The suite does not promise to find {}, found in {} % of the runs: {}.\n\n", row.planted,
                             percent(test.any[v]), row.why);
   if (const std::vector<std::string> names = missed(test); !names.empty())
-    text += "Not found in 99 of 100 runs: " + joined(names) + ".\n";
+    text += fmt::format("Not found in 99 of 100 runs: {}.\n", fmt::join(names, ", "));
   if (self_test_passes(test))
     text +=
         "All else that changes an image of this suite is found in at least 99 of 100 runs, and no gate has more false "

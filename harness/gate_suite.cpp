@@ -69,9 +69,7 @@ Gate gate_from_toml(const TomlTable& table, const GateSuite& suite, const Gate& 
   if (gate.metric == agreement_metric && engine.trust == Trust::biased)
     throw table.error("metric", "engine '" + engine.name +
                                     "' has a known error, which agreement would find; bound it by bias or block_bias");
-  const bool relative =
-      gate.metric == agreement_metric || gate.metric == bias_metric || gate.metric == block_bias_metric;
-  gate.bound = relative ? positive(table, "bound", 1) : table.number("bound");
+  gate.bound = weighs_noise(gate.metric) ? positive(table, "bound", 1) : table.number("bound");
   if (gate.metric == agreement_metric)
     gate.block_bound = table.has("block_bound") ? positive(table, "block_bound", 10) : block_over_whole * gate.bound;
   const std::string place = gate.scene + "/" + gate.engine;

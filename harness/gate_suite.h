@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "harness/gate_metrics.h"
 #include "harness/suite.h"
 
 namespace photonproof {
@@ -35,10 +36,6 @@ struct GateSuite : SuiteCommon {
   std::vector<Gate> gates;
   std::vector<Unpromised> unpromised;
 };
-
-inline constexpr const char* agreement_metric = "agreement";
-inline constexpr const char* bias_metric = "bias";
-inline constexpr const char* block_bias_metric = "block_bias";
 
 /// The gates whose names contain `part`. Throws InputError about --only when there are none.
 std::vector<const Gate*> gates_named(const GateSuite& suite, const std::string& part);

@@ -11,11 +11,11 @@ namespace {
 
 constexpr int half_bits = 10;  // after the leading one
 
+}  // namespace
+
 std::string_view bytes_of(const Image& image) {
   return {reinterpret_cast<const char*>(image.rgb.data()), image.rgb.size() * sizeof(float)};
 }
-
-}  // namespace
 
 bool has_noise(const Rendering& reference) {
   for (std::size_t i = 0; i < reference.mean.rgb.size(); ++i)

@@ -4,10 +4,14 @@
 
 #include <cstddef>
 #include <span>
+#include <string_view>
 
 #include "scenes/image.h"
 
 namespace photonproof {
+
+/// The pixels, for a comparison bit for bit; they live as long as the image.
+std::string_view bytes_of(const Image& image);
 
 /// Whether the reference says of any value that noise had a part in it: more than rounding to half floats, which adds
 /// (2^-11 value)^2 at most. Without, equal images are what any right engine gives.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "harness/gate_metrics.h"
 #include "reports/numbers.h"
 #include "reports/verdicts.h"
 #include "reports/view.h"
@@ -66,7 +67,7 @@ PlainTable gates_table(const std::vector<const GateRecord*>& gates) {
 }
 
 std::string beyond_noise(const GateRecord& gate, const FailingTile& tile) {
-  if (gate.metric != "agreement" && !gate.metric.ends_with("bias")) return "";
+  if (!weighs_noise(gate.metric)) return "";
   return ", " + significant(tile.score) + " standard errors beyond noise";
 }
 

@@ -2,8 +2,9 @@
 # A CI job in plain shell, for any service: installs what is missing (Debian or Ubuntu), builds unless it is built, gates.
 #   harness/ci/gate.sh [SUITE.toml [FOLDER [gate options]]]    default: harness/suites/gates.toml, out/gate
 # FOLDER receives results.json, report.html and junit.xml. Ends as `photonproof gate` does: 0 pass, 1 fail,
-# 2 usage or configuration, 3 inconclusive. Passes are kept in ~/.cache/photonproof/verdicts (or $PHOTONPROOF_CACHE/verdicts):
-# where that folder outlives the job, gates whose images have not changed pass at once. To let an inconclusive run pass: harness/ci/gate.sh ... || [ $? -eq 3 ]
+# 2 usage or configuration, 3 inconclusive. To let an inconclusive run pass: harness/ci/gate.sh ... || [ $? -eq 3 ]
+# Passes are kept in ~/.cache/photonproof/verdicts (or $PHOTONPROOF_CACHE/verdicts): where that folder outlives the job,
+# gates whose images have not changed pass at once.
 set -euo pipefail
 here=$(cd "$(dirname "$0")/../.." && pwd)
 program=${PHOTONPROOF_PROGRAM:-$here/build/release/bin/photonproof}
