@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "harness/cells.h"
@@ -37,6 +38,12 @@ std::string exposures_of(const Viewing& viewing) {
 fs::path file_of(const std::string& key) { return cache_folder() / "verdicts" / (key + ".json"); }
 
 }  // namespace
+
+std::size_t images_to_accept(const GateSuite& suite, const Gate& gate) {
+  const auto first = std::ranges::find(suite.gates, gate.engine, &Gate::engine);
+  const bool shows_that_seeds_count = first != suite.gates.end() && stream_label(*first) == stream_label(gate);
+  return static_cast<std::size_t>(std::min(shows_that_seeds_count ? 2 : 1, gate.seeds));
+}
 
 std::string verdict_key(const Gate& gate, const GateSuite& suite, const StoredReference& reference,
                         const Viewing& viewing, std::span<const std::unique_ptr<DrawnImage>> first_images) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <iterator>
+#include <mutex>
 
 #include "harness/cell_command.h"
 #include "harness/cells.h"
@@ -59,25 +61,52 @@ std::uint64_t ImageStream::next_seed() {
 }
 
 bool ImageStream::draw(std::size_t count) {
-  if (drawn_.size() >= count || failed() != nullptr) return true;
-  std::vector<std::uint64_t> seeds;
-  for (std::size_t i = drawn_.size(); i < count; ++i) seeds.push_back(next_seed());
-  std::vector<std::unique_ptr<DrawnImage>> fresh(seeds.size());
-  std::atomic<bool> stop = false;
-  side_by_side(seeds.size(), options_.processes, [&](std::size_t i) {
-    if (stop) return;
-    fresh[i] = draw_one(seeds[i]);
-    if (!fresh[i] || fresh[i]->result.status != Status::ok) stop = true;
-  });
-  for (auto& drawn : fresh) {
-    if (drawn == nullptr) break;
-    drawn_.push_back(std::move(drawn));
-  }
-  if (drawn_.size() >= count) return true;
+  const StreamDemand demand{this, count};
+  return draw_streams({&demand, 1}, options_.processes);
+}
+
+bool ImageStream::append(std::span<std::unique_ptr<DrawnImage>> fresh) {
+  const auto gap = std::find(fresh.begin(), fresh.end(), nullptr);
+  std::move(fresh.begin(), gap, std::back_inserter(drawn_));
+  if (gap == fresh.end()) return true;
   // Those after a gap are lost; the failure itself must not be.
-  for (auto& drawn : fresh)
+  for (auto& drawn : std::span(gap, fresh.end()))
     if (drawn != nullptr && drawn->result.status != Status::ok) drawn_.push_back(std::move(drawn));
   return failed() != nullptr;
+}
+
+bool draw_streams(std::span<const StreamDemand> demands, int processes,
+                  const std::function<void(std::size_t done, std::size_t total)>& progress) {
+  struct Task {
+    std::size_t demand;
+    std::uint64_t seed;
+  };
+  std::vector<Task> tasks;
+  for (std::size_t d = 0; d < demands.size(); ++d) {
+    ImageStream& stream = *demands[d].stream;
+    if (stream.failed() != nullptr) continue;
+    for (std::size_t i = stream.drawn_.size(); i < demands[d].count; ++i) tasks.push_back({d, stream.next_seed()});
+  }
+  std::vector<std::unique_ptr<DrawnImage>> fresh(tasks.size());
+  std::vector<std::atomic<bool>> stopped(demands.size());
+  std::mutex reporting;
+  std::size_t done = 0;
+  side_by_side(tasks.size(), processes, [&](std::size_t i) {
+    const auto [demand, seed] = tasks[i];
+    if (stopped[demand]) return;
+    fresh[i] = demands[demand].stream->draw_one(seed);
+    if (!fresh[i] || fresh[i]->result.status != Status::ok) stopped[demand] = true;
+    if (!progress) return;
+    const std::lock_guard lock(reporting);
+    progress(++done, tasks.size());
+  });
+  bool complete = true;
+  for (std::size_t begin = 0, end = 0; begin < tasks.size(); begin = end) {
+    const std::size_t demand = tasks[begin].demand;
+    while (end < tasks.size() && tasks[end].demand == demand) ++end;
+    if (!demands[demand].stream->append(std::span(fresh).subspan(begin, end - begin))) complete = false;
+  }
+  return complete;
 }
 
 std::unique_ptr<DrawnImage> ImageStream::draw_one(std::uint64_t seed) const {

@@ -4,8 +4,10 @@
 
 #include <atomic>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -40,6 +42,20 @@ struct StreamContent {
   std::string scene_hash, engine_version;
 };
 
+class ImageStream;
+
+/// What a stream is asked for.
+struct StreamDemand {
+  ImageStream* stream = nullptr;
+  std::size_t count = 0;
+};
+
+/// Draws until every stream has its `count`, or one image that is not ok: it is the stream's last, then. The images of
+/// all streams are drawn `processes` at a time; `progress` is called after each, from one thread at a time. False when
+/// interrupted.
+bool draw_streams(std::span<const StreamDemand> demands, int processes,
+                  const std::function<void(std::size_t done, std::size_t total)>& progress = {});
+
 /// The images of one stream, drawn when they are asked for.
 class ImageStream {
  public:
@@ -47,7 +63,7 @@ class ImageStream {
   ImageStream(const GateSuite& suite, const Gate& gate, StreamContent content, std::vector<std::uint64_t> avoided,
               const DrawOptions& options);
 
-  /// Draws until there are `count`, or one is not ok: it is the last, then. False when interrupted.
+  /// draw_streams of this one.
   bool draw(std::size_t count);
 
   const std::vector<std::unique_ptr<DrawnImage>>& drawn() const { return drawn_; }
@@ -55,8 +71,12 @@ class ImageStream {
   const DrawnImage* failed() const;
 
  private:
+  friend bool draw_streams(std::span<const StreamDemand>, int, const std::function<void(std::size_t, std::size_t)>&);
+
   std::unique_ptr<DrawnImage> draw_one(std::uint64_t seed) const;
   std::uint64_t next_seed();
+  /// False when images are missing and none says why: interrupted.
+  bool append(std::span<std::unique_ptr<DrawnImage>> fresh);
 
   const GateSuite& suite_;
   const SuiteScene& scene_;

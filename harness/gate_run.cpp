@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <ranges>
 #include <span>
 
 #include "harness/accepted_verdicts.h"
@@ -43,6 +44,7 @@ class Run {
   GateSummary run() {
     const std::vector<const Gate*> chosen = gates_named(suite_, options_.only);
     begin_record(chosen);
+    summary_.interrupted = !draw_first_images(chosen);
     for (std::size_t i = 0; i < chosen.size() && !summary_.interrupted; ++i) {
       const std::optional<GateRecord> record = decide(i + 1, chosen.size(), *chosen[i]);
       if (!record) {
@@ -106,6 +108,19 @@ class Run {
         .first->second;
   }
 
+  /// What tells whether a verdict was accepted before; false when interrupted.
+  bool draw_first_images(const std::vector<const Gate*>& chosen) {
+    std::map<std::string, StreamDemand> demands;
+    for (const Gate* gate : chosen)
+      if (!versions_.at(gate->engine).problem) {
+        StreamDemand& demand = demands[stream_label(*gate)];
+        demand = {&stream_of(*gate), std::max(demand.count, images_to_accept(suite_, *gate))};
+      }
+    const auto values = std::views::values(demands);
+    return draw_streams(std::vector(values.begin(), values.end()), draw_.processes,
+                        [this](std::size_t drawn, std::size_t total) { observer_.first_images(drawn, total); });
+  }
+
   /// Empty when interrupted.
   std::optional<GateRecord> decide(std::size_t number, std::size_t total, const Gate& gate) {
     GateRecord record;
@@ -124,8 +139,7 @@ class Run {
       return record;
     }
     ImageStream& stream = stream_of(gate);
-    const std::size_t fewest = static_cast<std::size_t>(std::min(images_of_acceptance, gate.seeds));
-    if (!stream.draw(fewest)) return std::nullopt;
+    const std::size_t fewest = images_to_accept(suite_, gate);
     std::string accepted_as;
     if (stream.failed() == nullptr) {
       accepted_as = verdict_key(gate, suite_, references_.at(gate.scene), viewings_.at(gate.scene),
@@ -173,8 +187,8 @@ class Run {
   GateRecord as_accepted(const Results& kept, const ImageStream& stream, std::size_t drawn, const GateRecord& asked) {
     GateRecord record = kept.gates[0];
     record.accepted = kept.created;
-    record.sentence +=
-        fmt::format("; decided {}, and the first {} images are the same, bit for bit", kept.created, drawn);
+    record.sentence += fmt::format("; decided {}, and {} the same, bit for bit", kept.created,
+                                   drawn == 1 ? "the first image is" : fmt::format("the first {} images are", drawn));
     record.command = asked.command;
     record.seconds = 0;
     record.samples = 0;

@@ -74,8 +74,9 @@ class FakeGateTest : public FakeSuiteTest {
     commit_reference(folder_ / "scene.xml", exact, provenance, "");
   }
 
-  static std::string gate(const std::string& engine, const std::string& metric, double bound) {
-    return "[[gate]]\nscene = 'scene'\nengine = '" + engine + "'\nbudget = 'spp=64'\nmetric = '" + metric +
+  static std::string gate(const std::string& engine, const std::string& metric, double bound,
+                          const std::string& budget = "spp=64") {
+    return "[[gate]]\nscene = 'scene'\nengine = '" + engine + "'\nbudget = '" + budget + "'\nmetric = '" + metric +
            "'\nbound = " + std::to_string(bound) + "\n";
   }
 

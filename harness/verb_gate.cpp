@@ -44,6 +44,11 @@ struct GateArguments {
 // On standard error: one line a decided gate; on a terminal also a line that rewrites itself.
 class ProgressLines : public GateObserver {
  public:
+  void first_images(std::size_t drawn, std::size_t total) override {
+    if (!terminal_) return;
+    std::fprintf(stderr, "\r\033[Kfirst images: %zu of %zu", drawn, total);
+    std::fflush(stderr);
+  }
   void looks(std::size_t number, std::size_t total, const Gate& gate, std::size_t images) override {
     if (!terminal_) return;
     std::fprintf(stderr, "\r\033[K[%zu/%zu] %s: %zu images", number, total, gate.name.c_str(), images);
@@ -251,8 +256,8 @@ void add_gate_verb(CLI::App& program, int& exit_code) {
   verb->add_flag("--resume", arguments->resume, "use the images that an interrupted run left in the results folder");
   verb->add_flag(
       "--fresh", arguments->fresh,
-      "judge every gate again, also where two images are those of a pass in the cache (default: it passes at "
-      "once)");
+      "judge every gate again, also where its first images are those of a pass in the cache (default: it passes "
+      "at once)");
   verb->add_flag("--json", arguments->json, "print the verdicts as JSON");
   verb->add_flag("--annotations", arguments->annotations,
                  "print a GitHub annotation for each gate that does not pass (default where GITHUB_ACTIONS is true)");

@@ -230,6 +230,21 @@ TEST_F(GateVerb, what_differs_from_an_accepted_verdict_is_judged_anew) {
   EXPECT_EQ(images_of(gates), 8);
 }
 
+TEST_F(GateVerb, only_the_first_stream_of_an_engine_shows_again_that_seeds_count) {
+  put_reference();
+  const std::string first = gate("good", "agreement", 0.05), coarse = gate("good", "bias", 0.05, "spp=8");
+  EXPECT_EQ(run_gate(first + coarse).exit_code, 0);
+  EXPECT_EQ(images_drawn(), 8 + 8);
+  run_gate(first + coarse);
+  EXPECT_EQ(images_drawn(), 16 + 2 + 1);
+  const auto results = read_results((folder_ / "out/results.json").string());
+  EXPECT_TRUE(results.gates.at(0).sentence.ends_with("the first 2 images are the same, bit for bit"));
+  EXPECT_TRUE(results.gates.at(1).sentence.ends_with("the first image is the same, bit for bit"));
+  run_gate(first + coarse, {"--only", "bias"});  // alone it is the same verdict still
+  EXPECT_EQ(images_drawn(), 19 + 1);
+  EXPECT_NE(only_gate().accepted, "");
+}
+
 TEST_F(GateVerb, an_engine_that_no_longer_heeds_its_seed_is_not_taken_for_unchanged) {
   put_reference();
   const std::string gates = gate("good", "agreement", 0.05);
