@@ -44,7 +44,7 @@ class Run {
   GateSummary run() {
     const std::vector<const Gate*> chosen = gates_named(suite_, options_.only);
     begin_record(chosen);
-    summary_.interrupted = !draw_first_images(chosen);
+    summary_.interrupted = !draw_first_looks(chosen);
     for (std::size_t i = 0; i < chosen.size() && !summary_.interrupted; ++i) {
       const std::optional<GateRecord> record = decide(i + 1, chosen.size(), *chosen[i]);
       if (!record) {
@@ -108,17 +108,37 @@ class Run {
         .first->second;
   }
 
-  /// What tells whether a verdict was accepted before; false when interrupted.
-  bool draw_first_images(const std::vector<const Gate*>& chosen) {
+  /// The first images of every gate; of those that no accepted verdict decides, all of the first look. False when
+  /// interrupted.
+  bool draw_first_looks(const std::vector<const Gate*>& chosen) {
+    if (!draw_for(chosen, [this](const Gate& gate) { return images_to_accept(suite_, gate); })) return false;
+    std::vector<const Gate*> open;
+    for (const Gate* gate : chosen) {
+      if (has_no_images(*gate)) continue;
+      Acceptance& acceptance = acceptances_[gate->name];
+      acceptance.key = verdict_key(*gate, suite_, references_.at(gate->scene), viewings_.at(gate->scene),
+                                   std::span(stream_of(*gate).drawn()).first(images_to_accept(suite_, *gate)));
+      if (!options_.fresh) acceptance.kept = find_accepted(acceptance.key);
+      if (!acceptance.kept) open.push_back(gate);
+    }
+    return draw_for(open, [](const Gate& gate) { return static_cast<std::size_t>(gate.seeds); });
+  }
+
+  template <class Count>
+  bool draw_for(const std::vector<const Gate*>& gates, const Count& count_of) {
     std::map<std::string, StreamDemand> demands;
-    for (const Gate* gate : chosen)
+    for (const Gate* gate : gates)
       if (!versions_.at(gate->engine).problem) {
         StreamDemand& demand = demands[stream_label(*gate)];
-        demand = {&stream_of(*gate), std::max(demand.count, images_to_accept(suite_, *gate))};
+        demand = {&stream_of(*gate), std::max(demand.count, count_of(*gate))};
       }
     const auto values = std::views::values(demands);
     return draw_streams(std::vector(values.begin(), values.end()), draw_.processes,
-                        [this](std::size_t drawn, std::size_t total) { observer_.first_images(drawn, total); });
+                        [this](std::size_t drawn, std::size_t total) { observer_.draws(drawn, total); });
+  }
+
+  bool has_no_images(const Gate& gate) {
+    return versions_.at(gate.engine).problem || stream_of(gate).failed() != nullptr;
   }
 
   /// Empty when interrupted.
@@ -139,14 +159,8 @@ class Run {
       return record;
     }
     ImageStream& stream = stream_of(gate);
-    const std::size_t fewest = images_to_accept(suite_, gate);
-    std::string accepted_as;
-    if (stream.failed() == nullptr) {
-      accepted_as = verdict_key(gate, suite_, references_.at(gate.scene), viewings_.at(gate.scene),
-                                std::span(stream.drawn()).first(fewest));
-      if (const std::optional<Results> kept = options_.fresh ? std::nullopt : find_accepted(accepted_as))
-        return as_accepted(*kept, stream, fewest, record);
-    }
+    const Acceptance& acceptance = acceptances_[gate.name];
+    if (acceptance.kept) return as_accepted(*acceptance.kept, stream, images_to_accept(suite_, gate), record);
     std::vector<const Image*> images;
     for (int look = 0; look < gate.looks; ++look) {
       const std::size_t count = static_cast<std::size_t>(gate.seeds) << look;
@@ -179,7 +193,7 @@ class Run {
         regression_only(suite_.engine(gate.engine), references_.at(gate.scene), expectations_.at(gate.scene));
     if (!record.regression_only.empty()) record.sentence += "; regression only: " + record.regression_only;
     add_pictures(images, stream, record);
-    if (record.verdict == GateVerdict::pass) keep(accepted_as, record);
+    if (record.verdict == GateVerdict::pass) keep(acceptance.key, record);
     return record;
   }
 
@@ -228,6 +242,11 @@ class Run {
     }
   }
 
+  struct Acceptance {
+    std::string key;
+    std::optional<Results> kept;
+  };
+
   const GateSuite& suite_;
   const GateOptions& options_;
   GateObserver& observer_;
@@ -240,6 +259,7 @@ class Run {
   std::map<std::string, Viewing> viewings_;
   std::map<std::string, std::optional<Expect>> expectations_;
   std::map<std::string, ImageStream> streams_;
+  std::map<std::string, Acceptance> acceptances_;  ///< by gate, of those whose first images are there
   GateSummary summary_;
 };
 

@@ -27,8 +27,8 @@ struct GateOptions {
 class GateObserver {
  public:
   virtual ~GateObserver() = default;
-  /// Of the images that all gates need, before the first of them is decided. From one thread at a time.
-  virtual void first_images(std::size_t drawn, std::size_t total) = 0;
+  /// Of the images that all gates need for their first look. From one thread at a time.
+  virtual void draws(std::size_t drawn, std::size_t total) = 0;
   virtual void looks(std::size_t number, std::size_t total, const Gate& gate, std::size_t images) = 0;
   virtual void ended(std::size_t number, std::size_t total, const GateRecord& record) = 0;
 };

@@ -44,9 +44,9 @@ struct GateArguments {
 // On standard error: one line a decided gate; on a terminal also a line that rewrites itself.
 class ProgressLines : public GateObserver {
  public:
-  void first_images(std::size_t drawn, std::size_t total) override {
+  void draws(std::size_t drawn, std::size_t total) override {
     if (!terminal_) return;
-    std::fprintf(stderr, "\r\033[Kfirst images: %zu of %zu", drawn, total);
+    std::fprintf(stderr, "\r\033[Kfirst looks: %zu of %zu images", drawn, total);
     std::fflush(stderr);
   }
   void looks(std::size_t number, std::size_t total, const Gate& gate, std::size_t images) override {
