@@ -10,9 +10,9 @@
 #include "harness/suite_rows.h"
 #include "reference/process.h"
 #include "reference/reference_store.h"
-#include "reports/temporary_folder.h"
 #include "scenes/atomic_file.h"
 #include "scenes/input_error.h"
+#include "scenes/scratch_folder.h"
 #include "scenes/size_text.h"
 
 namespace photonproof {
@@ -56,7 +56,7 @@ std::optional<Accepted> accept_reference(const GateSuite& suite, const AcceptOpt
   const SuiteScene& scene = suite.scene(gate->scene);
   const std::optional<StoredReference> old = committed(scene);
 
-  const reports::TemporaryFolder scratch;
+  const ScratchFolder scratch("accept");
   const fs::path exr = scratch.path() / "reference.exr";
   std::vector<std::string> argv{options.program.string(),
                                 "reference",

@@ -68,12 +68,6 @@ const MetricRow* find_metric(const std::string& name) {
   return nullptr;
 }
 
-std::string PixelRegion::text() const {
-  std::string words;
-  for (const int number : {x, y, width, height}) words += (words.empty() ? "" : " ") + std::to_string(number);
-  return words;
-}
-
 std::vector<MetricValue> compute_metrics(const Image& reference, const Image& test, const MetricOptions& options) {
   return finite_values(measure(reference, test, options));
 }

@@ -8,17 +8,12 @@
 #include <vector>
 
 #include "harness/pixel_mask.h"
+#include "harness/pixel_region.h"
 #include "harness/results.h"
 #include "scenes/exposure_range.h"
 #include "scenes/image.h"
 
 namespace photonproof {
-
-/// A part of an image, from its upper left corner.
-struct PixelRegion {
-  int x = 0, y = 0, width = 0, height = 0;
-  std::string text() const;  ///< "x y width height"
-};
 
 struct MetricOptions {
   /// Stops applied before the display encoding of psnr, ssim and flip (scale by 2^exposure, clamp to [0,1], sRGB).

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/metrics.h"
+#include "harness/pixel_region.h"
 #include "scenes/image.h"
 
 namespace photonproof {

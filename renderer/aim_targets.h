@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "renderer/scene_view.h"
+#include "renderer/aim_cone.h"
 #include "renderer/surface.h"
 
 namespace photonproof {

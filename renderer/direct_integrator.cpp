@@ -3,16 +3,11 @@
 
 #include "renderer/direct_integrator.h"
 
-#include <algorithm>
-
+#include "renderer/direct_paths.h"
 #include "renderer/path_integrator.h"
 #include "renderer/plan.h"
 
 namespace photonproof {
-
-std::int64_t paths_a_sample(const DirectDescription& description) {
-  return std::max(description.emitter_samples, description.bsdf_samples);
-}
 
 void render_direct(const Scene& scene, const IntegratorDescription& description, const RenderJob& job, Film& film,
                    RenderStats& stats) {

@@ -5,7 +5,6 @@
 #include <tuple>
 #include <type_traits>
 
-#include "renderer/kernels/aim.h"
 #include "renderer/light_bounds.h"
 
 namespace photonproof {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "renderer/light.h"
-#include "renderer/scene_view.h"
+#include "renderer/light_words.h"
 
 namespace photonproof {
 

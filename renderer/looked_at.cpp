@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "renderer/kernels/camera_rays.h"
+#include "renderer/camera_ray.h"
 
 namespace photonproof {
 

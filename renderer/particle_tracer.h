@@ -1,7 +1,9 @@
 // The `ptracer` integrator: light tracing.
 #pragma once
 
-#include "renderer/integrator.h"
+#include "renderer/film.h"
+#include "renderer/render_job.h"
+#include "renderer/scene.h"
 
 namespace photonproof {
 

@@ -1,8 +1,10 @@
 // The `path` integrator: the project's unbiased reference.
 #pragma once
 
-#include "renderer/integrator.h"
+#include "renderer/film.h"
 #include "renderer/kernels/tasks.h"
+#include "renderer/render_job.h"
+#include "renderer/scene.h"
 
 namespace photonproof {
 

@@ -1,7 +1,9 @@
 // The `photonmapper` integrator: global and caustic photon maps of fixed radius.
 #pragma once
 
-#include "renderer/integrator.h"
+#include "renderer/film.h"
+#include "renderer/render_job.h"
+#include "renderer/scene.h"
 
 namespace photonproof {
 

@@ -4,7 +4,8 @@
 #include <bit>
 
 #include "renderer/aim_targets.h"
-#include "renderer/direct_integrator.h"
+#include "renderer/direct_paths.h"
+#include "renderer/integrator_name.h"
 #include "renderer/scene_facts.h"
 #include "renderer/scene_lights.h"
 

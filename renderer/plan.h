@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "renderer/integrator.h"
+#include "renderer/render_job.h"
+#include "renderer/scene.h"
 #include "renderer/skips.h"
 
 namespace photonproof {

@@ -4,8 +4,8 @@
 #include <atomic>
 #include <cstdint>
 
-#include "renderer/integrator.h"
 #include "renderer/ray_counts.h"
+#include "renderer/render_job.h"
 
 namespace photonproof {
 

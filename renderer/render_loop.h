@@ -22,10 +22,10 @@
 
 #include "renderer/checkpoint.h"
 #include "renderer/film.h"
-#include "renderer/integrator.h"
 #include "renderer/parallel.h"
 #include "renderer/pass_schedule.h"
 #include "renderer/ray_totals.h"
+#include "renderer/render_job.h"
 
 namespace photonproof {
 

@@ -29,7 +29,7 @@
 
 #include "renderer/emission_guide.h"
 #include "renderer/light.h"
-#include "renderer/scene_view.h"
+#include "renderer/light_words.h"
 #include "renderer/surface.h"
 
 namespace photonproof {

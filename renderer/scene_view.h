@@ -4,41 +4,15 @@
 #include <cstdint>
 
 #include "renderer/camera_view.h"
-#include "renderer/ray.h"
+#include "renderer/ray_scene.h"
 #include "renderer/sampler.h"
 
 namespace photonproof {
 
 class SceneLights;
-class Tracer;
+struct AimTarget;
 struct DetailTables;
-
-/// A flat primitive: the plane n.x = k (n unit, on the side that counts as front) and, for a point x of it,
-/// u = edge_u . x + u0, v likewise, which run from 0 to 1 along the edges.
-struct Plate {
-  Vec3f normal;
-  float k = 0;
-  Vec3f edge_u;
-  float u0 = 0;
-  Vec3f edge_v;
-  float v0 = 0;
-  static constexpr std::uint32_t stride = 12;
-};
-
-struct Ball {
-  Vec3f center;
-  float radius = 0;
-  float side = 1;  ///< 1: the normal points outward, -1: to the centre
-  static constexpr std::uint32_t stride = 5;
-};
-
-/// Primitives in one list: parallelograms, then triangles, then spheres; `surface` maps them to surfaces.
-struct SmallSceneView {
-  const Plate* plates = nullptr;
-  const Ball* balls = nullptr;
-  const std::uint32_t* surface = nullptr;
-  std::uint32_t parallelograms = 0, triangles = 0, spheres = 0;
-};
+struct LightWords;
 
 struct SurfaceWords {
   std::uint32_t bsdf_kind, bsdf, light;
@@ -46,33 +20,14 @@ struct SurfaceWords {
   static constexpr std::uint32_t stride = 5;
 };
 
-struct LightWords {
-  std::uint32_t kind;
-  float probability;      ///< of being chosen
-  float alias_threshold;  ///< alias method (Vose 1991): below it the light itself, above it `alias`
-  std::uint32_t alias;
-  std::uint32_t primitive;  ///< of a small scene, which its own shadow rays ignore
-  static constexpr std::uint32_t stride = 5;
-};
-
-/// A ball that holds a specular surface.
-struct AimTarget {
-  Vec3f center;
-  float radius = 0;
-  static constexpr std::uint32_t stride = 4;
-};
-
-struct SceneView {
+struct SceneView : RayScene {
   bool one_light = false;         ///< none is chosen
   bool one_bsdf_kind = false;     ///< lanes need no sorting
   bool dark_shadow_rays = false;  ///< shadow rays are traced even where they can bring no light
-  bool small = false;             ///< `primitives` holds everything, `tracer` is not needed
   bool detailed = false;          ///< hits go through detail_at (surface_detail.h)
   bool bends_normals = false;     ///< shading normals need not be geometric ones
   bool maps_normals = false;      ///< some of them by bump or normal maps
-  SmallSceneView primitives;
   const DetailTables* detail = nullptr;
-  const Tracer* tracer = nullptr;
   const SurfaceWords* surfaces = nullptr;
   const float* bsdfs = nullptr;   ///< BsdfKinds::stride floats each
   const float* lights = nullptr;  ///< LightKinds::stride floats each

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "renderer/scene_view.h"
+#include "renderer/ray_scene.h"
 #include "renderer/surface.h"
 
 namespace photonproof {

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "renderer/film.h"
-#include "renderer/integrator.h"
 #include "renderer/kernels/tasks.h"
 #include "renderer/parallel.h"
+#include "renderer/render_job.h"
 
 namespace photonproof {
 

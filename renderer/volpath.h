@@ -1,7 +1,9 @@
 // The `volpath` integrator: path tracing through participating media and nested dielectrics.
 #pragma once
 
-#include "renderer/integrator.h"
+#include "renderer/film.h"
+#include "renderer/render_job.h"
+#include "renderer/scene.h"
 
 namespace photonproof {
 

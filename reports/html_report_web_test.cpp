@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "reports/browser.h"
 #include "reports/html_report.h"
+#include "reports/test_browser.h"
 
 namespace photonproof {
 namespace {

@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "harness/heatmap_magma.h"
-#include "reports/browser.h"
 #include "reports/html_report.h"
+#include "reports/test_browser.h"
 
 namespace photonproof {
 namespace {

@@ -2,28 +2,11 @@
 //   p(d) = 1/K sum over the K cones that hold d of 1 / (their solid angle)
 #pragma once
 
-#include "renderer/lane.h"
+#include "renderer/aim_cone.h"
 #include "renderer/scene_view.h"
 #include "renderer/warp.h"
 
 namespace photonproof {
-
-template <class F>
-struct AimCone {
-  Vec3<F> axis;     ///< unit
-  F one_minus_cos;  ///< of the half-angle; 2, every direction, from within the ball
-};
-
-template <class F>
-AimCone<F> cone_towards(const Vec3<F>& center, const F& radius, const Vec3<F>& p) {
-  const Vec3<F> to_center = center - p;
-  const F distance2 = dot(to_center, to_center);
-  const F sin2 = radius * radius / distance2;
-  const Mask<F> outside = sin2 < 1;
-  const F narrow = sin2 / (1 + lane_sqrt(lane_max(F(1 - sin2), F(0.0f))));
-  const Vec3<F> axis = to_center * (1 / lane_sqrt(distance2));
-  return {select(distance2 > 0, axis, Vec3<F>(F(0.0f), F(0.0f), F(1.0f))), select(outside, narrow, F(2.0f))};
-}
 
 template <class F>
 struct AimedDirection {

@@ -19,7 +19,7 @@ void fill_block(RayBlock& block, const Vec3<F>& origin, const Vec3<F>& direction
 
 /// Closest hits of the active lanes; directions are unit. `coherent`: neighbours in the pack go the same way.
 template <class F>
-SurfaceHit<F> closest_hit(const SceneView& scene, const Vec3<F>& origin, const Vec3<F>& direction, const UInt<F>& from,
+SurfaceHit<F> closest_hit(const RayScene& scene, const Vec3<F>& origin, const Vec3<F>& direction, const UInt<F>& from,
                           const Mask<F>& active, bool coherent) {
   if (scene.small) {
     SurfaceHit<F> hit = closest_small(scene.primitives, origin, direction, from);
@@ -50,7 +50,7 @@ SurfaceHit<F> closest_hit(const SceneView& scene, const Vec3<F>& origin, const V
 
 /// Where something lies between `origin` and origin + segment, of the active lanes.
 template <class F>
-Mask<F> occluded(const SceneView& scene, const Vec3<F>& origin, const Vec3<F>& segment, const UInt<F>& from,
+Mask<F> occluded(const RayScene& scene, const Vec3<F>& origin, const Vec3<F>& segment, const UInt<F>& from,
                  const UInt<F>& target, const Mask<F>& active) {
   if (scene.small) return active && occluded_small(scene.primitives, origin, segment, from, target);
   RayBlock rays;

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "renderer/kernels/surface_hit.h"
+#include "renderer/ray_scene.h"
 
 namespace photonproof {
 

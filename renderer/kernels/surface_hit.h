@@ -2,7 +2,7 @@
 #pragma once
 
 #include "renderer/lane.h"
-#include "renderer/scene_view.h"
+#include "renderer/ray.h"
 
 namespace photonproof {
 

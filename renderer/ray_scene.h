@@ -1,0 +1,45 @@
+// What rays meet, as the kernels see it: a few primitives in one list, or a tracer that has them all.
+#pragma once
+
+#include <cstdint>
+
+#include "renderer/ray.h"
+
+namespace photonproof {
+
+class Tracer;
+
+/// A flat primitive: the plane n.x = k (n unit, on the side that counts as front) and, for a point x of it,
+/// u = edge_u . x + u0, v likewise, which run from 0 to 1 along the edges.
+struct Plate {
+  Vec3f normal;
+  float k = 0;
+  Vec3f edge_u;
+  float u0 = 0;
+  Vec3f edge_v;
+  float v0 = 0;
+  static constexpr std::uint32_t stride = 12;
+};
+
+struct Ball {
+  Vec3f center;
+  float radius = 0;
+  float side = 1;  ///< 1: the normal points outward, -1: to the centre
+  static constexpr std::uint32_t stride = 5;
+};
+
+/// Primitives in one list: parallelograms, then triangles, then spheres; `surface` maps them to surfaces.
+struct SmallSceneView {
+  const Plate* plates = nullptr;
+  const Ball* balls = nullptr;
+  const std::uint32_t* surface = nullptr;
+  std::uint32_t parallelograms = 0, triangles = 0, spheres = 0;
+};
+
+struct RayScene {
+  bool small = false;  ///< `primitives` holds everything, `tracer` is not needed
+  SmallSceneView primitives;
+  const Tracer* tracer = nullptr;
+};
+
+}  // namespace photonproof
