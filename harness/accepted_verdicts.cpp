@@ -8,9 +8,9 @@
 #include "harness/cells.h"
 #include "harness/repeated_images.h"
 #include "judging_hash.h"
-#include "scenes/checksum.h"
-#include "scenes/input_error.h"
-#include "scenes/size_text.h"
+#include "scenes/text/checksum.h"
+#include "scenes/text/input_error.h"
+#include "scenes/text/size_text.h"
 
 namespace photonproof {
 namespace {

@@ -18,11 +18,11 @@
 #include "harness/run_cell.h"
 #include "harness/stored_changes.h"
 #include "reference/process.h"
-#include "scenes/atomic_file.h"
+#include "scenes/text/atomic_file.h"
 #include "scenes/image.h"
-#include "scenes/input_error.h"
-#include "scenes/percent_text.h"
-#include "scenes/timer.h"
+#include "scenes/text/input_error.h"
+#include "scenes/text/percent_text.h"
+#include "scenes/text/timer.h"
 
 namespace photonproof {
 namespace {

@@ -10,9 +10,9 @@
 
 #include "harness/image_blocks.h"
 #include "harness/student.h"
-#include "scenes/input_error.h"
+#include "scenes/text/input_error.h"
 #include "scenes/mean_error.h"
-#include "scenes/percent_text.h"
+#include "scenes/text/percent_text.h"
 
 namespace photonproof {
 namespace {

@@ -9,7 +9,7 @@
 #include <functional>
 #include <random>
 
-#include "scenes/input_error.h"
+#include "scenes/text/input_error.h"
 #include "scenes/mean_error.h"
 
 namespace photonproof {

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <cstring>
 
-#include "scenes/atomic_file.h"
-#include "scenes/checksum.h"
-#include "scenes/input_error.h"
+#include "scenes/text/atomic_file.h"
+#include "scenes/text/checksum.h"
+#include "scenes/text/input_error.h"
 
 namespace photonproof {
 namespace {

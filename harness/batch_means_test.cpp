@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "scenes/test_folder.h"
+#include "scenes/text/test_folder.h"
 
 namespace photonproof {
 namespace {

@@ -22,10 +22,10 @@
 #include "harness/session_quality.h"
 #include "harness/side_by_side.h"
 #include "reference/reference_store.h"
-#include "scenes/atomic_file.h"
-#include "scenes/edit_distance.h"
-#include "scenes/input_error.h"
-#include "scenes/timer.h"
+#include "scenes/text/atomic_file.h"
+#include "scenes/text/edit_distance.h"
+#include "scenes/text/input_error.h"
+#include "scenes/text/timer.h"
 
 namespace photonproof {
 namespace {

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "scenes/image.h"
-#include "scenes/input_error.h"
+#include "scenes/text/input_error.h"
 
 namespace photonproof {
 namespace {

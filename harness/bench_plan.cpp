@@ -11,7 +11,7 @@
 #include "scenes/expect.h"
 #include "scenes/parser.h"
 #include "scenes/scene_hash.h"
-#include "scenes/size_text.h"
+#include "scenes/text/size_text.h"
 
 namespace photonproof {
 namespace {

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "harness/statistics.h"
-#include "scenes/timer.h"
+#include "scenes/text/timer.h"
 
 namespace photonproof {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "harness/engine_command.h"
 #include "harness/scene_copies.h"
-#include "scenes/faults.h"
+#include "scenes/text/faults.h"
 
 namespace photonproof {
 namespace {

@@ -1,8 +1,8 @@
 #include "harness/cell_store.h"
 
-#include "scenes/file_checksum.h"
+#include "scenes/text/file_checksum.h"
 #include "scenes/image.h"
-#include "scenes/input_error.h"
+#include "scenes/text/input_error.h"
 
 namespace photonproof {
 namespace {

@@ -1,8 +1,8 @@
 #include "harness/cell_store.h"
 
-#include "scenes/file_checksum.h"
+#include "scenes/text/file_checksum.h"
 #include "scenes/image.h"
-#include "scenes/test_folder.h"
+#include "scenes/text/test_folder.h"
 
 namespace photonproof {
 namespace {

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "reference/process.h"
-#include "scenes/test_folder.h"
+#include "scenes/text/test_folder.h"
 
 namespace photonproof {
 namespace {

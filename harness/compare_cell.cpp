@@ -2,7 +2,7 @@
 
 #include "harness/heatmap.h"
 #include "scenes/image.h"
-#include "scenes/input_error.h"
+#include "scenes/text/input_error.h"
 
 namespace photonproof {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "harness/metric_test_images.h"
 #include "reference/process.h"
-#include "scenes/test_folder.h"
+#include "scenes/text/test_folder.h"
 
 namespace photonproof {
 namespace {

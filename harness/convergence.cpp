@@ -8,7 +8,7 @@
 #include "harness/error_split.h"
 #include "harness/statistics.h"
 #include "scenes/image.h"
-#include "scenes/input_error.h"
+#include "scenes/text/input_error.h"
 
 namespace photonproof {
 namespace {

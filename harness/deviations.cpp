@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "harness/student.h"
-#include "scenes/faults.h"
+#include "scenes/text/faults.h"
 
 namespace photonproof {
 namespace {

@@ -4,7 +4,7 @@
 #include <array>
 #include <string_view>
 
-#include "scenes/edit_distance.h"
+#include "scenes/text/edit_distance.h"
 
 namespace photonproof {
 namespace {

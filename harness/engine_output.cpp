@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <optional>
 
-#include "scenes/input_error.h"
+#include "scenes/text/input_error.h"
 #include "scenes/output_files.h"
-#include "scenes/timer.h"
+#include "scenes/text/timer.h"
 
 namespace photonproof {
 namespace fs = std::filesystem;

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "scenes/atomic_file.h"
-#include "scenes/input_error.h"
-#include "scenes/utf8.h"
+#include "scenes/text/atomic_file.h"
+#include "scenes/text/input_error.h"
+#include "scenes/text/utf8.h"
 
 namespace photonproof {
 namespace {

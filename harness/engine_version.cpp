@@ -3,7 +3,7 @@
 #include "harness/engine_command.h"
 #include "harness/run_cell.h"
 #include "reference/process.h"
-#include "scenes/utf8.h"
+#include "scenes/text/utf8.h"
 
 namespace photonproof {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "harness/engine_command.h"
 #include "harness/engines_text.h"
-#include "scenes/edit_distance.h"
+#include "scenes/text/edit_distance.h"
 
 namespace photonproof {
 namespace {

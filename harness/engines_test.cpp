@@ -1,7 +1,7 @@
 #include "harness/engines.h"
 
 #include "harness/engine_command.h"
-#include "scenes/test_folder.h"
+#include "scenes/text/test_folder.h"
 
 namespace photonproof {
 namespace {

@@ -8,7 +8,7 @@
 #include "harness/metrics.h"
 #include "reference/process.h"
 #include "scenes/expect.h"
-#include "scenes/test_folder.h"
+#include "scenes/text/test_folder.h"
 
 namespace photonproof {
 namespace {

@@ -1,4 +1,4 @@
-// What the harness's faults do (scenes/faults.h): to the images that gates get, and to what they make of them.
+// What the harness's faults do (scenes/text/faults.h): to the images that gates get, and to what they make of them.
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -6,7 +6,7 @@
 #include "harness/deviations.h"
 #include "harness/gate_images.h"
 #include "harness/test_gates.h"
-#include "scenes/faults.h"
+#include "scenes/text/faults.h"
 
 namespace photonproof {
 namespace {

@@ -1,4 +1,4 @@
-// What the renderer's faults do to an image (scenes/faults.h): a closed form, or the image of a sound program that is
+// What the renderer's faults do to an image (scenes/text/faults.h): a closed form, or the image of a sound program that is
 // told the mistake.
 
 #include <algorithm>

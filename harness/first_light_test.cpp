@@ -13,7 +13,7 @@
 #include "harness/metrics.h"
 #include "reference/closed_forms.h"
 #include "reference/process.h"
-#include "scenes/test_folder.h"
+#include "scenes/text/test_folder.h"
 
 namespace photonproof {
 namespace {

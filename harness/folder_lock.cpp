@@ -11,7 +11,7 @@
 #include <optional>
 #include <system_error>
 
-#include "scenes/input_error.h"
+#include "scenes/text/input_error.h"
 
 namespace photonproof {
 namespace {

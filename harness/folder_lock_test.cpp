@@ -1,7 +1,7 @@
 #include "harness/folder_lock.h"
 
 #include "reference/process.h"
-#include "scenes/test_folder.h"
+#include "scenes/text/test_folder.h"
 
 namespace photonproof {
 namespace {

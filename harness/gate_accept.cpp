@@ -10,10 +10,10 @@
 #include "harness/suite_rows.h"
 #include "reference/process.h"
 #include "reference/reference_store.h"
-#include "scenes/atomic_file.h"
-#include "scenes/input_error.h"
-#include "scenes/scratch_folder.h"
-#include "scenes/size_text.h"
+#include "scenes/text/atomic_file.h"
+#include "scenes/text/input_error.h"
+#include "scenes/text/scratch_folder.h"
+#include "scenes/text/size_text.h"
 
 namespace photonproof {
 namespace {

@@ -9,8 +9,8 @@
 #include "harness/cells.h"
 #include "harness/run_cell.h"
 #include "harness/side_by_side.h"
-#include "scenes/faults.h"
-#include "scenes/size_text.h"
+#include "scenes/text/faults.h"
+#include "scenes/text/size_text.h"
 
 namespace photonproof {
 namespace {

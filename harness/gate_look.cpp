@@ -12,7 +12,7 @@
 #include "harness/metrics.h"
 #include "harness/repeated_images.h"
 #include "scenes/expect.h"
-#include "scenes/input_error.h"
+#include "scenes/text/input_error.h"
 
 namespace photonproof {
 namespace {

@@ -9,7 +9,7 @@
 
 namespace photonproof {
 
-/// Where a mutant is: a fault (scenes/faults.h) of the engine, of what draws and reads images here, of what judges
+/// Where a mutant is: a fault (scenes/text/faults.h) of the engine, of what draws and reads images here, of what judges
 /// them, or an edit of the finished image.
 enum class PlantedIn { renderer, drawing, judging, image, nothing };
 

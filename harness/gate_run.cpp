@@ -15,7 +15,7 @@
 #include "harness/host.h"
 #include "harness/independence.h"
 #include "scenes/expect.h"
-#include "scenes/input_error.h"
+#include "scenes/text/input_error.h"
 
 namespace photonproof {
 namespace {

@@ -12,8 +12,8 @@
 #include "harness/metrics.h"
 #include "harness/repeated_images.h"
 #include "harness/side_by_side.h"
-#include "scenes/faults.h"
-#include "scenes/input_error.h"
+#include "scenes/text/faults.h"
+#include "scenes/text/input_error.h"
 
 namespace photonproof {
 namespace {

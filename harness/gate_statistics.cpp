@@ -10,7 +10,7 @@
 
 #include "harness/gate_tiles.h"
 #include "harness/student.h"
-#include "scenes/percent_text.h"
+#include "scenes/text/percent_text.h"
 
 namespace photonproof {
 namespace {

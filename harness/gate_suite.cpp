@@ -5,7 +5,7 @@
 #include "harness/gate_mutants.h"
 #include "harness/metric_rows.h"
 #include "harness/suite_rows.h"
-#include "scenes/atomic_file.h"
+#include "scenes/text/atomic_file.h"
 #include "scenes/expect.h"
 
 namespace photonproof {

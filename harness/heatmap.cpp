@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "harness/heatmap_magma.h"
-#include "scenes/input_error.h"
+#include "scenes/text/input_error.h"
 
 namespace photonproof {
 namespace {

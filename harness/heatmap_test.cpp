@@ -9,7 +9,7 @@
 #include "harness/display.h"
 #include "harness/heatmap_magma.h"
 #include "harness/metric_test_images.h"
-#include "scenes/input_error.h"
+#include "scenes/text/input_error.h"
 
 namespace photonproof {
 namespace {

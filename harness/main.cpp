@@ -14,8 +14,8 @@
 
 #include "harness/verbs.h"
 #include "renderer/version.h"
-#include "scenes/input_error.h"
-#include "scenes/utf8.h"
+#include "scenes/text/input_error.h"
+#include "scenes/text/utf8.h"
 
 namespace {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scenes/edit_distance.h"
-#include "scenes/input_error.h"
-#include "scenes/text_numbers.h"
+#include "scenes/text/edit_distance.h"
+#include "scenes/text/input_error.h"
+#include "scenes/text/text_numbers.h"
 
 namespace photonproof {
 namespace {

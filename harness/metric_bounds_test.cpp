@@ -4,7 +4,7 @@
 
 #include "harness/metric_run.h"
 #include "harness/metric_test_images.h"
-#include "scenes/input_error.h"
+#include "scenes/text/input_error.h"
 
 namespace photonproof {
 namespace {

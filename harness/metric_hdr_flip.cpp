@@ -14,7 +14,7 @@
 #include "harness/metric_flip.h"
 #include "harness/metric_rows.h"
 #include "harness/row_source.h"
-#include "scenes/text_numbers.h"
+#include "scenes/text/text_numbers.h"
 
 namespace photonproof {
 namespace {

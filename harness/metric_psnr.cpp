@@ -4,7 +4,7 @@
 
 #include "harness/metric_rows.h"
 #include "harness/metric_sum.h"
-#include "scenes/text_numbers.h"
+#include "scenes/text/text_numbers.h"
 
 namespace photonproof {
 namespace {

@@ -9,8 +9,8 @@
 #include <cmath>
 
 #include "harness/metric_hdr_flip.h"
-#include "scenes/input_error.h"
-#include "scenes/size_text.h"
+#include "scenes/text/input_error.h"
+#include "scenes/text/size_text.h"
 
 namespace photonproof {
 namespace {

@@ -6,8 +6,8 @@
 #include <map>
 
 #include "harness/metric_test_images.h"
-#include "scenes/input_error.h"
-#include "scenes/test_folder.h"
+#include "scenes/text/input_error.h"
+#include "scenes/text/test_folder.h"
 
 namespace photonproof {
 namespace {

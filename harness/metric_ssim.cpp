@@ -10,7 +10,7 @@
 #include "harness/metric_rows.h"
 #include "harness/metric_sum.h"
 #include "harness/metric_windows.h"
-#include "scenes/text_numbers.h"
+#include "scenes/text/text_numbers.h"
 
 namespace photonproof {
 namespace {

@@ -3,7 +3,7 @@
 #include <charconv>
 #include <optional>
 
-#include "scenes/input_error.h"
+#include "scenes/text/input_error.h"
 
 namespace photonproof {
 namespace {

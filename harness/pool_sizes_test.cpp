@@ -1,6 +1,6 @@
 #include "harness/pool_sizes.h"
 
-#include "scenes/test_folder.h"
+#include "scenes/text/test_folder.h"
 
 namespace photonproof {
 namespace {

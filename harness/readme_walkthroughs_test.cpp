@@ -7,7 +7,7 @@
 #include <regex>
 
 #include "reference/process.h"
-#include "scenes/test_folder.h"
+#include "scenes/text/test_folder.h"
 
 namespace photonproof {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "scenes/input_error.h"
+#include "scenes/text/input_error.h"
 
 namespace photonproof {
 namespace {

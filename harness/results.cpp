@@ -10,8 +10,8 @@
 
 #include "harness/results_json.h"
 #include "harness/results_schema.h"
-#include "scenes/atomic_file.h"
-#include "scenes/input_error.h"
+#include "scenes/text/atomic_file.h"
+#include "scenes/text/input_error.h"
 
 namespace photonproof {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "harness/results.h"
 #include "harness/results_schema_text.h"
-#include "scenes/input_error.h"
+#include "scenes/text/input_error.h"
 
 namespace photonproof {
 namespace {

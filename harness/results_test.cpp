@@ -7,7 +7,7 @@
 #include <fstream>
 #include <limits>
 
-#include "scenes/test_folder.h"
+#include "scenes/text/test_folder.h"
 
 namespace photonproof {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "scenes/input_error.h"
-#include "scenes/size_text.h"
+#include "scenes/text/input_error.h"
+#include "scenes/text/size_text.h"
 
 namespace photonproof {
 

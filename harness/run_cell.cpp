@@ -7,12 +7,12 @@
 #include "harness/host.h"
 #include "harness/metrics.h"
 #include "reference/process.h"
-#include "scenes/atomic_file.h"
-#include "scenes/file_checksum.h"
+#include "scenes/text/atomic_file.h"
+#include "scenes/text/file_checksum.h"
 #include "scenes/image.h"
-#include "scenes/input_error.h"
-#include "scenes/size_text.h"
-#include "scenes/utf8.h"
+#include "scenes/text/input_error.h"
+#include "scenes/text/size_text.h"
+#include "scenes/text/utf8.h"
 
 namespace photonproof {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "harness/test_suite.h"
-#include "scenes/file_checksum.h"
+#include "scenes/text/file_checksum.h"
 
 namespace photonproof {
 namespace {

@@ -9,7 +9,7 @@
 #include <cctype>
 #include <string_view>
 
-#include "scenes/input_error.h"
+#include "scenes/text/input_error.h"
 
 namespace photonproof {
 namespace {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <fstream>
 
-#include "scenes/atomic_file.h"
-#include "scenes/test_folder.h"
+#include "scenes/text/atomic_file.h"
+#include "scenes/text/test_folder.h"
 
 namespace photonproof {
 namespace {

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "harness/suite_rows.h"
-#include "scenes/atomic_file.h"
+#include "scenes/text/atomic_file.h"
 
 namespace photonproof {
 namespace {

@@ -7,8 +7,8 @@
 #include "harness/engine_command.h"
 #include "harness/gate_suite.h"
 #include "harness/metric_rows.h"
-#include "scenes/atomic_file.h"
-#include "scenes/test_folder.h"
+#include "scenes/text/atomic_file.h"
+#include "scenes/text/test_folder.h"
 
 namespace photonproof {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "harness/suite.h"
 #include "harness/toml_table.h"
-#include "scenes/edit_distance.h"
+#include "scenes/text/edit_distance.h"
 
 namespace photonproof {
 

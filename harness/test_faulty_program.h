@@ -1,4 +1,4 @@
-// The second program, photonproof-faulty (scenes/faults.h), as tests start it, and small scenes for it.
+// The second program, photonproof-faulty (scenes/text/faults.h), as tests start it, and small scenes for it.
 #pragma once
 
 #include <cstdlib>
@@ -8,7 +8,7 @@
 #include "harness/gate_mutants.h"
 #include "reference/process.h"
 #include "scenes/image.h"
-#include "scenes/test_folder.h"
+#include "scenes/text/test_folder.h"
 
 namespace photonproof {
 

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "scenes/image.h"
-#include "scenes/test_folder.h"
+#include "scenes/text/test_folder.h"
 
 namespace photonproof {
 

@@ -6,7 +6,7 @@
 #include <set>
 #include <sstream>
 
-#include "scenes/edit_distance.h"
+#include "scenes/text/edit_distance.h"
 
 namespace photonproof {
 namespace {

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "scenes/input_error.h"
+#include "scenes/text/input_error.h"
 
 namespace photonproof {
 

@@ -1,6 +1,6 @@
 #include "harness/toml_table.h"
 
-#include "scenes/test_folder.h"
+#include "scenes/text/test_folder.h"
 
 namespace photonproof {
 namespace {

@@ -17,8 +17,8 @@
 #include "reports/html_report.h"
 #include "reports/markdown_report.h"
 #include "reports/verdicts.h"
-#include "scenes/input_error.h"
-#include "scenes/json_text.h"
+#include "scenes/text/input_error.h"
+#include "scenes/text/json_text.h"
 #include "scenes/output_files.h"
 
 namespace photonproof {

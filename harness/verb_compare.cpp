@@ -16,9 +16,9 @@
 #include "harness/heatmap.h"
 #include "harness/metric_bounds.h"
 #include "harness/verbs.h"
-#include "scenes/input_error.h"
+#include "scenes/text/input_error.h"
 #include "scenes/output_files.h"
-#include "scenes/text_numbers.h"
+#include "scenes/text/text_numbers.h"
 
 namespace photonproof {
 namespace {

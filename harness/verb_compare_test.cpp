@@ -8,8 +8,8 @@
 
 #include "harness/metric_test_images.h"
 #include "harness/verbs.h"
-#include "scenes/atomic_file.h"
-#include "scenes/input_error.h"
+#include "scenes/text/atomic_file.h"
+#include "scenes/text/input_error.h"
 
 namespace photonproof {
 namespace {

@@ -21,9 +21,9 @@
 #include "harness/versions.h"
 #include "reports/exchange_reports.h"
 #include "reports/html_report.h"
-#include "scenes/atomic_file.h"
-#include "scenes/input_error.h"
-#include "scenes/json_text.h"
+#include "scenes/text/atomic_file.h"
+#include "scenes/text/input_error.h"
+#include "scenes/text/json_text.h"
 
 namespace photonproof {
 namespace {

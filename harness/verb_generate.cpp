@@ -8,8 +8,8 @@
 #include <memory>
 
 #include "harness/verbs.h"
-#include "scenes/atomic_file.h"
-#include "scenes/input_error.h"
+#include "scenes/text/atomic_file.h"
+#include "scenes/text/input_error.h"
 #include "scenes/library_assets.h"
 #include "scenes/many_lights.h"
 #include "scenes/million.h"

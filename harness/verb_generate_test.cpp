@@ -1,6 +1,6 @@
 // photonproof generate, as a user calls it.
 #include "reference/process.h"
-#include "scenes/test_folder.h"
+#include "scenes/text/test_folder.h"
 
 namespace photonproof {
 namespace {

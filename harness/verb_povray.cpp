@@ -10,8 +10,8 @@
 #include "harness/povray_arguments.h"
 #include "harness/verbs.h"
 #include "reference/povray_engine.h"
-#include "scenes/atomic_file.h"
-#include "scenes/json_text.h"
+#include "scenes/text/atomic_file.h"
+#include "scenes/text/json_text.h"
 #include "scenes/output_files.h"
 
 namespace photonproof {

@@ -20,11 +20,11 @@
 #include "reference/process.h"
 #include "reference/reference_store.h"
 #include "renderer/version.h"
-#include "scenes/checksum.h"
-#include "scenes/input_error.h"
-#include "scenes/json_text.h"
+#include "scenes/text/checksum.h"
+#include "scenes/text/input_error.h"
+#include "scenes/text/json_text.h"
 #include "scenes/output_files.h"
-#include "scenes/percent_text.h"
+#include "scenes/text/percent_text.h"
 #include "scenes/scene_hash.h"
 
 namespace photonproof {

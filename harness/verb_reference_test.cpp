@@ -10,7 +10,7 @@
 #include "harness/test_program.h"
 #include "reference/process.h"
 #include "reference/reference_store.h"
-#include "scenes/test_folder.h"
+#include "scenes/text/test_folder.h"
 
 namespace photonproof {
 namespace {

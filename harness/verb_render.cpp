@@ -21,12 +21,12 @@
 #include "renderer/plan.h"
 #include "renderer/scene_notes.h"
 #include "renderer/version.h"
-#include "scenes/atomic_file.h"
-#include "scenes/json_text.h"
+#include "scenes/text/atomic_file.h"
+#include "scenes/text/json_text.h"
 #include "scenes/output_files.h"
 #include "scenes/scene_hash.h"
-#include "scenes/size_text.h"
-#include "scenes/timer.h"
+#include "scenes/text/size_text.h"
+#include "scenes/text/timer.h"
 
 namespace photonproof {
 namespace {

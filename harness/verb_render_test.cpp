@@ -9,7 +9,7 @@
 #include "harness/test_program.h"
 #include "reference/process.h"
 #include "scenes/image.h"
-#include "scenes/test_folder.h"
+#include "scenes/text/test_folder.h"
 
 namespace photonproof {
 namespace {

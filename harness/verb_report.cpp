@@ -12,9 +12,9 @@
 #include "harness/results.h"
 #include "harness/verbs.h"
 #include "reports/formats.h"
-#include "scenes/file_checksum.h"
-#include "scenes/input_error.h"
-#include "scenes/json_text.h"
+#include "scenes/text/file_checksum.h"
+#include "scenes/text/input_error.h"
+#include "scenes/text/json_text.h"
 #include "scenes/output_files.h"
 
 namespace photonproof {

@@ -7,9 +7,9 @@
 
 #include "harness/results.h"
 #include "harness/verbs.h"
-#include "scenes/atomic_file.h"
-#include "scenes/file_checksum.h"
-#include "scenes/input_error.h"
+#include "scenes/text/atomic_file.h"
+#include "scenes/text/file_checksum.h"
+#include "scenes/text/input_error.h"
 
 namespace photonproof {
 namespace {

@@ -9,7 +9,7 @@
 #include "reference/convex_clip.h"
 #include "reference/sdl_text.h"
 #include "reference/unrepresentable.h"
-#include "scenes/text_numbers.h"
+#include "scenes/text/text_numbers.h"
 
 namespace photonproof {
 namespace {

@@ -5,8 +5,8 @@
 #include <filesystem>
 
 #include "reference/process.h"
-#include "scenes/atomic_file.h"
-#include "scenes/scratch_folder.h"
+#include "scenes/text/atomic_file.h"
+#include "scenes/text/scratch_folder.h"
 
 namespace photonproof {
 namespace {

@@ -9,7 +9,7 @@
 #include "reference/povray_header.h"
 #include "reference/povray_lights.h"
 #include "reference/povray_materials.h"
-#include "scenes/atomic_file.h"
+#include "scenes/text/atomic_file.h"
 
 namespace photonproof {
 namespace {

@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "reference/unrepresentable.h"
-#include "scenes/atomic_file.h"
+#include "scenes/text/atomic_file.h"
 #include "scenes/expect.h"
 #include "scenes/parser.h"
 

@@ -3,7 +3,7 @@
 #include <stdexcept>
 
 #include "reference/povray_materials.h"
-#include "scenes/text_numbers.h"
+#include "scenes/text/text_numbers.h"
 
 namespace photonproof {
 namespace {

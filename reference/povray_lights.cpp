@@ -6,7 +6,7 @@
 #include <random>
 #include <stdexcept>
 
-#include "scenes/text_numbers.h"
+#include "scenes/text/text_numbers.h"
 
 namespace photonproof {
 namespace {

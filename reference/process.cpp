@@ -24,7 +24,7 @@
 #include "reference/instruction_counter.h"
 #include "reference/process_keeper.h"
 #include "reference/process_memory.h"
-#include "scenes/timer.h"
+#include "scenes/text/timer.h"
 
 namespace photonproof {
 namespace {

@@ -4,9 +4,9 @@
 #include <nlohmann/json.hpp>
 #include <type_traits>
 
-#include "scenes/input_error.h"
-#include "scenes/json_text.h"
-#include "scenes/percent_text.h"
+#include "scenes/text/input_error.h"
+#include "scenes/text/json_text.h"
+#include "scenes/text/percent_text.h"
 
 namespace photonproof {
 namespace {

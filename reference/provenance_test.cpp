@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "scenes/test_folder.h"
+#include "scenes/text/test_folder.h"
 
 namespace photonproof {
 namespace {

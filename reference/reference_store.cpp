@@ -5,12 +5,12 @@
 #include <ctime>
 
 #include "reference/half_rounding.h"
-#include "scenes/atomic_file.h"
-#include "scenes/checksum.h"
-#include "scenes/input_error.h"
+#include "scenes/text/atomic_file.h"
+#include "scenes/text/checksum.h"
+#include "scenes/text/input_error.h"
 #include "scenes/parser.h"
 #include "scenes/scene_hash.h"
-#include "scenes/size_text.h"
+#include "scenes/text/size_text.h"
 
 namespace photonproof {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "scenes/parser.h"
 #include "scenes/scene_hash.h"
-#include "scenes/test_folder.h"
+#include "scenes/text/test_folder.h"
 
 namespace photonproof {
 namespace {

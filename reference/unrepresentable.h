@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "scenes/input_error.h"
+#include "scenes/text/input_error.h"
 
 namespace photonproof {
 

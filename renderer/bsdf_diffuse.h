@@ -3,7 +3,7 @@
 
 #include "renderer/bsdf_sample.h"
 #include "renderer/warp.h"
-#include "scenes/faults.h"
+#include "scenes/text/faults.h"
 
 namespace photonproof {
 

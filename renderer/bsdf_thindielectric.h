@@ -5,7 +5,7 @@
 
 #include "renderer/bsdf_sample.h"
 #include "renderer/fresnel.h"
-#include "scenes/faults.h"
+#include "scenes/text/faults.h"
 
 namespace photonproof {
 

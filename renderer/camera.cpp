@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "renderer/reconstruction_filter.h"
-#include "scenes/faults.h"
+#include "scenes/text/faults.h"
 
 namespace photonproof {
 namespace {

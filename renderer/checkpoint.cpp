@@ -7,8 +7,8 @@
 #include <bit>
 #include <cstring>
 
-#include "scenes/atomic_file.h"
-#include "scenes/input_error.h"
+#include "scenes/text/atomic_file.h"
+#include "scenes/text/input_error.h"
 
 namespace photonproof {
 namespace {

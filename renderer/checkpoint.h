@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-#include "scenes/checksum.h"
-#include "scenes/file_claim.h"
+#include "scenes/text/checksum.h"
+#include "scenes/text/file_claim.h"
 
 namespace photonproof {
 

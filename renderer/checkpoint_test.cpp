@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "scenes/test_folder.h"
+#include "scenes/text/test_folder.h"
 
 namespace photonproof {
 namespace {

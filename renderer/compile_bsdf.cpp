@@ -3,7 +3,7 @@
 #include <cstddef>
 
 #include "renderer/interface_tables.h"
-#include "scenes/faults.h"
+#include "scenes/text/faults.h"
 
 namespace photonproof {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "scenes/faults.h"
+#include "scenes/text/faults.h"
 
 namespace photonproof {
 namespace {

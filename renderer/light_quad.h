@@ -5,7 +5,7 @@
 #include "renderer/light_near.h"
 #include "renderer/light_sample.h"
 #include "renderer/warp.h"
-#include "scenes/faults.h"
+#include "scenes/text/faults.h"
 
 namespace photonproof {
 

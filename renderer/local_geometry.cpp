@@ -4,7 +4,7 @@
 
 #include "renderer/face_normal.h"
 #include "renderer/warp.h"
-#include "scenes/faults.h"
+#include "scenes/text/faults.h"
 
 namespace photonproof {
 namespace {

@@ -1,7 +1,7 @@
 #include "renderer/medium.h"
 
 #include "renderer/ray.h"
-#include "scenes/faults.h"
+#include "scenes/text/faults.h"
 
 namespace photonproof {
 namespace {

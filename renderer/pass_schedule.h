@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "scenes/timer.h"
+#include "scenes/text/timer.h"
 
 namespace photonproof {
 

@@ -23,7 +23,7 @@
 #include "renderer/render_loop.h"
 #include "renderer/scratch_pool.h"
 #include "renderer/tile_film.h"
-#include "scenes/faults.h"
+#include "scenes/text/faults.h"
 
 namespace photonproof {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-#include "scenes/faults.h"
+#include "scenes/text/faults.h"
 
 namespace photonproof {
 

@@ -7,7 +7,7 @@
 #include <filesystem>
 
 #include "renderer/test_scenes.h"
-#include "scenes/test_folder.h"
+#include "scenes/text/test_folder.h"
 
 namespace photonproof {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "renderer/bsdf_phong.h"
 #include "renderer/microfacet.h"
-#include "scenes/text_numbers.h"
+#include "scenes/text/text_numbers.h"
 
 namespace photonproof {
 namespace {

@@ -1,6 +1,6 @@
 #include "renderer/skips.h"
 
-#include "scenes/input_error.h"
+#include "scenes/text/input_error.h"
 
 namespace photonproof {
 

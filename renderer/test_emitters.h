@@ -9,7 +9,7 @@
 #include "renderer/test_scenes.h"
 #include "scenes/image.h"
 #include "scenes/parser.h"
-#include "scenes/test_folder.h"
+#include "scenes/text/test_folder.h"
 
 namespace photonproof::test {
 

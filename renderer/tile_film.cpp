@@ -1,6 +1,6 @@
 #include "renderer/tile_film.h"
 
-#include "scenes/faults.h"
+#include "scenes/text/faults.h"
 
 namespace photonproof {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "reports/exchange_reports.h"
 #include "reports/text.h"
-#include "scenes/atomic_file.h"
+#include "scenes/text/atomic_file.h"
 
 namespace photonproof {
 namespace {

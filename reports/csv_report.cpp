@@ -11,7 +11,7 @@
 #include "reports/exchange_reports.h"
 #include "reports/text.h"
 #include "reports/view.h"
-#include "scenes/atomic_file.h"
+#include "scenes/text/atomic_file.h"
 
 namespace photonproof {
 using namespace reports;

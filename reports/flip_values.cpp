@@ -8,7 +8,7 @@
 #include "harness/heatmap_magma.h"
 #include "reports/deflated.h"
 #include "reports/results_file.h"
-#include "scenes/input_error.h"
+#include "scenes/text/input_error.h"
 
 namespace photonproof::reports {
 namespace {

@@ -5,7 +5,7 @@
 #include "reports/exchange_reports.h"
 #include "reports/html_report.h"
 #include "reports/markdown_report.h"
-#include "scenes/input_error.h"
+#include "scenes/text/input_error.h"
 
 namespace photonproof {
 

@@ -4,7 +4,7 @@
 
 #include <set>
 
-#include "scenes/input_error.h"
+#include "scenes/text/input_error.h"
 
 namespace photonproof {
 namespace {

@@ -10,7 +10,7 @@
 #include "reports/metric_columns.h"
 #include "reports/templates.h"
 #include "reports/text.h"
-#include "scenes/atomic_file.h"
+#include "scenes/text/atomic_file.h"
 
 namespace photonproof {
 using namespace reports;

@@ -3,7 +3,7 @@
 #include "harness/heatmap.h"
 #include "harness/heatmap_magma.h"
 #include "reports/sample_results.h"
-#include "scenes/input_error.h"
+#include "scenes/text/input_error.h"
 
 namespace photonproof {
 namespace {

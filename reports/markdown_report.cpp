@@ -12,7 +12,7 @@
 #include "reports/text.h"
 #include "reports/verdicts.h"
 #include "reports/view.h"
-#include "scenes/atomic_file.h"
+#include "scenes/text/atomic_file.h"
 
 namespace photonproof {
 using namespace reports;

@@ -8,9 +8,9 @@
 #include "reports/results_file.h"
 #include "reports/temporary_folder.h"
 #include "reports/text.h"
-#include "scenes/atomic_file.h"
+#include "scenes/text/atomic_file.h"
 #include "scenes/image.h"
-#include "scenes/input_error.h"
+#include "scenes/text/input_error.h"
 
 namespace photonproof::reports {
 namespace {

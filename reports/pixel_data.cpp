@@ -10,7 +10,7 @@
 #include "reports/reduced_image.h"
 #include "reports/results_file.h"
 #include "reports/text.h"
-#include "scenes/input_error.h"
+#include "scenes/text/input_error.h"
 
 namespace photonproof::reports {
 namespace {

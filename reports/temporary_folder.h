@@ -1,7 +1,7 @@
 // Where reports put the files of the programs they run.
 #pragma once
 
-#include "scenes/scratch_folder.h"
+#include "scenes/text/scratch_folder.h"
 
 namespace photonproof::reports {
 

@@ -6,7 +6,7 @@
 #include <iterator>
 #include <utility>
 
-#include "scenes/utf8.h"
+#include "scenes/text/utf8.h"
 
 namespace photonproof::reports {
 

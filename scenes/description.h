@@ -12,7 +12,7 @@
 
 #include "scenes/ies.h"
 #include "scenes/image.h"
-#include "scenes/input_error.h"
+#include "scenes/text/input_error.h"
 #include "scenes/mesh.h"
 #include "scenes/transform.h"
 #include "scenes/vec.h"

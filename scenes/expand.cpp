@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <iterator>
 
-#include "scenes/atomic_file.h"
-#include "scenes/edit_distance.h"
-#include "scenes/text_numbers.h"
-#include "scenes/utf8.h"
+#include "scenes/text/atomic_file.h"
+#include "scenes/text/edit_distance.h"
+#include "scenes/text/text_numbers.h"
+#include "scenes/text/utf8.h"
 
 namespace photonproof::scene_xml {
 namespace {

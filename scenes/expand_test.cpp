@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "scenes/test_folder.h"
+#include "scenes/text/test_folder.h"
 
 namespace photonproof {
 namespace {

@@ -7,9 +7,9 @@
 #include <cstdint>
 #include <filesystem>
 
-#include "scenes/atomic_file.h"
-#include "scenes/edit_distance.h"
-#include "scenes/input_error.h"
+#include "scenes/text/atomic_file.h"
+#include "scenes/text/edit_distance.h"
+#include "scenes/text/input_error.h"
 
 namespace photonproof {
 namespace {

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "scenes/input_error.h"
+#include "scenes/text/input_error.h"
 
 namespace photonproof {
 namespace {

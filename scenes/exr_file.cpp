@@ -24,7 +24,7 @@
 #include <thread>
 #include <utility>
 
-#include "scenes/input_error.h"
+#include "scenes/text/input_error.h"
 
 namespace photonproof {
 namespace {

@@ -17,7 +17,7 @@
 #include <fstream>
 #include <random>
 
-#include "scenes/test_folder.h"
+#include "scenes/text/test_folder.h"
 
 namespace photonproof {
 namespace {

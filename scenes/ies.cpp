@@ -4,9 +4,9 @@
 #include <charconv>
 #include <cmath>
 
-#include "scenes/atomic_file.h"
-#include "scenes/text_numbers.h"
-#include "scenes/text_position.h"
+#include "scenes/text/atomic_file.h"
+#include "scenes/text/text_numbers.h"
+#include "scenes/text/text_position.h"
 
 namespace photonproof {
 namespace {

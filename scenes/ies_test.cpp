@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "scenes/input_error.h"
+#include "scenes/text/input_error.h"
 
 namespace photonproof {
 namespace {

@@ -7,13 +7,13 @@
 #include <fstream>
 #include <memory>
 
-#include "scenes/atomic_file.h"
+#include "scenes/text/atomic_file.h"
 #include "scenes/display_window.h"
 #include "scenes/exr_file.h"
 #include "scenes/image_file.h"
-#include "scenes/input_error.h"
+#include "scenes/text/input_error.h"
 #include "scenes/png_file.h"
-#include "scenes/size_text.h"
+#include "scenes/text/size_text.h"
 
 namespace photonproof {
 namespace {

@@ -3,7 +3,7 @@
 #include <OpenImageIO/imageio.h>
 
 #include "scenes/image_file.h"
-#include "scenes/input_error.h"
+#include "scenes/text/input_error.h"
 
 namespace photonproof {
 namespace {

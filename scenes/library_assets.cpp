@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <numbers>
 
-#include "scenes/atomic_file.h"
+#include "scenes/text/atomic_file.h"
 #include "scenes/gradient_noise.h"
 #include "scenes/image.h"
 #include "scenes/mesh.h"

@@ -5,7 +5,7 @@
 #include <functional>
 #include <numbers>
 
-#include "scenes/atomic_file.h"
+#include "scenes/text/atomic_file.h"
 #include "scenes/expect.h"
 #include "scenes/library_assets.h"
 #include "scenes/many_lights.h"

@@ -6,7 +6,7 @@
 #include <map>
 #include <string>
 
-#include "scenes/atomic_file.h"
+#include "scenes/text/atomic_file.h"
 #include "scenes/parser.h"
 
 namespace photonproof {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scenes/utf8.h"
+#include "scenes/text/utf8.h"
 
 namespace photonproof {
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "scenes/atomic_file.h"
+#include "scenes/text/atomic_file.h"
 #include "scenes/expect.h"
 #include "scenes/parser.h"
 #include "scenes/ply.h"

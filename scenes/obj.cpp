@@ -8,10 +8,10 @@
 #include <numeric>
 #include <optional>
 
-#include "scenes/atomic_file.h"
-#include "scenes/input_error.h"
-#include "scenes/text_numbers.h"
-#include "scenes/text_position.h"
+#include "scenes/text/atomic_file.h"
+#include "scenes/text/input_error.h"
+#include "scenes/text/text_numbers.h"
+#include "scenes/text/text_position.h"
 
 namespace photonproof {
 namespace {

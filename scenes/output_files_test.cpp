@@ -1,7 +1,7 @@
 #include "scenes/output_files.h"
 
 #include "scenes/parser.h"
-#include "scenes/test_folder.h"
+#include "scenes/text/test_folder.h"
 
 namespace photonproof {
 namespace {

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 
-#include "scenes/edit_distance.h"
+#include "scenes/text/edit_distance.h"
 #include "scenes/scene_objects.h"
 #include "scenes/spectrum_value.h"
-#include "scenes/text_numbers.h"
+#include "scenes/text/text_numbers.h"
 #include "scenes/values.h"
 
 namespace photonproof::scene_xml {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <type_traits>
 
-#include "scenes/atomic_file.h"
+#include "scenes/text/atomic_file.h"
 #include "scenes/expand.h"
 #include "scenes/plugins.h"
 #include "scenes/scene_objects.h"

@@ -8,7 +8,7 @@
 
 #include "scenes/parser.h"
 #include "scenes/same_scene.h"
-#include "scenes/utf8.h"
+#include "scenes/text/utf8.h"
 #include "scenes/writer.h"
 
 namespace photonproof {

@@ -7,7 +7,7 @@
 #include <ctime>
 #include <string>
 
-#include "scenes/input_error.h"
+#include "scenes/text/input_error.h"
 
 namespace photonproof {
 namespace {

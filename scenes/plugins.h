@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "scenes/description.h"
-#include "scenes/edit_distance.h"
+#include "scenes/text/edit_distance.h"
 #include "scenes/params.h"
 #include "scenes/scene_objects.h"
-#include "scenes/text_numbers.h"
+#include "scenes/text/text_numbers.h"
 
 namespace photonproof::scene_xml {
 

@@ -1,5 +1,5 @@
 // Mitsuba 3's bitmap and checkerboard; defaults are its.
-#include "scenes/faults.h"
+#include "scenes/text/faults.h"
 #include "scenes/plugins.h"
 
 namespace photonproof::scene_xml {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "scenes/atomic_file.h"
+#include "scenes/text/atomic_file.h"
 #include "scenes/ply_layout.h"
 #include "scenes/ply_values.h"
 

@@ -5,7 +5,7 @@
 
 #include <filesystem>
 
-#include "scenes/atomic_file.h"
+#include "scenes/text/atomic_file.h"
 
 namespace photonproof {
 namespace {

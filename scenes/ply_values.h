@@ -8,11 +8,11 @@
 #include <string>
 #include <string_view>
 
-#include "scenes/input_error.h"
+#include "scenes/text/input_error.h"
 #include "scenes/ply_header.h"
-#include "scenes/text_numbers.h"
-#include "scenes/text_position.h"
-#include "scenes/utf8.h"
+#include "scenes/text/text_numbers.h"
+#include "scenes/text/text_position.h"
+#include "scenes/text/utf8.h"
 
 namespace photonproof::ply {
 

@@ -3,8 +3,8 @@
 #include <cstring>
 #include <fstream>
 
-#include "scenes/atomic_file.h"
-#include "scenes/input_error.h"
+#include "scenes/text/atomic_file.h"
+#include "scenes/text/input_error.h"
 #include "scenes/ply.h"
 
 namespace photonproof {

@@ -2,8 +2,8 @@
 
 #include <filesystem>
 
-#include "scenes/atomic_file.h"
-#include "scenes/input_error.h"
+#include "scenes/text/atomic_file.h"
+#include "scenes/text/input_error.h"
 #include "scenes/ply.h"
 
 namespace photonproof {

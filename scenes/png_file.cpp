@@ -10,7 +10,7 @@
 #include <optional>
 #include <utility>
 
-#include "scenes/input_error.h"
+#include "scenes/text/input_error.h"
 
 namespace photonproof {
 namespace {

@@ -8,7 +8,7 @@
 #include <cstdio>
 
 #include "scenes/image.h"
-#include "scenes/test_folder.h"
+#include "scenes/text/test_folder.h"
 
 namespace photonproof {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "scenes/atomic_file.h"
+#include "scenes/text/atomic_file.h"
 #include "scenes/ies_fuzz.h"
 #include "scenes/obj_fuzz.h"
 

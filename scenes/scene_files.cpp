@@ -1,10 +1,10 @@
 #include "scenes/scene_files.h"
 
-#include "scenes/atomic_file.h"
+#include "scenes/text/atomic_file.h"
 #include "scenes/ies.h"
 #include "scenes/obj.h"
 #include "scenes/ply.h"
-#include "scenes/text_numbers.h"
+#include "scenes/text/text_numbers.h"
 
 namespace photonproof::scene_xml {
 namespace fs = std::filesystem;

@@ -6,7 +6,7 @@
 
 #include <filesystem>
 
-#include "scenes/atomic_file.h"
+#include "scenes/text/atomic_file.h"
 #include "scenes/ply.h"
 
 namespace photonproof {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <type_traits>
 
-#include "scenes/atomic_file.h"
-#include "scenes/checksum.h"
+#include "scenes/text/atomic_file.h"
+#include "scenes/text/checksum.h"
 
 namespace photonproof {
 namespace {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <type_traits>
 
-#include "scenes/edit_distance.h"
+#include "scenes/text/edit_distance.h"
 #include "scenes/plugins.h"
-#include "scenes/text_numbers.h"
+#include "scenes/text/text_numbers.h"
 
 namespace photonproof::scene_xml {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "scenes/scene_objects.h"
-#include "scenes/text_numbers.h"
+#include "scenes/text/text_numbers.h"
 #include "scenes/values.h"
 
 namespace photonproof::scene_xml {

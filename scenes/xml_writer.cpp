@@ -1,6 +1,6 @@
 #include "scenes/xml_writer.h"
 
-#include "scenes/text_numbers.h"
+#include "scenes/text/text_numbers.h"
 
 namespace photonproof {
 namespace {

@@ -5,7 +5,7 @@
 #include "renderer/kernels/rays.h"
 #include "renderer/ray_counts.h"
 #include "renderer/warp.h"
-#include "scenes/faults.h"
+#include "scenes/text/faults.h"
 
 namespace photonproof {
 

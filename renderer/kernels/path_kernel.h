@@ -10,7 +10,7 @@
 #include "renderer/kernels/camera_rays.h"
 #include "renderer/kernels/direct_light.h"
 #include "renderer/roulette.h"
-#include "scenes/faults.h"
+#include "scenes/text/faults.h"
 
 namespace photonproof {
 

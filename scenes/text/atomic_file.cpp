@@ -1,4 +1,4 @@
-#include "scenes/atomic_file.h"
+#include "scenes/text/atomic_file.h"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -9,8 +9,8 @@
 #include <fstream>
 #include <system_error>
 
-#include "scenes/checksum.h"
-#include "scenes/input_error.h"
+#include "scenes/text/checksum.h"
+#include "scenes/text/input_error.h"
 
 namespace photonproof {
 namespace fs = std::filesystem;

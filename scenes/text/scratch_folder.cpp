@@ -1,4 +1,4 @@
-#include "scenes/scratch_folder.h"
+#include "scenes/text/scratch_folder.h"
 
 #include <sys/stat.h>
 #include <unistd.h>
@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <system_error>
 
-#include "scenes/input_error.h"
+#include "scenes/text/input_error.h"
 
 namespace photonproof {
 namespace {

@@ -1,8 +1,8 @@
-#include "scenes/input_error.h"
+#include "scenes/text/input_error.h"
 
 #include <gtest/gtest.h>
 
-#include "scenes/utf8.h"
+#include "scenes/text/utf8.h"
 
 namespace photonproof {
 namespace {

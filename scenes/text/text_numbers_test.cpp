@@ -1,4 +1,4 @@
-#include "scenes/text_numbers.h"
+#include "scenes/text/text_numbers.h"
 
 #include <gtest/gtest.h>
 

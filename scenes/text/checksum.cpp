@@ -1,4 +1,4 @@
-#include "scenes/checksum.h"
+#include "scenes/text/checksum.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,8 +1,8 @@
-#include "scenes/scratch_folder.h"
+#include "scenes/text/scratch_folder.h"
 
 #include <cstdlib>
 
-#include "scenes/test_folder.h"
+#include "scenes/text/test_folder.h"
 
 namespace photonproof {
 namespace {

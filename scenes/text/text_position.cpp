@@ -1,8 +1,8 @@
-#include "scenes/text_position.h"
+#include "scenes/text/text_position.h"
 
 #include <algorithm>
 
-#include "scenes/input_error.h"
+#include "scenes/text/input_error.h"
 
 namespace photonproof {
 

@@ -1,4 +1,4 @@
-#include "scenes/utf8.h"
+#include "scenes/text/utf8.h"
 
 #include <algorithm>
 #include <cstdint>

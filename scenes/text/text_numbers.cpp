@@ -1,4 +1,4 @@
-#include "scenes/text_numbers.h"
+#include "scenes/text/text_numbers.h"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 #include <limits>
 #include <system_error>
 
-#include "scenes/utf8.h"
+#include "scenes/text/utf8.h"
 
 namespace photonproof {
 namespace {

@@ -1,4 +1,4 @@
-#include "scenes/edit_distance.h"
+#include "scenes/text/edit_distance.h"
 
 #include <algorithm>
 #include <numeric>

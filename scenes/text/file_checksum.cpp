@@ -1,9 +1,9 @@
-#include "scenes/file_checksum.h"
+#include "scenes/text/file_checksum.h"
 
 #include <fstream>
 #include <vector>
 
-#include "scenes/checksum.h"
+#include "scenes/text/checksum.h"
 
 namespace photonproof {
 

@@ -1,4 +1,4 @@
-#include "scenes/faults.h"
+#include "scenes/text/faults.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -1,4 +1,4 @@
-#include "scenes/file_claim.h"
+#include "scenes/text/file_claim.h"
 
 #include <fcntl.h>
 #include <sys/file.h>
