@@ -19,7 +19,7 @@
 #include "harness/stored_changes.h"
 #include "reference/process.h"
 #include "scenes/text/atomic_file.h"
-#include "scenes/image.h"
+#include "scenes/images/image.h"
 #include "scenes/text/input_error.h"
 #include "scenes/text/percent_text.h"
 #include "scenes/text/timer.h"

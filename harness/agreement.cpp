@@ -11,7 +11,7 @@
 #include "harness/image_blocks.h"
 #include "harness/student.h"
 #include "scenes/text/input_error.h"
-#include "scenes/mean_error.h"
+#include "scenes/images/mean_error.h"
 #include "scenes/text/percent_text.h"
 
 namespace photonproof {

@@ -10,7 +10,7 @@
 #include <optional>
 #include <string>
 
-#include "scenes/image.h"
+#include "scenes/images/image.h"
 
 namespace photonproof {
 
@@ -59,7 +59,7 @@ struct Agreement {
 ///   edge have nearly all of the noise, and none counts more than four times as much as the median one. A pixel's
 ///   weight is taken from neighbours whose noise it does not share: weighed by their own variances, samples that are
 ///   high by chance would count too little.
-/// - That mean's variance is its pixels', unless the image says that they vary together (scenes/mean_error.h).
+/// - That mean's variance is its pixels', unless the image says that they vary together (scenes/images/mean_error.h).
 /// It holds its level from 64 estimates a pixel on, from 16 on where samples are no wilder than exponential
 /// (agreement_test.cpp measures it).
 /// Preconditions: equal sizes, finite values. Throws InputError, naming `reference` or `test`, when one has no

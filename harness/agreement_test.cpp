@@ -10,7 +10,7 @@
 #include <random>
 
 #include "scenes/text/input_error.h"
-#include "scenes/mean_error.h"
+#include "scenes/images/mean_error.h"
 
 namespace photonproof {
 namespace {

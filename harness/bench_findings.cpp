@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "scenes/image.h"
+#include "scenes/images/image.h"
 #include "scenes/text/input_error.h"
 
 namespace photonproof {

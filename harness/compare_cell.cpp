@@ -1,7 +1,7 @@
 #include "harness/compare_cell.h"
 
 #include "harness/heatmap.h"
-#include "scenes/image.h"
+#include "scenes/images/image.h"
 #include "scenes/text/input_error.h"
 
 namespace photonproof {

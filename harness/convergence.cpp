@@ -7,7 +7,7 @@
 
 #include "harness/error_split.h"
 #include "harness/statistics.h"
-#include "scenes/image.h"
+#include "scenes/images/image.h"
 #include "scenes/text/input_error.h"
 
 namespace photonproof {

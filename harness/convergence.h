@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "harness/results.h"
-#include "scenes/image.h"
+#include "scenes/images/image.h"
 
 namespace photonproof {
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "scenes/image.h"
+#include "scenes/images/image.h"
 #include "scenes/text/test_folder.h"
 
 namespace photonproof {

@@ -23,7 +23,7 @@
 #include <vector>
 
 #include "harness/image_blocks.h"
-#include "scenes/image.h"
+#include "scenes/images/image.h"
 
 namespace photonproof {
 

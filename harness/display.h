@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "scenes/image.h"
+#include "scenes/images/image.h"
 
 namespace photonproof {
 

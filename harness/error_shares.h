@@ -7,7 +7,7 @@
 
 #include "harness/metrics.h"
 #include "harness/results.h"
-#include "scenes/image.h"
+#include "scenes/images/image.h"
 
 namespace photonproof {
 

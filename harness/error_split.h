@@ -6,7 +6,7 @@
 #include <span>
 
 #include "harness/results.h"
-#include "scenes/image.h"
+#include "scenes/images/image.h"
 
 namespace photonproof {
 

@@ -14,7 +14,7 @@
 #include "harness/cell_store.h"
 #include "harness/gate_suite.h"
 #include "harness/scene_copies.h"
-#include "scenes/image.h"
+#include "scenes/images/image.h"
 
 namespace photonproof {
 

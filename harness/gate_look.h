@@ -8,7 +8,7 @@
 #include "harness/gate_statistics.h"
 #include "harness/gate_suite.h"
 #include "reference/reference_store.h"
-#include "scenes/exposure_range.h"
+#include "scenes/images/exposure_range.h"
 
 namespace photonproof {
 

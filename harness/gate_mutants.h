@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "scenes/image.h"
+#include "scenes/images/image.h"
 
 namespace photonproof {
 

@@ -10,8 +10,8 @@
 #include "harness/pixel_mask.h"
 #include "harness/pixel_region.h"
 #include "harness/results.h"
-#include "scenes/exposure_range.h"
-#include "scenes/image.h"
+#include "scenes/images/exposure_range.h"
+#include "scenes/images/image.h"
 
 namespace photonproof {
 

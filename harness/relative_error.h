@@ -1,7 +1,7 @@
 // The relative squared error behind relmse, for what needs more than the metric's one number.
 #pragma once
 
-#include "scenes/image.h"
+#include "scenes/images/image.h"
 
 namespace photonproof {
 

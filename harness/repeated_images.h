@@ -6,7 +6,7 @@
 #include <span>
 #include <string_view>
 
-#include "scenes/image.h"
+#include "scenes/images/image.h"
 
 namespace photonproof {
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "scenes/exposure_range.h"
+#include "scenes/images/exposure_range.h"
 
 namespace photonproof {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "harness/pixel_region.h"
-#include "scenes/image.h"
+#include "scenes/images/image.h"
 
 namespace photonproof {
 

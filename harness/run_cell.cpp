@@ -9,7 +9,7 @@
 #include "reference/process.h"
 #include "scenes/text/atomic_file.h"
 #include "scenes/text/file_checksum.h"
-#include "scenes/image.h"
+#include "scenes/images/image.h"
 #include "scenes/text/input_error.h"
 #include "scenes/text/size_text.h"
 #include "scenes/text/utf8.h"

@@ -7,7 +7,7 @@
 
 #include "harness/gate_mutants.h"
 #include "reference/process.h"
-#include "scenes/image.h"
+#include "scenes/images/image.h"
 #include "scenes/text/test_folder.h"
 
 namespace photonproof {

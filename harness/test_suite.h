@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "scenes/image.h"
+#include "scenes/images/image.h"
 #include "scenes/text/test_folder.h"
 
 namespace photonproof {

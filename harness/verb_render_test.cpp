@@ -8,7 +8,7 @@
 
 #include "harness/test_program.h"
 #include "reference/process.h"
-#include "scenes/image.h"
+#include "scenes/images/image.h"
 #include "scenes/text/test_folder.h"
 
 namespace photonproof {

@@ -9,7 +9,7 @@
 // that the rest compresses to nothing.
 #pragma once
 
-#include "scenes/image.h"
+#include "scenes/images/image.h"
 
 namespace photonproof {
 

@@ -9,7 +9,7 @@
 
 #include "reference/povray_export.h"
 #include "reference/povray_statistics.h"
-#include "scenes/image.h"
+#include "scenes/images/image.h"
 
 namespace photonproof {
 

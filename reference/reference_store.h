@@ -7,7 +7,7 @@
 #include <string>
 
 #include "reference/provenance.h"
-#include "scenes/image.h"
+#include "scenes/images/image.h"
 
 namespace photonproof {
 

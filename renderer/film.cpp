@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "renderer/checkpoint.h"
-#include "scenes/mean_error.h"
+#include "scenes/images/mean_error.h"
 
 namespace photonproof {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "renderer/parallel.h"
-#include "scenes/image.h"
+#include "scenes/images/image.h"
 #include "scenes/vec.h"
 
 namespace photonproof {

@@ -11,7 +11,7 @@
 #include "renderer/chi_square.h"
 #include "renderer/phase.h"
 #include "renderer/test_scenes.h"
-#include "scenes/mean_error.h"
+#include "scenes/images/mean_error.h"
 
 namespace photonproof {
 namespace {

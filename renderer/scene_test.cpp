@@ -13,7 +13,7 @@
 #include "renderer/scene_facts.h"
 #include "renderer/test_random.h"
 #include "renderer/test_scenes.h"
-#include "scenes/mean_error.h"
+#include "scenes/images/mean_error.h"
 
 namespace photonproof {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "renderer/discrete_distribution.h"
-#include "scenes/image.h"
+#include "scenes/images/image.h"
 #include "scenes/transform.h"
 #include "scenes/vec.h"
 

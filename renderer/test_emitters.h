@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "renderer/test_scenes.h"
-#include "scenes/image.h"
+#include "scenes/images/image.h"
 #include "scenes/parser.h"
 #include "scenes/text/test_folder.h"
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "scenes/image.h"
+#include "scenes/images/image.h"
 
 namespace photonproof::reports {
 

@@ -9,7 +9,7 @@
 #include "reports/temporary_folder.h"
 #include "reports/text.h"
 #include "scenes/text/atomic_file.h"
-#include "scenes/image.h"
+#include "scenes/images/image.h"
 #include "scenes/text/input_error.h"
 
 namespace photonproof::reports {

@@ -1,7 +1,7 @@
 // Smaller copies of images, for pages with a limit on their size.
 #pragma once
 
-#include "scenes/image.h"
+#include "scenes/images/image.h"
 
 namespace photonproof::reports {
 

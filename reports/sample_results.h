@@ -12,7 +12,7 @@
 
 #include "harness/results.h"
 #include "reports/temporary_folder.h"
-#include "scenes/image.h"
+#include "scenes/images/image.h"
 
 namespace photonproof::reports {
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "scenes/ies.h"
-#include "scenes/image.h"
+#include "scenes/images/image.h"
 #include "scenes/text/input_error.h"
 #include "scenes/mesh.h"
 #include "scenes/transform.h"

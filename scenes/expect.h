@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "scenes/exposure_range.h"
+#include "scenes/images/exposure_range.h"
 #include "scenes/vec.h"
 
 namespace photonproof {

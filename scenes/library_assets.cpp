@@ -7,7 +7,7 @@
 
 #include "scenes/text/atomic_file.h"
 #include "scenes/gradient_noise.h"
-#include "scenes/image.h"
+#include "scenes/images/image.h"
 #include "scenes/mesh.h"
 #include "scenes/ply.h"
 

@@ -4,8 +4,8 @@
 #include <memory>
 #include <string>
 
-#include "scenes/image.h"
-#include "scenes/image_file.h"
+#include "scenes/images/image.h"
+#include "scenes/images/image_file.h"
 
 namespace photonproof {
 

@@ -1,4 +1,4 @@
-#include "scenes/display_window.h"
+#include "scenes/images/display_window.h"
 
 #include <algorithm>
 #include <utility>

@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "scenes/image_file.h"
+#include "scenes/images/image_file.h"
 
 namespace photonproof {
 

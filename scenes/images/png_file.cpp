@@ -1,4 +1,4 @@
-#include "scenes/png_file.h"
+#include "scenes/images/png_file.h"
 
 #include <png.h>
 

@@ -1,4 +1,4 @@
-#include "scenes/image.h"
+#include "scenes/images/image.h"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>

@@ -2,7 +2,7 @@
 
 #include <OpenImageIO/imageio.h>
 
-#include "scenes/image_file.h"
+#include "scenes/images/image_file.h"
 #include "scenes/text/input_error.h"
 
 namespace photonproof {

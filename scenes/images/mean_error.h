@@ -5,7 +5,7 @@
 #include <array>
 #include <optional>
 
-#include "scenes/image.h"
+#include "scenes/images/image.h"
 
 namespace photonproof {
 

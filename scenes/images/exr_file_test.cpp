@@ -1,6 +1,6 @@
 // EXRs of other programs: tiles, windows, layers, grey; and damaged ones.
 
-#include "scenes/exr_file.h"
+#include "scenes/images/exr_file.h"
 
 #include <ImathBox.h>
 #include <OpenEXR/ImfChannelList.h>

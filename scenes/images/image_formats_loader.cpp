@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "scenes/image_file.h"
+#include "scenes/images/image_file.h"
 #include "scenes/text/input_error.h"
 
 namespace photonproof {

@@ -1,4 +1,4 @@
-#include "scenes/image.h"
+#include "scenes/images/image.h"
 
 #include <algorithm>
 #include <array>
@@ -8,11 +8,11 @@
 #include <memory>
 
 #include "scenes/text/atomic_file.h"
-#include "scenes/display_window.h"
-#include "scenes/exr_file.h"
-#include "scenes/image_file.h"
+#include "scenes/images/display_window.h"
+#include "scenes/images/exr_file.h"
+#include "scenes/images/image_file.h"
 #include "scenes/text/input_error.h"
-#include "scenes/png_file.h"
+#include "scenes/images/png_file.h"
 #include "scenes/text/size_text.h"
 
 namespace photonproof {

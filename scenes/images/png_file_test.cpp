@@ -1,13 +1,13 @@
 // PNGs of other programs: palettes, 16 bits, alpha, interlaced, rows out of order.
 
-#include "scenes/png_file.h"
+#include "scenes/images/png_file.h"
 
 #include <gtest/gtest.h>
 #include <png.h>
 
 #include <cstdio>
 
-#include "scenes/image.h"
+#include "scenes/images/image.h"
 #include "scenes/text/test_folder.h"
 
 namespace photonproof {

@@ -1,4 +1,4 @@
-#include "scenes/exr_file.h"
+#include "scenes/images/exr_file.h"
 
 #include <ImathBox.h>
 #include <OpenEXR/ImfChannelList.h>

@@ -1,4 +1,4 @@
-#include "scenes/mean_error.h"
+#include "scenes/images/mean_error.h"
 
 #include "scenes/text/text_numbers.h"
 
