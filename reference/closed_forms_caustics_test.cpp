@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "reference/closed_forms_glass.h"
-#include "scenes/vec.h"
+#include "scenes/meshes/vec.h"
 
 namespace photonproof {
 namespace {

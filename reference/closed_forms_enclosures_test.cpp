@@ -7,7 +7,7 @@
 #include <functional>
 #include <numbers>
 
-#include "scenes/vec.h"
+#include "scenes/meshes/vec.h"
 
 namespace photonproof {
 namespace {

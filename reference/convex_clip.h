@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "scenes/vec.h"
+#include "scenes/meshes/vec.h"
 
 namespace photonproof {
 

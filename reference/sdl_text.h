@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-#include "scenes/vec.h"
+#include "scenes/meshes/vec.h"
 
 namespace photonproof {
 

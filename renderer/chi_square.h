@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "renderer/test_random.h"
-#include "scenes/vec.h"
+#include "scenes/meshes/vec.h"
 
 namespace photonproof::test {
 

@@ -1,7 +1,7 @@
 // The normal of a triangle whatever its size.
 #pragma once
 
-#include "scenes/vec.h"
+#include "scenes/meshes/vec.h"
 
 namespace photonproof {
 

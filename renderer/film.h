@@ -8,7 +8,7 @@
 
 #include "renderer/parallel.h"
 #include "scenes/images/image.h"
-#include "scenes/vec.h"
+#include "scenes/meshes/vec.h"
 
 namespace photonproof {
 

@@ -17,7 +17,7 @@
 #include <experimental/simd>
 #include <type_traits>
 
-#include "scenes/vec.h"
+#include "scenes/meshes/vec.h"
 
 namespace photonproof {
 

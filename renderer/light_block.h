@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "scenes/vec.h"
+#include "scenes/meshes/vec.h"
 
 namespace photonproof {
 

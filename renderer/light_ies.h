@@ -6,7 +6,7 @@
 
 #include "renderer/discrete_distribution.h"
 #include "renderer/light_sample.h"
-#include "scenes/ies.h"
+#include "scenes/meshes/ies.h"
 
 namespace photonproof {
 

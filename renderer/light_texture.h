@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "scenes/vec.h"
+#include "scenes/meshes/vec.h"
 
 namespace photonproof {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "scenes/mesh.h"
+#include "scenes/meshes/mesh.h"
 
 namespace photonproof {
 

@@ -12,7 +12,7 @@
 #include <limits>
 
 #include "renderer/always_inline.h"
-#include "scenes/vec.h"
+#include "scenes/meshes/vec.h"
 
 namespace photonproof {
 

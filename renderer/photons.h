@@ -6,7 +6,7 @@
 
 #include "renderer/large_array.h"
 #include "renderer/photon_sheet.h"
-#include "scenes/vec.h"
+#include "scenes/meshes/vec.h"
 
 namespace photonproof {
 

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "scenes/vec.h"
+#include "scenes/meshes/vec.h"
 
 namespace photonproof {
 

@@ -11,7 +11,7 @@
 #include "renderer/test_random.h"
 #include "renderer/test_scenes.h"
 #include "renderer/warp.h"
-#include "scenes/icosphere.h"
+#include "scenes/meshes/icosphere.h"
 
 namespace photonproof {
 namespace {

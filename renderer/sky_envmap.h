@@ -8,7 +8,7 @@
 #include "renderer/discrete_distribution.h"
 #include "scenes/images/image.h"
 #include "scenes/transform.h"
-#include "scenes/vec.h"
+#include "scenes/meshes/vec.h"
 
 namespace photonproof {
 

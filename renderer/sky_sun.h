@@ -12,7 +12,7 @@
 #include "renderer/discrete_distribution.h"
 #include "renderer/sky_hosek_wilkie.h"
 #include "scenes/transform.h"
-#include "scenes/vec.h"
+#include "scenes/meshes/vec.h"
 
 namespace photonproof {
 

@@ -6,7 +6,7 @@
 
 #include "renderer/parallel.h"
 #include "renderer/reconstruction_filter.h"
-#include "scenes/vec.h"
+#include "scenes/meshes/vec.h"
 
 namespace photonproof {
 

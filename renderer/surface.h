@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "renderer/ray.h"
-#include "scenes/mesh.h"
+#include "scenes/meshes/mesh.h"
 #include "scenes/transform.h"
-#include "scenes/vec.h"
+#include "scenes/meshes/vec.h"
 
 namespace photonproof {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "renderer/test_scenes.h"
-#include "scenes/icosphere.h"
+#include "scenes/meshes/icosphere.h"
 
 namespace photonproof::test {
 

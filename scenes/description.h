@@ -10,12 +10,12 @@
 #include <variant>
 #include <vector>
 
-#include "scenes/ies.h"
+#include "scenes/meshes/ies.h"
 #include "scenes/images/image.h"
 #include "scenes/text/input_error.h"
-#include "scenes/mesh.h"
+#include "scenes/meshes/mesh.h"
 #include "scenes/transform.h"
-#include "scenes/vec.h"
+#include "scenes/meshes/vec.h"
 
 namespace photonproof {
 

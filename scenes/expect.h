@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "scenes/images/exposure_range.h"
-#include "scenes/vec.h"
+#include "scenes/meshes/vec.h"
 
 namespace photonproof {
 

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "scenes/vec.h"
+#include "scenes/meshes/vec.h"
 
 namespace photonproof {
 

@@ -8,8 +8,8 @@
 #include "scenes/text/atomic_file.h"
 #include "scenes/gradient_noise.h"
 #include "scenes/images/image.h"
-#include "scenes/mesh.h"
-#include "scenes/ply.h"
+#include "scenes/meshes/mesh.h"
+#include "scenes/meshes/ply.h"
 
 namespace photonproof {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "scenes/text/atomic_file.h"
-#include "scenes/ply.h"
+#include "scenes/meshes/ply.h"
 #include "scenes/terrain.h"
 
 namespace photonproof {

@@ -7,7 +7,7 @@
 #include "scenes/text/atomic_file.h"
 #include "scenes/expect.h"
 #include "scenes/parser.h"
-#include "scenes/ply.h"
+#include "scenes/meshes/ply.h"
 
 namespace photonproof {
 namespace {

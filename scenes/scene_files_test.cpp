@@ -7,7 +7,7 @@
 #include <filesystem>
 
 #include "scenes/text/atomic_file.h"
-#include "scenes/ply.h"
+#include "scenes/meshes/ply.h"
 
 namespace photonproof {
 namespace {

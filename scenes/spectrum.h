@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "scenes/vec.h"
+#include "scenes/meshes/vec.h"
 
 namespace photonproof {
 

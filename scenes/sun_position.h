@@ -2,7 +2,7 @@
 // vector", Solar Energy 70(5); good to half a minute of arc from 1999 to 2015.
 #pragma once
 
-#include "scenes/vec.h"
+#include "scenes/meshes/vec.h"
 
 namespace photonproof {
 

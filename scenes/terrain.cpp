@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "scenes/gradient_noise.h"
-#include "scenes/icosphere.h"
+#include "scenes/meshes/icosphere.h"
 
 namespace photonproof {
 namespace {

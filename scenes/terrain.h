@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "scenes/mesh.h"
+#include "scenes/meshes/mesh.h"
 
 namespace photonproof {
 

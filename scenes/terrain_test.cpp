@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scenes/icosphere.h"
-#include "scenes/mesh_checks.h"
+#include "scenes/meshes/icosphere.h"
+#include "scenes/meshes/mesh_checks.h"
 
 namespace photonproof {
 namespace {

@@ -4,7 +4,7 @@
 #include <array>
 #include <optional>
 
-#include "scenes/vec.h"
+#include "scenes/meshes/vec.h"
 
 namespace photonproof {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "scenes/transform.h"
-#include "scenes/vec.h"
+#include "scenes/meshes/vec.h"
 #include "scenes/xml_source.h"
 
 namespace photonproof::scene_xml {

@@ -7,9 +7,9 @@
 #include <filesystem>
 #include <random>
 
-#include "scenes/obj.h"
+#include "scenes/meshes/obj.h"
 #include "scenes/parser.h"
-#include "scenes/ply.h"
+#include "scenes/meshes/ply.h"
 #include "scenes/same_scene.h"
 
 namespace photonproof {

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "scenes/mesh.h"
+#include "scenes/meshes/mesh.h"
 
 namespace photonproof {
 

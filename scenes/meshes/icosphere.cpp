@@ -1,4 +1,4 @@
-#include "scenes/icosphere.h"
+#include "scenes/meshes/icosphere.h"
 
 #include <map>
 #include <utility>

@@ -1,5 +1,5 @@
 // The fuzzer's corpus as an ordinary test, so that what it once found stays found in every build.
-#include "scenes/ply_fuzz.h"
+#include "scenes/meshes/ply_fuzz.h"
 
 #include <gtest/gtest.h>
 

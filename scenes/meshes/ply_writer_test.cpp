@@ -4,7 +4,7 @@
 
 #include "scenes/text/atomic_file.h"
 #include "scenes/text/input_error.h"
-#include "scenes/ply.h"
+#include "scenes/meshes/ply.h"
 
 namespace photonproof {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "scenes/text/input_error.h"
-#include "scenes/mesh.h"
+#include "scenes/meshes/mesh.h"
 
 namespace photonproof {
 

@@ -1,11 +1,11 @@
 // Fuzzes the OBJ reader. Built with libFuzzer (preset fuzz), and run over obj_corpus/ by reader_fuzz_test.cpp.
-#include "scenes/obj_fuzz.h"
+#include "scenes/meshes/obj_fuzz.h"
 
 #include <cstdio>
 #include <cstdlib>
 
-#include "scenes/mesh_promises.h"
-#include "scenes/obj.h"
+#include "scenes/meshes/mesh_promises.h"
+#include "scenes/meshes/obj.h"
 
 namespace photonproof {
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "scenes/ply_header.h"
+#include "scenes/meshes/ply_header.h"
 
 namespace photonproof::ply {
 

@@ -4,8 +4,8 @@
 #include <filesystem>
 
 #include "scenes/text/atomic_file.h"
-#include "scenes/ies_fuzz.h"
-#include "scenes/obj_fuzz.h"
+#include "scenes/meshes/ies_fuzz.h"
+#include "scenes/meshes/obj_fuzz.h"
 
 namespace photonproof {
 namespace {

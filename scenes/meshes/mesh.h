@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "scenes/vec.h"
+#include "scenes/meshes/vec.h"
 
 namespace photonproof {
 

@@ -1,6 +1,6 @@
 // Fuzzes the PLY reader: any bytes either give one InputError or a mesh whose indices and numbers are sound and that
 // write_ply gives back exactly. Built with libFuzzer (preset fuzz), and run over ply_corpus/ by ply_fuzz_test.cpp.
-#include "scenes/ply_fuzz.h"
+#include "scenes/meshes/ply_fuzz.h"
 
 #include <unistd.h>
 
@@ -8,8 +8,8 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "scenes/mesh_promises.h"
-#include "scenes/ply.h"
+#include "scenes/meshes/mesh_promises.h"
+#include "scenes/meshes/ply.h"
 
 namespace photonproof {
 namespace {

@@ -1,4 +1,4 @@
-#include "scenes/ply_header.h"
+#include "scenes/meshes/ply_header.h"
 
 #include <algorithm>
 #include <array>

@@ -6,7 +6,7 @@
 #include <map>
 #include <utility>
 
-#include "scenes/mesh.h"
+#include "scenes/meshes/mesh.h"
 
 namespace photonproof {
 

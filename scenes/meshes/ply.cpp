@@ -1,12 +1,12 @@
-#include "scenes/ply.h"
+#include "scenes/meshes/ply.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "scenes/text/atomic_file.h"
-#include "scenes/ply_layout.h"
-#include "scenes/ply_values.h"
+#include "scenes/meshes/ply_layout.h"
+#include "scenes/meshes/ply_values.h"
 
 namespace photonproof {
 namespace {

@@ -1,4 +1,4 @@
-#include "scenes/mesh_promises.h"
+#include "scenes/meshes/mesh_promises.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "scenes/ply.h"
+#include "scenes/meshes/ply.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "scenes/ply_layout.h"
+#include "scenes/meshes/ply_layout.h"
 
 #include <algorithm>
 #include <initializer_list>

@@ -1,5 +1,5 @@
 // Fuzzes the IES reader. Built with libFuzzer (preset fuzz), and run over ies_corpus/ by reader_fuzz_test.cpp.
-#include "scenes/ies_fuzz.h"
+#include "scenes/meshes/ies_fuzz.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,8 @@
 #include <cstdlib>
 #include <functional>
 
-#include "scenes/ies.h"
-#include "scenes/mesh_promises.h"
+#include "scenes/meshes/ies.h"
+#include "scenes/meshes/mesh_promises.h"
 
 namespace photonproof {
 

@@ -1,4 +1,4 @@
-#include "scenes/obj.h"
+#include "scenes/meshes/obj.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "scenes/ies.h"
+#include "scenes/meshes/ies.h"
 
 #include <algorithm>
 #include <charconv>
