@@ -8,9 +8,9 @@
 #include "harness/cells.h"
 #include "harness/correctness.h"
 #include "harness/engine_version.h"
-#include "scenes/expect.h"
+#include "scenes/description/expect.h"
 #include "scenes/parser.h"
-#include "scenes/scene_hash.h"
+#include "scenes/description/scene_hash.h"
 #include "scenes/text/size_text.h"
 
 namespace photonproof {

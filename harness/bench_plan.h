@@ -10,7 +10,7 @@
 #include "harness/cell_store.h"
 #include "harness/suite.h"
 #include "reference/reference_store.h"
-#include "scenes/expect.h"
+#include "scenes/description/expect.h"
 
 namespace photonproof {
 

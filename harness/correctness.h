@@ -11,7 +11,7 @@
 #include "harness/engines.h"
 #include "harness/results.h"
 #include "reference/reference_store.h"
-#include "scenes/expect.h"
+#include "scenes/description/expect.h"
 
 namespace photonproof {
 

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "scenes/text/input_error.h"
-#include "scenes/output_files.h"
+#include "scenes/description/output_files.h"
 #include "scenes/text/timer.h"
 
 namespace photonproof {

@@ -7,7 +7,7 @@
 
 #include "harness/metrics.h"
 #include "reference/process.h"
-#include "scenes/expect.h"
+#include "scenes/description/expect.h"
 #include "scenes/text/test_folder.h"
 
 namespace photonproof {

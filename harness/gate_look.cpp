@@ -11,7 +11,7 @@
 #include "harness/error_shares.h"
 #include "harness/metrics.h"
 #include "harness/repeated_images.h"
-#include "scenes/expect.h"
+#include "scenes/description/expect.h"
 #include "scenes/text/input_error.h"
 
 namespace photonproof {

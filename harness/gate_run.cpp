@@ -14,7 +14,7 @@
 #include "harness/gates_together.h"
 #include "harness/host.h"
 #include "harness/independence.h"
-#include "scenes/expect.h"
+#include "scenes/description/expect.h"
 #include "scenes/text/input_error.h"
 
 namespace photonproof {

@@ -6,7 +6,7 @@
 #include "harness/metric_rows.h"
 #include "harness/suite_rows.h"
 #include "scenes/text/atomic_file.h"
-#include "scenes/expect.h"
+#include "scenes/description/expect.h"
 
 namespace photonproof {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "harness/engines.h"
 #include "reference/reference_store.h"
-#include "scenes/expect.h"
+#include "scenes/description/expect.h"
 
 namespace photonproof {
 

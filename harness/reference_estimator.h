@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "scenes/description.h"
-#include "scenes/expect.h"
+#include "scenes/description/description.h"
+#include "scenes/description/expect.h"
 
 namespace photonproof {
 

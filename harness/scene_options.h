@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "scenes/description.h"
+#include "scenes/description/description.h"
 
 namespace CLI {
 class App;

@@ -9,7 +9,7 @@
 #include "harness/test_suite.h"
 #include "reference/reference_store.h"
 #include "scenes/parser.h"
-#include "scenes/scene_hash.h"
+#include "scenes/description/scene_hash.h"
 
 namespace photonproof {
 

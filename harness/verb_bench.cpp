@@ -19,7 +19,7 @@
 #include "reports/verdicts.h"
 #include "scenes/text/input_error.h"
 #include "scenes/text/json_text.h"
-#include "scenes/output_files.h"
+#include "scenes/description/output_files.h"
 
 namespace photonproof {
 namespace {

@@ -17,7 +17,7 @@
 #include "harness/metric_bounds.h"
 #include "harness/verbs.h"
 #include "scenes/text/input_error.h"
-#include "scenes/output_files.h"
+#include "scenes/description/output_files.h"
 #include "scenes/text/text_numbers.h"
 
 namespace photonproof {

@@ -7,7 +7,7 @@
 #include "harness/povray_arguments.h"
 #include "harness/verbs.h"
 #include "reference/povray_export.h"
-#include "scenes/output_files.h"
+#include "scenes/description/output_files.h"
 
 namespace photonproof {
 namespace {

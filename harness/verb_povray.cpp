@@ -12,7 +12,7 @@
 #include "reference/povray_engine.h"
 #include "scenes/text/atomic_file.h"
 #include "scenes/text/json_text.h"
-#include "scenes/output_files.h"
+#include "scenes/description/output_files.h"
 
 namespace photonproof {
 namespace {

@@ -23,9 +23,9 @@
 #include "scenes/text/checksum.h"
 #include "scenes/text/input_error.h"
 #include "scenes/text/json_text.h"
-#include "scenes/output_files.h"
+#include "scenes/description/output_files.h"
 #include "scenes/text/percent_text.h"
-#include "scenes/scene_hash.h"
+#include "scenes/description/scene_hash.h"
 
 namespace photonproof {
 namespace {

@@ -23,8 +23,8 @@
 #include "renderer/version.h"
 #include "scenes/text/atomic_file.h"
 #include "scenes/text/json_text.h"
-#include "scenes/output_files.h"
-#include "scenes/scene_hash.h"
+#include "scenes/description/output_files.h"
+#include "scenes/description/scene_hash.h"
 #include "scenes/text/size_text.h"
 #include "scenes/text/timer.h"
 

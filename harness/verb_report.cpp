@@ -15,7 +15,7 @@
 #include "scenes/text/file_checksum.h"
 #include "scenes/text/input_error.h"
 #include "scenes/text/json_text.h"
-#include "scenes/output_files.h"
+#include "scenes/description/output_files.h"
 
 namespace photonproof {
 namespace {

@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "reference/closed_forms.h"
-#include "scenes/expect.h"
+#include "scenes/description/expect.h"
 #include "scenes/parser.h"
 
 namespace photonproof {

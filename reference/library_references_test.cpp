@@ -6,7 +6,7 @@
 #include <regex>
 
 #include "reference/reference_store.h"
-#include "scenes/expect.h"
+#include "scenes/description/expect.h"
 
 namespace photonproof {
 namespace {

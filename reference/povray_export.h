@@ -8,7 +8,7 @@
 
 #include "reference/povray_options.h"
 #include "reference/sdl_text.h"
-#include "scenes/description.h"
+#include "scenes/description/description.h"
 
 namespace photonproof {
 

@@ -9,7 +9,7 @@
 
 #include "reference/unrepresentable.h"
 #include "scenes/text/atomic_file.h"
-#include "scenes/expect.h"
+#include "scenes/description/expect.h"
 #include "scenes/parser.h"
 
 namespace photonproof {

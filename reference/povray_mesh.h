@@ -8,7 +8,7 @@
 #include <memory>
 #include <string>
 
-#include "scenes/description.h"
+#include "scenes/description/description.h"
 
 namespace photonproof {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "reference/povray_mesh.h"
-#include "scenes/description.h"
+#include "scenes/description/description.h"
 
 namespace photonproof {
 

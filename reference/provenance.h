@@ -17,7 +17,7 @@ struct Acceptance {
 };
 
 struct Provenance {
-  std::string scene_hash;                ///< of the scene and its assets (scenes/scene_hash.h)
+  std::string scene_hash;                ///< of the scene and its assets (scenes/description/scene_hash.h)
   std::vector<std::string> definitions;  ///< "name=value" of -D, sorted; empty: the scene as it is
   int width = 0, height = 0;
   std::string estimator;             ///< the integrator: "bdpt"

@@ -9,7 +9,7 @@
 #include "scenes/text/checksum.h"
 #include "scenes/text/input_error.h"
 #include "scenes/parser.h"
-#include "scenes/scene_hash.h"
+#include "scenes/description/scene_hash.h"
 #include "scenes/text/size_text.h"
 
 namespace photonproof {

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "scenes/parser.h"
-#include "scenes/scene_hash.h"
+#include "scenes/description/scene_hash.h"
 #include "scenes/text/test_folder.h"
 
 namespace photonproof {

@@ -14,8 +14,8 @@
 
 #include "renderer/test_albedo.h"
 #include "renderer/test_scenes.h"
-#include "scenes/conductor_ior.h"
-#include "scenes/named_ior.h"
+#include "scenes/description/conductor_ior.h"
+#include "scenes/description/named_ior.h"
 #include "scenes/parser.h"
 
 namespace photonproof {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "renderer/camera_view.h"
-#include "scenes/description.h"
+#include "scenes/description/description.h"
 
 namespace photonproof {
 

@@ -10,7 +10,7 @@
 
 #include "renderer/test_albedo.h"
 #include "renderer/test_scenes.h"
-#include "scenes/expect.h"
+#include "scenes/description/expect.h"
 #include "scenes/parser.h"
 
 namespace photonproof {

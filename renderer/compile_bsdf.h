@@ -7,7 +7,7 @@
 
 #include "renderer/bsdf.h"
 #include "renderer/texture_slot.h"
-#include "scenes/description.h"
+#include "scenes/description/description.h"
 
 namespace photonproof {
 

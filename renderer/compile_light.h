@@ -6,7 +6,7 @@
 #include "renderer/light.h"
 #include "renderer/scene_ball.h"
 #include "renderer/surface.h"
-#include "scenes/description.h"
+#include "scenes/description/description.h"
 
 namespace photonproof {
 

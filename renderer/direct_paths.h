@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "scenes/description.h"
+#include "scenes/description/description.h"
 
 namespace photonproof {
 

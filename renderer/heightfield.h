@@ -2,7 +2,7 @@
 #pragma once
 
 #include "renderer/texture.h"
-#include "scenes/description.h"
+#include "scenes/description/description.h"
 
 namespace photonproof {
 

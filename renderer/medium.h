@@ -7,7 +7,7 @@
 
 #include "renderer/phase.h"
 #include "renderer/warp.h"
-#include "scenes/description.h"
+#include "scenes/description/description.h"
 
 namespace photonproof {
 

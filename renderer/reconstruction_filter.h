@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "renderer/camera_view.h"
-#include "scenes/description.h"
+#include "scenes/description/description.h"
 
 namespace photonproof {
 

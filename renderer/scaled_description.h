@@ -1,7 +1,7 @@
 // The same scene in another unit of length.
 #pragma once
 
-#include "scenes/description.h"
+#include "scenes/description/description.h"
 
 namespace photonproof {
 

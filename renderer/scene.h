@@ -16,7 +16,7 @@
 #include "renderer/surface.h"
 #include "renderer/surface_detail.h"
 #include "renderer/trace.h"
-#include "scenes/description.h"
+#include "scenes/description/description.h"
 
 namespace photonproof {
 

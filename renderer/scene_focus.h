@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "scenes/description.h"
+#include "scenes/description/description.h"
 
 namespace photonproof {
 

@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "scenes/description.h"
+#include "scenes/description/description.h"
 
 namespace photonproof {
 

@@ -7,7 +7,7 @@
 
 #include "renderer/surface.h"
 #include "renderer/texture.h"
-#include "scenes/description.h"
+#include "scenes/description/description.h"
 
 namespace photonproof {
 

@@ -7,7 +7,7 @@
 
 #include "renderer/discrete_distribution.h"
 #include "scenes/images/image.h"
-#include "scenes/transform.h"
+#include "scenes/description/transform.h"
 #include "scenes/meshes/vec.h"
 
 namespace photonproof {

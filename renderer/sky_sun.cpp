@@ -6,7 +6,7 @@
 
 #include "renderer/sun_spectrum.h"
 #include "renderer/warp.h"
-#include "scenes/spectrum.h"
+#include "scenes/description/spectrum.h"
 
 namespace photonproof {
 namespace {

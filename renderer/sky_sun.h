@@ -11,7 +11,7 @@
 
 #include "renderer/discrete_distribution.h"
 #include "renderer/sky_hosek_wilkie.h"
-#include "scenes/transform.h"
+#include "scenes/description/transform.h"
 #include "scenes/meshes/vec.h"
 
 namespace photonproof {

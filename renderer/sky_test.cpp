@@ -8,7 +8,7 @@
 
 #include "renderer/sky_sun.h"
 #include "renderer/sun_spectrum.h"
-#include "scenes/spectrum.h"
+#include "scenes/description/spectrum.h"
 
 namespace photonproof {
 namespace {

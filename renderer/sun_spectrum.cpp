@@ -5,7 +5,7 @@
 #include <numbers>
 #include <vector>
 
-#include "scenes/spectrum.h"
+#include "scenes/description/spectrum.h"
 
 namespace photonproof {
 namespace {

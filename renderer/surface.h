@@ -9,7 +9,7 @@
 
 #include "renderer/ray.h"
 #include "scenes/meshes/mesh.h"
-#include "scenes/transform.h"
+#include "scenes/description/transform.h"
 #include "scenes/meshes/vec.h"
 
 namespace photonproof {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "renderer/ray.h"
-#include "scenes/description.h"
+#include "scenes/description/description.h"
 
 namespace photonproof {
 

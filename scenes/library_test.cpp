@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "scenes/text/atomic_file.h"
-#include "scenes/expect.h"
+#include "scenes/description/expect.h"
 #include "scenes/library_assets.h"
 #include "scenes/many_lights.h"
 #include "scenes/parser.h"

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "scenes/description.h"
+#include "scenes/description/description.h"
 #include "scenes/xml_writer.h"
 
 namespace photonproof {

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "scenes/text/atomic_file.h"
-#include "scenes/expect.h"
+#include "scenes/description/expect.h"
 #include "scenes/parser.h"
 #include "scenes/meshes/ply.h"
 

@@ -14,8 +14,8 @@
 #include <string_view>
 #include <vector>
 
-#include "scenes/description.h"
-#include "scenes/spectrum.h"
+#include "scenes/description/description.h"
+#include "scenes/description/spectrum.h"
 #include "scenes/xml_source.h"
 
 namespace photonproof::scene_xml {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "scenes/description.h"
+#include "scenes/description/description.h"
 #include "scenes/text/edit_distance.h"
 #include "scenes/params.h"
 #include "scenes/scene_objects.h"

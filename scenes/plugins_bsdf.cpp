@@ -1,6 +1,6 @@
 // Mitsuba 3's smooth BSDFs and null, and the extension phong; defaults are Mitsuba's, phong's those of Mitsuba 0.6.
-#include "scenes/conductor_ior.h"
-#include "scenes/named_ior.h"
+#include "scenes/description/conductor_ior.h"
+#include "scenes/description/named_ior.h"
 #include "scenes/plugins.h"
 
 namespace photonproof::scene_xml {

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "scenes/plugins.h"
-#include "scenes/sun_position.h"
+#include "scenes/description/sun_position.h"
 
 namespace photonproof::scene_xml {
 namespace {

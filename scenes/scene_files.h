@@ -5,7 +5,7 @@
 #include <map>
 #include <memory>
 
-#include "scenes/description.h"
+#include "scenes/description/description.h"
 #include "scenes/parser.h"
 #include "scenes/xml_source.h"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "scenes/description.h"
+#include "scenes/description/description.h"
 #include "scenes/scene_files.h"
 #include "scenes/xml_source.h"
 

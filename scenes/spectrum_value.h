@@ -1,7 +1,7 @@
 // <spectrum>: one number, "wavelength:value" pairs, or a file of them.
 #pragma once
 
-#include "scenes/spectrum.h"
+#include "scenes/description/spectrum.h"
 #include "scenes/xml_source.h"
 
 namespace photonproof::scene_xml {

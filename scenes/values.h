@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "scenes/transform.h"
+#include "scenes/description/transform.h"
 #include "scenes/meshes/vec.h"
 #include "scenes/xml_source.h"
 

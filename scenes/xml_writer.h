@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "scenes/transform.h"
+#include "scenes/description/transform.h"
 #include "scenes/meshes/vec.h"
 
 namespace photonproof {

@@ -1,4 +1,4 @@
-"""Where the sun stands, by another method than scenes/sun_position.cpp: prints what sun_position_test.cpp expects.
+"""Where the sun stands, by another method than scenes/description/sun_position.cpp: prints what sun_position_test.cpp expects.
 
     python3 harness/oracles/sun_position_oracle.py
 

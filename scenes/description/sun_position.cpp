@@ -1,4 +1,4 @@
-#include "scenes/sun_position.h"
+#include "scenes/description/sun_position.h"
 
 #include <algorithm>
 #include <cmath>

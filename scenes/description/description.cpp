@@ -1,4 +1,4 @@
-#include "scenes/description.h"
+#include "scenes/description/description.h"
 
 namespace photonproof {
 

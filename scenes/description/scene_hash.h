@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "scenes/description.h"
+#include "scenes/description/description.h"
 
 namespace photonproof {
 

@@ -1,4 +1,4 @@
-#include "scenes/transform.h"
+#include "scenes/description/transform.h"
 
 #include <gtest/gtest.h>
 

@@ -14,7 +14,7 @@
 #include "scenes/images/image.h"
 #include "scenes/text/input_error.h"
 #include "scenes/meshes/mesh.h"
-#include "scenes/transform.h"
+#include "scenes/description/transform.h"
 #include "scenes/meshes/vec.h"
 
 namespace photonproof {

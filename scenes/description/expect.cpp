@@ -1,4 +1,4 @@
-#include "scenes/expect.h"
+#include "scenes/description/expect.h"
 
 #include <toml++/toml.h>
 

@@ -1,4 +1,4 @@
-#include "scenes/output_files.h"
+#include "scenes/description/output_files.h"
 
 #include "scenes/parser.h"
 #include "scenes/text/test_folder.h"

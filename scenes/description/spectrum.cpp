@@ -1,4 +1,4 @@
-#include "scenes/spectrum.h"
+#include "scenes/description/spectrum.h"
 
 #include <algorithm>
 #include <array>

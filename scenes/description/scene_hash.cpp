@@ -1,4 +1,4 @@
-#include "scenes/scene_hash.h"
+#include "scenes/description/scene_hash.h"
 
 #include <algorithm>
 #include <type_traits>

@@ -1,8 +1,8 @@
-#include "scenes/spectrum.h"
+#include "scenes/description/spectrum.h"
 
 #include <gtest/gtest.h>
 
-#include "scenes/conductor_ior.h"
+#include "scenes/description/conductor_ior.h"
 
 namespace photonproof {
 namespace {

@@ -1,4 +1,4 @@
-#include "scenes/named_ior.h"
+#include "scenes/description/named_ior.h"
 
 #include <array>
 #include <utility>

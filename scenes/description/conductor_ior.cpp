@@ -1,4 +1,4 @@
-#include "scenes/conductor_ior.h"
+#include "scenes/description/conductor_ior.h"
 
 namespace photonproof {
 namespace {

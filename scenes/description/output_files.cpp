@@ -1,4 +1,4 @@
-#include "scenes/output_files.h"
+#include "scenes/description/output_files.h"
 
 #include <unistd.h>
 
