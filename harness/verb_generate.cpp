@@ -10,9 +10,9 @@
 #include "harness/verbs.h"
 #include "scenes/text/atomic_file.h"
 #include "scenes/text/input_error.h"
-#include "scenes/library_assets.h"
-#include "scenes/many_lights.h"
-#include "scenes/million.h"
+#include "scenes/generators/library_assets.h"
+#include "scenes/generators/many_lights.h"
+#include "scenes/generators/million.h"
 
 namespace photonproof {
 namespace {

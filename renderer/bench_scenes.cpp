@@ -4,7 +4,7 @@
 #include <map>
 #include <random>
 
-#include "scenes/million.h"
+#include "scenes/generators/million.h"
 #include "scenes/parser.h"
 
 namespace photonproof::bench {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "scenes/gradient_noise.h"
+#include "scenes/generators/gradient_noise.h"
 
 namespace photonproof {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "renderer/test_scenes.h"
-#include "scenes/terrain.h"
+#include "scenes/generators/terrain.h"
 
 namespace photonproof {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "scenes/text/atomic_file.h"
 #include "scenes/description/expect.h"
-#include "scenes/library_assets.h"
-#include "scenes/many_lights.h"
+#include "scenes/generators/library_assets.h"
+#include "scenes/generators/many_lights.h"
 #include "scenes/parser.h"
 
 namespace photonproof {

@@ -1,4 +1,4 @@
-#include "scenes/gradient_noise.h"
+#include "scenes/generators/gradient_noise.h"
 
 #include <array>
 #include <cmath>

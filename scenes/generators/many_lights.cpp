@@ -1,10 +1,10 @@
-#include "scenes/many_lights.h"
+#include "scenes/generators/many_lights.h"
 
 #include <array>
 #include <cmath>
 #include <cstdio>
 
-#include "scenes/gradient_noise.h"
+#include "scenes/generators/gradient_noise.h"
 
 namespace photonproof {
 namespace {

@@ -1,4 +1,4 @@
-#include "scenes/million.h"
+#include "scenes/generators/million.h"
 
 #include <gtest/gtest.h>
 

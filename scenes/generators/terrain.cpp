@@ -1,8 +1,8 @@
-#include "scenes/terrain.h"
+#include "scenes/generators/terrain.h"
 
 #include <algorithm>
 
-#include "scenes/gradient_noise.h"
+#include "scenes/generators/gradient_noise.h"
 #include "scenes/meshes/icosphere.h"
 
 namespace photonproof {

@@ -1,4 +1,4 @@
-#include "scenes/library_assets.h"
+#include "scenes/generators/library_assets.h"
 
 #include <array>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "scenes/text/atomic_file.h"
-#include "scenes/gradient_noise.h"
+#include "scenes/generators/gradient_noise.h"
 #include "scenes/images/image.h"
 #include "scenes/meshes/mesh.h"
 #include "scenes/meshes/ply.h"

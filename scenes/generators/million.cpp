@@ -1,11 +1,11 @@
-#include "scenes/million.h"
+#include "scenes/generators/million.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "scenes/text/atomic_file.h"
 #include "scenes/meshes/ply.h"
-#include "scenes/terrain.h"
+#include "scenes/generators/terrain.h"
 
 namespace photonproof {
 namespace {

@@ -1,4 +1,4 @@
-#include "scenes/terrain.h"
+#include "scenes/generators/terrain.h"
 
 #include <gtest/gtest.h>
 
