@@ -3,7 +3,7 @@
 
 #include "scenes/parser.h"
 #include "scenes/scene_files.h"
-#include "scenes/xml_source.h"
+#include "scenes/xml/xml_source.h"
 
 namespace photonproof::scene_xml {
 

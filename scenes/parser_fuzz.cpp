@@ -9,7 +9,7 @@
 #include "scenes/parser.h"
 #include "scenes/same_scene.h"
 #include "scenes/text/utf8.h"
-#include "scenes/writer.h"
+#include "scenes/xml/writer.h"
 
 namespace photonproof {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "scenes/description/description.h"
 #include "scenes/parser.h"
-#include "scenes/xml_source.h"
+#include "scenes/xml/xml_source.h"
 
 namespace photonproof::scene_xml {
 

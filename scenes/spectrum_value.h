@@ -2,7 +2,7 @@
 #pragma once
 
 #include "scenes/description/spectrum.h"
-#include "scenes/xml_source.h"
+#include "scenes/xml/xml_source.h"
 
 namespace photonproof::scene_xml {
 

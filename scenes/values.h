@@ -7,7 +7,7 @@
 
 #include "scenes/description/transform.h"
 #include "scenes/meshes/vec.h"
-#include "scenes/xml_source.h"
+#include "scenes/xml/xml_source.h"
 
 namespace photonproof::scene_xml {
 

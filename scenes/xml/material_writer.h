@@ -4,7 +4,7 @@
 #include <string>
 
 #include "scenes/description/description.h"
-#include "scenes/xml_writer.h"
+#include "scenes/xml/xml_writer.h"
 
 namespace photonproof {
 

@@ -1,8 +1,8 @@
 // The inverse of the parser.
-#include "scenes/writer.h"
+#include "scenes/xml/writer.h"
 
-#include "scenes/material_writer.h"
-#include "scenes/xml_writer.h"
+#include "scenes/xml/material_writer.h"
+#include "scenes/xml/xml_writer.h"
 
 namespace photonproof {
 namespace {

@@ -1,4 +1,4 @@
-#include "scenes/writer.h"
+#include "scenes/xml/writer.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

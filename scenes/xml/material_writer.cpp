@@ -1,4 +1,4 @@
-#include "scenes/material_writer.h"
+#include "scenes/xml/material_writer.h"
 
 namespace photonproof {
 namespace {

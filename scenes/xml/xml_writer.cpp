@@ -1,4 +1,4 @@
-#include "scenes/xml_writer.h"
+#include "scenes/xml/xml_writer.h"
 
 #include "scenes/text/text_numbers.h"
 

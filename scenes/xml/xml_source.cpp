@@ -1,4 +1,4 @@
-#include "scenes/xml_source.h"
+#include "scenes/xml/xml_source.h"
 
 #include <algorithm>
 #include <cctype>
