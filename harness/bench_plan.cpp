@@ -9,7 +9,7 @@
 #include "harness/correctness.h"
 #include "harness/engine_version.h"
 #include "scenes/description/expect.h"
-#include "scenes/parser.h"
+#include "scenes/parser/parser.h"
 #include "scenes/description/scene_hash.h"
 #include "scenes/text/size_text.h"
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "scenes/parser.h"
+#include "scenes/parser/parser.h"
 #include "scenes/text/test_folder.h"
 
 namespace photonproof {

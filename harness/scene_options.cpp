@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "scenes/parser.h"
+#include "scenes/parser/parser.h"
 
 namespace photonproof {
 namespace {

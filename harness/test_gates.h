@@ -8,7 +8,7 @@
 
 #include "harness/test_suite.h"
 #include "reference/reference_store.h"
-#include "scenes/parser.h"
+#include "scenes/parser/parser.h"
 #include "scenes/description/scene_hash.h"
 
 namespace photonproof {

@@ -10,7 +10,7 @@
 
 #include "reference/closed_forms.h"
 #include "scenes/description/expect.h"
-#include "scenes/parser.h"
+#include "scenes/parser/parser.h"
 
 namespace photonproof {
 namespace {

@@ -10,7 +10,7 @@
 #include "reference/unrepresentable.h"
 #include "scenes/text/atomic_file.h"
 #include "scenes/description/expect.h"
-#include "scenes/parser.h"
+#include "scenes/parser/parser.h"
 
 namespace photonproof {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "reference/povray_engine.h"
-#include "scenes/parser.h"
+#include "scenes/parser/parser.h"
 
 namespace photonproof {
 namespace {

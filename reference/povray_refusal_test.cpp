@@ -3,7 +3,7 @@
 
 #include "reference/povray_export.h"
 #include "reference/unrepresentable.h"
-#include "scenes/parser.h"
+#include "scenes/parser/parser.h"
 
 namespace photonproof {
 namespace {

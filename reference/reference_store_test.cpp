@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <limits>
 
-#include "scenes/parser.h"
+#include "scenes/parser/parser.h"
 #include "scenes/description/scene_hash.h"
 #include "scenes/text/test_folder.h"
 

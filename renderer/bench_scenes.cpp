@@ -5,7 +5,7 @@
 #include <random>
 
 #include "scenes/generators/million.h"
-#include "scenes/parser.h"
+#include "scenes/parser/parser.h"
 
 namespace photonproof::bench {
 namespace {

@@ -16,7 +16,7 @@
 #include "renderer/test_scenes.h"
 #include "scenes/description/conductor_ior.h"
 #include "scenes/description/named_ior.h"
-#include "scenes/parser.h"
+#include "scenes/parser/parser.h"
 
 namespace photonproof {
 namespace {

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "renderer/test_scenes.h"
-#include "scenes/parser.h"
+#include "scenes/parser/parser.h"
 
 namespace photonproof {
 namespace {

@@ -9,7 +9,7 @@
 #include <array>
 
 #include "renderer/test_scenes.h"
-#include "scenes/parser.h"
+#include "scenes/parser/parser.h"
 
 namespace photonproof {
 namespace {

@@ -11,7 +11,7 @@
 #include "renderer/test_albedo.h"
 #include "renderer/test_scenes.h"
 #include "scenes/description/expect.h"
-#include "scenes/parser.h"
+#include "scenes/parser/parser.h"
 
 namespace photonproof {
 namespace {

@@ -28,7 +28,7 @@
 #include "renderer/kernels/camera_rays.h"
 #include "renderer/test_photon_scenes.h"
 #include "renderer/test_scenes.h"
-#include "scenes/parser.h"
+#include "scenes/parser/parser.h"
 
 namespace photonproof {
 namespace {

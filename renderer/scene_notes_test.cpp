@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "renderer/test_scenes.h"
-#include "scenes/parser.h"
+#include "scenes/parser/parser.h"
 
 namespace photonproof {
 namespace {

@@ -8,7 +8,7 @@
 #include "renderer/face_normal.h"
 #include "renderer/scene_frame.h"
 #include "renderer/test_sizes.h"
-#include "scenes/parser.h"
+#include "scenes/parser/parser.h"
 
 namespace photonproof {
 namespace {

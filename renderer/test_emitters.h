@@ -8,7 +8,7 @@
 
 #include "renderer/test_scenes.h"
 #include "scenes/images/image.h"
-#include "scenes/parser.h"
+#include "scenes/parser/parser.h"
 #include "scenes/text/test_folder.h"
 
 namespace photonproof::test {

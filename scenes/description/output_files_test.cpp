@@ -1,6 +1,6 @@
 #include "scenes/description/output_files.h"
 
-#include "scenes/parser.h"
+#include "scenes/parser/parser.h"
 #include "scenes/text/test_folder.h"
 
 namespace photonproof {

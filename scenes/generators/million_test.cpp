@@ -6,7 +6,7 @@
 
 #include "scenes/text/atomic_file.h"
 #include "scenes/description/expect.h"
-#include "scenes/parser.h"
+#include "scenes/parser/parser.h"
 #include "scenes/meshes/ply.h"
 
 namespace photonproof {

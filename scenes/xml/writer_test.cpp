@@ -8,9 +8,9 @@
 #include <random>
 
 #include "scenes/meshes/obj.h"
-#include "scenes/parser.h"
+#include "scenes/parser/parser.h"
 #include "scenes/meshes/ply.h"
-#include "scenes/same_scene.h"
+#include "scenes/parser/same_scene.h"
 
 namespace photonproof {
 namespace {

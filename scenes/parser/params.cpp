@@ -1,0 +1,259 @@
+#include "scenes/parser/params.h"
+
+#include <algorithm>
+#include <array>
+
+#include "scenes/text/edit_distance.h"
+#include "scenes/parser/scene_objects.h"
+#include "scenes/parser/spectrum_value.h"
+#include "scenes/text/text_numbers.h"
+#include "scenes/parser/values.h"
+
+namespace photonproof::scene_xml {
+namespace {
+
+const std::vector<std::string>& tags_of(ParamType type) {
+  static const std::map<ParamType, std::vector<std::string>> table = {
+      {ParamType::boolean, {"boolean"}},
+      {ParamType::integer, {"integer"}},
+      {ParamType::number, {"float", "integer"}},
+      {ParamType::string, {"string"}},
+      {ParamType::ior, {"float", "integer", "string"}},
+      {ParamType::colour, {"rgb", "spectrum", "float"}},
+      {ParamType::emission, {"rgb", "spectrum", "float"}},
+      {ParamType::colour_map, {"rgb", "spectrum", "float", "texture"}},
+      {ParamType::emission_map, {"rgb", "spectrum", "float", "texture"}},
+      {ParamType::number_map, {"float", "integer", "texture"}},
+      {ParamType::texture, {"texture"}},
+      {ParamType::point, {"point", "vector"}},
+      {ParamType::transform, {"transform"}}};
+  return table.at(type);
+}
+
+bool is_emission(ParamType type) { return type == ParamType::emission || type == ParamType::emission_map; }
+
+std::string in_brackets(const std::vector<std::string>& tags) {
+  std::vector<std::string> shown;
+  shown.reserve(tags.size());
+  for (const std::string& tag : tags) shown.push_back("<" + tag + ">");
+  return join_or(shown);
+}
+
+std::string range(double low, double high) {
+  return high < std::numeric_limits<double>::infinity() ? "from " + format_number(low) + " to " + format_number(high)
+                                                        : "at least " + format_number(low);
+}
+
+std::string lower(std::string text) {
+  for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return text;
+}
+
+}  // namespace
+
+bool is_parameter_tag(std::string_view tag) {
+  constexpr std::array<std::string_view, 9> kTags = {"boolean", "float",    "integer", "point",    "rgb",
+                                                     "string",  "spectrum", "vector",  "transform"};
+  return std::find(kTags.begin(), kTags.end(), tag) != kTags.end();
+}
+
+Params::Params(SceneObjects& objects, const Element& object, std::string title, const std::vector<ParamSpec>& specs,
+               const std::vector<NestedSpec>& nested)
+    : objects_(objects), sources_(objects.sources()), object_(object), title_(std::move(title)) {
+  for (const Element& child : object.children) {
+    if (is_parameter_tag(child.tag))
+      add(child, specs);
+    else
+      add_nested(child, specs, nested);
+  }
+}
+
+void Params::add(const Element& parameter, const std::vector<ParamSpec>& specs) {
+  const Attribute& name = require(sources_, parameter, "name");
+  const auto spec = std::find_if(specs.begin(), specs.end(), [&](const ParamSpec& s) { return s.name == name.value; });
+  if (spec == specs.end()) {
+    std::vector<std::string> names;
+    names.reserve(specs.size());
+    for (const ParamSpec& known : specs) names.push_back(known.name);
+    fail_at(sources_, name,
+            title_ + " has no parameter " + in_quotes(name.value) + did_you_mean(name.value, names) + ", expected " +
+                join_or(names));
+  }
+  const auto& tags = tags_of(spec->type);
+  const std::string& tag = objects_.target(parameter).tag;
+  if (std::find(tags.begin(), tags.end(), tag) == tags.end())
+    sources_.fail(parameter.at,
+                  "parameter '" + spec->name + "' of " + title_ + " is <" + tag + ">, expected " + in_brackets(tags));
+  if (!given_.emplace(name.value, &parameter).second)
+    fail_at(sources_, name, "parameter '" + spec->name + "' of " + title_ + " is given twice");
+  if (is_emission(spec->type)) emissions_.insert(spec->name);
+  if (tag == "texture") return;  // its own reader checks it
+  if (spec->type == ParamType::point)
+    check_attributes(sources_, parameter, {"name", "x", "y", "z", "value"});
+  else if (spec->type == ParamType::transform)
+    check_attributes(sources_, parameter, {"name"});
+  else if (parameter.tag == "spectrum")
+    check_attributes(sources_, parameter, {"name", "value", "filename"});
+  else
+    check_attributes(sources_, parameter, {"name", "value"});
+  if (spec->type != ParamType::transform && !parameter.children.empty())
+    sources_.fail(parameter.children.front().at, "<" + parameter.tag + "> cannot contain elements");
+}
+
+void Params::add_nested(const Element& child, const std::vector<ParamSpec>& specs,
+                        const std::vector<NestedSpec>& nested) {
+  const std::string& tag = objects_.target(child).tag;
+  const auto spec = std::find_if(nested.begin(), nested.end(), [&](const NestedSpec& s) { return s.tag == tag; });
+  const bool takes_textures =
+      std::any_of(specs.begin(), specs.end(), [](const ParamSpec& s) { return tags_of(s.type).back() == "texture"; });
+  if (tag == "texture" && takes_textures && spec == nested.end()) return add(child, specs);
+  if (spec == nested.end()) {
+    std::vector<std::string> expected = {"parameters"}, tags;
+    for (const NestedSpec& known : nested) {
+      tags.push_back(known.tag);
+      expected.push_back("<" + known.tag + ">");
+    }
+    const std::string found = child.tag == "ref"
+                                  ? in_quotes(require(sources_, child, "id").value) + " is a <" + tag + ">, which"
+                                  : "<" + tag + ">";
+    sources_.fail(child.at, found + " is not supported in " + title_ + did_you_mean(tag, tags) + ", expected " +
+                                join_or(expected));
+  }
+  std::vector<const Element*>& known = nested_[tag];
+  if (known.size() == spec->most)
+    sources_.fail(child.at,
+                  title_ + (spec->most == 1 ? " has a second <" + tag + ">, expected one"
+                                            : " has more than " + std::to_string(spec->most) + " of <" + tag + ">"));
+  known.push_back(&child);
+}
+
+const Element& Params::only_nested(const std::string& tag) {
+  if (nested(tag).empty()) sources_.fail(object_.at, title_ + " has no <" + tag + ">, expected one");
+  return *nested(tag).front();
+}
+
+const Element* Params::read(const std::string& name) {
+  read_.insert(name);
+  const auto found = given_.find(name);
+  return found == given_.end() ? nullptr : found->second;
+}
+
+std::string Params::tag(const std::string& name) const {
+  const auto found = given_.find(name);
+  return found == given_.end() ? "" : found->second->tag;
+}
+
+void Params::fail(const std::string& name, const std::string& message) const {
+  const std::string text = "parameter '" + name + "' of " + title_ + " " + message;
+  const auto found = given_.find(name);
+  if (found == given_.end()) sources_.fail(object_.at, text);
+  const Attribute* value = found->second->find("value");
+  if (!value) sources_.fail(found->second->at, text);
+  fail_at(sources_, *value, text);
+}
+
+bool Params::boolean(const std::string& name, bool fallback) {
+  const Element* element = read(name);
+  if (!element) return fallback;
+  const std::string value = lower(require(sources_, *element, "value").value);
+  expect(value == "true" || value == "false", name, "is " + in_quotes(value) + ", expected true or false");
+  return value == "true";
+}
+
+std::int64_t Params::integer(const std::string& name, std::int64_t fallback, std::int64_t low, std::int64_t high) {
+  const Element* element = read(name);
+  if (!element) return fallback;
+  const auto parsed = parse_integer(require(sources_, *element, "value").value);
+  if (!parsed.value) fail(name, parsed.problem);
+  expect(*parsed.value >= low && *parsed.value <= high, name,
+         "is " + std::to_string(*parsed.value) + ", expected " + std::to_string(low) + " to " + std::to_string(high));
+  return *parsed.value;
+}
+
+double Params::number(const std::string& name, double fallback) {
+  const Element* element = read(name);
+  if (!element) return fallback;
+  const auto parsed = parse_number(require(sources_, *element, "value").value);
+  if (!parsed.value) fail(name, parsed.problem);
+  return *parsed.value;
+}
+
+double Params::positive(const std::string& name, double fallback) {
+  const double value = number(name, fallback);
+  expect(static_cast<float>(value) > 0, name, "is " + format_number(value) + ", expected more than 0");
+  return value;
+}
+
+std::string Params::string(const std::string& name, const std::string& fallback) {
+  const Element* element = read(name);
+  return element ? require(sources_, *element, "value").value : fallback;
+}
+
+double Params::number_in(const std::string& name, double fallback, double low, double high) {
+  const double value = number(name, fallback);
+  expect(value >= low && value <= high, name, "is " + format_number(value) + ", expected " + range(low, high));
+  return value;
+}
+
+RgbD Params::colour(const std::string& name, const RgbD& fallback, double low, double high) {
+  const Element* element = read(name);
+  if (!element) return fallback;
+  RgbD colour;
+  if (element->tag == "spectrum")
+    colour = spectrum_of(objects_, *element,
+                         emissions_.count(name) ? SpectrumKind::emission : SpectrumKind::reflectance, high);
+  else if (element->tag == "rgb")
+    colour = rgb_of(sources_, require(sources_, *element, "value"));
+  else
+    colour = RgbD(number_of(sources_, require(sources_, *element, "value")));
+  for (const double c : {colour.x, colour.y, colour.z})
+    expect(c >= low && c <= high, name, "has the component " + format_number(c) + ", expected " + range(low, high));
+  return colour;
+}
+
+bool Params::is_texture(const std::string& name) const {
+  const auto found = given_.find(name);
+  return found != given_.end() && objects_.target(*found->second).tag == "texture";
+}
+
+Colour Params::colour_map(const std::string& name, const RgbD& fallback, double low, double high) {
+  if (!is_texture(name)) return colour(name, fallback, low, high);
+  const TextureIndex index = *texture(name);
+  const double most = objects_.largest_value(index);
+  expect(most <= high, name, "has texels up to " + format_number(most) + ", expected " + range(low, high));
+  return index;
+}
+
+Scalar Params::number_map(const std::string& name, double fallback, double low, double high) {
+  if (!is_texture(name)) return number_in(name, fallback, low, high);
+  const TextureIndex index = *texture(name);
+  const double most = objects_.largest_value(index);
+  expect(most <= high, name, "has texels up to " + format_number(most) + ", expected " + range(low, high));
+  return index;
+}
+
+std::optional<TextureIndex> Params::texture(const std::string& name) {
+  const Element* element = read(name);
+  if (!element) return std::nullopt;
+  return objects_.texture(*element);
+}
+
+Vec3d Params::point(const std::string& name, const Vec3d& fallback) {
+  const Element* element = read(name);
+  return element ? xyz_of(sources_, *element, std::nullopt) : fallback;
+}
+
+Transform Params::transform(const std::string& name) {
+  const Element* element = read(name);
+  return element ? transform_of(sources_, *element) : Transform();
+}
+
+void Params::finish() const {
+  for (const auto& [name, element] : given_)
+    if (!read_.count(name)) {
+      const Attribute& attribute = require(sources_, *element, "name");
+      fail_at(sources_, attribute, "parameter '" + name + "' of " + title_ + " has no effect here");
+    }
+}
+
+}  // namespace photonproof::scene_xml

@@ -1,0 +1,148 @@
+// Scene-level rules: who may stand where, how often, and which id means what. Values are read in plugins_*.cpp.
+#include "scenes/parser/parser.h"
+
+#include <algorithm>
+#include <type_traits>
+
+#include "scenes/text/atomic_file.h"
+#include "scenes/parser/expand.h"
+#include "scenes/parser/plugins.h"
+#include "scenes/parser/scene_objects.h"
+
+namespace photonproof {
+namespace {
+
+using namespace scene_xml;
+
+bool is_group(const Element& element) {
+  const Attribute* type = element.find("type");
+  return element.tag == "shape" && type && type->value == "shapegroup";
+}
+
+/// The tables are filled in an order of their own, so that the writer's text, which is in that order, reads back the
+/// same: named textures, media and BSDFs, then shape groups, shapes, emitters and the sensor with what they nest.
+class SceneReader {
+ public:
+  SceneReader(const Sources& sources, const SceneFolders& folders, const Element& root)
+      : sources_(sources), root_(root), files_(sources, folders), objects_(start(), root, files_, scene_) {}
+
+  SceneDescription run() {
+    check_children();
+    objects_.read_named();
+    for_each("shape", [&](const Element& e) {
+      if (is_group(e)) objects_.shape_group(e);
+    });
+    for_each("shape", [&](const Element& e) {
+      if (!is_group(e)) scene_.shapes.push_back(read_shape(objects_, e));
+    });
+    for_each("emitter", [&](const Element& e) { scene_.emitters.push_back(read_emitter(objects_, e)); });
+    scene_.integrator = {sources_.loc(root_.at), PathDescription{}};
+    bool has_sensor = false;
+    for_each("sensor", [&](const Element& e) {
+      scene_.sensor = read_sensor(objects_, e);
+      has_sensor = true;
+    });
+    for_each("integrator", [&](const Element& e) { scene_.integrator = read_integrator(objects_, e); });
+    if (!has_sensor) sources_.fail(root_.at, "the scene has no <sensor>, expected one");
+    check_lit();
+    check_environments();
+    return std::move(scene_);
+  }
+
+ private:
+  const Sources& start() {
+    scene_.files = sources_.names();
+    return sources_;
+  }
+
+  template <class Action>
+  void for_each(const std::string& tag, Action action) {
+    for (const Element& child : root_.children)
+      if (child.tag == tag) action(child);
+  }
+
+  void check_children() {
+    const std::vector<std::string> known = {"bsdf",       "texture", "medium",  "shape", "emitter", "sensor",
+                                            "integrator", "default", "include", "path",  "alias"};
+    int sensors = 0, integrators = 0;
+    for (const Element& child : root_.children) {
+      if (std::find(known.begin(), known.end(), child.tag) == known.end())
+        sources_.fail(child.at, "<" + child.tag + "> is not supported in <scene>" + did_you_mean(child.tag, known) +
+                                    ", expected " + join_or(known));
+      const bool for_others = child.tag == "bsdf" || child.tag == "texture" || child.tag == "medium";
+      if (for_others && !child.find("id"))
+        sources_.fail(child.at, "a <" + child.tag + "> outside a shape needs the attribute 'id' to be of use");
+      if (is_group(child) && !child.find("id"))
+        sources_.fail(child.at, "a shapegroup needs the attribute 'id' to be of use");
+      if (child.tag == "sensor" && ++sensors > 1) sources_.fail(child.at, "a second <sensor>, expected exactly one");
+      if (child.tag == "integrator" && ++integrators > 1)
+        sources_.fail(child.at, "a second <integrator>, expected at most one");
+    }
+  }
+
+  bool is_bright(const Colour& colour) {
+    const auto* texture = std::get_if<TextureIndex>(&colour);
+    return (texture ? objects_.largest_value(*texture) : max_component(constant(colour))) > 0;
+  }
+
+  bool is_bright(const EmitterDescription& emitter) {
+    return std::visit(
+        [&](const auto& light) {
+          using Light = std::decay_t<decltype(light)>;
+          if constexpr (std::is_same_v<Light, DirectionalLightDescription>)
+            return is_bright(light.irradiance);
+          else if constexpr (std::is_same_v<Light, ConstantLightDescription>)
+            return is_bright(light.radiance);
+          else if constexpr (std::is_same_v<Light, EnvmapDescription>)
+            return light.scale > 0 && objects_.largest_value(*light.image) > 0;
+          else if constexpr (std::is_same_v<Light, SunSkyDescription>)
+            return light.sun_scale > 0 || light.sky_scale > 0;
+          else
+            return is_bright(light.intensity);
+        },
+        emitter.light);
+  }
+
+  /// A scene without light would render black without a word.
+  void check_lit() {
+    for (const ShapeDescription& shape : scene_.shapes)
+      if (shape.radiance && is_bright(*shape.radiance)) return;
+    for (const EmitterDescription& emitter : scene_.emitters)
+      if (is_bright(emitter)) return;
+    sources_.fail(root_.at, "the scene has no light: expected an <emitter> whose radiance or intensity is above 0");
+  }
+
+  void check_environments() {
+    int environments = 0;
+    for_each("emitter", [&](const Element& e) {
+      const std::string& type = require(sources_, e, "type").value;
+      if ((type == "constant" || type == "envmap" || type == "sunsky") && ++environments > 1)
+        sources_.fail(e.at, "a second environment emitter, expected at most one of constant, envmap and sunsky");
+    });
+  }
+
+  const Sources& sources_;
+  const Element& root_;
+  SceneFiles files_;
+  SceneDescription scene_;
+  SceneObjects objects_;
+};
+
+}  // namespace
+
+SceneDescription parse_scene_file(const std::string& path, const ParseOptions& options) {
+  return parse_scene_text(read_file(path, kMaxFileBytes), path, options);
+}
+
+SceneDescription parse_scene_text(std::string_view text, const std::string& name, const ParseOptions& options) {
+  if (text.size() > kMaxFileBytes)
+    throw InputError(
+        name, "text has " + std::to_string(text.size()) + " bytes, the limit is " + std::to_string(kMaxFileBytes));
+  Sources sources;
+  SceneFolders folders(sources, options);
+  const int file = sources.add(name, std::string(text));
+  const Element root = expand_scene(sources, file, folders, options);
+  return SceneReader(sources, folders, root).run();
+}
+
+}  // namespace photonproof

@@ -1,0 +1,99 @@
+// One function a kind of scene object; each file behind it holds a table with one row a plugin.
+#pragma once
+
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "scenes/description/description.h"
+#include "scenes/text/edit_distance.h"
+#include "scenes/parser/params.h"
+#include "scenes/parser/scene_objects.h"
+#include "scenes/text/text_numbers.h"
+
+namespace photonproof::scene_xml {
+
+constexpr double kUnbounded = std::numeric_limits<double>::infinity();
+
+/// A row: the plugin's name, what parameters it takes, what objects may be nested in it, and how its value is built.
+template <class Result>
+struct Plugin {
+  std::string type;
+  std::vector<ParamSpec> params;
+  std::vector<NestedSpec> nested;
+  Result (*build)(Params&);
+};
+
+/// "<tag> '<type>'", what messages call an object.
+std::string title_of(const Sources& sources, const Element& object);
+
+/// The row for `object`'s type; checks its attributes. Throws on an unknown type, naming the nearest.
+template <class Result>
+const Plugin<Result>& find_plugin(const Sources& sources, const Element& object,
+                                  const std::vector<Plugin<Result>>& table) {
+  check_attributes(sources, object, {"type", "id", "name"});
+  const Attribute& type = require(sources, object, "type");
+  for (const Plugin<Result>& plugin : table)
+    if (plugin.type == type.value) return plugin;
+  std::vector<std::string> names;
+  names.reserve(table.size());
+  for (const Plugin<Result>& plugin : table) names.push_back(plugin.type);
+  fail_at(sources, type,
+          object.tag + " " + in_quotes(type.value) + " is not supported" + did_you_mean(type.value, names) +
+              ", expected " + join_or(names));
+}
+
+/// Finds the row, reads the parameters and checks that all were used.
+template <class Result>
+Result build_plugin(SceneObjects& objects, const Element& object, const std::vector<Plugin<Result>>& table) {
+  const Plugin<Result>& plugin = find_plugin(objects.sources(), object, table);
+  Params params(objects, object, title_of(objects.sources(), object), plugin.params, plugin.nested);
+  Result result = plugin.build(params);
+  params.finish();
+  return result;
+}
+
+/// The `id` attribute, empty without one.
+std::string id_of(const Element& object);
+
+/// Two tables as one, in the order of the names.
+template <class Result>
+std::vector<Plugin<Result>> merged(std::vector<Plugin<Result>> a, const std::vector<Plugin<Result>>& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  std::sort(a.begin(), a.end(), [](const auto& x, const auto& y) { return x.type < y.type; });
+  return a;
+}
+
+/// "bk7" or a number, above 0.
+double read_ior(Params& params, const std::string& name, double fallback);
+
+/// eta and k, those of a named material, or nothing for the perfect mirror "none".
+std::optional<ComplexIor> read_conductor_ior(Params& params);
+
+/// The images of the local x, y and z axes are perpendicular, to what six printed digits of a matrix leave.
+bool is_perpendicular(const Vec3d& a, const Vec3d& b);
+/// They are so and of one length, not 0: the transform turns, moves, scales and may mirror.
+bool is_even(const Transform& t);
+/// Throws unless `to_world` is so without mirroring; `what` is "a sphere".
+void expect_similarity(Params& params, const std::string& what);
+
+using BsdfModel = decltype(BsdfDescription::model);
+std::vector<Plugin<BsdfModel>> leaf_bsdfs();
+std::vector<Plugin<BsdfModel>> rough_bsdfs();
+std::vector<Plugin<BsdfModel>> nesting_bsdfs();
+
+TextureDescription read_texture(SceneObjects& objects, const Element& element);
+BsdfDescription read_bsdf(SceneObjects& objects, const Element& element);
+MediumDescription read_medium(SceneObjects& objects, const Element& element);
+ShapeDescription read_shape(SceneObjects& objects, const Element& element);
+/// The shapes that an <shape type="shapegroup"> holds.
+ShapeGroupDescription read_shape_group(SceneObjects& objects, const Element& element);
+/// The radiance of an <emitter type="area">.
+Colour read_area_emitter(SceneObjects& objects, const Element& element);
+EmitterDescription read_emitter(SceneObjects& objects, const Element& element);
+SensorDescription read_sensor(SceneObjects& objects, const Element& element);
+FilmDescription read_film(SceneObjects& objects, const Element& element);
+IntegratorDescription read_integrator(SceneObjects& objects, const Element& element);
+
+}  // namespace photonproof::scene_xml

@@ -1,0 +1,367 @@
+// Every plugin's defaults and parameters as SceneDescription has them.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include "scenes/text/atomic_file.h"
+#include "scenes/parser/parser.h"
+
+namespace photonproof {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string kLight = "<emitter type='point'/>", kSensor = "<sensor type='perspective'/>";
+
+SceneDescription parse(const std::string& content, const std::string& name = "test.xml") {
+  return parse_scene_text("<scene version='3.0.0'>" + content + "</scene>", name);
+}
+
+template <class Model>
+Model bsdf(const std::string& type, const std::string& content = "") {
+  const auto scene = parse(kSensor + kLight + "<bsdf id='b' type='" + type + "'>" + content + "</bsdf>");
+  return std::get<Model>(scene.bsdfs.back().model);
+}
+
+template <class Shape>
+Shape shape(const std::string& type, const std::string& content = "") {
+  return std::get<Shape>(
+      parse(kSensor + kLight + "<shape type='" + type + "'>" + content + "</shape>").shapes.at(0).geometry);
+}
+
+template <class Light>
+Light light(const std::string& type, const std::string& content = "") {
+  const auto scene = parse(kSensor + "<emitter type='" + type + "'>" + content + "</emitter>");
+  return std::get<Light>(scene.emitters.at(0).light);
+}
+
+SensorDescription sensor(const std::string& type, const std::string& content = "") {
+  return parse(kLight + "<sensor type='" + type + "'>" + content + "</sensor>").sensor;
+}
+
+template <class Method>
+Method integrator(const std::string& type, const std::string& content = "") {
+  const auto scene = parse(kSensor + kLight + "<integrator type='" + type + "'>" + content + "</integrator>");
+  return std::get<Method>(scene.integrator.method);
+}
+
+const std::string kDiffuse = "<bsdf type='diffuse'/>";
+
+TEST(plugins, give_mitsubas_defaults_of_bsdfs) {
+  EXPECT_EQ(bsdf<ConductorDescription>("conductor"), ConductorDescription{}) << "the perfect mirror";
+  EXPECT_EQ(bsdf<RoughConductorDescription>("roughconductor"), RoughConductorDescription{});
+  EXPECT_EQ(bsdf<ThinDielectricDescription>("thindielectric"), ThinDielectricDescription{});
+  EXPECT_EQ(bsdf<RoughDielectricDescription>("roughdielectric"), RoughDielectricDescription{});
+  EXPECT_EQ(bsdf<PlasticDescription>("plastic"), PlasticDescription{});
+  EXPECT_EQ(bsdf<RoughPlasticDescription>("roughplastic"), RoughPlasticDescription{});
+  EXPECT_EQ(bsdf<PhongDescription>("phong"), PhongDescription{});
+  EXPECT_EQ(bsdf<NullDescription>("null"), NullDescription{});
+  EXPECT_EQ(bsdf<MaskDescription>("mask", kDiffuse), (MaskDescription{0.5, {0}}));
+  EXPECT_EQ(bsdf<TwoSidedDescription>("twosided", kDiffuse), (TwoSidedDescription{{0}, {0}}));
+  EXPECT_EQ(bsdf<TwoSidedDescription>("twosided", kDiffuse + kDiffuse), (TwoSidedDescription{{0}, {1}}));
+  EXPECT_EQ(bsdf<BlendDescription>("blendbsdf", "<float name='weight' value='0.2'/>" + kDiffuse + kDiffuse),
+            (BlendDescription{0.2, {0}, {1}}));
+  EXPECT_EQ(bsdf<BumpMapDescription>("bumpmap", "<texture type='checkerboard'/>" + kDiffuse),
+            (BumpMapDescription{{0}, 1, {0}, {true, true}}));
+  EXPECT_EQ(bsdf<NormalMapDescription>("normalmap", "<texture name='normalmap' type='checkerboard'/>" + kDiffuse),
+            (NormalMapDescription{{0}, {0}, {true, true}}));
+  EXPECT_EQ(bsdf<LayeredDescription>("layered", kDiffuse), LayeredDescription{});
+}
+
+TEST(plugins, read_what_maps_do_with_normals) {
+  const std::string no_flips = "<boolean name='flip_invalid_normals' value='false'/>";
+  const std::string no_shadows = "<boolean name='use_shadowing_function' value='false'/>";
+  const std::string height = "<texture type='checkerboard'/>" + kDiffuse;
+  const std::string normals = "<texture name='normalmap' type='checkerboard'/>" + kDiffuse;
+  const MappedNormalsDescription unflipped{false, true}, unshadowed{true, false};
+  EXPECT_EQ(bsdf<BumpMapDescription>("bumpmap", no_flips + height).normal_options, unflipped);
+  EXPECT_EQ(bsdf<BumpMapDescription>("bumpmap", no_shadows + height).normal_options, unshadowed);
+  EXPECT_EQ(bsdf<NormalMapDescription>("normalmap", no_flips + normals).normal_options, unflipped);
+  EXPECT_EQ(bsdf<NormalMapDescription>("normalmap", no_shadows + normals).normal_options, unshadowed);
+}
+
+TEST(plugins, read_roughness_in_both_forms) {
+  const auto one = bsdf<RoughConductorDescription>("roughconductor", "<float name='alpha' value='0.3'/>");
+  EXPECT_EQ(one.alpha_u, Scalar(0.3));
+  EXPECT_EQ(one.alpha_v, Scalar(0.3));
+  const auto two = bsdf<RoughDielectricDescription>(
+      "roughdielectric",
+      "<float name='alpha_u' value='0.3'/><texture type='checkerboard' name='alpha_v'/>"
+      "<string name='distribution' value='ggx'/><boolean name='sample_visible' value='false'/>");
+  EXPECT_EQ(two.alpha_u, Scalar(0.3));
+  EXPECT_EQ(two.alpha_v, Scalar(TextureIndex{0}));
+  EXPECT_EQ(two.distribution, MicrofacetDistribution::ggx);
+  EXPECT_FALSE(two.sample_visible);
+}
+
+TEST(plugins, know_conductors_by_name_and_fill_in_what_is_missing) {
+  EXPECT_EQ(bsdf<ConductorDescription>("conductor", "<string name='material' value='Ag'/>").ior->eta,
+            RgbD(0.1552646, 0.1167233, 0.1383807));
+  // Mitsuba: eta is 0 and k is 1 unless given.
+  EXPECT_EQ(*bsdf<ConductorDescription>("conductor", "<float name='k' value='3'/>").ior,
+            (ComplexIor{RgbD(0.0), RgbD(3.0)}));
+  EXPECT_EQ(*bsdf<ConductorDescription>("conductor", "<float name='eta' value='2'/>").ior,
+            (ComplexIor{RgbD(2.0), RgbD(1.0)}));
+}
+
+TEST(plugins, give_mitsubas_defaults_of_shapes) {
+  EXPECT_EQ(shape<DiskDescription>("disk"), DiskDescription{});
+  EXPECT_EQ(shape<CylinderDescription>("cylinder"), CylinderDescription{});
+  EXPECT_EQ(shape<PlaneDescription>("plane"), PlaneDescription{});
+  const auto field = shape<HeightfieldDescription>("heightfield");
+  EXPECT_EQ(field.columns, 64);
+  EXPECT_EQ(field.rows, 64);
+  EXPECT_EQ(field.amplitude, 1);
+  EXPECT_EQ(std::get<HeightfieldNoise>(field.height), HeightfieldNoise{});
+  const auto bumpy = shape<HeightfieldDescription>("heightfield",
+                                                   "<texture type='checkerboard' name='height'/><integer "
+                                                   "name='columns' value='3'/><integer name='rows' value='2'/>");
+  EXPECT_EQ(std::get<TextureIndex>(bumpy.height), TextureIndex{0});
+  EXPECT_EQ(bumpy.columns, 3);
+}
+
+TEST(plugins, give_mitsubas_defaults_of_emitters) {
+  EXPECT_EQ(light<SpotLightDescription>("spot"), SpotLightDescription{});
+  EXPECT_EQ(light<SpotLightDescription>("spot", "<float name='cutoff_angle' value='40'/>").beam_degrees, 30)
+      << "three quarters of the cut-off";
+  EXPECT_EQ(light<DirectionalLightDescription>("directional"), DirectionalLightDescription{});
+  EXPECT_EQ(light<ConstantLightDescription>("constant"), ConstantLightDescription{});
+  const auto sky = light<SunSkyDescription>("sunsky");
+  EXPECT_EQ(sky.turbidity, 3);
+  EXPECT_EQ(sky.albedo, RgbD(0.3));
+  EXPECT_EQ(sky.sun_aperture_degrees, 0.5358);
+  EXPECT_NEAR(length(sky.sun_direction), 1, 1e-8);
+  EXPECT_GT(sky.sun_direction.z, 0.5) << "a summer afternoon in Tokyo";
+}
+
+TEST(plugins, turn_directions_into_unit_vectors_of_the_right_space) {
+  const auto slanted = light<DirectionalLightDescription>("directional", "<vector name='direction' value='0, -3, 4'/>");
+  EXPECT_EQ(slanted.direction, Vec3d(0, -0.6, 0.8));
+  const auto turned = light<DirectionalLightDescription>(
+      "directional", "<transform name='to_world'><rotate y='1' angle='90'/><scale value='5'/></transform>");
+  EXPECT_NEAR(turned.direction.x, 1, 1e-12);
+  // The sun's direction is given in the world, kept in the sky's space: rotating x to z takes world +y to local... the
+  // rotation about x by 90 degrees takes local +z to world -y.
+  const auto sky = light<SunSkyDescription>("sunsky",
+                                            "<vector name='sun_direction' x='0' y='-2' z='0'/><transform "
+                                            "name='to_world'><rotate x='1' angle='90'/></transform>");
+  EXPECT_NEAR(sky.sun_direction.z, 1, 1e-8);
+}
+
+TEST(plugins, read_one_number_as_grey_light) {
+  const auto lit = [](const std::string& tag) {
+    return light<ConstantLightDescription>("constant", "<" + tag + " name='radiance' value='2'/>").radiance;
+  };
+  for (const char* tag : {"rgb", "float", "spectrum"}) EXPECT_EQ(lit(tag), RgbD(2.0)) << tag;
+}
+
+TEST(plugins, give_mitsubas_defaults_of_sensors) {
+  const SensorDescription pinhole = sensor("perspective");
+  EXPECT_EQ(pinhole.film.width, 768);
+  EXPECT_EQ(pinhole.film.filter, (ReconstructionFilter{ReconstructionFilter::Kind::gaussian, 0.5})) << "no film";
+  EXPECT_EQ(sensor("perspective", "<film type='hdrfilm'/>").film.filter.kind, ReconstructionFilter::Kind::gaussian);
+  const auto lens = std::get<ThinLensDescription>(
+      sensor("thinlens", "<float name='aperture_radius' value='0.1'/><float name='far_clip' value='50'/>").camera);
+  EXPECT_EQ(lens.aperture_radius, 0.1);
+  EXPECT_EQ(lens.focus_distance, 50) << "far_clip";
+  EXPECT_EQ(std::get<OrthographicDescription>(sensor("orthographic").camera), OrthographicDescription{});
+  EXPECT_EQ(std::get<FisheyeDescription>(sensor("fisheye").camera), FisheyeDescription{});
+}
+
+TEST(plugins, read_films) {
+  const FilmDescription film =
+      sensor("perspective",
+             "<film type='hdrfilm'><integer name='width' value='40'/><integer name='height' value='30'/>"
+             "<integer name='crop_offset_x' value='4'/><integer name='crop_width' value='8'/>"
+             "<string name='pixel_format' value='rgba'/><string name='component_format' value='float16'/>"
+             "<rfilter type='tent'><float name='radius' value='2'/></rfilter></film>")
+          .film;
+  EXPECT_EQ(film.crop, (FilmDescription::Crop{4, 0, 8, 30}));
+  EXPECT_EQ(film.filter, (ReconstructionFilter{ReconstructionFilter::Kind::tent, 0.5, 2}));
+}
+
+TEST(plugins, take_any_of_mitsubas_samplers) {
+  for (const char* type : {"independent", "stratified", "multijitter", "orthogonal", "ldsampler"})
+    EXPECT_EQ(sensor("perspective",
+                     "<sampler type='" + std::string(type) + "'><integer name='sample_count' value='16'/></sampler>")
+                  .sample_count,
+              16);
+}
+
+TEST(plugins, give_mitsubas_defaults_of_integrators) {
+  EXPECT_EQ(integrator<VolPathDescription>("volpath"), VolPathDescription{});
+  EXPECT_EQ(integrator<BdptDescription>("bdpt"), BdptDescription{});
+  EXPECT_EQ(integrator<ParticleTracerDescription>("ptracer"), ParticleTracerDescription{});
+  EXPECT_EQ(integrator<WhittedDescription>("whitted"), WhittedDescription{});
+  EXPECT_EQ(integrator<DirectDescription>("direct"), DirectDescription{});
+  const auto direct = integrator<DirectDescription>("direct", "<integer name='shading_samples' value='4'/>");
+  EXPECT_EQ(direct.emitter_samples, 4);
+  EXPECT_EQ(direct.bsdf_samples, 4);
+  EXPECT_EQ(integrator<PathDescription>("moment",
+                                        "<integrator type='path'><integer name='max_depth' value='2'/></integrator>")
+                .max_depth,
+            2);
+}
+
+TEST(plugins, read_media_of_shapes_and_cameras) {
+  const auto scene =
+      parse(kLight +
+            "<sensor type='perspective'><ref name='medium' id='fog'/></sensor>"
+            "<medium type='homogeneous' id='fog'/>"
+            "<shape type='sphere'><ref name='exterior' id='fog'/><medium type='homogeneous' name='interior'>"
+            "<float name='scale' value='3'/><phase type='hg'/></medium></shape>");
+  ASSERT_EQ(scene.media.size(), 2u);
+  EXPECT_EQ(std::get<HomogeneousDescription>(scene.media[0].model), HomogeneousDescription{});
+  const auto& milk = std::get<HomogeneousDescription>(scene.media[1].model);
+  EXPECT_EQ(milk.scale, 3);
+  EXPECT_EQ(std::get<HenyeyGreensteinDescription>(milk.phase).g, 0.8);
+  EXPECT_EQ(scene.shapes[0].exterior, MediumIndex{0});
+  EXPECT_EQ(scene.shapes[0].interior, MediumIndex{1});
+  EXPECT_EQ(scene.sensor.medium, MediumIndex{0});
+}
+
+TEST(plugins, share_textures_bsdfs_and_groups_by_reference) {
+  const auto scene =
+      parse(kSensor + kLight +
+            "<bsdf type='diffuse' id='a'><ref name='reflectance' id='t'/></bsdf><texture type='checkerboard' id='t'/>"
+            "<alias id='a' as='b'/><shape type='instance'><ref id='g'/></shape><shape type='cube'><ref id='b'/></shape>"
+            "<shape type='shapegroup' id='g'><shape type='sphere'><ref id='a'/></shape></shape>");
+  EXPECT_EQ(scene.textures.size(), 1u);
+  ASSERT_EQ(scene.bsdfs.size(), 1u);
+  EXPECT_EQ(std::get<DiffuseDescription>(scene.bsdfs[0].model).reflectance, Colour(TextureIndex{0}));
+  EXPECT_EQ(scene.shapes[1].bsdf, BsdfIndex{0});
+  EXPECT_EQ(std::get<InstanceDescription>(scene.shapes[0].geometry).group, ShapeGroupIndex{0});
+  EXPECT_EQ(scene.groups[0].shapes[0].bsdf, BsdfIndex{0});
+}
+
+TEST(plugins, put_nested_bsdfs_before_what_nests_them) {
+  const auto scene = parse(kSensor + kLight +
+                           "<bsdf type='mask' id='leaf'><bsdf type='twosided'><ref id='green'/></bsdf></bsdf>"
+                           "<bsdf type='diffuse' id='green'/>");
+  ASSERT_EQ(scene.bsdfs.size(), 3u);
+  EXPECT_EQ(scene.bsdfs[0].id, "green");
+  EXPECT_EQ(scene.bsdfs[2].id, "leaf");
+}
+
+TEST(plugins, limit_how_deep_references_nest_in_either_order) {
+  const auto link = [](int i) {
+    const std::string below = std::to_string(i - 1);
+    return "<bsdf type='twosided' id='b" + std::to_string(i) + "'><ref id='b" + below + "'/><ref id='b" + below +
+           "'/></bsdf>";
+  };
+  const std::string end = "<bsdf type='diffuse' id='b0'/>";
+  std::string forwards, backwards;
+  for (int i = 1; i < 64; ++i) forwards += link(i);
+  EXPECT_NO_THROW(parse(kSensor + kLight + end + forwards)) << "64 deep, and 2^63 ways down";
+  EXPECT_THROW(parse(kSensor + kLight + end + forwards + link(64)), InputError);
+  for (int i = 64; i > 0; --i) backwards += link(i);
+  EXPECT_THROW(parse(kSensor + kLight + backwards + end), InputError);
+}
+
+class files : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_ / "scene/pictures");
+    fs::create_directories(folder_ / "common");
+    Image image(2, 1);
+    image.rgb = {0.25f, 0.5f, 1, 0, 0, 0};
+    write_png((folder_ / "scene/pictures/a.png").string(), image);
+    write_exr((folder_ / "common/b.exr").string(), {image, {}, {}});
+    image.rgb[4] = -1;
+    write_exr((folder_ / "scene/negative.exr").string(), {image, {}, {}});
+    image.rgb[4] = std::nanf("");
+    write_exr((folder_ / "scene/nan.exr").string(), {image, {}, {}});
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  static std::string bitmap(const std::string& file, const std::string& more = "") {
+    return "<bsdf type='diffuse' id='" + file + more +
+           "'><texture type='bitmap' name='reflectance'><string name='filename' value='" + file + "'/>" + more +
+           "</texture></bsdf>";
+  }
+  SceneDescription load(const std::string& content, bool allow_outside = false) const {
+    return parse_scene_text("<scene version='3.0.0'>" + kSensor + kLight + "\n" + content + "</scene>",
+                            (folder_ / "scene/scene.xml").string(), {{}, allow_outside});
+  }
+  std::string message(const std::string& content) const {
+    try {
+      load(content);
+      return "no error";
+    } catch (const InputError& error) {
+      const std::string text = error.summary();
+      return text.substr(text.find("error: "));
+    }
+  }
+
+  const fs::path folder_ =
+      fs::canonical(::testing::TempDir()) / ("photonproof_plugins_test_" + std::to_string(getpid()));
+};
+
+TEST_F(files, of_textures_are_decoded_unless_raw_and_read_once) {
+  const auto scene = load(
+      "<texture type='bitmap' id='a'><string name='filename' value='pictures/a.png'/></texture>"
+      "<texture type='bitmap' id='b'><string name='filename' value='pictures/../pictures/a.png'/></texture>"
+      "<texture type='bitmap' id='c'><string name='filename' value='pictures/a.png'/><boolean name='raw' "
+      "value='true'/></texture>");
+  const auto& a = std::get<BitmapDescription>(scene.textures[0].pattern);
+  const auto& b = std::get<BitmapDescription>(scene.textures[1].pattern);
+  const auto& raw = std::get<BitmapDescription>(scene.textures[2].pattern);
+  EXPECT_EQ(a.image, b.image);
+  EXPECT_NE(a.image, raw.image);
+  // 0.25 is sRGB code 0.5371, rounded to 137/255.
+  EXPECT_NEAR(a.image->rgb[0], 0.25, 0.003);
+  EXPECT_NEAR(raw.image->rgb[0], 137 / 255.0, 1e-6);
+}
+
+TEST_F(files, of_textures_must_have_sound_values) {
+  EXPECT_NE(message(bitmap("negative.exr")).find("negative.exr: error: has a negative value at column 1, row 0"),
+            std::string::npos);
+  EXPECT_NE(message(bitmap("nan.exr")).find("nan.exr: error: has a value that is not finite at column 1, row 0"),
+            std::string::npos);
+}
+
+TEST_F(files, are_looked_for_in_the_folders_of_path_the_last_one_first) {
+  fs::copy(folder_ / "scene/pictures/a.png", folder_ / "common/a.png");
+  const std::string both = "<path value='pictures'/><path value='../common'/>" + bitmap("a.png");
+  EXPECT_EQ(std::get<BitmapDescription>(load(both, true).textures[0].pattern).filename, "../common/a.png")
+      << "the name that a scene without <path> would use";
+  EXPECT_EQ(
+      std::get<BitmapDescription>(load("<path value='pictures'/>" + bitmap("a.png")).textures[0].pattern).filename,
+      "pictures/a.png");
+  EXPECT_EQ(message(both), "error: '../common' lies outside the scene's folder (--allow-outside permits it)");
+  EXPECT_EQ(message("<path value='pictures'/>" + bitmap("../../common/b.exr")),
+            "error: '../../common/b.exr' lies outside the scene's folder (--allow-outside permits it)");
+}
+
+TEST_F(files, of_an_include_find_what_they_name_from_the_scene_or_from_themselves) {
+  fs::create_directories(folder_ / "scene/include");
+  std::ofstream(folder_ / "scene/include/a.xml")
+      << "<scene version='3.0.0'><path value='../pictures'/><include filename='include/b.xml'/><include "
+         "filename='c.xml'/>" +
+             bitmap("a.png") + "</scene>";
+  std::ofstream(folder_ / "scene/include/b.xml") << "<scene version='3.0.0'><shape type='cube'/></scene>";
+  std::ofstream(folder_ / "scene/include/c.xml") << "<scene version='3.0.0'><shape type='disk'/></scene>";
+  const auto scene = load("<include filename='include/a.xml'/>");
+  EXPECT_EQ(scene.shapes.size(), 2u);
+  EXPECT_EQ(std::get<BitmapDescription>(scene.textures[0].pattern).filename, "include/../pictures/a.png");
+}
+
+TEST_F(files, of_spectra_hold_a_pair_a_line) {
+  std::ofstream(folder_ / "scene/a.spd") << "# nm value\n400 0.78\n\n700 0.78\n";
+  std::ofstream(folder_ / "scene/bad.spd") << "400 0.78 1\n";
+  const auto spectrum = [](const std::string& file) {
+    return "<bsdf type='diffuse' id='b'><spectrum name='reflectance' filename='" + file + "'/></bsdf>";
+  };
+  const RgbD found = constant(std::get<DiffuseDescription>(load(spectrum("a.spd")).bsdfs[0].model).reflectance);
+  // As written inline: grey but for the ends of the spectrum that are missing.
+  EXPECT_NEAR(found.y, 0.78, 1e-3);
+  EXPECT_EQ(message(spectrum("bad.spd")),
+            "error: the spectrum's file has the line '400 0.78 1', expected a wavelength and a value");
+}
+
+}  // namespace
+}  // namespace photonproof

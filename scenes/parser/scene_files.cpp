@@ -1,0 +1,126 @@
+#include "scenes/parser/scene_files.h"
+
+#include "scenes/text/atomic_file.h"
+#include "scenes/meshes/ies.h"
+#include "scenes/meshes/obj.h"
+#include "scenes/meshes/ply.h"
+#include "scenes/text/text_numbers.h"
+
+namespace photonproof::scene_xml {
+namespace fs = std::filesystem;
+
+fs::path SceneFolders::scene_folder() const { return fs::path(sources_.name(0)).parent_path(); }
+
+fs::path SceneFolders::folder_of(const Attribute& attribute) const {
+  const fs::path folder = fs::path(sources_.name(attribute.at.file)).parent_path();
+  const fs::path relative = folder.lexically_relative(scene_folder());
+  if (relative == ".") return {};
+  return relative.empty() ? folder : relative;
+}
+
+bool SceneFolders::is_inside(const fs::path& real) const {
+  std::error_code error;
+  const fs::path folder = scene_folder();
+  const fs::path relative =
+      real.lexically_relative(fs::weakly_canonical(fs::absolute(folder.empty() ? "." : folder), error));
+  return !error && !relative.empty() && *relative.begin() != "..";
+}
+
+SceneFolders::File SceneFolders::find_in(const std::vector<fs::path>& folders, const Attribute& name,
+                                         const char* what) const {
+  if (name.value.empty() || name.value.find('\0') != std::string::npos)
+    fail_at(sources_, name, std::string("expected a ") + what + " name");
+  bool left = false;
+  for (const fs::path& folder : folders) {
+    const fs::path spelled = folder / name.value;
+    const fs::path shown = scene_folder() / spelled;
+    std::error_code error;
+    // Absolute first: of a relative path none of whose parts exist, weakly_canonical makes no absolute one.
+    const fs::path real = fs::weakly_canonical(fs::absolute(shown), error);
+    if (error) fail_at(sources_, name, "cannot read " + in_quotes(name.value) + ": " + error.message());
+    if (!options_.allow_outside && !is_inside(real))
+      left = true;
+    else if (fs::exists(real, error))
+      return {spelled.string(), shown, real};
+  }
+  if (left)
+    fail_at(sources_, name, in_quotes(name.value) + " lies outside the scene's folder (--allow-outside permits it)");
+  fail_at(sources_, name, std::string("no such ") + what + ": " + in_quotes(name.value));
+}
+
+SceneFolders::File SceneFolders::find(const Attribute& filename) const {
+  std::vector<fs::path> folders = folders_;
+  folders.emplace_back();
+  return find_in(folders, filename, "file");
+}
+
+SceneFolders::File SceneFolders::find_included(const Attribute& filename) const {
+  std::vector<fs::path> folders = folders_;
+  folders.emplace_back();
+  folders.push_back(folder_of(filename));
+  return find_in(folders, filename, "file");
+}
+
+void SceneFolders::add(const Attribute& path) {
+  std::vector<fs::path> folders = folders_;
+  folders.insert(folders.begin(), folder_of(path));
+  folders.emplace_back();
+  const File found = find_in(folders, path, "folder");
+  std::error_code error;
+  if (!fs::is_directory(found.real, error)) fail_at(sources_, path, in_quotes(path.value) + " is not a folder");
+  folders_.insert(folders_.begin(), found.name);
+}
+
+std::string SceneFiles::read(const SceneFolders::File& file, const Attribute& filename, std::size_t most) const {
+  try {
+    return read_file(file.shown, most);
+  } catch (const InputError& error) {
+    fail_at(sources_, filename, "cannot read " + error.summary());
+  }
+}
+
+template <class Parse>
+auto SceneFiles::parsed(const SceneFolders::File& file, const Attribute& filename, std::size_t most,
+                        const Parse& parse) const {
+  const std::string bytes = read(file, filename, most);
+  try {
+    return parse(bytes, file.shown.string());
+  } catch (const InputError& error) {
+    fail_at(sources_, filename, "cannot use " + error.summary());
+  }
+}
+
+SceneFiles::Loaded<TriangleMesh> SceneFiles::mesh(const Attribute& filename, MeshDescription::Format format) {
+  const SceneFolders::File file = folders_.find(filename);
+  std::shared_ptr<const TriangleMesh>& mesh = meshes_[{file.real, format}];
+  if (!mesh) {
+    const bool is_ply = format == MeshDescription::Format::ply;
+    mesh = std::make_shared<const TriangleMesh>(is_ply ? parsed(file, filename, kMaxPlyBytes, parse_ply)
+                                                       : parsed(file, filename, kMaxObjBytes, parse_obj));
+  }
+  return {file.name, mesh};
+}
+
+SceneFiles::Loaded<Image> SceneFiles::image(const Attribute& filename, bool raw) {
+  const SceneFolders::File file = folders_.find(filename);
+  std::shared_ptr<const Image>& image = images_[{file.real, raw}];
+  if (!image) try {
+      image = std::make_shared<const Image>(read_texture_image(file.shown.string(), raw));
+    } catch (const InputError& error) {
+      fail_at(sources_, filename, "cannot use " + error.summary());
+    }
+  return {file.name, image};
+}
+
+SceneFiles::Loaded<IesProfile> SceneFiles::ies(const Attribute& filename) {
+  const SceneFolders::File file = folders_.find(filename);
+  std::shared_ptr<const IesProfile>& profile = profiles_[file.real];
+  if (!profile) profile = std::make_shared<const IesProfile>(parsed(file, filename, kMaxIesBytes, parse_ies));
+  return {file.name, profile};
+}
+
+std::string SceneFiles::text(const Attribute& filename) {
+  return read(folders_.find(filename), filename, std::size_t{1} << 20);
+}
+
+}  // namespace photonproof::scene_xml

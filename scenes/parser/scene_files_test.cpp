@@ -1,0 +1,132 @@
+// Meshes that a scene names: where they are looked for, what is refused, and that a shared file is read once.
+#include "scenes/parser/scene_files.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+
+#include "scenes/text/atomic_file.h"
+#include "scenes/meshes/ply.h"
+
+namespace photonproof {
+namespace {
+
+namespace fs = std::filesystem;
+
+class SceneFiles : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_ / "scene/parts");
+    TriangleMesh mesh;
+    mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    mesh.triangles = {{0, 1, 2}};
+    write_ply(folder_ / "scene/parts/one.ply", mesh);
+    mesh.triangles.push_back({2, 1, 0});
+    write_ply(folder_ / "two.ply", mesh);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  static std::string shape(const std::string& filename, const std::string& more = "") {
+    return "<shape type='ply'><string name='filename' value='" + filename + "'/>" + more + "</shape>";
+  }
+  SceneDescription parse(const std::string& shapes, bool allow_outside = false) const {
+    return parse_named(folder_ / "scene/scene.xml", shapes, allow_outside);
+  }
+  static SceneDescription parse_named(const fs::path& name, const std::string& shapes, bool allow_outside = false) {
+    return parse_scene_text(
+        "<scene version='3.0.0'><sensor type='perspective'><film type='hdrfilm'><rfilter type='box'/></film></sensor>"
+        "<emitter type='point'/>\n" +
+            shapes + "</scene>",
+        name.string(), {{}, allow_outside});
+  }
+  std::string message(const std::string& shapes) const {
+    try {
+      parse(shapes);
+      return "no error";
+    } catch (const InputError& error) {
+      std::string text = error.summary();
+      for (auto at = text.find(folder_.string()); at != std::string::npos; at = text.find(folder_.string()))
+        text.erase(at, folder_.string().size() + 1);
+      return text;
+    }
+  }
+
+  const fs::path folder_ =
+      fs::canonical(::testing::TempDir()) / ("photonproof_scene_files_test_" + std::to_string(getpid()));
+};
+
+TEST_F(SceneFiles, gives_a_mesh_with_mitsubas_defaults) {
+  const ShapeDescription found = parse(shape("parts/one.ply")).shapes.at(0);
+  const auto& ply = std::get<MeshDescription>(found.geometry);
+  EXPECT_EQ(ply.filename, "parts/one.ply");
+  EXPECT_FALSE(ply.face_normals);
+  EXPECT_FALSE(found.flip_normals);
+  EXPECT_EQ(*ply.mesh, read_ply((folder_ / "scene/parts/one.ply").string()));
+  EXPECT_TRUE(ply.mesh->is_padded());
+}
+
+TEST_F(SceneFiles, reads_the_parameters_of_a_mesh) {
+  const ShapeDescription found = parse(shape("parts/one.ply",
+                                             "<boolean name='face_normals' value='true'/><boolean name='flip_normals' "
+                                             "value='true'/><transform name='to_world'><scale value='2'/></transform>"))
+                                     .shapes.at(0);
+  EXPECT_TRUE(std::get<MeshDescription>(found.geometry).face_normals);
+  EXPECT_TRUE(found.flip_normals);
+  EXPECT_EQ(found.to_world, Transform::scale(Vec3d(2)));
+}
+
+TEST_F(SceneFiles, reads_a_file_once_however_it_is_spelled) {
+  const SceneDescription scene = parse(shape("parts/one.ply") + shape("./parts/../parts/one.ply"));
+  EXPECT_EQ(std::get<MeshDescription>(scene.shapes[0].geometry).mesh,
+            std::get<MeshDescription>(scene.shapes[1].geometry).mesh);
+  EXPECT_NE(scene.shapes[0].geometry, scene.shapes[1].geometry) << "the spelling is kept";
+}
+
+TEST_F(SceneFiles, tells_meshes_apart_by_content) {
+  const SceneDescription one = parse(shape("../two.ply"), true), two = parse(shape("../two.ply"), true);
+  EXPECT_EQ(one.shapes[0].geometry, two.shapes[0].geometry) << "read twice";
+  TriangleMesh other = *std::get<MeshDescription>(two.shapes[0].geometry).mesh;
+  other.positions[0].x = 0.5f;
+  EXPECT_NE(one.shapes[0].geometry,
+            decltype(ShapeDescription::geometry)(MeshDescription{MeshDescription::Format::ply, "../two.ply", false,
+                                                                 false, std::make_shared<const TriangleMesh>(other)}));
+}
+
+TEST_F(SceneFiles, refuses_what_is_missing_or_outside) {
+  EXPECT_EQ(message(shape("none.ply")), "scene/scene.xml:2:43: error: no such file: 'none.ply'");
+  EXPECT_EQ(message(shape("")), "scene/scene.xml:2:43: error: expected a file name");
+  EXPECT_EQ(message(shape("parts")), "scene/scene.xml:2:43: error: cannot read scene/parts: error: not a regular file");
+  EXPECT_EQ(message(shape("../two.ply")),
+            "scene/scene.xml:2:43: error: '../two.ply' lies outside the scene's folder (--allow-outside permits it)");
+  EXPECT_EQ(parse(shape("../two.ply"), true).shapes.size(), 1u);
+}
+
+TEST_F(SceneFiles, says_what_is_missing_beside_a_scene_named_without_a_folder) {
+  const fs::path before = fs::current_path();
+  fs::current_path(folder_ / "scene");
+  std::string summary;
+  try {
+    parse_named("scene.xml", shape("none.ply"));
+  } catch (const InputError& error) {
+    summary = error.summary();
+  }
+  fs::current_path(before);
+  EXPECT_EQ(summary, "scene.xml:2:43: error: no such file: 'none.ply'");
+}
+
+TEST_F(SceneFiles, names_the_line_of_the_scene_and_that_of_a_broken_file) {
+  write_file_atomically(folder_ / "scene/bad.ply", "ply\nformat ascii 2.0\n");
+  const std::string said = message(shape("bad.ply"));
+  EXPECT_TRUE(said.starts_with("scene/scene.xml:2:43: error: cannot use scene/bad.ply:2:")) << said;
+}
+
+TEST_F(SceneFiles, refuses_a_link_that_leads_outside) {
+  fs::create_symlink("../two.ply", folder_ / "scene/link.ply");
+  EXPECT_EQ(message(shape("link.ply")),
+            "scene/scene.xml:2:43: error: 'link.ply' lies outside the scene's folder (--allow-outside permits it)");
+}
+
+}  // namespace
+}  // namespace photonproof
