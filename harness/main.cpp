@@ -13,7 +13,7 @@
 #include <string>
 
 #include "harness/verbs.h"
-#include "renderer/version.h"
+#include "renderer/core/version.h"
 #include "scenes/text/input_error.h"
 #include "scenes/text/utf8.h"
 

@@ -19,7 +19,7 @@
 #include "harness/versions.h"
 #include "reference/process.h"
 #include "reference/reference_store.h"
-#include "renderer/version.h"
+#include "renderer/core/version.h"
 #include "scenes/text/checksum.h"
 #include "scenes/text/input_error.h"
 #include "scenes/text/json_text.h"

@@ -9,7 +9,7 @@
 #include <embree3/rtcore_config.h>
 #endif
 
-#include "renderer/version.h"
+#include "renderer/core/version.h"
 
 namespace photonproof {
 

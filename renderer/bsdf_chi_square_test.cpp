@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "renderer/parallel.h"
+#include "renderer/core/parallel.h"
 #include "renderer/sphere_cells.h"
 #include "renderer/test_bsdfs.h"
 #include "renderer/test_shading.h"

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "renderer/ray.h"
+#include "renderer/core/ray.h"
 #include "renderer/texture_slot.h"
 #include "scenes/description/description.h"
 

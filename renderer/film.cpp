@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "renderer/checkpoint.h"
+#include "renderer/core/checkpoint.h"
 #include "scenes/images/mean_error.h"
 
 namespace photonproof {

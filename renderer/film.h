@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "renderer/parallel.h"
+#include "renderer/core/parallel.h"
 #include "scenes/images/image.h"
 #include "scenes/meshes/vec.h"
 

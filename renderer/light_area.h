@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-#include "renderer/discrete_distribution.h"
+#include "renderer/core/discrete_distribution.h"
 #include "renderer/light_disk.h"
 #include "renderer/light_quad.h"
 #include "renderer/light_sample.h"

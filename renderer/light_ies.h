@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "renderer/discrete_distribution.h"
+#include "renderer/core/discrete_distribution.h"
 #include "renderer/light_sample.h"
 #include "scenes/meshes/ies.h"
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstring>
 
-#include "renderer/ray.h"
+#include "renderer/core/ray.h"
 
 namespace photonproof {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "renderer/ray.h"
+#include "renderer/core/ray.h"
 
 namespace photonproof {
 namespace {

@@ -1,6 +1,6 @@
 #include "renderer/medium.h"
 
-#include "renderer/ray.h"
+#include "renderer/core/ray.h"
 #include "scenes/text/faults.h"
 
 namespace photonproof {

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "renderer/parallel.h"
+#include "renderer/core/parallel.h"
 #include "renderer/surface.h"
 
 namespace photonproof {

@@ -9,8 +9,8 @@
 #include <span>
 #include <vector>
 
-#include "renderer/large_array.h"
-#include "renderer/parallel.h"
+#include "renderer/core/large_array.h"
+#include "renderer/core/parallel.h"
 #include "renderer/photons.h"
 
 namespace photonproof {

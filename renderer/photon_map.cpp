@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "renderer/photon_sort.h"
-#include "renderer/radix_sort.h"
+#include "renderer/core/radix_sort.h"
 
 namespace photonproof {
 namespace {

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "renderer/parallel.h"
+#include "renderer/core/parallel.h"
 #include "renderer/photon_sort.h"
 #include "renderer/photon_view.h"
 #include "renderer/photons.h"

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "renderer/parallel.h"
+#include "renderer/core/parallel.h"
 #include "renderer/photon_grid.h"
 #include "renderer/photons.h"
 

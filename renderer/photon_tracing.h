@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "renderer/kernels/tasks.h"
-#include "renderer/parallel.h"
+#include "renderer/core/parallel.h"
 #include "renderer/photons.h"
 #include "renderer/ray_totals.h"
 #include "renderer/scene.h"

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "renderer/large_array.h"
+#include "renderer/core/large_array.h"
 #include "renderer/photon_sheet.h"
 #include "scenes/meshes/vec.h"
 

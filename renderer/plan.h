@@ -7,7 +7,7 @@
 
 #include "renderer/render_job.h"
 #include "renderer/scene.h"
-#include "renderer/skips.h"
+#include "renderer/core/skips.h"
 
 namespace photonproof {
 

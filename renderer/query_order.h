@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "renderer/photon_map.h"
-#include "renderer/radix_sort.h"
+#include "renderer/core/radix_sort.h"
 
 namespace photonproof {
 

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "renderer/ray.h"
+#include "renderer/core/ray.h"
 
 namespace photonproof {
 

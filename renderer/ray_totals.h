@@ -4,7 +4,7 @@
 #include <atomic>
 #include <cstdint>
 
-#include "renderer/ray_counts.h"
+#include "renderer/core/ray_counts.h"
 #include "renderer/render_job.h"
 
 namespace photonproof {

@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "renderer/checkpoint.h"
+#include "renderer/core/checkpoint.h"
 #include "renderer/isa.h"
 #include "renderer/sampler.h"
-#include "renderer/skips.h"
+#include "renderer/core/skips.h"
 
 namespace photonproof {
 

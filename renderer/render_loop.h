@@ -20,9 +20,9 @@
 #include <string>
 #include <vector>
 
-#include "renderer/checkpoint.h"
+#include "renderer/core/checkpoint.h"
 #include "renderer/film.h"
-#include "renderer/parallel.h"
+#include "renderer/core/parallel.h"
 #include "renderer/pass_schedule.h"
 #include "renderer/ray_totals.h"
 #include "renderer/render_job.h"

@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "renderer/draws.h"
-#include "renderer/ray_counts.h"
+#include "renderer/core/ray_counts.h"
 #include "renderer/render_loop.h"
 #include "renderer/scene.h"
 #include "renderer/splats.h"

@@ -12,7 +12,7 @@
 #include "renderer/light.h"
 #include "renderer/medium.h"
 #include "renderer/scene_view.h"
-#include "renderer/skips.h"
+#include "renderer/core/skips.h"
 #include "renderer/surface.h"
 #include "renderer/surface_detail.h"
 #include "renderer/trace.h"

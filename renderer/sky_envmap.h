@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "renderer/discrete_distribution.h"
+#include "renderer/core/discrete_distribution.h"
 #include "scenes/images/image.h"
 #include "scenes/description/transform.h"
 #include "scenes/meshes/vec.h"

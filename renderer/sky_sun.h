@@ -9,7 +9,7 @@
 
 #include <vector>
 
-#include "renderer/discrete_distribution.h"
+#include "renderer/core/discrete_distribution.h"
 #include "renderer/sky_hosek_wilkie.h"
 #include "scenes/description/transform.h"
 #include "scenes/meshes/vec.h"

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "renderer/parallel.h"
+#include "renderer/core/parallel.h"
 #include "renderer/reconstruction_filter.h"
 #include "scenes/meshes/vec.h"
 

@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "renderer/ray.h"
+#include "renderer/core/ray.h"
 #include "scenes/meshes/mesh.h"
 #include "scenes/description/transform.h"
 #include "scenes/meshes/vec.h"

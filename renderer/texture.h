@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "renderer/ray.h"
+#include "renderer/core/ray.h"
 #include "scenes/description/description.h"
 
 namespace photonproof {

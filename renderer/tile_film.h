@@ -5,7 +5,7 @@
 
 #include "renderer/film.h"
 #include "renderer/kernels/tasks.h"
-#include "renderer/parallel.h"
+#include "renderer/core/parallel.h"
 #include "renderer/render_job.h"
 
 namespace photonproof {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/ray.h"
+#include "renderer/core/ray.h"
 #include "renderer/surface.h"
 
 namespace photonproof {

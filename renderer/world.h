@@ -6,7 +6,7 @@
 
 #include <optional>
 
-#include "renderer/ray_counts.h"
+#include "renderer/core/ray_counts.h"
 #include "renderer/scattering.h"
 #include "renderer/scene.h"
 #include "renderer/warp.h"

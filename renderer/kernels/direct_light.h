@@ -3,7 +3,7 @@
 
 #include "renderer/kernels/lights.h"
 #include "renderer/kernels/rays.h"
-#include "renderer/ray_counts.h"
+#include "renderer/core/ray_counts.h"
 #include "renderer/warp.h"
 #include "scenes/text/faults.h"
 

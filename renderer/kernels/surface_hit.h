@@ -2,7 +2,7 @@
 #pragma once
 
 #include "renderer/lane.h"
-#include "renderer/ray.h"
+#include "renderer/core/ray.h"
 
 namespace photonproof {
 

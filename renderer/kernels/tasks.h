@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "renderer/photon_gather.h"
-#include "renderer/ray_counts.h"
+#include "renderer/core/ray_counts.h"
 #include "renderer/sampler.h"
 #include "renderer/scene_view.h"
 

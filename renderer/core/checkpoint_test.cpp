@@ -1,5 +1,5 @@
 // Checkpoint files: what is written is read, and nothing else is.
-#include "renderer/checkpoint.h"
+#include "renderer/core/checkpoint.h"
 
 #include <gtest/gtest.h>
 

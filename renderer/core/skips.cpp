@@ -1,4 +1,4 @@
-#include "renderer/skips.h"
+#include "renderer/core/skips.h"
 
 #include "scenes/text/input_error.h"
 

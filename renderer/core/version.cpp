@@ -1,4 +1,4 @@
-#include "renderer/version.h"
+#include "renderer/core/version.h"
 
 #include "source_hash.h"
 

@@ -1,4 +1,4 @@
-#include "renderer/parallel.h"
+#include "renderer/core/parallel.h"
 
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>

@@ -1,6 +1,6 @@
 // Nothing that a plan leaves out may change the image.
 
-#include "renderer/skips.h"
+#include "renderer/core/skips.h"
 
 #include <gtest/gtest.h>
 

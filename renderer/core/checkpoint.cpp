@@ -1,4 +1,4 @@
-#include "renderer/checkpoint.h"
+#include "renderer/core/checkpoint.h"
 
 #include <fcntl.h>
 #include <unistd.h>
