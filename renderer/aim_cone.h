@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "renderer/lane.h"
+#include "renderer/lanes/lane.h"
 
 namespace photonproof {
 

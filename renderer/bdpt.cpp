@@ -7,7 +7,7 @@
 
 #include "renderer/bdpt_weights.h"
 #include "renderer/plan.h"
-#include "renderer/roulette.h"
+#include "renderer/lanes/roulette.h"
 #include "renderer/scalar_passes.h"
 #include "renderer/surroundings.h"
 #include "renderer/world_camera.h"

@@ -19,7 +19,7 @@
 #include "renderer/bsdf_roughplastic.h"
 #include "renderer/bsdf_sample.h"
 #include "renderer/bsdf_thindielectric.h"
-#include "renderer/kind_list.h"
+#include "renderer/lanes/kind_list.h"
 
 namespace photonproof {
 

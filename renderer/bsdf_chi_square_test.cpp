@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "renderer/core/parallel.h"
-#include "renderer/sphere_cells.h"
+#include "renderer/lanes/sphere_cells.h"
 #include "renderer/test_bsdfs.h"
 #include "renderer/test_shading.h"
 

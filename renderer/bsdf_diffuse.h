@@ -2,7 +2,7 @@
 #pragma once
 
 #include "renderer/bsdf_sample.h"
-#include "renderer/warp.h"
+#include "renderer/lanes/warp.h"
 #include "scenes/text/faults.h"
 
 namespace photonproof {

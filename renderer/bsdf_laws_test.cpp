@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "renderer/test_bsdfs.h"
-#include "renderer/test_random.h"
+#include "renderer/lanes/test_random.h"
 #include "renderer/test_shading.h"
 
 namespace photonproof {

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "renderer/bsdf_plastic.h"
-#include "renderer/lane_exp.h"
+#include "renderer/lanes/lane_exp.h"
 
 namespace photonproof {
 

@@ -8,7 +8,7 @@
 
 #include "renderer/bsdf_sample.h"
 #include "renderer/fresnel.h"
-#include "renderer/warp.h"
+#include "renderer/lanes/warp.h"
 
 namespace photonproof {
 

@@ -1,7 +1,7 @@
 // What sampling a BSDF yields, a lane each.
 #pragma once
 
-#include "renderer/lane.h"
+#include "renderer/lanes/lane.h"
 
 namespace photonproof {
 

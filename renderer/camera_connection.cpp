@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "renderer/warp.h"
+#include "renderer/lanes/warp.h"
 
 namespace photonproof {
 namespace {

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "renderer/camera_connection.h"
-#include "renderer/chi_square.h"
+#include "renderer/lanes/chi_square.h"
 #include "renderer/kernels/camera_rays.h"
 #include "renderer/reconstruction_filter.h"
 #include "renderer/test_scenes.h"

@@ -7,7 +7,7 @@
 
 #include "renderer/photon_sheet.h"
 #include "renderer/surface.h"
-#include "renderer/warp.h"
+#include "renderer/lanes/warp.h"
 
 namespace photonproof {
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "renderer/test_random.h"
+#include "renderer/lanes/test_random.h"
 
 namespace photonproof {
 namespace {

@@ -1,7 +1,7 @@
 // Reflectance of smooth interfaces for unpolarised light (Born and Wolf, Principles of Optics, sections 1.5 and 14.2).
 #pragma once
 
-#include "renderer/lane.h"
+#include "renderer/lanes/lane.h"
 
 namespace photonproof {
 

@@ -5,7 +5,7 @@
 
 #include "renderer/face_normal.h"
 #include "renderer/light_tree.h"
-#include "renderer/warp.h"
+#include "renderer/lanes/warp.h"
 
 namespace photonproof {
 namespace {

@@ -1,7 +1,7 @@
 // Drawing a light from the table of light_table.h, a lane each.
 #pragma once
 
-#include "renderer/lane.h"
+#include "renderer/lanes/lane.h"
 #include "renderer/light_words.h"
 
 namespace photonproof {

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <string>
 
-#include "renderer/chi_square.h"
+#include "renderer/lanes/chi_square.h"
 #include "renderer/test_lights.h"
 
 namespace photonproof {

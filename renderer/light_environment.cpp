@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "renderer/warp.h"
+#include "renderer/lanes/warp.h"
 
 namespace photonproof {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "renderer/warp.h"
+#include "renderer/lanes/warp.h"
 
 namespace photonproof {
 namespace {

@@ -11,7 +11,7 @@
 //   is_infinite              it has directions, but no points
 #pragma once
 
-#include "renderer/kind_list.h"
+#include "renderer/lanes/kind_list.h"
 #include "renderer/light_directional.h"
 #include "renderer/light_disk.h"
 #include "renderer/light_point.h"

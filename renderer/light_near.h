@@ -10,7 +10,7 @@
 // for otherwise those near p would be drawn at grazing angles although the lamp does not come near.
 #pragma once
 
-#include "renderer/lane_trig.h"
+#include "renderer/lanes/lane_trig.h"
 #include "renderer/light_sample.h"
 
 namespace photonproof {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "renderer/light_sample.h"
-#include "renderer/warp.h"
+#include "renderer/lanes/warp.h"
 
 namespace photonproof {
 

@@ -4,7 +4,7 @@
 
 #include "renderer/light_near.h"
 #include "renderer/light_sample.h"
-#include "renderer/warp.h"
+#include "renderer/lanes/warp.h"
 #include "scenes/text/faults.h"
 
 namespace photonproof {

@@ -1,7 +1,7 @@
 // What sampling a light yields, from a surface point or for a photon, a lane each.
 #pragma once
 
-#include "renderer/lane.h"
+#include "renderer/lanes/lane.h"
 
 namespace photonproof {
 

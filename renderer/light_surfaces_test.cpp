@@ -6,7 +6,7 @@
 
 #include <numbers>
 
-#include "renderer/chi_square.h"
+#include "renderer/lanes/chi_square.h"
 #include "renderer/test_lights.h"
 #include "renderer/test_surface_lights.h"
 

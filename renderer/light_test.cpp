@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "renderer/chi_square.h"
+#include "renderer/lanes/chi_square.h"
 #include "renderer/kernels/direct_light.h"
 #include "renderer/test_shading.h"
 

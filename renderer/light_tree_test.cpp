@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "renderer/chi_square.h"
-#include "renderer/warp.h"
+#include "renderer/lanes/chi_square.h"
+#include "renderer/lanes/warp.h"
 
 namespace photonproof {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "renderer/face_normal.h"
-#include "renderer/warp.h"
+#include "renderer/lanes/warp.h"
 #include "scenes/text/faults.h"
 
 namespace photonproof {

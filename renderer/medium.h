@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "renderer/phase.h"
-#include "renderer/warp.h"
+#include "renderer/lanes/warp.h"
 #include "scenes/description/description.h"
 
 namespace photonproof {

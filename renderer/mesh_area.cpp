@@ -7,7 +7,7 @@
 #include <numbers>
 #include <optional>
 
-#include "renderer/lane_trig.h"
+#include "renderer/lanes/lane_trig.h"
 #include "renderer/photon_sheet.h"
 
 namespace photonproof {

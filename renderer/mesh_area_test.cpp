@@ -9,8 +9,8 @@
 
 #include "renderer/disc_area.h"
 #include "renderer/test_photon_scenes.h"
-#include "renderer/test_random.h"
-#include "renderer/warp.h"
+#include "renderer/lanes/test_random.h"
+#include "renderer/lanes/warp.h"
 
 namespace photonproof {
 namespace {

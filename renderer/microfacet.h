@@ -3,8 +3,8 @@
 // Function"). Directions are local, z up; a facet's normal m has m.z > 0. Densities are per solid angle of m.
 #pragma once
 
-#include "renderer/lane_exp.h"
-#include "renderer/warp.h"
+#include "renderer/lanes/lane_exp.h"
+#include "renderer/lanes/warp.h"
 
 namespace photonproof {
 

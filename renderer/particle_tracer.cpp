@@ -9,7 +9,7 @@
 #include "renderer/particle_tracer.h"
 
 #include "renderer/plan.h"
-#include "renderer/roulette.h"
+#include "renderer/lanes/roulette.h"
 #include "renderer/scalar_passes.h"
 #include "renderer/surroundings.h"
 #include "renderer/world_camera.h"

@@ -1,6 +1,6 @@
 #include "renderer/phase.h"
 
-#include "renderer/warp.h"
+#include "renderer/lanes/warp.h"
 
 namespace photonproof {
 

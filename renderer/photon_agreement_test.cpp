@@ -24,7 +24,7 @@
 #include <numbers>
 
 #include "renderer/check_supported.h"
-#include "renderer/chi_square.h"
+#include "renderer/lanes/chi_square.h"
 #include "renderer/kernels/camera_rays.h"
 #include "renderer/test_photon_scenes.h"
 #include "renderer/test_scenes.h"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "renderer/photons.h"
-#include "renderer/test_random.h"
+#include "renderer/lanes/test_random.h"
 
 namespace photonproof {
 

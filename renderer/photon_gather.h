@@ -6,7 +6,7 @@
 
 #include <cstring>
 
-#include "renderer/always_inline.h"
+#include "renderer/lanes/always_inline.h"
 #include "renderer/photon_view.h"
 
 namespace photonproof {

@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "renderer/always_inline.h"
+#include "renderer/lanes/always_inline.h"
 #include "scenes/meshes/vec.h"
 
 namespace photonproof {

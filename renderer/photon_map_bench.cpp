@@ -19,8 +19,8 @@
 #include "renderer/photon_kdtree.h"
 #include "renderer/photon_map.h"
 #include "renderer/query_order.h"
-#include "renderer/test_random.h"
-#include "renderer/warp.h"
+#include "renderer/lanes/test_random.h"
+#include "renderer/lanes/warp.h"
 
 namespace photonproof {
 namespace {

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "renderer/always_inline.h"
+#include "renderer/lanes/always_inline.h"
 #include "renderer/photon_grid.h"
 
 namespace photonproof {

@@ -9,8 +9,8 @@
 
 #include <cstdint>
 
-#include "renderer/always_inline.h"
-#include "renderer/lane.h"
+#include "renderer/lanes/always_inline.h"
+#include "renderer/lanes/lane.h"
 
 namespace photonproof {
 

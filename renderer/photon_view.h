@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "renderer/always_inline.h"
+#include "renderer/lanes/always_inline.h"
 #include "renderer/photon_grid.h"
 #include "renderer/photon_rows.h"
 #include "renderer/photons.h"

@@ -11,7 +11,7 @@
 
 #include "renderer/core/checkpoint.h"
 #include "renderer/isa.h"
-#include "renderer/sampler.h"
+#include "renderer/lanes/sampler.h"
 #include "renderer/core/skips.h"
 
 namespace photonproof {

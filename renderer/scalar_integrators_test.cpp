@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "renderer/bdpt_weights.h"
-#include "renderer/chi_square.h"
+#include "renderer/lanes/chi_square.h"
 #include "renderer/phase.h"
 #include "renderer/test_scenes.h"
 #include "scenes/images/mean_error.h"

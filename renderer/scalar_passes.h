@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "renderer/draws.h"
+#include "renderer/lanes/draws.h"
 #include "renderer/core/ray_counts.h"
 #include "renderer/render_loop.h"
 #include "renderer/scene.h"

@@ -13,7 +13,7 @@
 #pragma once
 
 #include "renderer/bsdf_sample.h"
-#include "renderer/warp.h"
+#include "renderer/lanes/warp.h"
 
 namespace photonproof {
 

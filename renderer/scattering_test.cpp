@@ -10,7 +10,7 @@
 #include <cstdio>
 #include <memory>
 
-#include "renderer/test_random.h"
+#include "renderer/lanes/test_random.h"
 #include "renderer/test_scenes.h"
 #include "renderer/world.h"
 

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <functional>
 
-#include "renderer/chi_square.h"
+#include "renderer/lanes/chi_square.h"
 #include "renderer/test_lights.h"
 
 namespace photonproof {

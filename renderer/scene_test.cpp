@@ -11,7 +11,7 @@
 #include "renderer/kernels/lights.h"
 #include "renderer/light_table.h"
 #include "renderer/scene_facts.h"
-#include "renderer/test_random.h"
+#include "renderer/lanes/test_random.h"
 #include "renderer/test_scenes.h"
 #include "scenes/images/mean_error.h"
 

@@ -5,7 +5,7 @@
 
 #include "renderer/camera_view.h"
 #include "renderer/ray_scene.h"
-#include "renderer/sampler.h"
+#include "renderer/lanes/sampler.h"
 
 namespace photonproof {
 

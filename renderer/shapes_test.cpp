@@ -8,9 +8,9 @@
 #include "renderer/kernels/rays.h"
 #include "renderer/scene.h"
 #include "renderer/scene_frame.h"
-#include "renderer/test_random.h"
+#include "renderer/lanes/test_random.h"
 #include "renderer/test_scenes.h"
-#include "renderer/warp.h"
+#include "renderer/lanes/warp.h"
 #include "scenes/meshes/icosphere.h"
 
 namespace photonproof {

@@ -1,7 +1,7 @@
 // The same radiance from everywhere.
 #pragma once
 
-#include "renderer/warp.h"
+#include "renderer/lanes/warp.h"
 
 namespace photonproof {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "renderer/lane_trig.h"
+#include "renderer/lanes/lane_trig.h"
 
 namespace photonproof {
 namespace {

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "renderer/sun_spectrum.h"
-#include "renderer/warp.h"
+#include "renderer/lanes/warp.h"
 #include "scenes/description/spectrum.h"
 
 namespace photonproof {

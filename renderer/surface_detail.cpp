@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "renderer/sampler.h"
+#include "renderer/lanes/sampler.h"
 
 namespace photonproof {
 namespace {

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "renderer/kernels/rays.h"
-#include "renderer/test_random.h"
+#include "renderer/lanes/test_random.h"
 #include "renderer/test_scenes.h"
 
 namespace photonproof {

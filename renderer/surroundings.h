@@ -6,7 +6,7 @@
 #include <array>
 #include <optional>
 
-#include "renderer/draws.h"
+#include "renderer/lanes/draws.h"
 #include "renderer/medium.h"
 #include "renderer/world.h"
 

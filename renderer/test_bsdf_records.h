@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "renderer/bsdf.h"
-#include "renderer/test_random.h"
+#include "renderer/lanes/test_random.h"
 
 namespace photonproof::test {
 

@@ -8,7 +8,7 @@
 
 #include "renderer/light_bounds.h"
 #include "renderer/test_close_patches.h"
-#include "renderer/test_random.h"
+#include "renderer/lanes/test_random.h"
 
 namespace photonproof::test {
 

@@ -9,7 +9,7 @@
 #include <memory>
 #include <numbers>
 
-#include "renderer/test_random.h"
+#include "renderer/lanes/test_random.h"
 #include "renderer/test_scenes.h"
 
 namespace photonproof {

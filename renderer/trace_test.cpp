@@ -9,9 +9,9 @@
 
 #include "renderer/integrator.h"
 #include "renderer/kernels/rays.h"
-#include "renderer/test_random.h"
+#include "renderer/lanes/test_random.h"
 #include "renderer/test_scenes.h"
-#include "renderer/warp.h"
+#include "renderer/lanes/warp.h"
 
 namespace photonproof {
 namespace {

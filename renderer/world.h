@@ -9,7 +9,7 @@
 #include "renderer/core/ray_counts.h"
 #include "renderer/scattering.h"
 #include "renderer/scene.h"
-#include "renderer/warp.h"
+#include "renderer/lanes/warp.h"
 
 namespace photonproof {
 

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "renderer/draws.h"
+#include "renderer/lanes/draws.h"
 #include "renderer/world.h"
 
 namespace photonproof {

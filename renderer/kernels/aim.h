@@ -4,7 +4,7 @@
 
 #include "renderer/aim_cone.h"
 #include "renderer/scene_view.h"
-#include "renderer/warp.h"
+#include "renderer/lanes/warp.h"
 
 namespace photonproof {
 

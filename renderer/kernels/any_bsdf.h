@@ -1,7 +1,7 @@
 // A BSDF whose kind the code that asks it does not know.
 #pragma once
 
-#include "renderer/lane.h"
+#include "renderer/lanes/lane.h"
 
 namespace photonproof {
 

@@ -4,7 +4,7 @@
 #include "renderer/kernels/lights.h"
 #include "renderer/kernels/rays.h"
 #include "renderer/core/ray_counts.h"
-#include "renderer/warp.h"
+#include "renderer/lanes/warp.h"
 #include "scenes/text/faults.h"
 
 namespace photonproof {

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "renderer/lane.h"
+#include "renderer/lanes/lane.h"
 
 namespace photonproof {
 

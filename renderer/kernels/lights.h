@@ -4,7 +4,7 @@
 #include <cstring>
 
 #include "renderer/kernels/general_lights.h"
-#include "renderer/lane.h"
+#include "renderer/lanes/lane.h"
 #include "renderer/light_choice.h"
 #include "renderer/light_kinds.h"
 #include "renderer/scene_view.h"

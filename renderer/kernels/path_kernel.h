@@ -9,7 +9,7 @@
 #include "renderer/kernels/batch_kernel.h"
 #include "renderer/kernels/camera_rays.h"
 #include "renderer/kernels/direct_light.h"
-#include "renderer/roulette.h"
+#include "renderer/lanes/roulette.h"
 #include "scenes/text/faults.h"
 
 namespace photonproof {

@@ -7,8 +7,8 @@
 #include "renderer/kernels/batch_kernel.h"
 #include "renderer/kernels/lights.h"
 #include "renderer/kernels/rays.h"
-#include "renderer/roulette.h"
-#include "renderer/warp.h"
+#include "renderer/lanes/roulette.h"
+#include "renderer/lanes/warp.h"
 
 namespace photonproof {
 

@@ -1,7 +1,7 @@
 // Where the rays of a pack end, and how rays leave a surface.
 #pragma once
 
-#include "renderer/lane.h"
+#include "renderer/lanes/lane.h"
 #include "renderer/core/ray.h"
 
 namespace photonproof {

@@ -6,7 +6,7 @@
 
 #include "renderer/photon_gather.h"
 #include "renderer/core/ray_counts.h"
-#include "renderer/sampler.h"
+#include "renderer/lanes/sampler.h"
 #include "renderer/scene_view.h"
 
 namespace photonproof {

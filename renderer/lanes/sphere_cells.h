@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "renderer/chi_square.h"
+#include "renderer/lanes/chi_square.h"
 
 namespace photonproof::test {
 

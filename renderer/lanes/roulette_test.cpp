@@ -3,7 +3,7 @@
 // roulette that kills a constant share s from rho^2 >= 1 - s on, images are too dark and claims too small. With a cap
 // of 0.95 rho = 0.995 gave 0.65 with a claimed error of 0.06, and 0.9999 gave 0.02 with 0.004.
 
-#include "renderer/roulette.h"
+#include "renderer/lanes/roulette.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 #include <numbers>
 #include <string>
 
-#include "renderer/chi_square.h"
+#include "renderer/lanes/chi_square.h"
 #include "renderer/test_scenes.h"
 
 namespace photonproof {

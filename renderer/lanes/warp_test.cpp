@@ -1,10 +1,10 @@
 // Warps against their densities.
 
-#include "renderer/warp.h"
+#include "renderer/lanes/warp.h"
 
 #include <gtest/gtest.h>
 
-#include "renderer/chi_square.h"
+#include "renderer/lanes/chi_square.h"
 
 namespace photonproof {
 namespace {

@@ -1,7 +1,7 @@
 // Sine and cosine over lanes: the same polynomials on every instruction set and for one lane, so that results agree.
 #pragma once
 
-#include "renderer/lane.h"
+#include "renderer/lanes/lane.h"
 
 namespace photonproof {
 

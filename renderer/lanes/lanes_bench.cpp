@@ -6,9 +6,9 @@
 #include <string>
 
 #include "renderer/isa.h"
-#include "renderer/sampler.h"
+#include "renderer/lanes/sampler.h"
 #include "renderer/test_scenes.h"
-#include "renderer/warp.h"
+#include "renderer/lanes/warp.h"
 
 namespace photonproof {
 namespace {

@@ -2,7 +2,7 @@
 // for one lane, so that results agree. No exceptions: arguments beyond a function's range give its nearest value.
 #pragma once
 
-#include "renderer/lane.h"
+#include "renderer/lanes/lane.h"
 
 namespace photonproof {
 

@@ -3,7 +3,7 @@
 
 #include <numbers>
 
-#include "renderer/lane_trig.h"
+#include "renderer/lanes/lane_trig.h"
 
 namespace photonproof {
 

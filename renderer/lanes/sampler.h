@@ -9,7 +9,7 @@
 
 #include <cstdint>
 
-#include "renderer/lane.h"
+#include "renderer/lanes/lane.h"
 
 namespace photonproof {
 

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <vector>
 
-#include "renderer/test_random.h"
+#include "renderer/lanes/test_random.h"
 #include "scenes/meshes/vec.h"
 
 namespace photonproof::test {

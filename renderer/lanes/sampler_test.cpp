@@ -1,6 +1,6 @@
 // Random numbers: uniform, independent where they must be, stratified where they claim to be.
 
-#include "renderer/sampler.h"
+#include "renderer/lanes/sampler.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/chi_square.h"
+#include "renderer/lanes/chi_square.h"
 
 namespace photonproof {
 namespace {

@@ -13,11 +13,11 @@
 #include "renderer/light.h"
 #include "renderer/light_table.h"
 #include "renderer/reconstruction_filter.h"
-#include "renderer/sampler.h"
+#include "renderer/lanes/sampler.h"
 #include "renderer/small_scene_tables.h"
 #include "renderer/test_bsdf_records.h"
-#include "renderer/test_lanes.h"
-#include "renderer/warp.h"
+#include "renderer/lanes/test_lanes.h"
+#include "renderer/lanes/warp.h"
 
 namespace photonproof {
 namespace {

@@ -12,8 +12,8 @@
 #include <limits>
 #include <string>
 
-#include "renderer/lane.h"
-#include "renderer/test_random.h"
+#include "renderer/lanes/lane.h"
+#include "renderer/lanes/test_random.h"
 
 namespace photonproof::test {
 

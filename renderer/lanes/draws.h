@@ -1,7 +1,7 @@
 // The random numbers of one history, each named by what it decides.
 #pragma once
 
-#include "renderer/sampler.h"
+#include "renderer/lanes/sampler.h"
 
 namespace photonproof {
 

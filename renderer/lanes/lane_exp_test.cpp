@@ -1,6 +1,6 @@
 // Elementary functions against the C library's in double precision, over the ranges their comments name.
 
-#include "renderer/lane_exp.h"
+#include "renderer/lanes/lane_exp.h"
 
 #include <gtest/gtest.h>
 

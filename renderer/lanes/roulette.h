@@ -20,7 +20,7 @@
 
 #include <algorithm>
 
-#include "renderer/lane.h"
+#include "renderer/lanes/lane.h"
 
 namespace photonproof {
 
