@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "renderer/bsdf.h"
-#include "renderer/texture_slot.h"
+#include "renderer/textures/texture_slot.h"
 #include "scenes/description/description.h"
 
 namespace photonproof {

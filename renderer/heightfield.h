@@ -1,7 +1,7 @@
 // A heightfield as the mesh that is traced in its place.
 #pragma once
 
-#include "renderer/texture.h"
+#include "renderer/textures/texture.h"
 #include "scenes/description/description.h"
 
 namespace photonproof {

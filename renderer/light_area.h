@@ -15,7 +15,7 @@
 #include "renderer/light_quad.h"
 #include "renderer/light_sample.h"
 #include "renderer/light_sphere.h"
-#include "renderer/light_texture.h"
+#include "renderer/textures/light_texture.h"
 
 namespace photonproof {
 

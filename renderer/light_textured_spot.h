@@ -3,7 +3,7 @@
 
 #include "renderer/light_sample.h"
 #include "renderer/light_spot.h"
-#include "renderer/light_texture.h"
+#include "renderer/textures/light_texture.h"
 
 namespace photonproof {
 

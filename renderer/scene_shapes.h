@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "renderer/surface.h"
-#include "renderer/texture.h"
+#include "renderer/textures/texture.h"
 #include "scenes/description/description.h"
 
 namespace photonproof {

@@ -8,7 +8,7 @@
 #include "renderer/local_geometry.h"
 #include "renderer/scattering.h"
 #include "renderer/scene_view.h"
-#include "renderer/texture.h"
+#include "renderer/textures/texture.h"
 
 namespace photonproof {
 

@@ -1,4 +1,4 @@
-#include "renderer/texture.h"
+#include "renderer/textures/texture.h"
 
 #include <algorithm>
 #include <cmath>

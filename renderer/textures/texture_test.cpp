@@ -1,6 +1,6 @@
 // Texture look-ups: filters, wrapping, orientation, transforms, gradients. Expected numbers are worked out by hand.
 
-#include "renderer/texture.h"
+#include "renderer/textures/texture.h"
 
 #include <gtest/gtest.h>
 
