@@ -9,7 +9,7 @@
 
 #include "renderer/bdpt_weights.h"
 #include "renderer/lanes/chi_square.h"
-#include "renderer/phase.h"
+#include "renderer/media/phase.h"
 #include "renderer/test_scenes.h"
 #include "scenes/images/mean_error.h"
 

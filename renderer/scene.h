@@ -10,7 +10,7 @@
 #include "renderer/bsdf.h"
 #include "renderer/camera.h"
 #include "renderer/light.h"
-#include "renderer/medium.h"
+#include "renderer/media/medium.h"
 #include "renderer/scene_view.h"
 #include "renderer/core/skips.h"
 #include "renderer/surface.h"

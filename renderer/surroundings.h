@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "renderer/lanes/draws.h"
-#include "renderer/medium.h"
+#include "renderer/media/medium.h"
 #include "renderer/world.h"
 
 namespace photonproof {

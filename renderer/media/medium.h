@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "renderer/phase.h"
+#include "renderer/media/phase.h"
 #include "renderer/lanes/warp.h"
 #include "scenes/description/description.h"
 

@@ -1,4 +1,4 @@
-#include "renderer/medium.h"
+#include "renderer/media/medium.h"
 
 #include "renderer/core/ray.h"
 #include "scenes/text/faults.h"

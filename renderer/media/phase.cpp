@@ -1,4 +1,4 @@
-#include "renderer/phase.h"
+#include "renderer/media/phase.h"
 
 #include "renderer/lanes/warp.h"
 
