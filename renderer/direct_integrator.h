@@ -1,7 +1,7 @@
 // The `direct` integrator: emission and light that is reflected once.
 #pragma once
 
-#include "renderer/film.h"
+#include "renderer/sensor/film.h"
 #include "renderer/render_job.h"
 #include "renderer/scene.h"
 

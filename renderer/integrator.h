@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/film.h"
+#include "renderer/sensor/film.h"
 #include "renderer/integrator_name.h"
 #include "renderer/render_job.h"
 #include "renderer/scene.h"

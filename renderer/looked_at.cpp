@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "renderer/camera_ray.h"
+#include "renderer/sensor/camera_ray.h"
 
 namespace photonproof {
 

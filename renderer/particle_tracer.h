@@ -1,7 +1,7 @@
 // The `ptracer` integrator: light tracing.
 #pragma once
 
-#include "renderer/film.h"
+#include "renderer/sensor/film.h"
 #include "renderer/render_job.h"
 #include "renderer/scene.h"
 

@@ -1,7 +1,7 @@
 // The `path` integrator: the project's unbiased reference.
 #pragma once
 
-#include "renderer/film.h"
+#include "renderer/sensor/film.h"
 #include "renderer/kernels/tasks.h"
 #include "renderer/render_job.h"
 #include "renderer/scene.h"

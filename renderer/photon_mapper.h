@@ -1,7 +1,7 @@
 // The `photonmapper` integrator: global and caustic photon maps of fixed radius.
 #pragma once
 
-#include "renderer/film.h"
+#include "renderer/sensor/film.h"
 #include "renderer/render_job.h"
 #include "renderer/scene.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "renderer/camera.h"
+#include "renderer/sensor/camera.h"
 #include "renderer/looked_at.h"
 
 namespace photonproof {

@@ -21,7 +21,7 @@
 #include <vector>
 
 #include "renderer/core/checkpoint.h"
-#include "renderer/film.h"
+#include "renderer/sensor/film.h"
 #include "renderer/core/parallel.h"
 #include "renderer/pass_schedule.h"
 #include "renderer/ray_totals.h"

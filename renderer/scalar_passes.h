@@ -7,7 +7,7 @@
 #include "renderer/core/ray_counts.h"
 #include "renderer/render_loop.h"
 #include "renderer/scene.h"
-#include "renderer/splats.h"
+#include "renderer/sensor/splats.h"
 
 namespace photonproof {
 

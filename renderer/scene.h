@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "renderer/bsdf.h"
-#include "renderer/camera.h"
+#include "renderer/sensor/camera.h"
 #include "renderer/light.h"
 #include "renderer/media/medium.h"
 #include "renderer/scene_view.h"

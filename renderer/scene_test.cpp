@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "renderer/film.h"
+#include "renderer/sensor/film.h"
 #include "renderer/kernels/lights.h"
 #include "renderer/light_table.h"
 #include "renderer/scene_facts.h"

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "renderer/camera_view.h"
+#include "renderer/sensor/camera_view.h"
 #include "renderer/ray_scene.h"
 #include "renderer/lanes/sampler.h"
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "renderer/film.h"
+#include "renderer/sensor/film.h"
 #include "renderer/kernels/tasks.h"
 #include "renderer/core/parallel.h"
 #include "renderer/render_job.h"

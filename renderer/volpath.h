@@ -1,7 +1,7 @@
 // The `volpath` integrator: path tracing through participating media and nested dielectrics.
 #pragma once
 
-#include "renderer/film.h"
+#include "renderer/sensor/film.h"
 #include "renderer/render_job.h"
 #include "renderer/scene.h"
 

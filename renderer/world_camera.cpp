@@ -1,6 +1,6 @@
 #include "renderer/world_camera.h"
 
-#include "renderer/camera_connection.h"
+#include "renderer/sensor/camera_connection.h"
 #include "renderer/kernels/camera_rays.h"
 
 namespace photonproof {

@@ -1,7 +1,7 @@
 // Camera samples of a tile: path p of a task is sample p mod samples of pixel p / samples.
 #pragma once
 
-#include "renderer/camera_ray.h"
+#include "renderer/sensor/camera_ray.h"
 #include "renderer/kernels/tasks.h"
 
 namespace photonproof {

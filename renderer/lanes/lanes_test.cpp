@@ -12,7 +12,7 @@
 #include "renderer/kernels/small_scene.h"
 #include "renderer/light.h"
 #include "renderer/light_table.h"
-#include "renderer/reconstruction_filter.h"
+#include "renderer/sensor/reconstruction_filter.h"
 #include "renderer/lanes/sampler.h"
 #include "renderer/small_scene_tables.h"
 #include "renderer/test_bsdf_records.h"

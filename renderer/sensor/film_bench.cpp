@@ -2,7 +2,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "renderer/film.h"
+#include "renderer/sensor/film.h"
 
 namespace photonproof {
 namespace {

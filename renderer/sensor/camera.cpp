@@ -1,10 +1,10 @@
-#include "renderer/camera.h"
+#include "renderer/sensor/camera.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "renderer/reconstruction_filter.h"
+#include "renderer/sensor/reconstruction_filter.h"
 #include "scenes/text/faults.h"
 
 namespace photonproof {

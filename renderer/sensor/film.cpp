@@ -1,4 +1,4 @@
-#include "renderer/film.h"
+#include "renderer/sensor/film.h"
 
 #include <algorithm>
 #include <cmath>

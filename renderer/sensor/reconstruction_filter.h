@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "renderer/camera_view.h"
+#include "renderer/sensor/camera_view.h"
 #include "scenes/description/description.h"
 
 namespace photonproof {

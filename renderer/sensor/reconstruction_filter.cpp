@@ -1,4 +1,4 @@
-#include "renderer/reconstruction_filter.h"
+#include "renderer/sensor/reconstruction_filter.h"
 
 #include <numbers>
 

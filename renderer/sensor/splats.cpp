@@ -1,4 +1,4 @@
-#include "renderer/splats.h"
+#include "renderer/sensor/splats.h"
 
 namespace photonproof {
 

@@ -1,4 +1,4 @@
-#include "renderer/camera_connection.h"
+#include "renderer/sensor/camera_connection.h"
 
 #include <cmath>
 

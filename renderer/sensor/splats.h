@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "renderer/core/parallel.h"
-#include "renderer/reconstruction_filter.h"
+#include "renderer/sensor/reconstruction_filter.h"
 #include "scenes/meshes/vec.h"
 
 namespace photonproof {

@@ -1,7 +1,7 @@
 // Cameras with Mitsuba's conventions: local +z forward, +y up, +x to the left of the image.
 #pragma once
 
-#include "renderer/camera_view.h"
+#include "renderer/sensor/camera_view.h"
 #include "scenes/description/description.h"
 
 namespace photonproof {

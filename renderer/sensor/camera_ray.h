@@ -1,7 +1,7 @@
 // The camera's rays, a lane each.
 #pragma once
 
-#include "renderer/camera_view.h"
+#include "renderer/sensor/camera_view.h"
 #include "renderer/lanes/warp.h"
 
 namespace photonproof {

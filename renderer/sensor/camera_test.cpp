@@ -1,16 +1,16 @@
 // Cameras of every kind: the way back from the scene is the inverse of the rays, importance is a density of the raster,
 // filters are drawn as they are evaluated.
 
-#include "renderer/camera.h"
+#include "renderer/sensor/camera.h"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 
-#include "renderer/camera_connection.h"
+#include "renderer/sensor/camera_connection.h"
 #include "renderer/lanes/chi_square.h"
 #include "renderer/kernels/camera_rays.h"
-#include "renderer/reconstruction_filter.h"
+#include "renderer/sensor/reconstruction_filter.h"
 #include "renderer/test_scenes.h"
 
 namespace photonproof {

@@ -9,7 +9,7 @@
 // f x flux x cos_y. The lens point is drawn uniformly, which is the average over the lens.
 #pragma once
 
-#include "renderer/camera_view.h"
+#include "renderer/sensor/camera_view.h"
 
 namespace photonproof {
 
