@@ -5,7 +5,7 @@
 
 #include <span>
 
-#include "renderer/photon_sheet.h"
+#include "renderer/photons/photon_sheet.h"
 #include "renderer/surface.h"
 #include "renderer/lanes/warp.h"
 

@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "renderer/lanes/lane_trig.h"
-#include "renderer/photon_sheet.h"
+#include "renderer/photons/photon_sheet.h"
 
 namespace photonproof {
 namespace {

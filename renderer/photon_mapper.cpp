@@ -15,11 +15,11 @@
 #include <optional>
 
 #include "renderer/look_up_area.h"
-#include "renderer/photon_map.h"
+#include "renderer/photons/photon_map.h"
 #include "renderer/photon_radius.h"
 #include "renderer/photon_tracing.h"
 #include "renderer/plan.h"
-#include "renderer/query_order.h"
+#include "renderer/photons/query_order.h"
 #include "renderer/render_loop.h"
 #include "renderer/scratch_pool.h"
 #include "renderer/tile_film.h"

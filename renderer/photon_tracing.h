@@ -5,7 +5,7 @@
 
 #include "renderer/kernels/tasks.h"
 #include "renderer/core/parallel.h"
-#include "renderer/photons.h"
+#include "renderer/photons/photons.h"
 #include "renderer/ray_totals.h"
 #include "renderer/scene.h"
 

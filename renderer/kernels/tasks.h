@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "renderer/photon_gather.h"
+#include "renderer/photons/photon_gather.h"
 #include "renderer/core/ray_counts.h"
 #include "renderer/lanes/sampler.h"
 #include "renderer/scene_view.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/photons.h"
+#include "renderer/photons/photons.h"
 #include "renderer/lanes/test_random.h"
 
 namespace photonproof {

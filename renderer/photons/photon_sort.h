@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "renderer/core/parallel.h"
-#include "renderer/photon_grid.h"
-#include "renderer/photons.h"
+#include "renderer/photons/photon_grid.h"
+#include "renderer/photons/photons.h"
 
 namespace photonproof {
 

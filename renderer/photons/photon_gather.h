@@ -7,7 +7,7 @@
 #include <cstring>
 
 #include "renderer/lanes/always_inline.h"
-#include "renderer/photon_view.h"
+#include "renderer/photons/photon_view.h"
 
 namespace photonproof {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "renderer/lanes/always_inline.h"
-#include "renderer/photon_grid.h"
+#include "renderer/photons/photon_grid.h"
 
 namespace photonproof {
 

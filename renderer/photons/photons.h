@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "renderer/core/large_array.h"
-#include "renderer/photon_sheet.h"
+#include "renderer/photons/photon_sheet.h"
 #include "scenes/meshes/vec.h"
 
 namespace photonproof {

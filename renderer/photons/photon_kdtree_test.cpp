@@ -1,13 +1,13 @@
 // The kd-tree's nearest photons against brute force: the same photons in the same order, ties included.
 
-#include "renderer/photon_kdtree.h"
+#include "renderer/photons/photon_kdtree.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <limits>
 
-#include "renderer/photon_clouds.h"
+#include "renderer/photons/photon_clouds.h"
 
 namespace photonproof {
 namespace {

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "renderer/core/parallel.h"
-#include "renderer/photon_sort.h"
-#include "renderer/photon_view.h"
-#include "renderer/photons.h"
+#include "renderer/photons/photon_sort.h"
+#include "renderer/photons/photon_view.h"
+#include "renderer/photons/photons.h"
 
 namespace photonproof {
 

@@ -6,9 +6,9 @@
 #include <cstdint>
 
 #include "renderer/lanes/always_inline.h"
-#include "renderer/photon_grid.h"
-#include "renderer/photon_rows.h"
-#include "renderer/photons.h"
+#include "renderer/photons/photon_grid.h"
+#include "renderer/photons/photon_rows.h"
+#include "renderer/photons/photons.h"
 
 namespace photonproof {
 

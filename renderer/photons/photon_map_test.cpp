@@ -1,15 +1,15 @@
 // The photon grid, dense and compact, against brute force: the same photons, not nearly the same.
 
-#include "renderer/photon_map.h"
+#include "renderer/photons/photon_map.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <limits>
 
-#include "renderer/photon_clouds.h"
-#include "renderer/photon_gather.h"
-#include "renderer/query_order.h"
+#include "renderer/photons/photon_clouds.h"
+#include "renderer/photons/photon_gather.h"
+#include "renderer/photons/query_order.h"
 
 namespace photonproof {
 namespace {

@@ -1,4 +1,4 @@
-#include "renderer/photon_rows.h"
+#include "renderer/photons/photon_rows.h"
 
 #include <algorithm>
 #include <bit>

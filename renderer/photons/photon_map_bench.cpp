@@ -16,9 +16,9 @@
 #include <numeric>
 
 #include "renderer/isa.h"
-#include "renderer/photon_kdtree.h"
-#include "renderer/photon_map.h"
-#include "renderer/query_order.h"
+#include "renderer/photons/photon_kdtree.h"
+#include "renderer/photons/photon_map.h"
+#include "renderer/photons/query_order.h"
 #include "renderer/lanes/test_random.h"
 #include "renderer/lanes/warp.h"
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "renderer/photon_map.h"
+#include "renderer/photons/photon_map.h"
 #include "renderer/core/radix_sort.h"
 
 namespace photonproof {

@@ -1,4 +1,4 @@
-#include "renderer/photon_sort.h"
+#include "renderer/photons/photon_sort.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,6 +1,6 @@
 // What a photon keeps of where it landed, and which photons a look-up counts by it.
 
-#include "renderer/photon_sheet.h"
+#include "renderer/photons/photon_sheet.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <cstring>
 
 #include "renderer/isa.h"
-#include "renderer/photon_map.h"
+#include "renderer/photons/photon_map.h"
 #include "renderer/lanes/test_random.h"
 #include "renderer/lanes/warp.h"
 

@@ -11,7 +11,7 @@
 
 #include "renderer/core/large_array.h"
 #include "renderer/core/parallel.h"
-#include "renderer/photons.h"
+#include "renderer/photons/photons.h"
 
 namespace photonproof {
 

@@ -1,10 +1,10 @@
-#include "renderer/photon_map.h"
+#include "renderer/photons/photon_map.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "renderer/photon_sort.h"
+#include "renderer/photons/photon_sort.h"
 #include "renderer/core/radix_sort.h"
 
 namespace photonproof {
