@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <numbers>
 
-#include "renderer/test_albedo.h"
+#include "renderer/bsdfs/test_albedo.h"
 #include "renderer/test_scenes.h"
 #include "scenes/description/expect.h"
 #include "scenes/parser/parser.h"

@@ -6,7 +6,7 @@
 
 #include "renderer/lanes/chi_square.h"
 #include "renderer/kernels/direct_light.h"
-#include "renderer/test_shading.h"
+#include "renderer/bsdfs/test_shading.h"
 
 namespace photonproof {
 namespace {

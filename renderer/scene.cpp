@@ -7,7 +7,7 @@
 #include <set>
 
 #include "renderer/aim_targets.h"
-#include "renderer/compile_bsdf.h"
+#include "renderer/bsdfs/compile_bsdf.h"
 #include "renderer/compile_light.h"
 #include "renderer/kernels/rays.h"
 #include "renderer/light_table.h"

@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-#include "renderer/bsdf.h"
+#include "renderer/bsdfs/bsdf.h"
 #include "renderer/sensor/camera.h"
 #include "renderer/light.h"
 #include "renderer/media/medium.h"

@@ -4,8 +4,8 @@
 #include <cstdio>
 #include <set>
 
-#include "renderer/bsdf_phong.h"
-#include "renderer/microfacet.h"
+#include "renderer/bsdfs/bsdf_phong.h"
+#include "renderer/bsdfs/microfacet.h"
 #include "scenes/text/text_numbers.h"
 
 namespace photonproof {

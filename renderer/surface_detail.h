@@ -3,10 +3,10 @@
 // has any of it (SceneView::detailed); other scenes never come here.
 #pragma once
 
-#include "renderer/bsdf.h"
-#include "renderer/bsdf_tree.h"
+#include "renderer/bsdfs/bsdf.h"
+#include "renderer/bsdfs/bsdf_tree.h"
 #include "renderer/local_geometry.h"
-#include "renderer/scattering.h"
+#include "renderer/bsdfs/scattering.h"
 #include "renderer/scene_view.h"
 #include "renderer/textures/texture.h"
 

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "renderer/core/ray_counts.h"
-#include "renderer/scattering.h"
+#include "renderer/bsdfs/scattering.h"
 #include "renderer/scene.h"
 #include "renderer/lanes/warp.h"
 

@@ -1,5 +1,5 @@
 """Expected values of every BSDF of scenes/FORMAT.md, from the published formulas: writes bsdfs_expected.tsv, which
-renderer/bsdf_oracle_test.cpp reads.
+renderer/bsdfs/bsdf_oracle_test.cpp reads.
 
     python3 harness/oracles/bsdfs.py        (standard library only; about half a minute)
 
@@ -249,7 +249,7 @@ class Phong:
 
 class Layered:
     """f = T T / n^2 exp(-sigma_a thickness (1 / cos o' + 1 / cos i')) f_base(o', i') (Weidlich and Wilkie 2007), with
-    the light that goes to and fro below the interface as renderer/bsdf_layered.h says. A metal's index is relative to
+    the light that goes to and fro below the interface as renderer/bsdfs/bsdf_layered.h says. A metal's index is relative to
     what lies on it: here the lacquer."""
 
     def __init__(self, p, kind, base):

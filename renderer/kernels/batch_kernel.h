@@ -9,9 +9,9 @@
 #include <bit>
 #include <utility>
 
-#include "renderer/bsdf.h"
+#include "renderer/bsdfs/bsdf.h"
 #include "renderer/kernels/lane_batch.h"
-#include "renderer/scattering.h"
+#include "renderer/bsdfs/scattering.h"
 #include "renderer/scene_view.h"
 #include "renderer/surface_detail.h"
 

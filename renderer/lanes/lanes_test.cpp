@@ -5,7 +5,7 @@
 #include <bit>
 #include <vector>
 
-#include "renderer/bsdf.h"
+#include "renderer/bsdfs/bsdf.h"
 #include "renderer/kernels/camera_rays.h"
 #include "renderer/kernels/lane_batch.h"
 #include "renderer/kernels/lights.h"
@@ -15,7 +15,7 @@
 #include "renderer/sensor/reconstruction_filter.h"
 #include "renderer/lanes/sampler.h"
 #include "renderer/small_scene_tables.h"
-#include "renderer/test_bsdf_records.h"
+#include "renderer/bsdfs/test_bsdf_records.h"
 #include "renderer/lanes/test_lanes.h"
 #include "renderer/lanes/warp.h"
 

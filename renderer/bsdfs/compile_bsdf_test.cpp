@@ -1,12 +1,12 @@
 // From descriptions of BSDFs to records: where textures write, and what is refused.
 
-#include "renderer/compile_bsdf.h"
+#include "renderer/bsdfs/compile_bsdf.h"
 
 #include <gtest/gtest.h>
 
 #include <cstring>
 
-#include "renderer/test_bsdfs.h"
+#include "renderer/bsdfs/test_bsdfs.h"
 
 namespace photonproof {
 namespace {

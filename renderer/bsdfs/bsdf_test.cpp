@@ -1,11 +1,11 @@
 // Every BSDF: density, energy, reciprocity, and the laws of optics.
 
-#include "renderer/bsdf.h"
+#include "renderer/bsdfs/bsdf.h"
 
 #include <gtest/gtest.h>
 
 #include "renderer/lanes/chi_square.h"
-#include "renderer/test_shading.h"
+#include "renderer/bsdfs/test_shading.h"
 
 namespace photonproof {
 namespace {

@@ -1,7 +1,7 @@
 // Lambertian reflection, one-sided: f = reflectance / pi above the surface, 0 below.
 #pragma once
 
-#include "renderer/bsdf_sample.h"
+#include "renderer/bsdfs/bsdf_sample.h"
 #include "renderer/lanes/warp.h"
 #include "scenes/text/faults.h"
 

@@ -7,18 +7,18 @@
 //   is_lambertian  eval does not depend on the directions above the surface: photons of any direction count alike
 #pragma once
 
-#include "renderer/bsdf_conductor.h"
-#include "renderer/bsdf_dielectric.h"
-#include "renderer/bsdf_diffuse.h"
-#include "renderer/bsdf_layered.h"
-#include "renderer/bsdf_null.h"
-#include "renderer/bsdf_phong.h"
-#include "renderer/bsdf_plastic.h"
-#include "renderer/bsdf_roughconductor.h"
-#include "renderer/bsdf_roughdielectric.h"
-#include "renderer/bsdf_roughplastic.h"
-#include "renderer/bsdf_sample.h"
-#include "renderer/bsdf_thindielectric.h"
+#include "renderer/bsdfs/bsdf_conductor.h"
+#include "renderer/bsdfs/bsdf_dielectric.h"
+#include "renderer/bsdfs/bsdf_diffuse.h"
+#include "renderer/bsdfs/bsdf_layered.h"
+#include "renderer/bsdfs/bsdf_null.h"
+#include "renderer/bsdfs/bsdf_phong.h"
+#include "renderer/bsdfs/bsdf_plastic.h"
+#include "renderer/bsdfs/bsdf_roughconductor.h"
+#include "renderer/bsdfs/bsdf_roughdielectric.h"
+#include "renderer/bsdfs/bsdf_roughplastic.h"
+#include "renderer/bsdfs/bsdf_sample.h"
+#include "renderer/bsdfs/bsdf_thindielectric.h"
 #include "renderer/lanes/kind_list.h"
 
 namespace photonproof {

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "renderer/bsdf.h"
+#include "renderer/bsdfs/bsdf.h"
 #include "renderer/textures/texture_slot.h"
 #include "scenes/description/description.h"
 

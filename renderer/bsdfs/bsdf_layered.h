@@ -13,10 +13,10 @@
 // What a base of two parts reflects inside from one part to the other is lost.
 #pragma once
 
-#include "renderer/bsdf_conductor.h"
-#include "renderer/bsdf_diffuse.h"
-#include "renderer/bsdf_phong.h"
-#include "renderer/bsdf_roughconductor.h"
+#include "renderer/bsdfs/bsdf_conductor.h"
+#include "renderer/bsdfs/bsdf_diffuse.h"
+#include "renderer/bsdfs/bsdf_phong.h"
+#include "renderer/bsdfs/bsdf_roughconductor.h"
 
 namespace photonproof {
 

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "renderer/bsdf.h"
+#include "renderer/bsdfs/bsdf.h"
 #include "renderer/lanes/test_random.h"
 
 namespace photonproof::test {

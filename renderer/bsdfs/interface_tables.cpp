@@ -1,4 +1,4 @@
-#include "renderer/interface_tables.h"
+#include "renderer/bsdfs/interface_tables.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,10 @@
 // Integrals over dielectric interfaces against brute force, and the limits that are known.
 
-#include "renderer/interface_tables.h"
+#include "renderer/bsdfs/interface_tables.h"
 
 #include <gtest/gtest.h>
 
-#include "renderer/bsdf_roughdielectric.h"
+#include "renderer/bsdfs/bsdf_roughdielectric.h"
 
 namespace photonproof {
 namespace {

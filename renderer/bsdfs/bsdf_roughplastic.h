@@ -4,8 +4,8 @@
 //   f = F D G / (4 cos cos) + T(wo) T(wi) / (pi eta^2) x the base as in bsdf_plastic.h
 #pragma once
 
-#include "renderer/bsdf_plastic.h"
-#include "renderer/microfacet.h"
+#include "renderer/bsdfs/bsdf_plastic.h"
+#include "renderer/bsdfs/microfacet.h"
 
 namespace photonproof {
 

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "renderer/bsdf_roughplastic.h"
+#include "renderer/bsdfs/bsdf_roughplastic.h"
 
 namespace photonproof {
 

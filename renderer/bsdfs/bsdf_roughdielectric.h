@@ -3,9 +3,9 @@
 // for importance. Light that meets a second facet is lost.
 #pragma once
 
-#include "renderer/bsdf_sample.h"
-#include "renderer/fresnel.h"
-#include "renderer/microfacet.h"
+#include "renderer/bsdfs/bsdf_sample.h"
+#include "renderer/bsdfs/fresnel.h"
+#include "renderer/bsdfs/microfacet.h"
 
 namespace photonproof {
 

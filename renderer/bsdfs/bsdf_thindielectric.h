@@ -3,8 +3,8 @@
 // and what passes goes straight on.
 #pragma once
 
-#include "renderer/bsdf_sample.h"
-#include "renderer/fresnel.h"
+#include "renderer/bsdfs/bsdf_sample.h"
+#include "renderer/bsdfs/fresnel.h"
 #include "scenes/text/faults.h"
 
 namespace photonproof {

@@ -6,8 +6,8 @@
 // plus a mirror of Fresnel's reflectance.
 #pragma once
 
-#include "renderer/bsdf_sample.h"
-#include "renderer/fresnel.h"
+#include "renderer/bsdfs/bsdf_sample.h"
+#include "renderer/bsdfs/fresnel.h"
 #include "renderer/lanes/warp.h"
 
 namespace photonproof {

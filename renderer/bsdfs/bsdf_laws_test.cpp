@@ -6,9 +6,9 @@
 #include <array>
 #include <cmath>
 
-#include "renderer/test_bsdfs.h"
+#include "renderer/bsdfs/test_bsdfs.h"
 #include "renderer/lanes/test_random.h"
-#include "renderer/test_shading.h"
+#include "renderer/bsdfs/test_shading.h"
 
 namespace photonproof {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "renderer/compile_bsdf.h"
+#include "renderer/bsdfs/compile_bsdf.h"
 
 namespace photonproof::test {
 

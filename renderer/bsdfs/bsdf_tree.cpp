@@ -1,4 +1,4 @@
-#include "renderer/bsdf_tree.h"
+#include "renderer/bsdfs/bsdf_tree.h"
 
 namespace photonproof {
 namespace {

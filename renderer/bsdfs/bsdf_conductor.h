@@ -1,8 +1,8 @@
 // Smooth conductor, one-sided. Without a complex ior it reflects the same at every angle.
 #pragma once
 
-#include "renderer/bsdf_sample.h"
-#include "renderer/fresnel.h"
+#include "renderer/bsdfs/bsdf_sample.h"
+#include "renderer/bsdfs/fresnel.h"
 
 namespace photonproof {
 

@@ -12,7 +12,7 @@
 #include <sstream>
 #include <utility>
 
-#include "renderer/test_albedo.h"
+#include "renderer/bsdfs/test_albedo.h"
 #include "renderer/test_scenes.h"
 #include "scenes/description/conductor_ior.h"
 #include "scenes/description/named_ior.h"

@@ -1,7 +1,7 @@
 // No surface: histories go straight on. A border between media, or where a mask has a hole.
 #pragma once
 
-#include "renderer/bsdf_sample.h"
+#include "renderer/bsdfs/bsdf_sample.h"
 
 namespace photonproof {
 

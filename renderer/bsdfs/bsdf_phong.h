@@ -4,7 +4,7 @@
 // Colours that together reflect more than everything are scaled down to 1 in the strongest channel.
 #pragma once
 
-#include "renderer/bsdf_plastic.h"
+#include "renderer/bsdfs/bsdf_plastic.h"
 #include "renderer/lanes/lane_exp.h"
 
 namespace photonproof {

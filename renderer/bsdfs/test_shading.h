@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "renderer/bsdf.h"
+#include "renderer/bsdfs/bsdf.h"
 #include "renderer/emission_guide.h"
 
 namespace photonproof::test {

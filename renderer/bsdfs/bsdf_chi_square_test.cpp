@@ -6,8 +6,8 @@
 
 #include "renderer/core/parallel.h"
 #include "renderer/lanes/sphere_cells.h"
-#include "renderer/test_bsdfs.h"
-#include "renderer/test_shading.h"
+#include "renderer/bsdfs/test_bsdfs.h"
+#include "renderer/bsdfs/test_shading.h"
 
 namespace photonproof {
 namespace {

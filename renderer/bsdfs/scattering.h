@@ -12,7 +12,7 @@
 // Directions are unit, in the frame of ns, and point away from the surface.
 #pragma once
 
-#include "renderer/bsdf_sample.h"
+#include "renderer/bsdfs/bsdf_sample.h"
 #include "renderer/lanes/warp.h"
 
 namespace photonproof {

@@ -1,8 +1,8 @@
-#include "renderer/compile_bsdf.h"
+#include "renderer/bsdfs/compile_bsdf.h"
 
 #include <cstddef>
 
-#include "renderer/interface_tables.h"
+#include "renderer/bsdfs/interface_tables.h"
 #include "scenes/text/faults.h"
 
 namespace photonproof {

@@ -3,8 +3,8 @@
 
 #include <numbers>
 
-#include "renderer/test_bsdfs.h"
-#include "renderer/test_shading.h"
+#include "renderer/bsdfs/test_bsdfs.h"
+#include "renderer/bsdfs/test_shading.h"
 
 namespace photonproof::test {
 

@@ -1,8 +1,8 @@
 // Smooth dielectric: reflection and refraction chosen by Fresnel reflectance. The normal points to the exterior.
 #pragma once
 
-#include "renderer/bsdf_sample.h"
-#include "renderer/fresnel.h"
+#include "renderer/bsdfs/bsdf_sample.h"
+#include "renderer/bsdfs/fresnel.h"
 
 namespace photonproof {
 

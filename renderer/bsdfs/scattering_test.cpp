@@ -1,7 +1,7 @@
 // Both directions of transport are one: however a history comes to a surface, the same light goes from a lamp to a
 // camera. Checked for every kind of BSDF where normals are interpolated, mapped, mirrored, shadowed, nested.
 
-#include "renderer/scattering.h"
+#include "renderer/bsdfs/scattering.h"
 
 #include <gtest/gtest.h>
 
