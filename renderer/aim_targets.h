@@ -5,8 +5,8 @@
 #include <functional>
 #include <vector>
 
-#include "renderer/aim_cone.h"
-#include "renderer/surface.h"
+#include "renderer/shapes/aim_cone.h"
+#include "renderer/shapes/surface.h"
 
 namespace photonproof {
 

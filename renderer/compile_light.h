@@ -4,8 +4,8 @@
 #include <functional>
 
 #include "renderer/light.h"
-#include "renderer/scene_ball.h"
-#include "renderer/surface.h"
+#include "renderer/shapes/scene_ball.h"
+#include "renderer/shapes/surface.h"
 #include "scenes/description/description.h"
 
 namespace photonproof {

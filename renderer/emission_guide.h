@@ -16,9 +16,9 @@
 #include <optional>
 #include <vector>
 
-#include "renderer/aim_cone.h"
+#include "renderer/shapes/aim_cone.h"
 #include "renderer/light.h"
-#include "renderer/scene_ball.h"
+#include "renderer/shapes/scene_ball.h"
 
 namespace photonproof {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "renderer/face_normal.h"
+#include "renderer/shapes/face_normal.h"
 #include "renderer/light_tree.h"
 #include "renderer/lanes/warp.h"
 

@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "renderer/face_normal.h"
+#include "renderer/shapes/face_normal.h"
 #include "renderer/light_area.h"
 #include "renderer/light_tree.h"
 

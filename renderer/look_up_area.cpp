@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "renderer/disc_area.h"
+#include "renderer/shapes/disc_area.h"
 #include "renderer/kernels/rays.h"
 #include "renderer/surface_detail.h"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "renderer/kernels/tasks.h"
-#include "renderer/mesh_area.h"
+#include "renderer/shapes/mesh_area.h"
 #include "renderer/scene.h"
 
 namespace photonproof {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "renderer/aim_cone.h"
+#include "renderer/shapes/aim_cone.h"
 #include "renderer/scene.h"
 
 namespace photonproof {

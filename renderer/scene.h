@@ -13,7 +13,7 @@
 #include "renderer/media/medium.h"
 #include "renderer/scene_view.h"
 #include "renderer/core/skips.h"
-#include "renderer/surface.h"
+#include "renderer/shapes/surface.h"
 #include "renderer/surface_detail.h"
 #include "renderer/trace.h"
 #include "scenes/description/description.h"

@@ -30,7 +30,7 @@
 #include "renderer/emission_guide.h"
 #include "renderer/light.h"
 #include "renderer/light_words.h"
-#include "renderer/surface.h"
+#include "renderer/shapes/surface.h"
 
 namespace photonproof {
 

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "renderer/heightfield.h"
-#include "renderer/local_geometry.h"
-#include "renderer/mesh_normals.h"
+#include "renderer/shapes/heightfield.h"
+#include "renderer/shapes/local_geometry.h"
+#include "renderer/shapes/mesh_normals.h"
 #include "renderer/scene_frame.h"
 
 namespace photonproof {

@@ -5,7 +5,7 @@
 #include <map>
 #include <vector>
 
-#include "renderer/surface.h"
+#include "renderer/shapes/surface.h"
 #include "renderer/textures/texture.h"
 #include "scenes/description/description.h"
 

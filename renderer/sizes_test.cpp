@@ -5,7 +5,7 @@
 #include <set>
 #include <string>
 
-#include "renderer/face_normal.h"
+#include "renderer/shapes/face_normal.h"
 #include "renderer/scene_frame.h"
 #include "renderer/test_sizes.h"
 #include "scenes/parser/parser.h"

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "renderer/ray_scene.h"
-#include "renderer/surface.h"
+#include "renderer/shapes/surface.h"
 
 namespace photonproof {
 

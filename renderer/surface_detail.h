@@ -5,7 +5,7 @@
 
 #include "renderer/bsdfs/bsdf.h"
 #include "renderer/bsdfs/bsdf_tree.h"
-#include "renderer/local_geometry.h"
+#include "renderer/shapes/local_geometry.h"
 #include "renderer/bsdfs/scattering.h"
 #include "renderer/scene_view.h"
 #include "renderer/textures/texture.h"

@@ -14,8 +14,8 @@
 #include <new>
 #include <stdexcept>
 
-#include "renderer/curved_shapes.h"
-#include "renderer/face_normal.h"
+#include "renderer/shapes/curved_shapes.h"
+#include "renderer/shapes/face_normal.h"
 #include "renderer/trace_tables.h"
 
 namespace photonproof {

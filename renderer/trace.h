@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "renderer/core/ray.h"
-#include "renderer/surface.h"
+#include "renderer/shapes/surface.h"
 
 namespace photonproof {
 

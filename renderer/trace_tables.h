@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "renderer/surface.h"
+#include "renderer/shapes/surface.h"
 
 namespace photonproof {
 

@@ -2,7 +2,7 @@
 //   p(d) = 1/K sum over the K cones that hold d of 1 / (their solid angle)
 #pragma once
 
-#include "renderer/aim_cone.h"
+#include "renderer/shapes/aim_cone.h"
 #include "renderer/scene_view.h"
 #include "renderer/lanes/warp.h"
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "renderer/heightfield.h"
+#include "renderer/shapes/heightfield.h"
 #include "renderer/kernels/rays.h"
 #include "renderer/scene.h"
 #include "renderer/scene_frame.h"

@@ -1,4 +1,4 @@
-#include "renderer/curved_shapes.h"
+#include "renderer/shapes/curved_shapes.h"
 
 #include <algorithm>
 #include <cmath>

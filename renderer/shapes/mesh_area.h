@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "renderer/core/parallel.h"
-#include "renderer/surface.h"
+#include "renderer/shapes/surface.h"
 
 namespace photonproof {
 

@@ -1,8 +1,8 @@
-#include "renderer/local_geometry.h"
+#include "renderer/shapes/local_geometry.h"
 
 #include <cmath>
 
-#include "renderer/face_normal.h"
+#include "renderer/shapes/face_normal.h"
 #include "renderer/lanes/warp.h"
 #include "scenes/text/faults.h"
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "renderer/surface.h"
+#include "renderer/shapes/surface.h"
 
 namespace photonproof {
 

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "renderer/photons/photon_sheet.h"
-#include "renderer/surface.h"
+#include "renderer/shapes/surface.h"
 #include "renderer/lanes/warp.h"
 
 namespace photonproof {

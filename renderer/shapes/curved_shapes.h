@@ -2,7 +2,7 @@
 // Double precision: in single the discriminant of a distant or grazing ray loses all its digits.
 #pragma once
 
-#include "renderer/surface.h"
+#include "renderer/shapes/surface.h"
 
 namespace photonproof {
 

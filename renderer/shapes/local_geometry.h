@@ -2,7 +2,7 @@
 // are Mitsuba 3's. All of it is computed anew from the point.
 #pragma once
 
-#include "renderer/surface.h"
+#include "renderer/shapes/surface.h"
 
 namespace photonproof {
 

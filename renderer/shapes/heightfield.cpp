@@ -1,4 +1,4 @@
-#include "renderer/heightfield.h"
+#include "renderer/shapes/heightfield.h"
 
 #include <cmath>
 

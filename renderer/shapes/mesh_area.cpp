@@ -1,4 +1,4 @@
-#include "renderer/mesh_area.h"
+#include "renderer/shapes/mesh_area.h"
 
 #include <algorithm>
 #include <array>

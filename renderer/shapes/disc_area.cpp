@@ -1,4 +1,4 @@
-#include "renderer/disc_area.h"
+#include "renderer/shapes/disc_area.h"
 
 #include <algorithm>
 #include <array>

@@ -1,13 +1,13 @@
 // The areas that look-ups on meshes divide by, against the shapes that the meshes make up and against counting.
 
-#include "renderer/mesh_area.h"
+#include "renderer/shapes/mesh_area.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "renderer/disc_area.h"
+#include "renderer/shapes/disc_area.h"
 #include "renderer/test_photon_scenes.h"
 #include "renderer/lanes/test_random.h"
 #include "renderer/lanes/warp.h"

@@ -1,4 +1,4 @@
-#include "renderer/surface.h"
+#include "renderer/shapes/surface.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 // The clipped look-up disc against closed forms and counting.
 
-#include "renderer/disc_area.h"
+#include "renderer/shapes/disc_area.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "renderer/mesh_normals.h"
+#include "renderer/shapes/mesh_normals.h"
 
 #include <cmath>
 

@@ -1,10 +1,10 @@
-#include "renderer/scene_ball.h"
+#include "renderer/shapes/scene_ball.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "renderer/curved_shapes.h"
+#include "renderer/shapes/curved_shapes.h"
 
 namespace photonproof {
 namespace {
