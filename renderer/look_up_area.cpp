@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "renderer/shapes/disc_area.h"
-#include "renderer/kernels/rays.h"
+#include "renderer/rays/rays.h"
 #include "renderer/surface_detail.h"
 
 namespace photonproof {

@@ -4,7 +4,7 @@
 
 // A one-lane pack is a type of its own. The queries below are exact matches for it, so the path kernel prefers them to
 // the templates in kernels/rays.h.
-#include "renderer/kernels/rays.h"
+#include "renderer/rays/rays.h"
 
 namespace photonproof {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "renderer/scene.h"
-#include "renderer/trace.h"
+#include "renderer/rays/trace.h"
 
 namespace photonproof::bench {
 

@@ -9,14 +9,14 @@
 #include "renderer/aim_targets.h"
 #include "renderer/bsdfs/compile_bsdf.h"
 #include "renderer/compile_light.h"
-#include "renderer/kernels/rays.h"
+#include "renderer/rays/rays.h"
 #include "renderer/light_table.h"
 #include "renderer/looked_at.h"
 #include "renderer/scaled_description.h"
 #include "renderer/scene_frame.h"
 #include "renderer/scene_lights.h"
 #include "renderer/scene_shapes.h"
-#include "renderer/small_scene_tables.h"
+#include "renderer/rays/small_scene_tables.h"
 
 namespace photonproof {
 namespace {

@@ -15,7 +15,7 @@
 #include "renderer/core/skips.h"
 #include "renderer/shapes/surface.h"
 #include "renderer/surface_detail.h"
-#include "renderer/trace.h"
+#include "renderer/rays/trace.h"
 #include "scenes/description/description.h"
 
 namespace photonproof {

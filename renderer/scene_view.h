@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "renderer/sensor/camera_view.h"
-#include "renderer/ray_scene.h"
+#include "renderer/rays/ray_scene.h"
 #include "renderer/lanes/sampler.h"
 
 namespace photonproof {

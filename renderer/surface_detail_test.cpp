@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "renderer/kernels/rays.h"
+#include "renderer/rays/rays.h"
 #include "renderer/lanes/test_random.h"
 #include "renderer/test_scenes.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "renderer/kernels/rays.h"
+#include "renderer/rays/rays.h"
 #include "renderer/scene_lights.h"
 #include "renderer/surface_detail.h"
 

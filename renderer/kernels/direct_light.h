@@ -2,7 +2,7 @@
 #pragma once
 
 #include "renderer/kernels/lights.h"
-#include "renderer/kernels/rays.h"
+#include "renderer/rays/rays.h"
 #include "renderer/core/ray_counts.h"
 #include "renderer/lanes/warp.h"
 #include "scenes/text/faults.h"

@@ -3,7 +3,7 @@
 
 #include <cstring>
 
-#include "renderer/kernels/surface_hit.h"
+#include "renderer/rays/surface_hit.h"
 #include "renderer/light_block.h"
 
 namespace photonproof {

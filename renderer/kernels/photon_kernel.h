@@ -6,7 +6,7 @@
 #include "renderer/kernels/aim.h"
 #include "renderer/kernels/batch_kernel.h"
 #include "renderer/kernels/lights.h"
-#include "renderer/kernels/rays.h"
+#include "renderer/rays/rays.h"
 #include "renderer/lanes/roulette.h"
 #include "renderer/lanes/warp.h"
 

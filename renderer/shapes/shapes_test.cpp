@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "renderer/shapes/heightfield.h"
-#include "renderer/kernels/rays.h"
+#include "renderer/rays/rays.h"
 #include "renderer/scene.h"
 #include "renderer/scene_frame.h"
 #include "renderer/lanes/test_random.h"

@@ -1,4 +1,4 @@
-#include "renderer/trace_tables.h"
+#include "renderer/rays/trace_tables.h"
 
 namespace photonproof {
 

@@ -1,8 +1,8 @@
 // Ray queries of a pack: the small scene's kernel or Embree.
 #pragma once
 
-#include "renderer/kernels/small_scene.h"
-#include "renderer/trace.h"
+#include "renderer/rays/small_scene.h"
+#include "renderer/rays/trace.h"
 
 namespace photonproof {
 

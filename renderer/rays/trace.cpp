@@ -1,4 +1,4 @@
-#include "renderer/trace.h"
+#include "renderer/rays/trace.h"
 
 #ifdef PHOTONPROOF_EMBREE4
 #include <embree4/rtcore.h>
@@ -16,7 +16,7 @@
 
 #include "renderer/shapes/curved_shapes.h"
 #include "renderer/shapes/face_normal.h"
-#include "renderer/trace_tables.h"
+#include "renderer/rays/trace_tables.h"
 
 namespace photonproof {
 namespace {

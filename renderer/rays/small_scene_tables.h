@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "renderer/ray_scene.h"
+#include "renderer/rays/ray_scene.h"
 #include "renderer/shapes/surface.h"
 
 namespace photonproof {

@@ -1,4 +1,4 @@
-#include "renderer/small_scene_tables.h"
+#include "renderer/rays/small_scene_tables.h"
 
 namespace photonproof {
 namespace {

@@ -1,14 +1,14 @@
 // Ray queries: exact answers, robustness far from the origin, hostile rays. A scene goes through the small scenes' own
 // kernel or through Embree, and both are held to the same.
 
-#include "renderer/trace.h"
+#include "renderer/rays/trace.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "renderer/integrator.h"
-#include "renderer/kernels/rays.h"
+#include "renderer/rays/rays.h"
 #include "renderer/lanes/test_random.h"
 #include "renderer/test_scenes.h"
 #include "renderer/lanes/warp.h"
