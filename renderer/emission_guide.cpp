@@ -5,7 +5,7 @@
 #include <tuple>
 #include <type_traits>
 
-#include "renderer/light_bounds.h"
+#include "renderer/lights/light_bounds.h"
 
 namespace photonproof {
 namespace {

@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "renderer/shapes/aim_cone.h"
-#include "renderer/light.h"
+#include "renderer/lights/light.h"
 #include "renderer/shapes/scene_ball.h"
 
 namespace photonproof {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "renderer/light.h"
+#include "renderer/lights/light.h"
 #include "renderer/light_words.h"
 
 namespace photonproof {

@@ -8,7 +8,7 @@
 
 #include "renderer/aim_targets.h"
 #include "renderer/bsdfs/compile_bsdf.h"
-#include "renderer/compile_light.h"
+#include "renderer/lights/compile_light.h"
 #include "renderer/rays/rays.h"
 #include "renderer/light_table.h"
 #include "renderer/looked_at.h"

@@ -9,7 +9,7 @@
 
 #include "renderer/bsdfs/bsdf.h"
 #include "renderer/sensor/camera.h"
-#include "renderer/light.h"
+#include "renderer/lights/light.h"
 #include "renderer/media/medium.h"
 #include "renderer/scene_view.h"
 #include "renderer/core/skips.h"

@@ -5,7 +5,7 @@
 #include <type_traits>
 
 #include "renderer/light_choice.h"
-#include "renderer/light_tree.h"
+#include "renderer/lights/light_tree.h"
 
 namespace photonproof {
 namespace {

@@ -28,7 +28,7 @@
 #include <vector>
 
 #include "renderer/emission_guide.h"
-#include "renderer/light.h"
+#include "renderer/lights/light.h"
 #include "renderer/light_words.h"
 #include "renderer/shapes/surface.h"
 

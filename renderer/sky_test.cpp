@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "renderer/sky_sun.h"
-#include "renderer/sun_spectrum.h"
+#include "renderer/lights/sky_sun.h"
+#include "renderer/lights/sun_spectrum.h"
 #include "scenes/description/spectrum.h"
 
 namespace photonproof {

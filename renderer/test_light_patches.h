@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "renderer/light.h"
+#include "renderer/lights/light.h"
 
 namespace photonproof::test {
 

@@ -6,7 +6,7 @@
 #include <ostream>
 #include <string>
 
-#include "renderer/light_bounds.h"
+#include "renderer/lights/light_bounds.h"
 #include "renderer/test_close_patches.h"
 #include "renderer/lanes/test_random.h"
 

@@ -6,7 +6,7 @@
 #include "renderer/kernels/general_lights.h"
 #include "renderer/lanes/lane.h"
 #include "renderer/light_choice.h"
-#include "renderer/light_kinds.h"
+#include "renderer/lights/light_kinds.h"
 #include "renderer/scene_view.h"
 
 namespace photonproof {

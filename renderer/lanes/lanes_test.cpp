@@ -10,7 +10,7 @@
 #include "renderer/kernels/lane_batch.h"
 #include "renderer/kernels/lights.h"
 #include "renderer/rays/small_scene.h"
-#include "renderer/light.h"
+#include "renderer/lights/light.h"
 #include "renderer/light_table.h"
 #include "renderer/sensor/reconstruction_filter.h"
 #include "renderer/lanes/sampler.h"

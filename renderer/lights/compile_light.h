@@ -1,0 +1,25 @@
+// From the description's emitters and emitting shapes to lights.
+#pragma once
+
+#include <functional>
+
+#include "renderer/lights/light.h"
+#include "renderer/shapes/scene_ball.h"
+#include "renderer/shapes/surface.h"
+#include "scenes/description/description.h"
+
+namespace photonproof {
+
+/// The function of uv that a texture of the description is.
+using TextureLookup = std::function<LightTexture(TextureIndex)>;
+
+/// The light of an emitting shape's surface. `to_world` is the shape's, moved to the scene's origin. Throws InputError
+/// at `where` for shapes that cannot emit, or where the flux is beyond single precision.
+Light compile_surface_light(const Geometry& geometry, const ShapeDescription& shape, const Transform& to_world,
+                            const TextureLookup& texture, const std::string& where);
+
+/// `moved` is added to the description's coordinates. Throws InputError at `where`.
+Light compile_light(const EmitterDescription& emitter, const Vec3d& moved, const SceneBall& ball,
+                    const TextureLookup& texture, const std::string& where);
+
+}  // namespace photonproof

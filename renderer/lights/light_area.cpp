@@ -1,0 +1,181 @@
+#include "renderer/lights/light_area.h"
+
+#include <cmath>
+#include <utility>
+
+#include "renderer/shapes/face_normal.h"
+#include "renderer/lights/light_tree.h"
+#include "renderer/lanes/warp.h"
+
+namespace photonproof {
+namespace {
+
+/// Mean of a texture over a shape: midpoints of a lattice of equal areas, in double.
+Rgb mean_over(const LightShape& shape, const LightTexture& texture) {
+  constexpr int cells = 64;
+  RgbD sum(0.0);
+  for (int row = 0; row < cells; ++row)
+    for (int column = 0; column < cells; ++column) {
+      const Vec2<float> u{(static_cast<float>(column) + 0.5f) / cells, (static_cast<float>(row) + 0.5f) / cells};
+      const AreaPoint point = std::visit([&](const auto& s) { return s.sample(u); }, shape);
+      sum += RgbD(texture(point.uv));
+    }
+  return Rgb(sum / (cells * cells));
+}
+
+float area_of(const LightShape& shape) {
+  return std::visit([](const auto& s) { return s.area(); }, shape);
+}
+
+template <class T>
+Vec2<float> solution(const Vec3<T>& d, const Vec3<T>& u, const Vec3<T>& v) {
+  const T uu = dot(u, u), vv = dot(v, v), uv = dot(u, v), du = dot(d, u), dv = dot(d, v);
+  const T determinant = uu * vv - uv * uv;
+  return {static_cast<float>((du * vv - dv * uv) / determinant), static_cast<float>((dv * uu - du * uv) / determinant)};
+}
+
+/// The solution (a, b) of a u + b v = d, least squares. Fourth powers of lengths below 1e-7 or above 1e7 take double.
+Vec2<float> in_basis(const Vec3f& d, const Vec3f& u, const Vec3f& v) {
+  const float scale = dot(u, u) * dot(v, v);
+  if (scale > 1e-28f && scale < 1e28f) return solution(d, u, v);
+  return solution(Vec3d(d), Vec3d(u), Vec3d(v));
+}
+
+float turn_of(float x, float y) {
+  const float turn = std::atan2(y, x) / (2 * pi);
+  return turn < 0 ? turn + 1 : turn;
+}
+
+}  // namespace
+
+Vec2<float> QuadShape::uv_at(const Vec3f& p, std::uint32_t) const { return in_basis(p - corner, edge_u, edge_v); }
+
+Vec2<float> DiskShape::uv_at(const Vec3f& p, std::uint32_t) const {
+  const Vec2<float> d = in_basis(p - center, half_axis_u, half_axis_v);
+  return {std::hypot(d.x, d.y), turn_of(d.x, d.y)};
+}
+
+Vec2<float> SphereShape::uv_at(const Vec3f& p, std::uint32_t) const {
+  const Vec3f d = normalize(p - center);
+  return {turn_of(dot(d, start), dot(d, side)), angle_between(d, up) / pi};
+}
+
+Vec2<float> CylinderShape::uv_at(const Vec3f& p, std::uint32_t) const {
+  const Vec3f d = p - base;
+  return {turn_of(dot(d, start), dot(d, side)), dot(d, axis) / dot(axis, axis)};
+}
+
+Vec2<float> MeshShape::uv_at(const Vec3f& p, std::uint32_t triangle) const {
+  const Triangle& t = triangles_[std::min<std::size_t>(triangle, triangles_.size() - 1)];
+  const Vec3f& a = positions_[t[0]];
+  const Vec2<float> w = in_basis(p - a, positions_[t[1]] - a, positions_[t[2]] - a);
+  return uv_of(t, w.x, w.y);
+}
+
+Vec2<float> MeshShape::uv_of(const Triangle& t, float weight_b, float weight_c) const {
+  if (uvs_.empty()) return {weight_b, weight_c};
+  const float weight_a = 1 - weight_b - weight_c;
+  const Vec2<float>&a = uvs_[t[0]], &b = uvs_[t[1]], &c = uvs_[t[2]];
+  return {a.x * weight_a + b.x * weight_b + c.x * weight_c, a.y * weight_a + b.y * weight_b + c.y * weight_c};
+}
+
+AreaPoint DiskShape::sample(const Vec2<float>& u) const {
+  const Vec2<float> d = square_to_disc(u);
+  return {center + half_axis_u * d.x + half_axis_v * d.y, normal, {std::hypot(d.x, d.y), turn_of(d.x, d.y)}};
+}
+float DiskShape::area() const { return pi * length(cross(half_axis_u, half_axis_v)); }
+
+AreaPoint SphereShape::sample(const Vec2<float>& u) const {
+  const Vec3f d = square_to_sphere(u);  // z = 1 - 2 u.x, azimuth 2 pi u.y
+  const Vec3f outward = start * d.x + side * d.y + up * d.z;
+  return {center + outward * radius, outward * sign, {u.y, std::acos(std::clamp(d.z, -1.0f, 1.0f)) / pi}};
+}
+float SphereShape::area() const { return 4 * pi * radius * radius; }
+
+AreaPoint CylinderShape::sample(const Vec2<float>& u) const {
+  const SinCos<float> angle = sincos_turn(u.x);
+  const Vec3f outward = start * angle.cos + side * angle.sin;
+  return {base + axis * u.y + outward * radius, outward * sign, u};
+}
+float CylinderShape::area() const { return 2 * pi * radius * length(axis); }
+
+MeshShape::MeshShape(std::vector<Vec3f> positions, std::vector<Triangle> triangles, std::vector<Vec2<float>> uvs,
+                     bool flipped)
+    : positions_(std::move(positions)),
+      triangles_(std::move(triangles)),
+      uvs_(std::move(uvs)),
+      sign_(flipped ? -1.0f : 1.0f) {
+  std::vector<double> areas;
+  std::vector<std::optional<LightBounds>> bounds;
+  areas.reserve(triangles_.size());
+  bounds.reserve(triangles_.size());
+  for (const Triangle& t : triangles_) {
+    const Vec3f &a = positions_[t[0]], &b = positions_[t[1]], &c = positions_[t[2]];
+    areas.push_back(0.5 * length(cross(Vec3d(b) - Vec3d(a), Vec3d(c) - Vec3d(a))));
+    bounds.push_back(triangle_bounds(a, b, c, normal_of(t), static_cast<float>(areas.back())));
+  }
+  by_area_ = DiscreteDistribution(areas);
+  area_ = static_cast<float>(by_area_.total());
+  if (!(area_ > 0)) return;
+  const LightBounds all = box_around(positions_);
+  center_ = (all.low + all.high) * 0.5f;
+  half_extent2_ = length_squared(all.high - all.low) * 0.25f;
+  by_importance_ = std::make_shared<const LightTree>(bounds);
+}
+
+AreaPoint MeshShape::sample(const Vec2<float>& u) const {
+  const DiscreteDistribution::Drawn drawn = by_area_.sample(u.x);
+  return point_on(static_cast<std::uint32_t>(drawn.index), {drawn.u, u.y});
+}
+
+AreaLight::AreaLight(LightShape shape, const Rgb& radiance)
+    : shape_(std::move(shape)), area_(area_of(shape_)), radiance_(radiance), flux_(radiance * (pi * area_)) {}
+
+AreaLight::AreaLight(LightShape shape, LightTexture texture)
+    : shape_(std::move(shape)),
+      area_(area_of(shape_)),
+      texture_(std::move(texture)),
+      flux_(mean_over(shape_, texture_) * (pi * area_)) {}
+
+AreaPoint AreaLight::at(const Vec2<float>& u) const {
+  return std::visit([&](const auto& shape) { return shape.sample(u); }, shape_);
+}
+
+std::pair<LightSample<float>, std::uint32_t> AreaLight::sample_point(const Vec3f& p, const Vec2<float>& u) const {
+  const SeenPoint seen = std::visit([&](const auto& shape) { return shape.sample_from(p, u); }, shape_);
+  const Vec3f wi = seen.offset * (1 / length(seen.offset));
+  return {{seen.point.p, seen.point.normal, wi, radiance_at(seen.point.uv), seen.pdf}, seen.point.triangle};
+}
+
+float AreaLight::pdf(const Vec3f& p, const Vec3f& p_light, const Vec3f& normal_light, std::uint32_t triangle) const {
+  return std::visit([&](const auto& shape) { return shape.pdf_from(p, p_light, normal_light, triangle); }, shape_);
+}
+
+Emission<float> AreaLight::emit(const Vec2<float>& u_position, const Vec2<float>& u_direction) const {
+  return start(u_position, u_direction).emission;
+}
+
+AreaLight::Start AreaLight::start(const Vec2<float>& u_position, const Vec2<float>& u_direction) const {
+  const AreaPoint point = at(u_position);
+  const Vec3f direction = Frame<float>(point.normal).to_world(square_to_cosine_hemisphere(u_direction));
+  return {{point.p, point.normal, direction, radiance_at(point.uv) * (pi * area_)}, point.uv, point.triangle};
+}
+
+Vec2<float> AreaLight::uv_at(const Vec3f& p, std::uint32_t triangle) const {
+  if (!texture_) return {};
+  return std::visit([&](const auto& shape) { return shape.uv_at(p, triangle); }, shape_);
+}
+
+EmissionPdfs<float> AreaLight::emit_pdfs(const Vec3f& n, const Vec3f& direction) const {
+  return {1 / area_, cosine_hemisphere_pdf(dot(n, direction))};
+}
+
+Rgb AreaLight::flux_towards(const Vec3f& n, const Vec2<float>& uv, const Vec3f& direction) const {
+  return radiance_at(uv) * (area_ * std::max(dot(n, direction), 0.0f));
+}
+
+Rgb AreaLight::leaving(const Vec3f& n, const Vec2<float>& uv, const Vec3f& direction) const {
+  return dot(n, direction) > 0 ? radiance_at(uv) : Rgb(0.0f);
+}
+
+}  // namespace photonproof

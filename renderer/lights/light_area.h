@@ -1,0 +1,158 @@
+// Lambertian emission from one side of a shape, for what light_kinds.h has no lanes for: cylinders, meshes, and every
+// shape whose radiance is a texture. Photons start uniformly by area. Seen from a point, quads, disks and spheres are
+// sampled as their kinds in lanes are, cylinders by the angles that their lines are seen under, meshes uniformly by
+// area and from close by by the triangles' importance and the angles those are seen under (light_near.h).
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "renderer/core/discrete_distribution.h"
+#include "renderer/lights/light_disk.h"
+#include "renderer/lights/light_quad.h"
+#include "renderer/lights/light_sample.h"
+#include "renderer/lights/light_sphere.h"
+#include "renderer/textures/light_texture.h"
+
+namespace photonproof {
+
+/// A point drawn uniformly by area.
+struct AreaPoint {
+  Vec3f p, normal;
+  Vec2<float> uv;
+  std::uint32_t triangle = 0;
+};
+
+class LightTree;
+
+/// A point drawn as seen from another.
+struct SeenPoint {
+  AreaPoint point;
+  Vec3f offset;   ///< to it
+  float pdf = 0;  ///< per solid angle
+};
+
+/// corner + u edge_u + v edge_v; uv = (u, v).
+struct QuadShape {
+  Vec3f corner, edge_u, edge_v, normal;
+  AreaPoint sample(const Vec2<float>& u) const { return {corner + edge_u * u.x + edge_v * u.y, normal, u}; }
+  SeenPoint sample_from(const Vec3f& p, const Vec2<float>& u) const;
+  float pdf_from(const Vec3f& p, const Vec3f& q, const Vec3f& n, std::uint32_t triangle) const;
+  Vec2<float> uv_at(const Vec3f& p, std::uint32_t) const;
+  float area() const { return length(cross(edge_u, edge_v)); }
+};
+
+/// center + a half_axis_u + b half_axis_v, a^2 + b^2 <= 1; uv = (radius, angle / 2 pi) as Mitsuba's disk has it.
+struct DiskShape {
+  Vec3f center, half_axis_u, half_axis_v, normal;
+  AreaPoint sample(const Vec2<float>& u) const;
+  SeenPoint sample_from(const Vec3f& p, const Vec2<float>& u) const;
+  float pdf_from(const Vec3f& p, const Vec3f& q, const Vec3f& n, std::uint32_t triangle) const;
+  Vec2<float> uv_at(const Vec3f& p, std::uint32_t triangle) const;
+  float area() const;
+};
+
+/// uv = (azimuth about `up` from `start`, polar angle from `up`), in turns and half turns.
+struct SphereShape {
+  Vec3f center;
+  float radius = 1;
+  Vec3f start{1, 0, 0}, side{0, 1, 0}, up{0, 0, 1};  ///< unit
+  float sign = 1;                                    ///< 1: outward, -1: inward
+  AreaPoint sample(const Vec2<float>& u) const;
+  SeenPoint sample_from(const Vec3f& p, const Vec2<float>& u) const;
+  float pdf_from(const Vec3f& p, const Vec3f& q, const Vec3f& n, std::uint32_t triangle) const;
+  Vec2<float> uv_at(const Vec3f& p, std::uint32_t triangle) const;
+  float area() const;
+};
+
+/// The curved side: base + radius (cos(2 pi u) start + sin(2 pi u) side) + v axis.
+struct CylinderShape {
+  Vec3f base, axis;   ///< `axis` reaches to the other end
+  Vec3f start, side;  ///< unit
+  float radius = 1;
+  float sign = 1;  ///< 1: outward, -1: inward
+  AreaPoint sample(const Vec2<float>& u) const;
+  SeenPoint sample_from(const Vec3f& p, const Vec2<float>& u) const;
+  float pdf_from(const Vec3f& p, const Vec3f& q, const Vec3f& n, std::uint32_t triangle) const;
+  Vec2<float> uv_at(const Vec3f& p, std::uint32_t triangle) const;
+  float area() const;
+};
+
+/// Triangles in the world's frame. A triangle is drawn by its area, its normal is geometric.
+class MeshShape {
+ public:
+  using Triangle = std::array<std::uint32_t, 3>;
+  /// `uvs` per vertex or empty, when uv are the triangle's barycentric coordinates. `flipped`: normals are opposite to
+  /// the winding's. What is passed is copied.
+  MeshShape(std::vector<Vec3f> positions, std::vector<Triangle> triangles, std::vector<Vec2<float>> uvs, bool flipped);
+  AreaPoint sample(const Vec2<float>& u) const;
+  SeenPoint sample_from(const Vec3f& p, const Vec2<float>& u) const;
+  float pdf_from(const Vec3f& p, const Vec3f& q, const Vec3f& n, std::uint32_t triangle) const;
+  Vec2<float> uv_at(const Vec3f& p, std::uint32_t triangle) const;
+  float area() const { return area_; }
+  const std::vector<Vec3f>& positions() const { return positions_; }
+
+ private:
+  Vec2<float> uv_of(const Triangle& t, float weight_b, float weight_c) const;
+  Vec3f normal_of(const Triangle& t) const;
+  AreaPoint point_on(std::uint32_t triangle, const Vec2<float>& u) const;
+  /// Of a triangle that p is close to.
+  std::optional<CloseTriangle> close_triangle(const Triangle& t, const Vec3f& p) const;
+  /// Density per solid angle at p of the point at this offset on a triangle that has been chosen.
+  float pdf_on(const Triangle& t, const Vec3f& p, const Vec3f& offset) const;
+
+  std::vector<Vec3f> positions_;
+  std::vector<Triangle> triangles_;
+  std::vector<Vec2<float>> uvs_;
+  float sign_;
+  float area_;
+  DiscreteDistribution by_area_;
+  Vec3f center_;            ///< of the box around it
+  float half_extent2_ = 0;  ///< of its diagonal
+  std::shared_ptr<const LightTree> by_importance_;
+};
+
+using LightShape = std::variant<QuadShape, DiskShape, SphereShape, CylinderShape, MeshShape>;
+
+class AreaLight {
+ public:
+  static constexpr bool is_delta = false, is_infinite = false;
+
+  AreaLight(LightShape shape, const Rgb& radiance);
+  /// The flux is that of the texture's mean over the shape, on a lattice of samples.
+  AreaLight(LightShape shape, LightTexture texture);
+
+  LightSample<float> sample(const Vec3f& p, const Vec2<float>& u) const { return sample_point(p, u).first; }
+  /// With the point's triangle.
+  std::pair<LightSample<float>, std::uint32_t> sample_point(const Vec3f& p, const Vec2<float>& u) const;
+  float pdf(const Vec3f& p, const Vec3f& p_light, const Vec3f& normal_light, std::uint32_t triangle) const;
+  Emission<float> emit(const Vec2<float>& u_position, const Vec2<float>& u_direction) const;
+  struct Start {
+    Emission<float> emission;
+    Vec2<float> uv;
+    std::uint32_t triangle;
+  };
+  Start start(const Vec2<float>& u_position, const Vec2<float>& u_direction) const;
+  EmissionPdfs<float> emit_pdfs(const Vec3f& n, const Vec3f& direction) const;
+  Rgb flux_towards(const Vec3f& n, const Vec2<float>& uv, const Vec3f& direction) const;
+  Rgb leaving(const Vec3f& n, const Vec2<float>& uv, const Vec3f& direction) const;
+  Rgb flux() const { return flux_; }
+  const LightShape& shape() const { return shape_; }
+  /// Of a point on the shape; of a mesh, on that triangle. Constant radiance needs none: 0.
+  Vec2<float> uv_at(const Vec3f& p, std::uint32_t triangle) const;
+
+ private:
+  AreaPoint at(const Vec2<float>& u) const;
+  Rgb radiance_at(const Vec2<float>& uv) const { return texture_ ? texture_(uv) : radiance_; }
+
+  LightShape shape_;
+  float area_;
+  Rgb radiance_{0.0f};
+  LightTexture texture_;  ///< empty: `radiance_`
+  Rgb flux_{0.0f};
+};
+
+}  // namespace photonproof

@@ -1,0 +1,204 @@
+// How the shapes of light_area.h are sampled from a point.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "renderer/shapes/face_normal.h"
+#include "renderer/lights/light_area.h"
+#include "renderer/lights/light_tree.h"
+
+namespace photonproof {
+namespace {
+
+QuadLight<float> as_light(const QuadShape& s) { return {s.corner, s.edge_u, s.edge_v, s.normal, s.area(), Rgb(0.0f)}; }
+DiskLight<float> as_light(const DiskShape& s) {
+  return {s.center, s.half_axis_u, s.half_axis_v, s.normal, s.area(), Rgb(0.0f)};
+}
+SphereLight<float> as_light(const SphereShape& s) { return {s.center, s.radius, s.sign, Rgb(0.0f)}; }
+
+template <class Shape>
+SeenPoint sample_as_light(const Shape& shape, const Vec3f& p, const Vec2<float>& u) {
+  const LightSample<float> s = as_light(shape).sample(p, u);
+  return {{s.p_light, s.normal_light, shape.uv_at(s.p_light, 0)}, s.wi_world, s.pdf};
+}
+
+constexpr double half_turn = std::numbers::pi;
+
+/// A cylinder's points by the angle about the axis from where p is, phi, and the height z above p, along the axis. Both
+/// are drawn by the angle that they are seen under: with rho the distance of p from the axis and
+/// D^2 = rho^2 + R^2 - 2 rho R cos(phi) that of the line at phi,
+///   p(phi) ~ 1/D^2,   p(z | phi) ~ 1/(D^2 + z^2)
+/// whose integrals are arc tangents. In double: of a lamp far away the differences of those are small.
+struct SeenCylinder {
+  Vec3d from_axis, side, along;  ///< unit: to p, and the other two axes
+  double rho, radius, low, high;
+  double stretch;      ///< (rho + R) / |rho - R|: the half-angle phi/2 is atan(tan(t) / stretch), t uniform
+  double from, range;  ///< of t; empty where nothing shines on p
+
+  SeenCylinder(const CylinderShape& s, const Vec3f& p) : radius(s.radius) {
+    const Vec3d axis(s.axis), d = Vec3d(p) - Vec3d(s.base);
+    along = normalize(axis);
+    const double height = dot(d, along);
+    const Vec3d across = d - along * height;
+    rho = length(across);
+    from_axis = rho > 0 ? across / rho : Vec3d(s.start);
+    side = cross(along, from_axis);
+    low = -height;
+    high = length(axis) - height;
+    const bool outside = rho > radius;
+    if (s.sign > 0 && !outside) {
+      stretch = from = range = 0;
+      return;
+    }
+    stretch = (rho + radius) / std::max(std::abs(rho - radius), 1e-9 * radius);
+    if (!outside) {
+      from = -half_turn / 2;
+      range = half_turn;
+      return;
+    }
+    const double half = t_of(std::acos(radius / rho));
+    from = s.sign > 0 ? -half : half;
+    range = s.sign > 0 ? 2 * half : half_turn - 2 * half;
+  }
+  double t_of(double phi) const { return std::atan(stretch * std::tan(phi / 2)); }
+  double distance2(double cos_phi) const {
+    const double gap = rho - radius;
+    return std::max(gap * gap + 2 * rho * radius * (1 - cos_phi), 1e-18 * radius * radius);
+  }
+  /// Per area at phi and z.
+  double density(double cos_phi, double z) const {
+    if (!(range > 0)) return 0;
+    const double d2 = distance2(cos_phi), d = std::sqrt(d2);
+    const double angle = std::atan2(d * (high - low), d2 + low * high);
+    // dt/dphi = |rho^2 - R^2| / (2 D^2).
+    const double of_line = std::max(std::abs(rho - radius), 1e-9 * radius) * (rho + radius) / (2 * d2 * range);
+    return of_line * d / (angle * (d2 + z * z)) / radius;
+  }
+  double per_solid_angle(double cos_phi, double z, double sign) const {
+    const double d2 = distance2(cos_phi) + z * z, facing = sign * (rho * cos_phi - radius);  // d cos at the lamp
+    return facing > 0 ? density(cos_phi, z) * d2 * std::sqrt(d2) / facing : 0;
+  }
+};
+
+}  // namespace
+
+SeenPoint QuadShape::sample_from(const Vec3f& p, const Vec2<float>& u) const { return sample_as_light(*this, p, u); }
+float QuadShape::pdf_from(const Vec3f& p, const Vec3f& q, const Vec3f& n, std::uint32_t) const {
+  return as_light(*this).pdf(p, q, n);
+}
+SeenPoint DiskShape::sample_from(const Vec3f& p, const Vec2<float>& u) const { return sample_as_light(*this, p, u); }
+float DiskShape::pdf_from(const Vec3f& p, const Vec3f& q, const Vec3f& n, std::uint32_t) const {
+  return as_light(*this).pdf(p, q, n);
+}
+SeenPoint SphereShape::sample_from(const Vec3f& p, const Vec2<float>& u) const { return sample_as_light(*this, p, u); }
+float SphereShape::pdf_from(const Vec3f& p, const Vec3f& q, const Vec3f& n, std::uint32_t) const {
+  return as_light(*this).pdf(p, q, n);
+}
+
+SeenPoint CylinderShape::sample_from(const Vec3f& p, const Vec2<float>& u) const {
+  const SeenCylinder seen(*this, p);
+  if (!(seen.range > 0)) {  // any point, which gives nothing
+    const AreaPoint point = sample(u);
+    return {point, point.p - p, 0};
+  }
+  const double t = seen.from + double{u.x} * seen.range;
+  const double phi = 2 * std::atan2(std::sin(t), seen.stretch * std::cos(t));
+  const double cos_phi = std::cos(phi), sin_phi = std::sin(phi), d = std::sqrt(seen.distance2(cos_phi));
+  const double angle = std::atan2(d * (seen.high - seen.low), d * d + seen.low * seen.high);
+  const double z = std::clamp(d * std::tan(std::atan2(seen.low, d) + double{u.y} * angle), seen.low, seen.high);
+  const Vec3d outward = seen.from_axis * cos_phi + seen.side * sin_phi;
+  const Vec3d offset = outward * seen.radius - seen.from_axis * seen.rho + seen.along * z;
+  const Vec3f q(Vec3d(p) + offset);
+  return {{q, Vec3f(outward) * sign, uv_at(q, 0)},
+          Vec3f(offset),
+          static_cast<float>(seen.per_solid_angle(cos_phi, z, double{sign}))};
+}
+float CylinderShape::pdf_from(const Vec3f& p, const Vec3f& q, const Vec3f& n, std::uint32_t) const {
+  const SeenCylinder seen(*this, p);
+  // The angle by the normal: far from the origin a thin cylinder's points have few digits of it.
+  const Vec3d outward = Vec3d(n) * double{sign};
+  const double x = dot(outward, seen.from_axis), y = dot(outward, seen.side), z = dot(Vec3d(q) - Vec3d(p), seen.along);
+  return static_cast<float>(
+      seen.per_solid_angle(x / std::hypot(x, y), std::clamp(z, seen.low, seen.high), double{sign}));
+}
+
+// --- meshes ----------------------------------------------------------------------------------------------------------
+
+CloseTriangle::CloseTriangle(const Vec3f& p, const Vec3f& a, const Vec3f& b, const Vec3f& c, const Vec3f& normal) {
+  // Chords parallel to the edge that p is furthest beside. In double: where two large triangles meet above p, rounding
+  // would leave a gap between them.
+  const std::array<Vec3d, 3> corner{Vec3d(a), Vec3d(b), Vec3d(c)};
+  double furthest = -std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3d &from = corner[i], edge = corner[(i + 1) % 3] - from, other = corner[(i + 2) % 3] - from;
+    const Vec3d along = normalize(edge), up = normalize(other - along * dot(other, along));
+    const Vec3d foot = Vec3d(p) - from;
+    const double y = dot(foot, up);
+    if (-y <= furthest) continue;
+    furthest = -y;
+    frame = {Vec3f(along), Vec3f(up), dot(p - a, normal), static_cast<float>(dot(foot, along)), static_cast<float>(y)};
+    length = static_cast<float>(dot(edge, along));
+    apex = static_cast<float>(dot(other, along));
+    y_low = static_cast<float>(-y);
+    y_high = static_cast<float>(dot(other, up) - y);
+  }
+}
+
+Vec3f MeshShape::normal_of(const Triangle& t) const {
+  const Vec3f& a = positions_[t[0]];
+  return face_normal(positions_[t[1]] - a, positions_[t[2]] - a) * sign_;
+}
+
+AreaPoint MeshShape::point_on(std::uint32_t triangle, const Vec2<float>& u) const {
+  const Triangle& t = triangles_[triangle];
+  const Vec3f &a = positions_[t[0]], &b = positions_[t[1]], &c = positions_[t[2]];
+  // Uniform on the triangle (Turk 1990).
+  const float root = std::sqrt(u.x);
+  const float weight_b = root * (1 - u.y), weight_c = root * u.y;
+  return {a + (b - a) * weight_b + (c - a) * weight_c, normal_of(t), uv_of(t, weight_b, weight_c), triangle};
+}
+
+std::optional<CloseTriangle> MeshShape::close_triangle(const Triangle& t, const Vec3f& p) const {
+  const Vec3f &a = positions_[t[0]], &b = positions_[t[1]], &c = positions_[t[2]];
+  const Vec3f middle = (a + b + c) * (1.0f / 3);
+  const float reach2 = std::max({length_squared(a - middle), length_squared(b - middle), length_squared(c - middle)});
+  if (!is_close<float>(p, middle, reach2)) return std::nullopt;
+  return CloseTriangle(p, a, b, c, normal_of(t));
+}
+
+float MeshShape::pdf_on(const Triangle& t, const Vec3f& p, const Vec3f& offset) const {
+  if (const auto close = close_triangle(t, p)) return close_pdf<float>(*close, offset);
+  const Vec3f &a = positions_[t[0]], &b = positions_[t[1]], &c = positions_[t[2]];
+  return area_to_solid_angle<float>(2 / length(cross(b - a, c - a)), p, p + offset, normal_of(t));
+}
+
+SeenPoint MeshShape::sample_from(const Vec3f& p, const Vec2<float>& u) const {
+  if (!is_close<float>(p, center_, half_extent2_)) {
+    const AreaPoint point = sample(u);
+    return {point, point.p - p, area_to_solid_angle<float>(1 / area_, p, point.p, point.normal)};
+  }
+  const std::optional<LightTree::Choice> chosen = by_importance_->choose(p, u.x);
+  if (!chosen) return {sample(u), positions_[0] - p, 0};
+  const Triangle& t = triangles_[chosen->light];
+  SeenPoint seen;
+  if (const auto close = close_triangle(t, p)) {
+    const Vec3f n = normal_of(t);
+    seen.offset = close_sample<float>(*close, n, {chosen->u, u.y}).offset;
+    seen.point = {p + seen.offset, n, uv_at(p + seen.offset, chosen->light), chosen->light};
+  } else {
+    seen.point = point_on(chosen->light, {chosen->u, u.y});
+    seen.offset = seen.point.p - p;
+  }
+  seen.pdf = chosen->probability * pdf_on(t, p, seen.offset);
+  return seen;
+}
+
+float MeshShape::pdf_from(const Vec3f& p, const Vec3f& q, const Vec3f& n, std::uint32_t triangle) const {
+  if (!is_close<float>(p, center_, half_extent2_)) return area_to_solid_angle<float>(1 / area_, p, q, n);
+  return by_importance_->probability(p, triangle) * pdf_on(triangles_[triangle], p, q - p);
+}
+
+}  // namespace photonproof

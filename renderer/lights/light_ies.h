@@ -1,0 +1,47 @@
+// A point light with a measured distribution of intensity (ANSI/IES LM-63): bilinear between the file's angles.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "renderer/core/discrete_distribution.h"
+#include "renderer/lights/light_sample.h"
+#include "scenes/meshes/ies.h"
+
+namespace photonproof {
+
+class IesLight {
+ public:
+  static constexpr bool is_delta = true, is_infinite = false;
+
+  /// `c0`, `c90`, `zenith`: unit, right-handed; vertical angles are measured from -zenith, horizontal ones from c0
+  /// towards c90. Outside of the file's vertical angles there is no light.
+  IesLight(const Vec3f& position, const Vec3f& c0, const Vec3f& c90, const Vec3f& zenith, const Rgb& intensity,
+           const IesProfile& profile);
+
+  LightSample<float> sample(const Vec3f& p, const Vec2<float>& u) const;
+  float pdf(const Vec3f&, const Vec3f&, const Vec3f&) const { return 0; }
+  Emission<float> emit(const Vec2<float>& u_position, const Vec2<float>& u_direction) const;
+  EmissionPdfs<float> emit_pdfs(const Vec3f& n, const Vec3f& direction) const;
+  Rgb flux_towards(const Vec3f& n, const Vec3f& direction) const { return leaving(n, direction); }
+  Rgb leaving(const Vec3f& n, const Vec3f& direction) const;
+  Rgb flux() const { return flux_; }
+  const Vec3f& position() const { return position_; }
+
+ private:
+  /// Candela at the angles, degrees; 0 outside of the file's vertical ones.
+  double candela(double vertical, double horizontal) const;
+  double candela_towards(const Vec3f& direction) const;
+  std::size_t cell_of(std::size_t row, std::size_t column) const { return row * columns() + column; }
+  std::size_t columns() const { return horizontal_.size() - 1; }
+  double solid_angle(std::size_t cell) const;
+
+  Vec3f position_, c0_, c90_, zenith_;
+  Rgb intensity_;
+  std::vector<double> vertical_, horizontal_;  ///< degrees; horizontal from 0 to 360
+  std::vector<double> candela_;                ///< horizontal x vertical
+  DiscreteDistribution cells_;                 ///< between neighbouring angles, by flux
+  Rgb flux_{0.0f};
+};
+
+}  // namespace photonproof

@@ -1,0 +1,32 @@
+// The lights that kernels sample in their lanes: structs of floats, each in light_<name>.h, that offer
+//   sample(p, u)             a point of the light seen from p (next-event estimation), density per solid angle at p
+//   pdf(p, q, n)             that density for a ray from p that found the light's point q by itself (for MIS)
+//   emit(u, v)               a photon's start and what it carries
+//   emit_pdfs(n, d)          the densities of a start whose normal is n in direction d
+//   flux_towards(n, d)       W sr^-1: what such a photon carries towards d, over the density of its position only
+//   leaving(n, d)            radiance from a point with normal n in direction d; 0 from behind. Of a light without
+//                            surface the intensity, of a directional one the irradiance
+//   flux()                   total emitted flux, W per channel
+//   is_delta                 a ray cannot find it
+//   is_infinite              it has directions, but no points
+#pragma once
+
+#include "renderer/lanes/kind_list.h"
+#include "renderer/lights/light_directional.h"
+#include "renderer/lights/light_disk.h"
+#include "renderer/lights/light_point.h"
+#include "renderer/lights/light_quad.h"
+#include "renderer/lights/light_sample.h"
+#include "renderer/lights/light_sphere.h"
+#include "renderer/lights/light_spot.h"
+
+namespace photonproof {
+
+/// One row a light.
+using LightKinds = KindList<QuadLight, SphereLight, PointLight, DiskLight, SpotLight, DirectionalLight>;
+
+/// In LightWords::kind and SceneView::light_kinds: every kind that needs tables, which kernels ask scene_lights.h
+/// about.
+inline constexpr std::uint32_t general_light_kind = LightKinds::count;
+
+}  // namespace photonproof

@@ -1,0 +1,104 @@
+// Lambertian emission from a sphere, outward or inward. From outside, the visible cap is sampled uniformly by solid
+// angle (Shirley, Wang, Zimmerman 1996), however close it is. Where it emits inward, points of it are drawn uniformly
+// by area; from within also uniformly by solid angle, one sample in two, so that the wall close by is not left out.
+#pragma once
+
+#include "renderer/lights/light_sample.h"
+#include "renderer/lanes/warp.h"
+
+namespace photonproof {
+
+template <class F>
+struct SphereLight {
+  static constexpr bool is_delta = false, is_infinite = false;
+  Vec3<F> center;
+  F radius;
+  F side;            ///< 1: emits outward, -1: inward
+  Vec3<F> radiance;  ///< W m^-2 sr^-1
+
+  LightSample<F> sample(const Vec3<F>& p, const Vec2<F>& u) const {
+    const Mask<F> cone = samples_cone(p);
+    LightSample<F> s = all(cone) ? sample_cone(p, u) : sample_inward(p, u);
+    if (any(cone) && !all(cone)) {
+      const LightSample<F> c = sample_cone(p, u);
+      s.p_light = select(cone, c.p_light, s.p_light);
+      s.normal_light = select(cone, c.normal_light, s.normal_light);
+      s.wi_world = select(cone, c.wi_world, s.wi_world);
+      s.pdf = select(cone, c.pdf, s.pdf);
+    }
+    return s;
+  }
+  F pdf(const Vec3<F>& p, const Vec3<F>& p_light, const Vec3<F>& normal_light) const {
+    const Mask<F> cone = samples_cone(p);
+    const F by_cone = 1 / (2 * pi * cone_one_minus_cos(p));
+    if (all(cone)) return by_cone;
+    const F by_area = area_to_solid_angle(F(1 / area()), p, p_light, normal_light);
+    return select(cone, by_cone, select(is_within(p), 0.5f * by_area + 1 / (8 * pi), by_area));
+  }
+  Emission<F> emit(const Vec2<F>& u_position, const Vec2<F>& u_direction) const {
+    const Vec3<F> outward = square_to_sphere(u_position);
+    const Vec3<F> normal = outward * side;
+    return {advance(center, radius, outward), normal,
+            Frame<F>(normal).to_world(square_to_cosine_hemisphere(u_direction)), flux()};
+  }
+  EmissionPdfs<F> emit_pdfs(const Vec3<F>& n, const Vec3<F>& direction) const {
+    return {1 / area(), cosine_hemisphere_pdf(F(dot(n, direction)))};
+  }
+  Vec3<F> flux_towards(const Vec3<F>& n, const Vec3<F>& direction) const {
+    return flux() * cosine_hemisphere_pdf(F(dot(n, direction)));
+  }
+  Vec3<F> leaving(const Vec3<F>& n, const Vec3<F>& direction) const {
+    return select(dot(n, direction) > 0, radiance, Vec3<F>(F(0.0f)));
+  }
+  Vec3<F> flux() const { return radiance * (pi * area()); }
+
+ private:
+  F area() const { return 4 * pi * radius * radius; }
+  /// Not from the surface itself, which sees nothing of its outer side: a point on it is off by two roundings or so.
+  Mask<F> samples_cone(const Vec3<F>& p) const {
+    const Vec3<F> d = p - center;
+    return side > 0 && dot(d, d) > 1.0000005f * radius * radius;
+  }
+  /// Not on the wall itself, from where even area sampling is drawing by the cosine, the best there is. Rays that leave
+  /// the wall start a little off it, and must be weighed as the wall is.
+  Mask<F> is_within(const Vec3<F>& p) const {
+    const Vec3<F> d = p - center;
+    return side < 0 && dot(d, d) < 0.9999f * radius * radius;
+  }
+  F cone_one_minus_cos(const Vec3<F>& p) const {
+    const Vec3<F> d = p - center;
+    const F sin2 = lane_min(F(radius * radius / dot(d, d)), F(1.0f));
+    return sin2 / (1 + lane_sqrt(F(1 - sin2)));
+  }
+  LightSample<F> sample_cone(const Vec3<F>& p, const Vec2<F>& u) const {
+    const Vec3<F> to_center = center - p;
+    const F distance = length(to_center);
+    const F one_minus_cos = cone_one_minus_cos(p);
+    const Vec3<F> local = square_to_cone(u, one_minus_cos);
+    const Frame<F> frame(to_center * (1 / distance));
+    // The normal in that frame: differences of world coordinates leave no digits of a distant sphere.
+    const F drop2 = distance * distance * (local.x * local.x + local.y * local.y);
+    const F t = distance * local.z - lane_sqrt(lane_max(F(radius * radius - drop2), F(0.0f)));
+    const F x = local.x * t / radius, y = local.y * t / radius;
+    const Vec3<F> normal = frame.to_world(Vec3<F>(x, y, -lane_sqrt(lane_max(F(1 - x * x - y * y), F(0.0f)))));
+    const Vec3<F> wi = frame.to_world(local);
+    return {advance(center, radius, normal), normal, wi, radiance, 1 / (2 * pi * one_minus_cos)};
+  }
+  LightSample<F> sample_inward(const Vec3<F>& p, const Vec2<F>& u) const {
+    const Mask<F> within = is_within(p), by_direction = within && u.x < 0.5f;
+    const F twice = 2 * u.x;
+    const Vec3<F> random = square_to_sphere(Vec2<F>{select(within, select(by_direction, twice, twice - 1), u.x), u.y});
+    // Where the direction leaves the sphere, from p on the inner side.
+    const Vec3<F> from_center = p - center;
+    const F b = dot(from_center, random), c = dot(from_center, from_center) - radius * radius;
+    const F root = lane_sqrt(lane_max(F(b * b - c), F(0.0f)));
+    const F t = select(b > 0, -c / select(b > 0, b + root, F(1.0f)), root - b);
+    const Vec3<F> outward = select(by_direction, Vec3<F>(advance(from_center, t, random) * (1 / radius)), random);
+    const Vec3<F> p_light = advance(center, radius, outward);
+    const Vec3<F> normal = outward * side;
+    const Vec3<F> wi = select(by_direction, random, normalize(p_light - p));
+    return {p_light, normal, wi, radiance, pdf(p, p_light, normal)};
+  }
+};
+
+}  // namespace photonproof

@@ -1,0 +1,77 @@
+// A point that shines into a cone: in full within the beam, falling linearly with the angle to nothing at the cut-off.
+#pragma once
+
+#include "renderer/lights/light_sample.h"
+#include "renderer/lanes/warp.h"
+
+namespace photonproof {
+
+/// 1 within `beam`, 0 beyond `cutoff`, linear in the angle between; half-angles in radians.
+template <class F>
+F spot_falloff(const F& angle, const F& beam, const F& cutoff) {
+  const F ramp = (cutoff - angle) / select(cutoff > beam, cutoff - beam, F(1.0f));
+  return select(angle <= beam, F(1.0f), select(angle < cutoff, ramp, F(0.0f)));
+}
+
+template <class F>
+struct SpotLight {
+  static constexpr bool is_delta = true, is_infinite = false;
+  Vec3<F> position;
+  Vec3<F> axis;       ///< unit
+  Vec3<F> intensity;  ///< W sr^-1, along the axis
+  F beam, cutoff;     ///< half-angles, radians; beam <= cutoff
+  F one_minus_cos;    ///< of the cut-off
+  F mean_falloff;     ///< over the cone's solid angle
+
+  LightSample<F> sample(const Vec3<F>& p, const Vec2<F>&) const {
+    const Vec3<F> d = position - p;
+    const F distance2 = dot(d, d);
+    const F inverse = 1 / lane_sqrt(distance2);
+    const Vec3<F> wi = d * inverse;
+    const F falloff = falloff_towards(Vec3<F>(-wi));
+    return {position, Vec3<F>(F(0.0f)), wi, intensity * (falloff * inverse * inverse),
+            select(distance2 > 0 && falloff > 0, F(1.0f), F(0.0f))};
+  }
+  F pdf(const Vec3<F>&, const Vec3<F>&, const Vec3<F>&) const { return F(0.0f); }
+  Emission<F> emit(const Vec2<F>&, const Vec2<F>& u) const {
+    const Vec3<F> direction = Frame<F>(axis).to_world(square_to_cone(u, one_minus_cos));
+    return {position, Vec3<F>(F(0.0f)), direction, intensity * (falloff_towards(direction) * solid_angle())};
+  }
+  EmissionPdfs<F> emit_pdfs(const Vec3<F>&, const Vec3<F>& direction) const {
+    return {F(1.0f), select(angle_between(axis, direction) < cutoff, 1 / solid_angle(), F(0.0f))};
+  }
+  Vec3<F> flux_towards(const Vec3<F>&, const Vec3<F>& direction) const {
+    return intensity * falloff_towards(direction);
+  }
+  Vec3<F> flux() const { return intensity * (mean_falloff * solid_angle()); }
+  Vec3<F> leaving(const Vec3<F>&, const Vec3<F>& direction) const { return intensity * falloff_towards(direction); }
+
+ private:
+  F solid_angle() const { return 2 * pi * one_minus_cos; }
+  F falloff_towards(const Vec3<F>& direction) const {
+    return spot_falloff(F(angle_between(axis, direction)), beam, cutoff);
+  }
+};
+
+/// `beam_radians` <= `cutoff_radians`, half-angles.
+inline SpotLight<float> spot_light(const Vec3f& position, const Vec3f& axis, const Rgb& intensity, double beam_radians,
+                                   double cutoff_radians) {
+  // 2 sin^2(c/2) is 1 - cos(c) without its cancellation. The mean over the cone, of falloff f:
+  //   integral f sin = (1 - cos b) + [integral from b to c of (c - t) sin(t) dt] / (c - b)
+  //                  = 1 - (sin c - sin b) / (c - b)
+  const double half = std::sin(cutoff_radians / 2);
+  const double one_minus_cos = 2 * half * half;
+  const double width = cutoff_radians - beam_radians;
+  const double whole =
+      width > 1e-6 ? 1 - (std::sin(cutoff_radians) - std::sin(beam_radians)) / width : 1 - std::cos(beam_radians);
+  const double mean = one_minus_cos > 0 ? std::clamp(whole / one_minus_cos, 0.0, 1.0) : 0;
+  return {position,
+          axis,
+          intensity,
+          static_cast<float>(beam_radians),
+          static_cast<float>(cutoff_radians),
+          static_cast<float>(one_minus_cos),
+          static_cast<float>(mean)};
+}
+
+}  // namespace photonproof

@@ -1,0 +1,142 @@
+// Every light: irradiance in closed form, sampled density, emitted flux.
+
+#include "renderer/lights/light.h"
+
+#include <gtest/gtest.h>
+
+#include "renderer/lanes/chi_square.h"
+#include "renderer/kernels/direct_light.h"
+#include "renderer/bsdfs/test_shading.h"
+
+namespace photonproof {
+namespace {
+
+using test::emit;
+using test::pdf;
+using test::sample;
+
+Light square(float half, float height) {
+  // Faces down from y = height.
+  return QuadLight<float>{
+      {-half, height, -half}, {2 * half, 0, 0}, {0, 0, 2 * half}, {0, -1, 0}, 4 * half * half, Rgb(1)};
+}
+
+/// Irradiance at p with normal n by sampling the light, mean over `samples`.
+double irradiance(const Light& light, const Vec3f& p, const Vec3f& n, int samples) {
+  double sum = 0;
+  for (int i = 0; i < samples; ++i) {
+    test::Random s(31, static_cast<std::uint64_t>(i));
+    const LightSample<float> drawn = sample(light, p, s.next2());
+    if (drawn.pdf > 0)
+      sum += static_cast<double>(drawn.radiance.x * std::max(0.0f, dot(n, drawn.wi_world)) / drawn.pdf);
+  }
+  return sum / samples;
+}
+
+TEST(point_light, irradiance_is_intensity_cosine_over_distance_squared) {
+  // Height 3, 4 to the side: d = 5, cos = 3/5: 10 * 0.6 / 25 = 0.24.
+  EXPECT_NEAR(irradiance(PointLight<float>{{4, 3, 0}, Rgb(10)}, {0, 0, 0}, {0, 1, 0}, 1), 0.24, 1e-6);
+}
+
+TEST(quad_light, irradiance_is_the_parallel_rectangle_form) {
+  // Under the centre: four times the corner form F(X,Y), X = Y = half/height = 0.5:
+  // F = (1/2pi) 2 X/sqrt(1+X^2) atan(X/sqrt(1+X^2)) = 0.0598..., E = pi L 4 F.
+  const double x = 0.5, a = x / std::sqrt(1 + x * x);
+  const double form = 2 * a * std::atan(a) / (2 * std::numbers::pi);
+  const double expected = std::numbers::pi * 4 * form;
+  EXPECT_NEAR(irradiance(square(1, 2), {0, 0, 0}, {0, 1, 0}, 200'000), expected, 0.002 * expected);
+}
+
+TEST(mis, weights_stay_finite_beside_lights_of_no_size) {
+  EXPECT_EQ(mis_weight(1e30f, 1.0f), 1);
+  EXPECT_EQ(mis_weight(1.0f, 1e30f), 0);
+  EXPECT_EQ(mis_weight(1e30f, 1e30f), 0.5f);
+  EXPECT_EQ(mis_weight(0.0f, 1.0f), 0);
+  EXPECT_NEAR(mis_weight(3.0f, 4.0f), 9.0f / 25, 1e-7f);
+}
+
+TEST(quad_light, gives_nothing_behind_itself) { EXPECT_EQ(irradiance(square(1, 2), {0, 3, 0}, {0, -1, 0}, 100), 0); }
+
+TEST(sphere_light, irradiance_is_pi_l_sin_squared) {
+  // Whole sphere above the horizon: E = pi L (R/d)^2 cos; overhead at distance 2, R = 1: pi/4; and almost touching.
+  const Light light = SphereLight<float>{{0, 2, 0}, 1, 1, Rgb(1)};
+  EXPECT_NEAR(irradiance(light, {0, 0, 0}, {0, 1, 0}, 100'000), std::numbers::pi / 4, 0.002);
+  EXPECT_NEAR(irradiance(light, {0, 0.99f, 0}, {0, 1, 0}, 400'000), std::numbers::pi / (1.01 * 1.01), 0.01);
+  EXPECT_NEAR(irradiance(light, {0, -1e4f, 0}, {0, 1, 0}, 1000), std::numbers::pi / (10002.0 * 10002.0), 1e-11);
+}
+
+TEST(sphere_light, from_inside_irradiance_is_pi_l_everywhere) {
+  const Light light = SphereLight<float>{{0, 0, 0}, 1, -1, Rgb(1)};
+  for (const Vec3f p : {Vec3f(0, 0, 0), Vec3f(0.5f, 0.2f, -0.3f), Vec3f(0, 0, 0.9f)})
+    EXPECT_NEAR(irradiance(light, p, {0, 0, -1}, 200'000), std::numbers::pi, 0.03) << p.z;
+  // On the wall itself every sample has the same value: cos cos' / d^2 = 1/(4 R^2).
+  EXPECT_NEAR(irradiance(light, {0, 0, 1}, {0, 0, -1}, 1000), std::numbers::pi, 0.001);
+}
+
+TEST(sphere_light, points_drawn_are_where_the_direction_meets_the_sphere_first) {
+  // However far it is: a shadow ray to the point must go along wi and end on the near side. wi and the direction to
+  // the centre are rounded to a few 2^-24, which across a distance d is what the ray may be off by.
+  for (const float distance : {1.1f, 10.0f, 1e4f, 1e5f}) {
+    const Light light = SphereLight<float>{{0, 0, 0}, 1, 1, Rgb(1)};
+    const Vec3f p = Vec3f(0.48f, -0.6f, 0.64f) * distance;
+    for (std::uint64_t i = 0; i < 10'000; ++i) {
+      const LightSample<float> drawn = sample(light, p, test::Random(36, i).next2());
+      EXPECT_NEAR(length(drawn.normal_light), 1, 1e-3f);
+      EXPECT_NEAR(length(drawn.p_light - drawn.normal_light), 0, 1e-6f);
+      EXPECT_LT(dot(drawn.normal_light, drawn.wi_world), 0.01f);
+      // Across, in double: the point's and the ray's distance from the line through p and the centre.
+      const Vec3d axis = normalize(Vec3d(p)), wi(drawn.wi_world), n(drawn.normal_light);
+      const Vec3d ray_across = wi - axis * dot(wi, axis), point_across = n - axis * dot(n, axis);
+      const double reach = length(Vec3d(drawn.p_light) - Vec3d(p));
+      ASSERT_NEAR(length(ray_across) * reach, length(point_across), 1e-3 + 0x1p-21 * double{distance}) << distance;
+    }
+  }
+}
+
+TEST(surface_lights, sampled_directions_match_their_density) {
+  // Directions towards the light from a fixed point; the density of one that misses it is 0. Cells cut by the light's
+  // outline are integrated on an 8x8 lattice, which for these large lights costs less than the test can see.
+  const Light ball = SphereLight<float>{{0, 0, 1.5f}, 1.2f, 1, Rgb(1)};
+  const Vec3f p(0, 0, 0);
+  const double p_value = test::direction_p_value([&](test::Random& s) { return sample(ball, p, s.next2()).wi_world; },
+                                                 [&](const Vec3f& d) { return d.z > 0.6f ? pdf(ball, p, {}, {}) : 0; },
+                                                 32);  // sin = 1.2/1.5, cos = 0.6
+  EXPECT_GT(p_value, test::sidak_level(2));
+
+  const Light shell = SphereLight<float>{{0, 0, 0}, 1, -1, Rgb(1)};
+  const Vec3f inside(0.3f, -0.2f, 0.4f);
+  const double shell_p =
+      test::direction_p_value([&](test::Random& s) { return sample(shell, inside, s.next2()).wi_world; },
+                              [&](const Vec3f& d) {
+                                const float b = dot(d, inside);
+                                const float t = -b + std::sqrt(b * b + 1 - dot(inside, inside));
+                                const Vec3f hit = inside + d * t;
+                                return pdf(shell, inside, hit, -hit);
+                              },
+                              33);
+  EXPECT_GT(shell_p, test::sidak_level(2));
+}
+
+TEST(lights, photons_leave_with_the_lights_flux_and_pattern) {
+  // Quad: cosine about its normal; point: uniform. Flux: pi L A = 4 pi, pi L 4 pi R^2, 4 pi I.
+  const Light quad = QuadLight<float>{{-1, -1, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 1}, 4, Rgb(1)};
+  EXPECT_NEAR(flux(quad).x, 4 * pi, 1e-5f);
+  EXPECT_NEAR(flux(Light(SphereLight<float>{{0, 0, 0}, 2, 1, Rgb(1)})).x, pi * 16 * pi, 1e-3f);
+  EXPECT_NEAR(flux(Light(PointLight<float>{{}, Rgb(3)})).x, 12 * pi, 1e-4f);
+  EXPECT_GT(test::direction_p_value(
+                [&](test::Random& s) {
+                  const auto u = s.next2();
+                  return emit(quad, u, s.next2()).direction;
+                },
+                [](const Vec3f& d) { return cosine_hemisphere_pdf(d.z); }, 34),
+            test::sidak_level(2));
+  EXPECT_GT(test::direction_p_value(
+                [&](test::Random& s) {
+                  return emit(Light(PointLight<float>{{}, Rgb(1)}), {}, s.next2()).direction;
+                },
+                [](const Vec3f&) { return 1 / (4 * pi); }, 35),
+            test::sidak_level(2));
+}
+
+}  // namespace
+}  // namespace photonproof

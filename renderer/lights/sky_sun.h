@@ -1,0 +1,57 @@
+// Sun and clear sky: the sky of Hosek and Wilkie (sky_hosek_wilkie.h), the sun of Preetham, Shirley and Smits
+// (sun_spectrum.h). Local +z is up; there is nothing below the horizon. Units are those of Mitsuba's sunsky: radiance
+// per nanometre, W m^-2 sr^-1 nm^-1, as linear Rec. 709 of XYZ with the integral of the CIE 1931 y function divided out
+// (cie_y_integral).
+//
+// Mitsuba's sunsky has the same sky, by the authors' data for RGB instead of XYZ, and another sun (Hosek and Wilkie
+// 2013).
+#pragma once
+
+#include <vector>
+
+#include "renderer/core/discrete_distribution.h"
+#include "renderer/lights/sky_hosek_wilkie.h"
+#include "scenes/description/transform.h"
+#include "scenes/meshes/vec.h"
+
+namespace photonproof {
+
+struct SunSkySettings {
+  Vec3d sun_direction{0, 0, 1};  ///< local, unit, towards the sun
+  double turbidity = 3;          ///< 1 to 10
+  RgbD albedo{0.3};              ///< of the ground, 0 to 1
+  double sun_scale = 1, sky_scale = 1;
+  double sun_aperture_radians = 0.00935;  ///< full angle; the sun's irradiance does not depend on it
+  Transform to_world;                     ///< its rotation counts
+};
+
+class SunSky {
+ public:
+  explicit SunSky(const SunSkySettings& settings);
+
+  Rgb radiance(const Vec3f& towards_sky) const;
+  Vec3f sample(const Vec2<float>& u) const;
+  float pdf(const Vec3f& towards_sky) const;
+  Rgb irradiance() const { return irradiance_; }
+
+ private:
+  static constexpr int rows = 64, columns = 128;  ///< of the hemisphere: equal steps of height and azimuth
+
+  RgbD sky(const Vec3d& local) const;
+  bool in_sun(const Vec3f& local) const;
+  Vec3f to_local(const Vec3f& d) const { return {dot(d, x_), dot(d, y_), dot(d, z_)}; }
+  Vec3f to_world(const Vec3f& d) const { return x_ * d.x + y_ * d.y + z_ * d.z; }
+
+  /// Over a ground of each component's albedo; one for all where it is grey.
+  std::vector<HosekWilkieSky> skies_;
+  double sky_scale_;
+  Vec3f x_, y_, z_;  ///< local axes in the world, unit
+  Vec3f sun_;        ///< local
+  float sun_one_minus_cos_;
+  Rgb sun_radiance_;
+  float sun_probability_;
+  DiscreteDistribution cells_;
+  Rgb irradiance_;
+};
+
+}  // namespace photonproof
