@@ -7,7 +7,7 @@
 #include "renderer/direct_paths.h"
 #include "renderer/integrator_name.h"
 #include "renderer/scene_facts.h"
-#include "renderer/scene_lights.h"
+#include "renderer/light_choice/scene_lights.h"
 
 namespace photonproof {
 namespace {

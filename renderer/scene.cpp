@@ -10,11 +10,11 @@
 #include "renderer/bsdfs/compile_bsdf.h"
 #include "renderer/lights/compile_light.h"
 #include "renderer/rays/rays.h"
-#include "renderer/light_table.h"
+#include "renderer/light_choice/light_table.h"
 #include "renderer/looked_at.h"
 #include "renderer/scaled_description.h"
 #include "renderer/scene_frame.h"
-#include "renderer/scene_lights.h"
+#include "renderer/light_choice/scene_lights.h"
 #include "renderer/scene_shapes.h"
 #include "renderer/rays/small_scene_tables.h"
 

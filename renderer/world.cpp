@@ -5,7 +5,7 @@
 #include <cstring>
 
 #include "renderer/rays/rays.h"
-#include "renderer/scene_lights.h"
+#include "renderer/light_choice/scene_lights.h"
 #include "renderer/surface_detail.h"
 
 namespace photonproof {

@@ -2,7 +2,7 @@
 // which the choice of the light is included.
 #pragma once
 
-#include "renderer/scene_lights.h"
+#include "renderer/light_choice/scene_lights.h"
 #include "renderer/world.h"
 
 namespace photonproof {

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "renderer/bsdfs/bsdf.h"
-#include "renderer/emission_guide.h"
+#include "renderer/light_choice/emission_guide.h"
 
 namespace photonproof::test {
 

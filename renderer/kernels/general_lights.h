@@ -4,7 +4,7 @@
 #include <cstring>
 
 #include "renderer/rays/surface_hit.h"
-#include "renderer/light_block.h"
+#include "renderer/light_choice/light_block.h"
 
 namespace photonproof {
 

@@ -5,7 +5,7 @@
 
 #include "renderer/kernels/general_lights.h"
 #include "renderer/lanes/lane.h"
-#include "renderer/light_choice.h"
+#include "renderer/light_choice/light_choice.h"
 #include "renderer/lights/light_kinds.h"
 #include "renderer/scene_view.h"
 

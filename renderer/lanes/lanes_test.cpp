@@ -11,7 +11,7 @@
 #include "renderer/kernels/lights.h"
 #include "renderer/rays/small_scene.h"
 #include "renderer/lights/light.h"
-#include "renderer/light_table.h"
+#include "renderer/light_choice/light_table.h"
 #include "renderer/sensor/reconstruction_filter.h"
 #include "renderer/lanes/sampler.h"
 #include "renderer/rays/small_scene_tables.h"

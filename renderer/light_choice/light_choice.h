@@ -2,7 +2,7 @@
 #pragma once
 
 #include "renderer/lanes/lane.h"
-#include "renderer/light_words.h"
+#include "renderer/light_choice/light_words.h"
 
 namespace photonproof {
 

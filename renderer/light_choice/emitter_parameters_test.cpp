@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "renderer/test_emitters.h"
+#include "renderer/light_choice/test_emitters.h"
 
 namespace photonproof {
 namespace {

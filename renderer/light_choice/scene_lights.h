@@ -27,9 +27,9 @@
 #include <optional>
 #include <vector>
 
-#include "renderer/emission_guide.h"
+#include "renderer/light_choice/emission_guide.h"
 #include "renderer/lights/light.h"
-#include "renderer/light_words.h"
+#include "renderer/light_choice/light_words.h"
 #include "renderer/shapes/surface.h"
 
 namespace photonproof {

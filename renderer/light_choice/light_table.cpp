@@ -1,4 +1,4 @@
-#include "renderer/light_table.h"
+#include "renderer/light_choice/light_table.h"
 
 #include <algorithm>
 #include <array>

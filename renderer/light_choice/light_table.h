@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "renderer/lights/light.h"
-#include "renderer/light_words.h"
+#include "renderer/light_choice/light_words.h"
 
 namespace photonproof {
 

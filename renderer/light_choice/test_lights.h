@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "renderer/light_table.h"
-#include "renderer/scene_lights.h"
+#include "renderer/light_choice/light_table.h"
+#include "renderer/light_choice/scene_lights.h"
 
 namespace photonproof::test {
 

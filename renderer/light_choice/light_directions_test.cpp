@@ -7,7 +7,7 @@
 #include <string>
 
 #include "renderer/lanes/chi_square.h"
-#include "renderer/test_lights.h"
+#include "renderer/light_choice/test_lights.h"
 
 namespace photonproof {
 namespace {

@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "renderer/lanes/chi_square.h"
-#include "renderer/test_lights.h"
-#include "renderer/test_surface_lights.h"
+#include "renderer/light_choice/test_lights.h"
+#include "renderer/light_choice/test_surface_lights.h"
 
 namespace photonproof {
 namespace {

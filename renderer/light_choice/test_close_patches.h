@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "renderer/test_light_patches.h"
+#include "renderer/light_choice/test_light_patches.h"
 
 namespace photonproof::test {
 

@@ -1,10 +1,10 @@
-#include "renderer/scene_lights.h"
+#include "renderer/light_choice/scene_lights.h"
 
 #include <algorithm>
 #include <tuple>
 #include <type_traits>
 
-#include "renderer/light_choice.h"
+#include "renderer/light_choice/light_choice.h"
 #include "renderer/lights/light_tree.h"
 
 namespace photonproof {

@@ -1,7 +1,7 @@
 // The scalar interface of lights: samples against densities, emitted flux, closed forms of what arrives, for every
 // kind.
 
-#include "renderer/scene_lights.h"
+#include "renderer/light_choice/scene_lights.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <functional>
 
 #include "renderer/lanes/chi_square.h"
-#include "renderer/test_lights.h"
+#include "renderer/light_choice/test_lights.h"
 
 namespace photonproof {
 namespace {

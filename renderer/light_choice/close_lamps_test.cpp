@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "renderer/test_lights.h"
+#include "renderer/light_choice/test_lights.h"
 #include "renderer/lanes/test_random.h"
 #include "renderer/test_scenes.h"
 

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "renderer/lights/light_bounds.h"
-#include "renderer/test_close_patches.h"
+#include "renderer/light_choice/test_close_patches.h"
 #include "renderer/lanes/test_random.h"
 
 namespace photonproof::test {

@@ -1,4 +1,4 @@
-#include "renderer/emission_guide.h"
+#include "renderer/light_choice/emission_guide.h"
 
 #include <algorithm>
 #include <cmath>

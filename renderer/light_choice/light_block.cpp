@@ -1,9 +1,9 @@
-#include "renderer/light_block.h"
+#include "renderer/light_choice/light_block.h"
 
 #include <bit>
 #include <tuple>
 
-#include "renderer/scene_lights.h"
+#include "renderer/light_choice/scene_lights.h"
 
 namespace photonproof {
 namespace {
