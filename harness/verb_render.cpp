@@ -19,7 +19,7 @@
 #include "renderer/integrator.h"
 #include "renderer/core/parallel.h"
 #include "renderer/plan.h"
-#include "renderer/scene_notes.h"
+#include "renderer/scene/scene_notes.h"
 #include "renderer/core/version.h"
 #include "scenes/text/atomic_file.h"
 #include "scenes/text/json_text.h"

@@ -7,7 +7,7 @@
 #include "renderer/sensor/film.h"
 #include "renderer/integrator_name.h"
 #include "renderer/render_job.h"
-#include "renderer/scene.h"
+#include "renderer/scene/scene.h"
 
 namespace photonproof {
 

@@ -5,7 +5,7 @@
 
 #include "renderer/shapes/disc_area.h"
 #include "renderer/rays/rays.h"
-#include "renderer/surface_detail.h"
+#include "renderer/scene/surface_detail.h"
 
 namespace photonproof {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "renderer/kernels/tasks.h"
 #include "renderer/shapes/mesh_area.h"
-#include "renderer/scene.h"
+#include "renderer/scene/scene.h"
 
 namespace photonproof {
 

@@ -4,7 +4,7 @@
 #include "renderer/sensor/film.h"
 #include "renderer/kernels/tasks.h"
 #include "renderer/render_job.h"
-#include "renderer/scene.h"
+#include "renderer/scene/scene.h"
 
 namespace photonproof {
 

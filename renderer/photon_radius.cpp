@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "renderer/sensor/camera.h"
-#include "renderer/looked_at.h"
+#include "renderer/scene/looked_at.h"
 
 namespace photonproof {
 namespace {

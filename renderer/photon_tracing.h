@@ -7,7 +7,7 @@
 #include "renderer/core/parallel.h"
 #include "renderer/photons/photons.h"
 #include "renderer/ray_totals.h"
-#include "renderer/scene.h"
+#include "renderer/scene/scene.h"
 
 namespace photonproof {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "renderer/aim_targets.h"
+#include "renderer/scene/aim_targets.h"
 #include "renderer/direct_paths.h"
 #include "renderer/integrator_name.h"
 #include "renderer/scene_facts.h"

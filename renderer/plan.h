@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "renderer/render_job.h"
-#include "renderer/scene.h"
+#include "renderer/scene/scene.h"
 #include "renderer/core/skips.h"
 
 namespace photonproof {

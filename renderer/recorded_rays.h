@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "renderer/scene.h"
+#include "renderer/scene/scene.h"
 #include "renderer/rays/trace.h"
 
 namespace photonproof::bench {

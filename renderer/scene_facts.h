@@ -1,7 +1,7 @@
 // Plain facts about a scene, computed once before rendering; passes the facts rule out are not run.
 #pragma once
 
-#include "renderer/scene.h"
+#include "renderer/scene/scene.h"
 
 namespace photonproof {
 

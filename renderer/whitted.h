@@ -3,7 +3,7 @@
 
 #include "renderer/sensor/film.h"
 #include "renderer/render_job.h"
-#include "renderer/scene.h"
+#include "renderer/scene/scene.h"
 
 namespace photonproof {
 

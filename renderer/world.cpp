@@ -6,7 +6,7 @@
 
 #include "renderer/rays/rays.h"
 #include "renderer/light_choice/scene_lights.h"
-#include "renderer/surface_detail.h"
+#include "renderer/scene/surface_detail.h"
 
 namespace photonproof {
 namespace {

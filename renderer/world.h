@@ -8,7 +8,7 @@
 
 #include "renderer/core/ray_counts.h"
 #include "renderer/bsdfs/scattering.h"
-#include "renderer/scene.h"
+#include "renderer/scene/scene.h"
 #include "renderer/lanes/warp.h"
 
 namespace photonproof {

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """What a Lambertian square of albedo 0.8 under a normal map or a bump map reflects, after Mitsuba 3's documentation of
 `normalmap` and `bumpmap`, Schuessler et al. 2017 (section 3: normals that are turned away are mirrored) and Estevez,
-Lecocq and Stein 2019 (eqs. 2 and 3). Prints the table of renderer/mapped_normals_test.cpp: f cos for directions to the
+Lecocq and Stein 2019 (eqs. 2 and 3). Prints the table of renderer/scene/mapped_normals_test.cpp: f cos for directions to the
 camera o and to the light i, both scaled to length 1 from what is printed.
 
 The square spans -1..1 in x and y at z = 0, u and v go along x and y, so that dp/du = (2, 0, 0), dp/dv = (0, 2, 0).

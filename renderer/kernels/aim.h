@@ -3,7 +3,7 @@
 #pragma once
 
 #include "renderer/shapes/aim_cone.h"
-#include "renderer/scene_view.h"
+#include "renderer/scene/scene_view.h"
 #include "renderer/lanes/warp.h"
 
 namespace photonproof {

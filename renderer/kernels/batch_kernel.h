@@ -12,8 +12,8 @@
 #include "renderer/bsdfs/bsdf.h"
 #include "renderer/kernels/lane_batch.h"
 #include "renderer/bsdfs/scattering.h"
-#include "renderer/scene_view.h"
-#include "renderer/surface_detail.h"
+#include "renderer/scene/scene_view.h"
+#include "renderer/scene/surface_detail.h"
 
 namespace photonproof {
 

@@ -7,7 +7,7 @@
 #include "renderer/lanes/lane.h"
 #include "renderer/light_choice/light_choice.h"
 #include "renderer/lights/light_kinds.h"
-#include "renderer/scene_view.h"
+#include "renderer/scene/scene_view.h"
 
 namespace photonproof {
 

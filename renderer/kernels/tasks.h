@@ -7,7 +7,7 @@
 #include "renderer/photons/photon_gather.h"
 #include "renderer/core/ray_counts.h"
 #include "renderer/lanes/sampler.h"
-#include "renderer/scene_view.h"
+#include "renderer/scene/scene_view.h"
 
 namespace photonproof {
 

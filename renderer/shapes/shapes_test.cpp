@@ -6,8 +6,8 @@
 
 #include "renderer/shapes/heightfield.h"
 #include "renderer/rays/rays.h"
-#include "renderer/scene.h"
-#include "renderer/scene_frame.h"
+#include "renderer/scene/scene.h"
+#include "renderer/scene/scene_frame.h"
 #include "renderer/lanes/test_random.h"
 #include "renderer/test_scenes.h"
 #include "renderer/lanes/warp.h"

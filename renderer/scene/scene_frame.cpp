@@ -1,10 +1,10 @@
-#include "renderer/scene_frame.h"
+#include "renderer/scene/scene_frame.h"
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "renderer/scene_focus.h"
+#include "renderer/scene/scene_focus.h"
 
 namespace photonproof {
 namespace {

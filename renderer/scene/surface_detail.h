@@ -7,7 +7,7 @@
 #include "renderer/bsdfs/bsdf_tree.h"
 #include "renderer/shapes/local_geometry.h"
 #include "renderer/bsdfs/scattering.h"
-#include "renderer/scene_view.h"
+#include "renderer/scene/scene_view.h"
 #include "renderer/textures/texture.h"
 
 namespace photonproof {

@@ -1,4 +1,4 @@
-#include "renderer/scene_notes.h"
+#include "renderer/scene/scene_notes.h"
 
 #include <algorithm>
 #include <cstdio>

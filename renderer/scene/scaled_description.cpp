@@ -1,4 +1,4 @@
-#include "renderer/scaled_description.h"
+#include "renderer/scene/scaled_description.h"
 
 namespace photonproof {
 namespace {

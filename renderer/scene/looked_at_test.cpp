@@ -1,4 +1,4 @@
-#include "renderer/looked_at.h"
+#include "renderer/scene/looked_at.h"
 
 #include <gtest/gtest.h>
 

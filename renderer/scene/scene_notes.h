@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/scene.h"
+#include "renderer/scene/scene.h"
 
 namespace photonproof {
 

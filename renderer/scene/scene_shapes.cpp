@@ -1,4 +1,4 @@
-#include "renderer/scene_shapes.h"
+#include "renderer/scene/scene_shapes.h"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 #include "renderer/shapes/heightfield.h"
 #include "renderer/shapes/local_geometry.h"
 #include "renderer/shapes/mesh_normals.h"
-#include "renderer/scene_frame.h"
+#include "renderer/scene/scene_frame.h"
 
 namespace photonproof {
 namespace {

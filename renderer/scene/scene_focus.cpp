@@ -1,4 +1,4 @@
-#include "renderer/scene_focus.h"
+#include "renderer/scene/scene_focus.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <numbers>
 #include <vector>
 
-#include "renderer/scene_frame.h"
+#include "renderer/scene/scene_frame.h"
 
 namespace photonproof {
 namespace {

@@ -1,6 +1,6 @@
 // What hits get from textures, normal and bump maps and nested BSDFs, alone and in whole images.
 
-#include "renderer/surface_detail.h"
+#include "renderer/scene/surface_detail.h"
 
 #include <gtest/gtest.h>
 

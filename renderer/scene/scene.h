@@ -11,10 +11,10 @@
 #include "renderer/sensor/camera.h"
 #include "renderer/lights/light.h"
 #include "renderer/media/medium.h"
-#include "renderer/scene_view.h"
+#include "renderer/scene/scene_view.h"
 #include "renderer/core/skips.h"
 #include "renderer/shapes/surface.h"
-#include "renderer/surface_detail.h"
+#include "renderer/scene/surface_detail.h"
 #include "renderer/rays/trace.h"
 #include "scenes/description/description.h"
 

@@ -1,4 +1,4 @@
-#include "renderer/aim_targets.h"
+#include "renderer/scene/aim_targets.h"
 
 #include <algorithm>
 #include <cmath>

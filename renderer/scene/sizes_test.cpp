@@ -6,8 +6,8 @@
 #include <string>
 
 #include "renderer/shapes/face_normal.h"
-#include "renderer/scene_frame.h"
-#include "renderer/test_sizes.h"
+#include "renderer/scene/scene_frame.h"
+#include "renderer/scene/test_sizes.h"
 #include "scenes/parser/parser.h"
 
 namespace photonproof {

@@ -1,4 +1,4 @@
-#include "renderer/surface_detail.h"
+#include "renderer/scene/surface_detail.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,7 +1,7 @@
 // Every value that is rendered as another, and every light that is dark without having been asked to be, is said; the
 // whole sentence is compared.
 
-#include "renderer/scene_notes.h"
+#include "renderer/scene/scene_notes.h"
 
 #include <gtest/gtest.h>
 

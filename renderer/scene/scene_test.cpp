@@ -1,6 +1,6 @@
 // Compiling a description: orientation, cameras, light choice, facts.
 
-#include "renderer/scene.h"
+#include "renderer/scene/scene.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "renderer/shapes/aim_cone.h"
-#include "renderer/scene.h"
+#include "renderer/scene/scene.h"
 
 namespace photonproof {
 
