@@ -18,7 +18,7 @@
 #include "renderer/check_supported.h"
 #include "renderer/integrator.h"
 #include "renderer/core/parallel.h"
-#include "renderer/plan.h"
+#include "renderer/planning/plan.h"
 #include "renderer/scene/scene_notes.h"
 #include "renderer/core/version.h"
 #include "scenes/text/atomic_file.h"

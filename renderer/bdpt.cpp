@@ -6,7 +6,7 @@
 #include "renderer/bdpt.h"
 
 #include "renderer/bdpt_weights.h"
-#include "renderer/plan.h"
+#include "renderer/planning/plan.h"
 #include "renderer/lanes/roulette.h"
 #include "renderer/scalar_passes.h"
 #include "renderer/surroundings.h"

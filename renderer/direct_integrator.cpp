@@ -3,9 +3,9 @@
 
 #include "renderer/direct_integrator.h"
 
-#include "renderer/direct_paths.h"
+#include "renderer/planning/direct_paths.h"
 #include "renderer/path_integrator.h"
-#include "renderer/plan.h"
+#include "renderer/planning/plan.h"
 
 namespace photonproof {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "renderer/sensor/film.h"
-#include "renderer/integrator_name.h"
+#include "renderer/planning/integrator_name.h"
 #include "renderer/render_job.h"
 #include "renderer/scene/scene.h"
 

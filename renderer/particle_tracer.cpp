@@ -8,7 +8,7 @@
 
 #include "renderer/particle_tracer.h"
 
-#include "renderer/plan.h"
+#include "renderer/planning/plan.h"
 #include "renderer/lanes/roulette.h"
 #include "renderer/scalar_passes.h"
 #include "renderer/surroundings.h"

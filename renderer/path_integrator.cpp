@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "renderer/plan.h"
+#include "renderer/planning/plan.h"
 #include "renderer/render_loop.h"
 #include "renderer/scratch_pool.h"
 #include "renderer/tile_film.h"

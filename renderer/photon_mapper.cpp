@@ -18,7 +18,7 @@
 #include "renderer/photons/photon_map.h"
 #include "renderer/photon_radius.h"
 #include "renderer/photon_tracing.h"
-#include "renderer/plan.h"
+#include "renderer/planning/plan.h"
 #include "renderer/photons/query_order.h"
 #include "renderer/render_loop.h"
 #include "renderer/scratch_pool.h"

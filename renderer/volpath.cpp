@@ -7,7 +7,7 @@
 
 #include "renderer/volpath.h"
 
-#include "renderer/plan.h"
+#include "renderer/planning/plan.h"
 #include "renderer/lanes/roulette.h"
 #include "renderer/scalar_passes.h"
 #include "renderer/surroundings.h"

@@ -7,7 +7,7 @@
 
 #include <array>
 
-#include "renderer/plan.h"
+#include "renderer/planning/plan.h"
 #include "renderer/scalar_passes.h"
 #include "renderer/world_camera.h"
 #include "renderer/world_lights.h"

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "renderer/plan.h"
+#include "renderer/planning/plan.h"
 #include "renderer/test_scenes.h"
 
 namespace photonproof {

@@ -10,7 +10,7 @@
 #include "renderer/sensor/film.h"
 #include "renderer/kernels/lights.h"
 #include "renderer/light_choice/light_table.h"
-#include "renderer/scene_facts.h"
+#include "renderer/planning/scene_facts.h"
 #include "renderer/lanes/test_random.h"
 #include "renderer/test_scenes.h"
 #include "scenes/images/mean_error.h"

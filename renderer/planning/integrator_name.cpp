@@ -1,4 +1,4 @@
-#include "renderer/integrator_name.h"
+#include "renderer/planning/integrator_name.h"
 
 #include <iterator>
 #include <utility>

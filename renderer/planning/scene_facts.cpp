@@ -1,4 +1,4 @@
-#include "renderer/scene_facts.h"
+#include "renderer/planning/scene_facts.h"
 
 #include <algorithm>
 #include <array>

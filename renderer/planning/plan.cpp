@@ -1,12 +1,12 @@
-#include "renderer/plan.h"
+#include "renderer/planning/plan.h"
 
 #include <algorithm>
 #include <bit>
 
 #include "renderer/scene/aim_targets.h"
-#include "renderer/direct_paths.h"
-#include "renderer/integrator_name.h"
-#include "renderer/scene_facts.h"
+#include "renderer/planning/direct_paths.h"
+#include "renderer/planning/integrator_name.h"
+#include "renderer/planning/scene_facts.h"
 #include "renderer/light_choice/scene_lights.h"
 
 namespace photonproof {
