@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "renderer/core/checkpoint.h"
-#include "renderer/isa.h"
+#include "renderer/kernels/isa.h"
 #include "renderer/lanes/sampler.h"
 #include "renderer/core/skips.h"
 

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "renderer/isa.h"
+#include "renderer/kernels/isa.h"
 #include "renderer/lanes/sampler.h"
 #include "renderer/test_scenes.h"
 #include "renderer/lanes/warp.h"

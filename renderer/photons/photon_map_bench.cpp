@@ -15,7 +15,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "renderer/isa.h"
+#include "renderer/kernels/isa.h"
 #include "renderer/photons/photon_kdtree.h"
 #include "renderer/photons/photon_map.h"
 #include "renderer/photons/query_order.h"

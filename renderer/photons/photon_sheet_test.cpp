@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "renderer/isa.h"
+#include "renderer/kernels/isa.h"
 #include "renderer/photons/photon_map.h"
 #include "renderer/lanes/test_random.h"
 #include "renderer/lanes/warp.h"

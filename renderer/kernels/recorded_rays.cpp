@@ -1,4 +1,4 @@
-#include "renderer/recorded_rays.h"
+#include "renderer/kernels/recorded_rays.h"
 
 #include <bit>
 

@@ -1,4 +1,4 @@
-#include "renderer/isa.h"
+#include "renderer/kernels/isa.h"
 
 #include "scenes/text/input_error.h"
 

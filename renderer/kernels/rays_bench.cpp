@@ -6,9 +6,9 @@
 
 #include <map>
 
-#include "renderer/bench_scenes.h"
-#include "renderer/isa.h"
-#include "renderer/recorded_rays.h"
+#include "renderer/kernels/bench_scenes.h"
+#include "renderer/kernels/isa.h"
+#include "renderer/kernels/recorded_rays.h"
 
 namespace photonproof {
 namespace {
