@@ -2,7 +2,7 @@
 #pragma once
 
 #include "renderer/sensor/film.h"
-#include "renderer/render_job.h"
+#include "renderer/passes/render_job.h"
 #include "renderer/scene/scene.h"
 
 namespace photonproof {

@@ -6,7 +6,7 @@
 
 #include "renderer/sensor/film.h"
 #include "renderer/planning/integrator_name.h"
-#include "renderer/render_job.h"
+#include "renderer/passes/render_job.h"
 #include "renderer/scene/scene.h"
 
 namespace photonproof {

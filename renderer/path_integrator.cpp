@@ -5,9 +5,9 @@
 #include <algorithm>
 
 #include "renderer/planning/plan.h"
-#include "renderer/render_loop.h"
-#include "renderer/scratch_pool.h"
-#include "renderer/tile_film.h"
+#include "renderer/passes/render_loop.h"
+#include "renderer/passes/scratch_pool.h"
+#include "renderer/passes/tile_film.h"
 
 namespace photonproof {
 

@@ -3,7 +3,7 @@
 
 #include "renderer/sensor/film.h"
 #include "renderer/kernels/tasks.h"
-#include "renderer/render_job.h"
+#include "renderer/passes/render_job.h"
 #include "renderer/scene/scene.h"
 
 namespace photonproof {

@@ -5,7 +5,7 @@
 
 #include "renderer/lanes/draws.h"
 #include "renderer/core/ray_counts.h"
-#include "renderer/render_loop.h"
+#include "renderer/passes/render_loop.h"
 #include "renderer/scene/scene.h"
 #include "renderer/sensor/splats.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/render_job.h"
+#include "renderer/passes/render_job.h"
 #include "renderer/scene/scene.h"
 #include "renderer/core/skips.h"
 

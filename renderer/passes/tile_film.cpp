@@ -1,4 +1,4 @@
-#include "renderer/tile_film.h"
+#include "renderer/passes/tile_film.h"
 
 #include "scenes/text/faults.h"
 

@@ -1,4 +1,4 @@
-#include "renderer/photon_tracing.h"
+#include "renderer/passes/photon_tracing.h"
 
 #include <algorithm>
 #include <memory>

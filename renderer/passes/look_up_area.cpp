@@ -1,4 +1,4 @@
-#include "renderer/look_up_area.h"
+#include "renderer/passes/look_up_area.h"
 
 #include <algorithm>
 #include <optional>

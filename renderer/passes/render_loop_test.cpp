@@ -1,6 +1,6 @@
 // Renders that are stopped anywhere and resumed, for every integrator of the table, inside one process: after a number
 // of units given beforehand, at other thread counts, as often as one likes. The program's test kills the real one.
-#include "renderer/render_loop.h"
+#include "renderer/passes/render_loop.h"
 
 #include <gtest/gtest.h>
 

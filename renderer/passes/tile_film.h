@@ -6,7 +6,7 @@
 #include "renderer/sensor/film.h"
 #include "renderer/kernels/tasks.h"
 #include "renderer/core/parallel.h"
-#include "renderer/render_job.h"
+#include "renderer/passes/render_job.h"
 
 namespace photonproof {
 

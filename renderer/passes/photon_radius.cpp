@@ -1,4 +1,4 @@
-#include "renderer/photon_radius.h"
+#include "renderer/passes/photon_radius.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "renderer/core/ray_counts.h"
-#include "renderer/render_job.h"
+#include "renderer/passes/render_job.h"
 
 namespace photonproof {
 

@@ -6,7 +6,7 @@
 #include "renderer/kernels/tasks.h"
 #include "renderer/core/parallel.h"
 #include "renderer/photons/photons.h"
-#include "renderer/ray_totals.h"
+#include "renderer/passes/ray_totals.h"
 #include "renderer/scene/scene.h"
 
 namespace photonproof {

@@ -23,9 +23,9 @@
 #include "renderer/core/checkpoint.h"
 #include "renderer/sensor/film.h"
 #include "renderer/core/parallel.h"
-#include "renderer/pass_schedule.h"
-#include "renderer/ray_totals.h"
-#include "renderer/render_job.h"
+#include "renderer/passes/pass_schedule.h"
+#include "renderer/passes/ray_totals.h"
+#include "renderer/passes/render_job.h"
 
 namespace photonproof {
 

@@ -1,7 +1,7 @@
 // Chooses the look-up radius of a photon map from a small pilot run.
 #pragma once
 
-#include "renderer/photon_tracing.h"
+#include "renderer/passes/photon_tracing.h"
 
 namespace photonproof {
 

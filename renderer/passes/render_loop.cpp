@@ -1,4 +1,4 @@
-#include "renderer/render_loop.h"
+#include "renderer/passes/render_loop.h"
 
 #include <algorithm>
 #include <atomic>
