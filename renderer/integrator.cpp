@@ -1,12 +1,12 @@
 #include "renderer/integrator.h"
 
-#include "renderer/bdpt.h"
+#include "renderer/scalar/bdpt.h"
 #include "renderer/direct_integrator.h"
-#include "renderer/particle_tracer.h"
+#include "renderer/scalar/particle_tracer.h"
 #include "renderer/path_integrator.h"
 #include "renderer/photon_mapper.h"
-#include "renderer/volpath.h"
-#include "renderer/whitted.h"
+#include "renderer/scalar/volpath.h"
+#include "renderer/scalar/whitted.h"
 
 namespace photonproof {
 

@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <numbers>
 
-#include "renderer/bdpt_weights.h"
+#include "renderer/scalar/bdpt_weights.h"
 #include "renderer/lanes/chi_square.h"
 #include "renderer/media/phase.h"
 #include "renderer/test_scenes.h"

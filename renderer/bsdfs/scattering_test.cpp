@@ -12,7 +12,7 @@
 
 #include "renderer/lanes/test_random.h"
 #include "renderer/test_scenes.h"
-#include "renderer/world.h"
+#include "renderer/scalar/world.h"
 
 namespace photonproof {
 namespace {

@@ -8,7 +8,7 @@
 #include <memory>
 
 #include "renderer/test_scenes.h"
-#include "renderer/world.h"
+#include "renderer/scalar/world.h"
 
 namespace photonproof {
 namespace {

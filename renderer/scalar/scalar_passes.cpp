@@ -1,4 +1,4 @@
-#include "renderer/scalar_passes.h"
+#include "renderer/scalar/scalar_passes.h"
 
 #include <algorithm>
 

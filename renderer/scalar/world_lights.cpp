@@ -1,4 +1,4 @@
-#include "renderer/world_lights.h"
+#include "renderer/scalar/world_lights.h"
 
 namespace photonproof {
 

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "renderer/lanes/draws.h"
-#include "renderer/world.h"
+#include "renderer/scalar/world.h"
 
 namespace photonproof {
 

@@ -5,14 +5,14 @@
 // surfaces that light goes straight through are no path vertices: they do not count as depth, and light sampling passes
 // them.
 
-#include "renderer/volpath.h"
+#include "renderer/scalar/volpath.h"
 
 #include "renderer/planning/plan.h"
 #include "renderer/lanes/roulette.h"
-#include "renderer/scalar_passes.h"
-#include "renderer/surroundings.h"
-#include "renderer/world_camera.h"
-#include "renderer/world_lights.h"
+#include "renderer/scalar/scalar_passes.h"
+#include "renderer/scalar/surroundings.h"
+#include "renderer/scalar/world_camera.h"
+#include "renderer/scalar/world_lights.h"
 
 namespace photonproof {
 namespace {

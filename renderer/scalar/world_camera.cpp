@@ -1,4 +1,4 @@
-#include "renderer/world_camera.h"
+#include "renderer/scalar/world_camera.h"
 
 #include "renderer/sensor/camera_connection.h"
 #include "renderer/kernels/camera_rays.h"

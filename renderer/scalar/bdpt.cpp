@@ -3,15 +3,15 @@
 //   camera path meets a light (s = 0), next-event estimation (s = 1), light vertex to lens (t = 1), vertex to vertex,
 // weighted by bdpt_weights.h. What reaches the lens is splatted.
 
-#include "renderer/bdpt.h"
+#include "renderer/scalar/bdpt.h"
 
-#include "renderer/bdpt_weights.h"
+#include "renderer/scalar/bdpt_weights.h"
 #include "renderer/planning/plan.h"
 #include "renderer/lanes/roulette.h"
-#include "renderer/scalar_passes.h"
-#include "renderer/surroundings.h"
-#include "renderer/world_camera.h"
-#include "renderer/world_lights.h"
+#include "renderer/scalar/scalar_passes.h"
+#include "renderer/scalar/surroundings.h"
+#include "renderer/scalar/world_camera.h"
+#include "renderer/scalar/world_lights.h"
 
 namespace photonproof {
 namespace {

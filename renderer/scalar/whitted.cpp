@@ -3,14 +3,14 @@
 // light goes from diffuse surface to diffuse surface, and none through glass or by mirrors to diffuse ones. Branches
 // end at max_depth edges, and where they could change the pixel by less than `faint` of what the branch sees.
 
-#include "renderer/whitted.h"
+#include "renderer/scalar/whitted.h"
 
 #include <array>
 
 #include "renderer/planning/plan.h"
-#include "renderer/scalar_passes.h"
-#include "renderer/world_camera.h"
-#include "renderer/world_lights.h"
+#include "renderer/scalar/scalar_passes.h"
+#include "renderer/scalar/world_camera.h"
+#include "renderer/scalar/world_lights.h"
 
 namespace photonproof {
 namespace {

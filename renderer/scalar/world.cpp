@@ -1,4 +1,4 @@
-#include "renderer/world.h"
+#include "renderer/scalar/world.h"
 
 #include <algorithm>
 #include <cmath>

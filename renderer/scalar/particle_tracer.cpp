@@ -6,14 +6,14 @@
 // what a pixel measures is the mean over its own camera rays. Light from infinity that meets nothing has no vertex to
 // connect: what the camera sees of it comes from one camera ray a sample.
 
-#include "renderer/particle_tracer.h"
+#include "renderer/scalar/particle_tracer.h"
 
 #include "renderer/planning/plan.h"
 #include "renderer/lanes/roulette.h"
-#include "renderer/scalar_passes.h"
-#include "renderer/surroundings.h"
-#include "renderer/world_camera.h"
-#include "renderer/world_lights.h"
+#include "renderer/scalar/scalar_passes.h"
+#include "renderer/scalar/surroundings.h"
+#include "renderer/scalar/world_camera.h"
+#include "renderer/scalar/world_lights.h"
 
 namespace photonproof {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "renderer/lanes/draws.h"
 #include "renderer/media/medium.h"
-#include "renderer/world.h"
+#include "renderer/scalar/world.h"
 
 namespace photonproof {
 

@@ -1,4 +1,4 @@
-#include "renderer/surroundings.h"
+#include "renderer/scalar/surroundings.h"
 
 #include <algorithm>
 #include <limits>

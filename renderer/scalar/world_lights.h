@@ -3,7 +3,7 @@
 #pragma once
 
 #include "renderer/light_choice/scene_lights.h"
-#include "renderer/world.h"
+#include "renderer/scalar/world.h"
 
 namespace photonproof {
 
