@@ -3,7 +3,7 @@
 documentation of Mitsuba 3 has them (plugins perspective, thinlens, orthographic, gaussian, tent, bitmap, and the meaning of
 lookat and of nested transforms), the equidistant projection for the fisheye. Nothing of photonproof is read, the scenes' numbers are
 written again. Prints for each chart the image's mean and its first moments along x and y, a channel each, and some
-pixels: the constants of renderer/chart_scenes_test.cpp. Standard library only; two minutes.
+pixels: the constants of renderer/integrators/chart_scenes_test.cpp. Standard library only; two minutes.
 
   harness/oracles/charts.py
 """

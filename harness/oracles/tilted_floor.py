@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Means of light that goes between two unit squares at a right angle, by quadrature in Python alone.
 
-The floor is 0 < x, y < 1 at z = 0, the wall 0 < y, z < 1 at x = 1. Prints the constants of renderer/tilted_floor_test.cpp:
+The floor is 0 < x, y < 1 at z = 0, the wall 0 < y, z < 1 at x = 1. Prints the constants of renderer/integrators/tilted_floor_test.cpp:
   view_factor  mean over the wall of (1/pi) int over the floor of cos cos / d^2   (Hamilton and Morgan 1952: 0.20004)
   sideways     mean over the floor of (1/pi) int over the wall of cos_wall (i . x) / d^2, with i from floor to wall
 A floor whose shading normal leans by a towards the wall gathers view_factor cos a + sideways sin a from it.

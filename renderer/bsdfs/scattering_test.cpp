@@ -11,7 +11,7 @@
 #include <memory>
 
 #include "renderer/lanes/test_random.h"
-#include "renderer/test_scenes.h"
+#include "renderer/integrators/test_scenes.h"
 #include "renderer/scalar/world.h"
 
 namespace photonproof {

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "renderer/planning/plan.h"
-#include "renderer/test_scenes.h"
+#include "renderer/integrators/test_scenes.h"
 
 namespace photonproof {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "renderer/kernels/isa.h"
 #include "renderer/lanes/sampler.h"
-#include "renderer/test_scenes.h"
+#include "renderer/integrators/test_scenes.h"
 #include "renderer/lanes/warp.h"
 
 namespace photonproof {

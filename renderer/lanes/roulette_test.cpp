@@ -13,7 +13,7 @@
 #include <string>
 
 #include "renderer/lanes/chi_square.h"
-#include "renderer/test_scenes.h"
+#include "renderer/integrators/test_scenes.h"
 
 namespace photonproof {
 namespace {

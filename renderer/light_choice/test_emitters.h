@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "renderer/test_scenes.h"
+#include "renderer/integrators/test_scenes.h"
 #include "scenes/images/image.h"
 #include "scenes/parser/parser.h"
 #include "scenes/text/test_folder.h"

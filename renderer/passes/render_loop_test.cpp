@@ -6,7 +6,7 @@
 
 #include <filesystem>
 
-#include "renderer/test_scenes.h"
+#include "renderer/integrators/test_scenes.h"
 #include "scenes/text/test_folder.h"
 
 namespace photonproof {

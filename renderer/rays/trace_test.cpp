@@ -7,10 +7,10 @@
 
 #include <cmath>
 
-#include "renderer/integrator.h"
+#include "renderer/integrators/integrator.h"
 #include "renderer/rays/rays.h"
 #include "renderer/lanes/test_random.h"
-#include "renderer/test_scenes.h"
+#include "renderer/integrators/test_scenes.h"
 #include "renderer/lanes/warp.h"
 
 namespace photonproof {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "renderer/test_scenes.h"
+#include "renderer/integrators/test_scenes.h"
 
 namespace photonproof {
 namespace {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <memory>
 
-#include "renderer/test_scenes.h"
+#include "renderer/integrators/test_scenes.h"
 #include "renderer/scalar/world.h"
 
 namespace photonproof {

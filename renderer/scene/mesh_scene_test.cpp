@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "renderer/test_scenes.h"
+#include "renderer/integrators/test_scenes.h"
 #include "scenes/generators/terrain.h"
 
 namespace photonproof {

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "renderer/test_scenes.h"
+#include "renderer/integrators/test_scenes.h"
 #include "scenes/parser/parser.h"
 
 namespace photonproof {

@@ -9,7 +9,7 @@
 
 #include "renderer/rays/rays.h"
 #include "renderer/lanes/test_random.h"
-#include "renderer/test_scenes.h"
+#include "renderer/integrators/test_scenes.h"
 
 namespace photonproof {
 namespace {

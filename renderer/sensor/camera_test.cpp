@@ -11,7 +11,7 @@
 #include "renderer/lanes/chi_square.h"
 #include "renderer/kernels/camera_rays.h"
 #include "renderer/sensor/reconstruction_filter.h"
-#include "renderer/test_scenes.h"
+#include "renderer/integrators/test_scenes.h"
 
 namespace photonproof {
 namespace {

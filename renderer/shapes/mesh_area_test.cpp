@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "renderer/shapes/disc_area.h"
-#include "renderer/test_photon_scenes.h"
+#include "renderer/integrators/test_photon_scenes.h"
 #include "renderer/lanes/test_random.h"
 #include "renderer/lanes/warp.h"
 

@@ -9,7 +9,7 @@
 #include "renderer/scene/scene.h"
 #include "renderer/scene/scene_frame.h"
 #include "renderer/lanes/test_random.h"
-#include "renderer/test_scenes.h"
+#include "renderer/integrators/test_scenes.h"
 #include "renderer/lanes/warp.h"
 #include "scenes/meshes/icosphere.h"
 

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <array>
 
-#include "renderer/test_scenes.h"
+#include "renderer/integrators/test_scenes.h"
 #include "scenes/parser/parser.h"
 
 namespace photonproof {

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "renderer/test_scenes.h"
+#include "renderer/integrators/test_scenes.h"
 #include "scenes/meshes/icosphere.h"
 
 namespace photonproof::test {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "renderer/test_scenes.h"
+#include "renderer/integrators/test_scenes.h"
 
 namespace photonproof {
 namespace {

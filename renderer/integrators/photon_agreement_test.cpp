@@ -23,11 +23,11 @@
 #include <filesystem>
 #include <numbers>
 
-#include "renderer/check_supported.h"
+#include "renderer/integrators/check_supported.h"
 #include "renderer/lanes/chi_square.h"
 #include "renderer/kernels/camera_rays.h"
-#include "renderer/test_photon_scenes.h"
-#include "renderer/test_scenes.h"
+#include "renderer/integrators/test_photon_scenes.h"
+#include "renderer/integrators/test_scenes.h"
 #include "scenes/parser/parser.h"
 
 namespace photonproof {

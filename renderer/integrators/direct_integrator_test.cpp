@@ -1,12 +1,12 @@
 // Direct light by both strategies and by each alone.
-#include "renderer/direct_integrator.h"
+#include "renderer/integrators/direct_integrator.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "renderer/test_scenes.h"
+#include "renderer/integrators/test_scenes.h"
 
 namespace photonproof {
 namespace {

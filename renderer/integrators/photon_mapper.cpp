@@ -5,7 +5,7 @@
 // cheaper, and the passes' spread gives an honest variance that includes the photons' noise (not the bias of the
 // radius).
 
-#include "renderer/photon_mapper.h"
+#include "renderer/integrators/photon_mapper.h"
 
 #include <algorithm>
 #include <atomic>

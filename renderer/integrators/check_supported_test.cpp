@@ -1,9 +1,9 @@
 // What is refused, where and in which words.
-#include "renderer/check_supported.h"
+#include "renderer/integrators/check_supported.h"
 
 #include <gtest/gtest.h>
 
-#include "renderer/test_scenes.h"
+#include "renderer/integrators/test_scenes.h"
 
 namespace photonproof {
 namespace {

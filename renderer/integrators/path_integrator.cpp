@@ -1,6 +1,6 @@
 // The host's part of path tracing: tiles to threads, passes, and the sums of what kernels/path_kernel.h estimates.
 
-#include "renderer/path_integrator.h"
+#include "renderer/integrators/path_integrator.h"
 
 #include <algorithm>
 

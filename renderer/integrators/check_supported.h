@@ -1,7 +1,7 @@
 // What an integrator cannot do is refused before anything is rendered: never a wrong picture.
 #pragma once
 
-#include "renderer/integrator.h"
+#include "renderer/integrators/integrator.h"
 #include "scenes/description/description.h"
 
 namespace photonproof {

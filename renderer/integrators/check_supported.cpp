@@ -1,4 +1,4 @@
-#include "renderer/check_supported.h"
+#include "renderer/integrators/check_supported.h"
 
 namespace photonproof {
 namespace {

@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "renderer/bsdfs/test_albedo.h"
-#include "renderer/test_scenes.h"
+#include "renderer/integrators/test_scenes.h"
 #include "scenes/description/expect.h"
 #include "scenes/parser/parser.h"
 

@@ -10,7 +10,7 @@
 #include "renderer/scalar/bdpt_weights.h"
 #include "renderer/lanes/chi_square.h"
 #include "renderer/media/phase.h"
-#include "renderer/test_scenes.h"
+#include "renderer/integrators/test_scenes.h"
 #include "scenes/images/mean_error.h"
 
 namespace photonproof {

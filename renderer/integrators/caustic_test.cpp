@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <numbers>
 
-#include "renderer/test_scenes.h"
+#include "renderer/integrators/test_scenes.h"
 #include "scenes/parser/parser.h"
 
 namespace photonproof {

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "renderer/integrator.h"
+#include "renderer/integrators/integrator.h"
 #include "renderer/kernels/camera_rays.h"
 
 namespace photonproof::test {

@@ -1,10 +1,10 @@
 // Direct light is the path tracer's, cut after two edges (Veach and Guibas 1995: both strategies under the balance of
 // their densities; with one of them alone its weight is 1).
 
-#include "renderer/direct_integrator.h"
+#include "renderer/integrators/direct_integrator.h"
 
 #include "renderer/planning/direct_paths.h"
-#include "renderer/path_integrator.h"
+#include "renderer/integrators/path_integrator.h"
 #include "renderer/planning/plan.h"
 
 namespace photonproof {

@@ -10,7 +10,7 @@
 #include <numbers>
 
 #include "renderer/lanes/test_random.h"
-#include "renderer/test_scenes.h"
+#include "renderer/integrators/test_scenes.h"
 
 namespace photonproof {
 namespace {
