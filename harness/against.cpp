@@ -17,7 +17,7 @@
 #include "harness/relative_error.h"
 #include "harness/run_cell.h"
 #include "harness/stored_changes.h"
-#include "reference/process.h"
+#include "reference/process/process.h"
 #include "scenes/text/atomic_file.h"
 #include "scenes/images/image.h"
 #include "scenes/text/input_error.h"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "harness/agreement.h"
-#include "reference/process.h"
+#include "reference/process/process.h"
 #include "scenes/text/test_folder.h"
 
 namespace photonproof {

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "reference/process.h"
+#include "reference/process/process.h"
 #include "scenes/text/test_folder.h"
 
 namespace photonproof {

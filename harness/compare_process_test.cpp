@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "harness/metric_test_images.h"
-#include "reference/process.h"
+#include "reference/process/process.h"
 #include "scenes/text/test_folder.h"
 
 namespace photonproof {

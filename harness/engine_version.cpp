@@ -2,7 +2,7 @@
 
 #include "harness/engine_command.h"
 #include "harness/run_cell.h"
-#include "reference/process.h"
+#include "reference/process/process.h"
 #include "scenes/text/utf8.h"
 
 namespace photonproof {

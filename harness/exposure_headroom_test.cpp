@@ -6,7 +6,7 @@
 #include <string>
 
 #include "harness/metrics.h"
-#include "reference/process.h"
+#include "reference/process/process.h"
 #include "scenes/description/expect.h"
 #include "scenes/text/test_folder.h"
 

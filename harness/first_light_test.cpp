@@ -12,7 +12,7 @@
 
 #include "harness/metrics.h"
 #include "reference/closed_forms.h"
-#include "reference/process.h"
+#include "reference/process/process.h"
 #include "scenes/text/test_folder.h"
 
 namespace photonproof {

@@ -1,6 +1,6 @@
 #include "harness/folder_lock.h"
 
-#include "reference/process.h"
+#include "reference/process/process.h"
 #include "scenes/text/test_folder.h"
 
 namespace photonproof {

@@ -8,7 +8,7 @@
 #include "harness/gate_look.h"
 #include "harness/metrics.h"
 #include "harness/suite_rows.h"
-#include "reference/process.h"
+#include "reference/process/process.h"
 #include "reference/reference_store.h"
 #include "scenes/text/atomic_file.h"
 #include "scenes/text/input_error.h"

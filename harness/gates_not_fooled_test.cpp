@@ -6,7 +6,7 @@
 
 #include "harness/results.h"
 #include "harness/test_gates.h"
-#include "reference/process.h"
+#include "reference/process/process.h"
 
 namespace photonproof {
 namespace {

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "reference/process.h"
+#include "reference/process/process.h"
 #include "scenes/text/test_folder.h"
 
 namespace photonproof {

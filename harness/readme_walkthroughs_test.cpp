@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <regex>
 
-#include "reference/process.h"
+#include "reference/process/process.h"
 #include "scenes/text/test_folder.h"
 
 namespace photonproof {

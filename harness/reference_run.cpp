@@ -5,7 +5,7 @@
 #include <chrono>
 #include <cmath>
 
-#include "reference/process.h"
+#include "reference/process/process.h"
 #include "reference/reference_store.h"
 #include "scenes/text/atomic_file.h"
 #include "scenes/text/input_error.h"

@@ -6,7 +6,7 @@
 #include "harness/engine_stats.h"
 #include "harness/host.h"
 #include "harness/metrics.h"
-#include "reference/process.h"
+#include "reference/process/process.h"
 #include "scenes/text/atomic_file.h"
 #include "scenes/text/file_checksum.h"
 #include "scenes/images/image.h"

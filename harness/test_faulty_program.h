@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "harness/gate_mutants.h"
-#include "reference/process.h"
+#include "reference/process/process.h"
 #include "scenes/images/image.h"
 #include "scenes/text/test_folder.h"
 

@@ -15,7 +15,7 @@
 #include "harness/results.h"
 #include "harness/test_program.h"
 #include "harness/test_suite.h"
-#include "reference/process.h"
+#include "reference/process/process.h"
 
 namespace photonproof {
 namespace {

@@ -7,7 +7,7 @@
 #include "harness/metrics.h"
 #include "harness/results.h"
 #include "harness/test_gates.h"
-#include "reference/process.h"
+#include "reference/process/process.h"
 
 namespace photonproof {
 namespace {

@@ -1,5 +1,5 @@
 // photonproof generate, as a user calls it.
-#include "reference/process.h"
+#include "reference/process/process.h"
 #include "scenes/text/test_folder.h"
 
 namespace photonproof {

@@ -17,7 +17,7 @@
 #include "harness/scene_options.h"
 #include "harness/verbs.h"
 #include "harness/versions.h"
-#include "reference/process.h"
+#include "reference/process/process.h"
 #include "reference/reference_store.h"
 #include "renderer/core/version.h"
 #include "scenes/text/checksum.h"

@@ -8,7 +8,7 @@
 #include <cstdlib>
 
 #include "harness/test_program.h"
-#include "reference/process.h"
+#include "reference/process/process.h"
 #include "reference/reference_store.h"
 #include "scenes/text/test_folder.h"
 

@@ -7,7 +7,7 @@
 #include <csignal>
 
 #include "harness/test_program.h"
-#include "reference/process.h"
+#include "reference/process/process.h"
 #include "scenes/images/image.h"
 #include "scenes/text/test_folder.h"
 

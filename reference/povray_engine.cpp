@@ -4,7 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "reference/process.h"
+#include "reference/process/process.h"
 #include "scenes/text/atomic_file.h"
 #include "scenes/text/scratch_folder.h"
 

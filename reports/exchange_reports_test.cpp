@@ -7,7 +7,7 @@
 #include <set>
 #include <sstream>
 
-#include "reference/process.h"
+#include "reference/process/process.h"
 #include "reports/formats.h"
 #include "reports/sample_results.h"
 

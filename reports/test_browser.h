@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "reference/process.h"
+#include "reference/process/process.h"
 #include "reports/sample_results.h"
 
 namespace photonproof::reports {

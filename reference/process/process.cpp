@@ -1,7 +1,7 @@
 // fork and exec with pipes: output, errors, one that closes on a successful exec and carries errno otherwise, and those
 // of the keeper in between. Everything between fork and exec is async-signal-safe, since the caller may run threads.
 
-#include "reference/process.h"
+#include "reference/process/process.h"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -21,9 +21,9 @@
 #include <system_error>
 #include <utility>
 
-#include "reference/instruction_counter.h"
-#include "reference/process_keeper.h"
-#include "reference/process_memory.h"
+#include "reference/process/instruction_counter.h"
+#include "reference/process/process_keeper.h"
+#include "reference/process/process_memory.h"
 #include "scenes/text/timer.h"
 
 namespace photonproof {

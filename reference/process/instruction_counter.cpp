@@ -1,4 +1,4 @@
-#include "reference/instruction_counter.h"
+#include "reference/process/instruction_counter.h"
 
 #include <linux/perf_event.h>
 #include <sys/syscall.h>

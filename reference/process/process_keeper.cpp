@@ -1,4 +1,4 @@
-#include "reference/process_keeper.h"
+#include "reference/process/process_keeper.h"
 
 #include <dirent.h>
 #include <fcntl.h>

@@ -1,4 +1,4 @@
-#include "reference/process_memory.h"
+#include "reference/process/process_memory.h"
 
 #include <dirent.h>
 #include <fcntl.h>

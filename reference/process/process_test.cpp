@@ -1,4 +1,4 @@
-#include "reference/process.h"
+#include "reference/process/process.h"
 
 #include <gtest/gtest.h>
 #include <sched.h>
