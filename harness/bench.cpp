@@ -21,7 +21,7 @@
 #include "harness/scene_copies.h"
 #include "harness/session_quality.h"
 #include "harness/side_by_side.h"
-#include "reference/reference_store.h"
+#include "reference/store/reference_store.h"
 #include "scenes/text/atomic_file.h"
 #include "scenes/text/edit_distance.h"
 #include "scenes/text/input_error.h"

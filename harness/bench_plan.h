@@ -9,7 +9,7 @@
 
 #include "harness/cell_store.h"
 #include "harness/suite.h"
-#include "reference/reference_store.h"
+#include "reference/store/reference_store.h"
 #include "scenes/description/expect.h"
 
 namespace photonproof {

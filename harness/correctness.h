@@ -10,7 +10,7 @@
 
 #include "harness/engines.h"
 #include "harness/results.h"
-#include "reference/reference_store.h"
+#include "reference/store/reference_store.h"
 #include "scenes/description/expect.h"
 
 namespace photonproof {

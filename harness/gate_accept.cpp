@@ -9,7 +9,7 @@
 #include "harness/metrics.h"
 #include "harness/suite_rows.h"
 #include "reference/process/process.h"
-#include "reference/reference_store.h"
+#include "reference/store/reference_store.h"
 #include "scenes/text/atomic_file.h"
 #include "scenes/text/input_error.h"
 #include "scenes/text/scratch_folder.h"

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "harness/gate_suite.h"
-#include "reference/provenance.h"
+#include "reference/store/provenance.h"
 
 namespace photonproof {
 

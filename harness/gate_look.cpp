@@ -19,7 +19,7 @@ namespace {
 
 /// The variance of a pixel of one image, from the reference: its batches had at least as many samples, of which each
 /// counts for no less in a small image than in a large one. Without what rounding to half floats added at most
-/// (reference/half_rounding.h). Empty where the reference is not made of samples through pixels.
+/// (reference/store/half_rounding.h). Empty where the reference is not made of samples through pixels.
 std::optional<Image> variance_by_reference(const Budget& budget, const StoredReference& reference) {
   const Provenance& provenance = reference.provenance;
   if (provenance.estimator == "ptracer" || budget.kind != "spp" || provenance.seeds.empty()) return std::nullopt;

@@ -7,7 +7,7 @@
 
 #include "harness/gate_statistics.h"
 #include "harness/gate_suite.h"
-#include "reference/reference_store.h"
+#include "reference/store/reference_store.h"
 #include "scenes/images/exposure_range.h"
 
 namespace photonproof {

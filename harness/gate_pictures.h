@@ -5,7 +5,7 @@
 #include <string>
 
 #include "harness/results.h"
-#include "reference/reference_store.h"
+#include "reference/store/reference_store.h"
 
 namespace photonproof {
 

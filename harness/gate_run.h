@@ -8,7 +8,7 @@
 
 #include "harness/gate_images.h"
 #include "harness/gate_suite.h"
-#include "reference/reference_store.h"
+#include "reference/store/reference_store.h"
 
 namespace photonproof {
 

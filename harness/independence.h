@@ -6,7 +6,7 @@
 #include <string>
 
 #include "harness/engines.h"
-#include "reference/reference_store.h"
+#include "reference/store/reference_store.h"
 #include "scenes/description/expect.h"
 
 namespace photonproof {

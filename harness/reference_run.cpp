@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "reference/process/process.h"
-#include "reference/reference_store.h"
+#include "reference/store/reference_store.h"
 #include "scenes/text/atomic_file.h"
 #include "scenes/text/input_error.h"
 #include "scenes/text/size_text.h"

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "harness/test_suite.h"
-#include "reference/reference_store.h"
+#include "reference/store/reference_store.h"
 #include "scenes/parser/parser.h"
 #include "scenes/description/scene_hash.h"
 

@@ -18,7 +18,7 @@
 #include "harness/verbs.h"
 #include "harness/versions.h"
 #include "reference/process/process.h"
-#include "reference/reference_store.h"
+#include "reference/store/reference_store.h"
 #include "renderer/core/version.h"
 #include "scenes/text/checksum.h"
 #include "scenes/text/input_error.h"

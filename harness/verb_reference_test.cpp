@@ -9,7 +9,7 @@
 
 #include "harness/test_program.h"
 #include "reference/process/process.h"
-#include "reference/reference_store.h"
+#include "reference/store/reference_store.h"
 #include "scenes/text/test_folder.h"
 
 namespace photonproof {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <regex>
 
-#include "reference/reference_store.h"
+#include "reference/store/reference_store.h"
 #include "scenes/description/expect.h"
 
 namespace photonproof {

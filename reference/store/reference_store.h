@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "reference/provenance.h"
+#include "reference/store/provenance.h"
 #include "scenes/images/image.h"
 
 namespace photonproof {
@@ -31,7 +31,7 @@ StoredReference read_reference(const std::filesystem::path& exr, const std::stri
 /// How the pixels of a reference are kept.
 enum class ReferenceSamples {
   floats,
-  halves,  ///< mean as half floats (reference/half_rounding.h); for what is committed
+  halves,  ///< mean as half floats (reference/store/half_rounding.h); for what is committed
 };
 
 /// Writes the EXR and, after it, the JSON; fills in `pixels` and `standard_error` and returns what was written. Throws

@@ -1,4 +1,4 @@
-#include "reference/provenance.h"
+#include "reference/store/provenance.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "reference/reference_store.h"
+#include "reference/store/reference_store.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
-#include "reference/reference_store.h"
+#include "reference/store/reference_store.h"
 
 #include <cmath>
 #include <cstdlib>
 #include <ctime>
 
-#include "reference/half_rounding.h"
+#include "reference/store/half_rounding.h"
 #include "scenes/text/atomic_file.h"
 #include "scenes/text/checksum.h"
 #include "scenes/text/input_error.h"

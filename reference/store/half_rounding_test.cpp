@@ -1,4 +1,4 @@
-#include "reference/half_rounding.h"
+#include "reference/store/half_rounding.h"
 
 #include <gtest/gtest.h>
 
