@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
-#include "reference/unrepresentable.h"
+#include "reference/povray/unrepresentable.h"
 
 namespace photonproof {
 

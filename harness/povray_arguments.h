@@ -5,7 +5,7 @@
 #include <string>
 
 #include "harness/scene_options.h"
-#include "reference/povray_options.h"
+#include "reference/povray/povray_options.h"
 
 namespace photonproof {
 

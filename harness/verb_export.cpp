@@ -6,7 +6,7 @@
 
 #include "harness/povray_arguments.h"
 #include "harness/verbs.h"
-#include "reference/povray_export.h"
+#include "reference/povray/povray_export.h"
 #include "scenes/description/output_files.h"
 
 namespace photonproof {

@@ -9,7 +9,7 @@
 #include "harness/interrupt.h"
 #include "harness/povray_arguments.h"
 #include "harness/verbs.h"
-#include "reference/povray_engine.h"
+#include "reference/povray/povray_engine.h"
 #include "scenes/text/atomic_file.h"
 #include "scenes/text/json_text.h"
 #include "scenes/description/output_files.h"

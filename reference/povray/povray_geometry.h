@@ -1,8 +1,8 @@
 // Surfaces as POV-Ray objects.
 #pragma once
 
-#include "reference/povray_plan.h"
-#include "reference/sdl_text.h"
+#include "reference/povray/povray_plan.h"
+#include "reference/povray/sdl_text.h"
 
 namespace photonproof {
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "reference/povray_engine.h"
+#include "reference/povray/povray_engine.h"
 #include "scenes/parser/parser.h"
 
 namespace photonproof {

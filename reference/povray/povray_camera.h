@@ -7,7 +7,7 @@
 
 #include <string>
 
-#include "reference/povray_scene.h"
+#include "reference/povray/povray_scene.h"
 
 namespace photonproof {
 

@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "reference/povray_export.h"
-#include "reference/povray_statistics.h"
+#include "reference/povray/povray_export.h"
+#include "reference/povray/povray_statistics.h"
 #include "scenes/images/image.h"
 
 namespace photonproof {

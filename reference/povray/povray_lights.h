@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "reference/povray_plan.h"
-#include "reference/sdl_text.h"
+#include "reference/povray/povray_plan.h"
+#include "reference/povray/sdl_text.h"
 
 namespace photonproof {
 

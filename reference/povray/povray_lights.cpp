@@ -1,4 +1,4 @@
-#include "reference/povray_lights.h"
+#include "reference/povray/povray_lights.h"
 
 #include <algorithm>
 #include <cmath>

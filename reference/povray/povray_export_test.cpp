@@ -1,5 +1,5 @@
 // The structure of the exported text: what is there once, what is there only when a scene needs it.
-#include "reference/povray_export.h"
+#include "reference/povray/povray_export.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <sstream>
 
-#include "reference/unrepresentable.h"
+#include "reference/povray/unrepresentable.h"
 #include "scenes/text/atomic_file.h"
 #include "scenes/description/expect.h"
 #include "scenes/parser/parser.h"

@@ -1,4 +1,4 @@
-#include "reference/povray_engine.h"
+#include "reference/povray/povray_engine.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // The head of an exported file: what it is, and POV-Ray's global settings.
 #pragma once
 
-#include "reference/povray_plan.h"
-#include "reference/sdl_text.h"
+#include "reference/povray/povray_plan.h"
+#include "reference/povray/sdl_text.h"
 
 namespace photonproof {
 

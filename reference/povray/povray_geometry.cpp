@@ -1,8 +1,8 @@
-#include "reference/povray_geometry.h"
+#include "reference/povray/povray_geometry.h"
 
 #include <stdexcept>
 
-#include "reference/povray_materials.h"
+#include "reference/povray/povray_materials.h"
 #include "scenes/text/text_numbers.h"
 
 namespace photonproof {

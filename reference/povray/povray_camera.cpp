@@ -1,4 +1,4 @@
-#include "reference/povray_camera.h"
+#include "reference/povray/povray_camera.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,8 @@
 #include <span>
 
 #include "reference/convex_clip.h"
-#include "reference/sdl_text.h"
-#include "reference/unrepresentable.h"
+#include "reference/povray/sdl_text.h"
+#include "reference/povray/unrepresentable.h"
 #include "scenes/text/text_numbers.h"
 
 namespace photonproof {

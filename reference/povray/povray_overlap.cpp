@@ -1,10 +1,10 @@
-#include "reference/povray_overlap.h"
+#include "reference/povray/povray_overlap.h"
 
 #include <algorithm>
 #include <limits>
 
 #include "reference/convex_clip.h"
-#include "reference/unrepresentable.h"
+#include "reference/povray/unrepresentable.h"
 
 namespace photonproof {
 namespace {

@@ -1,4 +1,4 @@
-#include "reference/sdl_text.h"
+#include "reference/povray/sdl_text.h"
 
 #include <cstdio>
 #include <sstream>

@@ -1,7 +1,7 @@
 // Refuses scenes where something lies inside a body of glass.
 #pragma once
 
-#include "reference/povray_scene.h"
+#include "reference/povray/povray_scene.h"
 
 namespace photonproof {
 

@@ -1,4 +1,4 @@
-#include "reference/povray_materials.h"
+#include "reference/povray/povray_materials.h"
 
 #include <set>
 #include <stdexcept>

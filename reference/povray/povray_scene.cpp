@@ -1,11 +1,11 @@
-#include "reference/povray_scene.h"
+#include "reference/povray/povray_scene.h"
 
 #include <algorithm>
 #include <limits>
 #include <numbers>
 
-#include "reference/povray_overlap.h"
-#include "reference/unrepresentable.h"
+#include "reference/povray/povray_overlap.h"
+#include "reference/povray/unrepresentable.h"
 
 namespace photonproof {
 namespace {

@@ -1,4 +1,4 @@
-#include "reference/povray_options.h"
+#include "reference/povray/povray_options.h"
 
 #include <string>
 

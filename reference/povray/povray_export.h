@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "reference/povray_options.h"
-#include "reference/sdl_text.h"
+#include "reference/povray/povray_options.h"
+#include "reference/povray/sdl_text.h"
 #include "scenes/description/description.h"
 
 namespace photonproof {

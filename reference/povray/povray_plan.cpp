@@ -1,11 +1,11 @@
-#include "reference/povray_plan.h"
+#include "reference/povray/povray_plan.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "reference/sdl_text.h"
-#include "reference/unrepresentable.h"
+#include "reference/povray/sdl_text.h"
+#include "reference/povray/unrepresentable.h"
 
 namespace photonproof {
 namespace {

@@ -1,4 +1,4 @@
-#include "reference/povray_statistics.h"
+#include "reference/povray/povray_statistics.h"
 
 #include <gtest/gtest.h>
 

@@ -1,14 +1,14 @@
-#include "reference/povray_export.h"
+#include "reference/povray/povray_export.h"
 
 #include <algorithm>
 #include <cmath>
 #include <fstream>
 
-#include "reference/povray_camera.h"
-#include "reference/povray_geometry.h"
-#include "reference/povray_header.h"
-#include "reference/povray_lights.h"
-#include "reference/povray_materials.h"
+#include "reference/povray/povray_camera.h"
+#include "reference/povray/povray_geometry.h"
+#include "reference/povray/povray_header.h"
+#include "reference/povray/povray_lights.h"
+#include "reference/povray/povray_materials.h"
 #include "scenes/text/atomic_file.h"
 
 namespace photonproof {

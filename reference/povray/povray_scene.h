@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "reference/povray_mesh.h"
+#include "reference/povray/povray_mesh.h"
 #include "scenes/description/description.h"
 
 namespace photonproof {

@@ -1,4 +1,4 @@
-#include "reference/povray_mesh.h"
+#include "reference/povray/povray_mesh.h"
 
 #include <algorithm>
 #include <charconv>

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "reference/povray_options.h"
-#include "reference/povray_scene.h"
+#include "reference/povray/povray_options.h"
+#include "reference/povray/povray_scene.h"
 
 namespace photonproof {
 

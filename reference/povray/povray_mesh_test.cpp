@@ -1,7 +1,7 @@
 // POV-Ray itself on meshes: it has to show the side that Mitsuba's rules make the front, as bright as anything else.
 #include <gtest/gtest.h>
 
-#include "reference/povray_engine.h"
+#include "reference/povray/povray_engine.h"
 #include "scenes/parser/parser.h"
 
 namespace photonproof {

@@ -1,4 +1,4 @@
-#include "reference/povray_header.h"
+#include "reference/povray/povray_header.h"
 
 #include <algorithm>
 #include <cmath>
