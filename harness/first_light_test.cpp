@@ -11,7 +11,7 @@
 #include <numbers>
 
 #include "harness/metrics.h"
-#include "reference/closed_forms.h"
+#include "reference/closed_forms/closed_forms.h"
 #include "reference/process/process.h"
 #include "scenes/text/test_folder.h"
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <span>
 
-#include "reference/convex_clip.h"
+#include "reference/closed_forms/convex_clip.h"
 #include "reference/povray/sdl_text.h"
 #include "reference/povray/unrepresentable.h"
 #include "scenes/text/text_numbers.h"

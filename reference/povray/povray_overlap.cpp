@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "reference/convex_clip.h"
+#include "reference/closed_forms/convex_clip.h"
 #include "reference/povray/unrepresentable.h"
 
 namespace photonproof {

@@ -1,5 +1,5 @@
 // The library's scenes with a closed form, rendered: the image's mean within 3 standard errors of the stated one and
-// within 0.1 %. What they state is held to the formulas by reference/library_closed_forms_test.cpp.
+// within 0.1 %. What they state is held to the formulas by reference/closed_forms/library_closed_forms_test.cpp.
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "reference/closed_forms_media.h"
+#include "reference/closed_forms/closed_forms_media.h"
 
 #include <gtest/gtest.h>
 

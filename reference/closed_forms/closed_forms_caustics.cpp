@@ -1,10 +1,10 @@
-#include "reference/closed_forms_caustics.h"
+#include "reference/closed_forms/closed_forms_caustics.h"
 
 #include <cmath>
 #include <initializer_list>
 #include <numbers>
 
-#include "reference/closed_forms_glass.h"
+#include "reference/closed_forms/closed_forms_glass.h"
 
 namespace photonproof {
 namespace {

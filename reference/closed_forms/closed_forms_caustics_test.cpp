@@ -1,4 +1,4 @@
-#include "reference/closed_forms_caustics.h"
+#include "reference/closed_forms/closed_forms_caustics.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "reference/closed_forms_glass.h"
+#include "reference/closed_forms/closed_forms_glass.h"
 #include "scenes/meshes/vec.h"
 
 namespace photonproof {

@@ -1,4 +1,4 @@
-#include "reference/convex_clip.h"
+#include "reference/closed_forms/convex_clip.h"
 
 #include <gtest/gtest.h>
 

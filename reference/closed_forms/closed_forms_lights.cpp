@@ -1,11 +1,11 @@
-#include "reference/closed_forms_lights.h"
+#include "reference/closed_forms/closed_forms_lights.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 
-#include "reference/convex_clip.h"
+#include "reference/closed_forms/convex_clip.h"
 
 namespace photonproof {
 

@@ -8,7 +8,7 @@
 #include <functional>
 #include <numbers>
 
-#include "reference/closed_forms.h"
+#include "reference/closed_forms/closed_forms.h"
 #include "scenes/description/expect.h"
 #include "scenes/parser/parser.h"
 

@@ -1,4 +1,4 @@
-#include "reference/closed_forms_enclosures.h"
+#include "reference/closed_forms/closed_forms_enclosures.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,4 +1,4 @@
-#include "reference/closed_forms_glass.h"
+#include "reference/closed_forms/closed_forms_glass.h"
 
 #include <gtest/gtest.h>
 
