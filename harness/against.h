@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "harness/paired_rounds.h"
-#include "harness/results.h"
+#include "reports/record/results.h"
 #include "harness/suite.h"
 
 namespace photonproof {

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "harness/results.h"
+#include "reports/record/results.h"
 
 namespace photonproof {
 

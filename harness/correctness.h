@@ -9,7 +9,7 @@
 #include <string>
 
 #include "harness/engines.h"
-#include "harness/results.h"
+#include "reports/record/results.h"
 #include "reference/store/reference_store.h"
 #include "scenes/description/expect.h"
 

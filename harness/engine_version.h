@@ -6,7 +6,7 @@
 #include <string>
 
 #include "harness/engines.h"
-#include "harness/results.h"
+#include "reports/record/results.h"
 
 namespace photonproof {
 

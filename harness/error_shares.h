@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "harness/metrics.h"
-#include "harness/results.h"
+#include "reports/record/results.h"
 #include "scenes/images/image.h"
 
 namespace photonproof {

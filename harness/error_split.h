@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-#include "harness/results.h"
+#include "reports/record/results.h"
 #include "scenes/images/image.h"
 
 namespace photonproof {

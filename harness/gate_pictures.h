@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "harness/results.h"
+#include "reports/record/results.h"
 #include "reference/store/reference_store.h"
 
 namespace photonproof {

@@ -15,7 +15,7 @@
 
 #include "harness/deviations.h"
 #include "harness/metric_bounds.h"
-#include "harness/results.h"
+#include "reports/record/results.h"
 
 namespace photonproof {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/gate_metrics.h"
+#include "reports/record/gate_metrics.h"
 #include "harness/suite.h"
 
 namespace photonproof {

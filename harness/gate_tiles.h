@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "harness/deviations.h"
-#include "harness/results.h"
+#include "reports/record/results.h"
 
 namespace photonproof {
 

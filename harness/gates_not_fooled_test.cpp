@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "harness/results.h"
+#include "reports/record/results.h"
 #include "harness/test_gates.h"
 #include "reference/process/process.h"
 

@@ -8,7 +8,7 @@
 #include <system_error>
 #include <vector>
 
-#include "harness/heatmap_magma.h"
+#include "reports/record/heatmap_magma.h"
 #include "scenes/text/input_error.h"
 
 namespace photonproof {

@@ -7,7 +7,7 @@
 #include <filesystem>
 
 #include "harness/display.h"
-#include "harness/heatmap_magma.h"
+#include "reports/record/heatmap_magma.h"
 #include "harness/metric_test_images.h"
 #include "scenes/text/input_error.h"
 

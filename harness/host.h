@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "harness/results.h"
+#include "reports/record/results.h"
 
 namespace photonproof {
 

@@ -9,7 +9,7 @@
 
 #include "harness/pixel_mask.h"
 #include "harness/pixel_region.h"
-#include "harness/results.h"
+#include "reports/record/results.h"
 #include "scenes/images/exposure_range.h"
 #include "scenes/images/image.h"
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "harness/results.h"
+#include "reports/record/results.h"
 
 namespace photonproof {
 

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "harness/results.h"
+#include "reports/record/results.h"
 
 namespace photonproof {
 

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "harness/paired_rounds.h"
-#include "harness/results.h"
+#include "reports/record/results.h"
 
 namespace photonproof {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "harness/engines.h"
-#include "harness/results.h"
+#include "reports/record/results.h"
 
 namespace photonproof {
 

@@ -12,7 +12,7 @@
 #include <sstream>
 #include <thread>
 
-#include "harness/results.h"
+#include "reports/record/results.h"
 #include "harness/test_program.h"
 #include "harness/test_suite.h"
 #include "reference/process/process.h"

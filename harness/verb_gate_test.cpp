@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "harness/metrics.h"
-#include "harness/results.h"
+#include "reports/record/results.h"
 #include "harness/test_gates.h"
 #include "reference/process/process.h"
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/results.h"
+#include "reports/record/results.h"
 #include "harness/verbs.h"
 #include "reports/formats.h"
 #include "scenes/text/file_checksum.h"

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "harness/results.h"
+#include "reports/record/results.h"
 #include "harness/verbs.h"
 #include "scenes/text/atomic_file.h"
 #include "scenes/text/file_checksum.h"

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "harness/gate_metrics.h"
+#include "reports/record/gate_metrics.h"
 #include "reports/numbers.h"
 #include "reports/verdicts.h"
 #include "reports/view.h"

@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "harness/results.h"
+#include "reports/record/results.h"
 
 namespace photonproof::reports {
 

@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "harness/results.h"
+#include "reports/record/results.h"
 
 namespace photonproof {
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <unordered_map>
 
-#include "harness/heatmap_magma.h"
+#include "reports/record/heatmap_magma.h"
 #include "reports/deflated.h"
 #include "reports/results_file.h"
 #include "scenes/text/input_error.h"

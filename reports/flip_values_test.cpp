@@ -5,7 +5,7 @@
 #include <fstream>
 #include <set>
 
-#include "harness/heatmap_magma.h"
+#include "reports/record/heatmap_magma.h"
 #include "reports/temporary_folder.h"
 
 namespace photonproof::reports {

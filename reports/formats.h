@@ -5,7 +5,7 @@
 #include <span>
 #include <string_view>
 
-#include "harness/results.h"
+#include "reports/record/results.h"
 
 namespace photonproof {
 

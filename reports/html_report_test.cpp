@@ -1,7 +1,7 @@
 #include "reports/html_report.h"
 
 #include "harness/heatmap.h"
-#include "harness/heatmap_magma.h"
+#include "reports/record/heatmap_magma.h"
 #include "reports/sample_results.h"
 #include "scenes/text/input_error.h"
 

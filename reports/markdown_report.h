@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "harness/results.h"
+#include "reports/record/results.h"
 
 namespace photonproof {
 

@@ -10,7 +10,7 @@
 #include <iterator>
 #include <string>
 
-#include "harness/results.h"
+#include "reports/record/results.h"
 #include "reports/temporary_folder.h"
 #include "scenes/images/image.h"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/results.h"
+#include "reports/record/results.h"
 
 namespace photonproof::reports {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "harness/heatmap_magma.h"
+#include "reports/record/heatmap_magma.h"
 #include "reports/html_report.h"
 #include "reports/test_browser.h"
 

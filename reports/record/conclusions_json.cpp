@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "harness/results_json_parts.h"
+#include "reports/record/results_json_parts.h"
 
 namespace photonproof {
 namespace {

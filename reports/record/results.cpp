@@ -1,4 +1,4 @@
-#include "harness/results.h"
+#include "reports/record/results.h"
 
 #include <algorithm>
 #include <array>
@@ -8,8 +8,8 @@
 #include <set>
 #include <utility>
 
-#include "harness/results_json.h"
-#include "harness/results_schema.h"
+#include "reports/record/results_json.h"
+#include "reports/record/results_schema.h"
 #include "scenes/text/atomic_file.h"
 #include "scenes/text/input_error.h"
 

@@ -3,7 +3,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "harness/results.h"
+#include "reports/record/results.h"
 
 namespace photonproof {
 
@@ -11,7 +11,7 @@ namespace photonproof {
 nlohmann::json results_to_json(const Results& results);
 nlohmann::json result_to_json(const Result& result);
 
-/// Precondition: validated (harness/results_schema.h).
+/// Precondition: validated (reports/record/results_schema.h).
 Results results_from_json(const nlohmann::json& document);
 Result result_from_json(const nlohmann::json& document);
 

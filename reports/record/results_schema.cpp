@@ -1,6 +1,6 @@
 // The one place that includes valijson: it costs more than ten seconds of compile time.
 
-#include "harness/results_schema.h"
+#include "reports/record/results_schema.h"
 
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -9,7 +9,7 @@
 #include <valijson/schema_parser.hpp>
 #include <valijson/validator.hpp>
 
-#include "harness/results.h"
+#include "reports/record/results.h"
 #include "harness/results_schema_text.h"
 #include "scenes/text/input_error.h"
 

@@ -1,4 +1,4 @@
-#include "harness/results.h"
+#include "reports/record/results.h"
 
 #include <gtest/gtest.h>
 

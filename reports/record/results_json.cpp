@@ -1,10 +1,10 @@
-#include "harness/results_json.h"
+#include "reports/record/results_json.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "harness/results_json_parts.h"
+#include "reports/record/results_json_parts.h"
 
 namespace photonproof {
 namespace {
