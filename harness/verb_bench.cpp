@@ -16,7 +16,7 @@
 #include "harness/versions.h"
 #include "reports/html_report.h"
 #include "reports/markdown_report.h"
-#include "reports/verdicts.h"
+#include "reports/view/verdicts.h"
 #include "scenes/text/input_error.h"
 #include "scenes/text/json_text.h"
 #include "scenes/description/output_files.h"

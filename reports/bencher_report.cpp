@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "reports/exchange_reports.h"
-#include "reports/text.h"
+#include "reports/view/text.h"
 #include "scenes/text/atomic_file.h"
 
 namespace photonproof {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <map>
 
-#include "reports/conclusions.h"
-#include "reports/numbers.h"
+#include "reports/view/conclusions.h"
+#include "reports/view/numbers.h"
 
 namespace photonproof::reports {
 namespace {

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <kainjow/mustache.hpp>
 
-#include "reports/engine_style.h"
+#include "reports/view/engine_style.h"
 #include "reports/error_plot.h"
-#include "reports/numbers.h"
-#include "reports/text.h"
+#include "reports/view/numbers.h"
+#include "reports/view/text.h"
 
 namespace photonproof::reports {
 namespace {

@@ -1,6 +1,6 @@
 #include "reports/error_plot.h"
 
-#include "reports/sample_results.h"
+#include "reports/view/sample_results.h"
 
 namespace photonproof::reports {
 namespace {

@@ -5,8 +5,8 @@
 #include <set>
 
 #include "reports/exchange_reports.h"
-#include "reports/text.h"
-#include "reports/view.h"
+#include "reports/view/text.h"
+#include "reports/view/view.h"
 #include "scenes/text/atomic_file.h"
 
 namespace photonproof {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "reports/html_data.h"
-#include "reports/text.h"
+#include "reports/view/text.h"
 #include "reports/viewer_data.h"
 
 namespace photonproof::reports {

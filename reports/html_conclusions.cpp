@@ -5,9 +5,9 @@
 #include <algorithm>
 
 #include "reports/html_data.h"
-#include "reports/numbers.h"
-#include "reports/text.h"
-#include "reports/verdicts.h"
+#include "reports/view/numbers.h"
+#include "reports/view/text.h"
+#include "reports/view/verdicts.h"
 #include "reports/viewer_data.h"
 
 namespace photonproof::reports {

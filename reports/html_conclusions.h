@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "reports/conclusions.h"
-#include "reports/view.h"
+#include "reports/view/conclusions.h"
+#include "reports/view/view.h"
 
 namespace photonproof::reports {
 

@@ -1,10 +1,10 @@
 #include "reports/html_data.h"
 
-#include "reports/engine_style.h"
-#include "reports/metric_columns.h"
-#include "reports/numbers.h"
-#include "reports/text.h"
-#include "reports/verdicts.h"
+#include "reports/view/engine_style.h"
+#include "reports/view/metric_columns.h"
+#include "reports/view/numbers.h"
+#include "reports/view/text.h"
+#include "reports/view/verdicts.h"
 
 namespace photonproof::reports {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "reports/picture.h"
-#include "reports/view.h"
+#include "reports/view/view.h"
 
 namespace photonproof::reports {
 

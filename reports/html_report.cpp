@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "reports/environment.h"
+#include "reports/view/environment.h"
 #include "reports/html_conclusions.h"
 #include "reports/html_data.h"
 #include "reports/html_scene.h"
-#include "reports/metric_columns.h"
+#include "reports/view/metric_columns.h"
 #include "reports/templates.h"
-#include "reports/text.h"
+#include "reports/view/text.h"
 #include "scenes/text/atomic_file.h"
 
 namespace photonproof {

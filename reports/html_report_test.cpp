@@ -2,7 +2,7 @@
 
 #include "harness/heatmap.h"
 #include "reports/record/heatmap_magma.h"
-#include "reports/sample_results.h"
+#include "reports/view/sample_results.h"
 #include "scenes/text/input_error.h"
 
 namespace photonproof {

@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include "reports/cell_details.h"
+#include "reports/view/cell_details.h"
 #include "reports/html_data.h"
-#include "reports/metric_columns.h"
-#include "reports/numbers.h"
-#include "reports/text.h"
-#include "reports/verdicts.h"
+#include "reports/view/metric_columns.h"
+#include "reports/view/numbers.h"
+#include "reports/view/text.h"
+#include "reports/view/verdicts.h"
 
 namespace photonproof::reports {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <kainjow/mustache.hpp>
 
-#include "reports/view.h"
+#include "reports/view/view.h"
 
 namespace photonproof::reports {
 

@@ -4,15 +4,15 @@
 
 #include <algorithm>
 
-#include "reports/cell_details.h"
-#include "reports/conclusions.h"
+#include "reports/view/cell_details.h"
+#include "reports/view/conclusions.h"
 #include "reports/error_plot.h"
 #include "reports/html_cards.h"
 #include "reports/html_conclusions.h"
 #include "reports/html_data.h"
 #include "reports/html_rows.h"
-#include "reports/text.h"
-#include "reports/verdicts.h"
+#include "reports/view/text.h"
+#include "reports/view/verdicts.h"
 #include "reports/viewer_data.h"
 
 namespace photonproof::reports {

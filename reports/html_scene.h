@@ -5,7 +5,7 @@
 #include <kainjow/mustache.hpp>
 #include <string>
 
-#include "reports/view.h"
+#include "reports/view/view.h"
 
 namespace photonproof::reports {
 

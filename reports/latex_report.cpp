@@ -2,13 +2,13 @@
 // time, and the gates, as far as the record has them.
 #include <fmt/format.h>
 
-#include "reports/conclusions.h"
+#include "reports/view/conclusions.h"
 #include "reports/exchange_reports.h"
-#include "reports/metric_columns.h"
-#include "reports/numbers.h"
-#include "reports/text.h"
-#include "reports/verdicts.h"
-#include "reports/view.h"
+#include "reports/view/metric_columns.h"
+#include "reports/view/numbers.h"
+#include "reports/view/text.h"
+#include "reports/view/verdicts.h"
+#include "reports/view/view.h"
 #include "scenes/text/atomic_file.h"
 
 namespace photonproof {

@@ -4,14 +4,14 @@
 
 #include <algorithm>
 
-#include "reports/cell_details.h"
-#include "reports/conclusions.h"
-#include "reports/environment.h"
-#include "reports/metric_columns.h"
-#include "reports/numbers.h"
-#include "reports/text.h"
-#include "reports/verdicts.h"
-#include "reports/view.h"
+#include "reports/view/cell_details.h"
+#include "reports/view/conclusions.h"
+#include "reports/view/environment.h"
+#include "reports/view/metric_columns.h"
+#include "reports/view/numbers.h"
+#include "reports/view/text.h"
+#include "reports/view/verdicts.h"
+#include "reports/view/view.h"
 #include "scenes/text/atomic_file.h"
 
 namespace photonproof {

@@ -5,9 +5,9 @@
 #include <string_view>
 
 #include "reports/reduced_image.h"
-#include "reports/results_file.h"
-#include "reports/temporary_folder.h"
-#include "reports/text.h"
+#include "reports/view/results_file.h"
+#include "reports/view/temporary_folder.h"
+#include "reports/view/text.h"
 #include "scenes/text/atomic_file.h"
 #include "scenes/images/image.h"
 #include "scenes/text/input_error.h"

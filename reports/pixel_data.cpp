@@ -5,11 +5,11 @@
 #include <cstdint>
 #include <optional>
 
-#include "reports/deflated.h"
-#include "reports/flip_values.h"
+#include "reports/view/deflated.h"
+#include "reports/view/flip_values.h"
 #include "reports/reduced_image.h"
-#include "reports/results_file.h"
-#include "reports/text.h"
+#include "reports/view/results_file.h"
+#include "reports/view/text.h"
 #include "scenes/text/input_error.h"
 
 namespace photonproof::reports {

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "reports/sample_results.h"
+#include "reports/view/sample_results.h"
 
 namespace photonproof::reports {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "reports/metric_columns.h"
-#include "reports/numbers.h"
-#include "reports/verdicts.h"
+#include "reports/view/metric_columns.h"
+#include "reports/view/numbers.h"
+#include "reports/view/verdicts.h"
 
 namespace photonproof::reports {
 namespace {

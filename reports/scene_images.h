@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/view.h"
+#include "reports/view/view.h"
 
 namespace photonproof::reports {
 

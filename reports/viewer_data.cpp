@@ -6,9 +6,9 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
-#include "reports/engine_style.h"
+#include "reports/view/engine_style.h"
 #include "reports/pixel_data.h"
-#include "reports/text.h"
+#include "reports/view/text.h"
 
 namespace photonproof::reports {
 namespace {

@@ -34,7 +34,7 @@ async function unpackedPixels(base64) {
   return rgb;
 }
 
-// FLIP as reports/flip_values.h packs it.
+// FLIP as reports/view/flip_values.h packs it.
 async function unpackedFlip(base64) {
   const bytes = await inflated(base64);
   let left = 0;

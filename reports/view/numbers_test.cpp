@@ -1,4 +1,4 @@
-#include "reports/numbers.h"
+#include "reports/view/numbers.h"
 
 #include <gtest/gtest.h>
 

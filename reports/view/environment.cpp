@@ -1,8 +1,8 @@
-#include "reports/environment.h"
+#include "reports/view/environment.h"
 
 #include <fmt/format.h>
 
-#include "reports/numbers.h"
+#include "reports/view/numbers.h"
 
 namespace photonproof::reports {
 namespace {

@@ -1,4 +1,4 @@
-#include "reports/flip_values.h"
+#include "reports/view/flip_values.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <set>
 
 #include "reports/record/heatmap_magma.h"
-#include "reports/temporary_folder.h"
+#include "reports/view/temporary_folder.h"
 
 namespace photonproof::reports {
 namespace {

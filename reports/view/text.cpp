@@ -1,4 +1,4 @@
-#include "reports/text.h"
+#include "reports/view/text.h"
 
 #include <algorithm>
 #include <cstddef>

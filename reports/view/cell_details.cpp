@@ -1,13 +1,13 @@
-#include "reports/cell_details.h"
+#include "reports/view/cell_details.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "reports/metric_columns.h"
-#include "reports/numbers.h"
-#include "reports/text.h"
+#include "reports/view/metric_columns.h"
+#include "reports/view/numbers.h"
+#include "reports/view/text.h"
 
 namespace photonproof::reports {
 namespace {

@@ -1,6 +1,6 @@
 // Colours: Okabe and Ito, "Color Universal Design" (2008), told apart by colour-blind readers; their yellow is left out
 // for its contrast on white.
-#include "reports/engine_style.h"
+#include "reports/view/engine_style.h"
 
 #include <fmt/format.h>
 

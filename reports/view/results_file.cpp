@@ -1,4 +1,4 @@
-#include "reports/results_file.h"
+#include "reports/view/results_file.h"
 
 #include <algorithm>
 

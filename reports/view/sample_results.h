@@ -11,7 +11,7 @@
 #include <string>
 
 #include "reports/record/results.h"
-#include "reports/temporary_folder.h"
+#include "reports/view/temporary_folder.h"
 #include "scenes/images/image.h"
 
 namespace photonproof::reports {

@@ -1,6 +1,6 @@
-#include "reports/metric_columns.h"
+#include "reports/view/metric_columns.h"
 
-#include "reports/numbers.h"
+#include "reports/view/numbers.h"
 
 namespace photonproof::reports {
 

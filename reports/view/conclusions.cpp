@@ -1,13 +1,13 @@
-#include "reports/conclusions.h"
+#include "reports/view/conclusions.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "reports/record/gate_metrics.h"
-#include "reports/numbers.h"
-#include "reports/verdicts.h"
-#include "reports/view.h"
+#include "reports/view/numbers.h"
+#include "reports/view/verdicts.h"
+#include "reports/view/view.h"
 
 namespace photonproof::reports {
 

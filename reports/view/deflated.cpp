@@ -1,4 +1,4 @@
-#include "reports/deflated.h"
+#include "reports/view/deflated.h"
 
 #include <zlib.h>
 

@@ -1,4 +1,4 @@
-#include "reports/flip_values.h"
+#include "reports/view/flip_values.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,8 @@
 #include <unordered_map>
 
 #include "reports/record/heatmap_magma.h"
-#include "reports/deflated.h"
-#include "reports/results_file.h"
+#include "reports/view/deflated.h"
+#include "reports/view/results_file.h"
 #include "scenes/text/input_error.h"
 
 namespace photonproof::reports {

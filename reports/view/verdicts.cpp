@@ -1,4 +1,4 @@
-#include "reports/verdicts.h"
+#include "reports/view/verdicts.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "reports/numbers.h"
+#include "reports/view/numbers.h"
 
 namespace photonproof::reports {
 namespace {

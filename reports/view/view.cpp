@@ -1,4 +1,4 @@
-#include "reports/view.h"
+#include "reports/view/view.h"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 #include <regex>
 #include <tuple>
 
-#include "reports/numbers.h"
+#include "reports/view/numbers.h"
 
 namespace photonproof::reports {
 namespace {
