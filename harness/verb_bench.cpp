@@ -15,7 +15,7 @@
 #include "harness/verbs.h"
 #include "harness/versions.h"
 #include "reports/html_report.h"
-#include "reports/markdown_report.h"
+#include "reports/formats/markdown_report.h"
 #include "reports/view/verdicts.h"
 #include "scenes/text/input_error.h"
 #include "scenes/text/json_text.h"

@@ -19,7 +19,7 @@
 #include "harness/interrupt.h"
 #include "harness/verbs.h"
 #include "harness/versions.h"
-#include "reports/exchange_reports.h"
+#include "reports/formats/exchange_reports.h"
 #include "reports/html_report.h"
 #include "scenes/text/atomic_file.h"
 #include "scenes/text/input_error.h"

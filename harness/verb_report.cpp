@@ -11,7 +11,7 @@
 
 #include "reports/record/results.h"
 #include "harness/verbs.h"
-#include "reports/formats.h"
+#include "reports/formats/formats.h"
 #include "scenes/text/file_checksum.h"
 #include "scenes/text/input_error.h"
 #include "scenes/text/json_text.h"

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "reports/exchange_reports.h"
+#include "reports/formats/exchange_reports.h"
 #include "reports/view/text.h"
 #include "reports/view/view.h"
 #include "scenes/text/atomic_file.h"

@@ -2,7 +2,7 @@
 // measures, with their intervals; else each cell is its own benchmark, seed included. Gates are benchmarks too.
 #include <nlohmann/json.hpp>
 
-#include "reports/exchange_reports.h"
+#include "reports/formats/exchange_reports.h"
 #include "reports/view/text.h"
 #include "scenes/text/atomic_file.h"
 

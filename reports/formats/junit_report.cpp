@@ -7,7 +7,7 @@
 #include <pugixml.hpp>
 #include <sstream>
 
-#include "reports/exchange_reports.h"
+#include "reports/formats/exchange_reports.h"
 #include "reports/view/text.h"
 #include "reports/view/view.h"
 #include "scenes/text/atomic_file.h"

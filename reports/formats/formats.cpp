@@ -1,10 +1,10 @@
-#include "reports/formats.h"
+#include "reports/formats/formats.h"
 
 #include <string>
 
-#include "reports/exchange_reports.h"
+#include "reports/formats/exchange_reports.h"
 #include "reports/html_report.h"
-#include "reports/markdown_report.h"
+#include "reports/formats/markdown_report.h"
 #include "scenes/text/input_error.h"
 
 namespace photonproof {

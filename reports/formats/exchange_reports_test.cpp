@@ -1,4 +1,4 @@
-#include "reports/exchange_reports.h"
+#include "reports/formats/exchange_reports.h"
 
 #include <map>
 #include <nlohmann/json.hpp>
@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "reference/process/process.h"
-#include "reports/formats.h"
+#include "reports/formats/formats.h"
 #include "reports/view/sample_results.h"
 
 namespace photonproof {

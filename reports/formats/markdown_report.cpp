@@ -1,4 +1,4 @@
-#include "reports/markdown_report.h"
+#include "reports/formats/markdown_report.h"
 
 #include <fmt/format.h>
 

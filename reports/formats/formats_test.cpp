@@ -1,4 +1,4 @@
-#include "reports/formats.h"
+#include "reports/formats/formats.h"
 
 #include <gtest/gtest.h>
 

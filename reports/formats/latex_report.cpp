@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "reports/view/conclusions.h"
-#include "reports/exchange_reports.h"
+#include "reports/formats/exchange_reports.h"
 #include "reports/view/metric_columns.h"
 #include "reports/view/numbers.h"
 #include "reports/view/text.h"

@@ -8,7 +8,7 @@
 // A cell that did not finish is one row without a value.
 #include <fmt/format.h>
 
-#include "reports/exchange_reports.h"
+#include "reports/formats/exchange_reports.h"
 #include "reports/view/text.h"
 #include "reports/view/view.h"
 #include "scenes/text/atomic_file.h"
