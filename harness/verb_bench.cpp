@@ -14,7 +14,7 @@
 #include "harness/scene_options.h"
 #include "harness/verbs.h"
 #include "harness/versions.h"
-#include "reports/html_report.h"
+#include "reports/page/html_report.h"
 #include "reports/formats/markdown_report.h"
 #include "reports/view/verdicts.h"
 #include "scenes/text/input_error.h"

@@ -20,7 +20,7 @@
 #include "harness/verbs.h"
 #include "harness/versions.h"
 #include "reports/formats/exchange_reports.h"
-#include "reports/html_report.h"
+#include "reports/page/html_report.h"
 #include "scenes/text/atomic_file.h"
 #include "scenes/text/input_error.h"
 #include "scenes/text/json_text.h"

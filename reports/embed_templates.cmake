@@ -1,7 +1,7 @@
 # cmake -DOUT=templates.cpp -DFILES="a.mustache;b.css" -DSCRIPTS="a.js;b.js" -P embed_templates.cmake
 # Writes each file as a string_view named like it without its extension, all scripts as one function `script`, and its
 # SHA-256 in hexadecimal, by which the page allows that script and no other.
-set(text "#include \"reports/templates.h\"\n\nnamespace photonproof::reports::templates {\n\n")
+set(text "#include \"reports/page/templates.h\"\n\nnamespace photonproof::reports::templates {\n\n")
 foreach(file IN LISTS FILES)
   get_filename_component(name "${file}" NAME_WE)
   file(READ "${file}" content)

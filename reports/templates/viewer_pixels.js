@@ -1,4 +1,4 @@
-// Pixel values as reports/pixel_data.h packs them.
+// Pixel values as reports/page/pixel_data.h packs them.
 const codeOfOne = 20 * 256 + 1, codeOfInfinity = 32766, codeOfNan = 32767;
 
 function valueOfCode(code) {

@@ -1,4 +1,4 @@
-#include "reports/html_scene.h"
+#include "reports/page/html_scene.h"
 
 #include <fmt/format.h>
 
@@ -7,13 +7,13 @@
 #include "reports/view/cell_details.h"
 #include "reports/view/conclusions.h"
 #include "reports/error_plot.h"
-#include "reports/html_cards.h"
-#include "reports/html_conclusions.h"
-#include "reports/html_data.h"
-#include "reports/html_rows.h"
+#include "reports/page/html_cards.h"
+#include "reports/page/html_conclusions.h"
+#include "reports/page/html_data.h"
+#include "reports/page/html_rows.h"
 #include "reports/view/text.h"
 #include "reports/view/verdicts.h"
-#include "reports/viewer_data.h"
+#include "reports/page/viewer_data.h"
 
 namespace photonproof::reports {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/scene_images.h"
+#include "reports/page/scene_images.h"
 
 namespace photonproof::reports {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/picture.h"
+#include "reports/page/picture.h"
 #include "reports/view/view.h"
 
 namespace photonproof::reports {

@@ -1,4 +1,4 @@
-#include "reports/scene_images.h"
+#include "reports/page/scene_images.h"
 
 #include <algorithm>
 

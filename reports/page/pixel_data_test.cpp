@@ -1,4 +1,4 @@
-#include "reports/pixel_data.h"
+#include "reports/page/pixel_data.h"
 
 #include <zlib.h>
 

@@ -1,4 +1,4 @@
-#include "reports/reduced_image.h"
+#include "reports/page/reduced_image.h"
 
 #include <algorithm>
 

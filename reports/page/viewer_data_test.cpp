@@ -1,4 +1,4 @@
-#include "reports/viewer_data.h"
+#include "reports/page/viewer_data.h"
 
 #include <nlohmann/json.hpp>
 

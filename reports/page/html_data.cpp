@@ -1,4 +1,4 @@
-#include "reports/html_data.h"
+#include "reports/page/html_data.h"
 
 #include "reports/view/engine_style.h"
 #include "reports/view/metric_columns.h"

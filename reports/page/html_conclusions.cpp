@@ -1,14 +1,14 @@
-#include "reports/html_conclusions.h"
+#include "reports/page/html_conclusions.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "reports/html_data.h"
+#include "reports/page/html_data.h"
 #include "reports/view/numbers.h"
 #include "reports/view/text.h"
 #include "reports/view/verdicts.h"
-#include "reports/viewer_data.h"
+#include "reports/page/viewer_data.h"
 
 namespace photonproof::reports {
 namespace {

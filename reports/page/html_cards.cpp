@@ -1,10 +1,10 @@
-#include "reports/html_cards.h"
+#include "reports/page/html_cards.h"
 
 #include <algorithm>
 
-#include "reports/html_data.h"
+#include "reports/page/html_data.h"
 #include "reports/view/text.h"
-#include "reports/viewer_data.h"
+#include "reports/page/viewer_data.h"
 
 namespace photonproof::reports {
 namespace {

@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "reports/record/heatmap_magma.h"
-#include "reports/html_report.h"
-#include "reports/test_browser.h"
+#include "reports/page/html_report.h"
+#include "reports/page/test_browser.h"
 
 namespace photonproof {
 namespace {

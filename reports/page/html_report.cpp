@@ -1,14 +1,14 @@
-#include "reports/html_report.h"
+#include "reports/page/html_report.h"
 
 #include <algorithm>
 #include <stdexcept>
 
 #include "reports/view/environment.h"
-#include "reports/html_conclusions.h"
-#include "reports/html_data.h"
-#include "reports/html_scene.h"
+#include "reports/page/html_conclusions.h"
+#include "reports/page/html_data.h"
+#include "reports/page/html_scene.h"
 #include "reports/view/metric_columns.h"
-#include "reports/templates.h"
+#include "reports/page/templates.h"
 #include "reports/view/text.h"
 #include "scenes/text/atomic_file.h"
 

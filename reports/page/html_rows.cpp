@@ -1,9 +1,9 @@
-#include "reports/html_rows.h"
+#include "reports/page/html_rows.h"
 
 #include <fmt/format.h>
 
 #include "reports/view/cell_details.h"
-#include "reports/html_data.h"
+#include "reports/page/html_data.h"
 #include "reports/view/metric_columns.h"
 #include "reports/view/numbers.h"
 #include "reports/view/text.h"

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "reports/html_report.h"
-#include "reports/test_browser.h"
+#include "reports/page/html_report.h"
+#include "reports/page/test_browser.h"
 
 namespace photonproof {
 namespace {

@@ -1,10 +1,10 @@
-#include "reports/picture.h"
+#include "reports/page/picture.h"
 
 #include <algorithm>
 #include <cstdint>
 #include <string_view>
 
-#include "reports/reduced_image.h"
+#include "reports/page/reduced_image.h"
 #include "reports/view/results_file.h"
 #include "reports/view/temporary_folder.h"
 #include "reports/view/text.h"

@@ -1,4 +1,4 @@
-#include "reports/picture.h"
+#include "reports/page/picture.h"
 
 #include "reports/view/sample_results.h"
 

@@ -1,4 +1,4 @@
-#include "reports/pixel_data.h"
+#include "reports/page/pixel_data.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include "reports/view/deflated.h"
 #include "reports/view/flip_values.h"
-#include "reports/reduced_image.h"
+#include "reports/page/reduced_image.h"
 #include "reports/view/results_file.h"
 #include "reports/view/text.h"
 #include "scenes/text/input_error.h"

@@ -1,4 +1,4 @@
-#include "reports/html_report.h"
+#include "reports/page/html_report.h"
 
 #include "harness/heatmap.h"
 #include "reports/record/heatmap_magma.h"

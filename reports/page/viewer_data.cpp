@@ -1,4 +1,4 @@
-#include "reports/viewer_data.h"
+#include "reports/page/viewer_data.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "reports/view/engine_style.h"
-#include "reports/pixel_data.h"
+#include "reports/page/pixel_data.h"
 #include "reports/view/text.h"
 
 namespace photonproof::reports {
