@@ -6,7 +6,7 @@
 
 #include "reports/view/cell_details.h"
 #include "reports/view/conclusions.h"
-#include "reports/error_plot.h"
+#include "reports/plots/error_plot.h"
 #include "reports/page/html_cards.h"
 #include "reports/page/html_conclusions.h"
 #include "reports/page/html_data.h"

@@ -1,4 +1,4 @@
-#include "reports/error_plot.h"
+#include "reports/plots/error_plot.h"
 
 #include <fmt/format.h>
 

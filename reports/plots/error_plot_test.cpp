@@ -1,4 +1,4 @@
-#include "reports/error_plot.h"
+#include "reports/plots/error_plot.h"
 
 #include "reports/view/sample_results.h"
 

@@ -6,7 +6,7 @@
 #include <kainjow/mustache.hpp>
 
 #include "reports/view/engine_style.h"
-#include "reports/error_plot.h"
+#include "reports/plots/error_plot.h"
 #include "reports/view/numbers.h"
 #include "reports/view/text.h"
 
