@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "harness/cells.h"
-#include "harness/repeated_images.h"
+#include "harness/pixels/repeated_images.h"
 #include "judging_hash.h"
 #include "scenes/text/checksum.h"
 #include "scenes/text/input_error.h"

@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <vector>
 
-#include "harness/image_blocks.h"
+#include "harness/pixels/image_blocks.h"
 #include "harness/student.h"
 #include "scenes/text/input_error.h"
 #include "scenes/images/mean_error.h"

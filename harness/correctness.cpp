@@ -8,7 +8,7 @@
 
 #include "harness/gate_look.h"
 #include "harness/independence.h"
-#include "harness/repeated_images.h"
+#include "harness/pixels/repeated_images.h"
 
 namespace photonproof {
 namespace {

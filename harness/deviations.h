@@ -22,7 +22,7 @@
 #include <span>
 #include <vector>
 
-#include "harness/image_blocks.h"
+#include "harness/pixels/image_blocks.h"
 #include "scenes/images/image.h"
 
 namespace photonproof {

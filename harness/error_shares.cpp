@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "harness/gate_tiles.h"
-#include "harness/image_blocks.h"
+#include "harness/pixels/image_blocks.h"
 #include "harness/metric_rows.h"
 
 namespace photonproof {

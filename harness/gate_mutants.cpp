@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "harness/display.h"
+#include "harness/pixels/display.h"
 
 namespace photonproof {
 namespace {

@@ -10,7 +10,7 @@
 #include "harness/folder_lock.h"
 #include "harness/host.h"
 #include "harness/metrics.h"
-#include "harness/repeated_images.h"
+#include "harness/pixels/repeated_images.h"
 #include "harness/side_by_side.h"
 #include "scenes/text/faults.h"
 #include "scenes/text/input_error.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "harness/display.h"
+#include "harness/pixels/display.h"
 #include "reports/record/heatmap_magma.h"
 #include "harness/metric_test_images.h"
 #include "scenes/text/input_error.h"

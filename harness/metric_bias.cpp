@@ -1,7 +1,7 @@
 // Relative bias, signed: mean(x-r)/mean(r), over all channels or over one. Energy lost or gained, whatever the noise.
 
 #include "harness/metric_rows.h"
-#include "harness/metric_sum.h"
+#include "harness/pixels/metric_sum.h"
 
 namespace photonproof {
 namespace {

@@ -6,8 +6,8 @@
 #include <memory>
 #include <vector>
 
-#include "harness/pair_tile.h"
-#include "harness/pixel_loops.h"
+#include "harness/pixels/pair_tile.h"
+#include "harness/pixels/pixel_loops.h"
 
 namespace photonproof {
 

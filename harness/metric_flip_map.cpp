@@ -15,7 +15,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "harness/metric_filter.h"
+#include "harness/pixels/metric_filter.h"
 #include "harness/metric_flip.h"
 
 namespace photonproof {

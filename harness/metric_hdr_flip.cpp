@@ -13,7 +13,7 @@
 
 #include "harness/metric_flip.h"
 #include "harness/metric_rows.h"
-#include "harness/row_source.h"
+#include "harness/pixels/row_source.h"
 #include "scenes/text/text_numbers.h"
 
 namespace photonproof {

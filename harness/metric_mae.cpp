@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "harness/metric_rows.h"
-#include "harness/metric_sum.h"
+#include "harness/pixels/metric_sum.h"
 
 namespace photonproof {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "harness/metric_rows.h"
-#include "harness/metric_sum.h"
+#include "harness/pixels/metric_sum.h"
 
 namespace photonproof {
 

@@ -10,7 +10,7 @@
 #include <cmath>
 
 #include "harness/metric_rows.h"
-#include "harness/metric_sum.h"
+#include "harness/pixels/metric_sum.h"
 #include "harness/metric_windows.h"
 #include "scenes/text/text_numbers.h"
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "harness/metrics.h"
-#include "harness/pair_tile.h"
+#include "harness/pixels/pair_tile.h"
 
 namespace photonproof {
 

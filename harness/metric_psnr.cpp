@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "harness/metric_rows.h"
-#include "harness/metric_sum.h"
+#include "harness/pixels/metric_sum.h"
 #include "scenes/text/text_numbers.h"
 
 namespace photonproof {

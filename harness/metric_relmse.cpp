@@ -10,7 +10,7 @@
 #include <iterator>
 
 #include "harness/metric_rows.h"
-#include "harness/metric_sum.h"
+#include "harness/pixels/metric_sum.h"
 
 namespace photonproof {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "harness/metric_rows.h"
-#include "harness/row_source.h"
+#include "harness/pixels/row_source.h"
 
 namespace photonproof {
 

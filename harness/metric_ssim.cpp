@@ -8,7 +8,7 @@
 
 #include "harness/metric_ms_ssim.h"
 #include "harness/metric_rows.h"
-#include "harness/metric_sum.h"
+#include "harness/pixels/metric_sum.h"
 #include "harness/metric_windows.h"
 #include "scenes/text/text_numbers.h"
 

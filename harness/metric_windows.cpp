@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "harness/metric_filter.h"
-#include "harness/pixel_loops.h"
+#include "harness/pixels/metric_filter.h"
+#include "harness/pixels/pixel_loops.h"
 
 namespace photonproof {
 

@@ -5,7 +5,7 @@
 
 #include <cstddef>
 
-#include "harness/pair_tile.h"
+#include "harness/pixels/pair_tile.h"
 
 namespace photonproof {
 

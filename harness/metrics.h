@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "harness/pixel_mask.h"
-#include "harness/pixel_region.h"
+#include "harness/pixels/pixel_mask.h"
+#include "harness/pixels/pixel_region.h"
 #include "reports/record/results.h"
 #include "scenes/images/exposure_range.h"
 #include "scenes/images/image.h"

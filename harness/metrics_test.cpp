@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "harness/metric_run.h"
-#include "harness/metric_sum.h"
+#include "harness/pixels/metric_sum.h"
 #include "harness/metric_test_images.h"
 
 namespace photonproof {

@@ -1,7 +1,7 @@
 // Kernels of the separable filters in pixel_loops.h.
 #pragma once
 
-#include "harness/pixel_loops.h"
+#include "harness/pixels/pixel_loops.h"
 
 namespace photonproof {
 

@@ -1,4 +1,4 @@
-#include "harness/repeated_images.h"
+#include "harness/pixels/repeated_images.h"
 
 #include <algorithm>
 #include <cmath>

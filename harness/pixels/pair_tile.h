@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "harness/pixel_mask.h"
+#include "harness/pixels/pixel_mask.h"
 
 namespace photonproof {
 

@@ -1,9 +1,9 @@
-#include "harness/pair_tile.h"
+#include "harness/pixels/pair_tile.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "harness/pixel_loops.h"
+#include "harness/pixels/pixel_loops.h"
 
 namespace photonproof {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "harness/pixel_loops.h"
+#include "harness/pixels/pixel_loops.h"
 
 namespace photonproof {
 

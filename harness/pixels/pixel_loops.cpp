@@ -2,7 +2,7 @@
 // internal linkage and nothing of the standard library is called, so that no code for a newer processor can be linked
 // into what an older one runs.
 
-#include "harness/pixel_loops.h"
+#include "harness/pixels/pixel_loops.h"
 
 namespace photonproof {
 namespace {

@@ -1,4 +1,4 @@
-#include "harness/display.h"
+#include "harness/pixels/display.h"
 
 #include <algorithm>
 #include <cmath>

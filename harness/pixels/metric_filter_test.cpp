@@ -1,4 +1,4 @@
-#include "harness/metric_filter.h"
+#include "harness/pixels/metric_filter.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <cstring>
 #include <vector>
 
-#include "harness/display.h"
+#include "harness/pixels/display.h"
 #include "harness/metric_test_images.h"
 
 namespace photonproof {

@@ -1,4 +1,4 @@
-#include "harness/metric_filter.h"
+#include "harness/pixels/metric_filter.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "harness/row_source.h"
+#include "harness/pixels/row_source.h"
 
 #include <algorithm>
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/pixel_region.h"
+#include "harness/pixels/pixel_region.h"
 #include "scenes/images/image.h"
 
 namespace photonproof {
