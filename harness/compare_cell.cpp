@@ -1,6 +1,6 @@
 #include "harness/compare_cell.h"
 
-#include "harness/heatmap.h"
+#include "harness/metrics/heatmap.h"
 #include "scenes/images/image.h"
 #include "scenes/text/input_error.h"
 

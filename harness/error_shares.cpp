@@ -8,7 +8,7 @@
 
 #include "harness/gate_tiles.h"
 #include "harness/pixels/image_blocks.h"
-#include "harness/metric_rows.h"
+#include "harness/metrics/metric_rows.h"
 
 namespace photonproof {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/metrics.h"
+#include "harness/metrics/metrics.h"
 #include "reports/record/results.h"
 #include "scenes/images/image.h"
 

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "harness/metrics.h"
+#include "harness/metrics/metrics.h"
 #include "reference/process/process.h"
 #include "scenes/description/expect.h"
 #include "scenes/text/test_folder.h"

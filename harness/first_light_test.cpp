@@ -10,7 +10,7 @@
 #include <functional>
 #include <numbers>
 
-#include "harness/metrics.h"
+#include "harness/metrics/metrics.h"
 #include "reference/closed_forms/closed_forms.h"
 #include "reference/process/process.h"
 #include "scenes/text/test_folder.h"

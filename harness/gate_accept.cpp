@@ -6,7 +6,7 @@
 
 #include "harness/engine_command.h"
 #include "harness/gate_look.h"
-#include "harness/metrics.h"
+#include "harness/metrics/metrics.h"
 #include "harness/suite_rows.h"
 #include "reference/process/process.h"
 #include "reference/store/reference_store.h"

@@ -9,7 +9,7 @@
 
 #include "harness/deviations.h"
 #include "harness/error_shares.h"
-#include "harness/metrics.h"
+#include "harness/metrics/metrics.h"
 #include "harness/pixels/repeated_images.h"
 #include "scenes/description/expect.h"
 #include "scenes/text/input_error.h"

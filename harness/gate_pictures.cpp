@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "harness/heatmap.h"
+#include "harness/metrics/heatmap.h"
 
 namespace photonproof {
 namespace {

@@ -9,7 +9,7 @@
 #include "harness/engine_version.h"
 #include "harness/folder_lock.h"
 #include "harness/host.h"
-#include "harness/metrics.h"
+#include "harness/metrics/metrics.h"
 #include "harness/pixels/repeated_images.h"
 #include "harness/side_by_side.h"
 #include "scenes/text/faults.h"

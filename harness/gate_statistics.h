@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "harness/deviations.h"
-#include "harness/metric_bounds.h"
+#include "harness/metrics/metric_bounds.h"
 #include "reports/record/results.h"
 
 namespace photonproof {

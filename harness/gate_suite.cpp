@@ -3,7 +3,7 @@
 #include "harness/engine_command.h"
 #include "harness/gate_look.h"
 #include "harness/gate_mutants.h"
-#include "harness/metric_rows.h"
+#include "harness/metrics/metric_rows.h"
 #include "harness/suite_rows.h"
 #include "scenes/text/atomic_file.h"
 #include "scenes/description/expect.h"

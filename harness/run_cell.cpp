@@ -5,7 +5,7 @@
 #include "harness/engine_command.h"
 #include "harness/engine_stats.h"
 #include "harness/host.h"
-#include "harness/metrics.h"
+#include "harness/metrics/metrics.h"
 #include "reference/process/process.h"
 #include "scenes/text/atomic_file.h"
 #include "scenes/text/file_checksum.h"

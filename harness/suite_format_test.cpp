@@ -6,7 +6,7 @@
 
 #include "harness/engine_command.h"
 #include "harness/gate_suite.h"
-#include "harness/metric_rows.h"
+#include "harness/metrics/metric_rows.h"
 #include "scenes/text/atomic_file.h"
 #include "scenes/text/test_folder.h"
 

@@ -13,8 +13,8 @@
 #include <nlohmann/json.hpp>
 
 #include "harness/agreement.h"
-#include "harness/heatmap.h"
-#include "harness/metric_bounds.h"
+#include "harness/metrics/heatmap.h"
+#include "harness/metrics/metric_bounds.h"
 #include "harness/verbs.h"
 #include "scenes/text/input_error.h"
 #include "scenes/description/output_files.h"

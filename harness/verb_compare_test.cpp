@@ -6,7 +6,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "harness/metric_test_images.h"
+#include "harness/metrics/metric_test_images.h"
 #include "harness/verbs.h"
 #include "scenes/text/atomic_file.h"
 #include "scenes/text/input_error.h"

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "harness/metrics.h"
+#include "harness/metrics/metrics.h"
 #include "reports/record/results.h"
 #include "harness/test_gates.h"
 #include "reference/process/process.h"

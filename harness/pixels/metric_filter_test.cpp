@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "harness/pixels/display.h"
-#include "harness/metric_test_images.h"
+#include "harness/metrics/metric_test_images.h"
 
 namespace photonproof {
 namespace {

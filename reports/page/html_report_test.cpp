@@ -1,6 +1,6 @@
 #include "reports/page/html_report.h"
 
-#include "harness/heatmap.h"
+#include "harness/metrics/heatmap.h"
 #include "reports/record/heatmap_magma.h"
 #include "reports/view/sample_results.h"
 #include "scenes/text/input_error.h"

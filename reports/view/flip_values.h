@@ -1,4 +1,4 @@
-// The values of a FLIP map, back from the colours of its picture (harness/heatmap.h), for the page's viewer.
+// The values of a FLIP map, back from the colours of its picture (harness/metrics/heatmap.h), for the page's viewer.
 #pragma once
 
 #include <filesystem>

@@ -1,0 +1,46 @@
+// Pools the FLIP map into the numbers NVIDIA's tool prints: mean, weighted median and quartiles, maximum (Andersson,
+// Nilsson, Akenine-Möller: "Visualizing and communicating errors in rendered images", Ray Tracing Gems II, 2021).
+
+#include "harness/metrics/metric_flip.h"
+
+#include "harness/metrics/metric_rows.h"
+#include "scenes/text/text_numbers.h"
+
+namespace photonproof {
+namespace {
+
+class FlipPass : public MetricPass {
+ public:
+  void measure(const PairTile& tile, const TileMaps& maps, Part&) override {
+    const TileColour reference = tile.exposed(0), test = tile.exposed(1);
+    const TileMemory::Frame frame(tile.memory());
+    auto* steps = tile.memory().take<std::uint32_t>(tile.pixels());
+    flip_errors(reference, test, static_cast<std::size_t>(tile.width()), static_cast<std::size_t>(tile.height()),
+                tile.memory(), steps);
+    pool_.add(tile, steps);
+    if (!maps.flip) return;
+    for (std::size_t i = 0; i < tile.pixels(); ++i)
+      maps.flip[i] = static_cast<float>(steps[i]) / static_cast<float>(flip_steps);
+  }
+
+  void add(const Part&) override {}
+
+  std::optional<double> value(std::size_t which) const override {
+    if (which == 0) return pool_.mean();
+    if (which == 4) return pool_.greatest();
+    return pool_.weighted_percentile(0.25 * static_cast<double>(which));
+  }
+
+ private:
+  FlipPool pool_;
+};
+
+}  // namespace
+
+std::unique_ptr<MetricPass> flip_pass(const PairFacts&) { return std::make_unique<FlipPass>(); }
+
+std::string flip_parameters(const MetricOptions& options) {
+  return "exposure=" + format_number(options.exposure) + ", pixels_per_degree=67.0206";
+}
+
+}  // namespace photonproof

@@ -1,0 +1,82 @@
+#include "harness/metrics/metric_hdr_flip.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "harness/metrics/metric_oracle_table.h"
+#include "harness/metrics/metric_run.h"
+#include "harness/metrics/metric_test_images.h"
+
+namespace photonproof {
+namespace {
+
+std::optional<double> hdr_flip(const Image& reference, const Image& test,
+                               const std::optional<ExposureRange>& exposures = {}) {
+  MetricOptions options;
+  options.hdr_flip = true;
+  options.hdr_exposures = exposures;
+  for (const Measurement& measured : measure(reference, test, options))
+    if (measured.row->name == std::string("hdr_flip")) return measured.value;
+  return std::nullopt;
+}
+
+TEST(HdrFlip, agrees_with_the_independent_implementation) {
+  const auto pairs = read_oracle_table("hdr_flip_expected.csv");
+  ASSERT_EQ(pairs.size(), 4u);
+  for (const OraclePair& pair : pairs) {
+    ImageSource reference(pair.reference);
+    const ExposureRange range = exposures_of(reference).value();
+    // Luminances are floats here, doubles there.
+    EXPECT_NEAR(range.start, pair.expected.at("start"), 1e-6) << pair.name;
+    EXPECT_NEAR(range.stop, pair.expected.at("stop"), 1e-6) << pair.name;
+    EXPECT_EQ(range.count, pair.expected.at("count")) << pair.name;
+    EXPECT_NEAR(hdr_flip(pair.reference, pair.test).value(), pair.expected.at("hdr_flip"), 1e-6) << pair.name;
+  }
+}
+
+TEST(HdrFlip, of_one_exposure_is_flip_of_the_tone_mapped_images) {
+  // t(x) of constants: 0.1 and 0.4 scaled by 2 are 0.2 and 0.8.
+  const auto tone = [](double x) {
+    return static_cast<float>((0.9036 * x * x + 0.018 * x) / (0.8748 * x * x + 0.354 * x + 0.14));
+  };
+  const float dark = tone(0.2), bright = tone(0.8);
+  const double expected =
+      metric_value("flip", constant_image(20, 20, dark, dark, dark), constant_image(20, 20, bright, bright, bright))
+          .value();
+  EXPECT_NEAR(hdr_flip(constant_image(20, 20, 0.1f, 0.1f, 0.1f), constant_image(20, 20, 0.4f, 0.4f, 0.4f),
+                       ExposureRange{1, 1, 1})
+                  .value(),
+              expected, 1e-6);
+}
+
+TEST(HdrFlip, sees_at_one_exposure_what_another_hides) {
+  // 30 against 60 are both white at exposure 0; ten stops down they differ.
+  const Image reference = constant_image(12, 12, 30, 30, 30), test = constant_image(12, 12, 60, 60, 60);
+  EXPECT_EQ(metric_value("flip", reference, test), 0);
+  const double dark = hdr_flip(reference, test, ExposureRange{-6, -6, 1}).value();
+  EXPECT_GT(dark, 0.1);
+  EXPECT_GE(hdr_flip(reference, test, ExposureRange{-6, 6, 3}).value(), dark);
+}
+
+TEST(HdrFlip, takes_the_exact_median_of_the_luminances) {
+  // Half of an odd number of pixels, less one, are darker than the grey one and as many are brighter.
+  Image image(51, 11);  // 561 pixels: rank 280 is 280/1000
+  for (std::size_t p = 0; p < image.pixels(); ++p)
+    for (std::size_t c = 0; c < 3; ++c) image.rgb[3 * p + c] = static_cast<float>((p * 364) % 561) / 1000;
+  ImageSource rows(image);
+  const ExposureRange range = exposures_of(rows).value();
+  EXPECT_NEAR(range.stop - range.start, std::log2(0.560 / 0.280), 1e-6);
+}
+
+TEST(HdrFlip, is_computed_only_when_asked_for_and_undefined_of_darkness) {
+  const Image image = busy_image(12, 12);
+  EXPECT_FALSE(metric_value("hdr_flip", image, image));
+  EXPECT_EQ(hdr_flip(image, image), 0);
+  const Image black = constant_image(12, 12, 0, 0, 0);
+  EXPECT_FALSE(hdr_flip(black, image));
+  EXPECT_TRUE(hdr_flip(black, image, ExposureRange{-1, 1, 2}));
+}
+
+}  // namespace
+}  // namespace photonproof

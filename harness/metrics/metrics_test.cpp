@@ -1,0 +1,237 @@
+#include "harness/metrics/metrics.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "harness/metrics/metric_run.h"
+#include "harness/pixels/metric_sum.h"
+#include "harness/metrics/metric_test_images.h"
+
+namespace photonproof {
+namespace {
+
+constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+double value_of(const std::string& name, const Image& reference, const Image& test, double exposure = 0) {
+  return metric_value(name, reference, test, exposure).value();
+}
+
+TEST(Metrics, identical_images_have_no_error_at_all) {
+  const Image image = busy_image(31, 17, 4);
+  for (const MetricValue& metric : compute_metrics(image, image, {}))
+    EXPECT_EQ(metric.value, metric.name == "ssim" ? 1 : 0) << metric.name;
+}
+
+TEST(Metrics, identical_images_have_infinite_psnr_which_the_record_leaves_out) {
+  const Image image = busy_image(31, 17, 4);
+  EXPECT_FALSE(metric_value("psnr", image, image));
+  for (const Measurement& measured : measure(image, image, {})) {
+    if (measured.row->name == std::string("psnr")) {
+      EXPECT_EQ(measured.value, std::numeric_limits<double>::infinity());
+    }
+  }
+}
+
+TEST(Metrics, constant_shift_gives_its_closed_form_in_every_linear_metric) {
+  // x = r + (1/4, -1/2, 1), exact in floats. mse = (1/16 + 1/4 + 1)/3, mae = (1/4 + 1/2 + 1)/3.
+  const Image reference = constant_image(40, 30, 1, 2, 0.5f);
+  const Image test = constant_image(40, 30, 1.25f, 1.5f, 1.5f);
+  EXPECT_DOUBLE_EQ(value_of("mse", reference, test), 1.3125 / 3);
+  EXPECT_DOUBLE_EQ(value_of("rmse", reference, test), std::sqrt(1.3125 / 3));
+  EXPECT_DOUBLE_EQ(value_of("mae", reference, test), 1.75 / 3);
+  EXPECT_DOUBLE_EQ(value_of("max_abs", reference, test), 1);
+  // mean(x-r) = (1/4 - 1/2 + 1)/3 = 0.25 of mean(r) = 3.5/3.
+  EXPECT_DOUBLE_EQ(value_of("bias", reference, test), 0.75 / 3.5);
+  EXPECT_DOUBLE_EQ(value_of("bias_r", reference, test), 0.25);
+  EXPECT_DOUBLE_EQ(value_of("bias_g", reference, test), -0.25);
+  EXPECT_DOUBLE_EQ(value_of("bias_b", reference, test), 2);
+  // (1/16)/(1 + .01), (1/4)/(4 + .01), 1/(1/4 + .01), and their mean.
+  const double relative = (0.0625 / 1.01 + 0.25 / 4.01 + 1 / 0.26) / 3;
+  EXPECT_NEAR(value_of("relmse", reference, test), relative, 1e-12);  // 1200 roundings of 1e-16
+  EXPECT_NEAR(value_of("relmse_trimmed", reference, test), relative, 1e-12);
+}
+
+TEST(Metrics, one_wrong_pixel_counts_by_its_share_of_the_image) {
+  // One channel value of 50 * 40 * 3 is off by 1/2 from 1: mse = 0.25/6000, relmse = (0.25/1.01)/6000.
+  const Image reference = constant_image(50, 40, 1, 1, 1);
+  Image test = reference;
+  test.pixel(12, 34)[1] = 1.5f;
+  EXPECT_DOUBLE_EQ(value_of("mse", reference, test), 0.25 / 6000);
+  EXPECT_DOUBLE_EQ(value_of("mae", reference, test), 0.5 / 6000);
+  EXPECT_EQ(value_of("max_abs", reference, test), 0.5);
+  EXPECT_DOUBLE_EQ(value_of("relmse", reference, test), 0.25 / 1.01 / 6000);
+}
+
+TEST(Metrics, relative_metrics_of_other_tools_have_their_own_denominators) {
+  // x = 1.5 against r = 0.5 in every value: (x-r)^2 = 1, |x-r| = 1.
+  const Image reference = constant_image(12, 12, 0.5f, 0.5f, 0.5f), test = constant_image(12, 12, 1.5f, 1.5f, 1.5f);
+  EXPECT_NEAR(value_of("relmse_jeri", reference, test), 1 / (0.25 + 1e-4), 1e-12);
+  EXPECT_NEAR(value_of("mrse_pbrt", reference, test), 1 / (0.51 * 0.51), 1e-12);
+  EXPECT_NEAR(value_of("smape", reference, test), 2 / (1.5 + 0.5 + 0.02), 1e-12);
+  // Signs: |x| + |r| of -0.5 and 1.5 is the same 2, but they are 2 apart.
+  const Image negative = constant_image(12, 12, -0.5f, -0.5f, -0.5f);
+  EXPECT_NEAR(value_of("smape", negative, test), 4 / 2.02, 1e-12);
+}
+
+TEST(Metrics, relmse_trimmed_leaves_out_one_pixel_in_a_thousand) {
+  // 2000 pixels of which two may go. Three are off by 1, 2 and 3 in all channels of r = 1: what is left is the least,
+  // 1/1.01 over the 1998 that stay.
+  const Image reference = constant_image(50, 40, 1, 1, 1);
+  Image test = reference;
+  for (int i = 1; i <= 3; ++i)
+    for (int c = 0; c < 3; ++c) test.pixel(7 * i, 9 * i)[c] += static_cast<float>(i);
+  EXPECT_DOUBLE_EQ(value_of("relmse_trimmed", reference, test), 1 / 1.01 / 1998);
+  EXPECT_DOUBLE_EQ(value_of("relmse", reference, test), 14 / 1.01 / 2000);
+}
+
+TEST(Metrics, relmse_trimmed_leaves_out_no_more_and_no_fewer) {
+  // 40 000 pixels of which 40 may go, and 41 are wrong, one of them by less: a fraction 5 % too small would leave 39.
+  const Image reference = constant_image(200, 200, 1, 1, 1);
+  Image test = reference;
+  for (int i = 0; i < 41; ++i)
+    for (int c = 0; c < 3; ++c) test.pixel(4 * i, 3 * i)[c] += i == 20 ? 1.0f : 2.0f;
+  EXPECT_DOUBLE_EQ(value_of("relmse_trimmed", reference, test), 1 / 1.01 / 39960);
+  // With 40 wrong ones nothing is left.
+  for (int c = 0; c < 3; ++c) test.pixel(80, 60)[c] = 1;
+  EXPECT_EQ(value_of("relmse_trimmed", reference, test), 0);
+  for (int c = 0; c < 3; ++c) test.pixel(3, 199)[c] = test.pixel(4, 199)[c] = 1.5f;
+  EXPECT_DOUBLE_EQ(value_of("relmse_trimmed", reference, test), 0.5 / 1.01 / 39960);
+}
+
+TEST(Metrics, relmse_trimmed_counts_equal_errors_at_the_limit_as_often_as_they_stay) {
+  // Every pixel is off alike, so leaving out two of 2000 changes nothing.
+  const Image reference = constant_image(50, 40, 1, 1, 1);
+  const Image test = constant_image(50, 40, 2, 2, 2);
+  EXPECT_DOUBLE_EQ(value_of("relmse_trimmed", reference, test), 1 / 1.01);
+}
+
+TEST(Metrics, image_under_a_thousand_pixels_has_nothing_to_trim) {
+  const Image reference = busy_image(37, 27);  // 999
+  const Image test = busy_image(37, 27, 1, 2);
+  EXPECT_DOUBLE_EQ(value_of("relmse_trimmed", reference, test), value_of("relmse", reference, test));
+}
+
+TEST(Metrics, relmse_map_averages_to_relmse) {
+  const Image reference = busy_image(23, 19, 3);
+  const Image test = busy_image(23, 19, 3, 2);
+  const std::vector<float> map = relmse_map(reference, test);
+  ASSERT_EQ(map.size(), reference.pixels());
+  const double sum = lane_sum(map.size(), [&](std::size_t i) { return static_cast<double>(map[i]); });
+  const double mean = sum / static_cast<double>(map.size());
+  EXPECT_NEAR(mean, value_of("relmse", reference, test), 1e-6 * mean);  // the map is rounded to float
+}
+
+TEST(Metrics, bias_is_undefined_against_black) {
+  const Image black = constant_image(12, 12, 0, 0, 1);
+  const Image test = constant_image(12, 12, 1, 1, 1);
+  EXPECT_FALSE(metric_value("bias_r", black, test));
+  EXPECT_FALSE(metric_value("bias_g", black, test));
+  EXPECT_EQ(metric_value("bias_b", black, test), 0);
+  EXPECT_EQ(metric_value("bias", black, test), 2);  // mean(x-r) = 2/3, mean(r) = 1/3
+}
+
+TEST(Metrics, psnr_is_that_of_the_encoded_difference) {
+  // 2^-1 * 0.5 = 1/4 encodes to 1.055 * (1/4)^(1/2.4) - 0.055; black encodes to 0.
+  const double encoded = 1.055 * std::pow(0.25, 1 / 2.4) - 0.055;
+  const Image reference = constant_image(12, 12, 0, 0, 0);
+  const Image test = constant_image(12, 12, 0.5f, 0.5f, 0.5f);
+  EXPECT_NEAR(value_of("psnr", reference, test, -1), -20 * std::log10(encoded), 1e-12);
+}
+
+TEST(Metrics, displayed_metrics_see_no_difference_beyond_white_but_linear_ones_do) {
+  const Image reference = constant_image(12, 12, 2, 2, 2);
+  const Image test = constant_image(12, 12, 3, 3, 3);
+  EXPECT_FALSE(metric_value("psnr", reference, test));
+  EXPECT_EQ(value_of("ssim", reference, test), 1);
+  EXPECT_EQ(value_of("flip", reference, test), 0);
+  EXPECT_EQ(value_of("mse", reference, test), 1);
+  EXPECT_GT(value_of("flip", reference, test, -2), 0.01);  // 1/2 against 3/4
+}
+
+TEST(Metrics, parameters_travel_with_the_numbers) {
+  const Image reference = busy_image(161, 161);  // the least that every metric has a value for
+  const Image test = busy_image(161, 161, 1, 2);
+  std::map<std::string, std::string> parameters;
+  MetricOptions options{-1.5};
+  options.hdr_flip = true;
+  options.hdr_exposures = ExposureRange{-2, 1.5, 3};
+  for (const MetricValue& metric : compute_metrics(reference, test, options))
+    parameters[metric.name] = metric.parameters;
+  EXPECT_EQ(parameters.size(), metric_rows().size());
+  EXPECT_EQ(parameters["mse"], "");
+  EXPECT_EQ(parameters["relmse"], "epsilon=0.01");
+  EXPECT_EQ(parameters["relmse_trimmed"], "epsilon=0.01, trimmed=0.1% of pixels");
+  EXPECT_EQ(parameters["psnr"], "exposure=-1.5, peak=1");
+  EXPECT_EQ(parameters["ssim"], "exposure=-1.5, window=11, sigma=1.5, K1=0.01, K2=0.03, data_range=1");
+  EXPECT_EQ(parameters["relmse_jeri"], "epsilon=0.0001");
+  EXPECT_EQ(parameters["mrse_pbrt"], "epsilon=0.01");
+  EXPECT_EQ(parameters["smape"], "epsilon=0.02");
+  EXPECT_EQ(parameters["ms_ssim"], parameters["ssim"] + ", scales=5, weights=0.0448 0.2856 0.3001 0.2363 0.1333");
+  EXPECT_EQ(parameters["flip"], "exposure=-1.5, pixels_per_degree=67.0206");
+  EXPECT_EQ(parameters["hdr_flip"], "tone_mapper=ACES, exposures=-2 1.5 3, pixels_per_degree=67.0206");
+}
+
+TEST(Metrics, values_of_extreme_magnitude_stay_finite) {
+  const float greatest = std::numeric_limits<float>::max();
+  const Image reference = constant_image(12, 12, 0, 0, 1e-45f);
+  const Image test = constant_image(12, 12, greatest, -greatest, greatest);
+  for (const Measurement& measured : measure(reference, test, {60})) {
+    if (measured.value) {
+      EXPECT_TRUE(std::isfinite(*measured.value)) << measured.row->name;
+    }
+  }
+}
+
+TEST(Metrics, defects_name_the_first_value_that_is_not_finite_and_count_them) {
+  Image reference = constant_image(20, 50, 1, 1, 1);
+  Image test = reference;
+  EXPECT_TRUE(find_defects(reference, test).empty());
+
+  test.pixel(12, 40)[1] = kNaN;
+  test.pixel(13, 40)[0] = kInfinity;
+  test.pixel(2, 41)[2] = kNaN;
+  auto defects = find_defects(reference, test);
+  ASSERT_EQ(defects.size(), 1u);
+  EXPECT_EQ(defects[0].kind, ImageDefect::Kind::non_finite);
+  EXPECT_EQ(defects[0].sentence, "pixel (12, 40) of the test image is NaN in G; 3 non-finite in all");
+
+  reference.pixel(0, 0)[0] = -kInfinity;
+  defects = find_defects(reference, test);
+  ASSERT_EQ(defects.size(), 2u);
+  EXPECT_EQ(defects[0].sentence, "pixel (0, 0) of the reference image is -infinity in R; 1 non-finite in all");
+}
+
+TEST(Metrics, defects_name_both_sizes) {
+  const auto defects = find_defects(Image(20, 50), Image(50, 20));
+  ASSERT_EQ(defects.size(), 1u);
+  EXPECT_EQ(defects[0].kind, ImageDefect::Kind::size_mismatch);
+  EXPECT_EQ(defects[0].sentence, "the test image is 50x20 pixels, the reference image 20x50");
+}
+
+TEST(Metrics, images_without_pixels_are_a_defect) {
+  const auto defects = find_defects(Image(), Image());
+  ASSERT_EQ(defects.size(), 1u);
+  EXPECT_EQ(defects[0].sentence, "the images have no pixels");
+}
+
+TEST(MetricSum, long_sums_lose_no_more_than_short_ones) {
+  // Three million values off by 0.1: added one after the other the mean's error is about 5e-12; a tile at a time, in
+  // eight lanes, it stays near that of 49 152 / 8 additions, 3 of whose roundings of 1e-16 show.
+  const Image reference = constant_image(1000, 1000, 0, 0, 0);
+  const Image test = constant_image(1000, 1000, 0.1f, 0.1f, 0.1f);
+  EXPECT_NEAR(value_of("mae", reference, test), static_cast<double>(0.1f), 1e-13);
+}
+
+TEST(MetricSum, exact_sum_keeps_what_a_plain_one_rounds_away) {
+  // 1e16 + 1 is 1e16 in doubles; ten thousand times 1 must not be lost.
+  ExactSum sum;
+  sum.add(1e16);
+  for (int i = 0; i < 10000; ++i) sum.add(1);
+  EXPECT_EQ(sum.value(), 1e16 + 10000);
+}
+
+}  // namespace
+}  // namespace photonproof
