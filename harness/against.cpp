@@ -14,7 +14,7 @@
 #include "harness/cells.h"
 #include "harness/engine_command.h"
 #include "harness/host.h"
-#include "harness/relative_error.h"
+#include "harness/statistics/relative_error.h"
 #include "harness/run_cell.h"
 #include "harness/stored_changes.h"
 #include "reference/process/process.h"

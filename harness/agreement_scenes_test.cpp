@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <vector>
 
-#include "harness/agreement.h"
+#include "harness/statistics/agreement.h"
 #include "reference/process/process.h"
 #include "scenes/text/test_folder.h"
 

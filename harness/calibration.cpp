@@ -9,7 +9,7 @@
 #include <thread>
 #include <utility>
 
-#include "harness/statistics.h"
+#include "harness/statistics/statistics.h"
 #include "scenes/text/timer.h"
 
 namespace photonproof {

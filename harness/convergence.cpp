@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "harness/error_split.h"
-#include "harness/statistics.h"
+#include "harness/statistics/statistics.h"
 #include "scenes/images/image.h"
 #include "scenes/text/input_error.h"
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include "harness/relative_error.h"
-#include "harness/statistics.h"
+#include "harness/statistics/relative_error.h"
+#include "harness/statistics/statistics.h"
 
 namespace photonproof {
 namespace {

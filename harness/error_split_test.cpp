@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "harness/relative_error.h"
+#include "harness/statistics/relative_error.h"
 
 namespace photonproof {
 namespace {

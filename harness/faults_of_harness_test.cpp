@@ -3,7 +3,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "harness/deviations.h"
+#include "harness/statistics/deviations.h"
 #include "harness/gate_images.h"
 #include "harness/test_gates.h"
 #include "scenes/text/faults.h"

@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <optional>
 
-#include "harness/deviations.h"
-#include "harness/error_shares.h"
+#include "harness/statistics/deviations.h"
+#include "harness/statistics/error_shares.h"
 #include "harness/metrics/metrics.h"
 #include "harness/pixels/repeated_images.h"
 #include "scenes/description/expect.h"

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "harness/gate_statistics.h"
+#include "harness/statistics/gate_statistics.h"
 #include "harness/gate_suite.h"
 #include "reference/store/reference_store.h"
 #include "scenes/images/exposure_range.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "harness/statistics.h"
+#include "harness/statistics/statistics.h"
 
 namespace photonproof {
 namespace {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/batch_means.h"
+#include "harness/statistics/batch_means.h"
 
 namespace photonproof {
 

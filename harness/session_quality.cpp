@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "harness/paired_rounds.h"
-#include "harness/statistics.h"
+#include "harness/statistics/statistics.h"
 
 namespace photonproof {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-#include "harness/statistics.h"
+#include "harness/statistics/statistics.h"
 
 namespace photonproof {
 namespace {

@@ -12,7 +12,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "harness/agreement.h"
+#include "harness/statistics/agreement.h"
 #include "harness/metrics/heatmap.h"
 #include "harness/metrics/metric_bounds.h"
 #include "harness/verbs.h"

@@ -1,8 +1,8 @@
-#include "harness/deviations.h"
+#include "harness/statistics/deviations.h"
 
 #include <cmath>
 
-#include "harness/student.h"
+#include "harness/statistics/student.h"
 #include "scenes/text/faults.h"
 
 namespace photonproof {

@@ -1,4 +1,4 @@
-#include "harness/relative_error.h"
+#include "harness/statistics/relative_error.h"
 
 namespace photonproof {
 

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/deviations.h"
+#include "harness/statistics/deviations.h"
 #include "harness/metrics/metric_bounds.h"
 #include "reports/record/results.h"
 

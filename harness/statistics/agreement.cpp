@@ -1,4 +1,4 @@
-#include "harness/agreement.h"
+#include "harness/statistics/agreement.h"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "harness/pixels/image_blocks.h"
-#include "harness/student.h"
+#include "harness/statistics/student.h"
 #include "scenes/text/input_error.h"
 #include "scenes/images/mean_error.h"
 #include "scenes/text/percent_text.h"

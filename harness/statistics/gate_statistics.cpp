@@ -1,4 +1,4 @@
-#include "harness/gate_statistics.h"
+#include "harness/statistics/gate_statistics.h"
 
 #include <fmt/format.h>
 
@@ -8,8 +8,8 @@
 #include <functional>
 #include <numeric>
 
-#include "harness/gate_tiles.h"
-#include "harness/student.h"
+#include "harness/statistics/gate_tiles.h"
+#include "harness/statistics/student.h"
 #include "scenes/text/percent_text.h"
 
 namespace photonproof {

@@ -1,4 +1,4 @@
-#include "harness/batch_means.h"
+#include "harness/statistics/batch_means.h"
 
 #include <cmath>
 #include <cstring>

@@ -1,4 +1,4 @@
-#include "harness/gate_tiles.h"
+#include "harness/statistics/gate_tiles.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "harness/student.h"
+#include "harness/statistics/student.h"
 
 #include <algorithm>
 #include <boost/math/distributions/normal.hpp>

@@ -1,5 +1,5 @@
 // Student's t and its kin against published tables.
-#include "harness/student.h"
+#include "harness/statistics/student.h"
 
 #include <gtest/gtest.h>
 

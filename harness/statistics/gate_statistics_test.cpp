@@ -1,5 +1,5 @@
 // False alarms and power of the gates' statistics, on noise whose truth is known.
-#include "harness/gate_statistics.h"
+#include "harness/statistics/gate_statistics.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <functional>
 #include <random>
 
-#include "harness/student.h"
+#include "harness/statistics/student.h"
 
 namespace photonproof {
 namespace {

@@ -1,5 +1,5 @@
 // Agreement must pass images of one expectation and fail others: measured over many pairs of noise whose law is known.
-#include "harness/agreement.h"
+#include "harness/statistics/agreement.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "harness/deviations.h"
+#include "harness/statistics/deviations.h"
 #include "reports/record/results.h"
 
 namespace photonproof {

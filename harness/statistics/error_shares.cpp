@@ -1,4 +1,4 @@
-#include "harness/error_shares.h"
+#include "harness/statistics/error_shares.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "harness/gate_tiles.h"
+#include "harness/statistics/gate_tiles.h"
 #include "harness/pixels/image_blocks.h"
 #include "harness/metrics/metric_rows.h"
 
