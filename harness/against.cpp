@@ -12,7 +12,7 @@
 
 #include "harness/cell_command.h"
 #include "harness/cells.h"
-#include "harness/engine_command.h"
+#include "harness/suites/engine_command.h"
 #include "harness/host.h"
 #include "harness/statistics/relative_error.h"
 #include "harness/run_cell.h"

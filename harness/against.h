@@ -11,7 +11,7 @@
 
 #include "harness/paired_rounds.h"
 #include "reports/record/results.h"
-#include "harness/suite.h"
+#include "harness/suites/suite.h"
 
 namespace photonproof {
 

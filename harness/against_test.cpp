@@ -1,7 +1,7 @@
 #include "harness/against.h"
 
 #include "harness/bench.h"
-#include "harness/test_suite.h"
+#include "harness/suites/test_suite.h"
 
 namespace photonproof {
 namespace {

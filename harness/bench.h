@@ -9,7 +9,7 @@
 #include <string>
 
 #include "harness/against.h"
-#include "harness/suite.h"
+#include "harness/suites/suite.h"
 
 namespace photonproof {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "harness/cell_store.h"
-#include "harness/suite.h"
+#include "harness/suites/suite.h"
 #include "reference/store/reference_store.h"
 #include "scenes/description/expect.h"
 

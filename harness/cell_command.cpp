@@ -1,6 +1,6 @@
 #include "harness/cell_command.h"
 
-#include "harness/engine_command.h"
+#include "harness/suites/engine_command.h"
 #include "harness/scene_copies.h"
 #include "scenes/text/faults.h"
 

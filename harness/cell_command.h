@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "harness/run_cell.h"
-#include "harness/suite.h"
+#include "harness/suites/suite.h"
 
 namespace photonproof {
 

@@ -8,7 +8,7 @@
 #include <span>
 #include <string>
 
-#include "harness/engines.h"
+#include "harness/suites/engines.h"
 #include "reports/record/results.h"
 #include "reference/store/reference_store.h"
 #include "scenes/description/expect.h"

@@ -1,6 +1,6 @@
 #include "harness/engine_version.h"
 
-#include "harness/engine_command.h"
+#include "harness/suites/engine_command.h"
 #include "harness/run_cell.h"
 #include "reference/process/process.h"
 #include "scenes/text/utf8.h"

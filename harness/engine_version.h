@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "harness/engines.h"
+#include "harness/suites/engines.h"
 #include "reports/record/results.h"
 
 namespace photonproof {

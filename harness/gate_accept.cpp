@@ -4,10 +4,10 @@
 
 #include <cstdlib>
 
-#include "harness/engine_command.h"
+#include "harness/suites/engine_command.h"
 #include "harness/gate_look.h"
 #include "harness/metrics/metrics.h"
-#include "harness/suite_rows.h"
+#include "harness/suites/suite_rows.h"
 #include "reference/process/process.h"
 #include "reference/store/reference_store.h"
 #include "scenes/text/atomic_file.h"

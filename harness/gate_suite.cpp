@@ -1,10 +1,10 @@
 #include "harness/gate_suite.h"
 
-#include "harness/engine_command.h"
+#include "harness/suites/engine_command.h"
 #include "harness/gate_look.h"
 #include "harness/gate_mutants.h"
 #include "harness/metrics/metric_rows.h"
-#include "harness/suite_rows.h"
+#include "harness/suites/suite_rows.h"
 #include "scenes/text/atomic_file.h"
 #include "scenes/description/expect.h"
 

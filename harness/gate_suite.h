@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "reports/record/gate_metrics.h"
-#include "harness/suite.h"
+#include "harness/suites/suite.h"
 
 namespace photonproof {
 

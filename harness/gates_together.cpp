@@ -4,7 +4,7 @@
 #include <map>
 
 #include "harness/independence.h"
-#include "harness/suite_rows.h"
+#include "harness/suites/suite_rows.h"
 
 namespace photonproof {
 namespace {

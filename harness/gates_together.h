@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "reports/record/results.h"
-#include "harness/suite.h"
+#include "harness/suites/suite.h"
 
 namespace photonproof {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "harness/engines.h"
+#include "harness/suites/engines.h"
 #include "reference/store/reference_store.h"
 #include "scenes/description/expect.h"
 

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "harness/gate_suite.h"
-#include "harness/suite_rows.h"
+#include "harness/suites/suite_rows.h"
 
 namespace photonproof {
 namespace {

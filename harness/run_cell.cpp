@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "harness/engine_command.h"
-#include "harness/engine_stats.h"
+#include "harness/suites/engine_command.h"
+#include "harness/suites/engine_stats.h"
 #include "harness/host.h"
 #include "harness/metrics/metrics.h"
 #include "reference/process/process.h"

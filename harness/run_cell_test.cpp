@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "harness/test_suite.h"
+#include "harness/suites/test_suite.h"
 #include "scenes/text/file_checksum.h"
 
 namespace photonproof {

@@ -18,7 +18,7 @@
 #include <map>
 #include <mutex>
 
-#include "harness/suite.h"
+#include "harness/suites/suite.h"
 
 namespace photonproof {
 

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <random>
 
-#include "harness/test_suite.h"
+#include "harness/suites/test_suite.h"
 #include "reference/store/reference_store.h"
 #include "scenes/parser/parser.h"
 #include "scenes/description/scene_hash.h"

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "harness/bench.h"
-#include "harness/engine_command.h"
+#include "harness/suites/engine_command.h"
 #include "harness/interrupt.h"
 #include "harness/scene_options.h"
 #include "harness/verbs.h"

@@ -14,7 +14,7 @@
 
 #include "reports/record/results.h"
 #include "harness/test_program.h"
-#include "harness/test_suite.h"
+#include "harness/suites/test_suite.h"
 #include "reference/process/process.h"
 
 namespace photonproof {

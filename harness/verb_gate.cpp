@@ -11,7 +11,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "harness/engine_command.h"
+#include "harness/suites/engine_command.h"
 #include "harness/engine_output.h"
 #include "harness/gate_accept.h"
 #include "harness/gate_run.h"

@@ -117,7 +117,7 @@ struct EngineRecord {
   std::string name;
   std::string title;  ///< "photonproof path tracer"
   std::string version;
-  std::string trust{};  ///< "unbiased", "biased" or "external" (harness/engines.h); empty when the record does not say
+  std::string trust{};  ///< "unbiased", "biased" or "external" (harness/suites/engines.h); empty when the record does not say
 };
 
 struct Host {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/engines.h"
+#include "harness/suites/engines.h"
 #include "reports/record/results.h"
 
 namespace photonproof {

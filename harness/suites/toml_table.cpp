@@ -1,4 +1,4 @@
-#include "harness/toml_table.h"
+#include "harness/suites/toml_table.h"
 
 #include <toml++/toml.h>
 

@@ -1,10 +1,10 @@
-#include "harness/suite.h"
+#include "harness/suites/suite.h"
 
 #include <charconv>
 #include <cmath>
 #include <set>
 
-#include "harness/suite_rows.h"
+#include "harness/suites/suite_rows.h"
 #include "scenes/text/atomic_file.h"
 
 namespace photonproof {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/toml_table.h"
+#include "harness/suites/toml_table.h"
 
 namespace photonproof {
 
@@ -17,7 +17,7 @@ std::string to_string(Trust trust);
 struct Engine {
   std::string name;
   std::string title;
-  std::vector<std::string> command;  ///< template, see harness/engine_command.h
+  std::vector<std::string> command;  ///< template, see harness/suites/engine_command.h
   /// Each prints a version as its first line; empty when the engine has none to tell.
   std::vector<std::vector<std::string>> version_commands;
   std::vector<std::string> budget_kinds;  ///< what {budget} may be: "spp", "photons", ...

@@ -4,7 +4,7 @@
 #include <set>
 #include <sstream>
 
-#include "harness/engine_command.h"
+#include "harness/suites/engine_command.h"
 #include "harness/gate_suite.h"
 #include "harness/metrics/metric_rows.h"
 #include "scenes/text/atomic_file.h"

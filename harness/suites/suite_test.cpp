@@ -1,4 +1,4 @@
-#include "harness/suite.h"
+#include "harness/suites/suite.h"
 
 #include <algorithm>
 

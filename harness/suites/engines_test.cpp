@@ -1,6 +1,6 @@
-#include "harness/engines.h"
+#include "harness/suites/engines.h"
 
-#include "harness/engine_command.h"
+#include "harness/suites/engine_command.h"
 #include "scenes/text/test_folder.h"
 
 namespace photonproof {

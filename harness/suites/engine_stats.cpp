@@ -1,4 +1,4 @@
-#include "harness/engine_stats.h"
+#include "harness/suites/engine_stats.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>

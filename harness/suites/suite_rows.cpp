@@ -1,4 +1,4 @@
-#include "harness/suite_rows.h"
+#include "harness/suites/suite_rows.h"
 
 namespace photonproof {
 

@@ -1,4 +1,4 @@
-#include "harness/engine_stats.h"
+#include "harness/suites/engine_stats.h"
 
 #include "scenes/text/test_folder.h"
 

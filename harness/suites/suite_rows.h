@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "harness/suite.h"
-#include "harness/toml_table.h"
+#include "harness/suites/suite.h"
+#include "harness/suites/toml_table.h"
 #include "scenes/text/edit_distance.h"
 
 namespace photonproof {

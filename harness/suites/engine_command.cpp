@@ -1,4 +1,4 @@
-#include "harness/engine_command.h"
+#include "harness/suites/engine_command.h"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
-#include "harness/engines.h"
+#include "harness/suites/engines.h"
 
 #include <algorithm>
 
-#include "harness/engine_command.h"
+#include "harness/suites/engine_command.h"
 #include "harness/engines_text.h"
 #include "scenes/text/edit_distance.h"
 
