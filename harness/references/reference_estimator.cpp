@@ -1,4 +1,4 @@
-#include "harness/reference_estimator.h"
+#include "harness/references/reference_estimator.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "harness/reference_run.h"
+#include "harness/references/reference_run.h"
 
 #include <algorithm>
 #include <bit>
