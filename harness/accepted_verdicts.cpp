@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "harness/cells.h"
+#include "harness/cells/cells.h"
 #include "harness/pixels/repeated_images.h"
 #include "judging_hash.h"
 #include "scenes/text/checksum.h"

@@ -10,12 +10,12 @@
 #include <random>
 #include <variant>
 
-#include "harness/cell_command.h"
-#include "harness/cells.h"
+#include "harness/cells/cell_command.h"
+#include "harness/cells/cells.h"
 #include "harness/suites/engine_command.h"
-#include "harness/host.h"
+#include "harness/cells/host.h"
 #include "harness/statistics/relative_error.h"
-#include "harness/run_cell.h"
+#include "harness/cells/run_cell.h"
 #include "harness/stored_changes.h"
 #include "reference/process/process.h"
 #include "scenes/text/atomic_file.h"

@@ -5,9 +5,9 @@
 #include <set>
 #include <utility>
 
-#include "harness/cells.h"
+#include "harness/cells/cells.h"
 #include "harness/correctness.h"
-#include "harness/engine_version.h"
+#include "harness/cells/engine_version.h"
 #include "scenes/description/expect.h"
 #include "scenes/parser/parser.h"
 #include "scenes/description/scene_hash.h"

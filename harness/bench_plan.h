@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/cell_store.h"
+#include "harness/cells/cell_store.h"
 #include "harness/suites/suite.h"
 #include "reference/store/reference_store.h"
 #include "scenes/description/expect.h"

@@ -5,10 +5,10 @@
 #include <iterator>
 #include <mutex>
 
-#include "harness/cell_command.h"
-#include "harness/cells.h"
-#include "harness/run_cell.h"
-#include "harness/side_by_side.h"
+#include "harness/cells/cell_command.h"
+#include "harness/cells/cells.h"
+#include "harness/cells/run_cell.h"
+#include "harness/cells/side_by_side.h"
 #include "scenes/text/faults.h"
 #include "scenes/text/size_text.h"
 

@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "harness/cell_store.h"
+#include "harness/cells/cell_store.h"
 #include "harness/gate_suite.h"
-#include "harness/scene_copies.h"
+#include "harness/cells/scene_copies.h"
 #include "scenes/images/image.h"
 
 namespace photonproof {

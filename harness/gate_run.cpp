@@ -7,12 +7,12 @@
 #include <span>
 
 #include "harness/accepted_verdicts.h"
-#include "harness/engine_version.h"
-#include "harness/folder_lock.h"
+#include "harness/cells/engine_version.h"
+#include "harness/cells/folder_lock.h"
 #include "harness/gate_look.h"
 #include "harness/gate_pictures.h"
 #include "harness/gates_together.h"
-#include "harness/host.h"
+#include "harness/cells/host.h"
 #include "harness/independence.h"
 #include "scenes/description/expect.h"
 #include "scenes/text/input_error.h"

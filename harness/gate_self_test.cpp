@@ -6,12 +6,12 @@
 #include <random>
 #include <span>
 
-#include "harness/engine_version.h"
-#include "harness/folder_lock.h"
-#include "harness/host.h"
+#include "harness/cells/engine_version.h"
+#include "harness/cells/folder_lock.h"
+#include "harness/cells/host.h"
 #include "harness/metrics/metrics.h"
 #include "harness/pixels/repeated_images.h"
-#include "harness/side_by_side.h"
+#include "harness/cells/side_by_side.h"
 #include "scenes/text/faults.h"
 #include "scenes/text/input_error.h"
 

@@ -13,7 +13,7 @@
 #include <thread>
 
 #include "reports/record/results.h"
-#include "harness/test_program.h"
+#include "harness/cells/test_program.h"
 #include "harness/suites/test_suite.h"
 #include "reference/process/process.h"
 

@@ -9,8 +9,8 @@
 #include <nlohmann/json.hpp>
 
 #include "harness/engine_output.h"
-#include "harness/folder_lock.h"
-#include "harness/host.h"
+#include "harness/cells/folder_lock.h"
+#include "harness/cells/host.h"
 #include "harness/interrupt.h"
 #include "harness/references/reference_estimator.h"
 #include "harness/references/reference_run.h"

@@ -7,7 +7,7 @@
 #include <csignal>
 #include <cstdlib>
 
-#include "harness/test_program.h"
+#include "harness/cells/test_program.h"
 #include "reference/process/process.h"
 #include "reference/store/reference_store.h"
 #include "scenes/text/test_folder.h"

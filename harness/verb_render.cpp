@@ -10,7 +10,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "harness/available_memory.h"
+#include "harness/cells/available_memory.h"
 #include "harness/engine_output.h"
 #include "harness/interrupt.h"
 #include "harness/scene_options.h"

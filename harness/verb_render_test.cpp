@@ -6,7 +6,7 @@
 #include <cmath>
 #include <csignal>
 
-#include "harness/test_program.h"
+#include "harness/cells/test_program.h"
 #include "reference/process/process.h"
 #include "scenes/images/image.h"
 #include "scenes/text/test_folder.h"

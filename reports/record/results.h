@@ -58,7 +58,7 @@ struct Estimate {
   friend bool operator==(const Estimate&, const Estimate&) = default;
 };
 
-/// How long the harness' own calibration workload took beside a cell (harness/calibration.h).
+/// How long the harness' own calibration workload took beside a cell (harness/cells/calibration.h).
 struct CalibrationReading {
   std::string workload;  ///< which one, and by which compiler; readings of others do not compare
   int threads = 1;       ///< that did it at the same time

@@ -1,4 +1,4 @@
-#include "harness/host.h"
+#include "harness/cells/host.h"
 
 #include <gtest/gtest.h>
 

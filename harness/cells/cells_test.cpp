@@ -1,4 +1,4 @@
-#include "harness/cells.h"
+#include "harness/cells/cells.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
-#include "harness/cell_command.h"
+#include "harness/cells/cell_command.h"
 
 #include "harness/suites/engine_command.h"
-#include "harness/scene_copies.h"
+#include "harness/cells/scene_copies.h"
 #include "scenes/text/faults.h"
 
 namespace photonproof {

@@ -1,4 +1,4 @@
-#include "harness/cells.h"
+#include "harness/cells/cells.h"
 
 #include <algorithm>
 #include <boost/uuid/name_generator_sha1.hpp>

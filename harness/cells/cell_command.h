@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/run_cell.h"
+#include "harness/cells/run_cell.h"
 #include "harness/suites/suite.h"
 
 namespace photonproof {

@@ -1,4 +1,4 @@
-#include "harness/calibration.h"
+#include "harness/cells/calibration.h"
 
 #include <time.h>
 

@@ -1,4 +1,4 @@
-#include "harness/cell_store.h"
+#include "harness/cells/cell_store.h"
 
 #include "scenes/text/file_checksum.h"
 #include "scenes/images/image.h"

@@ -1,4 +1,4 @@
-#include "harness/scene_copies.h"
+#include "harness/cells/scene_copies.h"
 
 #include <sys/stat.h>
 

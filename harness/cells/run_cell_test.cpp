@@ -1,4 +1,4 @@
-#include "harness/run_cell.h"
+#include "harness/cells/run_cell.h"
 
 #include <algorithm>
 

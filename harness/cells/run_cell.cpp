@@ -1,10 +1,10 @@
-#include "harness/run_cell.h"
+#include "harness/cells/run_cell.h"
 
 #include <fmt/format.h>
 
 #include "harness/suites/engine_command.h"
 #include "harness/suites/engine_stats.h"
-#include "harness/host.h"
+#include "harness/cells/host.h"
 #include "harness/metrics/metrics.h"
 #include "reference/process/process.h"
 #include "scenes/text/atomic_file.h"

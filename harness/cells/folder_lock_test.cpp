@@ -1,4 +1,4 @@
-#include "harness/folder_lock.h"
+#include "harness/cells/folder_lock.h"
 
 #include "reference/process/process.h"
 #include "scenes/text/test_folder.h"

@@ -1,4 +1,4 @@
-#include "harness/folder_lock.h"
+#include "harness/cells/folder_lock.h"
 
 #include <fcntl.h>
 #include <sys/file.h>
