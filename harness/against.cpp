@@ -16,7 +16,7 @@
 #include "harness/cells/host.h"
 #include "harness/statistics/relative_error.h"
 #include "harness/cells/run_cell.h"
-#include "harness/stored_changes.h"
+#include "harness/conclusions/stored_changes.h"
 #include "reference/process/process.h"
 #include "scenes/text/atomic_file.h"
 #include "scenes/images/image.h"

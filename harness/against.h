@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/paired_rounds.h"
+#include "harness/conclusions/paired_rounds.h"
 #include "reports/record/results.h"
 #include "harness/suites/suite.h"
 

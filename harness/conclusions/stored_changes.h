@@ -12,7 +12,7 @@
 
 #include <vector>
 
-#include "harness/paired_rounds.h"
+#include "harness/conclusions/paired_rounds.h"
 #include "reports/record/results.h"
 
 namespace photonproof {

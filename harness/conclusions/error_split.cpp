@@ -1,4 +1,4 @@
-#include "harness/error_split.h"
+#include "harness/conclusions/error_split.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,11 @@
-#include "harness/session_quality.h"
+#include "harness/conclusions/session_quality.h"
 
 #include <fmt/format.h>
 #include <stdlib.h>
 
 #include <cmath>
 
-#include "harness/paired_rounds.h"
+#include "harness/conclusions/paired_rounds.h"
 #include "harness/statistics/statistics.h"
 
 namespace photonproof {

@@ -1,4 +1,4 @@
-#include "harness/session_quality.h"
+#include "harness/conclusions/session_quality.h"
 
 #include <gtest/gtest.h>
 

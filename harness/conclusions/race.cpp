@@ -1,10 +1,10 @@
-#include "harness/race.h"
+#include "harness/conclusions/race.h"
 
 #include <algorithm>
 #include <map>
 #include <string>
 
-#include "harness/convergence.h"
+#include "harness/conclusions/convergence.h"
 
 namespace photonproof {
 namespace {

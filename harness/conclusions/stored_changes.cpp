@@ -1,4 +1,4 @@
-#include "harness/stored_changes.h"
+#include "harness/conclusions/stored_changes.h"
 
 #include <fmt/format.h>
 

@@ -1,11 +1,11 @@
-#include "harness/convergence.h"
+#include "harness/conclusions/convergence.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "harness/error_split.h"
+#include "harness/conclusions/error_split.h"
 #include "harness/statistics/statistics.h"
 #include "scenes/images/image.h"
 #include "scenes/text/input_error.h"

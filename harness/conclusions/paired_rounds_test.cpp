@@ -1,4 +1,4 @@
-#include "harness/paired_rounds.h"
+#include "harness/conclusions/paired_rounds.h"
 
 #include <gtest/gtest.h>
 

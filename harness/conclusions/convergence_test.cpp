@@ -1,4 +1,4 @@
-#include "harness/convergence.h"
+#include "harness/conclusions/convergence.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
-#include "harness/race.h"
+#include "harness/conclusions/race.h"
 
 #include <gtest/gtest.h>
 
-#include "harness/convergence.h"
+#include "harness/conclusions/convergence.h"
 
 namespace photonproof {
 namespace {
