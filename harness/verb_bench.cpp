@@ -8,7 +8,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "harness/bench.h"
+#include "harness/bench/bench.h"
 #include "harness/suites/engine_command.h"
 #include "harness/interrupt.h"
 #include "harness/scene_options.h"

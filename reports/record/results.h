@@ -131,7 +131,7 @@ struct Host {
 enum class Correctness { right, noisy, biased, unknown };
 std::string to_string(Correctness correctness);
 
-/// The verdict on a budget's images, by the gates' statistics (harness/correctness.h).
+/// The verdict on a budget's images, by the gates' statistics (harness/bench/correctness.h).
 struct CorrectnessRecord {
   Correctness verdict = Correctness::unknown;
   std::string sentence;  ///< where and how large, or why nothing can be said

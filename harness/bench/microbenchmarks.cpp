@@ -1,4 +1,4 @@
-#include "harness/microbenchmarks.h"
+#include "harness/bench/microbenchmarks.h"
 
 #include <fmt/format.h>
 

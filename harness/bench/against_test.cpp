@@ -1,6 +1,6 @@
-#include "harness/against.h"
+#include "harness/bench/against.h"
 
-#include "harness/bench.h"
+#include "harness/bench/bench.h"
 #include "harness/suites/test_suite.h"
 
 namespace photonproof {

@@ -1,4 +1,4 @@
-#include "harness/bench_findings.h"
+#include "harness/bench/bench_findings.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "harness/compare_cell.h"
+#include "harness/bench/compare_cell.h"
 
 #include "harness/metrics/heatmap.h"
 #include "scenes/images/image.h"

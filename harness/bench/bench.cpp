@@ -1,17 +1,17 @@
-#include "harness/bench.h"
+#include "harness/bench/bench.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "harness/bench_findings.h"
-#include "harness/bench_plan.h"
+#include "harness/bench/bench_findings.h"
+#include "harness/bench/bench_plan.h"
 #include "harness/cells/calibration.h"
 #include "harness/cells/cell_command.h"
 #include "harness/cells/cells.h"
-#include "harness/compare_cell.h"
+#include "harness/bench/compare_cell.h"
 #include "harness/conclusions/convergence.h"
-#include "harness/correctness.h"
+#include "harness/bench/correctness.h"
 #include "harness/cells/folder_lock.h"
 #include "harness/gate_pictures.h"
 #include "harness/cells/host.h"

@@ -1,4 +1,4 @@
-#include "harness/against.h"
+#include "harness/bench/against.h"
 
 #include <fmt/format.h>
 

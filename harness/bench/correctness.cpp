@@ -1,4 +1,4 @@
-#include "harness/correctness.h"
+#include "harness/bench/correctness.h"
 
 #include <fmt/format.h>
 

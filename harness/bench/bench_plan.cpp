@@ -1,4 +1,4 @@
-#include "harness/bench_plan.h"
+#include "harness/bench/bench_plan.h"
 
 #include <algorithm>
 #include <map>
@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "harness/cells/cells.h"
-#include "harness/correctness.h"
+#include "harness/bench/correctness.h"
 #include "harness/cells/engine_version.h"
 #include "scenes/description/expect.h"
 #include "scenes/parser/parser.h"

@@ -4,7 +4,7 @@
 #include <exception>
 #include <vector>
 
-#include "harness/microbenchmarks.h"
+#include "harness/bench/microbenchmarks.h"
 #include "scenes/text/atomic_file.h"
 
 int main(int argc, char** argv) try {

@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "harness/against.h"
+#include "harness/bench/against.h"
 #include "harness/suites/suite.h"
 
 namespace photonproof {

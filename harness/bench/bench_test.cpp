@@ -1,4 +1,4 @@
-#include "harness/bench.h"
+#include "harness/bench/bench.h"
 
 #include "harness/test_gates.h"
 
