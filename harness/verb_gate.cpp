@@ -13,9 +13,9 @@
 
 #include "harness/suites/engine_command.h"
 #include "harness/engine_output.h"
-#include "harness/gate_accept.h"
-#include "harness/gate_run.h"
-#include "harness/gate_self_test.h"
+#include "harness/gates/gate_accept.h"
+#include "harness/gates/gate_run.h"
+#include "harness/gates/gate_self_test.h"
 #include "harness/interrupt.h"
 #include "harness/verbs.h"
 #include "harness/versions.h"

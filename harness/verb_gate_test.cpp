@@ -6,7 +6,7 @@
 
 #include "harness/metrics/metrics.h"
 #include "reports/record/results.h"
-#include "harness/test_gates.h"
+#include "harness/gates/test_gates.h"
 #include "reference/process/process.h"
 
 namespace photonproof {

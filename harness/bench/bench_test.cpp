@@ -1,6 +1,6 @@
 #include "harness/bench/bench.h"
 
-#include "harness/test_gates.h"
+#include "harness/gates/test_gates.h"
 
 namespace photonproof {
 namespace {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <vector>
 
-#include "harness/gate_look.h"
-#include "harness/independence.h"
+#include "harness/gates/gate_look.h"
+#include "harness/gates/independence.h"
 #include "harness/pixels/repeated_images.h"
 
 namespace photonproof {

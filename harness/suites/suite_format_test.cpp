@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "harness/suites/engine_command.h"
-#include "harness/gate_suite.h"
+#include "harness/gates/gate_suite.h"
 #include "harness/metrics/metric_rows.h"
 #include "scenes/text/atomic_file.h"
 #include "scenes/text/test_folder.h"

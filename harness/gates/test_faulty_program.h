@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/gate_mutants.h"
+#include "harness/gates/gate_mutants.h"
 #include "reference/process/process.h"
 #include "scenes/images/image.h"
 #include "scenes/text/test_folder.h"

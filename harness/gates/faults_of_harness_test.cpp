@@ -4,8 +4,8 @@
 #include <sstream>
 
 #include "harness/statistics/deviations.h"
-#include "harness/gate_images.h"
-#include "harness/test_gates.h"
+#include "harness/gates/gate_images.h"
+#include "harness/gates/test_gates.h"
 #include "scenes/text/faults.h"
 
 namespace photonproof {

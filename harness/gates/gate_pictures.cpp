@@ -1,4 +1,4 @@
-#include "harness/gate_pictures.h"
+#include "harness/gates/gate_pictures.h"
 
 #include <algorithm>
 #include <cctype>

@@ -1,9 +1,9 @@
-#include "harness/gate_self_test.h"
+#include "harness/gates/gate_self_test.h"
 
 #include <algorithm>
 #include <set>
 
-#include "harness/test_gates.h"
+#include "harness/gates/test_gates.h"
 
 namespace photonproof {
 namespace {

@@ -1,4 +1,4 @@
-#include "harness/gate_self_test.h"
+#include "harness/gates/gate_self_test.h"
 
 #include <algorithm>
 #include <map>

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "harness/cells/cell_store.h"
-#include "harness/gate_suite.h"
+#include "harness/gates/gate_suite.h"
 #include "harness/cells/scene_copies.h"
 #include "scenes/images/image.h"
 

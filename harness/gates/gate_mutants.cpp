@@ -1,4 +1,4 @@
-#include "harness/gate_mutants.h"
+#include "harness/gates/gate_mutants.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 // Gates as a run decides them: how alpha is spent over looks, and images whose sides are neither equal nor multiples of
 // a block's.
-#include "harness/gate_look.h"
+#include "harness/gates/gate_look.h"
 
 #include <gtest/gtest.h>
 

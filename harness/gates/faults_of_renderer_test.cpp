@@ -6,7 +6,7 @@
 #include <functional>
 #include <numbers>
 
-#include "harness/test_faulty_program.h"
+#include "harness/gates/test_faulty_program.h"
 
 namespace photonproof {
 namespace {

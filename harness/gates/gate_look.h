@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "harness/statistics/gate_statistics.h"
-#include "harness/gate_suite.h"
+#include "harness/gates/gate_suite.h"
 #include "reference/store/reference_store.h"
 #include "scenes/images/exposure_range.h"
 

@@ -1,4 +1,4 @@
-#include "harness/independence.h"
+#include "harness/gates/independence.h"
 
 #include <algorithm>
 #include <cmath>

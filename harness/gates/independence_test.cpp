@@ -1,9 +1,9 @@
 // Which references can convict an engine.
-#include "harness/independence.h"
+#include "harness/gates/independence.h"
 
 #include <gtest/gtest.h>
 
-#include "harness/gate_suite.h"
+#include "harness/gates/gate_suite.h"
 #include "harness/suites/suite_rows.h"
 
 namespace photonproof {

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "harness/gate_suite.h"
+#include "harness/gates/gate_suite.h"
 #include "reference/store/provenance.h"
 
 namespace photonproof {

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "reports/record/results.h"
-#include "harness/test_gates.h"
+#include "harness/gates/test_gates.h"
 #include "reference/process/process.h"
 
 namespace photonproof {

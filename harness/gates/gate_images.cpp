@@ -1,4 +1,4 @@
-#include "harness/gate_images.h"
+#include "harness/gates/gate_images.h"
 
 #include <algorithm>
 #include <atomic>

@@ -10,8 +10,8 @@
 #include <span>
 #include <string>
 
-#include "harness/gate_images.h"
-#include "harness/gate_look.h"
+#include "harness/gates/gate_images.h"
+#include "harness/gates/gate_look.h"
 
 namespace photonproof {
 

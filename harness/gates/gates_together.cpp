@@ -1,9 +1,9 @@
-#include "harness/gates_together.h"
+#include "harness/gates/gates_together.h"
 
 #include <algorithm>
 #include <map>
 
-#include "harness/independence.h"
+#include "harness/gates/independence.h"
 #include "harness/suites/suite_rows.h"
 
 namespace photonproof {

@@ -1,4 +1,4 @@
-#include "harness/accepted_verdicts.h"
+#include "harness/gates/accepted_verdicts.h"
 
 #include <fmt/format.h>
 

@@ -1,11 +1,11 @@
-#include "harness/gate_accept.h"
+#include "harness/gates/gate_accept.h"
 
 #include <fmt/format.h>
 
 #include <cstdlib>
 
 #include "harness/suites/engine_command.h"
-#include "harness/gate_look.h"
+#include "harness/gates/gate_look.h"
 #include "harness/metrics/metrics.h"
 #include "harness/suites/suite_rows.h"
 #include "reference/process/process.h"

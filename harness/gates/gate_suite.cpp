@@ -1,8 +1,8 @@
-#include "harness/gate_suite.h"
+#include "harness/gates/gate_suite.h"
 
 #include "harness/suites/engine_command.h"
-#include "harness/gate_look.h"
-#include "harness/gate_mutants.h"
+#include "harness/gates/gate_look.h"
+#include "harness/gates/gate_mutants.h"
 #include "harness/metrics/metric_rows.h"
 #include "harness/suites/suite_rows.h"
 #include "scenes/text/atomic_file.h"

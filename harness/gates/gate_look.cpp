@@ -1,4 +1,4 @@
-#include "harness/gate_look.h"
+#include "harness/gates/gate_look.h"
 
 #include <fmt/format.h>
 

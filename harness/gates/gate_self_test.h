@@ -17,10 +17,10 @@
 #include <string>
 #include <vector>
 
-#include "harness/gate_look.h"
-#include "harness/gate_mutants.h"
-#include "harness/gate_run.h"
-#include "harness/pool_sizes.h"
+#include "harness/gates/gate_look.h"
+#include "harness/gates/gate_mutants.h"
+#include "harness/gates/gate_run.h"
+#include "harness/gates/pool_sizes.h"
 
 namespace photonproof {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "harness/gate_mutants.h"
-#include "harness/test_faulty_program.h"
+#include "harness/gates/gate_mutants.h"
+#include "harness/gates/test_faulty_program.h"
 
 namespace photonproof {
 namespace {

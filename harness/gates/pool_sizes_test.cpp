@@ -1,4 +1,4 @@
-#include "harness/pool_sizes.h"
+#include "harness/gates/pool_sizes.h"
 
 #include "scenes/text/test_folder.h"
 

@@ -6,8 +6,8 @@
 #include <map>
 #include <string>
 
-#include "harness/gate_images.h"
-#include "harness/gate_suite.h"
+#include "harness/gates/gate_images.h"
+#include "harness/gates/gate_suite.h"
 #include "reference/store/reference_store.h"
 
 namespace photonproof {

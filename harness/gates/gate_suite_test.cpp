@@ -1,4 +1,4 @@
-#include "harness/gate_suite.h"
+#include "harness/gates/gate_suite.h"
 
 #include <algorithm>
 

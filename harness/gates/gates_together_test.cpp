@@ -1,4 +1,4 @@
-#include "harness/gates_together.h"
+#include "harness/gates/gates_together.h"
 
 #include <gtest/gtest.h>
 
