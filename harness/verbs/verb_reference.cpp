@@ -8,15 +8,15 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "harness/engine_output.h"
+#include "harness/verbs/engine_output.h"
 #include "harness/cells/folder_lock.h"
 #include "harness/cells/host.h"
-#include "harness/interrupt.h"
+#include "harness/verbs/interrupt.h"
 #include "harness/references/reference_estimator.h"
 #include "harness/references/reference_run.h"
-#include "harness/scene_options.h"
-#include "harness/verbs.h"
-#include "harness/versions.h"
+#include "harness/verbs/scene_options.h"
+#include "harness/verbs/verbs.h"
+#include "harness/verbs/versions.h"
 #include "reference/process/process.h"
 #include "reference/store/reference_store.h"
 #include "renderer/core/version.h"

@@ -4,8 +4,8 @@
 #include <cstdio>
 #include <memory>
 
-#include "harness/povray_arguments.h"
-#include "harness/verbs.h"
+#include "harness/verbs/povray_arguments.h"
+#include "harness/verbs/verbs.h"
 #include "reference/povray/povray_export.h"
 #include "scenes/description/output_files.h"
 

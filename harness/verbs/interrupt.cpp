@@ -1,4 +1,4 @@
-#include "harness/interrupt.h"
+#include "harness/verbs/interrupt.h"
 
 #include <csignal>
 

@@ -5,10 +5,10 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "harness/engine_output.h"
-#include "harness/interrupt.h"
-#include "harness/povray_arguments.h"
-#include "harness/verbs.h"
+#include "harness/verbs/engine_output.h"
+#include "harness/verbs/interrupt.h"
+#include "harness/verbs/povray_arguments.h"
+#include "harness/verbs/verbs.h"
 #include "reference/povray/povray_engine.h"
 #include "scenes/text/atomic_file.h"
 #include "scenes/text/json_text.h"

@@ -15,7 +15,7 @@
 #include "harness/statistics/agreement.h"
 #include "harness/metrics/heatmap.h"
 #include "harness/metrics/metric_bounds.h"
-#include "harness/verbs.h"
+#include "harness/verbs/verbs.h"
 #include "scenes/text/input_error.h"
 #include "scenes/description/output_files.h"
 #include "scenes/text/text_numbers.h"

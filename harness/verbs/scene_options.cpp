@@ -1,4 +1,4 @@
-#include "harness/scene_options.h"
+#include "harness/verbs/scene_options.h"
 
 #include <CLI/CLI.hpp>
 #include <charconv>

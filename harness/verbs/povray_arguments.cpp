@@ -1,4 +1,4 @@
-#include "harness/povray_arguments.h"
+#include "harness/verbs/povray_arguments.h"
 
 #include <CLI/CLI.hpp>
 #include <cstdio>

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "reports/record/results.h"
-#include "harness/verbs.h"
+#include "harness/verbs/verbs.h"
 #include "reports/formats/formats.h"
 #include "scenes/text/file_checksum.h"
 #include "scenes/text/input_error.h"

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "harness/metrics/metric_test_images.h"
-#include "harness/verbs.h"
+#include "harness/verbs/verbs.h"
 #include "scenes/text/atomic_file.h"
 #include "scenes/text/input_error.h"
 

@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "harness/scene_options.h"
+#include "harness/verbs/scene_options.h"
 #include "reference/povray/povray_options.h"
 
 namespace photonproof {

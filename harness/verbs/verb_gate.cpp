@@ -12,13 +12,13 @@
 #include <nlohmann/json.hpp>
 
 #include "harness/suites/engine_command.h"
-#include "harness/engine_output.h"
+#include "harness/verbs/engine_output.h"
 #include "harness/gates/gate_accept.h"
 #include "harness/gates/gate_run.h"
 #include "harness/gates/gate_self_test.h"
-#include "harness/interrupt.h"
-#include "harness/verbs.h"
-#include "harness/versions.h"
+#include "harness/verbs/interrupt.h"
+#include "harness/verbs/verbs.h"
+#include "harness/verbs/versions.h"
 #include "reports/formats/exchange_reports.h"
 #include "reports/page/html_report.h"
 #include "scenes/text/atomic_file.h"

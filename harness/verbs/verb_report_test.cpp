@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "reports/record/results.h"
-#include "harness/verbs.h"
+#include "harness/verbs/verbs.h"
 #include "scenes/text/atomic_file.h"
 #include "scenes/text/file_checksum.h"
 #include "scenes/text/input_error.h"

@@ -1,4 +1,4 @@
-#include "harness/engine_output.h"
+#include "harness/verbs/engine_output.h"
 
 #include <unistd.h>
 

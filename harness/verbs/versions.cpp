@@ -1,4 +1,4 @@
-#include "harness/versions.h"
+#include "harness/verbs/versions.h"
 
 #include <OpenEXR/OpenEXRConfig.h>
 #include <OpenImageIO/oiioversion.h>

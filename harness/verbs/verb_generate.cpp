@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "harness/verbs.h"
+#include "harness/verbs/verbs.h"
 #include "scenes/text/atomic_file.h"
 #include "scenes/text/input_error.h"
 #include "scenes/generators/library_assets.h"

@@ -11,10 +11,10 @@
 #include <nlohmann/json.hpp>
 
 #include "harness/cells/available_memory.h"
-#include "harness/engine_output.h"
-#include "harness/interrupt.h"
-#include "harness/scene_options.h"
-#include "harness/verbs.h"
+#include "harness/verbs/engine_output.h"
+#include "harness/verbs/interrupt.h"
+#include "harness/verbs/scene_options.h"
+#include "harness/verbs/verbs.h"
 #include "renderer/integrators/check_supported.h"
 #include "renderer/integrators/integrator.h"
 #include "renderer/core/parallel.h"

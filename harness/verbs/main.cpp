@@ -12,7 +12,7 @@
 #include <sstream>
 #include <string>
 
-#include "harness/verbs.h"
+#include "harness/verbs/verbs.h"
 #include "renderer/core/version.h"
 #include "scenes/text/input_error.h"
 #include "scenes/text/utf8.h"
