@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "harness/conclusions/paired_rounds.h"
-#include "reports/record/results.h"
 #include "harness/suites/suite.h"
+#include "reports/record/results.h"
 
 namespace photonproof {
 

@@ -5,12 +5,12 @@
 #include <set>
 #include <utility>
 
-#include "harness/cells/cells.h"
 #include "harness/bench/correctness.h"
+#include "harness/cells/cells.h"
 #include "harness/cells/engine_version.h"
 #include "scenes/description/expect.h"
-#include "scenes/parser/parser.h"
 #include "scenes/description/scene_hash.h"
+#include "scenes/parser/parser.h"
 #include "scenes/text/size_text.h"
 
 namespace photonproof {

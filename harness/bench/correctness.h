@@ -9,8 +9,8 @@
 #include <string>
 
 #include "harness/suites/engines.h"
-#include "reports/record/results.h"
 #include "reference/store/reference_store.h"
+#include "reports/record/results.h"
 #include "scenes/description/expect.h"
 
 namespace photonproof {

@@ -1,7 +1,7 @@
 #include "harness/cells/cell_command.h"
 
-#include "harness/suites/engine_command.h"
 #include "harness/cells/scene_copies.h"
+#include "harness/suites/engine_command.h"
 #include "scenes/text/faults.h"
 
 namespace photonproof {

@@ -1,7 +1,7 @@
 #include "harness/cells/cell_store.h"
 
-#include "scenes/text/file_checksum.h"
 #include "scenes/images/image.h"
+#include "scenes/text/file_checksum.h"
 #include "scenes/text/test_folder.h"
 
 namespace photonproof {

@@ -1,7 +1,7 @@
 #include "harness/cells/engine_version.h"
 
-#include "harness/suites/engine_command.h"
 #include "harness/cells/run_cell.h"
+#include "harness/suites/engine_command.h"
 #include "reference/process/process.h"
 #include "scenes/text/utf8.h"
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "reports/record/results.h"
 #include "harness/suites/suite.h"
+#include "reports/record/results.h"
 
 namespace photonproof {
 

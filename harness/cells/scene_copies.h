@@ -4,9 +4,9 @@
 // A copy has every file and folder of the original but
 //   reference-<W>x<H>.exr and .json, expect.toml, hidden files, and folders that hold results (a results.json)
 // under the same names, so that relative paths in the scene hold. (A scene names no file outside its folder:
-// scenes/parser/scene_files.h.) Folders are real ones, for a link would lead back. Small files are copied; of large ones the
-// blocks are shared where the file system can (a clone), else the file itself (a hard link), so that a scene of
-// gigabytes costs no space or time; only where neither works is it copied. A symbolic link within the folder stays
+// scenes/parser/scene_files.h.) Folders are real ones, for a link would lead back. Small files are copied; of large
+// ones the blocks are shared where the file system can (a clone), else the file itself (a hard link), so that a scene
+// of gigabytes costs no space or time; only where neither works is it copied. A symbolic link within the folder stays
 // one; one that leads out is followed to a file, kept to a folder, and left out where it leads to the original's
 // parents.
 //

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <sstream>
 
-#include "harness/statistics/deviations.h"
 #include "harness/gates/gate_images.h"
 #include "harness/gates/test_gates.h"
+#include "harness/statistics/deviations.h"
 #include "scenes/text/faults.h"
 
 namespace photonproof {

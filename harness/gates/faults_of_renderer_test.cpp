@@ -1,5 +1,5 @@
-// What the renderer's faults do to an image (scenes/text/faults.h): a closed form, or the image of a sound program that is
-// told the mistake.
+// What the renderer's faults do to an image (scenes/text/faults.h): a closed form, or the image of a sound program that
+// is told the mistake.
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
-// The second program, photonproof-faulty (scenes/text/faults.h): without a fault it is the first, and what its faults do to
-// an image follows from theory; faults_of_*_test.cpp have more of them. gate --self-test counts on both.
+// The second program, photonproof-faulty (scenes/text/faults.h): without a fault it is the first, and what its faults
+// do to an image follows from theory; faults_of_*_test.cpp have more of them. gate --self-test counts on both.
 
 #include <cmath>
 #include <numbers>

@@ -4,9 +4,9 @@
 
 #include <cstdlib>
 
-#include "harness/suites/engine_command.h"
 #include "harness/gates/gate_look.h"
 #include "harness/metrics/metrics.h"
+#include "harness/suites/engine_command.h"
 #include "harness/suites/suite_rows.h"
 #include "reference/process/process.h"
 #include "reference/store/reference_store.h"

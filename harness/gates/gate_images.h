@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "harness/cells/cell_store.h"
-#include "harness/gates/gate_suite.h"
 #include "harness/cells/scene_copies.h"
+#include "harness/gates/gate_suite.h"
 #include "scenes/images/image.h"
 
 namespace photonproof {

@@ -7,10 +7,10 @@
 #include <filesystem>
 #include <optional>
 
-#include "harness/statistics/deviations.h"
-#include "harness/statistics/error_shares.h"
 #include "harness/metrics/metrics.h"
 #include "harness/pixels/repeated_images.h"
+#include "harness/statistics/deviations.h"
+#include "harness/statistics/error_shares.h"
 #include "scenes/description/expect.h"
 #include "scenes/text/input_error.h"
 

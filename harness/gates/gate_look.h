@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "harness/statistics/gate_statistics.h"
 #include "harness/gates/gate_suite.h"
+#include "harness/statistics/gate_statistics.h"
 #include "reference/store/reference_store.h"
 #include "scenes/images/exposure_range.h"
 

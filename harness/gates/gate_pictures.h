@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <string>
 
-#include "reports/record/results.h"
 #include "reference/store/reference_store.h"
+#include "reports/record/results.h"
 
 namespace photonproof {
 

@@ -6,13 +6,13 @@
 #include <ranges>
 #include <span>
 
-#include "harness/gates/accepted_verdicts.h"
 #include "harness/cells/engine_version.h"
 #include "harness/cells/folder_lock.h"
+#include "harness/cells/host.h"
+#include "harness/gates/accepted_verdicts.h"
 #include "harness/gates/gate_look.h"
 #include "harness/gates/gate_pictures.h"
 #include "harness/gates/gates_together.h"
-#include "harness/cells/host.h"
 #include "harness/gates/independence.h"
 #include "scenes/description/expect.h"
 #include "scenes/text/input_error.h"

@@ -9,9 +9,9 @@
 #include "harness/cells/engine_version.h"
 #include "harness/cells/folder_lock.h"
 #include "harness/cells/host.h"
+#include "harness/cells/side_by_side.h"
 #include "harness/metrics/metrics.h"
 #include "harness/pixels/repeated_images.h"
-#include "harness/cells/side_by_side.h"
 #include "scenes/text/faults.h"
 #include "scenes/text/input_error.h"
 

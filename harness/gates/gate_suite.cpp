@@ -1,12 +1,12 @@
 #include "harness/gates/gate_suite.h"
 
-#include "harness/suites/engine_command.h"
 #include "harness/gates/gate_look.h"
 #include "harness/gates/gate_mutants.h"
 #include "harness/metrics/metric_rows.h"
+#include "harness/suites/engine_command.h"
 #include "harness/suites/suite_rows.h"
-#include "scenes/text/atomic_file.h"
 #include "scenes/description/expect.h"
+#include "scenes/text/atomic_file.h"
 
 namespace photonproof {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "reports/record/gate_metrics.h"
 #include "harness/suites/suite.h"
+#include "reports/record/gate_metrics.h"
 
 namespace photonproof {
 

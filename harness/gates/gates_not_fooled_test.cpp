@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "reports/record/results.h"
 #include "harness/gates/test_gates.h"
 #include "reference/process/process.h"
+#include "reports/record/results.h"
 
 namespace photonproof {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "harness/suites/test_suite.h"
 #include "reference/store/reference_store.h"
-#include "scenes/parser/parser.h"
 #include "scenes/description/scene_hash.h"
+#include "scenes/parser/parser.h"
 
 namespace photonproof {
 

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <filesystem>
 
+#include "harness/metrics/metric_test_images.h"
 #include "harness/pixels/display.h"
 #include "reports/record/heatmap_magma.h"
-#include "harness/metrics/metric_test_images.h"
 #include "scenes/text/input_error.h"
 
 namespace photonproof {

@@ -15,8 +15,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "harness/pixels/metric_filter.h"
 #include "harness/metrics/metric_flip.h"
+#include "harness/pixels/metric_filter.h"
 
 namespace photonproof {
 namespace {

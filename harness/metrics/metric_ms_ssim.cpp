@@ -10,8 +10,8 @@
 #include <cmath>
 
 #include "harness/metrics/metric_rows.h"
-#include "harness/pixels/metric_sum.h"
 #include "harness/metrics/metric_windows.h"
+#include "harness/pixels/metric_sum.h"
 #include "scenes/text/text_numbers.h"
 
 namespace photonproof {

@@ -8,8 +8,8 @@
 
 #include "harness/metrics/metric_ms_ssim.h"
 #include "harness/metrics/metric_rows.h"
-#include "harness/pixels/metric_sum.h"
 #include "harness/metrics/metric_windows.h"
+#include "harness/pixels/metric_sum.h"
 #include "scenes/text/text_numbers.h"
 
 namespace photonproof {

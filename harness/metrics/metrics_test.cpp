@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "harness/metrics/metric_run.h"
-#include "harness/pixels/metric_sum.h"
 #include "harness/metrics/metric_test_images.h"
+#include "harness/pixels/metric_sum.h"
 
 namespace photonproof {
 namespace {

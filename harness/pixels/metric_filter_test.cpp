@@ -6,8 +6,8 @@
 #include <cstring>
 #include <vector>
 
-#include "harness/pixels/display.h"
 #include "harness/metrics/metric_test_images.h"
+#include "harness/pixels/display.h"
 
 namespace photonproof {
 namespace {

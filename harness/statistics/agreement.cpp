@@ -10,8 +10,8 @@
 
 #include "harness/pixels/image_blocks.h"
 #include "harness/statistics/student.h"
-#include "scenes/text/input_error.h"
 #include "scenes/images/mean_error.h"
+#include "scenes/text/input_error.h"
 #include "scenes/text/percent_text.h"
 
 namespace photonproof {

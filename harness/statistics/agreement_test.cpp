@@ -9,8 +9,8 @@
 #include <functional>
 #include <random>
 
-#include "scenes/text/input_error.h"
 #include "scenes/images/mean_error.h"
+#include "scenes/text/input_error.h"
 
 namespace photonproof {
 namespace {

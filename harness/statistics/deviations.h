@@ -10,7 +10,8 @@
 // - A pixel's mean of a few skewed images is skewed, and its upper tail longer than normal's: it is taken as that of
 //   the Gamma distribution with the skewness that the block's pixels show together.
 // - The whole image's variance has no neighbours: it has the degrees of freedom of the images' number.
-// - A committed reference is rounded to half floats at random (reference/store/half_rounding.h). Its variance knows that, but
+// - A committed reference is rounded to half floats at random (reference/store/half_rounding.h). Its variance knows
+// that, but
 //   a value that goes up once in a thousand is no normal one: each pixel of the reference is taken to be as uncertain
 //   as that rounding can make it, 2^-11 of its value.
 // - Rounding of sums counts as a deviation of 1e-5 of the value, so that pixels without noise compare as equal.

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <numeric>
 
-#include "harness/statistics/gate_tiles.h"
-#include "harness/pixels/image_blocks.h"
 #include "harness/metrics/metric_rows.h"
+#include "harness/pixels/image_blocks.h"
+#include "harness/statistics/gate_tiles.h"
 
 namespace photonproof {
 namespace {

@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
-#include "harness/statistics/deviations.h"
 #include "harness/metrics/metric_bounds.h"
+#include "harness/statistics/deviations.h"
 #include "reports/record/results.h"
 
 namespace photonproof {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "engines_text.h"
 #include "harness/suites/engine_command.h"
-#include "harness/engines_text.h"
 #include "scenes/text/edit_distance.h"
 
 namespace photonproof {

@@ -4,9 +4,9 @@
 #include <set>
 #include <sstream>
 
-#include "harness/suites/engine_command.h"
 #include "harness/gates/gate_suite.h"
 #include "harness/metrics/metric_rows.h"
+#include "harness/suites/engine_command.h"
 #include "scenes/text/atomic_file.h"
 #include "scenes/text/test_folder.h"
 

@@ -16,7 +16,7 @@ namespace photonproof {
 
 inline constexpr std::size_t max_suite_bytes = std::size_t{1} << 24;
 inline constexpr std::size_t max_scene_file_bytes = std::size_t{1} << 30;  // of an engine's own file of a scene
-inline constexpr std::int64_t max_side = 1 << 14;                          // 2^28 pixels, as scenes/images/image.h reads
+inline constexpr std::int64_t max_side = 1 << 14;  // 2^28 pixels, as scenes/images/image.h reads
 
 /// "a, b, c", or "none".
 template <class Items>

@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <optional>
 
-#include "scenes/text/input_error.h"
 #include "scenes/description/output_files.h"
+#include "scenes/text/input_error.h"
 #include "scenes/text/timer.h"
 
 namespace photonproof {

@@ -14,12 +14,12 @@
 #include "harness/verbs/scene_options.h"
 #include "harness/verbs/verbs.h"
 #include "harness/verbs/versions.h"
-#include "reports/page/html_report.h"
 #include "reports/formats/markdown_report.h"
+#include "reports/page/html_report.h"
 #include "reports/view/verdicts.h"
+#include "scenes/description/output_files.h"
 #include "scenes/text/input_error.h"
 #include "scenes/text/json_text.h"
-#include "scenes/description/output_files.h"
 
 namespace photonproof {
 namespace {

@@ -12,10 +12,10 @@
 #include <sstream>
 #include <thread>
 
-#include "reports/record/results.h"
 #include "harness/cells/test_program.h"
 #include "harness/suites/test_suite.h"
 #include "reference/process/process.h"
+#include "reports/record/results.h"
 
 namespace photonproof {
 namespace {

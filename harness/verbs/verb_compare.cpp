@@ -12,12 +12,12 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "harness/statistics/agreement.h"
 #include "harness/metrics/heatmap.h"
 #include "harness/metrics/metric_bounds.h"
+#include "harness/statistics/agreement.h"
 #include "harness/verbs/verbs.h"
-#include "scenes/text/input_error.h"
 #include "scenes/description/output_files.h"
+#include "scenes/text/input_error.h"
 #include "scenes/text/text_numbers.h"
 
 namespace photonproof {

@@ -11,11 +11,11 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "harness/suites/engine_command.h"
-#include "harness/verbs/engine_output.h"
 #include "harness/gates/gate_accept.h"
 #include "harness/gates/gate_run.h"
 #include "harness/gates/gate_self_test.h"
+#include "harness/suites/engine_command.h"
+#include "harness/verbs/engine_output.h"
 #include "harness/verbs/interrupt.h"
 #include "harness/verbs/verbs.h"
 #include "harness/verbs/versions.h"

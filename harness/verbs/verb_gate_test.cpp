@@ -4,10 +4,10 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "harness/metrics/metrics.h"
-#include "reports/record/results.h"
 #include "harness/gates/test_gates.h"
+#include "harness/metrics/metrics.h"
 #include "reference/process/process.h"
+#include "reports/record/results.h"
 
 namespace photonproof {
 namespace {

@@ -8,11 +8,11 @@
 #include <memory>
 
 #include "harness/verbs/verbs.h"
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/input_error.h"
 #include "scenes/generators/library_assets.h"
 #include "scenes/generators/many_lights.h"
 #include "scenes/generators/million.h"
+#include "scenes/text/atomic_file.h"
+#include "scenes/text/input_error.h"
 
 namespace photonproof {
 namespace {

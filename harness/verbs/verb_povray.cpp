@@ -10,9 +10,9 @@
 #include "harness/verbs/povray_arguments.h"
 #include "harness/verbs/verbs.h"
 #include "reference/povray/povray_engine.h"
+#include "scenes/description/output_files.h"
 #include "scenes/text/atomic_file.h"
 #include "scenes/text/json_text.h"
-#include "scenes/description/output_files.h"
 
 namespace photonproof {
 namespace {

@@ -8,24 +8,24 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "harness/verbs/engine_output.h"
 #include "harness/cells/folder_lock.h"
 #include "harness/cells/host.h"
-#include "harness/verbs/interrupt.h"
 #include "harness/references/reference_estimator.h"
 #include "harness/references/reference_run.h"
+#include "harness/verbs/engine_output.h"
+#include "harness/verbs/interrupt.h"
 #include "harness/verbs/scene_options.h"
 #include "harness/verbs/verbs.h"
 #include "harness/verbs/versions.h"
 #include "reference/process/process.h"
 #include "reference/store/reference_store.h"
 #include "renderer/core/version.h"
+#include "scenes/description/output_files.h"
+#include "scenes/description/scene_hash.h"
 #include "scenes/text/checksum.h"
 #include "scenes/text/input_error.h"
 #include "scenes/text/json_text.h"
-#include "scenes/description/output_files.h"
 #include "scenes/text/percent_text.h"
-#include "scenes/description/scene_hash.h"
 
 namespace photonproof {
 namespace {

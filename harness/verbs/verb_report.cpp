@@ -9,13 +9,13 @@
 #include <string>
 #include <vector>
 
-#include "reports/record/results.h"
 #include "harness/verbs/verbs.h"
 #include "reports/formats/formats.h"
+#include "reports/record/results.h"
+#include "scenes/description/output_files.h"
 #include "scenes/text/file_checksum.h"
 #include "scenes/text/input_error.h"
 #include "scenes/text/json_text.h"
-#include "scenes/description/output_files.h"
 
 namespace photonproof {
 namespace {

@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "reports/record/results.h"
 #include "harness/verbs/verbs.h"
+#include "reports/record/results.h"
 #include "scenes/text/atomic_file.h"
 #include "scenes/text/file_checksum.h"
 #include "scenes/text/input_error.h"

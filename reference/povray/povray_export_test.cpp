@@ -8,9 +8,9 @@
 #include <sstream>
 
 #include "reference/povray/unrepresentable.h"
-#include "scenes/text/atomic_file.h"
 #include "scenes/description/expect.h"
 #include "scenes/parser/parser.h"
+#include "scenes/text/atomic_file.h"
 
 namespace photonproof {
 namespace {

@@ -5,11 +5,11 @@
 #include <ctime>
 
 #include "reference/store/half_rounding.h"
+#include "scenes/description/scene_hash.h"
+#include "scenes/parser/parser.h"
 #include "scenes/text/atomic_file.h"
 #include "scenes/text/checksum.h"
 #include "scenes/text/input_error.h"
-#include "scenes/parser/parser.h"
-#include "scenes/description/scene_hash.h"
 #include "scenes/text/size_text.h"
 
 namespace photonproof {

@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <limits>
 
-#include "scenes/parser/parser.h"
 #include "scenes/description/scene_hash.h"
+#include "scenes/parser/parser.h"
 #include "scenes/text/test_folder.h"
 
 namespace photonproof {

@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "renderer/bsdfs/test_bsdfs.h"
-#include "renderer/lanes/test_random.h"
 #include "renderer/bsdfs/test_shading.h"
+#include "renderer/lanes/test_random.h"
 
 namespace photonproof {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "renderer/lanes/chi_square.h"
 #include "renderer/bsdfs/test_shading.h"
+#include "renderer/lanes/chi_square.h"
 
 namespace photonproof {
 namespace {

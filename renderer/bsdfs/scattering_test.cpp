@@ -10,8 +10,8 @@
 #include <cstdio>
 #include <memory>
 
-#include "renderer/lanes/test_random.h"
 #include "renderer/integrators/test_scenes.h"
+#include "renderer/lanes/test_random.h"
 #include "renderer/scalar/world.h"
 
 namespace photonproof {

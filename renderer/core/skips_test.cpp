@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "renderer/planning/plan.h"
 #include "renderer/integrators/test_scenes.h"
+#include "renderer/planning/plan.h"
 
 namespace photonproof {
 namespace {

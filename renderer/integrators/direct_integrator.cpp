@@ -3,8 +3,8 @@
 
 #include "renderer/integrators/direct_integrator.h"
 
-#include "renderer/planning/direct_paths.h"
 #include "renderer/integrators/path_integrator.h"
+#include "renderer/planning/direct_paths.h"
 #include "renderer/planning/plan.h"
 
 namespace photonproof {

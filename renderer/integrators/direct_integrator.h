@@ -1,9 +1,9 @@
 // The `direct` integrator: emission and light that is reflected once.
 #pragma once
 
-#include "renderer/sensor/film.h"
 #include "renderer/passes/render_job.h"
 #include "renderer/scene/scene.h"
+#include "renderer/sensor/film.h"
 
 namespace photonproof {
 

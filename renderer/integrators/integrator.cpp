@@ -1,10 +1,10 @@
 #include "renderer/integrators/integrator.h"
 
-#include "renderer/scalar/bdpt.h"
 #include "renderer/integrators/direct_integrator.h"
-#include "renderer/scalar/particle_tracer.h"
 #include "renderer/integrators/path_integrator.h"
 #include "renderer/integrators/photon_mapper.h"
+#include "renderer/scalar/bdpt.h"
+#include "renderer/scalar/particle_tracer.h"
 #include "renderer/scalar/volpath.h"
 #include "renderer/scalar/whitted.h"
 

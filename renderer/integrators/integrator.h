@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "renderer/sensor/film.h"
-#include "renderer/planning/integrator_name.h"
 #include "renderer/passes/render_job.h"
+#include "renderer/planning/integrator_name.h"
 #include "renderer/scene/scene.h"
+#include "renderer/sensor/film.h"
 
 namespace photonproof {
 

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
-#include "renderer/planning/plan.h"
 #include "renderer/passes/render_loop.h"
 #include "renderer/passes/scratch_pool.h"
 #include "renderer/passes/tile_film.h"
+#include "renderer/planning/plan.h"
 
 namespace photonproof {
 

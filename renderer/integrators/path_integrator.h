@@ -1,10 +1,10 @@
 // The `path` integrator: the project's unbiased reference.
 #pragma once
 
-#include "renderer/sensor/film.h"
 #include "renderer/kernels/tasks.h"
 #include "renderer/passes/render_job.h"
 #include "renderer/scene/scene.h"
+#include "renderer/sensor/film.h"
 
 namespace photonproof {
 

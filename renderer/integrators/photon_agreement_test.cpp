@@ -24,10 +24,10 @@
 #include <numbers>
 
 #include "renderer/integrators/check_supported.h"
-#include "renderer/lanes/chi_square.h"
-#include "renderer/kernels/camera_rays.h"
 #include "renderer/integrators/test_photon_scenes.h"
 #include "renderer/integrators/test_scenes.h"
+#include "renderer/kernels/camera_rays.h"
+#include "renderer/lanes/chi_square.h"
 #include "scenes/parser/parser.h"
 
 namespace photonproof {

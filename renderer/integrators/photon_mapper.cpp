@@ -15,14 +15,14 @@
 #include <optional>
 
 #include "renderer/passes/look_up_area.h"
-#include "renderer/photons/photon_map.h"
 #include "renderer/passes/photon_radius.h"
 #include "renderer/passes/photon_tracing.h"
-#include "renderer/planning/plan.h"
-#include "renderer/photons/query_order.h"
 #include "renderer/passes/render_loop.h"
 #include "renderer/passes/scratch_pool.h"
 #include "renderer/passes/tile_film.h"
+#include "renderer/photons/photon_map.h"
+#include "renderer/photons/query_order.h"
+#include "renderer/planning/plan.h"
 #include "scenes/text/faults.h"
 
 namespace photonproof {

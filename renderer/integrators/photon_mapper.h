@@ -1,9 +1,9 @@
 // The `photonmapper` integrator: global and caustic photon maps of fixed radius.
 #pragma once
 
-#include "renderer/sensor/film.h"
 #include "renderer/passes/render_job.h"
 #include "renderer/scene/scene.h"
+#include "renderer/sensor/film.h"
 
 namespace photonproof {
 

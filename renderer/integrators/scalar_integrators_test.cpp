@@ -7,10 +7,10 @@
 #include <cstdio>
 #include <numbers>
 
-#include "renderer/scalar/bdpt_weights.h"
+#include "renderer/integrators/test_scenes.h"
 #include "renderer/lanes/chi_square.h"
 #include "renderer/media/phase.h"
-#include "renderer/integrators/test_scenes.h"
+#include "renderer/scalar/bdpt_weights.h"
 #include "scenes/images/mean_error.h"
 
 namespace photonproof {

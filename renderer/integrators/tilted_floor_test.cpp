@@ -9,8 +9,8 @@
 #include <memory>
 #include <numbers>
 
-#include "renderer/lanes/test_random.h"
 #include "renderer/integrators/test_scenes.h"
+#include "renderer/lanes/test_random.h"
 
 namespace photonproof {
 namespace {

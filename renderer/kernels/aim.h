@@ -2,9 +2,9 @@
 //   p(d) = 1/K sum over the K cones that hold d of 1 / (their solid angle)
 #pragma once
 
-#include "renderer/shapes/aim_cone.h"
-#include "renderer/scene/scene_view.h"
 #include "renderer/lanes/warp.h"
+#include "renderer/scene/scene_view.h"
+#include "renderer/shapes/aim_cone.h"
 
 namespace photonproof {
 

@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "renderer/bsdfs/bsdf.h"
-#include "renderer/kernels/lane_batch.h"
 #include "renderer/bsdfs/scattering.h"
+#include "renderer/kernels/lane_batch.h"
 #include "renderer/scene/scene_view.h"
 #include "renderer/scene/surface_detail.h"
 

@@ -1,8 +1,8 @@
 // Camera samples of a tile: path p of a task is sample p mod samples of pixel p / samples.
 #pragma once
 
-#include "renderer/sensor/camera_ray.h"
 #include "renderer/kernels/tasks.h"
+#include "renderer/sensor/camera_ray.h"
 
 namespace photonproof {
 

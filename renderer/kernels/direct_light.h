@@ -1,10 +1,10 @@
 // Next-event estimation for a pack: one light, one point of it, one shadow ray a lane.
 #pragma once
 
-#include "renderer/kernels/lights.h"
-#include "renderer/rays/rays.h"
 #include "renderer/core/ray_counts.h"
+#include "renderer/kernels/lights.h"
 #include "renderer/lanes/warp.h"
+#include "renderer/rays/rays.h"
 #include "scenes/text/faults.h"
 
 namespace photonproof {

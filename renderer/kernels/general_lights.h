@@ -3,8 +3,8 @@
 
 #include <cstring>
 
-#include "renderer/rays/surface_hit.h"
 #include "renderer/light_choice/light_block.h"
+#include "renderer/rays/surface_hit.h"
 
 namespace photonproof {
 

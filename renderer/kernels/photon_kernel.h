@@ -6,9 +6,9 @@
 #include "renderer/kernels/aim.h"
 #include "renderer/kernels/batch_kernel.h"
 #include "renderer/kernels/lights.h"
-#include "renderer/rays/rays.h"
 #include "renderer/lanes/roulette.h"
 #include "renderer/lanes/warp.h"
+#include "renderer/rays/rays.h"
 
 namespace photonproof {
 

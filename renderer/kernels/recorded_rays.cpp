@@ -3,7 +3,7 @@
 #include <bit>
 
 // A one-lane pack is a type of its own. The queries below are exact matches for it, so the path kernel prefers them to
-// the templates in kernels/rays.h.
+// the templates in rays/rays.h.
 #include "renderer/rays/rays.h"
 
 namespace photonproof {

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "renderer/scene/scene.h"
 #include "renderer/rays/trace.h"
+#include "renderer/scene/scene.h"
 
 namespace photonproof::bench {
 

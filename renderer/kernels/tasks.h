@@ -4,9 +4,9 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "renderer/photons/photon_gather.h"
 #include "renderer/core/ray_counts.h"
 #include "renderer/lanes/sampler.h"
+#include "renderer/photons/photon_gather.h"
 #include "renderer/scene/scene_view.h"
 
 namespace photonproof {

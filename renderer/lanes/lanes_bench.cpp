@@ -5,9 +5,9 @@
 
 #include <string>
 
+#include "renderer/integrators/test_scenes.h"
 #include "renderer/kernels/isa.h"
 #include "renderer/lanes/sampler.h"
-#include "renderer/integrators/test_scenes.h"
 #include "renderer/lanes/warp.h"
 
 namespace photonproof {

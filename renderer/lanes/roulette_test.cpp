@@ -12,8 +12,8 @@
 #include <numbers>
 #include <string>
 
-#include "renderer/lanes/chi_square.h"
 #include "renderer/integrators/test_scenes.h"
+#include "renderer/lanes/chi_square.h"
 
 namespace photonproof {
 namespace {

@@ -8,9 +8,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "renderer/light_choice/test_lights.h"
-#include "renderer/lanes/test_random.h"
 #include "renderer/integrators/test_scenes.h"
+#include "renderer/lanes/test_random.h"
+#include "renderer/light_choice/test_lights.h"
 
 namespace photonproof {
 namespace {

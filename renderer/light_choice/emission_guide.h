@@ -16,8 +16,8 @@
 #include <optional>
 #include <vector>
 
-#include "renderer/shapes/aim_cone.h"
 #include "renderer/lights/light.h"
+#include "renderer/shapes/aim_cone.h"
 #include "renderer/shapes/scene_ball.h"
 
 namespace photonproof {

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "renderer/lights/light.h"
 #include "renderer/light_choice/light_words.h"
+#include "renderer/lights/light.h"
 
 namespace photonproof {
 

@@ -28,8 +28,8 @@
 #include <vector>
 
 #include "renderer/light_choice/emission_guide.h"
-#include "renderer/lights/light.h"
 #include "renderer/light_choice/light_words.h"
+#include "renderer/lights/light.h"
 #include "renderer/shapes/surface.h"
 
 namespace photonproof {

@@ -6,9 +6,9 @@
 #include <ostream>
 #include <string>
 
-#include "renderer/lights/light_bounds.h"
-#include "renderer/light_choice/test_close_patches.h"
 #include "renderer/lanes/test_random.h"
+#include "renderer/light_choice/test_close_patches.h"
+#include "renderer/lights/light_bounds.h"
 
 namespace photonproof::test {
 

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <utility>
 
-#include "renderer/shapes/face_normal.h"
-#include "renderer/lights/light_tree.h"
 #include "renderer/lanes/warp.h"
+#include "renderer/lights/light_tree.h"
+#include "renderer/shapes/face_normal.h"
 
 namespace photonproof {
 namespace {

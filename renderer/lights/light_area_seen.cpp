@@ -6,9 +6,9 @@
 #include <limits>
 #include <numbers>
 
-#include "renderer/shapes/face_normal.h"
 #include "renderer/lights/light_area.h"
 #include "renderer/lights/light_tree.h"
+#include "renderer/shapes/face_normal.h"
 
 namespace photonproof {
 namespace {

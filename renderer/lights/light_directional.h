@@ -1,8 +1,8 @@
 // Light from one direction, at infinity: irradiance E cos. Photons start on the disc across the ball around the scene.
 #pragma once
 
-#include "renderer/lights/light_sample.h"
 #include "renderer/lanes/warp.h"
+#include "renderer/lights/light_sample.h"
 
 namespace photonproof {
 

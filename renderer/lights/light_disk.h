@@ -2,9 +2,9 @@
 // to it by the angles that it is seen under (light_near.h).
 #pragma once
 
+#include "renderer/lanes/warp.h"
 #include "renderer/lights/light_near.h"
 #include "renderer/lights/light_sample.h"
-#include "renderer/lanes/warp.h"
 
 namespace photonproof {
 

@@ -1,8 +1,8 @@
 // Isotropic point light: irradiance I cos / d^2.
 #pragma once
 
-#include "renderer/lights/light_sample.h"
 #include "renderer/lanes/warp.h"
+#include "renderer/lights/light_sample.h"
 
 namespace photonproof {
 

@@ -3,8 +3,8 @@
 // by area; from within also uniformly by solid angle, one sample in two, so that the wall close by is not left out.
 #pragma once
 
-#include "renderer/lights/light_sample.h"
 #include "renderer/lanes/warp.h"
+#include "renderer/lights/light_sample.h"
 
 namespace photonproof {
 

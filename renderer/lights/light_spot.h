@@ -1,8 +1,8 @@
 // A point that shines into a cone: in full within the beam, falling linearly with the angle to nothing at the cut-off.
 #pragma once
 
-#include "renderer/lights/light_sample.h"
 #include "renderer/lanes/warp.h"
+#include "renderer/lights/light_sample.h"
 
 namespace photonproof {
 

@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include "renderer/lanes/chi_square.h"
-#include "renderer/kernels/direct_light.h"
 #include "renderer/bsdfs/test_shading.h"
+#include "renderer/kernels/direct_light.h"
+#include "renderer/lanes/chi_square.h"
 
 namespace photonproof {
 namespace {

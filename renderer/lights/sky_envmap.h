@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "renderer/core/discrete_distribution.h"
-#include "scenes/images/image.h"
 #include "scenes/description/transform.h"
+#include "scenes/images/image.h"
 #include "scenes/meshes/vec.h"
 
 namespace photonproof {

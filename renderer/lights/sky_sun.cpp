@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "renderer/lights/sun_spectrum.h"
 #include "renderer/lanes/warp.h"
+#include "renderer/lights/sun_spectrum.h"
 #include "scenes/description/spectrum.h"
 
 namespace photonproof {

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "renderer/media/phase.h"
 #include "renderer/lanes/warp.h"
+#include "renderer/media/phase.h"
 #include "scenes/description/description.h"
 
 namespace photonproof {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <optional>
 
-#include "renderer/shapes/disc_area.h"
 #include "renderer/rays/rays.h"
 #include "renderer/scene/surface_detail.h"
+#include "renderer/shapes/disc_area.h"
 
 namespace photonproof {
 namespace {

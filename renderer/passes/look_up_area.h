@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "renderer/kernels/tasks.h"
-#include "renderer/shapes/mesh_area.h"
 #include "renderer/scene/scene.h"
+#include "renderer/shapes/mesh_area.h"
 
 namespace photonproof {
 

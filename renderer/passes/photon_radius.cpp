@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "renderer/sensor/camera.h"
 #include "renderer/scene/looked_at.h"
+#include "renderer/sensor/camera.h"
 
 namespace photonproof {
 namespace {

@@ -3,10 +3,10 @@
 
 #include <cstdint>
 
-#include "renderer/kernels/tasks.h"
 #include "renderer/core/parallel.h"
-#include "renderer/photons/photons.h"
+#include "renderer/kernels/tasks.h"
 #include "renderer/passes/ray_totals.h"
+#include "renderer/photons/photons.h"
 #include "renderer/scene/scene.h"
 
 namespace photonproof {

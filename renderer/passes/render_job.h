@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "renderer/core/checkpoint.h"
+#include "renderer/core/skips.h"
 #include "renderer/kernels/isa.h"
 #include "renderer/lanes/sampler.h"
-#include "renderer/core/skips.h"
 
 namespace photonproof {
 

@@ -21,11 +21,11 @@
 #include <vector>
 
 #include "renderer/core/checkpoint.h"
-#include "renderer/sensor/film.h"
 #include "renderer/core/parallel.h"
 #include "renderer/passes/pass_schedule.h"
 #include "renderer/passes/ray_totals.h"
 #include "renderer/passes/render_job.h"
+#include "renderer/sensor/film.h"
 
 namespace photonproof {
 

@@ -3,10 +3,10 @@
 
 #include <vector>
 
-#include "renderer/sensor/film.h"
-#include "renderer/kernels/tasks.h"
 #include "renderer/core/parallel.h"
+#include "renderer/kernels/tasks.h"
 #include "renderer/passes/render_job.h"
+#include "renderer/sensor/film.h"
 
 namespace photonproof {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "renderer/photons/photons.h"
 #include "renderer/lanes/test_random.h"
+#include "renderer/photons/photons.h"
 
 namespace photonproof {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "renderer/photons/photon_sort.h"
 #include "renderer/core/radix_sort.h"
+#include "renderer/photons/photon_sort.h"
 
 namespace photonproof {
 namespace {

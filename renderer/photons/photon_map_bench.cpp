@@ -16,11 +16,11 @@
 #include <numeric>
 
 #include "renderer/kernels/isa.h"
+#include "renderer/lanes/test_random.h"
+#include "renderer/lanes/warp.h"
 #include "renderer/photons/photon_kdtree.h"
 #include "renderer/photons/photon_map.h"
 #include "renderer/photons/query_order.h"
-#include "renderer/lanes/test_random.h"
-#include "renderer/lanes/warp.h"
 
 namespace photonproof {
 namespace {

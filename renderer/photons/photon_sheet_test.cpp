@@ -8,9 +8,9 @@
 #include <cstring>
 
 #include "renderer/kernels/isa.h"
-#include "renderer/photons/photon_map.h"
 #include "renderer/lanes/test_random.h"
 #include "renderer/lanes/warp.h"
+#include "renderer/photons/photon_map.h"
 
 namespace photonproof {
 namespace {

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "renderer/photons/photon_map.h"
 #include "renderer/core/radix_sort.h"
+#include "renderer/photons/photon_map.h"
 
 namespace photonproof {
 

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <bit>
 
-#include "renderer/scene/aim_targets.h"
+#include "renderer/light_choice/scene_lights.h"
 #include "renderer/planning/direct_paths.h"
 #include "renderer/planning/integrator_name.h"
 #include "renderer/planning/scene_facts.h"
-#include "renderer/light_choice/scene_lights.h"
+#include "renderer/scene/aim_targets.h"
 
 namespace photonproof {
 namespace {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "renderer/core/skips.h"
 #include "renderer/passes/render_job.h"
 #include "renderer/scene/scene.h"
-#include "renderer/core/skips.h"
 
 namespace photonproof {
 

@@ -5,8 +5,8 @@
 
 #include <limits>
 
-#include "renderer/rays/surface_hit.h"
 #include "renderer/rays/ray_scene.h"
+#include "renderer/rays/surface_hit.h"
 
 namespace photonproof {
 

@@ -1,4 +1,4 @@
-// The primitives of a small scene in the form its kernel wants (kernels/small_scene.h).
+// The primitives of a small scene in the form its kernel wants (small_scene.h).
 #pragma once
 
 #include <vector>

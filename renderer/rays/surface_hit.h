@@ -1,8 +1,8 @@
 // Where the rays of a pack end, and how rays leave a surface.
 #pragma once
 
-#include "renderer/lanes/lane.h"
 #include "renderer/core/ray.h"
+#include "renderer/lanes/lane.h"
 
 namespace photonproof {
 

@@ -14,9 +14,9 @@
 #include <new>
 #include <stdexcept>
 
+#include "renderer/rays/trace_tables.h"
 #include "renderer/shapes/curved_shapes.h"
 #include "renderer/shapes/face_normal.h"
-#include "renderer/rays/trace_tables.h"
 
 namespace photonproof {
 namespace {

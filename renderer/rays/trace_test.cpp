@@ -8,10 +8,10 @@
 #include <cmath>
 
 #include "renderer/integrators/integrator.h"
-#include "renderer/rays/rays.h"
-#include "renderer/lanes/test_random.h"
 #include "renderer/integrators/test_scenes.h"
+#include "renderer/lanes/test_random.h"
 #include "renderer/lanes/warp.h"
+#include "renderer/rays/rays.h"
 
 namespace photonproof {
 namespace {

@@ -5,9 +5,9 @@
 
 #include "renderer/scalar/bdpt.h"
 
-#include "renderer/scalar/bdpt_weights.h"
-#include "renderer/planning/plan.h"
 #include "renderer/lanes/roulette.h"
+#include "renderer/planning/plan.h"
+#include "renderer/scalar/bdpt_weights.h"
 #include "renderer/scalar/scalar_passes.h"
 #include "renderer/scalar/surroundings.h"
 #include "renderer/scalar/world_camera.h"

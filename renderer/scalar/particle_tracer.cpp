@@ -8,8 +8,8 @@
 
 #include "renderer/scalar/particle_tracer.h"
 
-#include "renderer/planning/plan.h"
 #include "renderer/lanes/roulette.h"
+#include "renderer/planning/plan.h"
 #include "renderer/scalar/scalar_passes.h"
 #include "renderer/scalar/surroundings.h"
 #include "renderer/scalar/world_camera.h"

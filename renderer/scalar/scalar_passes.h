@@ -3,8 +3,8 @@
 
 #include <functional>
 
-#include "renderer/lanes/draws.h"
 #include "renderer/core/ray_counts.h"
+#include "renderer/lanes/draws.h"
 #include "renderer/passes/render_loop.h"
 #include "renderer/scene/scene.h"
 #include "renderer/sensor/splats.h"

@@ -7,8 +7,8 @@
 
 #include "renderer/scalar/volpath.h"
 
-#include "renderer/planning/plan.h"
 #include "renderer/lanes/roulette.h"
+#include "renderer/planning/plan.h"
 #include "renderer/scalar/scalar_passes.h"
 #include "renderer/scalar/surroundings.h"
 #include "renderer/scalar/world_camera.h"

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstring>
 
-#include "renderer/rays/rays.h"
 #include "renderer/light_choice/scene_lights.h"
+#include "renderer/rays/rays.h"
 #include "renderer/scene/surface_detail.h"
 
 namespace photonproof {

@@ -6,10 +6,10 @@
 
 #include <optional>
 
-#include "renderer/core/ray_counts.h"
 #include "renderer/bsdfs/scattering.h"
-#include "renderer/scene/scene.h"
+#include "renderer/core/ray_counts.h"
 #include "renderer/lanes/warp.h"
+#include "renderer/scene/scene.h"
 
 namespace photonproof {
 

@@ -1,7 +1,7 @@
 #include "renderer/scalar/world_camera.h"
 
-#include "renderer/sensor/camera_connection.h"
 #include "renderer/kernels/camera_rays.h"
+#include "renderer/sensor/camera_connection.h"
 
 namespace photonproof {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "renderer/shapes/aim_cone.h"
 #include "renderer/scene/scene.h"
+#include "renderer/shapes/aim_cone.h"
 
 namespace photonproof {
 

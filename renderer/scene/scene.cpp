@@ -6,17 +6,17 @@
 #include <cstring>
 #include <set>
 
-#include "renderer/scene/aim_targets.h"
 #include "renderer/bsdfs/compile_bsdf.h"
+#include "renderer/light_choice/light_table.h"
+#include "renderer/light_choice/scene_lights.h"
 #include "renderer/lights/compile_light.h"
 #include "renderer/rays/rays.h"
-#include "renderer/light_choice/light_table.h"
+#include "renderer/rays/small_scene_tables.h"
+#include "renderer/scene/aim_targets.h"
 #include "renderer/scene/looked_at.h"
 #include "renderer/scene/scaled_description.h"
 #include "renderer/scene/scene_frame.h"
-#include "renderer/light_choice/scene_lights.h"
 #include "renderer/scene/scene_shapes.h"
-#include "renderer/rays/small_scene_tables.h"
 
 namespace photonproof {
 namespace {

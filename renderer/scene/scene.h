@@ -8,14 +8,14 @@
 #include <vector>
 
 #include "renderer/bsdfs/bsdf.h"
-#include "renderer/sensor/camera.h"
+#include "renderer/core/skips.h"
 #include "renderer/lights/light.h"
 #include "renderer/media/medium.h"
-#include "renderer/scene/scene_view.h"
-#include "renderer/core/skips.h"
-#include "renderer/shapes/surface.h"
-#include "renderer/scene/surface_detail.h"
 #include "renderer/rays/trace.h"
+#include "renderer/scene/scene_view.h"
+#include "renderer/scene/surface_detail.h"
+#include "renderer/sensor/camera.h"
+#include "renderer/shapes/surface.h"
 #include "scenes/description/description.h"
 
 namespace photonproof {

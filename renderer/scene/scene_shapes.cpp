@@ -5,10 +5,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "renderer/scene/scene_frame.h"
 #include "renderer/shapes/heightfield.h"
 #include "renderer/shapes/local_geometry.h"
 #include "renderer/shapes/mesh_normals.h"
-#include "renderer/scene/scene_frame.h"
 
 namespace photonproof {
 namespace {

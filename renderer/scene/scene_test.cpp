@@ -7,12 +7,12 @@
 #include <cmath>
 #include <limits>
 
-#include "renderer/sensor/film.h"
+#include "renderer/integrators/test_scenes.h"
 #include "renderer/kernels/lights.h"
+#include "renderer/lanes/test_random.h"
 #include "renderer/light_choice/light_table.h"
 #include "renderer/planning/scene_facts.h"
-#include "renderer/lanes/test_random.h"
-#include "renderer/integrators/test_scenes.h"
+#include "renderer/sensor/film.h"
 #include "scenes/images/mean_error.h"
 
 namespace photonproof {

@@ -3,9 +3,9 @@
 
 #include <cstdint>
 
-#include "renderer/sensor/camera_view.h"
-#include "renderer/rays/ray_scene.h"
 #include "renderer/lanes/sampler.h"
+#include "renderer/rays/ray_scene.h"
+#include "renderer/sensor/camera_view.h"
 
 namespace photonproof {
 

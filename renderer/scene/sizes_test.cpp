@@ -5,9 +5,9 @@
 #include <set>
 #include <string>
 
-#include "renderer/shapes/face_normal.h"
 #include "renderer/scene/scene_frame.h"
 #include "renderer/scene/test_sizes.h"
+#include "renderer/shapes/face_normal.h"
 #include "scenes/parser/parser.h"
 
 namespace photonproof {

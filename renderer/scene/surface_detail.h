@@ -5,9 +5,9 @@
 
 #include "renderer/bsdfs/bsdf.h"
 #include "renderer/bsdfs/bsdf_tree.h"
-#include "renderer/shapes/local_geometry.h"
 #include "renderer/bsdfs/scattering.h"
 #include "renderer/scene/scene_view.h"
+#include "renderer/shapes/local_geometry.h"
 #include "renderer/textures/texture.h"
 
 namespace photonproof {

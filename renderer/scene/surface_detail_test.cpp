@@ -7,9 +7,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "renderer/rays/rays.h"
-#include "renderer/lanes/test_random.h"
 #include "renderer/integrators/test_scenes.h"
+#include "renderer/lanes/test_random.h"
+#include "renderer/rays/rays.h"
 
 namespace photonproof {
 namespace {

@@ -1,8 +1,8 @@
 // The camera's rays, a lane each.
 #pragma once
 
-#include "renderer/sensor/camera_view.h"
 #include "renderer/lanes/warp.h"
+#include "renderer/sensor/camera_view.h"
 
 namespace photonproof {
 

@@ -7,11 +7,11 @@
 
 #include <numbers>
 
-#include "renderer/sensor/camera_connection.h"
-#include "renderer/lanes/chi_square.h"
-#include "renderer/kernels/camera_rays.h"
-#include "renderer/sensor/reconstruction_filter.h"
 #include "renderer/integrators/test_scenes.h"
+#include "renderer/kernels/camera_rays.h"
+#include "renderer/lanes/chi_square.h"
+#include "renderer/sensor/camera_connection.h"
+#include "renderer/sensor/reconstruction_filter.h"
 
 namespace photonproof {
 namespace {

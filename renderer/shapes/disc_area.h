@@ -5,9 +5,9 @@
 
 #include <span>
 
+#include "renderer/lanes/warp.h"
 #include "renderer/photons/photon_sheet.h"
 #include "renderer/shapes/surface.h"
-#include "renderer/lanes/warp.h"
 
 namespace photonproof {
 

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "renderer/shapes/face_normal.h"
 #include "renderer/lanes/warp.h"
+#include "renderer/shapes/face_normal.h"
 #include "scenes/text/faults.h"
 
 namespace photonproof {

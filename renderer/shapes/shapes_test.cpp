@@ -4,13 +4,13 @@
 
 #include <cmath>
 
-#include "renderer/shapes/heightfield.h"
+#include "renderer/integrators/test_scenes.h"
+#include "renderer/lanes/test_random.h"
+#include "renderer/lanes/warp.h"
 #include "renderer/rays/rays.h"
 #include "renderer/scene/scene.h"
 #include "renderer/scene/scene_frame.h"
-#include "renderer/lanes/test_random.h"
-#include "renderer/integrators/test_scenes.h"
-#include "renderer/lanes/warp.h"
+#include "renderer/shapes/heightfield.h"
 #include "scenes/meshes/icosphere.h"
 
 namespace photonproof {

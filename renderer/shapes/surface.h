@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "renderer/core/ray.h"
-#include "scenes/meshes/mesh.h"
 #include "scenes/description/transform.h"
+#include "scenes/meshes/mesh.h"
 #include "scenes/meshes/vec.h"
 
 namespace photonproof {

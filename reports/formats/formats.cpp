@@ -3,8 +3,8 @@
 #include <string>
 
 #include "reports/formats/exchange_reports.h"
-#include "reports/page/html_report.h"
 #include "reports/formats/markdown_report.h"
+#include "reports/page/html_report.h"
 #include "scenes/text/input_error.h"
 
 namespace photonproof {

@@ -2,8 +2,8 @@
 // time, and the gates, as far as the record has them.
 #include <fmt/format.h>
 
-#include "reports/view/conclusions.h"
 #include "reports/formats/exchange_reports.h"
+#include "reports/view/conclusions.h"
 #include "reports/view/metric_columns.h"
 #include "reports/view/numbers.h"
 #include "reports/view/text.h"

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "reports/page/html_data.h"
-#include "reports/view/text.h"
 #include "reports/page/viewer_data.h"
+#include "reports/view/text.h"
 
 namespace photonproof::reports {
 namespace {

@@ -5,10 +5,10 @@
 #include <algorithm>
 
 #include "reports/page/html_data.h"
+#include "reports/page/viewer_data.h"
 #include "reports/view/numbers.h"
 #include "reports/view/text.h"
 #include "reports/view/verdicts.h"
-#include "reports/page/viewer_data.h"
 
 namespace photonproof::reports {
 namespace {

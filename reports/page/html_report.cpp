@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "reports/view/environment.h"
 #include "reports/page/html_conclusions.h"
 #include "reports/page/html_data.h"
 #include "reports/page/html_scene.h"
-#include "reports/view/metric_columns.h"
 #include "reports/page/templates.h"
+#include "reports/view/environment.h"
+#include "reports/view/metric_columns.h"
 #include "reports/view/text.h"
 #include "scenes/text/atomic_file.h"
 

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "reports/view/cell_details.h"
 #include "reports/page/html_data.h"
+#include "reports/view/cell_details.h"
 #include "reports/view/metric_columns.h"
 #include "reports/view/numbers.h"
 #include "reports/view/text.h"

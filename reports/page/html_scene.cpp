@@ -4,16 +4,16 @@
 
 #include <algorithm>
 
-#include "reports/view/cell_details.h"
-#include "reports/view/conclusions.h"
-#include "reports/plots/error_plot.h"
 #include "reports/page/html_cards.h"
 #include "reports/page/html_conclusions.h"
 #include "reports/page/html_data.h"
 #include "reports/page/html_rows.h"
+#include "reports/page/viewer_data.h"
+#include "reports/plots/error_plot.h"
+#include "reports/view/cell_details.h"
+#include "reports/view/conclusions.h"
 #include "reports/view/text.h"
 #include "reports/view/verdicts.h"
-#include "reports/page/viewer_data.h"
 
 namespace photonproof::reports {
 namespace {

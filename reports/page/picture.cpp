@@ -8,8 +8,8 @@
 #include "reports/view/results_file.h"
 #include "reports/view/temporary_folder.h"
 #include "reports/view/text.h"
-#include "scenes/text/atomic_file.h"
 #include "scenes/images/image.h"
+#include "scenes/text/atomic_file.h"
 #include "scenes/text/input_error.h"
 
 namespace photonproof::reports {

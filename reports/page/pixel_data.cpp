@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <optional>
 
+#include "reports/page/reduced_image.h"
 #include "reports/view/deflated.h"
 #include "reports/view/flip_values.h"
-#include "reports/page/reduced_image.h"
 #include "reports/view/results_file.h"
 #include "reports/view/text.h"
 #include "scenes/text/input_error.h"

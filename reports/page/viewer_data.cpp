@@ -6,8 +6,8 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
-#include "reports/view/engine_style.h"
 #include "reports/page/pixel_data.h"
+#include "reports/view/engine_style.h"
 #include "reports/view/text.h"
 
 namespace photonproof::reports {

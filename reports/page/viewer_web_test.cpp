@@ -6,9 +6,9 @@
 #include <cmath>
 #include <limits>
 
-#include "reports/record/heatmap_magma.h"
 #include "reports/page/html_report.h"
 #include "reports/page/test_browser.h"
+#include "reports/record/heatmap_magma.h"
 
 namespace photonproof {
 namespace {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <kainjow/mustache.hpp>
 
-#include "reports/view/engine_style.h"
 #include "reports/plots/error_plot.h"
+#include "reports/view/engine_style.h"
 #include "reports/view/numbers.h"
 #include "reports/view/text.h"
 

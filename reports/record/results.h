@@ -117,7 +117,8 @@ struct EngineRecord {
   std::string name;
   std::string title;  ///< "photonproof path tracer"
   std::string version;
-  std::string trust{};  ///< "unbiased", "biased" or "external" (harness/suites/engines.h); empty when the record does not say
+  std::string
+      trust{};  ///< "unbiased", "biased" or "external" (harness/suites/engines.h); empty when the record does not say
 };
 
 struct Host {

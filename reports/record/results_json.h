@@ -1,4 +1,4 @@
-// Results as JSON values, field by field; the shape is harness/results.schema.json's.
+// Results as JSON values, field by field; the shape is reports/record/results.schema.json's.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

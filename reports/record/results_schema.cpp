@@ -10,7 +10,7 @@
 #include <valijson/validator.hpp>
 
 #include "reports/record/results.h"
-#include "harness/results_schema_text.h"
+#include "results_schema_text.h"
 #include "scenes/text/input_error.h"
 
 namespace photonproof {

@@ -1,4 +1,4 @@
-// The contract of results.json (harness/results.schema.json, carried inside the program) applied to a document.
+// The contract of results.json (reports/record/results.schema.json, carried inside the program) applied to a document.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

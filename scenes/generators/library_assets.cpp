@@ -5,11 +5,11 @@
 #include <cstdio>
 #include <numbers>
 
-#include "scenes/text/atomic_file.h"
 #include "scenes/generators/gradient_noise.h"
 #include "scenes/images/image.h"
 #include "scenes/meshes/mesh.h"
 #include "scenes/meshes/ply.h"
+#include "scenes/text/atomic_file.h"
 
 namespace photonproof {
 namespace {

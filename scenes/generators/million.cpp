@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scenes/text/atomic_file.h"
-#include "scenes/meshes/ply.h"
 #include "scenes/generators/terrain.h"
+#include "scenes/meshes/ply.h"
+#include "scenes/text/atomic_file.h"
 
 namespace photonproof {
 namespace {

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
-#include "scenes/text/atomic_file.h"
 #include "scenes/description/expect.h"
-#include "scenes/parser/parser.h"
 #include "scenes/meshes/ply.h"
+#include "scenes/parser/parser.h"
+#include "scenes/text/atomic_file.h"
 
 namespace photonproof {
 namespace {

@@ -7,12 +7,12 @@
 #include <fstream>
 #include <memory>
 
-#include "scenes/text/atomic_file.h"
 #include "scenes/images/display_window.h"
 #include "scenes/images/exr_file.h"
 #include "scenes/images/image_file.h"
-#include "scenes/text/input_error.h"
 #include "scenes/images/png_file.h"
+#include "scenes/text/atomic_file.h"
+#include "scenes/text/input_error.h"
 #include "scenes/text/size_text.h"
 
 namespace photonproof {

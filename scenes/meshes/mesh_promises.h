@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "scenes/text/input_error.h"
 #include "scenes/meshes/mesh.h"
+#include "scenes/text/input_error.h"
 
 namespace photonproof {
 

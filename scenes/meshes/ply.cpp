@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 
-#include "scenes/text/atomic_file.h"
 #include "scenes/meshes/ply_layout.h"
 #include "scenes/meshes/ply_values.h"
+#include "scenes/text/atomic_file.h"
 
 namespace photonproof {
 namespace {

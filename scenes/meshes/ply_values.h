@@ -8,8 +8,8 @@
 #include <string>
 #include <string_view>
 
-#include "scenes/text/input_error.h"
 #include "scenes/meshes/ply_header.h"
+#include "scenes/text/input_error.h"
 #include "scenes/text/text_numbers.h"
 #include "scenes/text/text_position.h"
 #include "scenes/text/utf8.h"

@@ -3,9 +3,9 @@
 #include <cstring>
 #include <fstream>
 
+#include "scenes/meshes/ply.h"
 #include "scenes/text/atomic_file.h"
 #include "scenes/text/input_error.h"
-#include "scenes/meshes/ply.h"
 
 namespace photonproof {
 namespace {

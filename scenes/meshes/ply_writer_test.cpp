@@ -2,9 +2,9 @@
 
 #include <filesystem>
 
+#include "scenes/meshes/ply.h"
 #include "scenes/text/atomic_file.h"
 #include "scenes/text/input_error.h"
-#include "scenes/meshes/ply.h"
 
 namespace photonproof {
 namespace {

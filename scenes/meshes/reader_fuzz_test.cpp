@@ -3,9 +3,9 @@
 
 #include <filesystem>
 
-#include "scenes/text/atomic_file.h"
 #include "scenes/meshes/ies_fuzz.h"
 #include "scenes/meshes/obj_fuzz.h"
+#include "scenes/text/atomic_file.h"
 
 namespace photonproof {
 namespace {

@@ -5,11 +5,11 @@
 #include <functional>
 #include <numbers>
 
-#include "scenes/text/atomic_file.h"
 #include "scenes/description/expect.h"
 #include "scenes/generators/library_assets.h"
 #include "scenes/generators/many_lights.h"
 #include "scenes/parser/parser.h"
+#include "scenes/text/atomic_file.h"
 
 namespace photonproof {
 namespace {

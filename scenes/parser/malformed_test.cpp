@@ -6,8 +6,8 @@
 #include <map>
 #include <string>
 
-#include "scenes/text/atomic_file.h"
 #include "scenes/parser/parser.h"
+#include "scenes/text/atomic_file.h"
 
 namespace photonproof {
 namespace {

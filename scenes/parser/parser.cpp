@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <type_traits>
 
-#include "scenes/text/atomic_file.h"
 #include "scenes/parser/expand.h"
 #include "scenes/parser/plugins.h"
 #include "scenes/parser/scene_objects.h"
+#include "scenes/text/atomic_file.h"
 
 namespace photonproof {
 namespace {

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "scenes/description/description.h"
-#include "scenes/text/edit_distance.h"
 #include "scenes/parser/params.h"
 #include "scenes/parser/scene_objects.h"
+#include "scenes/text/edit_distance.h"
 #include "scenes/text/text_numbers.h"
 
 namespace photonproof::scene_xml {

@@ -1,8 +1,8 @@
 // Mitsuba 3's emitters and the extension ies; defaults are Mitsuba's.
 #include <cmath>
 
-#include "scenes/parser/plugins.h"
 #include "scenes/description/sun_position.h"
+#include "scenes/parser/plugins.h"
 
 namespace photonproof::scene_xml {
 namespace {

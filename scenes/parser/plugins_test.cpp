@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "scenes/text/atomic_file.h"
 #include "scenes/parser/parser.h"
+#include "scenes/text/atomic_file.h"
 
 namespace photonproof {
 namespace {

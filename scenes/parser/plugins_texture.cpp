@@ -1,6 +1,6 @@
 // Mitsuba 3's bitmap and checkerboard; defaults are its.
-#include "scenes/text/faults.h"
 #include "scenes/parser/plugins.h"
+#include "scenes/text/faults.h"
 
 namespace photonproof::scene_xml {
 namespace {

@@ -6,8 +6,8 @@
 
 #include <filesystem>
 
-#include "scenes/text/atomic_file.h"
 #include "scenes/meshes/ply.h"
+#include "scenes/text/atomic_file.h"
 
 namespace photonproof {
 namespace {

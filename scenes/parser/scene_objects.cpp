@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <type_traits>
 
-#include "scenes/text/edit_distance.h"
 #include "scenes/parser/plugins.h"
+#include "scenes/text/edit_distance.h"
 #include "scenes/text/text_numbers.h"
 
 namespace photonproof::scene_xml {

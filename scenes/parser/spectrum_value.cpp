@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "scenes/parser/scene_objects.h"
-#include "scenes/text/text_numbers.h"
 #include "scenes/parser/values.h"
+#include "scenes/text/text_numbers.h"
 
 namespace photonproof::scene_xml {
 namespace {

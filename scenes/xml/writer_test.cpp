@@ -8,8 +8,8 @@
 #include <random>
 
 #include "scenes/meshes/obj.h"
-#include "scenes/parser/parser.h"
 #include "scenes/meshes/ply.h"
+#include "scenes/parser/parser.h"
 #include "scenes/parser/same_scene.h"
 
 namespace photonproof {

@@ -10,5 +10,5 @@ namespace photonproof {
 inline constexpr char ${variable}[] = R\"embedded(${text})embedded\";
 }  // namespace photonproof
 ")
-  file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/embedded/harness/${variable}.h CONTENT "${content}" @ONLY)
+  file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/embedded/${variable}.h CONTENT "${content}" @ONLY)
 endfunction()

@@ -1,0 +1,2 @@
+// What an upper room may do.
+#include "scenes/cellar/c.h"

@@ -1,0 +1,2 @@
+// What a lower room may not.
+#include "scenes/attic/a.h"

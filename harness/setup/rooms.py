@@ -1,0 +1,67 @@
+#!/usr/bin/env python3
+"""Holds every source to its room: what it may include, and how large rooms and files may grow.
+
+  rooms.py ROOMS ROOT    ROOMS: as CMake writes it into the build folder, a line a room, "folder | may include | sources"
+
+A room's sources and headers may include the rooms it links and those that they may. Tests, benches and what only they
+use (test_*.h) may include anything. Prints what is wrong as file:line: sentence and ends with 1.
+"""
+import re
+import sys
+from pathlib import Path
+
+most_files, most_lines = 45, 500
+tops = ("scenes", "renderer", "reference", "reports", "harness")
+
+
+def read_rooms(text):
+    may, sources = {}, set()
+    for line in filter(None, text.splitlines()):
+        room, others, files = (part.strip() for part in line.split("|"))
+        may[room] = others.split()
+        sources.update(f"{room}/{name}" for name in files.split())
+    return may, sources
+
+
+def reachable(may, room, found):
+    for other in may[room]:
+        if other not in found:
+            found.add(other)
+            reachable(may, other, found)
+    return found
+
+
+def main(rooms_file, root):
+    may, sources = read_rooms(Path(rooms_file).read_text())
+    allowed = {room: reachable(may, room, set()) | {room} for room in may}
+    problems = [f"{room}: may include itself through {', '.join(may[room])}" for room in may
+                if any(room in allowed[other] for other in may[room])]
+    count = dict.fromkeys(may, 0)
+    for path in sorted(p for top in tops for end in ("*.h", "*.cpp") for p in (root / top).rglob(end)):
+        file = path.relative_to(root).as_posix()
+        room = file.rpartition("/")[0]
+        if room.startswith("harness/setup/"):
+            continue  # what its scripts are tested with
+        if room not in may:
+            problems.append(f"{file}:1: lies in no room")
+            continue
+        count[room] += 1
+        lines = path.read_text().splitlines()
+        if len(lines) > most_lines:
+            problems.append(f"{file}:{most_lines}: has {len(lines)} lines, more than {most_lines}")
+        if file not in sources and (path.suffix == ".cpp" or path.name.startswith("test_")):
+            continue
+        for number, line in enumerate(lines, 1):
+            included = re.match(r'#include "([a-z_/0-9]+)/[^/"]+"', line)
+            if included and included[1] in may and included[1] not in allowed[room]:
+                problems.append(f"{file}:{number}: {room} may not include {included[1]}")
+    problems += [f"{room}: has {files} sources, more than {most_files}"
+                 for room, files in count.items() if files > most_files]
+    print("\n".join(problems) or f"{len(may)} rooms, {sum(count.values())} files")
+    return 1 if problems else 0
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 3:
+        sys.exit(__doc__)
+    sys.exit(main(sys.argv[1], Path(sys.argv[2])))
