@@ -9,7 +9,7 @@ function(hashed_sources out)
     file(GLOB_RECURSE found ${watched} ${folder}/*.h ${folder}/*.cpp)
     list(APPEND all ${found})
   endforeach()
-  list(FILTER all EXCLUDE REGEX "_(test|bench|fuzz)\\.cpp$|/test_[a-z_]*\\.h$")
+  list(FILTER all EXCLUDE REGEX "_(test|bench|fuzz)\\.cpp$|/test_[a-z_]*\\.(h|cpp)$")
   set(${out} ${all} PARENT_SCOPE)
 endfunction()
 # What can decide an image; what can decide a verdict on it.

@@ -3,8 +3,8 @@
 
   rooms.py ROOMS ROOT    ROOMS: as CMake writes it into the build folder, a line a room, "folder | may include | sources"
 
-A room's sources and headers may include the rooms it links and those that they may. Tests, benches and what only they
-use (test_*.h) may include anything. Prints what is wrong as file:line: sentence and ends with 1.
+A room's files may include the rooms it links and those that they may. Tests, benches and what only they use (test_*) may
+include anything. Prints what is wrong as file:line: sentence and ends with 1.
 """
 import re
 import sys
@@ -49,7 +49,7 @@ def main(rooms_file, root):
         lines = path.read_text().splitlines()
         if len(lines) > most_lines:
             problems.append(f"{file}:{most_lines}: has {len(lines)} lines, more than {most_lines}")
-        if file not in sources and (path.suffix == ".cpp" or path.name.startswith("test_")):
+        if file not in sources and re.search(r"_(test|bench|fuzz)\.cpp$|^test_", path.name):
             continue
         for number, line in enumerate(lines, 1):
             included = re.match(r'#include "([a-z_/0-9]+)/[^/"]+"', line)

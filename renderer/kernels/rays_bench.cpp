@@ -6,9 +6,9 @@
 
 #include <map>
 
-#include "renderer/kernels/bench_scenes.h"
 #include "renderer/kernels/isa.h"
 #include "renderer/kernels/recorded_rays.h"
+#include "renderer/kernels/test_bench_scenes.h"
 
 namespace photonproof {
 namespace {

@@ -1,4 +1,4 @@
-#include "renderer/kernels/bench_scenes.h"
+#include "renderer/kernels/test_bench_scenes.h"
 
 #include <filesystem>
 #include <map>
