@@ -19,7 +19,6 @@
 #include "renderer/core/version.h"
 #include "renderer/integrators/check_supported.h"
 #include "renderer/integrators/integrator.h"
-#include "renderer/planning/plan.h"
 #include "renderer/scene/scene_notes.h"
 #include "scenes/description/output_files.h"
 #include "scenes/description/scene_hash.h"
@@ -145,7 +144,7 @@ nlohmann::ordered_json stats_json(const RenderArguments& arguments, const std::s
 }
 
 /// Says on stderr what the scene does not get as it asks for; the same, for the stats.
-std::vector<std::string> say_notes(const SceneDescription& description, const Scene& scene) {
+std::vector<std::string> say_notes(const SceneDescription& description, const SceneParts& scene) {
   std::vector<std::string> losses;
   for (const SceneNote& note : scene_notes(description, scene)) {
     losses.push_back(note.where + ": " + note.text);
@@ -190,10 +189,9 @@ int print_plan(const RenderArguments& arguments) {
   check_job(job, method);
   const FilmDescription& film = description.sensor.film;
   film_window(film, arguments.crop);
-  const Scene scene(description, film.width, film.height, job.skips,
-                    find_integrator(integrator_name(method))->small_limit(), ScenePurpose::plan);
-  const RenderPlan plan = plan_render(scene, method, job);
-  say_notes(description, scene);
+  const SceneParts parts(description, film.width, film.height);
+  const RenderPlan plan = plan_render(analyse(parts), method, job);
+  say_notes(description, parts);
   std::printf("%s", arguments.json ? (json_text(plan_json(plan)) + "\n").c_str() : plan_text(plan).c_str());
   return 0;
 }
@@ -241,20 +239,21 @@ int run_render(const RenderArguments& arguments) {
   const FilmDescription& film_size = description.sensor.film;
   const Tile window = film_window(film_size, arguments.crop);
   check_memory(description, window, arguments.checkpoint_seconds);
-  const Scene scene(description, film_size.width, film_size.height, job.skips, find_integrator(name)->small_limit());
+  SceneParts parts(description, film_size.width, film_size.height);
+  const RenderPlan plan = plan_render(analyse(parts), method, job);
+  stats.losses = say_notes(description, parts);
+  const Scene scene(std::move(parts), plan.scene);
   stats.phases["compile"] = compile_timer.seconds();
-  stats.losses = say_notes(description, scene);
 
   stats.counts["bytes_scene"] = static_cast<double>(scene.memory_bytes());
   if (scene.view().tracer != nullptr) stats.counts["bytes_bvh"] = static_cast<double>(scene.view().tracer->bvh_bytes());
 
-  const RenderPlan plan = plan_render(scene, method, job);
   checkpoint.identity = render_identity(arguments, description, plan, window);
   job.checkpoint = checkpoint;
 
   Film film(window);
   const std::size_t said = stats.losses.size();
-  find_integrator(name)->render(scene, method, job, film, stats);
+  render(scene, plan, job, film, stats);
   for (std::size_t i = said; i < stats.losses.size(); ++i)
     std::fprintf(stderr, "%s: warning: %s\n", arguments.scene.path.c_str(), stats.losses[i].c_str());
 

@@ -12,6 +12,7 @@
 
 #include "renderer/integrators/test_scenes.h"
 #include "renderer/lanes/test_random.h"
+#include "renderer/planning/test_compiled.h"
 #include "renderer/scalar/world.h"
 
 namespace photonproof {
@@ -63,7 +64,8 @@ float camera(const Vec3f& to_camera) { return 1 - 0.6f * to_camera.y + 0.7f * to
 
 class OneSurface {
  public:
-  explicit OneSurface(const SceneDescription& description) : scene_(description, 4, 4), world_(scene_) {}
+  explicit OneSurface(const SceneDescription& description)
+      : scene_(test::compiled(description, 4, 4)), world_(scene_) {}
   const World& world() const { return world_; }
   Interaction met_from(const Vec3f& direction, float u, TransportMode mode) const {
     Interaction at;
@@ -181,7 +183,7 @@ TEST_P(BothModes, have_weights_that_are_the_value_over_the_density) {
         const float adjoint = evaluate(at, to_camera, to_light, TransportMode::importance).y * cosine(at.ng, to_light);
         ASSERT_NEAR(forward, adjoint, 1e-3f * forward) << m.name << ' ' << i;
       }
-    if (has_smooth(Scene(surface(m.model, GetParam()), 4, 4).bsdfs[0])) {
+    if (has_smooth(compile_bsdfs(surface(m.model, GetParam())).records[0])) {
       EXPECT_GT(smooth, 500) << m.name;
     }
   }

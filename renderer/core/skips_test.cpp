@@ -6,6 +6,7 @@
 
 #include "renderer/integrators/test_scenes.h"
 #include "renderer/planning/plan.h"
+#include "renderer/planning/test_compiled.h"
 
 namespace photonproof {
 namespace {
@@ -15,10 +16,10 @@ Rendering render_without(const SceneDescription& description, const char* integr
   RenderJob job = test::job_with(8, 20'000);
   job.skips = SkipSwitches(switched_off);
   const FilmDescription size = description.sensor.film;
-  const Scene scene(description, size.width, size.height, job.skips);
+  const Scene scene = test::compiled(description, size.width, size.height, job.skips);
   Film film(size.width, size.height);
   RenderStats stats;
-  find_integrator(integrator)->render(scene, with_integrator(description.integrator, integrator), job, film, stats);
+  test::render(scene, with_integrator(description.integrator, integrator), job, film, stats);
   return film.develop();
 }
 
@@ -68,11 +69,10 @@ TEST(skips, photons_aimed_at_specular_surfaces_bring_the_same_light_as_all) {
     for (int seed = 1; seed <= seeds; ++seed) {
       RenderJob job = test::job_with(16, 50'000, static_cast<std::uint64_t>(seed));
       if (off == 1) job.skips = SkipSwitches({"stray-photons"});
-      const Scene compiled(scene, 24, 24, job.skips);
+      const Scene compiled = test::compiled(scene, 24, 24, job.skips);
       Film film(24, 24);
       RenderStats stats;
-      find_integrator("photonmapper")
-          ->render(compiled, with_integrator(scene.integrator, "photonmapper"), job, film, stats);
+      test::render(compiled, with_integrator(scene.integrator, "photonmapper"), job, film, stats);
       const Image image = film.develop().mean;
       whole.push_back(test::image_mean(image));
       floor.push_back(test::block_mean(image, 4, 18, 16, 5));
@@ -114,12 +114,12 @@ TEST(skips, lights_chosen_by_place_bring_the_same_light_as_those_chosen_by_flux)
 
 TEST(skips, the_plan_says_what_the_scene_does_not_need_and_why) {
   const SceneDescription description = test::floor_under_point_light(8);
-  const Scene scene(description, 8, 8);
+  const SceneFacts facts = analyse(SceneParts(description, 8, 8));
   RenderJob job;
   job.isa = "scalar";
   const IntegratorDescription mapper = with_integrator(description.integrator, "photonmapper");
   EXPECT_EQ(
-      plan_text(plan_render(scene, mapper, job)),
+      plan_text(plan_render(facts, mapper, job)),
       "photonmapper, kernels scalar (1 lane)\n"
       "runs\n"
       "  camera paths        to their first diffuse surface, where photons within a fixed radius are looked up; "
@@ -134,15 +134,16 @@ TEST(skips, the_plan_says_what_the_scene_does_not_need_and_why) {
       "normals, tangents or nested BSDFs\n"
       "  light-choice        the random choice among lights: 1 light\n"
       "  shadow-rays         shadow rays to lights that a cosine of 0 hides: where the light or the BSDF gives "
-      "nothing, none is traced\n");
+      "nothing, none is traced\n"
+      "  mis                 multiple importance sampling: every light is a point, no ray can hit one\n");
 }
 
 TEST(skips, a_switch_that_is_off_is_in_the_plan) {
   const SceneDescription description = test::floor_under_point_light(8);
   RenderJob job;
   job.skips = SkipSwitches({"mis"});
-  const Scene scene(description, 8, 8, job.skips);
-  const RenderPlan plan = plan_render(scene, with_integrator(description.integrator, "path"), job);
+  const RenderPlan plan =
+      plan_render(analyse(SceneParts(description, 8, 8)), with_integrator(description.integrator, "path"), job);
   EXPECT_FALSE(plan.skips(Skip::mis));
   EXPECT_NE(plan_text(plan).find("switched off by --no-skip, though every light is a point"), std::string::npos);
 }
@@ -152,10 +153,10 @@ TEST(skips, fewer_shadow_rays_are_traced_where_cosines_hide_the_light) {
   const auto shadow_rays = [&](const std::vector<std::string>& off) {
     RenderJob job = test::job_with(4);
     job.skips = SkipSwitches(off);
-    const Scene scene(description, 16, 16, job.skips);
+    const Scene scene = test::compiled(description, 16, 16, job.skips);
     Film film(16, 16);
     RenderStats stats;
-    find_integrator("path")->render(scene, with_integrator(description.integrator, "path"), job, film, stats);
+    test::render(scene, with_integrator(description.integrator, "path"), job, film, stats);
     return stats.counts["rays_shadow"];
   };
   EXPECT_LT(shadow_rays({}), 0.95 * shadow_rays({"shadow-rays"}));

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "renderer/integrators/test_scenes.h"
+#include "renderer/planning/test_compiled.h"
 #include "scenes/parser/parser.h"
 
 namespace photonproof {
@@ -89,7 +90,7 @@ TEST(caustic, of_a_plane_mirror_is_as_bright_as_the_beam) {
 
 TEST(caustic, flux_on_the_floor_of_cornell_spheres_agrees_with_path_tracing) {
   const SceneDescription scene = floor_and_balls();
-  const auto pixels = floor_pixels(Scene(scene, 64, 64));
+  const auto pixels = floor_pixels(test::compiled(scene, 64, 64));
   ASSERT_GT(pixels.size(), 500u);
   // Two edges are direct light alone; the same direct estimator and random numbers leave the caustic as the difference.
   const double path = floor_sum(scene, pixels, "path", 17, 2048) - floor_sum(scene, pixels, "path", 2, 2048);

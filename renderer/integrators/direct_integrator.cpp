@@ -5,15 +5,24 @@
 
 #include "renderer/integrators/path_integrator.h"
 #include "renderer/planning/direct_paths.h"
-#include "renderer/planning/plan.h"
 
 namespace photonproof {
 
-void render_direct(const Scene& scene, const IntegratorDescription& description, const RenderJob& job, Film& film,
-                   RenderStats& stats) {
-  const auto asked = std::get<DirectDescription>(description.method);
-  const RenderPlan plan = plan_render(scene, description, job);
-  stats.skipped = plan.skipped();
+void plan_direct(const IntegratorDescription& description, Planner& planner) {
+  const auto& method = std::get<DirectDescription>(description.method);
+  const auto paths = static_cast<std::size_t>(paths_a_sample(method));
+  planner.run("camera paths", "of at most 2 edges, " + counted(paths, "path", "paths") + " a camera sample");
+  planner.run("direct light", method.bsdf_samples == 0 ? "samples of the lights alone"
+                              : method.emitter_samples == 0
+                                  ? "rays that meet the lights alone"
+                                  : "samples of the lights, weighted against rays that meet them");
+  planner.batches();
+  planner.direct_light(method.emitter_samples > 0 && method.bsdf_samples > 0);
+  planner.no_light_paths();
+}
+
+void render_direct(const Scene& scene, const RenderPlan& plan, const RenderJob& job, Film& film, RenderStats& stats) {
+  const auto asked = std::get<DirectDescription>(plan.method.method);
   PathSettings settings{.max_depth = 2, .hide_emitters = asked.hide_emitters};
   settings.sample_lights = asked.emitter_samples > 0;
   settings.meet_lights = asked.bsdf_samples > 0;

@@ -6,19 +6,19 @@
 
 #include "renderer/passes/render_job.h"
 #include "renderer/planning/integrator_name.h"
+#include "renderer/planning/planner.h"
 #include "renderer/scene/scene.h"
 #include "renderer/sensor/film.h"
 
 namespace photonproof {
 
-/// Renders into the film until the budget or an interrupt ends it. Deterministic for a given number of samples and
-/// photons: neither threads nor time enter the estimates. Passes go through render_loop.h, which gives an integrator
-/// budget, progress, Ctrl-C, checkpoints and --resume. The film may be a window of the image: pixels outside of it are
-/// not asked for.
 struct Integrator {
   const char* name;
   const char* summary;
-  void (*render)(const Scene&, const IntegratorDescription&, const RenderJob&, Film&, RenderStats&);
+  /// What it will do with a scene of these facts, and what it leaves out.
+  void (*plan)(const IntegratorDescription&, Planner&);
+  /// Renders as `render` below says. The plan is its own, and the scene is built as it says.
+  void (*render)(const Scene&, const RenderPlan&, const RenderJob&, Film&, RenderStats&);
   /// What of a job it heeds; the rest is refused rather than ignored (check_supported.h).
   struct Heeds {
     bool photons = false;  ///< the budget's
@@ -37,5 +37,14 @@ struct Integrator {
 const std::vector<Integrator>& integrators();
 /// Null when there is none of that name.
 const Integrator* find_integrator(const std::string& name);
+
+/// Throws InputError where the job cannot be done (an instruction set the processor has not).
+RenderPlan plan_render(const SceneFacts& facts, const IntegratorDescription& method, const RenderJob& job);
+
+/// Renders into the film until the budget or an interrupt ends it. Deterministic for a given number of samples and
+/// photons: neither threads nor time enter the estimates. Passes go through render_loop.h, which gives an integrator
+/// budget, progress, Ctrl-C, checkpoints and --resume. The film may be a window of the image: pixels outside of it are
+/// not asked for.
+void render(const Scene& scene, const RenderPlan& plan, const RenderJob& job, Film& film, RenderStats& stats);
 
 }  // namespace photonproof

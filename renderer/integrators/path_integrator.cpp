@@ -7,7 +7,6 @@
 #include "renderer/passes/render_loop.h"
 #include "renderer/passes/scratch_pool.h"
 #include "renderer/passes/tile_film.h"
-#include "renderer/planning/plan.h"
 
 namespace photonproof {
 
@@ -32,11 +31,18 @@ void trace_path_passes(const Scene& scene, const PathSettings& settings, const R
   }
 }
 
-void render_path(const Scene& scene, const IntegratorDescription& description, const RenderJob& job, Film& film,
-                 RenderStats& stats) {
-  const auto asked = std::get<PathDescription>(description.method);
-  const RenderPlan plan = plan_render(scene, description, job);
-  stats.skipped = plan.skipped();
+void plan_path(const IntegratorDescription& description, Planner& planner) {
+  const auto& method = std::get<PathDescription>(description.method);
+  planner.run("camera paths",
+              depth_words(method.max_depth) + ", roulette from depth " + std::to_string(method.rr_depth));
+  planner.batches();
+  planner.direct_light(true);
+  planner.cannot_see(false);
+  planner.no_light_paths();
+}
+
+void render_path(const Scene& scene, const RenderPlan& plan, const RenderJob& job, Film& film, RenderStats& stats) {
+  const auto asked = std::get<PathDescription>(plan.method.method);
   trace_path_passes(scene, {asked.max_depth, asked.rr_depth, asked.hide_emitters, !plan.skips(Skip::mis)}, job,
                     "path tracing", film, stats);
 }

@@ -3,6 +3,7 @@
 
 #include "renderer/kernels/tasks.h"
 #include "renderer/passes/render_job.h"
+#include "renderer/planning/planner.h"
 #include "renderer/scene/scene.h"
 #include "renderer/sensor/film.h"
 
@@ -12,7 +13,7 @@ namespace photonproof {
 void trace_path_passes(const Scene& scene, const PathSettings& settings, const RenderJob& job, const std::string& phase,
                        Film& film, RenderStats& stats);
 
-void render_path(const Scene& scene, const IntegratorDescription& description, const RenderJob& job, Film& film,
-                 RenderStats& stats);
+void plan_path(const IntegratorDescription& description, Planner& planner);
+void render_path(const Scene& scene, const RenderPlan& plan, const RenderJob& job, Film& film, RenderStats& stats);
 
 }  // namespace photonproof

@@ -28,6 +28,7 @@
 #include "renderer/integrators/test_scenes.h"
 #include "renderer/kernels/camera_rays.h"
 #include "renderer/lanes/chi_square.h"
+#include "renderer/planning/test_compiled.h"
 #include "scenes/parser/parser.h"
 
 namespace photonproof {
@@ -54,8 +55,8 @@ std::vector<bool> glossy_pixels(const Scene& scene, int size) {
       const Hit hit = ray.valid ? scene.intersect(ray.origin, ray.direction) : Hit{};
       bool found = false;
       if (hit.valid())
-        scene.for_each_leaf(scene.surfaces[hit.surface].bsdf,
-                            [&](const Bsdf& leaf, bool) { found = found || !is_lambertian(leaf); });
+        scene.bsdfs.for_each_leaf(scene.surfaces[hit.surface].bsdf,
+                                  [&](const Bsdf& leaf, bool) { found = found || !is_lambertian(leaf); });
       for (const int j : {std::max(y - 1, 0), std::min(y, size - 1)})
         for (const int i : {std::max(x - 1, 0), std::min(x, size - 1)})
           if (found) glossy[static_cast<std::size_t>(j * size + i)] = true;
@@ -111,11 +112,10 @@ struct Comparison {
 };
 
 Comparison compare(const SceneDescription& description, const Effort& effort) {
-  const Scene scene(description, effort.size, effort.size);
-  const auto render = [&](const char* name, const IntegratorDescription& method, const RenderJob& job,
-                          RenderStats& stats) {
+  const Scene scene = test::compiled(description, effort.size, effort.size);
+  const auto render = [&](const IntegratorDescription& method, const RenderJob& job, RenderStats& stats) {
     Film film(effort.size, effort.size);
-    find_integrator(name)->render(scene, method, job, film, stats);
+    test::render(scene, method, job, film, stats);
     return film.develop().mean;
   };
   const auto method = [&](const char* name) {
@@ -131,7 +131,7 @@ Comparison compare(const SceneDescription& description, const Effort& effort) {
   IntegratorDescription photons = method("photonmapper");
   job.budget.spp = 1;
   job.budget.photons = 200'000;
-  render("photonmapper", photons, job, stats);
+  render(photons, job, stats);
   const auto radius = [&](const char* name) { return stats.counts.contains(name) ? stats.counts.at(name) : 0; };
   auto& settings = std::get<PhotonMapperDescription>(photons.method);
   settings.global_radius = radius("radius_global");
@@ -147,14 +147,14 @@ Comparison compare(const SceneDescription& description, const Effort& effort) {
     job.budget.photons.reset();
     job.budget.spp = effort.path_spp;
     std::vector<double> reference, least, most, own;
-    out.reference.add(render(effort.reference, method(effort.reference), job, stats), 1, reference);
+    out.reference.add(render(method(effort.reference), job, stats), 1, reference);
     out.reference.end_run(reference);
 
     job.seed += 1000;
     job.budget.spp = effort.photon_spp;
     job.budget.photons = effort.photons;
-    const Image whole = render("photonmapper", photons, job, stats);
-    const Image half = render("photonmapper", at_half, job, stats);
+    const Image whole = render(photons, job, stats);
+    const Image half = render(at_half, job, stats);
     out.at_radius.add(whole, 1, own);
     out.at_radius.end_run(own);
     out.less_no_bias.add(half, 1, least);

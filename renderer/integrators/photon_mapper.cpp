@@ -22,7 +22,7 @@
 #include "renderer/passes/tile_film.h"
 #include "renderer/photons/photon_map.h"
 #include "renderer/photons/query_order.h"
-#include "renderer/planning/plan.h"
+#include "renderer/scene/aim_targets.h"
 #include "scenes/text/faults.h"
 
 namespace photonproof {
@@ -187,15 +187,52 @@ std::uint64_t photons_for_pass(const MapState& state, const RenderJob& job, std:
   return count;
 }
 
+/// Decides on a map; `needed` by the scene, where paths are long enough for one.
+void plan_map(Planner& planner, Skip skip, const char* name, std::int64_t photons, int max_depth, bool needed,
+              const char* why_not_needed, const char* why_needed) {
+  // The shortest path through a map has two edges of the light's and one of the camera's.
+  const bool deep_enough = max_depth < 0 || max_depth >= 3;
+  const std::int64_t asked = planner.job().budget.photons.value_or(photons);
+  const char* why = !deep_enough                  ? "paths of max_depth edges are too short for it"
+                    : !needed                     ? why_not_needed
+                    : planner.facts().lights == 0 ? "no light"
+                    : asked <= 0                  ? "no photons asked for"
+                                                  : nullptr;
+  if (!planner.decide(skip, why != nullptr, why != nullptr ? why : "", why_needed))
+    planner.run(name, counted(std::size_t(std::max<std::int64_t>(asked, 0)), "photon", "photons") + " emitted");
+}
+
 }  // namespace
 
-void render_photon_mapper(const Scene& scene, const IntegratorDescription& description, const RenderJob& job,
-                          Film& film, RenderStats& stats) {
-  const auto settings = std::get<PhotonMapperDescription>(description.method);
+void plan_photon_mapper(const IntegratorDescription& description, Planner& planner) {
+  const auto& method = std::get<PhotonMapperDescription>(description.method);
+  const SceneFacts& facts = planner.facts();
+  const bool any_specular = facts.specular_surfaces > 0;
+  plan_map(planner, Skip::global_map, "global photon map", method.global_photons, method.max_depth,
+           facts.diffuse_interreflection,
+           facts.any_diffuse ? "no two diffuse surfaces see each other" : "no diffuse surface reflects",
+           "light goes from diffuse surface to diffuse surface");
+  plan_map(planner, Skip::caustic_map, "caustic photon map", method.caustic_photons, method.max_depth,
+           any_specular && facts.any_diffuse, any_specular ? "no diffuse surface reflects" : "no specular surface",
+           "specular surfaces throw light on diffuse ones");
+  if (!planner.plan().skips(Skip::caustic_map)) {
+    const std::string surfaces = counted(facts.specular_surfaces, "specular surface", "specular surfaces");
+    planner.decide(Skip::stray_photons, any_specular && facts.specular_surfaces <= most_aim_targets,
+                   surfaces + " to aim at",
+                   surfaces + ", at most " + std::to_string(most_aim_targets) + " can be aimed at");
+  }
+  planner.run("camera paths", "to their first diffuse surface, where photons within a fixed radius are looked up; " +
+                                  depth_words(method.max_depth));
+  planner.batches();
+  planner.direct_light(true);
+  if (planner.plan().skips(Skip::global_map) && planner.plan().skips(Skip::caustic_map)) planner.no_light_paths();
+}
+
+void render_photon_mapper(const Scene& scene, const RenderPlan& plan, const RenderJob& job, Film& film,
+                          RenderStats& stats) {
+  const auto settings = std::get<PhotonMapperDescription>(plan.method.method);
   const Threads threads(job.threads);
   Maps maps;
-  const RenderPlan plan = plan_render(scene, description, job);
-  stats.skipped = plan.skipped();
   maps.global.wanted = !plan.skips(Skip::global_map);
   maps.global.total = job.budget.photons.value_or(settings.global_photons);
   maps.caustic.wanted = !plan.skips(Skip::caustic_map);
@@ -241,12 +278,11 @@ void render_photon_mapper(const Scene& scene, const IntegratorDescription& descr
       const CameraTask camera = camera_task(job, tile, loop.first(), loop.samples());
       std::vector<float> radiance(3 * std::size_t{camera.paths()});
       std::vector<GatherPoint> points(camera.paths());
-      PathTask task{
-          .scene = &scene.view(),
-          .camera = camera,
-          .settings = {settings.max_depth, settings.rr_depth, settings.hide_emitters, scene.view().lights_can_be_hit},
-          .radiance = radiance.data(),
-          .gather_points = points.data()};
+      PathTask task{.scene = &scene.view(),
+                    .camera = camera,
+                    .settings = {settings.max_depth, settings.rr_depth, settings.hide_emitters, !plan.skips(Skip::mis)},
+                    .radiance = radiance.data(),
+                    .gather_points = points.data()};
       scratch.lend([&](std::uint32_t* words) {
         task.scratch = words;
         job.kernels().trace_paths(task);

@@ -5,6 +5,7 @@
 
 #include "renderer/integrators/integrator.h"
 #include "renderer/kernels/camera_rays.h"
+#include "renderer/planning/test_compiled.h"
 
 namespace photonproof::test {
 
@@ -97,13 +98,19 @@ struct Rendered {
   RenderStats stats;
 };
 
+/// A scene that was built as is, by any method.
+inline void render(const Scene& scene, const IntegratorDescription& method, const RenderJob& job, Film& film,
+                   RenderStats& stats) {
+  photonproof::render(scene, plan_render(analyse(scene), method, job), job, film, stats);
+}
+
 inline Rendered render(const SceneDescription& description, const char* integrator, const RenderJob& job,
                        std::size_t small_limit = small_scene_limit) {
   const FilmDescription size = description.sensor.film;
-  const Scene scene(description, size.width, size.height, job.skips, small_limit);
+  const Scene scene = test::compiled(description, size.width, size.height, job.skips, small_limit);
   Film film(size.width, size.height);
   Rendered out;
-  find_integrator(integrator)->render(scene, with_integrator(description.integrator, integrator), job, film, out.stats);
+  render(scene, with_integrator(description.integrator, integrator), job, film, out.stats);
   out.image = film.develop();
   return out;
 }

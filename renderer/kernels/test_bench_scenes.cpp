@@ -4,6 +4,7 @@
 #include <map>
 #include <random>
 
+#include "renderer/planning/test_compiled.h"
 #include "scenes/generators/million.h"
 #include "scenes/parser/parser.h"
 
@@ -32,7 +33,7 @@ SkipSwitches switches(bool embree) { return embree ? SkipSwitches({"bvh"}) : Ski
 const Scene& scene(const std::string& name, bool embree) {
   static std::map<std::pair<std::string, bool>, std::unique_ptr<Scene>> scenes;
   std::unique_ptr<Scene>& entry = scenes[{name, embree}];
-  if (entry == nullptr) entry = std::make_unique<Scene>(load(name), image_size, image_size, switches(embree));
+  if (entry == nullptr) entry.reset(new Scene(test::compiled(load(name), image_size, image_size, switches(embree))));
   return *entry;
 }
 
@@ -51,8 +52,9 @@ std::unique_ptr<Scene> random_plates(int count, bool embree) {
     description.shapes.push_back(shape);
   }
   description.sensor.camera = PerspectiveDescription{};
-  return std::make_unique<Scene>(description, image_size, image_size, embree ? SkipSwitches({"bvh"}) : SkipSwitches(),
-                                 std::size_t(1) << 20);
+  constexpr std::size_t any_number = std::size_t(1) << 20;
+  return std::unique_ptr<Scene>(
+      new Scene(test::compiled(description, image_size, image_size, switches(embree), any_number)));
 }
 
 }  // namespace photonproof::bench

@@ -9,6 +9,7 @@
 #include "renderer/kernels/isa.h"
 #include "renderer/lanes/sampler.h"
 #include "renderer/lanes/warp.h"
+#include "renderer/planning/test_compiled.h"
 
 namespace photonproof {
 namespace {
@@ -49,7 +50,7 @@ void shade(benchmark::State& state, const decltype(BsdfDescription::model)& mate
   SceneDescription description;
   test::add_shape(description, SphereDescription{}, {}, test::add_bsdf(description, material)).flip_normals = true;
   test::set_camera(description, {}, 90, 16);
-  const Scene scene(description, 16, 16);
+  const Scene scene = test::compiled(description, 16, 16);
   const std::string best;
   const Kernels& kernels = kernels_for(best);
   std::vector<std::uint32_t> scratch(kernels.path_scratch);

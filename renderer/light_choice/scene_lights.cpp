@@ -33,17 +33,18 @@ EmissionPdfs<float> even_pdfs(const Light& light, const Vec3f& n, const Vec3f& d
 
 SceneLights::SceneLights(const std::vector<Light>& lights, const std::vector<LightWords>& words, const SceneBall& ball)
     : lights_(lights), words_(words), ball_(ball) {
-  std::size_t finite = 0;
   for (std::uint32_t i = 0; i < lights.size(); ++i) {
     if (std::holds_alternative<EnvironmentLight>(lights[i])) environment_ = i;
-    if (photonproof::is_infinite(lights[i])) {
-      infinite_.push_back(i);
-      infinite_probability_ += words[i].probability;
-    } else if (max_component(flux(lights[i])) > 0) {
-      ++finite;
-    }
+    if (!photonproof::is_infinite(lights[i])) continue;
+    infinite_.push_back(i);
+    infinite_probability_ += words[i].probability;
   }
-  if (finite > most_in_table) tree_ = std::make_unique<LightTree>(lights);
+  if (wants_tree(lights)) tree_ = std::make_unique<LightTree>(lights);
+}
+
+bool SceneLights::wants_tree(const std::vector<Light>& lights) {
+  const auto is_finite = [](const Light& l) { return !photonproof::is_infinite(l) && max_component(flux(l)) > 0; };
+  return static_cast<std::size_t>(std::count_if(lights.begin(), lights.end(), is_finite)) > most_in_table;
 }
 
 SceneLights::~SceneLights() = default;

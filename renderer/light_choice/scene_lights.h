@@ -131,6 +131,8 @@ class SceneLights {
   float environment_pdf(const Vec3f& p, const Vec3f& direction) const;
 
   const Light& light(std::uint32_t index) const { return lights_[index]; }
+  /// Whether these lights are so many that they are chosen by position.
+  static bool wants_tree(const std::vector<Light>& lights);
   /// Whether lights are chosen by position.
   bool has_tree() const { return tree_ != nullptr; }
   static constexpr std::size_t most_in_table = 16;

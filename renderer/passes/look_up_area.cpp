@@ -29,11 +29,11 @@ static_assert(2 * sheet_height * sheet_height < 1 - least_sheet_cosine);
 /// How likely a hit of the BSDF draws a Lambertian leaf; `weight` gives the numbers of masks and blends.
 template <class Weight>
 float chance_of_diffuse(const Scene& scene, std::uint32_t bsdf, bool behind, const Weight& weight) {
-  const BsdfNode& node = scene.view().detail->tree[bsdf];
+  const BsdfNode& node = scene.view().detail->bsdfs.tree[bsdf];
   const auto of = [&](std::uint32_t nested) { return chance_of_diffuse(scene, nested, behind, weight); };
   switch (node.kind) {
     case BsdfNode::Kind::leaf:
-      return is_lambertian(scene.bsdfs[bsdf]) ? 1.0f : 0.0f;
+      return is_lambertian(scene.bsdfs.records[bsdf]) ? 1.0f : 0.0f;
     case BsdfNode::Kind::two_sided:
       return of(behind ? node.second : node.first);
     case BsdfNode::Kind::mask:
@@ -53,13 +53,14 @@ LookUpAreas::LookUpAreas(const Scene& scene, const Threads& threads)
     : scene_(scene), may_miss_(scene.surfaces.size()), mesh_of_(scene.surfaces.size()) {
   for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
     bool other = false;
-    scene.for_each_leaf(scene.surfaces[i].bsdf, [&](const Bsdf& leaf, bool) { other = other || !is_lambertian(leaf); });
+    scene.bsdfs.for_each_leaf(scene.surfaces[i].bsdf,
+                              [&](const Bsdf& leaf, bool) { other = other || !is_lambertian(leaf); });
     may_miss_[i] = other ? 1 : 0;
     const Mesh* mesh = mesh_of(scene.surfaces[i].geometry);
     if (mesh == nullptr) continue;
     bool diffuse = false;
-    scene.for_each_leaf(scene.surfaces[i].bsdf,
-                        [&](const Bsdf& leaf, bool) { diffuse = diffuse || is_lambertian(leaf); });
+    scene.bsdfs.for_each_leaf(scene.surfaces[i].bsdf,
+                              [&](const Bsdf& leaf, bool) { diffuse = diffuse || is_lambertian(leaf); });
     if (!diffuse) continue;
     std::unique_ptr<const MeshArea>& made = meshes_[mesh];
     if (!made) made = std::make_unique<MeshArea>(*mesh, threads);
@@ -72,7 +73,7 @@ std::vector<SheetTest> LookUpAreas::tests(float radius) const {
   tests.reserve(scene_.surfaces.size());
   for (const Surface& surface : scene_.surfaces) {
     // What wraps another BSDF may be one that shows the same on both sides.
-    const SheetTest of_flat = scene_.is_leaf(surface.bsdf) ? SheetTest::none : SheetTest::side;
+    const SheetTest of_flat = scene_.bsdfs.is_leaf(surface.bsdf) ? SheetTest::none : SheetTest::side;
     tests.push_back(is_one_sheet(surface.geometry, radius) ? of_flat : SheetTest::side_and_normal);
   }
   return tests;
@@ -97,7 +98,7 @@ float LookUpAreas::diffuse_share(const GatherPoint& point) const {
   const auto weight = [&](const TexturedNumber& n) {
     if (n.texture == no_index) return std::clamp(n.value, 0.0f, 1.0f);
     if (!uv) uv = uv_at(point);
-    return std::clamp(scene_.textures.number(n.texture, *uv), 0.0f, 1.0f);
+    return std::clamp(scene_.textures->number(n.texture, *uv), 0.0f, 1.0f);
   };
   const float share = chance_of_diffuse(scene_, surface.bsdf, (point.sheet & PhotonSheet::from_behind) != 0, weight);
   return share > 0 ? share : 1;

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "renderer/integrators/test_scenes.h"
+#include "renderer/planning/test_compiled.h"
 #include "scenes/text/test_folder.h"
 
 namespace photonproof {
@@ -31,15 +32,14 @@ class Resume : public FolderTest {
   /// Renders until `progress` was called `calls` times, then interrupts; -1: to the end.
   Outcome part(const SceneDescription& description, const std::string& integrator, RenderJob job, bool resume,
                int calls) const {
-    const Scene scene(description, description.sensor.film.width, description.sensor.film.height);
+    const Scene scene = test::compiled(description, description.sensor.film.width, description.sensor.film.height);
     std::atomic<bool> stop{false};
     job.interrupt = &stop;
     job.checkpoint = policy(resume);
     job.progress = [&](double, const std::string&) { stop = stop || --calls == 0; };
     Film film = film_of(description);
     Outcome out;
-    find_integrator(integrator)
-        ->render(scene, with_integrator(description.integrator, integrator), job, film, out.stats);
+    test::render(scene, with_integrator(description.integrator, integrator), job, film, out.stats);
     out.image = film.develop();
     return out;
   }
@@ -136,11 +136,11 @@ TEST_F(Resume, target_error_ends_the_render_at_the_first_pass_that_reaches_it) {
     counted.budget.spp = samples;
     EXPECT_EQ(part(scene, name, counted, false, -1).image.mean.rgb, out.image.mean.rgb) << name;
     if (samples == 16) continue;
-    const Scene compiled(scene, 32, 32);
+    const Scene compiled = test::compiled(scene, 32, 32);
     counted.budget.spp = samples / 2;
     Film film(32, 32);
     RenderStats stats;
-    find_integrator(name)->render(compiled, with_integrator(scene.integrator, name), counted, film, stats);
+    test::render(compiled, with_integrator(scene.integrator, name), counted, film, stats);
     EXPECT_GT(*film.relative_standard_error(), *job.budget.target_error) << name;
   }
 }
@@ -168,13 +168,13 @@ TEST_F(Resume, takes_the_seconds_already_spent_from_the_budget) {
 TEST_F(Resume, loses_at_most_the_interval_inside_a_pass) {
   // Checkpoints that are due all the time: one a tile, since a tile is made however often they are due.
   const SceneDescription description = test::room(40, false);
-  const Scene scene(description, 40, 40);
+  const Scene scene = test::compiled(description, 40, 40);
   RenderJob job = test::job_with(2);
   job.threads = 1;
   job.checkpoint = policy(false, 1e-9);
   Film film = film_of(description);
   RenderStats stats;
-  find_integrator("path")->render(scene, description.integrator, job, film, stats);
+  test::render(scene, description.integrator, job, film, stats);
   EXPECT_GE(stats.counts.at("checkpoints"), 2 * 9);  // 3 x 3 tiles of 16 pixels, two passes
   EXPECT_TRUE(std::filesystem::exists(file_));
   EXPECT_EQ(film.develop().mean.rgb, test::render(description, "path", test::job_with(2)).image.mean.rgb);
@@ -182,13 +182,13 @@ TEST_F(Resume, loses_at_most_the_interval_inside_a_pass) {
 
 TEST_F(Resume, a_checkpoint_that_cannot_be_written_does_not_end_the_render) {
   const SceneDescription description = test::room(16, false);
-  const Scene scene(description, 16, 16);
+  const Scene scene = test::compiled(description, 16, 16);
   RenderJob job = test::job_with(4);
   job.checkpoint = policy(false, 1e-9);
   job.checkpoint->file = folder_ / "missing/a.checkpoint";
   Film film = film_of(description);
   RenderStats stats;
-  find_integrator("path")->render(scene, description.integrator, job, film, stats);
+  test::render(scene, description.integrator, job, film, stats);
   EXPECT_FALSE(stats.interrupted);
   EXPECT_EQ(stats.checkpoint_problem,
             job.checkpoint->file.string() + ": error: folder '" + (folder_ / "missing").string() + "' does not exist");

@@ -1,13 +1,18 @@
-// What a render will do and what it leaves out, decided from plain facts before it starts: the one place where skips
-// are decided. Printed by `render --plan`, kept in the stats.
+// What a render will do and what it leaves out, decided from plain facts before the scene is built: the one place where
+// skips are decided. Printed by `render --plan`, kept in the stats.
+//
+//   const SceneParts parts(description, width, height);
+//   const RenderPlan plan = plan_render(analyse(parts), method, job);   // integrators/integrator.h
+//   const Scene scene(std::move(parts), plan.scene);
+//   render(scene, plan, job, film, stats);
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "renderer/core/skips.h"
-#include "renderer/passes/render_job.h"
-#include "renderer/scene/scene.h"
+#include "renderer/scene/scene_choices.h"
+#include "scenes/description/description.h"
 
 namespace photonproof {
 
@@ -16,9 +21,11 @@ struct PlanStep {
 };
 
 struct RenderPlan {
+  IntegratorDescription method;
   std::string integrator;
   std::string isa;
   unsigned lanes = 1;
+  SceneChoices scene;  ///< of what the scene has to be built
   std::vector<PlanStep> runs;
   struct Decision {
     Skip skip;
@@ -31,9 +38,6 @@ struct RenderPlan {
   /// "name: why" of what is left out.
   std::vector<std::string> skipped() const;
 };
-
-/// Throws InputError where the job cannot be done (an instruction set the processor has not).
-RenderPlan plan_render(const Scene& scene, const IntegratorDescription& method, const RenderJob& job);
 
 /// For people: a few lines each of what runs, what is skipped and what is not.
 std::string plan_text(const RenderPlan& plan);

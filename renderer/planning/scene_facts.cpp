@@ -2,14 +2,17 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
+
+#include "renderer/light_choice/scene_lights.h"
 
 namespace photonproof {
 namespace {
 
 /// A textured reflectance counts as one that is not black everywhere.
-bool reflects_diffusely(const Scene& scene, const Surface& surface) {
+bool reflects_diffusely(const SceneParts& scene, const Surface& surface) {
   bool reflects = false;
-  scene.for_each_leaf(surface.bsdf, [&](const Bsdf& leaf, bool textured) {
+  scene.bsdfs.for_each_leaf(surface.bsdf, [&](const Bsdf& leaf, bool textured) {
     const auto* diffuse = std::get_if<DiffuseBsdf<float>>(&leaf);
     reflects = reflects || (diffuse != nullptr && (textured || max_component(diffuse->reflectance) > 0));
   });
@@ -17,7 +20,7 @@ bool reflects_diffusely(const Scene& scene, const Surface& surface) {
 }
 
 /// A front that is lit alone: rays from behind see nothing of it.
-bool is_one_sided(const Scene& scene, const Surface& surface) { return scene.is_leaf(surface.bsdf); }
+bool is_one_sided(const SceneParts& scene, const Surface& surface) { return scene.bsdfs.is_leaf(surface.bsdf); }
 
 /// Whether some point of `other` lies in front of the quad. Corners decide for a quad, the nearest point for a sphere.
 bool has_part_in_front(const Quad& quad, const Surface& other) {
@@ -31,12 +34,12 @@ bool has_part_in_front(const Quad& quad, const Surface& other) {
   return std::any_of(corners.begin(), corners.end(), [&](const Vec3f& p) { return height(p) > 1e-6f * extent; });
 }
 
-bool faces(const Scene& scene, const Surface& surface, const Surface& other) {
+bool faces(const SceneParts& scene, const Surface& surface, const Surface& other) {
   const auto* quad = std::get_if<Quad>(&surface.geometry);
   return quad == nullptr || !is_one_sided(scene, surface) || has_part_in_front(*quad, other);
 }
 
-bool sees_itself(const Scene& scene, const Surface& surface) {
+bool sees_itself(const SceneParts& scene, const Surface& surface) {
   const Geometry& geometry = surface.geometry;
   if (std::holds_alternative<Mesh>(geometry) || std::holds_alternative<MeshInstance>(geometry)) return true;
   if (const auto* cylinder = std::get_if<Cylinder>(&geometry)) return cylinder->inward || !is_one_sided(scene, surface);
@@ -44,7 +47,7 @@ bool sees_itself(const Scene& scene, const Surface& surface) {
   return false;
 }
 
-bool can_interreflect(const Scene& scene, const std::vector<const Surface*>& diffuse) {
+bool can_interreflect(const SceneParts& scene, const std::vector<const Surface*>& diffuse) {
   constexpr std::size_t pairs_worth_testing = 1000;  // beyond, the answer is hardly ever no
   if (diffuse.size() > pairs_worth_testing) return true;
   for (std::size_t i = 0; i < diffuse.size(); ++i) {
@@ -57,18 +60,32 @@ bool can_interreflect(const Scene& scene, const std::vector<const Surface*>& dif
 
 }  // namespace
 
-SceneFacts analyse(const Scene& scene) {
+SceneFacts analyse(const SceneParts& scene) {
   SceneFacts facts;
+  facts.primitives = scene.primitives;
+  facts.simple_primitives = scene.simple_primitives;
+  facts.bsdf_kinds = static_cast<std::size_t>(std::popcount(scene.bsdf_kinds()));
+  facts.media = scene.media.media.size();
+  facts.lights = scene.lights.size();
+  facts.many_lights = SceneLights::wants_tree(scene.lights);
+  facts.lights_can_be_hit = scene.lights_can_be_hit();
+  for (const Light& light : scene.lights) {
+    facts.any_delta_light = facts.any_delta_light || is_delta(light);
+    facts.any_environment = facts.any_environment || std::holds_alternative<EnvironmentLight>(light);
+  }
   std::vector<const Surface*> diffuse;
   for (const Surface& surface : scene.surfaces) {
-    scene.for_each_leaf(
-        surface.bsdf, [&](const Bsdf& leaf, bool) { facts.any_specular = facts.any_specular || !is_lambertian(leaf); });
+    scene.bsdfs.for_each_leaf(surface.bsdf, [&](const Bsdf& leaf, bool) {
+      facts.any_delta_bsdf = facts.any_delta_bsdf || !has_smooth(leaf);
+    });
+    if (scene.bsdfs.is_specular(surface.bsdf)) ++facts.specular_surfaces;
     if (reflects_diffusely(scene, surface)) diffuse.push_back(&surface);
-    if (surface.light != no_index) facts.any_light_surface = true;
+    facts.all_plain = facts.all_plain && scene.is_plain(surface);
   }
   facts.any_diffuse = !diffuse.empty();
   // By way of a mirror even one plane sees itself.
-  facts.diffuse_interreflection = facts.any_diffuse && (facts.any_specular || can_interreflect(scene, diffuse));
+  facts.diffuse_interreflection =
+      facts.any_diffuse && (facts.specular_surfaces > 0 || can_interreflect(scene, diffuse));
   return facts;
 }
 

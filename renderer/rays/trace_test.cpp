@@ -11,6 +11,7 @@
 #include "renderer/integrators/test_scenes.h"
 #include "renderer/lanes/test_random.h"
 #include "renderer/lanes/warp.h"
+#include "renderer/planning/test_compiled.h"
 #include "renderer/rays/rays.h"
 
 namespace photonproof {
@@ -226,7 +227,7 @@ SceneDescription white_box_with_balls(const Placement& at) {
 TEST(scene_rays, no_ray_leaves_a_closed_box_or_meets_its_own_wall) {
   for (const std::size_t limit : {by_embree, by_small_kernel}) {
     for (const Placement& at : placements) {
-      const Scene scene(white_box(at), 4, 4, {}, limit);
+      const Scene scene = test::compiled(white_box(at), 4, 4, {}, limit);
       int leaks = 0, self_hits = 0, shadowed = 0;
       for (std::uint64_t i = 0; i < 20'000; ++i) {
         test::Random s(54, i);
@@ -260,7 +261,7 @@ TEST(scene_rays, leave_a_sphere_and_cross_it_once) {
       const BsdfIndex white = test::add_bsdf(d, DiffuseDescription{RgbD(1)});
       test::add_shape(d, SphereDescription{}, Transform::translate(center_of(at)), white);
       add_counterweight(d, at, white);
-      const Scene scene(d, 4, 4, {}, limit);
+      const Scene scene = test::compiled(d, 4, 4, {}, limit);
       const Vec3f center = std::get<Sphere>(scene.surfaces[0].geometry).center;
       int met_again = 0, lost = 0;
       for (std::uint64_t i = 0; i < 20'000; ++i) {
@@ -351,10 +352,10 @@ std::int64_t photons_lost(const Kernels& kernels, const Scene& scene, int edges)
 TEST(scene_rays, no_history_of_any_kernel_is_lost_in_a_closed_white_scene) {
   for (const std::size_t limit : {by_embree, by_small_kernel}) {
     for (const Placement& at : placements) {
-      const Scene in_box(white_box(at), 16, 16, {}, limit);
-      const Scene in_sphere(white_sphere(at), 16, 16, {}, limit);
-      const Scene with_balls(white_box_with_balls(at), 16, 16, {}, limit);
-      const Scene in_facets(white_facets(at), 16, 16, {}, limit);
+      const Scene in_box = test::compiled(white_box(at), 16, 16, {}, limit);
+      const Scene in_sphere = test::compiled(white_sphere(at), 16, 16, {}, limit);
+      const Scene with_balls = test::compiled(white_box_with_balls(at), 16, 16, {}, limit);
+      const Scene in_facets = test::compiled(white_facets(at), 16, 16, {}, limit);
       for (const Kernels* kernels : available_kernels()) {
         const std::string what =
             std::string(limit == by_embree ? "Embree, " : "small, ") + kernels->isa + ", " + testing::PrintToString(at);

@@ -6,7 +6,6 @@
 #include "renderer/scalar/bdpt.h"
 
 #include "renderer/lanes/roulette.h"
-#include "renderer/planning/plan.h"
 #include "renderer/scalar/bdpt_weights.h"
 #include "renderer/scalar/scalar_passes.h"
 #include "renderer/scalar/surroundings.h"
@@ -311,11 +310,17 @@ class BidirectionalTracer {
 
 }  // namespace
 
-void render_bdpt(const Scene& scene, const IntegratorDescription& description, const RenderJob& job, Film& film,
-                 RenderStats& stats) {
-  stats.skipped = plan_render(scene, description, job).skipped();
+void plan_bdpt(const IntegratorDescription& description, Planner& planner) {
+  const auto& method = std::get<BdptDescription>(description.method);
+  planner.run("camera paths", depth_words(method.max_depth) + ", one at a time, each vertex joined to a light");
+  planner.run("light paths", "one a camera sample, each vertex joined to the lens and to those of the camera path");
+  planner.rays_one_by_one();
+  planner.cannot_see(true);
+}
+
+void render_bdpt(const Scene& scene, const RenderPlan& plan, const RenderJob& job, Film& film, RenderStats& stats) {
   const auto pixels = static_cast<std::uint64_t>(film.width()) * static_cast<std::uint64_t>(film.height());
-  const BidirectionalTracer tracer(scene, std::get<BdptDescription>(description.method), job.grid,
+  const BidirectionalTracer tracer(scene, std::get<BdptDescription>(plan.method.method), job.grid,
                                    static_cast<std::int64_t>(pixels));
   render_splats(scene, job, Stream::bidirectional, "bidirectional path tracing", film, stats, [&] {
     return [&, light_path = std::vector<Vertex>()](int x, int y, const Draws& draws, ScalarWork& work) mutable {

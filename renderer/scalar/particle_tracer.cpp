@@ -9,7 +9,6 @@
 #include "renderer/scalar/particle_tracer.h"
 
 #include "renderer/lanes/roulette.h"
-#include "renderer/planning/plan.h"
 #include "renderer/scalar/scalar_passes.h"
 #include "renderer/scalar/surroundings.h"
 #include "renderer/scalar/world_camera.h"
@@ -134,11 +133,19 @@ class ParticleTracer {
 
 }  // namespace
 
-void render_particle_tracer(const Scene& scene, const IntegratorDescription& description, const RenderJob& job,
-                            Film& film, RenderStats& stats) {
-  stats.skipped = plan_render(scene, description, job).skipped();
+void plan_particle_tracer(const IntegratorDescription& description, Planner& planner) {
+  const auto& method = std::get<ParticleTracerDescription>(description.method);
+  planner.run("light paths", depth_words(method.max_depth) + ", one a camera sample, each vertex joined to the lens");
+  planner.rays_one_by_one();
+  if (planner.facts().any_delta_bsdf)
+    planner.run("cannot see", "what mirrors and smooth glass show: no light path meets the lens by itself");
+  if (planner.facts().any_environment) planner.run("cannot see", "the environment itself, only what it lights");
+}
+
+void render_particle_tracer(const Scene& scene, const RenderPlan& plan, const RenderJob& job, Film& film,
+                            RenderStats& stats) {
   const auto pixels = static_cast<std::uint64_t>(film.width()) * static_cast<std::uint64_t>(film.height());
-  const ParticleTracer tracer(scene, std::get<ParticleTracerDescription>(description.method),
+  const ParticleTracer tracer(scene, std::get<ParticleTracerDescription>(plan.method.method),
                               static_cast<std::int64_t>(pixels));
   render_splats(scene, job, Stream::light_tracing, "light tracing", film, stats, [&] {
     return [&](int x, int y, const Draws& draws, ScalarWork& work) {

@@ -2,12 +2,14 @@
 #pragma once
 
 #include "renderer/passes/render_job.h"
+#include "renderer/planning/planner.h"
 #include "renderer/scene/scene.h"
 #include "renderer/sensor/film.h"
 
 namespace photonproof {
 
-void render_particle_tracer(const Scene& scene, const IntegratorDescription& description, const RenderJob& job,
-                            Film& film, RenderStats& stats);
+void plan_particle_tracer(const IntegratorDescription& description, Planner& planner);
+void render_particle_tracer(const Scene& scene, const RenderPlan& plan, const RenderJob& job, Film& film,
+                            RenderStats& stats);
 
 }  // namespace photonproof

@@ -8,7 +8,6 @@
 #include "renderer/scalar/volpath.h"
 
 #include "renderer/lanes/roulette.h"
-#include "renderer/planning/plan.h"
 #include "renderer/scalar/scalar_passes.h"
 #include "renderer/scalar/surroundings.h"
 #include "renderer/scalar/world_camera.h"
@@ -200,10 +199,18 @@ class VolumetricTracer {
 
 }  // namespace
 
-void render_volpath(const Scene& scene, const IntegratorDescription& description, const RenderJob& job, Film& film,
-                    RenderStats& stats) {
-  stats.skipped = plan_render(scene, description, job).skipped();
-  const VolumetricTracer tracer(scene, std::get<VolPathDescription>(description.method), job.grid);
+void plan_volpath(const IntegratorDescription& description, Planner& planner) {
+  const auto& method = std::get<VolPathDescription>(description.method);
+  planner.run("camera paths", depth_words(method.max_depth) + ", one at a time, roulette from depth " +
+                                  std::to_string(method.rr_depth));
+  planner.run("media", planner.facts().media == 0 ? "none" : counted(planner.facts().media, "medium", "media"));
+  planner.rays_one_by_one();
+  planner.cannot_see(false);
+  planner.no_light_paths();
+}
+
+void render_volpath(const Scene& scene, const RenderPlan& plan, const RenderJob& job, Film& film, RenderStats& stats) {
+  const VolumetricTracer tracer(scene, std::get<VolPathDescription>(plan.method.method), job.grid);
   render_samples(job, Stream::volumetric, "volumetric path tracing", film, stats,
                  [&](int x, int y, const Draws& draws, ScalarWork& work) { return tracer.sample(x, y, draws, work); });
 }

@@ -2,12 +2,13 @@
 #pragma once
 
 #include "renderer/passes/render_job.h"
+#include "renderer/planning/planner.h"
 #include "renderer/scene/scene.h"
 #include "renderer/sensor/film.h"
 
 namespace photonproof {
 
-void render_volpath(const Scene& scene, const IntegratorDescription& description, const RenderJob& job, Film& film,
-                    RenderStats& stats);
+void plan_volpath(const IntegratorDescription& description, Planner& planner);
+void render_volpath(const Scene& scene, const RenderPlan& plan, const RenderJob& job, Film& film, RenderStats& stats);
 
 }  // namespace photonproof

@@ -7,7 +7,6 @@
 
 #include <array>
 
-#include "renderer/planning/plan.h"
 #include "renderer/scalar/scalar_passes.h"
 #include "renderer/scalar/world_camera.h"
 #include "renderer/scalar/world_lights.h"
@@ -95,10 +94,16 @@ class WhittedTracer {
 
 }  // namespace
 
-void render_whitted(const Scene& scene, const IntegratorDescription& description, const RenderJob& job, Film& film,
-                    RenderStats& stats) {
-  stats.skipped = plan_render(scene, description, job).skipped();
-  const WhittedTracer tracer(scene, std::get<WhittedDescription>(description.method), job.grid);
+void plan_whitted(const IntegratorDescription& description, Planner& planner) {
+  const auto& method = std::get<WhittedDescription>(description.method);
+  planner.run("camera paths", "through mirrors and both ways at smooth dielectrics, " + depth_words(method.max_depth));
+  planner.run("direct light", "one point of every light at every other surface; no light between those");
+  planner.rays_one_by_one();
+  planner.no_light_paths();
+}
+
+void render_whitted(const Scene& scene, const RenderPlan& plan, const RenderJob& job, Film& film, RenderStats& stats) {
+  const WhittedTracer tracer(scene, std::get<WhittedDescription>(plan.method.method), job.grid);
   render_samples(job, Stream::whitted, "ray tracing", film, stats,
                  [&](int x, int y, const Draws& draws, ScalarWork& work) { return tracer.sample(x, y, draws, work); });
 }

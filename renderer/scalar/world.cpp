@@ -35,7 +35,7 @@ World::World(const Scene& scene)
       far_away_(4 * std::max(scene.scene_lights().ball().radius,
                              length(scene.view().camera.origin - scene.scene_lights().ball().center))),
       has_media_or_bodies_(!scene.media.media.empty() || scene.media.any_priority),
-      has_null_surfaces_(std::any_of(scene.bsdfs.begin(), scene.bsdfs.end(), [](const Bsdf& bsdf) {
+      has_null_surfaces_(std::any_of(scene.bsdfs.records.begin(), scene.bsdfs.records.end(), [](const Bsdf& bsdf) {
         return std::visit([](const auto& b) { return goes_straight<std::decay_t<decltype(b)>>; }, bsdf);
       })) {}
 
@@ -51,7 +51,7 @@ bool World::intersect(const Ray& ray, float u_choice, TransportMode mode, Intera
   if (!view().detailed) {
     hit.scattering.frame = Frame<float>(found.normal);
     hit.leaf = surface.bsdf;
-    hit.bsdf = scene_.bsdfs[surface.bsdf];
+    hit.bsdf = scene_.bsdfs.records[surface.bsdf];
     return true;
   }
   hit.u_choice = u_choice;

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "renderer/integrators/test_scenes.h"
+#include "renderer/planning/test_compiled.h"
 
 namespace photonproof {
 namespace {
@@ -13,7 +14,7 @@ TEST(looked_at, balls_hold_what_is_seen_straight_and_at_a_slant) {
   for (const double height : {5.0, 1.0, 0.3}) {
     SceneDescription d = test::floor_under_point_light(48);
     test::set_camera(d, Transform::look_at({0, height, 3}, {0, 0, 0}, {0, 1, 0.01}), 20, 48);
-    const Scene scene(d, 48, 48);
+    const Scene scene = test::compiled(d, 48, 48);
     const std::vector<AimTarget> balls = looked_at(scene);
     const std::vector<Vec3f> points = points_looked_at(scene, 40);
     ASSERT_GT(points.size(), 1000u);

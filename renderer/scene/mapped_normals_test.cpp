@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "renderer/integrators/test_scenes.h"
+#include "renderer/planning/test_compiled.h"
 #include "renderer/scalar/world.h"
 
 namespace photonproof {
@@ -138,7 +139,7 @@ Reflected reflected(const Scene& scene, const Vec3f& to_camera, const Vec3f& to_
 
 TEST(mapped_normals, reflect_what_the_definitions_say) {
   for (const Row& row : rows) {
-    const Scene scene(square(row.map, {row.flips, row.shadows}), 4, 4);
+    const Scene scene = test::compiled(square(row.map, {row.flips, row.shadows}), 4, 4);
     const Reflected got = reflected(scene, normalize(row.to_camera), normalize(row.to_light));
     const auto number = &row - rows;
     EXPECT_NEAR(got.by_camera, row.reflected, 2e-5 * row.reflected + 1e-7) << "row " << number;
@@ -148,8 +149,8 @@ TEST(mapped_normals, reflect_what_the_definitions_say) {
 
 TEST(mapped_normals, of_a_mirrored_height_lean_the_other_way) {
   // u becomes 1 - u: the slope along x changes its sign, and the light and the camera with it.
-  const Scene plain(square(Map::bump_map, {true, true}), 4, 4);
-  const Scene mirrored(
+  const Scene plain = test::compiled(square(Map::bump_map, {true, true}), 4, 4);
+  const Scene mirrored = test::compiled(
       square(Map::bump_map, {true, true}, Transform::translate({1, 0, 0}) * Transform::scale({-1, 1, 1})), 4, 4);
   const Vec3f to_camera = normalize(Vec3f(0.3f, 0.1f, 1)), to_light = normalize(Vec3f(-0.5f, 0.2f, 0.7f));
   const auto in_mirror = [](const Vec3f& v) { return Vec3f(-v.x, v.y, v.z); };
@@ -162,7 +163,7 @@ TEST(mapped_normals, seen_from_behind_a_twosided_surface_are_the_fronts_mirror_i
   for (const Row& row : rows) {
     SceneDescription d = square(row.map, {row.flips, row.shadows});
     d.shapes[0].bsdf = test::add_bsdf(d, TwoSidedDescription{d.shapes[0].bsdf, d.shapes[0].bsdf});
-    const Scene scene(d, 4, 4);
+    const Scene scene = test::compiled(d, 4, 4);
     const auto behind = [](const Vec3f& v) { return normalize(Vec3f(v.x, v.y, -v.z)); };
     const Reflected got = reflected(scene, behind(row.to_camera), behind(row.to_light));
     EXPECT_NEAR(got.by_camera, row.reflected, 2e-5 * row.reflected + 1e-7) << "row " << &row - rows;
@@ -175,10 +176,10 @@ TEST(mapped_normals, of_three_maps_one_over_the_other_are_refused) {
   d.files = {"scene.xml"};
   for (int i = 0; i < 2; ++i)
     d.shapes[0].bsdf = test::add_bsdf(d, BumpMapDescription{TextureIndex{0}, 1, d.shapes[0].bsdf});
-  EXPECT_THROW(Scene(d, 4, 4), InputError);
+  EXPECT_THROW(test::compiled(d, 4, 4), InputError);
   d.shapes[0].bsdf.value -= 1;
   d.bsdfs.pop_back();
-  EXPECT_NO_THROW(Scene(d, 4, 4));
+  EXPECT_NO_THROW(test::compiled(d, 4, 4));
 }
 
 }  // namespace

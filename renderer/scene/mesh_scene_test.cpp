@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "renderer/integrators/test_scenes.h"
+#include "renderer/planning/test_compiled.h"
 #include "scenes/generators/terrain.h"
 
 namespace photonproof {
@@ -31,10 +32,10 @@ SceneDescription with_meshes_for_rectangles(SceneDescription scene) {
 Image render(const SceneDescription& description, const SkipSwitches& skips) {
   RenderJob job = test::job_with(8);
   job.skips = skips;
-  const Scene scene(description, 24, 24, skips);
+  const Scene scene = test::compiled(description, 24, 24, skips);
   Film film(24, 24);
   RenderStats stats;
-  find_integrator("path")->render(scene, description.integrator, job, film, stats);
+  test::render(scene, description.integrator, job, film, stats);
   return film.develop().mean;
 }
 
@@ -59,7 +60,7 @@ TEST(mesh_scene, the_normal_follows_the_winding_and_flip_normals) {
                     Transform::translate({5, 0, 0}), test::add_bsdf(d, DiffuseDescription{}))
         .flip_normals = flip;
     for (const SkipSwitches& skips : {SkipSwitches(), SkipSwitches({"bvh"})}) {
-      const Scene scene(d, 4, 4, skips);
+      const Scene scene = test::compiled(d, 4, 4, skips);
       const Hit hit = scene.intersect({0.2f, -0.3f, 1}, {0, 0, -1});
       ASSERT_TRUE(hit.valid());
       EXPECT_EQ(hit.normal.z, flip ? -1 : 1);
@@ -75,8 +76,8 @@ TEST(mesh_scene, takes_little_memory_a_triangle) {
   auto ground = std::make_shared<TriangleMesh>(make_ground(200, 200));
   test::add_shape(d, MeshDescription{MeshDescription::Format::ply, "ground.ply", true, false, ground}, {},
                   test::add_bsdf(d, DiffuseDescription{}));
-  const Scene scene(d, 4, 4);
-  EXPECT_EQ(scene.primitive_count(), 80'000u);
+  const Scene scene = test::compiled(d, 4, 4);
+  EXPECT_EQ(scene.primitives, 80'000u);
   EXPECT_LT(static_cast<double>(scene.memory_bytes()) / 80'000, 30);
   EXPECT_GT(static_cast<double>(scene.memory_bytes()) / 80'000, 20);
 }

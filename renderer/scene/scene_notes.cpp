@@ -117,7 +117,7 @@ std::string darkness(const ShapeDescription& shape) {
   return "its light is less than single precision can hold";
 }
 
-void add_light_notes(const SceneDescription& description, const Scene& scene, Notes& notes) {
+void add_light_notes(const SceneDescription& description, const SceneParts& scene, Notes& notes) {
   const auto is_dark = [&](std::size_t light) { return !(max_component(flux(scene.lights[light])) > 0); };
   // Lights are those of the shapes, one a surface, and then the emitters.
   std::size_t light = 0;
@@ -140,7 +140,7 @@ void add_light_notes(const SceneDescription& description, const Scene& scene, No
 
 }  // namespace
 
-std::vector<SceneNote> scene_notes(const SceneDescription& description, const Scene& scene) {
+std::vector<SceneNote> scene_notes(const SceneDescription& description, const SceneParts& scene) {
   Notes notes(description);
   for (const BsdfDescription& bsdf : description.bsdfs) std::visit(BsdfNotes{notes, bsdf.loc}, bsdf.model);
   add_mesh_notes(description, notes);

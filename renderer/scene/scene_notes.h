@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/scene/scene.h"
+#include "renderer/scene/scene_parts.h"
 
 namespace photonproof {
 
@@ -15,6 +15,6 @@ struct SceneNote {
 };
 
 /// In the order of the description: BSDFs, shapes, emitters. `scene` is compiled from it.
-std::vector<SceneNote> scene_notes(const SceneDescription& description, const Scene& scene);
+std::vector<SceneNote> scene_notes(const SceneDescription& description, const SceneParts& scene);
 
 }  // namespace photonproof

@@ -14,7 +14,7 @@ namespace {
 /// "file:line:col: text" of all notes, a line each.
 std::string notes_of(const SceneDescription& d) {
   std::string text;
-  const Scene scene(d, 4, 4, {}, small_scene_limit, ScenePurpose::plan);
+  const SceneParts scene(d, 4, 4);
   for (const SceneNote& note : scene_notes(d, scene)) text += note.where + ": " + note.text + "\n";
   return text;
 }

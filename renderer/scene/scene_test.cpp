@@ -12,6 +12,7 @@
 #include "renderer/lanes/test_random.h"
 #include "renderer/light_choice/light_table.h"
 #include "renderer/planning/scene_facts.h"
+#include "renderer/planning/test_compiled.h"
 #include "renderer/sensor/film.h"
 #include "scenes/images/mean_error.h"
 
@@ -24,7 +25,7 @@ TEST(scene, cube_normals_point_outward_and_flip) {
     test::add_shape(d, CubeDescription{}, Transform::translate({3, 0, 0}) * Transform::scale({1, 2, 3}),
                     test::add_bsdf(d, DiffuseDescription{}))
         .flip_normals = flip;
-    const Scene scene(d, 4, 4);
+    const Scene scene = test::compiled(d, 4, 4);
     ASSERT_EQ(scene.surfaces.size(), 6u);
     float area = 0;
     for (const Surface& surface : scene.surfaces) {
@@ -42,7 +43,7 @@ TEST(scene, a_mirroring_transform_keeps_the_normal_on_its_side) {
   // Mitsuba transforms normals by the inverse transpose: scaling x by -1 leaves a rectangle's +z normal where it was.
   SceneDescription d;
   test::add_shape(d, RectangleDescription{}, Transform::scale({-1, 1, 1}), test::add_bsdf(d, DiffuseDescription{}));
-  EXPECT_EQ(std::get<Quad>(Scene(d, 4, 4).surfaces[0].geometry).normal, Vec3f(0, 0, 1));
+  EXPECT_EQ(std::get<Quad>(test::compiled(d, 4, 4).surfaces[0].geometry).normal, Vec3f(0, 0, 1));
 }
 
 TEST(camera, looks_through_the_pixels_mitsuba_does) {
@@ -124,7 +125,7 @@ TEST(scene, refuses_shapes_whose_area_vanishes_or_overflows) {
     for (int i = 0; i < 2; ++i) test::add_shape(d, RectangleDescription{}, ahead, grey);
     test::add_shape(d, RectangleDescription{}, ahead * Transform::scale(Vec3d(scale)), grey).loc = {0, 3, 5};
     try {
-      const Scene scene(d, 4, 4);
+      const Scene scene = test::compiled(d, 4, 4);
       FAIL();
     } catch (const InputError& error) {
       EXPECT_EQ(error.summary(), "s.xml:3:5: error: the shape's area is outside what single precision can hold");
@@ -138,7 +139,7 @@ TEST(scene, lights_are_chosen_half_by_flux_half_evenly) {
   d.emitters.push_back({{}, "", PointLightDescription{{0, 0, 0}, RgbD(0)}});
   d.emitters.push_back({{}, "", PointLightDescription{{0, 0, 0}, RgbD(1)}});
   d.emitters.push_back({{}, "", PointLightDescription{{0, 0, 0}, RgbD(0)}});
-  const Scene scene(d, 4, 4);
+  const Scene scene = test::compiled(d, 4, 4);
   // Over 4096 numbers in the middles of equal cells, exactly: the alias table's thresholds are multiples of a quarter.
   std::vector<double> chosen(4);
   for (int i = 0; i < 4096; ++i) {
@@ -186,7 +187,7 @@ TEST(scene, its_origin_is_the_middle_of_its_shapes) {
   test::add_shape(d, SphereDescription{{1e5 + 3, 0, 0}, 1}, {}, grey);
   d.emitters.push_back({{}, "", PointLightDescription{{1e5 + 2, 0.5, 3}, RgbD(1)}});
   test::set_camera(d, Transform::look_at({1e5 + 2, 0, 5}, {1e5 + 2, 0, 0}, {0, 1, 0}), 40, 4);
-  const Scene scene(d, 4, 4);
+  const Scene scene = test::compiled(d, 4, 4);
   EXPECT_EQ(std::get<Sphere>(scene.surfaces[0].geometry).center, Vec3f(-1, 0, 0));
   EXPECT_EQ(std::get<Sphere>(scene.surfaces[1].geometry).center, Vec3f(1, 0, 0));
   EXPECT_EQ(std::get<PointLight<float>>(scene.lights[0]).position, Vec3f(0, 0.5f, 3));
@@ -195,10 +196,10 @@ TEST(scene, its_origin_is_the_middle_of_its_shapes) {
 
 TEST(scene, one_large_or_distant_shape_does_not_move_its_origin) {
   SceneDescription d = test::room(4, true);
-  const Vec3f ball = std::get<Sphere>(Scene(d, 4, 4).surfaces[6].geometry).center;
+  const Vec3f ball = std::get<Sphere>(test::compiled(d, 4, 4).surfaces[6].geometry).center;
   test::add_shape(d, SphereDescription{{0, -1e7 - 1, 0}, 1e7}, {}, d.shapes[0].bsdf);
   test::add_shape(d, SphereDescription{{1e8, 0, 0}, 1}, {}, d.shapes[0].bsdf);
-  const Scene scene(d, 4, 4);
+  const Scene scene = test::compiled(d, 4, 4);
   EXPECT_LT(length(std::get<Sphere>(scene.surfaces[6].geometry).center - ball), 1);
   EXPECT_LT(scene.view().coordinate_floor, 1);
 }
@@ -226,20 +227,20 @@ TEST(scene, without_a_primitive_every_ray_misses) {
 
 TEST(scene, is_small_up_to_the_limit_and_embrees_beyond) {
   const SceneDescription d = test::room(4, true);  // 6 rectangles, 2 balls
-  EXPECT_TRUE(Scene(d, 4, 4, {}, 8).view().small);
-  EXPECT_EQ(Scene(d, 4, 4, {}, 8).view().tracer, nullptr);
-  EXPECT_FALSE(Scene(d, 4, 4, {}, 7).view().small);
-  EXPECT_EQ(Scene(d, 4, 4).primitive_count(), 8u);
+  EXPECT_TRUE(test::compiled(d, 4, 4, {}, 8).view().small);
+  EXPECT_EQ(test::compiled(d, 4, 4, {}, 8).view().tracer, nullptr);
+  EXPECT_FALSE(test::compiled(d, 4, 4, {}, 7).view().small);
+  EXPECT_EQ(test::compiled(d, 4, 4).primitives, 8u);
 }
 
 TEST(facts, tell_what_a_scene_cannot_do) {
-  const auto facts = [](const SceneDescription& d) { return analyse(Scene(d, 4, 4)); };
+  const auto facts = [](const SceneDescription& d) { return analyse(SceneParts(d, 4, 4)); };
   EXPECT_FALSE(facts(test::floor_under_point_light(4)).diffuse_interreflection);
-  EXPECT_FALSE(facts(test::floor_under_point_light(4)).any_light_surface);
+  EXPECT_FALSE(facts(test::floor_under_point_light(4)).lights_can_be_hit);
   EXPECT_TRUE(facts(test::furnace(0.5, 1, 4)).diffuse_interreflection);
   EXPECT_FALSE(facts(test::furnace(0, 1, 4)).any_diffuse);
-  EXPECT_FALSE(facts(test::room(4, false)).any_specular);
-  EXPECT_TRUE(facts(test::room(4, true)).any_specular);
+  EXPECT_EQ(facts(test::room(4, false)).specular_surfaces, 0u);
+  EXPECT_EQ(facts(test::room(4, true)).specular_surfaces, 1u);
 }
 
 TEST(film, means_and_variance_of_the_mean_follow_the_weights) {

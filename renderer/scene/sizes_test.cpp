@@ -5,6 +5,7 @@
 #include <set>
 #include <string>
 
+#include "renderer/planning/test_compiled.h"
 #include "renderer/scene/scene_frame.h"
 #include "renderer/scene/test_sizes.h"
 #include "renderer/shapes/face_normal.h"
@@ -51,8 +52,7 @@ TEST(sizes, of_the_library_are_ordinary) {
   int scenes = 0;
   for (const auto& entry : std::filesystem::directory_iterator(PHOTONPROOF_SOURCE_DIR "/scenes/library")) {
     if (entry.path().filename() == "million") continue;  // takes long to make, and is of ordinary size
-    const Scene scene(parse_scene_file((entry.path() / "scene.xml").string(), {{{"size", "8"}}, false}), 8, 8, {},
-                      small_scene_limit, ScenePurpose::plan);
+    const SceneParts scene(parse_scene_file((entry.path() / "scene.xml").string(), {{{"size", "8"}}, false}), 8, 8);
     EXPECT_EQ(scene.scale(), 1) << entry.path();
     const bool has_long_faces = std::any_of(scene.surfaces.begin(), scene.surfaces.end(),
                                             [](const Surface& surface) { return surface.long_faces != nullptr; });

@@ -33,11 +33,11 @@ class Descent {
 
   std::uint32_t leaf_of(std::uint32_t bsdf) {
     for (;;) {
-      const BsdfNode& node = tables_.tree[bsdf];
+      const BsdfNode& node = tables_.bsdfs.tree[bsdf];
       bsdf = node.first;
       switch (node.kind) {
         case BsdfNode::Kind::leaf:
-          return static_cast<std::uint32_t>(&node - tables_.tree.data());
+          return static_cast<std::uint32_t>(&node - tables_.bsdfs.tree.data());
         case BsdfNode::Kind::two_sided:
           if (maps < 2) state |= Maps::faces[maps];
           if (dot(normal, back_) < 0) {
@@ -46,7 +46,7 @@ class Descent {
           }
           break;
         case BsdfNode::Kind::mask:
-          if (!draw(number(node.number))) return tables_.nothing;
+          if (!draw(number(node.number))) return tables_.bsdfs.nothing;
           break;
         case BsdfNode::Kind::blend:
           if (draw(number(node.number))) bsdf = node.second;
@@ -191,14 +191,14 @@ void detail_at(const SceneView& scene, std::uint32_t surface, std::uint32_t prim
     detail.chance = 1;
     detail.tangent = Vec3f(0.0f);
     detail.bsdf = scene.surfaces[surface].bsdf;
-    detail.kind = tables.kinds[detail.bsdf];
+    detail.kind = tables.bsdfs.kind(detail.bsdf);
     copy_record(scene, detail.bsdf, detail.record);
     return;
   }
   const LocalGeometry at = tables.local(surface, primitive, p, normal);
   Descent descent(tables, at, normal, direction, u, mode);
   detail.bsdf = descent.leaf_of(scene.surfaces[surface].bsdf);
-  detail.kind = tables.kinds[detail.bsdf];
+  detail.kind = tables.bsdfs.kind(detail.bsdf);
   detail.normal = descent.normal;
   for (int map = 0; map < 2; ++map) {
     detail.below[map] = map < descent.maps ? descent.below[map] : descent.normal;
@@ -208,7 +208,7 @@ void detail_at(const SceneView& scene, std::uint32_t surface, std::uint32_t prim
   detail.chance = descent.chance;
   detail.surface |= (descent.state & ((1u << MappedNormals<float>::tag_bits) - 1)) << MappedNormals<float>::tag_shift;
   copy_record(scene, detail.bsdf, detail.record);
-  const BsdfNode& leaf = tables.tree[detail.bsdf];
+  const BsdfNode& leaf = tables.bsdfs.tree[detail.bsdf];
   detail.tangent = leaf.has_directions ? perpendicular(at.dp_du, detail.normal) : Vec3f(0.0f);
   for (const TextureSlot& slot : leaf.slots) {
     if (slot.is_colour) {

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "renderer/bsdfs/bsdf.h"
-#include "renderer/bsdfs/bsdf_tree.h"
+#include "renderer/bsdfs/bsdf_table.h"
 #include "renderer/bsdfs/scattering.h"
 #include "renderer/scene/scene_view.h"
 #include "renderer/shapes/local_geometry.h"
@@ -33,15 +33,11 @@ Scattering<float> scattering_at(const SceneView& scene, const SurfaceDetail& det
 
 /// What detail_at looks up; owned by the scene.
 struct DetailTables {
-  DetailTables(const std::vector<Surface>& of_scene, const Textures& its_textures)
-      : surfaces(of_scene), textures(its_textures) {}
   const std::vector<Surface>& surfaces;
+  const std::vector<AffineMap>& uv_frames;  ///< by Surface::uv_frame
   const Textures& textures;
-  std::vector<AffineMap> uv_frames;
-  std::vector<BsdfNode> tree;
-  std::vector<std::uint32_t> kinds;  ///< BSDF kind of each leaf
-  std::uint32_t nothing = 0;         ///< the leaf where a mask has holes
-  std::vector<std::uint8_t> plain;   ///< of a surface: its BSDF is a leaf without textures, its normals are geometric
+  const BsdfTable& bsdfs;
+  std::vector<std::uint8_t> plain;           ///< of a surface: SceneParts::is_plain
   const std::uint32_t* triangles = nullptr;  ///< of a small scene: which of its mesh a primitive is
 
   /// `primitive` as SurfaceHit has it.

@@ -9,6 +9,7 @@
 
 #include "renderer/integrators/test_scenes.h"
 #include "renderer/lanes/test_random.h"
+#include "renderer/planning/test_compiled.h"
 #include "renderer/rays/rays.h"
 
 namespace photonproof {
@@ -67,7 +68,7 @@ TEST(detail, a_texture_is_written_into_the_record) {
   SceneDescription d;
   const TextureIndex texture = add_texture(d, ramp(0, 1));
   const BsdfIndex textured = test::add_bsdf(d, DiffuseDescription{texture});
-  const Scene scene(square_of(d, textured), 4, 4);
+  const Scene scene = test::compiled(square_of(d, textured), 4, 4);
   EXPECT_TRUE(scene.view().detailed);
   EXPECT_NEAR(detail_under(scene, 0, 0).record[0], 0.5f, 1e-6f);
   EXPECT_NEAR(detail_under(scene, 0.25f, 0.9f).record[2], 0.75f, 1e-6f);  // u = 0.625, 3/4 of the way
@@ -80,7 +81,7 @@ TEST(detail, a_bump_map_tilts_the_normal_by_its_slope) {
   const TextureIndex texture = add_texture(d, ramp(0, 0.2f));
   const BsdfIndex grey = test::add_bsdf(d, DiffuseDescription{});
   const BsdfIndex bumped = test::add_bsdf(d, BumpMapDescription{texture, 3, grey});
-  const Scene scene(square_of(d, bumped), 4, 4);
+  const Scene scene = test::compiled(square_of(d, bumped), 4, 4);
   const Vec3f expected = normalize(Vec3f(-1.2f, 0, 2));
   EXPECT_NEAR(length(detail_under(scene, 0.1f, 0.2f).normal - expected), 0, 1e-6f);
   EXPECT_EQ(detail_under(scene, 0.1f, 0.2f).below[0], Vec3f(0, 0, 1));
@@ -93,7 +94,7 @@ TEST(detail, a_normal_map_is_in_the_frame_of_dp_du) {
   const BsdfIndex mapped = test::add_bsdf(d, NormalMapDescription{texture, grey});
   SceneDescription turned = square_of(d, mapped);
   turned.shapes[0].to_world = Transform::rotate({0, 0, 1}, 90);  // dp/du along y
-  EXPECT_NEAR(length(detail_under(Scene(turned, 4, 4), 0, 0).normal - Vec3f(0, 0.6f, 0.8f)), 0, 1e-6f);
+  EXPECT_NEAR(length(detail_under(test::compiled(turned, 4, 4), 0, 0).normal - Vec3f(0, 0.6f, 0.8f)), 0, 1e-6f);
 }
 
 TEST(detail, twosided_shows_its_back_to_rays_from_behind_as_the_fronts_mirror_image) {
@@ -103,7 +104,7 @@ TEST(detail, twosided_shows_its_back_to_rays_from_behind_as_the_fronts_mirror_im
   const BsdfIndex back = test::add_bsdf(d, DiffuseDescription{RgbD(0.75)});
   const BsdfIndex mapped = test::add_bsdf(d, NormalMapDescription{texture, back});
   const BsdfIndex both = test::add_bsdf(d, TwoSidedDescription{front, mapped});
-  const Scene scene(square_of(d, both), 4, 4);
+  const Scene scene = test::compiled(square_of(d, both), 4, 4);
   EXPECT_EQ(detail_under(scene, 0, 0).record[0], 0.25f);
   EXPECT_EQ(detail_under(scene, 0, 0).normal, Vec3f(0, 0, 1));
   const SurfaceDetail behind = detail_under(scene, 0, 0, 0.5f, -1);
@@ -120,7 +121,7 @@ TEST(detail, nested_choices_share_one_number_without_bias) {
   const BsdfIndex b = test::add_bsdf(d, DiffuseDescription{RgbD(0.9)});
   const BsdfIndex blend = test::add_bsdf(d, BlendDescription{0.25, a, b});
   const BsdfIndex mask = test::add_bsdf(d, MaskDescription{0.3, blend});
-  const Scene scene(square_of(d, mask), 4, 4);
+  const Scene scene = test::compiled(square_of(d, mask), 4, 4);
   int of_a = 0, of_b = 0;
   for (int i = 0; i < 10'000; ++i) {
     const SurfaceDetail detail = detail_under(scene, 0, 0, (static_cast<float>(i) + 0.5f) / 10'000);
@@ -158,7 +159,7 @@ TEST(detail, textures_of_masks_and_blends_lie_where_the_texture_does) {
   const BsdfIndex b = test::add_bsdf(d, DiffuseDescription{RgbD(0.9)});
   const BsdfIndex mask = test::add_bsdf(d, MaskDescription{texture, a});
   const BsdfIndex blend = test::add_bsdf(d, BlendDescription{texture, a, b});
-  const Scene masked(square_of(d, mask), 4, 4), blended(square_of(d, blend), 4, 4);
+  const Scene masked = test::compiled(square_of(d, mask), 4, 4), blended = test::compiled(square_of(d, blend), 4, 4);
   const float greys[6] = {0.1f, 0.2f, 0.3f, 0.5f, 0.7f, 0.9f};
   for (int i = 0; i < 6; ++i) {
     const float x = (static_cast<float>(i % 3) - 1) * 2 / 3, y = static_cast<float>(i / 3) - 0.5f;
@@ -318,9 +319,9 @@ TEST(detail_image, instances_look_as_the_shapes_placed_directly) {
     if (std::abs(image.rgb[i] - expected.rgb[i]) > 1e-3f * (image.rgb[i] + expected.rgb[i])) ++different;
   EXPECT_LT(different, static_cast<int>(image.rgb.size() / 30));
   EXPECT_NEAR(test::image_mean(image), test::image_mean(expected), 0.01 * test::image_mean(expected));
-  const Scene scene(instanced, 4, 4);
+  const Scene scene = test::compiled(instanced, 4, 4);
   EXPECT_EQ(scene.surfaces.size(), 7u);
-  EXPECT_EQ(scene.primitive_count(), 2u * 3u + 2u + 2u + 1u);  // triangles once, instances, spheres, plane
+  EXPECT_EQ(scene.primitives, 2u * 3u + 2u + 2u + 1u);  // triangles once, instances, spheres, plane
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "renderer/integrators/test_scenes.h"
 #include "renderer/lanes/test_random.h"
 #include "renderer/lanes/warp.h"
+#include "renderer/planning/test_compiled.h"
 #include "renderer/rays/rays.h"
 #include "renderer/scene/scene.h"
 #include "renderer/scene/scene_frame.h"
@@ -34,7 +35,7 @@ LocalGeometry geometry_at(const Scene& scene, const Vec3f& origin, const Vec3f& 
 LocalGeometry geometry_at(const Shape& shape, const Vec3f& origin, const Vec3f& direction) {
   const SceneDescription description = only(shape, {});
   const Vec3f moved(scene_frame(description).moved);  // to the compiled scene's coordinates
-  return geometry_at(Scene(description, 4, 4), origin + moved, direction);
+  return geometry_at(test::compiled(description, 4, 4), origin + moved, direction);
 }
 
 constexpr double scales[] = {1e-6, 1e-3, 1, 1e3, 1e6};
@@ -46,7 +47,7 @@ void for_random_rays(const Shape& shape, Visit&& visit) {
   for (const double scale : scales) {
     const Transform to_world = Transform::translate(Vec3d(100, -30, 20) * scale) * Transform::scale(Vec3d(scale)) *
                                Transform::rotate({1, 2, 3}, 40);
-    const Scene scene(only(shape, to_world), 4, 4);
+    const Scene scene = test::compiled(only(shape, to_world), 4, 4);
     const Vec3d moved = scene.view().detail->uv_frames.empty()
                             ? Vec3d(0)
                             : Vec3d(scene.view().detail->uv_frames[0].origin) - to_world.point(Vec3d(0));
@@ -113,9 +114,9 @@ TEST(plane, is_met_wherever_it_is_and_moves_no_other_shape) {
   // Planes have no middle: with and without one the compiled scene has the same origin.
   SceneDescription with = only(SphereDescription{{1e5, 0, 0}, 1}, {});
   with.sensor.to_world = Transform::translate({1e5, 0, -5});  // looks at the sphere
-  const Vec3f center = std::get<Sphere>(Scene(with, 4, 4).surfaces[0].geometry).center;
+  const Vec3f center = std::get<Sphere>(test::compiled(with, 4, 4).surfaces[0].geometry).center;
   test::add_shape(with, PlaneDescription{}, Transform::translate({0, 0, -2}), BsdfIndex{0});
-  const Scene scene(with, 4, 4);
+  const Scene scene = test::compiled(with, 4, 4);
   EXPECT_EQ(std::get<Sphere>(scene.surfaces[0].geometry).center, center);
   for (const float far : {1.0f, 1e3f, 1e6f}) {
     const Hit hit = scene.intersect({0, 3, 1}, normalize(Vec3f{far, 0, -3}));
@@ -222,7 +223,7 @@ TEST(heightfield, lets_no_ray_through_and_stays_within_its_amplitude) {
   field.amplitude = 0.3;
   field.height = HeightfieldDescription::Noise{3, 2, 4, 5};
   for (const double shift : {0.0, 1e5}) {
-    const Scene scene(only(field, Transform::translate(Vec3d(shift))), 4, 4);
+    const Scene scene = test::compiled(only(field, Transform::translate(Vec3d(shift))), 4, 4);
     for (std::uint64_t i = 0; i < 20'000; ++i) {
       test::Random random(72, i);
       const auto u = random.next2();
@@ -245,7 +246,8 @@ TEST(smooth_normals, of_an_icosphere_approach_the_spheres) {
     std::transform(ball.directions.begin(), ball.directions.end(), mesh->positions.begin(),
                    [](const Vec3d& p) { return Vec3f(p); });
     mesh->triangles = ball.triangles;
-    const Scene scene(only(MeshDescription{MeshDescription::Format::ply, "", false, false, mesh}, {}), 4, 4);
+    const Scene scene =
+        test::compiled(only(MeshDescription{MeshDescription::Format::ply, "", false, false, mesh}, {}), 4, 4);
     double error = 0;
     for (std::uint64_t i = 0; i < 2000; ++i) {
       test::Random random(73, i);
@@ -272,7 +274,7 @@ TEST(smooth_normals, are_turned_by_the_inverse_transpose) {
         only(MeshDescription{MeshDescription::Format::obj, "", false, true, mesh}, Transform::scale({1, 1, 2}));
     d.shapes[0].flip_normals = flip;
     const Vec3f expected = normalize(Vec3f(0, 1, 0.5f)) * (flip ? -1.0f : 1.0f);
-    EXPECT_NEAR(length(geometry_at(Scene(d, 4, 4), {0, 0, 1}, {0, 0, -1}).normal - expected), 0, 1e-6f);
+    EXPECT_NEAR(length(geometry_at(test::compiled(d, 4, 4), {0, 0, 1}, {0, 0, -1}).normal - expected), 0, 1e-6f);
   }
 }
 
@@ -290,7 +292,7 @@ TEST(smooth_normals, of_an_instance_are_turned_by_the_inverse_transpose) {
   member.bsdf = d.shapes[0].bsdf;
   d.groups.push_back({{}, "", {member}});
   const Vec3f expected = normalize(Vec3f(0, 1, 0.5f));
-  EXPECT_NEAR(length(geometry_at(Scene(d, 4, 4), {0, 0, 1}, {0, 0, -1}).normal - expected), 0, 1e-6f);
+  EXPECT_NEAR(length(geometry_at(test::compiled(d, 4, 4), {0, 0, 1}, {0, 0, -1}).normal - expected), 0, 1e-6f);
 }
 
 TEST(mesh_uv, are_the_files_or_barycentric) {

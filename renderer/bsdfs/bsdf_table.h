@@ -1,0 +1,39 @@
+// All BSDFs of a scene: the leaves' records, and the tree of those that wrap others.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "renderer/bsdfs/bsdf.h"
+#include "renderer/bsdfs/bsdf_tree.h"
+#include "scenes/description/description.h"
+
+namespace photonproof {
+
+struct BsdfTable {
+  std::vector<Bsdf> records;   ///< by the description's indices; of those that wrap others there is nothing here
+  std::vector<BsdfNode> tree;  ///< by the same
+  std::uint32_t nothing = 0;   ///< the leaf where a mask has holes
+
+  /// Calls visit(const Bsdf&, bool textured) for every leaf that a hit on a surface with this BSDF may get.
+  template <class Visit>
+  void for_each_leaf(std::uint32_t bsdf, Visit&& visit) const {
+    photonproof::for_each_leaf(tree, bsdf, nothing,
+                               [&](std::uint32_t leaf) { visit(records[leaf], !tree[leaf].slots.empty()); });
+  }
+  /// Of BsdfKinds, of a leaf.
+  std::uint32_t kind(std::uint32_t leaf) const { return static_cast<std::uint32_t>(records[leaf].index()); }
+  /// Whether the BSDF wraps no other.
+  bool is_leaf(std::uint32_t bsdf) const { return tree[bsdf].kind == BsdfNode::Kind::leaf; }
+  /// Whether some leaf is not Lambertian.
+  bool is_specular(std::uint32_t bsdf) const {
+    bool specular = false;
+    for_each_leaf(bsdf, [&](const Bsdf& leaf, bool) { specular = specular || !is_lambertian(leaf); });
+    return specular;
+  }
+};
+
+/// Throws InputError at a BSDF that cannot be represented.
+BsdfTable compile_bsdfs(const SceneDescription& description);
+
+}  // namespace photonproof

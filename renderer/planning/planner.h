@@ -1,0 +1,61 @@
+// What integrators make their plans with: the facts, the switches, and what several of them decide alike.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "renderer/passes/render_job.h"
+#include "renderer/planning/plan.h"
+#include "renderer/planning/plan_words.h"
+#include "renderer/planning/scene_facts.h"
+
+namespace photonproof {
+
+/// Up to this many primitives are tested one after the other instead of through Embree. Measured among random
+/// parallelograms (rays_bench.cpp, "threshold"): at 128 the packed kernel is 1.8, 1.4 and 0.9 times as fast with 16, 8
+/// and 4 lanes, and Embree does better than there where primitives do not overlap.
+inline constexpr std::size_t small_scene_limit = 128;
+/// The same for integrators that trace one ray at a time: bdpt on `cornell` (12 parallelograms) is 1.4 times as fast
+/// through Embree, on `cornell-spheres` (8 primitives) as fast.
+inline constexpr std::size_t small_scene_limit_of_single_rays = 8;
+
+class Planner {
+ public:
+  /// Decides what the scene is to be built of; at most `small_limit` primitives make a small scene.
+  Planner(const SceneFacts& facts, const RenderJob& job, std::size_t small_limit);
+
+  const SceneFacts& facts() const { return facts_; }
+  const RenderJob& job() const { return job_; }
+
+  /// Something that is done.
+  void run(const std::string& what, const std::string& how) { plan_.runs.push_back({what, how}); }
+  /// Something that is left out where it is `possible` and not switched off. `why` it is possible, or why not.
+  bool decide(Skip skip, bool possible, const std::string& why, const std::string& why_not);
+
+  // --- what several integrators do ---
+
+  /// Rays of the kernels, and what they shade with.
+  void batches();
+  /// Rays of integrators that follow one history at a time.
+  void rays_one_by_one();
+  /// Next-event estimation by the kernels, weighted against rays that meet lights where the method has both.
+  void direct_light(bool weighted_by_method);
+  /// Says what light no path of the integrator can bring.
+  void cannot_see(bool with_light_paths);
+  /// No path starts at a light.
+  void no_light_paths() { plan_.scene.light_paths = false; }
+
+  const RenderPlan& plan() const { return plan_; }
+
+ private:
+  using Decision = RenderPlan::Decision;
+  Decision decided(Skip skip, bool possible, const std::string& why, const std::string& why_not) const;
+  void list(const Decision& decision) { plan_.decisions.push_back(decision); }
+
+  const SceneFacts& facts_;
+  const RenderJob& job_;
+  RenderPlan plan_;
+  const Decision bvh_, bsdf_groups_, surface_detail_, light_choice_, far_lights_, shadow_rays_;  ///< of plan_.scene
+};
+
+}  // namespace photonproof

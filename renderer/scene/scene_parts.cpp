@@ -1,0 +1,76 @@
+#include "renderer/scene/scene_parts.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "renderer/lights/compile_light.h"
+#include "renderer/scene/scaled_description.h"
+#include "renderer/scene/scene_shapes.h"
+#include "renderer/shapes/local_geometry.h"
+
+namespace photonproof {
+namespace {
+
+/// What lights look textures up with; they share their owner.
+TextureLookup texture_lookup(const std::shared_ptr<const Textures>& textures) {
+  return [textures](TextureIndex texture) -> LightTexture {
+    return [textures, texture](const Vec2<float>& uv) { return textures->colour(texture.value, uv); };
+  };
+}
+
+/// The lights of surfaces that emit; the surfaces are told which they are.
+std::vector<Light> surface_lights(const SceneDescription& description, const Vec3d& moved, const TextureLookup& texture,
+                                  SceneShapes& shapes) {
+  std::vector<Light> lights;
+  for (std::size_t i = 0; i < shapes.surfaces.size(); ++i) {
+    const ShapeDescription& shape = *shapes.shape_of[i];
+    if (!shape.radiance) continue;
+    Surface& surface = shapes.surfaces[i];
+    surface.light = static_cast<std::uint32_t>(lights.size());
+    const Transform to_world = Transform::translate(moved) * shape.to_world;
+    lights.push_back(compile_surface_light(surface.geometry, shape, to_world, texture, description.where(shape.loc)));
+  }
+  return lights;
+}
+
+}  // namespace
+
+SceneParts::SceneParts(const SceneDescription& in_its_unit, int width_, int height_)
+    : width(width_), height(height_), frame(scene_frame(in_its_unit)), filter(in_its_unit.sensor.film.filter) {
+  std::optional<SceneDescription> in_other_unit;
+  if (frame.scale != 1) in_other_unit = scaled(in_its_unit, frame.scale);
+  const SceneDescription& description = in_other_unit ? *in_other_unit : in_its_unit;
+
+  textures = std::make_shared<const Textures>(description.textures);
+  media = compile_media(description);
+  bsdfs = compile_bsdfs(description);
+  SceneShapes shapes(description, *textures, frame.moved, frame.long_edge);
+  lights = surface_lights(description, frame.moved, texture_lookup(textures), shapes);
+  surfaces = std::move(shapes.surfaces);
+  uv_frames = std::move(shapes.uv_frames);
+  primitives = shapes.primitives;
+  simple_primitives = shapes.simple;
+  ball = scene_ball(surfaces);
+  for (const EmitterDescription& e : description.emitters)
+    lights.push_back(compile_light(e, frame.moved, ball, texture_lookup(textures), description.where(e.loc)));
+  camera = compile_camera(description.sensor, width, height, frame.moved);
+}
+
+bool SceneParts::is_plain(const Surface& surface) const {
+  const BsdfNode& node = bsdfs.tree[surface.bsdf];
+  return node.kind == BsdfNode::Kind::leaf && node.slots.empty() && !node.has_directions &&
+         !has_shading_normals(surface);
+}
+
+std::uint32_t SceneParts::bsdf_kinds() const {
+  std::uint32_t kinds = 0;
+  for (const Surface& surface : surfaces)
+    bsdfs.for_each_leaf(surface.bsdf, [&](const Bsdf& leaf, bool) { kinds |= 1u << leaf.index(); });
+  return kinds;
+}
+
+bool SceneParts::lights_can_be_hit() const {
+  return std::any_of(lights.begin(), lights.end(), [](const Light& light) { return !is_delta(light); });
+}
+
+}  // namespace photonproof

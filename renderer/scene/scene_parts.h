@@ -1,0 +1,50 @@
+// What a scene description compiles to before anything is decided about it or built to trace it: plans are made from
+// these tables, and a Scene has them.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "renderer/bsdfs/bsdf_table.h"
+#include "renderer/lights/light.h"
+#include "renderer/media/medium.h"
+#include "renderer/scene/scene_frame.h"
+#include "renderer/sensor/camera.h"
+#include "renderer/shapes/scene_ball.h"
+#include "renderer/shapes/surface.h"
+#include "renderer/textures/texture.h"
+#include "scenes/description/description.h"
+
+namespace photonproof {
+
+struct SceneParts {
+  /// `width`, `height` override the film's size. Throws InputError at an entity it cannot represent.
+  SceneParts(const SceneDescription& description, int width, int height);
+
+  int width, height;
+  SceneFrame frame;  ///< how coordinates come from the description's
+  ReconstructionFilter filter;
+  CameraView camera;
+  std::shared_ptr<const Textures> textures;
+  SceneMedia media;
+  BsdfTable bsdfs;
+  std::vector<Surface> surfaces;
+  std::vector<AffineMap> uv_frames;  ///< by Surface::uv_frame
+  std::size_t primitives = 0;        ///< of all shapes; those of a shape group count once, and each instance as one
+  bool simple_primitives = true;     ///< parallelograms, triangles and spheres only: what the packed kernel knows
+  SceneBall ball;
+  std::vector<Light> lights;  ///< of the shapes' surfaces, then the emitters
+
+  /// A length of the description times this is one of the scene: 1, or a power of two where that would be all too small
+  /// or large.
+  double scale() const { return frame.scale; }
+  /// Whether hits need no more than the surface's BSDF record and geometric normal (surface_detail.h).
+  bool is_plain(const Surface& surface) const;
+  /// Bit k: a surface has a BSDF of kind k.
+  std::uint32_t bsdf_kinds() const;
+  /// Whether a ray can meet a light.
+  bool lights_can_be_hit() const;
+};
+
+}  // namespace photonproof
