@@ -24,9 +24,10 @@ void plan_direct(const IntegratorDescription& description, Planner& planner) {
 void render_direct(const Scene& scene, const RenderPlan& plan, const RenderJob& job, Film& film, RenderStats& stats) {
   const auto asked = std::get<DirectDescription>(plan.method.method);
   PathSettings settings{.max_depth = 2, .hide_emitters = asked.hide_emitters};
-  settings.sample_lights = asked.emitter_samples > 0;
-  settings.meet_lights = asked.bsdf_samples > 0;
-  settings.weighted = settings.sample_lights && settings.meet_lights && !plan.skips(Skip::mis);
+  settings.direct_light = asked.bsdf_samples == 0      ? DirectLight::samples_only
+                          : asked.emitter_samples == 0 ? DirectLight::hits_only
+                          : plan.skips(Skip::mis)      ? DirectLight::unweighted
+                                                       : DirectLight::weighted;
   settings.rr_depth = settings.max_depth + 1;  // a path this short is not worth ending early
 
   const std::int64_t paths = paths_a_sample(asked);

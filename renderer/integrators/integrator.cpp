@@ -70,7 +70,7 @@ RenderPlan plan_render(const SceneFacts& facts, const IntegratorDescription& met
   plan.integrator = name;
   const Kernels& kernels = job.kernels();
   plan.isa = kernels.isa;
-  plan.lanes = kernels.lanes;
+  plan.lanes = kernels.path.lanes;
   return plan;
 }
 

@@ -15,7 +15,7 @@ void trace_path_passes(const Scene& scene, const PathSettings& settings, const R
   const PhaseTimer timer(stats.phases["render"]);
   const Threads threads(job.threads);
   RenderLoop loop(job, threads, film, stats, {.phase = phase});
-  ScratchPool scratch(job.kernels().path_scratch);
+  ScratchPool scratch(job.kernels().path.scratch);
   while (loop.next()) {
     loop.for_each_tile([&](const Tile& tile) {
       const CameraTask camera = camera_task(job, tile, loop.first(), loop.samples());
@@ -23,7 +23,7 @@ void trace_path_passes(const Scene& scene, const PathSettings& settings, const R
       PathTask task{.scene = &scene.view(), .camera = camera, .settings = settings, .radiance = radiance.data()};
       scratch.lend([&](std::uint32_t* words) {
         task.scratch = words;
-        job.kernels().trace_paths(task);
+        job.kernels().path.trace(task);
       });
       add_samples(film, camera, radiance);
       loop.rays().add(task.counts);
@@ -43,8 +43,10 @@ void plan_path(const IntegratorDescription& description, Planner& planner) {
 
 void render_path(const Scene& scene, const RenderPlan& plan, const RenderJob& job, Film& film, RenderStats& stats) {
   const auto asked = std::get<PathDescription>(plan.method.method);
-  trace_path_passes(scene, {asked.max_depth, asked.rr_depth, asked.hide_emitters, !plan.skips(Skip::mis)}, job,
-                    "path tracing", film, stats);
+  trace_path_passes(scene,
+                    {asked.max_depth, asked.rr_depth, asked.hide_emitters,
+                     plan.skips(Skip::mis) ? DirectLight::unweighted : DirectLight::weighted},
+                    job, "path tracing", film, stats);
 }
 
 }  // namespace photonproof

@@ -9,6 +9,7 @@
 #include "renderer/kernels/batch_kernel.h"
 #include "renderer/kernels/camera_rays.h"
 #include "renderer/kernels/direct_light.h"
+#include "renderer/kernels/tasks.h"
 #include "renderer/lanes/roulette.h"
 #include "scenes/text/faults.h"
 
@@ -39,11 +40,16 @@ template <class F>
 class PathKernel : public BatchKernel<PathKernel<F>, PathState, TransportMode::radiance, F> {
   using Base = BatchKernel<PathKernel<F>, PathState, TransportMode::radiance, F>;
   using U = UInt<F>;
-  static constexpr std::uint32_t dimensions_a_vertex = 5;        // light point, direction, light, lobe, roulette
-  static constexpr std::uint32_t surface_dimensions = 1u << 24;  // one a vertex: which of a surface's BSDFs
+  /// Of the sampler; the camera has the first.
+  struct Dimension {
+    static constexpr std::uint32_t first_vertex = 1, a_vertex = 5;
+    static constexpr std::uint32_t light_point = 0, direction = 1, light = 2, lobe = 3, roulette = 4;  ///< of a vertex
+    static constexpr std::uint32_t leaf = 1u << 24;  ///< one a vertex: which of a surface's BSDFs
+  };
 
  public:
-  explicit PathKernel(PathTask& task) : Base(*task.scene, task.scratch), task_(task) {}
+  explicit PathKernel(PathTask& task)
+      : Base(*task.scene, task.scratch), task_(task), light_from_(task.settings.direct_light) {}
 
   [[gnu::flatten]] Mask<F> refill(PathState<F>& s, std::uint32_t first, const Mask<F>& lanes) {
     const CameraRay<F> ray = camera_rays<F>(scene_, task_.camera, first);
@@ -86,8 +92,7 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, TransportMode::r
     retire(s, active && !alive);
     if (!any(alive)) return;
     s.from = hit.primitive;
-    Base::wait({s, hit.p, hit.normal, hit.surface}, alive,
-               [&] { return draw2<F>(task_.camera.sampler, s.key, s.index, U(s.vertex + surface_dimensions)).x; });
+    Base::wait({s, hit.p, hit.normal, hit.surface}, alive, [&] { return draw(s, s.vertex + Dimension::leaf).x; });
   }
 
   /// Adds direct light, draws the next direction and plays roulette.
@@ -97,17 +102,17 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, TransportMode::r
     const ScatteringBsdf<Kind<F>, F> bsdf = Base::template scattering_at<Kind>(at, active);
     const Frame<F>& frame = bsdf.at.frame;
     const Vec3<F> wo_local = frame.to_local(Vec3<F>(-s.direction));
-    const U dimension = s.vertex * dimensions_a_vertex + 1u;
-    const bool gathers = Kind<F>::is_lambertian && task_.gather_points != nullptr;
+    const U dimension = s.vertex * Dimension::a_vertex + Dimension::first_vertex;
+    const bool gathers = Kind<F>::is_lambertian && task_.at_diffuse == AtDiffuse::leave_gather_point;
     if constexpr (Kind<F>::has_smooth) {
-      if (scene_.light_count > 0 && task_.settings.sample_lights) {
+      if (scene_.light_count > 0 && light_from_ != DirectLight::hits_only) {
         if constexpr (Kind<F>::is_lambertian)
           add_direct_light(at, bsdf, frame, wo_local, dimension, !gathers, active);
         else
           add_direct_light_once_compiled(at, any_bsdf<F>(bsdf), frame, wo_local, dimension, active);
       }
     }
-    if constexpr (Kind<F>::is_lambertian) {  // a gather point has no direction: its weight is for any photon
+    if constexpr (Kind<F>::is_lambertian) {
       if (gathers) {
         leave_gather_points(at, frame.n, bsdf.bsdf.eval(wo_local, Vec3<F>(F(0.0f), F(0.0f), F(1.0f))), active);
         retire(s, active);
@@ -115,8 +120,8 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, TransportMode::r
       }
     }
     Vec2<F> u_direction{F(0.0f), F(0.0f)};
-    if constexpr (Kind<F>::has_smooth) u_direction = draw2<F>(task_.camera.sampler, s.key, s.index, U(dimension + 1u));
-    const F u_lobe = draw2<F>(task_.camera.sampler, s.key, s.index, U(dimension + 3u)).x;
+    if constexpr (Kind<F>::has_smooth) u_direction = draw(s, dimension + Dimension::direction);
+    const F u_lobe = draw(s, dimension + Dimension::lobe).x;
     const BsdfSample<F> next = bsdf.at.sample(bsdf.bsdf, wo_local, u_lobe, u_direction, TransportMode::radiance);
     s.throughput *= next.weight;
     s.refraction_scale *= next.eta * next.eta;
@@ -139,9 +144,9 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, TransportMode::r
     const Vec3<F> emitted = emitted_radiance<F>(scene_, hit, light, shines, Vec3<F>(-s.direction));
     F weight(1.0f);
     const Mask<F> shared = shines && s.bsdf_pdf > 0;  // next-event estimation could have found it too
-    if (!task_.settings.meet_lights)
+    if (light_from_ == DirectLight::samples_only)
       weight = select(shared, F(0.0f), F(1.0f));
-    else if (task_.settings.weighted && any(shared) && !has_fault(Fault::unweighted_hits))
+    else if (light_from_ == DirectLight::weighted && any(shared) && !has_fault(Fault::unweighted_hits))
       weight =
           select(shared, mis_weight(s.bsdf_pdf, direct_light_pdf<F>(scene_, light, shared, s.origin, hit)), F(1.0f));
     if constexpr (can_have_faults)
@@ -155,9 +160,9 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, TransportMode::r
     const EnvironmentLook<F> sky = look_at_environment(scene_, s.origin, s.direction, leaves);
     const Mask<F> shared = s.bsdf_pdf > 0;
     F weight(1.0f);
-    if (!task_.settings.meet_lights)
+    if (light_from_ == DirectLight::samples_only)
       weight = select(shared, F(0.0f), F(1.0f));
-    else if (task_.settings.weighted)
+    else if (light_from_ == DirectLight::weighted)
       weight = select(shared, mis_weight(s.bsdf_pdf, sky.pdf), F(1.0f));
     s.radiance = select(leaves, Vec3<F>(s.radiance + s.throughput * sky.radiance * weight), s.radiance);
   }
@@ -168,12 +173,12 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, TransportMode::r
                         const U& dimension, bool goes_on, const Mask<F>& active) {
     PathState<F>& s = at.history;
     F u_choice(0.0f);
-    if (!scene_.one_light) u_choice = draw2<F>(task_.camera.sampler, s.key, s.index, U(dimension + 2u)).x;
-    const Vec2<F> u_point = draw2<F>(task_.camera.sampler, s.key, s.index, dimension);
+    if (!scene_.one_light) u_choice = draw(s, dimension + Dimension::light).x;
+    const Vec2<F> u_point = draw(s, dimension + Dimension::light_point);
     const SurfaceHit<F> hit{active, at.p, at.normal, at.surface, s.from};
-    s.radiance +=
-        s.throughput * estimate_direct<F>(scene_, hit, bsdf, frame, wo_local, task_.settings.weighted && goes_on,
-                                          u_choice, u_point, active, task_.counts);
+    s.radiance += s.throughput * estimate_direct<F>(scene_, hit, bsdf, frame, wo_local,
+                                                    light_from_ == DirectLight::weighted && goes_on, u_choice, u_point,
+                                                    active, task_.counts);
   }
 
   /// All kinds but the Lambertian share one copy of the code that chooses lights and traces shadow rays: a copy each
@@ -191,7 +196,7 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, TransportMode::r
     const F weight = max_component(s.throughput) * s.refraction_scale;
     const F q = survival_probability<F>(weight, U(s.vertex + 1u), task_.settings.rr_depth);
     s.throughput *= select(mortal, has_fault(Fault::unpaid_roulette) ? F(1.0f) : F(1 / q), F(1.0f));
-    return alive && (!mortal || draw_independent<F>(s.key, s.index, U(dimension + 4u)) < q);
+    return alive && (!mortal || draw_independent<F>(s.key, s.index, U(dimension + Dimension::roulette)) < q);
   }
 
   /// Calls visit(lane, path) for the lanes.
@@ -219,32 +224,31 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, TransportMode::r
     });
   }
 
+  /// A gather point has no direction: its weight is for any photon.
   void leave_gather_points(const AtSurface<PathState, F>& at, const Vec3<F>& shading_normal, const Vec3<F>& f,
                            const Mask<F>& active) {
     const Vec3<F> weight = at.history.throughput * f;
-    float columns[6][lane_count<F>];
-    std::uint32_t surface[lane_count<F>], vertex[lane_count<F>], sheet[lane_count<F>];
-    store_from(at.p.x, columns[0]);
-    store_from(at.p.y, columns[1]);
-    store_from(at.p.z, columns[2]);
-    store_from(weight.x, columns[3]);
-    store_from(weight.y, columns[4]);
-    store_from(weight.z, columns[5]);
-    store_from(at.surface, surface);
-    store_from(at.history.vertex, vertex);
-    store_from(sheet_word<F>(at.normal, shading_normal), sheet);
-    const Mask<F> reflects = active && max_component(weight) > 0;
-    for_each_path(at.history, reflects, [&](std::size_t lane, std::size_t path) {
-      task_.gather_points[task_.gather_count++] = {{columns[0][lane], columns[1][lane], columns[2][lane]},
-                                                   {columns[3][lane], columns[4][lane], columns[5][lane]},
-                                                   static_cast<std::uint32_t>(path),
-                                                   surface[lane],
-                                                   vertex[lane] + 1,
-                                                   sheet[lane]};
-    });
+    const std::uint32_t bits = to_bits(Mask<F>(active && max_component(weight) > 0));
+    if (bits == 0) return;
+    GatherPoints& points = task_.points;
+    const auto put = [&](auto* column, const auto& value) {
+      compress_store(value, bits, reinterpret_cast<std::uint32_t*>(column + points.count));
+    };
+    put(points.x, at.p.x), put(points.y, at.p.y), put(points.z, at.p.z);
+    put(points.weight_red, weight.x), put(points.weight_green, weight.y), put(points.weight_blue, weight.z);
+    put(points.path, at.history.path);
+    put(points.surface, at.surface);
+    put(points.edges, U(at.history.vertex + 1u));
+    put(points.sheet, sheet_word<F>(at.normal, shading_normal));
+    points.count += static_cast<std::size_t>(std::popcount(bits));
+  }
+
+  Vec2<F> draw(const PathState<F>& s, const U& dimension) const {
+    return draw2<F>(task_.camera.sampler, s.key, s.index, dimension);
   }
 
   PathTask& task_;
+  const DirectLight light_from_;
 };
 
 }  // namespace photonproof

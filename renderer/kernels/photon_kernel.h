@@ -6,6 +6,7 @@
 #include "renderer/kernels/aim.h"
 #include "renderer/kernels/batch_kernel.h"
 #include "renderer/kernels/lights.h"
+#include "renderer/kernels/tasks.h"
 #include "renderer/lanes/roulette.h"
 #include "renderer/lanes/warp.h"
 #include "renderer/rays/rays.h"
@@ -197,19 +198,15 @@ class PhotonKernel : public BatchKernel<PhotonKernel<F>, PhotonState, TransportM
     if (bits == 0) return;
     PhotonDeposits& d = *task_.deposits;
     if (d.count + 2 * PhotonDeposits::slack > PhotonDeposits::capacity) task_.drain(task_);
-    const auto put = [&](const auto& value, auto* to) {
+    const auto put = [&](auto& to, const auto& value) {
       compress_store(value, bits, reinterpret_cast<std::uint32_t*>(to + d.count));
     };
-    put(at.p.x, d.x);
-    put(at.p.y, d.y);
-    put(at.p.z, d.z);
     const Vec3<F> flux = at.history.flux * (1 / stored_share);
-    put(flux.x, d.red);
-    put(flux.y, d.green);
-    put(flux.z, d.blue);
-    put(at.surface, d.surface);
-    put(with_edges<F>(sheet_word<F>(at.normal, shading_normal), at.history.edges), d.sheet);
-    put(at.history.path, d.path);
+    const UInt<F> sheet = with_edges<F>(sheet_word<F>(at.normal, shading_normal), at.history.edges);
+    const PhotonColumns<LanesOf<F>::template Column> landed{at.p.x, at.p.y, at.p.z,     flux.x,
+                                                            flux.y, flux.z, at.surface, sheet};
+    zip_photons(put, d.photons, landed);
+    put(d.path, at.history.path);
     d.count += static_cast<std::size_t>(std::popcount(bits));
   }
 

@@ -25,18 +25,18 @@ const bench::RecordedRays& rays_of(const std::string& name, bool embree) {
 /// The whole image, `samples` a pixel; returns the rays traced.
 std::uint64_t trace_image(const Scene& scene, const Kernels& kernels, std::uint32_t samples) {
   std::uint64_t rays = 0;
-  std::vector<std::uint32_t> scratch(kernels.path_scratch);
+  std::vector<std::uint32_t> scratch(kernels.path.scratch);
   for (int y = 0; y < scene.height; y += 16) {
     for (int x = 0; x < scene.width; x += 16) {
       PathTask task;
       task.scene = &scene.view();
       task.camera = {x, y, x + 16, y + 16, 0, samples, 1, SamplerKind::sobol, 0};
       task.settings.max_depth = max_depth;
-      task.settings.weighted = scene.view().lights_can_be_hit;
+      if (!scene.view().lights_can_be_hit) task.settings.direct_light = DirectLight::unweighted;
       std::vector<float> radiance(3 * std::size_t{task.camera.paths()});
       task.radiance = radiance.data();
       task.scratch = scratch.data();
-      kernels.trace_paths(task);
+      kernels.path.trace(task);
       benchmark::DoNotOptimize(radiance.data());
       rays += task.counts.camera + task.counts.bounce + task.counts.shadow;
     }

@@ -65,7 +65,7 @@ RecordedRays record_rays(const Scene& scene, int samples, int max_depth) {
       task.scene = &scene.view();
       task.camera = {x, y, x + 16, y + 16, 0, static_cast<std::uint32_t>(samples), 1, SamplerKind::sobol, 0};
       task.settings.max_depth = max_depth;
-      task.settings.weighted = scene.view().lights_can_be_hit;
+      if (!scene.view().lights_can_be_hit) task.settings.direct_light = DirectLight::unweighted;
       std::vector<float> radiance(3 * std::size_t{task.camera.paths()});
       std::vector<std::uint32_t> scratch(Kernel::scratch_words);
       task.radiance = radiance.data();

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "renderer/core/ray_counts.h"
+#include "renderer/kernels/gather_points.h"
 #include "renderer/lanes/sampler.h"
 #include "renderer/photons/photon_gather.h"
 #include "renderer/scene/scene_view.h"
@@ -23,34 +24,36 @@ struct CameraTask {
   std::uint32_t paths() const { return tile_width() * static_cast<std::uint32_t>(y1 - y0) * samples; }
 };
 
+/// How light comes to the vertices of a path.
+enum class DirectLight {
+  weighted,      ///< samples of lights and rays that meet them, by multiple importance sampling
+  unweighted,    ///< both, where no light can be had both ways
+  samples_only,  ///< rays see only lights that samples cannot have found
+  hits_only      ///< rays that meet lights, without samples
+};
+
 /// `max_depth` counts path edges, -1 is unlimited.
 struct PathSettings {
   int max_depth = -1;
   int rr_depth = 5;
   bool hide_emitters = false;
-  bool weighted = true;       ///< multiple importance sampling: some light can be hit
-  bool sample_lights = true;  ///< next-event estimation; without it rays must meet the lights
-  bool meet_lights = true;    ///< without it rays see only lights that next-event estimation cannot have found
+  DirectLight direct_light = DirectLight::weighted;
 };
 
-/// Where a camera path meets its first diffuse surface: radiance there is weight x irradiance.
-struct GatherPoint {
-  Vec3f p;
-  Rgb weight;  ///< throughput x f
-  std::uint32_t path = 0;
-  std::uint32_t surface = 0;
-  std::uint32_t edges = 0;  ///< of the camera path
-  std::uint32_t sheet = 0;  ///< sheet_word
+/// What a camera path does at a Lambertian surface.
+enum class AtDiffuse {
+  go_on,
+  leave_gather_point  ///< and end
 };
 
 struct PathTask {
   const SceneView* scene = nullptr;
   CameraTask camera;
   PathSettings settings;
-  float* radiance = nullptr;             ///< 3 a path, in the task's order of paths
-  std::uint32_t* scratch = nullptr;      ///< Kernels::path_scratch words
-  GatherPoint* gather_points = nullptr;  ///< room for one a path, or null: paths go on from diffuse surfaces
-  std::size_t gather_count = 0;
+  AtDiffuse at_diffuse = AtDiffuse::go_on;
+  float* radiance = nullptr;         ///< 3 a path, in the task's order of paths
+  std::uint32_t* scratch = nullptr;  ///< Kernels::path_scratch words
+  GatherPoints points{};             ///< of a GatherQueue with room for one a path, where paths leave them
   RayCounts counts{};
 };
 
@@ -64,8 +67,10 @@ enum class PhotonKind {
 struct PhotonDeposits {
   static constexpr std::size_t slack = 16;  ///< of a pack
   static constexpr std::size_t capacity = 4096;
-  float x[capacity]{}, y[capacity]{}, z[capacity]{}, red[capacity]{}, green[capacity]{}, blue[capacity]{};
-  std::uint32_t surface[capacity]{}, sheet[capacity]{}, path[capacity]{};
+  template <class T>
+  using Column = T[capacity];
+  PhotonColumns<Column> photons{};
+  std::uint32_t path[capacity]{};
   std::size_t count = 0;
 };
 
@@ -86,25 +91,36 @@ struct PhotonTask {
   RayCounts counts{};
 };
 
+/// Looks photons up, each point within its own radius.
 struct GatherTask {
-  PhotonView map;
-  float radius = 0;
+  PhotonView map{};
   std::int32_t max_edges = 0;  ///< of camera and light path together
-  const GatherPoint* points = nullptr;
+  GatherPoints points{};
   const std::uint32_t* order = nullptr;  ///< in which points are looked up
-  std::size_t count = 0;
-  GatheredFlux* flux = nullptr;      ///< of each point
-  const SheetTest* tests = nullptr;  ///< of each surface; null: none
+  const SheetTest* tests = nullptr;      ///< of each surface; null: none
+};
+
+struct PathKernelEntry {
+  unsigned lanes;
+  std::size_t scratch;  ///< 32-bit words
+  void (*trace)(PathTask&);
+};
+struct PhotonKernelEntry {
+  std::size_t scratch;  ///< 32-bit words
+  void (*trace)(PhotonTask&);
+};
+struct GatherKernelEntry {
+  void (*gather)(const GatherTask&);
+  /// Adds weight x flux / area of the points to the radiance of their paths, 3 values a path.
+  void (*add)(const GatherPoints&, float* radiance);
 };
 
 /// The kernels of one instruction set.
 struct Kernels {
   const char* isa;
-  unsigned lanes;
-  std::size_t path_scratch, photon_scratch;  ///< 32-bit words
-  void (*trace_paths)(PathTask&);
-  void (*trace_photons)(PhotonTask&);
-  void (*gather_photons)(const GatherTask&);
+  PathKernelEntry path;
+  PhotonKernelEntry photon;
+  GatherKernelEntry gather;
 };
 
 }  // namespace photonproof

@@ -45,6 +45,13 @@ using Mask = typename LaneTraits<F>::Mask;
 template <class F>
 inline constexpr std::size_t lane_count = LaneTraits<F>::width;
 
+/// For records of columns (core/columns.h): a lane's value of either type.
+template <class F>
+struct LanesOf {
+  template <class T>
+  using Column = std::conditional_t<std::is_same_v<T, float>, F, UInt<F>>;
+};
+
 template <class A>
 using Pack = stdx::simd<float, A>;
 template <class A>

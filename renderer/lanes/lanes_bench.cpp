@@ -53,7 +53,7 @@ void shade(benchmark::State& state, const decltype(BsdfDescription::model)& mate
   const Scene scene = test::compiled(description, 16, 16);
   const std::string best;
   const Kernels& kernels = kernels_for(best);
-  std::vector<std::uint32_t> scratch(kernels.path_scratch);
+  std::vector<std::uint32_t> scratch(kernels.path.scratch);
   std::vector<float> radiance(3 * 16 * 16 * 16);
   std::uint64_t bounces = 0;
   for (auto _ : state) {
@@ -63,7 +63,7 @@ void shade(benchmark::State& state, const decltype(BsdfDescription::model)& mate
     task.settings = {32, 64, false, true};
     task.radiance = radiance.data();
     task.scratch = scratch.data();
-    kernels.trace_paths(task);
+    kernels.path.trace(task);
     bounces += task.counts.bounce;
   }
   state.SetItemsProcessed(static_cast<std::int64_t>(bounces));

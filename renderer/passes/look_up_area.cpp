@@ -6,6 +6,7 @@
 #include "renderer/rays/rays.h"
 #include "renderer/scene/surface_detail.h"
 #include "renderer/shapes/disc_area.h"
+#include "scenes/text/faults.h"
 
 namespace photonproof {
 namespace {
@@ -77,6 +78,13 @@ std::vector<SheetTest> LookUpAreas::tests(float radius) const {
     tests.push_back(is_one_sheet(surface.geometry, radius) ? of_flat : SheetTest::side_and_normal);
   }
   return tests;
+}
+
+void LookUpAreas::fill(GatherQueue& points) const {
+  const GatherPoints view = points.view();
+  const float wrong = has_fault(Fault::density_radius) ? 1.1f : 1.0f;
+  for (std::size_t i = 0; i < view.count; ++i)
+    view.area[i] = view.found[i] > 0 ? divisor(points[i], wrong * view.radius[i]) : 0.0f;
 }
 
 Vec2<float> LookUpAreas::uv_at(const GatherPoint& point) const {

@@ -23,6 +23,8 @@ class LookUpAreas {
   /// times how likely a photon that lands at `point` meets a Lambertian leaf of the surface's BSDF. A photon is stored
   /// where it draws one, and the camera's path came here by drawing one too; the light that it reflects is all of it.
   float divisor(const GatherPoint& point, float radius) const { return area(point, radius) * diffuse_share(point); }
+  /// Fills the queue's column, for what was found within its radii.
+  void fill(GatherQueue& points) const;
 
  private:
   float area(const GatherPoint& point, float radius) const;

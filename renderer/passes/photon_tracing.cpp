@@ -18,15 +18,8 @@ struct Landed {
 void drain(PhotonTask& task) {
   auto& landed = *static_cast<Landed*>(task.sink);
   PhotonDeposits& d = *task.deposits;
-  const auto take = [&](auto& to, const auto* from) { to.insert(to.end(), from, from + d.count); };
-  take(landed.photons.x, d.x);
-  take(landed.photons.y, d.y);
-  take(landed.photons.z, d.z);
-  take(landed.photons.red, d.red);
-  take(landed.photons.green, d.green);
-  take(landed.photons.blue, d.blue);
-  take(landed.photons.surface, d.surface);
-  take(landed.photons.sheet, d.sheet);
+  const auto take = [&](auto& to, const auto& from) { to.insert(to.end(), from, from + d.count); };
+  zip_photons(take, landed.photons, d.photons);
   take(landed.path, d.path);
   d.count = 0;
 }
@@ -39,9 +32,10 @@ Photons in_path_order(Landed& landed, std::uint32_t paths) {
   for (std::uint32_t& path : landed.path) path = slot[path]++;
   Photons sorted;
   sorted.resize(landed.photons.size());
-  sorted.zip(landed.photons, [&](auto& to, const auto& from) {
+  const auto put_in_order = [&](auto& to, const auto& from) {
     for (std::size_t i = 0; i < from.size(); ++i) to[landed.path[i]] = from[i];
-  });
+  };
+  zip_photons(put_in_order, sorted, landed.photons);
   return sorted;
 }
 
@@ -54,7 +48,7 @@ Photons trace_photons(const Scene& scene, const PhotonRun& run, const PhotonMeth
   threads.for_each(chunks, [&](std::size_t chunk) {
     const std::uint64_t begin = run.first + chunk * chunk_size;
     const auto count = static_cast<std::uint32_t>(std::min(chunk_size, run.count - chunk * chunk_size));
-    std::vector<std::uint32_t> scratch(method.kernels.photon_scratch);
+    std::vector<std::uint32_t> scratch(method.kernels.photon.scratch);
     const auto deposits = std::make_unique<PhotonDeposits>();
     Landed landed;
     PhotonTask task{.scene = &scene.view(),
@@ -70,7 +64,7 @@ Photons trace_photons(const Scene& scene, const PhotonRun& run, const PhotonMeth
                     .deposits = deposits.get(),
                     .drain = drain,
                     .sink = &landed};
-    method.kernels.trace_photons(task);
+    method.kernels.photon.trace(task);
     stored[chunk] = in_path_order(landed, count);
     totals.add(task.counts);
   });

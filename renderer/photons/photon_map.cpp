@@ -33,14 +33,7 @@ PhotonGrid grid_for(const Bounds& bounds, float radius) {
 }
 
 void put(Photons& photons, std::size_t slot, const StagedPhoton& p) {
-  photons.x[slot] = p.x;
-  photons.y[slot] = p.y;
-  photons.z[slot] = p.z;
-  photons.red[slot] = p.red;
-  photons.green[slot] = p.green;
-  photons.blue[slot] = p.blue;
-  photons.surface[slot] = p.surface;
-  photons.sheet[slot] = p.sheet;
+  zip_photons([slot](auto& array, const auto& value) { array[slot] = value; }, photons, p);
 }
 
 }  // namespace
@@ -60,6 +53,16 @@ void PhotonMap::build(Photons photons, float radius, const Threads& threads) {
     sort_into_dense_cells(staged_, threads);
   else
     sort_into_occupied_cells(staged_, threads);
+}
+
+PhotonView PhotonMap::view() const {
+  PhotonView view;
+  zip_photons([](auto& pointer, const auto& array) { pointer = array.data(); }, view, photons_);
+  view.count = count_;
+  view.grid = grid_;
+  view.cell_begin = layout_ == Layout::dense ? cell_begin_.data() : nullptr;
+  view.rows = rows_.view();
+  return view;
 }
 
 void PhotonMap::sort_into_dense_cells(const StagedPhotons& staged, const Threads& threads) {

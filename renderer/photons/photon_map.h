@@ -36,20 +36,7 @@ class PhotonMap {
   /// Cells an index exists for: all of the dense grid's, the occupied ones of a compact one.
   std::uint64_t cells() const { return layout_ == Layout::dense ? grid_.cells() : rows_.cells(); }
 
-  PhotonView view() const {
-    return {photons_.x.data(),
-            photons_.y.data(),
-            photons_.z.data(),
-            photons_.red.data(),
-            photons_.green.data(),
-            photons_.blue.data(),
-            photons_.surface.data(),
-            photons_.sheet.data(),
-            count_,
-            grid_,
-            layout_ == Layout::dense ? cell_begin_.data() : nullptr,
-            rows_.view()};
-  }
+  PhotonView view() const;
   Photon operator[](std::size_t i) const { return photons_[i]; }
 
   /// PhotonView's look-ups, for callers who make few.

@@ -200,8 +200,8 @@ void build_nanoflann(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations() * state.range(0));
 }
 
-std::vector<GatherPoint> gather_points(const Queries& queries) {
-  std::vector<GatherPoint> points;
+GatherQueue gather_points(const Queries& queries) {
+  GatherQueue points(queries.size());
   for (std::size_t i = 0; i < queries.size(); ++i) points.push_back({queries[i], Rgb(1), 0, queries.surface[i], 0});
   return points;
 }
@@ -214,16 +214,17 @@ std::vector<std::uint32_t> order_given(std::size_t count) {
 
 /// As the photon mapper does it: by the kernel of the processor's best instruction set.
 void look_up(benchmark::State& state, const PhotonMap& map, const Queries& queries, float radius, bool sorted) {
-  const std::vector<GatherPoint> points = gather_points(queries);
+  GatherQueue points = gather_points(queries);
+  const GatherPoints view = points.view();
+  std::fill_n(view.radius, view.count, radius);
   std::vector<std::uint32_t> order = order_given(points.size());
-  std::vector<GatheredFlux> flux(points.size());
   double found = 0;
   for (auto _ : state) {
     if (sorted) order = cell_order(map, points);
-    kernels_for("").gather_photons({map.view(), radius, 100, points.data(), order.data(), points.size(), flux.data()});
-    benchmark::DoNotOptimize(flux.data());
+    kernels_for("").gather.gather({map.view(), 100, view, order.data()});
+    benchmark::DoNotOptimize(view.found);
   }
-  for (const GatheredFlux& f : flux) found += f.count;
+  for (std::size_t i = 0; i < view.count; ++i) found += view.found[i];
   const auto queries_made = static_cast<double>(queries.size());
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(queries.size()));
   state.counters["photons"] = found / queries_made;
@@ -232,7 +233,7 @@ void look_up(benchmark::State& state, const PhotonMap& map, const Queries& queri
 /// Sorted: by the cells of our map, which the time includes, as it does of ours.
 void look_up_nanoflann(benchmark::State& state, const World& w, const PhotonMap& map, const Queries& queries,
                        float radius, bool sorted) {
-  const std::vector<GatherPoint> points = gather_points(queries);
+  const GatherQueue points = gather_points(queries);
   std::vector<std::uint32_t> order = order_given(points.size());
   double found = 0;
   for (auto _ : state) {

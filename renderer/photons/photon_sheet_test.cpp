@@ -78,9 +78,9 @@ Photons untidy_photons(int count) {
 }
 
 struct LookUps {
-  std::vector<GatherPoint> points;
+  GatherQueue points;
   std::vector<std::uint32_t> order;
-  explicit LookUps(std::uint32_t count) {
+  explicit LookUps(std::uint32_t count) : points(count) {
     for (std::uint32_t q = 0; q < count; ++q) {
       test::Random s(53, q);
       const auto xy = s.next2();
@@ -90,10 +90,14 @@ struct LookUps {
     }
   }
   std::vector<GatheredFlux> gather(const Kernels& kernels, const PhotonMap& map, float radius,
-                                   const std::vector<SheetTest>& tests) const {
-    std::vector<GatheredFlux> flux(points.size());
-    kernels.gather_photons(
-        {map.view(), radius, 12, points.data(), order.data(), points.size(), flux.data(), tests.data()});
+                                   const std::vector<SheetTest>& tests) {
+    const GatherPoints view = points.view();
+    std::fill_n(view.radius, view.count, radius);
+    kernels.gather.gather({map.view(), 12, view, order.data(), tests.data()});
+    std::vector<GatheredFlux> flux;
+    for (std::size_t q = 0; q < view.count; ++q)
+      flux.push_back(
+          {{view.flux_red[q], view.flux_green[q], view.flux_blue[q]}, static_cast<std::int32_t>(view.found[q])});
     return flux;
   }
 };
@@ -101,13 +105,13 @@ struct LookUps {
 TEST(photon_sheet, a_look_up_counts_the_same_side_near_the_tangent_plane_with_a_normal_alike) {
   const Photons photons = untidy_photons(20'000);
   const PhotonMap map(photons, 0.1f, Threads(1));
-  const LookUps look_ups(400);
+  LookUps look_ups(400);
   constexpr float radius = 0.12f;
   for (const SheetTest test : {SheetTest::none, SheetTest::side, SheetTest::side_and_normal}) {
     const auto found = look_ups.gather(kernels_for(""), map, radius, {test, test});
     std::int64_t all = 0;
     for (std::size_t q = 0; q < look_ups.points.size(); ++q) {
-      const GatherPoint& point = look_ups.points[q];
+      const GatherPoint point = look_ups.points[q];
       const Vec3d normal(unit_sheet_normal(point.sheet));
       int count = 0, unsure = 0;
       for (std::size_t i = 0; i < photons.size(); ++i) {
@@ -137,7 +141,7 @@ TEST(photon_sheet, every_instruction_set_gathers_the_same_bits) {
   Photons photons = untidy_photons(20'000);
   for (std::size_t i = 0; i < photons.size(); ++i) photons.red[i] /= 7;  // so that sums round
   const PhotonMap map(photons, 0.1f, Threads(1));
-  const LookUps look_ups(2000);
+  LookUps look_ups(2000);
   for (const SheetTest test : {SheetTest::none, SheetTest::side, SheetTest::side_and_normal}) {
     const std::vector<SheetTest> tests{test, SheetTest::side_and_normal};
     const auto expected = look_ups.gather(kernels_for("scalar"), map, 0.12f, tests);

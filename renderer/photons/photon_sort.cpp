@@ -88,10 +88,9 @@ void stage_by_bucket(const Photons& photons, const PhotonGrid& grid, const Threa
   threads.for_each(chunks, [&](std::size_t chunk) {
     const std::size_t end = std::min((chunk + 1) * chunk_size, photons.size());
     std::uint32_t* to = next.data() + chunk * buckets;
-    for (std::size_t i = chunk * chunk_size; i < end; ++i) {
-      staged.photons[to[bucket_of[i]]++] = {photons.x[i],     photons.y[i],    photons.z[i],       photons.red[i],
-                                            photons.green[i], photons.blue[i], photons.surface[i], photons.sheet[i]};
-    }
+    for (std::size_t i = chunk * chunk_size; i < end; ++i)
+      zip_photons([i](auto& to_value, const auto& from) { to_value = from[i]; }, staged.photons[to[bucket_of[i]]++],
+                  photons);
   });
 }
 

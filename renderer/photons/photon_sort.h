@@ -14,10 +14,7 @@
 namespace photonproof {
 
 /// A photon on its way through the sort; unlike Photon it costs nothing to create.
-struct StagedPhoton {
-  float x, y, z, red, green, blue;
-  std::uint32_t surface, sheet;
-};
+using StagedPhoton = PhotonColumns<Value>;
 
 struct StagedPhotons {
   int shift = 0;                     ///< a cell belongs to bucket PhotonGrid::key >> shift

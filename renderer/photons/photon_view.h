@@ -14,11 +14,7 @@ namespace photonproof {
 
 /// Photons in the order of PhotonGrid::key, within a cell in the order of the map's input. Arrays may be read up to
 /// Photons::padding elements past the last photon.
-struct PhotonView {
-  const float *x = nullptr, *y = nullptr, *z = nullptr;           ///< world
-  const float *red = nullptr, *green = nullptr, *blue = nullptr;  ///< flux, W
-  const std::uint32_t* surface = nullptr;
-  const std::uint32_t* sheet = nullptr;  ///< with the edges
+struct PhotonView : PhotonColumns<ConstPointer> {
   std::size_t count = 0;
 
   PhotonGrid grid;

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "renderer/core/large_array.h"
+#include "renderer/photons/photon_columns.h"
 #include "renderer/photons/photon_sheet.h"
 #include "scenes/meshes/vec.h"
 
@@ -19,14 +20,9 @@ struct Photon {
 };
 
 /// Every array has the same size: 32 bytes a photon. Positions are finite.
-struct Photons {
+struct Photons : PhotonColumns<LargeArray> {
   /// Arrays of a photon map may be read up to this many elements past the last photon.
   static constexpr std::size_t padding = 16;
-
-  LargeArray<float> x, y, z;           ///< position, world
-  LargeArray<float> red, green, blue;  ///< flux, W
-  LargeArray<std::uint32_t> surface;   ///< index into Scene::surfaces
-  LargeArray<std::uint32_t> sheet;     ///< with the path's edges from the light to here (photon_sheet.h)
 
   std::size_t size() const { return x.size(); }
   bool empty() const { return x.empty(); }
@@ -38,27 +34,15 @@ struct Photons {
             sheet[i] & PhotonSheet::mask};
   }
 
-  /// Applies f to each array and the same array of `other`.
-  template <class Other, class F>
-  void zip(Other& other, const F& f) {
-    f(x, other.x);
-    f(y, other.y);
-    f(z, other.z);
-    f(red, other.red);
-    f(green, other.green);
-    f(blue, other.blue);
-    f(surface, other.surface);
-    f(sheet, other.sheet);
-  }
   void resize(std::size_t count) {
-    zip(*this, [count](auto& array, const auto&) { array.resize(count); });
+    zip_photons([count](auto& array) { array.resize(count); }, *this);
   }
   /// Room for `count` photons and what a photon map, which keeps these arrays, appends to them.
   void reserve(std::size_t count) {
-    zip(*this, [count](auto& array, const auto&) { array.reserve(count + padding); });
+    zip_photons([count](auto& array) { array.reserve(count + padding); }, *this);
   }
   void append(const Photons& other) {
-    zip(other, [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); });
+    zip_photons([](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); }, *this, other);
   }
   void push_back(const Photon& photon) {
     x.push_back(photon.p_world.x);

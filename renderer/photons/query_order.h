@@ -9,9 +9,10 @@
 
 namespace photonproof {
 
-/// The points' numbers in the order of the map's cells; points of one cell keep their order. Point has a finite `p`.
-template <class Point>
-std::vector<std::uint32_t> cell_order(const PhotonMap& map, const std::vector<Point>& points) {
+/// The points' numbers in the order of the map's cells; points of one cell keep their order. points[i] has a finite
+/// `p`.
+template <class Points>
+std::vector<std::uint32_t> cell_order(const PhotonMap& map, const Points& points) {
   RadixSort sort;
   sort.items.resize(points.size());
   for (std::uint32_t i = 0; i < points.size(); ++i) sort.items[i] = {map.cell_order_key(points[i].p), i};

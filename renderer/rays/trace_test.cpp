@@ -319,18 +319,18 @@ std::int64_t camera_paths_lost(const Kernels& kernels, const Scene& scene, int e
   PathTask task;
   task.scene = &scene.view();
   task.camera = {0, 0, 16, 16, 0, 32, 1};
-  task.settings = {.max_depth = edges, .rr_depth = 1000, .weighted = false};
+  task.settings = {.max_depth = edges, .rr_depth = 1000, .direct_light = DirectLight::unweighted};
   std::vector<float> radiance(3 * std::size_t{task.camera.paths()});
-  std::vector<std::uint32_t> scratch(kernels.path_scratch);
+  std::vector<std::uint32_t> scratch(kernels.path.scratch);
   task.radiance = radiance.data();
   task.scratch = scratch.data();
-  kernels.trace_paths(task);
+  kernels.path.trace(task);
   return static_cast<std::int64_t>(task.camera.paths()) * (edges - 1) - static_cast<std::int64_t>(task.counts.bounce);
 }
 
 /// Photons that a closed white scene should have stored at every edge but the first, less those it did.
 std::int64_t photons_lost(const Kernels& kernels, const Scene& scene, int edges) {
-  std::vector<std::uint32_t> scratch(kernels.photon_scratch);
+  std::vector<std::uint32_t> scratch(kernels.photon.scratch);
   const auto deposits = std::make_unique<PhotonDeposits>();
   std::uint64_t stored = 0;
   PhotonTask task;
@@ -345,7 +345,7 @@ std::int64_t photons_lost(const Kernels& kernels, const Scene& scene, int edges)
     *static_cast<std::uint64_t*>(t.sink) += t.deposits->count;
     t.deposits->count = 0;
   };
-  kernels.trace_photons(task);
+  kernels.photon.trace(task);
   return static_cast<std::int64_t>(task.count) * (edges - 1) - static_cast<std::int64_t>(stored);
 }
 

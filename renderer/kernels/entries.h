@@ -1,0 +1,21 @@
+// What a source of kernels offers for the instruction set it is compiled for: tables, in a namespace that
+// PHOTONPROOF_KERNELS names (renderer/CMakeLists.txt). PHOTONPROOF_SCALAR makes it the one-lane form, the definition of
+// the others.
+#pragma once
+
+#include "renderer/kernels/tasks.h"
+#include "renderer/lanes/lane.h"
+
+namespace photonproof::PHOTONPROOF_KERNELS {
+
+#ifdef PHOTONPROOF_SCALAR
+using Lanes = float;
+#else
+using Lanes = stdx::native_simd<float>;
+#endif
+
+extern const PathKernelEntry path;
+extern const PhotonKernelEntry photon;
+extern const GatherKernelEntry gather;
+
+}  // namespace photonproof::PHOTONPROOF_KERNELS

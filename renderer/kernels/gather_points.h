@@ -1,0 +1,102 @@
+// Where camera paths wait for the light of photons: a queue in columns. The path kernel leaves points in it, the gather
+// kernel looks their photons up and adds what these bring to the paths' radiance.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "renderer/core/columns.h"
+#include "renderer/core/large_array.h"
+#include "scenes/meshes/vec.h"
+
+namespace photonproof {
+
+/// A new column is a member and its place in zip_gather_points; only who makes it and who reads it need to know.
+template <template <class> class Column>
+struct GatherColumns {
+  // Of the path:
+  Column<float> x, y, z;                                ///< position, world
+  Column<float> weight_red, weight_green, weight_blue;  ///< throughput x f: radiance is weight x irradiance
+  Column<std::uint32_t> path, surface, edges, sheet;    ///< edges: of the camera path; sheet: sheet_word
+  // Of the look-up in a map:
+  Column<float> radius;
+  Column<float> flux_red, flux_green, flux_blue;  ///< found, W
+  Column<std::uint32_t> found;                    ///< photons
+  Column<float> area;                             ///< what the flux is divided by; 0 where nothing was found
+};
+
+/// Calls f with one column after the other of all records.
+template <class F, class... Records>
+void zip_gather_points(const F& f, Records&... records) {
+  f(records.x...), f(records.y...), f(records.z...);
+  f(records.weight_red...), f(records.weight_green...), f(records.weight_blue...);
+  f(records.path...), f(records.surface...), f(records.edges...), f(records.sheet...);
+  f(records.radius...);
+  f(records.flux_red...), f(records.flux_green...), f(records.flux_blue...);
+  f(records.found...), f(records.area...);
+}
+
+/// The columns as kernels see them.
+struct GatherPoints : GatherColumns<Pointer> {
+  std::size_t count = 0;
+};
+
+/// A point that waits, for the host.
+struct GatherPoint {
+  Vec3f p;
+  Rgb weight;
+  std::uint32_t path = 0, surface = 0, edges = 0, sheet = 0;
+};
+
+class GatherQueue {
+ public:
+  explicit GatherQueue(std::size_t capacity) {
+    zip_gather_points([&](auto& column) { column.resize(capacity + slack); }, columns_);
+  }
+
+  std::size_t size() const { return count_; }
+  /// After a kernel has left so many.
+  void set_size(std::size_t count) { count_ = count; }
+  GatherPoints view() {
+    GatherPoints view{};
+    zip_gather_points([](auto& pointer, auto& column) { pointer = column.data(); }, view, columns_);
+    view.count = count_;
+    return view;
+  }
+  GatherPoint operator[](std::size_t i) const {
+    const auto& c = columns_;
+    return {{c.x[i], c.y[i], c.z[i]},
+            {c.weight_red[i], c.weight_green[i], c.weight_blue[i]},
+            c.path[i],
+            c.surface[i],
+            c.edges[i],
+            c.sheet[i]};
+  }
+  void push_back(const GatherPoint& point) {
+    const GatherColumns<Value> row{point.p.x,
+                                   point.p.y,
+                                   point.p.z,
+                                   point.weight.x,
+                                   point.weight.y,
+                                   point.weight.z,
+                                   point.path,
+                                   point.surface,
+                                   point.edges,
+                                   point.sheet,
+                                   0,
+                                   0,
+                                   0,
+                                   0,
+                                   0,
+                                   0};
+    zip_gather_points([&](auto& column, const auto& value) { column[count_] = value; }, columns_, row);
+    ++count_;
+  }
+
+ private:
+  static constexpr std::size_t slack = 16;  ///< that a pack may touch beyond the last point
+  GatherColumns<LargeArray> columns_;
+  std::size_t count_ = 0;
+};
+
+}  // namespace photonproof

@@ -1,0 +1,11 @@
+#include "renderer/kernels/path_kernel.h"
+
+#include "renderer/kernels/entries.h"
+
+namespace photonproof::PHOTONPROOF_KERNELS {
+
+static void trace_paths(PathTask& task) { PathKernel<Lanes>(task).run(task.camera.paths()); }
+
+const PathKernelEntry path{lane_count<Lanes>, PathKernel<Lanes>::scratch_words, trace_paths};
+
+}  // namespace photonproof::PHOTONPROOF_KERNELS
