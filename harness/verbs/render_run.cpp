@@ -1,0 +1,262 @@
+#include "harness/verbs/render_run.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include "harness/cells/available_memory.h"
+#include "harness/verbs/engine_output.h"
+#include "harness/verbs/interrupt.h"
+#include "harness/verbs/render_json.h"
+#include "renderer/core/parallel.h"
+#include "renderer/core/version.h"
+#include "renderer/integrators/check_supported.h"
+#include "renderer/integrators/integrator.h"
+#include "renderer/scene/scene_notes.h"
+#include "scenes/description/output_files.h"
+#include "scenes/description/scene_hash.h"
+#include "scenes/text/atomic_file.h"
+#include "scenes/text/json_text.h"
+#include "scenes/text/size_text.h"
+#include "scenes/text/timer.h"
+
+namespace photonproof {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::size_t non_finite_values(const Image& image) {
+  return static_cast<std::size_t>(
+      std::count_if(image.rgb.begin(), image.rgb.end(), [](float v) { return !std::isfinite(v); }));
+}
+
+/// The part of the image that is rendered. Throws InputError when it is none of the image.
+Tile film_window(const FilmDescription& film, const std::vector<int>& asked) {
+  FilmDescription::Crop crop = film.crop.value_or(FilmDescription::Crop{0, 0, film.width, film.height});
+  if (!asked.empty()) crop = {asked[0], asked[1], asked[2], asked[3]};
+  const bool inside = crop.x >= 0 && crop.y >= 0 && crop.width > 0 && crop.height > 0 &&
+                      crop.width <= film.width - crop.x && crop.height <= film.height - crop.y;
+  const auto words = [](int a, int b) { return std::to_string(a) + " " + std::to_string(b); };
+  if (!inside)
+    throw InputError("--crop", words(crop.x, crop.y) + " " + words(crop.width, crop.height) +
+                                   " is no part of the image of " + size_text(film.width, film.height) + " pixels");
+  return {crop.x, crop.y, crop.x + crop.width, crop.y + crop.height};
+}
+
+/// Throws InputError when the image alone would take more memory than there is, before it is filled for hours.
+void check_memory(const SceneDescription& description, const Tile& window, double checkpoint_seconds) {
+  const std::optional<std::uint64_t> available = available_memory();
+  // A checkpoint is a copy of the film. At the end, mean and variance stand beside it, and once more as the file's
+  // rows.
+  constexpr std::size_t written = 2 * 6 * sizeof(float);
+  const std::size_t copies = checkpoint_seconds > 0 ? std::max(Film::bytes_a_pixel(), written) : written;
+  const std::uint64_t bytes = std::uint64_t{Film::bytes_a_pixel() + copies} *
+                              static_cast<std::uint64_t>(window.width()) * static_cast<std::uint64_t>(window.height());
+  if (!available || bytes <= *available) return;
+  const auto megabytes = [](std::uint64_t n) { return std::to_string(n >> 20) + " MB"; };
+  throw InputError(description.where(description.sensor.loc),
+                   "an image of " + size_text(window.width(), window.height()) + " pixels takes " + megabytes(bytes) +
+                       " of memory, of which " + megabytes(*available) +
+                       " are free: render it smaller or, by --crop, in parts");
+}
+
+/// The budget is no part of it: the checkpoint knows itself how far it may be changed.
+RenderIdentity render_identity(const RenderArguments& arguments, const SceneDescription& description,
+                               const RenderPlan& plan, const Tile& window) {
+  const FilmDescription& film = description.sensor.film;
+  return {
+      {"program", version_line()},
+      {"scene's content", scene_hash(description, arguments.scene.defines)},
+      {"image", size_text(film.width, film.height) + ", of which " + size_text(window.width(), window.height()) +
+                    " from " + std::to_string(window.x0) + "," + std::to_string(window.y0)},
+      {"integrator", plan.integrator},
+      {"seed", std::to_string(arguments.seed)},
+      {"sampler", arguments.sampler},
+      {"grid", std::to_string(arguments.grid)},
+      {"instruction set", plan.isa},
+      {"list of --no-skip", arguments.no_skip.empty() ? "none" : fmt::format("{}", fmt::join(arguments.no_skip, " "))}};
+}
+
+fs::path checkpoint_path(const std::string& output) { return output + ".checkpoint"; }
+
+void remove_checkpoint(const fs::path& file) {
+  std::error_code ignored;
+  fs::remove(file, ignored);
+}
+
+/// Says on stderr what the scene does not get as it asks for; the same, for the stats.
+std::vector<std::string> say_notes(const SceneDescription& description, const SceneParts& scene) {
+  std::vector<std::string> losses;
+  for (const SceneNote& note : scene_notes(description, scene)) {
+    losses.push_back(note.where + ": " + note.text);
+    std::fprintf(stderr, "%s: warning: %s\n", note.where.c_str(), note.text.c_str());
+  }
+  return losses;
+}
+
+IntegratorDescription method_of(const RenderArguments& arguments, const SceneDescription& description) {
+  if (arguments.integrator.empty()) return description.integrator;
+  return with_integrator(description.integrator, arguments.integrator);
+}
+
+RenderJob render_job(const RenderArguments& arguments, const SceneDescription& description) {
+  RenderJob job;
+  job.budget = {arguments.spp, arguments.photons, arguments.seconds, arguments.target_error};
+  job.seed = arguments.seed;
+  job.threads = arguments.threads;
+  job.grid = arguments.grid;
+  job.sampler = arguments.sampler == "sobol" ? SamplerKind::sobol : SamplerKind::independent;
+  job.isa = arguments.isa;
+  job.skips = SkipSwitches(arguments.no_skip);
+  job.sample_count = description.sensor.sample_count;
+  job.integrator_place = description.where(description.integrator.loc);
+  job.interrupt = &interrupt_flag();
+  job.progress = progress_line(arguments.quiet);
+  return job;
+}
+
+/// What is asked for, as far as it can be known before the scene is compiled.
+struct Request {
+  SceneDescription description;
+  IntegratorDescription method;
+  RenderJob job;
+  Tile window;
+};
+
+/// Throws InputError where it cannot be done, or would write over what the scene is read from.
+Request request_of(const RenderArguments& arguments, const std::vector<fs::path>& outputs) {
+  Request request;
+  request.description = load_scene(arguments.scene);
+  if (!outputs.empty()) check_outputs(outputs, scene_inputs(request.description));
+  request.method = method_of(arguments, request.description);
+  request.job = render_job(arguments, request.description);
+  check_supported(request.description, request.method);
+  check_job(request.job, request.method);
+  request.window = film_window(request.description.sensor.film, arguments.crop);
+  return request;
+}
+
+SceneParts parts_of(const SceneDescription& description) {
+  return {description, description.sensor.film.width, description.sensor.film.height};
+}
+
+int print_plan(const RenderArguments& arguments) {
+  if (arguments.resume) throw InputError("--resume", "does nothing with --plan, which renders nothing");
+  const Request request = request_of(arguments, {});
+  const SceneParts parts = parts_of(request.description);
+  const RenderPlan plan = plan_render(analyse(parts), request.method, request.job);
+  say_notes(request.description, parts);
+  std::printf("%s", arguments.json ? (json_text(plan_json(plan)) + "\n").c_str() : plan_text(plan).c_str());
+  return 0;
+}
+
+Rendering developed(const RenderArguments& arguments, const RenderPlan& plan, const RenderStats& stats,
+                    const Film& film) {
+  Rendering rendering = film.develop();
+  rendering.metadata["photonproof:version"] = version_line();
+  rendering.metadata["photonproof:sampler"] = arguments.sampler;
+  rendering.metadata["photonproof:isa"] = plan.isa;
+  rendering.metadata["photonproof:command"] =
+      arguments.scene.path + " --integrator " + plan.integrator + " --seed " + std::to_string(arguments.seed) +
+      " --spp " + std::to_string(static_cast<std::int64_t>(stats.counts.at("samples_per_pixel")));
+  return rendering;
+}
+
+void print_summary(const RenderArguments& arguments, const RenderPlan& plan, const RenderStats& stats,
+                   const Tile& window, double seconds) {
+  std::printf("%s: %s, %dx%d, %.0f samples a pixel, %.2f s\n", arguments.output.c_str(), plan.integrator.c_str(),
+              window.width(), window.height(), stats.counts.at("samples_per_pixel"), seconds);
+  std::string left_out;
+  for (const RenderPlan::Decision& d : plan.decisions)
+    if (d.skipped) left_out += (left_out.empty() ? "" : ", ") + std::string(skip_row(d.skip).name);
+  if (!left_out.empty()) std::printf("skipped %s (--plan says why)\n", left_out.c_str());
+}
+
+/// Warnings and the exit code.
+int outcome(const RenderArguments& arguments, const RenderStats& stats, const Film& film, const Rendering& rendering) {
+  const std::size_t broken = non_finite_values(rendering.mean);
+  if (broken > 0) std::fprintf(stderr, "%s: %zu values are not finite\n", arguments.output.c_str(), broken);
+  if (!stats.checkpoint_problem.empty())
+    std::fprintf(stderr, "no checkpoint could be left: %s\n", stats.checkpoint_problem.c_str());
+  if (!stats.interrupted) return broken > 0 ? 1 : 0;
+  std::error_code ignored;
+  const bool resumable = std::filesystem::exists(checkpoint_path(arguments.output), ignored);
+  std::fprintf(stderr, "interrupted: wrote what there was, %.0f samples a pixel at most%s%s\n",
+               stats.counts.at("samples_per_pixel"),
+               film.unsampled_pixels() > 0 ? ", some pixels have none and are black" : "",
+               resumable ? "; --resume goes on from there" : "");
+  return 130;
+}
+
+/// The scene as the plan wants it, with what it took and what it lacks in the stats.
+std::unique_ptr<const Scene> built(const Request& request, SceneParts parts, const RenderPlan& plan,
+                                   RenderStats& stats) {
+  stats.losses = say_notes(request.description, parts);
+  auto scene = std::make_unique<const Scene>(std::move(parts), plan.scene);
+  stats.counts["bytes_scene"] = static_cast<double>(scene->memory_bytes());
+  if (const Tracer* tracer = scene->view().tracer) stats.counts["bytes_bvh"] = static_cast<double>(tracer->bvh_bytes());
+  return scene;
+}
+
+/// Its files are named and can be written, and what earlier processes left half-written is gone.
+CheckpointPolicy checkpoint_of(const RenderArguments& arguments, const std::string& stats_path) {
+  CheckpointPolicy checkpoint{checkpoint_path(arguments.output), arguments.checkpoint_seconds, arguments.resume, {}};
+  if (!checkpoint.finds_what_it_resumes())
+    std::fprintf(stderr, "%s: no such checkpoint, the render starts from the beginning\n",
+                 checkpoint.file.string().c_str());
+  for (const fs::path& file : {checkpoint.file, fs::path(arguments.output), fs::path(stats_path)})
+    remove_abandoned_temporaries(file);
+  return checkpoint;
+}
+
+int render_to_files(const RenderArguments& arguments) {
+  if (arguments.output.empty()) throw InputError("--output", "is required, as the EXR to write");
+  const std::string stats_path = checked_stats_path(arguments.stats_path, arguments.output, arguments.scene.path);
+  CheckpointPolicy checkpoint = checkpoint_of(arguments, stats_path);
+
+  RenderStats stats;
+  const Timer load_timer;
+  Request request = request_of(arguments, {arguments.output, stats_path, checkpoint.file});
+  stats.phases["load"] = load_timer.seconds();
+  const Timer compile_timer;
+  check_memory(request.description, request.window, arguments.checkpoint_seconds);
+  SceneParts parts = parts_of(request.description);
+  const RenderPlan plan = plan_render(analyse(parts), request.method, request.job);
+  const std::unique_ptr<const Scene> scene = built(request, std::move(parts), plan, stats);
+  stats.phases["compile"] = compile_timer.seconds();
+
+  checkpoint.identity = render_identity(arguments, request.description, plan, request.window);
+  request.job.checkpoint = checkpoint;
+  Film film(request.window);
+  const std::size_t said = stats.losses.size();
+  render(*scene, plan, request.job, film, stats);
+  for (std::size_t i = said; i < stats.losses.size(); ++i)
+    std::fprintf(stderr, "%s: warning: %s\n", arguments.scene.path.c_str(), stats.losses[i].c_str());
+
+  const Timer write_timer;
+  const Rendering rendering = developed(arguments, plan, stats, film);
+  write_exr(arguments.output, rendering);
+  stats.phases["write"] = write_timer.seconds();
+  const nlohmann::ordered_json json = stats_json(arguments, plan, stats, Threads(arguments.threads).count(),
+                                                 request.window.width(), request.window.height());
+  write_file_atomically(stats_path, json_text(json) + "\n");
+  if (!stats.interrupted && (checkpoint.interval_seconds > 0 || checkpoint.resume)) remove_checkpoint(checkpoint.file);
+  if (arguments.json)
+    std::printf("%s\n", json_text(json).c_str());
+  else
+    print_summary(arguments, plan, stats, request.window, load_timer.seconds());
+  return outcome(arguments, stats, film, rendering);
+}
+
+}  // namespace
+
+int run_render(const RenderArguments& arguments) {
+  return arguments.plan ? print_plan(arguments) : render_to_files(arguments);
+}
+
+}  // namespace photonproof

@@ -1,0 +1,38 @@
+// What `photonproof render` does once its command line is read.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "harness/verbs/scene_options.h"
+
+namespace photonproof {
+
+struct RenderArguments {
+  SceneOptions scene;
+  std::string output;
+  std::string stats_path;
+  std::string integrator;
+  std::optional<std::int64_t> spp, photons;
+  std::optional<double> seconds, target_error;
+  std::uint64_t seed = 0;
+  int threads = 0;
+  int grid = 0;
+  std::string sampler = "sobol";
+  std::string isa;
+  std::vector<std::string> no_skip;
+  std::vector<int> crop;  ///< x, y, width, height; empty: the scene's
+  double checkpoint_seconds = 60;
+  bool resume = false;
+  bool plan = false;
+  bool json = false;
+  bool quiet = false;
+};
+
+/// Renders, or prints the plan. Returns the exit code: 0 done, 1 done but some values are not finite, 130 interrupted
+/// (partial results kept). Throws InputError.
+int run_render(const RenderArguments& arguments);
+
+}  // namespace photonproof
