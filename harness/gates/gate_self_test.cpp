@@ -56,7 +56,8 @@ auto with_fault(const std::string& name, const Work& work) {
 /// Images of one stream, as a variant leaves them, and what one gate knows of each before it looks.
 struct Pool {
   std::vector<Image> images;
-  bool defective = false;  ///< not finite, or not even drawn: every gate fails without looking
+  bool defective = false;    ///< not finite, or not even drawn: every gate fails without looking
+  bool out_of_time = false;  ///< one was not drawn within its limit of wall time: no gate can tell
 };
 
 /// Whether the first `count` of both are the same to the bit.
@@ -220,7 +221,7 @@ class SelfTestRun {
       if (!variant.is_mutant() || failed->result.status == Status::not_started)
         throw InputError(of.label,
                          variant.name + ": no image: " + failed->result.detail + "; " + failed->result.command);
-      pool.defective = true;
+      (failed->result.status == Status::timeout ? pool.out_of_time : pool.defective) = true;
     }
     return pool;
   }
@@ -228,6 +229,10 @@ class SelfTestRun {
   void judge_all(const Stream& stream, std::size_t v, const Pool& pool) {
     for (std::size_t g = 0; g < gates_.size(); ++g) {
       if (stream_label(*gates_[g]) != stream.label) continue;
+      if (pool.out_of_time) {
+        test_.counts[v][g].out_of_time = test_.any[v].out_of_time = true;
+        continue;
+      }
       const PoolJudge judge(*gates_[g], stream.reference, stream.viewing, pool.images, pool.defective);
       VerdictCounts& counts = test_.counts[v][g];
       const std::size_t runs = found_[v].size(), seeds = static_cast<std::size_t>(gates_[g]->seeds);

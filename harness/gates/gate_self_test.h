@@ -36,14 +36,16 @@ struct SelfTestOptions {
 /// Of one gate on one variant.
 struct VerdictCounts {
   int runs = 0, fail = 0, inconclusive = 0;
-  int disjoint = 0;  ///< runs that share no image at their first look
+  int disjoint = 0;          ///< runs that share no image at their first look
+  bool out_of_time = false;  ///< not judged, runs 0: an image ran into its limit of wall time, which proves nothing
 };
 
 struct SelfTest {
   std::vector<std::string> gates;
   std::vector<Variant> variants;
   std::vector<std::vector<VerdictCounts>> counts;  ///< by variant and gate; runs 0: it cannot have it
-  std::vector<VerdictCounts> any;      ///< by variant: at least one gate of the suite fails; runs 0: none can have it
+  /// By variant: at least one gate of the suite fails; runs 0: none can have it, or none was judged.
+  std::vector<VerdictCounts> any;
   std::vector<double> alphas;          ///< by gate
   std::vector<int> pools;              ///< healthy images, by gate
   std::vector<Unpromised> unpromised;  ///< the suite's
@@ -61,7 +63,8 @@ SelfTest run_self_test(const GateSuite& suite, const SelfTestOptions& options);
 std::string self_test_table(const GateSuite& suite, const SelfTest& test, const std::string& command);
 
 /// Every mutant that changes an image of the suite, and is not among its `unpromised`, found in at least 99 of 100 runs
-/// by at least one gate, and no gate with more false alarms than its alpha explains (95 %).
+/// by at least one gate, and no gate with more false alarms than its alpha explains (95 %). A mutant of which nothing
+/// is known but that it was slow is not found.
 bool self_test_passes(const SelfTest& test);
 
 }  // namespace photonproof

@@ -44,7 +44,9 @@ bool too_many_alarms(const SelfTest& test, std::size_t gate) {
   return nulls.fail > most_alarms(nulls.runs, test.alphas[gate]);
 }
 
-bool is_found(const VerdictCounts& any) { return any.fail >= least_found * any.runs; }
+bool is_found(const VerdictCounts& any) {
+  return any.fail >= least_found * any.runs && !(any.runs == 0 && any.out_of_time);
+}
 
 /// Those that the suite shows and does not find, though it does not say that it need not.
 std::vector<std::string> missed(const SelfTest& test) {
@@ -134,14 +136,28 @@ std::string nulls_table(const SelfTest& test) {
   return text + " | | |\n\n";
 }
 
+/// The gates whose images ran into their limit.
+std::vector<std::string> not_judging(const SelfTest& test, std::size_t variant) {
+  std::vector<std::string> names;
+  for (std::size_t g = 0; g < test.gates.size(); ++g)
+    if (test.counts[variant][g].out_of_time) names.push_back(test.gates[g]);
+  return names;
+}
+
 std::string conclusion(const SelfTest& test) {
   std::vector<std::string> unseen;
   for (std::size_t v = 0; v < test.variants.size(); ++v)
-    if (test.variants[v].is_mutant() && test.any[v].runs == 0) unseen.push_back(test.variants[v].name);
+    if (test.variants[v].is_mutant() && test.any[v].runs == 0 && !test.any[v].out_of_time)
+      unseen.push_back(test.variants[v].name);
   std::string text;
   if (!unseen.empty())
     text += fmt::format("Change no image of this suite, which shows nothing that could have them: {}.\n\n",
                         fmt::join(unseen, ", "));
+  for (std::size_t v = 0; v < test.variants.size(); ++v)
+    if (test.any[v].out_of_time)
+      text +=
+          fmt::format("{} ran into a limit of wall time, which proves nothing of it, and was not judged by: {}.\n\n",
+                      test.variants[v].name, fmt::join(not_judging(test, v), ", "));
   for (const Unpromised& row : test.unpromised)
     for (std::size_t v = 0; v < test.variants.size(); ++v)
       if (test.variants[v].name == row.planted && test.any[v].runs > 0)

@@ -11,9 +11,9 @@ namespace {
 class GateSelfTest : public FakeGateTest {
  protected:
   /// Of gates on prepared images.
-  SelfTest self_test(const std::string& gates) {
+  SelfTest self_test(const std::string& gates, int seconds = 20) {
     put_reference();
-    put("gates.toml", gates_text(gates));
+    put("gates.toml", gates_text(gates, seconds));
     suite_ = read_gate_suite(folder_ / "gates.toml");
     SelfTestOptions options;
     options.gates.folder = folder_ / "out";
@@ -101,6 +101,24 @@ TEST_F(GateSelfTest, passes_when_all_that_changes_an_image_is_found) {
             std::string::npos);
   test.counts[number_of(test, "other seeds")][0].fail = 100;
   EXPECT_FALSE(self_test_passes(test));
+}
+
+TEST_F(GateSelfTest, a_limit_of_wall_time_finds_nothing) {
+  // With every image's seed 1 this engine sleeps.
+  SelfTest test = self_test(gate("slow-at-one", "agreement", 0.05), 4);
+  const std::size_t slow = number_of(test, "repeated-seed"), noise = number_of(test, "certain-noise");
+  EXPECT_TRUE(test.counts[slow][0].out_of_time);
+  EXPECT_EQ(test.counts[slow][0].fail, 0);
+  EXPECT_EQ(test.any[slow].runs, 0);
+  test.any[noise].fail = test.any[noise].runs;
+  const std::string table = self_test_table(suite_, test, "");
+  EXPECT_FALSE(self_test_passes(test));
+  for (const char* part :
+       {"repeated-seed ran into a limit of wall time, which proves nothing of it, and was not judged "
+        "by: scene/slow-at-one/agreement.\n",
+        "Not found in 99 of 100 runs: repeated-seed.\n"})
+    EXPECT_NE(table.find(part), std::string::npos) << part << "\n" << table;
+  EXPECT_EQ(table.find("repeated-seed, "), std::string::npos) << table;  // it is not said to change nothing
 }
 
 TEST_F(GateSelfTest, what_a_suite_does_not_promise_is_one_of_what_is_planted) {

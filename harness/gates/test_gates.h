@@ -80,12 +80,12 @@ class FakeGateTest : public FakeSuiteTest {
            "'\nbound = " + std::to_string(bound) + "\n";
   }
 
-  std::string gates_text(const std::string& gates) const {
-    std::string text =
-        "name = 'fake'\ntitle = 'Fake'\n[limits]\nseconds = 20\n[[scene]]\nname = 'scene'\n"
-        "path = 'scene.xml'\nwidth = " +
-        std::to_string(width) + "\nheight = " + std::to_string(height) + "\n";
-    for (const char* engine : {"good", "dim", "nan", "segfaults", "sleeps"})
+  std::string gates_text(const std::string& gates, int seconds = 20) const {
+    std::string text = "name = 'fake'\ntitle = 'Fake'\n[limits]\nseconds = " + std::to_string(seconds) +
+                       "\n[[scene]]\nname = 'scene'\n"
+                       "path = 'scene.xml'\nwidth = " +
+                       std::to_string(width) + "\nheight = " + std::to_string(height) + "\n";
+    for (const char* engine : {"good", "dim", "nan", "segfaults", "sleeps", "slow-at-one"})
       text += "[[engine]]\nname = '" + std::string(engine) +
               "'\ntitle = 'fake'\ncommand = ['sh', '{suite}/gate.sh', '" + engine +
               "', '{suite}', '{output}', '{seed}', '{scene}']\nversions = [['cat', '{suite}/version']]\n"
@@ -100,6 +100,7 @@ case $1 in
   good|dim) cp "$2/$1-$(($4 % 64)).exr" "$3" ;;
   nan) cp "$2/nan.exr" "$3" ;;
   segfaults) kill -SEGV $$ ;;
+  slow-at-one) [ "$4" = 1 ] && sleep 60; cp "$2/good-$(($4 % 64)).exr" "$3" ;;
   sleeps) echo $$ > "$2/pid"; sleep 0.5; cp "$2/good-0.exr" "$3" ;;
 esac
 )script";

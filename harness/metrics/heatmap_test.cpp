@@ -6,7 +6,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "harness/metrics/metric_test_images.h"
+#include "harness/metrics/test_images.h"
 #include "harness/pixels/display.h"
 #include "reports/record/heatmap_magma.h"
 #include "scenes/text/input_error.h"

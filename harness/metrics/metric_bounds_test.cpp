@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "harness/metrics/metric_run.h"
-#include "harness/metrics/metric_test_images.h"
+#include "harness/metrics/test_images.h"
 #include "scenes/text/input_error.h"
 
 namespace photonproof {

@@ -7,8 +7,9 @@
 #include <numbers>
 #include <numeric>
 
-#include "harness/metrics/metric_oracle_table.h"
-#include "harness/metrics/metric_test_images.h"
+#include "harness/metrics/test_images.h"
+#include "harness/metrics/test_metric_maps.h"
+#include "harness/metrics/test_oracle_table.h"
 
 namespace photonproof {
 namespace {

@@ -5,7 +5,8 @@
 #include <cmath>
 #include <map>
 
-#include "harness/metrics/metric_test_images.h"
+#include "harness/metrics/test_images.h"
+#include "harness/metrics/test_metric_maps.h"
 #include "scenes/text/input_error.h"
 #include "scenes/text/test_folder.h"
 

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "harness/metrics/metric_oracle_table.h"
-#include "harness/metrics/metric_test_images.h"
+#include "harness/metrics/test_images.h"
+#include "harness/metrics/test_oracle_table.h"
 
 namespace photonproof {
 namespace {

@@ -42,22 +42,6 @@ constexpr std::array kRows = {
               "the reference is black in the median, and no exposures are given", true},
 };
 
-/// Keeps whole maps, for callers whose images are in memory.
-class KeptMaps : public MapSink {
- public:
-  explicit KeptMaps(int width) : width_(static_cast<std::size_t>(width)) {}
-  void add(int rows, const float* flip, const float* error) override {
-    const std::size_t count = static_cast<std::size_t>(rows) * width_;
-    flip_.insert(flip_.end(), flip, flip + count);
-    error_.insert(error_.end(), error, error + count);
-  }
-
-  std::vector<float> flip_, error_;
-
- private:
-  std::size_t width_;
-};
-
 }  // namespace
 
 std::span<const MetricRow> metric_rows() { return kRows; }
@@ -70,18 +54,6 @@ const MetricRow* find_metric(const std::string& name) {
 
 std::vector<MetricValue> compute_metrics(const Image& reference, const Image& test, const MetricOptions& options) {
   return finite_values(measure(reference, test, options));
-}
-
-std::vector<float> flip_map(const Image& reference, const Image& test, const MetricOptions& options) {
-  KeptMaps maps(reference.width);
-  measure(reference, test, options, &maps);
-  return std::move(maps.flip_);
-}
-
-std::vector<float> relmse_map(const Image& reference, const Image& test) {
-  KeptMaps maps(reference.width);
-  measure(reference, test, {}, &maps);
-  return std::move(maps.error_);
 }
 
 }  // namespace photonproof

@@ -42,9 +42,4 @@ std::vector<ImageDefect> find_defects(const Image& reference, const Image& test)
 /// are equal once encoded (infinite) and what the table says to be undefined. Precondition: find_defects is empty.
 std::vector<MetricValue> compute_metrics(const Image& reference, const Image& test, const MetricOptions& options);
 
-/// Per-pixel maps behind the heat maps: LDR-FLIP in [0,1], and relative squared error (x-r)^2/(r^2+0.01) averaged over
-/// channels. Row-major, one float a pixel. Precondition: find_defects is empty.
-std::vector<float> flip_map(const Image& reference, const Image& test, const MetricOptions& options);
-std::vector<float> relmse_map(const Image& reference, const Image& test);
-
 }  // namespace photonproof

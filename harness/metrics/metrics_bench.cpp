@@ -3,7 +3,7 @@
 #include <benchmark/benchmark.h>
 
 #include "harness/metrics/metric_run.h"
-#include "harness/metrics/metric_test_images.h"
+#include "harness/metrics/test_images.h"
 
 namespace photonproof {
 namespace {

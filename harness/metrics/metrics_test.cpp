@@ -6,7 +6,8 @@
 #include <limits>
 
 #include "harness/metrics/metric_run.h"
-#include "harness/metrics/metric_test_images.h"
+#include "harness/metrics/test_images.h"
+#include "harness/metrics/test_metric_maps.h"
 #include "harness/pixels/metric_sum.h"
 
 namespace photonproof {

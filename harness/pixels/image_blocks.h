@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -31,8 +30,5 @@ void for_each_pixel(const Block& block, const Visit& visit) {
   for (int y = block.y0; y < block.y1; ++y)
     for (int x = block.x0; x < block.x1; ++x) visit(x, y);
 }
-
-/// The level at which each of `tests` may fail so that one of them does with probability `alpha` (Sidak 1967).
-inline double sidak(double alpha, double tests) { return -std::expm1(std::log1p(-alpha) / tests); }
 
 }  // namespace photonproof

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <vector>
 
-#include "harness/metrics/metric_test_images.h"
+#include "harness/metrics/test_images.h"
 #include "harness/pixels/display.h"
 
 namespace photonproof {

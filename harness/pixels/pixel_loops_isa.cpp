@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "harness/pixels/pixel_loops.h"
+#include "scenes/text/processor.h"
 
 namespace photonproof {
 
@@ -16,9 +17,8 @@ const PixelLoops* const* available_pixel_loops() {
   static const std::vector<const PixelLoops*> available = [] {
     std::vector<const PixelLoops*> loops;
 #if defined(__x86_64__)
-    __builtin_cpu_init();
-    if (__builtin_cpu_supports("x86-64-v4")) loops.push_back(&pixel_loops_v4);
-    if (__builtin_cpu_supports("x86-64-v3")) loops.push_back(&pixel_loops_v3);
+    if (x86_64_level() >= 4) loops.push_back(&pixel_loops_v4);
+    if (x86_64_level() >= 3) loops.push_back(&pixel_loops_v3);
     loops.push_back(&pixel_loops_v2);
 #else
     loops.push_back(&pixel_loops_native);

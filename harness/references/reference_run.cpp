@@ -10,6 +10,7 @@
 #include "scenes/text/atomic_file.h"
 #include "scenes/text/input_error.h"
 #include "scenes/text/size_text.h"
+#include "scenes/text/splitmix.h"
 
 namespace photonproof {
 namespace {
@@ -113,11 +114,7 @@ std::optional<double> error_of(const BatchMeans& means) {
 }  // namespace
 
 std::uint64_t batch_seed(int batch) {
-  // The finalizer of splitmix64 (Steele et al. 2014): different for different batches.
-  std::uint64_t z = 0x5265666572656e63u + static_cast<std::uint64_t>(std::int64_t{batch}) * 0x9e3779b97f4a7c15u;
-  z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9u;
-  z = (z ^ z >> 27) * 0x94d049bb133111ebu;
-  return z ^ z >> 31;
+  return splitmix64(0x5265666572656e63u, static_cast<std::uint64_t>(std::int64_t{batch}));
 }
 
 ReferenceProgress run_reference(const ReferenceRun& run) {

@@ -5,7 +5,8 @@ build_packages="g++ cmake ninja-build pkg-config libembree-dev libopenimageio-de
   libtomlplusplus-dev nlohmann-json3-dev libvalijson-dev libcli11-dev libfmt-dev libboost-dev libkainjow-mustache-dev
   zlib1g-dev povray"
 # What the tests need on top.
-check_packages="libgtest-dev libgmock-dev libboost-math-dev clang-format chromium libxml2-utils shellcheck python3-yaml"
+check_packages="libgtest-dev libgmock-dev libboost-math-dev clang-format chromium libxml2-utils shellcheck python3-yaml
+  universal-ctags"
 
 # What ./run --bench needs on top: the benchmark library, and a peer to be measured against.
 bench_packages="libbenchmark-dev libnanoflann-dev"

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/normal.hpp>
 #include <cmath>
 #include <cstdio>
 #include <vector>
 
 #include "harness/pixels/image_blocks.h"
+#include "harness/statistics/deviation.h"
 #include "harness/statistics/student.h"
 #include "scenes/images/mean_error.h"
 #include "scenes/text/input_error.h"
@@ -17,7 +17,6 @@
 namespace photonproof {
 namespace {
 
-constexpr double kRounding = 1e-5;
 constexpr double kMostOfMedian = 4;  // what a place counts in the whole image's mean, at most
 constexpr const char* kChannels[] = {"R", "G", "B"};
 
@@ -38,7 +37,7 @@ Differences differences(const Rendering& reference, const Rendering& test, std::
   d.variance.reserve(pixels);
   for (std::size_t i = channel; i < 3 * pixels; i += 3) {
     const double r = double{reference.mean.rgb[i]}, x = double{test.mean.rgb[i]};
-    const double rounding = kRounding * std::max(std::abs(r), std::abs(x));
+    const double rounding = rounding_deviation * std::max(std::abs(r), std::abs(x));
     d.difference.push_back(x - r);
     d.variance.push_back(double{reference.variance->rgb[i]} + double{test.variance->rgb[i]} + rounding * rounding);
   }
@@ -65,15 +64,10 @@ double relative_spread_of_variance(const Block& block, const Differences& d) {
   return median > 0 ? std::pow(of_normal * *middle / median, 2) : 0;
 }
 
-/// A sum's variance, and the degrees of freedom that this is known with.
-struct Known {
-  double variance = 0, freedom = INFINITY;
-};
-
-/// Of a sum over a block whose pixels are independent. `value(x, y)` is a pixel's variance.
+/// The variance of a sum over a block whose pixels are independent. `value(x, y)` is a pixel's variance.
 template <class Value>
-Known known_over(const Block& block, const Value& value) {
-  Known known;
+KnownVariance known_over(const Block& block, const Value& value) {
+  KnownVariance known;
   for_each_pixel(block, [&](int x, int y) { known.variance += value(x, y); });
   const double mean = known.variance / block.pixels();
   double spread = 0;
@@ -83,10 +77,13 @@ Known known_over(const Block& block, const Value& value) {
   return known;
 }
 
-double block_deviate(const Block& block, const Differences& d) {
-  const Known known = known_over(block, [&](int x, int y) { return d.variance[d.index(x, y)]; });
-  if (known.variance == 0) return 0;  // black in both
-  return normal_deviate(sum_over(block, d, d.difference) / std::sqrt(known.variance), known.freedom);
+Deviation block_deviation(const Block& block, const Differences& d) {
+  const KnownVariance known = known_over(block, [&](int x, int y) { return d.variance[d.index(x, y)]; });
+  Deviation deviation;
+  deviation.difference = sum_over(block, d, d.difference);
+  deviation.standard_error = std::sqrt(known.variance);
+  deviation.freedom = known.freedom;
+  return deviation;
 }
 
 template <class... Values>
@@ -132,34 +129,28 @@ StatisticalVerdict test_pixels(const std::array<Differences, 3>& channels, const
 }
 
 StatisticalVerdict test_blocks(const std::array<Differences, 3>& channels, const Rendering& reference, double alpha) {
-  const std::vector<Block> blocks = blocks_of(reference.mean.width, reference.mean.height);
+  const std::vector<Block> places = blocks_of(reference.mean.width, reference.mean.height);
+  std::array<std::vector<Deviation>, 3> blocks;
+  for (std::size_t channel = 0; channel < 3; ++channel)
+    for (const Block& place : places) blocks[channel].push_back(block_deviation(place, channels[channel]));
+  const BlockChiSquare chi_square = chi_square_of_blocks(blocks, alpha);
+  const std::vector<Deviation>& shown = blocks[chi_square.channel];
+  const auto size = [](const Deviation& block) { return std::abs(block.deviate()); };
+  const auto worst =
+      std::max_element(shown.begin(), shown.end(), [&](const auto& a, const auto& b) { return size(a) < size(b); });
+  const Block& where = places[static_cast<std::size_t>(worst - shown.begin())];
+  double expected = 0;
+  for_each_pixel(where, [&](int x, int y) { expected += double{reference.mean.pixel(x, y)[chi_square.channel]}; });
   StatisticalVerdict verdict;
-  verdict.n = blocks.size();
+  verdict.n = places.size();
   verdict.alpha = sidak(alpha, 3);
-  verdict.bound = boost::math::quantile(
-      boost::math::complement(boost::math::chi_squared(static_cast<double>(blocks.size())), verdict.alpha));
-  for (std::size_t channel = 0; channel < 3; ++channel) {
-    const Differences& d = channels[channel];
-    double chi_square = 0, worst = -1;
-    Block where{};
-    for (const Block& block : blocks) {
-      const double deviate = block_deviate(block, d);
-      chi_square += deviate * deviate;
-      if (deviate <= worst) continue;
-      worst = deviate;
-      where = block;
-    }
-    if (chi_square < verdict.observed && channel > 0) continue;
-    verdict.observed = chi_square;
-    double expected = 0;
-    for_each_pixel(where, [&](int x, int y) { expected += double{reference.mean.pixel(x, y)[channel]}; });
-    const double off = sum_over(where, d, d.difference);
-    verdict.sentence =
-        text("%s of %zu blocks: chi^2 %.4g, bound %.4g; worst at (%d, %d): %+.3g %% of %.4g, %.3g deviations",
-             kChannels[channel], blocks.size(), chi_square, verdict.bound, where.x0, where.y0,
-             expected != 0 ? 100 * off / expected : INFINITY, expected / where.pixels(), worst);
-  }
-  verdict.pass = verdict.observed <= verdict.bound;
+  verdict.observed = chi_square.value;
+  verdict.bound = chi_square.bound;
+  verdict.pass = !chi_square.beyond();
+  verdict.sentence =
+      text("%s of %zu blocks: chi^2 %.4g, bound %.4g; worst at (%d, %d): %+.3g %% of %.4g, %.3g deviations",
+           kChannels[chi_square.channel], places.size(), chi_square.value, chi_square.bound, where.x0, where.y0,
+           expected != 0 ? 100 * worst->difference / expected : INFINITY, expected / where.pixels(), size(*worst));
   return verdict;
 }
 
@@ -184,7 +175,7 @@ class Weights {
         const std::size_t c = colour(x, y);
         mean[c] += std::abs(r + t) / 2;
         variance[c] += double{reference.variance->pixel(x, y)[channel]} + double{test.variance->pixel(x, y)[channel]} +
-                       std::pow(kRounding * (r + t), 2);
+                       std::pow(rounding_deviation * (r + t), 2);
       });
       for (const std::size_t c : {std::size_t{0}, std::size_t{1}}) {
         means[c].push_back(mean[c]);
@@ -239,7 +230,7 @@ class Weights {
 /// A channel's weighed sum over an image.
 struct Mean {
   double value = 0;
-  Known known;
+  KnownVariance known;
 };
 
 /// Where pixels share light paths, an image's MeanError tells of the plain sum, as if any two of them had the one
@@ -265,44 +256,19 @@ Mean mean_of(const Rendering& rendering, std::size_t channel, const Weights& wei
   return mean;
 }
 
-/// Their difference, with the noise of both together (Welch and Satterthwaite).
-class WholeDifference {
- public:
-  WholeDifference(const Mean& reference, const Mean& test) : reference_(reference.value) {
-    const double rounding = kRounding * std::max(std::abs(reference.value), std::abs(test.value));
-    variance_of_reference_ = reference.known.variance + rounding * rounding;
-    variance_of_test_ = test.known.variance;
-    const double variance = variance_of_reference_ + variance_of_test_;
-    if (variance == 0) return;  // black in both
-    const double doubt = std::pow(reference.known.variance / variance, 2) / reference.known.freedom +
-                         std::pow(variance_of_test_ / variance, 2) / test.known.freedom;
-    if (doubt > 0) freedom_ = 1 / doubt;
-    difference_ = test.value - reference.value;
-    deviate_ = normal_deviate(difference_ / std::sqrt(variance), freedom_);
-  }
-
-  double deviate() const { return deviate_; }
-  bool has_reference() const { return reference_ != 0; }
-  double relative() const { return has_reference() ? difference_ / reference_ : INFINITY; }
-
-  /// The relative error d that is found with probability `power` by a test of this two-sided level: it exceeds both
-  /// quantiles, d r = q sqrt(v_r + (1 + d)^2 v_x), for the noise of an image that is brighter is larger, too. Infinite
-  /// where none is found so often. Precondition: there is a reference.
-  double would_see(double alpha, double power) const {
-    const double q = t_quantile(alpha / 2, freedom_) + t_quantile(1 - power, freedom_);
-    const double r = q * q * variance_of_reference_ / (reference_ * reference_);
-    const double x = q * q * variance_of_test_ / (reference_ * reference_);
-    return x < 1 ? (x + std::sqrt(x * x + (1 - x) * (r + x))) / (1 - x) : INFINITY;
-  }
-
- private:
-  double reference_, difference_ = 0, variance_of_reference_ = 0, variance_of_test_ = 0, freedom_ = INFINITY,
-                     deviate_ = 0;
-};
+/// The relative error d that is found with probability `power` by a test of this two-sided level: it exceeds both
+/// quantiles, d r = q sqrt(v_r + (1 + d)^2 v_x), for the noise of an image that is brighter is larger, too. Infinite
+/// where none is found so often. Precondition: there is a reference. `difference` is of the two.
+double would_see(const Deviation& difference, const KnownVariance& of_test, double alpha, double power) {
+  const double q = difference.margin(alpha / 2) + difference.margin(1 - power);
+  const double reference = std::pow(difference.expected, 2), variance = std::pow(difference.standard_error, 2);
+  const double x = q * q * of_test.variance / variance / reference, r = q * q / reference - x;
+  return x < 1 ? (x + std::sqrt(x * x + (1 - x) * (r + x))) / (1 - x) : INFINITY;
+}
 
 /// Also says what it would have seen.
 StatisticalVerdict test_whole(const Rendering& reference, const Rendering& test, double alpha,
-                              std::optional<double>& would_see) {
+                              std::optional<double>& seen) {
   StatisticalVerdict verdict;
   verdict.n = 3;
   verdict.alpha = sidak(alpha, 3);
@@ -310,12 +276,15 @@ StatisticalVerdict test_whole(const Rendering& reference, const Rendering& test,
   double worst = -1;
   for (std::size_t channel = 0; channel < 3; ++channel) {
     const Weights weight(reference, test, channel);
-    const WholeDifference d(mean_of(reference, channel, weight), mean_of(test, channel, weight));
-    if (d.has_reference()) would_see = std::max(would_see.value_or(0), d.would_see(verdict.alpha, Agreement::power));
-    if (d.deviate() <= worst) continue;
-    worst = verdict.observed = d.deviate();
+    const Mean of_reference = mean_of(reference, channel, weight), of_test = mean_of(test, channel, weight);
+    const Deviation d = deviation_of(of_test.value, of_reference.value, of_test.known, of_reference.known);
+    if (d.expected != 0)
+      seen = std::max(seen.value_or(0), would_see(d, of_test.known, verdict.alpha, Agreement::power));
+    const double deviate = std::abs(d.deviate());
+    if (deviate <= worst) continue;
+    worst = verdict.observed = deviate;
     verdict.sentence = text("%s of the whole image: %+.3g %%, %.3g deviations, bound %.3g", kChannels[channel],
-                            100 * d.relative(), d.deviate(), verdict.bound);
+                            d.expected != 0 ? 100 * d.difference / d.expected : INFINITY, deviate, verdict.bound);
   }
   verdict.pass = verdict.observed <= verdict.bound;
   return verdict;

@@ -8,7 +8,6 @@
 namespace photonproof {
 namespace {
 
-constexpr double rounding = 1e-5;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// One channel of all images, in double.
@@ -47,25 +46,11 @@ Channel channel_of(const Rendering& reference, std::span<const Image* const> ima
   return channel;
 }
 
-/// A variance and what it is worth.
-struct Known {
-  double variance = 0, freedom = infinity;
-};
-
 /// An estimate and its expectation, each worth its degrees of freedom.
-Known steadied(const Known& estimate, const Known& expectation) {
+KnownVariance steadied(const KnownVariance& estimate, const KnownVariance& expectation) {
   if (std::isinf(expectation.freedom)) return expectation;
   const double freedom = estimate.freedom + expectation.freedom;
   return {(estimate.freedom * estimate.variance + expectation.freedom * expectation.variance) / freedom, freedom};
-}
-
-/// The engine's noise and the reference's together (Welch and Satterthwaite).
-Deviation deviation(double mean, double reference, const Known& of_mean, const Known& of_reference) {
-  const double least = rounding * std::max(std::abs(mean), std::abs(reference));
-  const double variance = of_mean.variance + of_reference.variance + least * least;
-  const double doubt = std::pow(of_mean.variance / variance, 2) / of_mean.freedom +
-                       std::pow(of_reference.variance / variance, 2) / of_reference.freedom;
-  return {mean - reference, std::sqrt(variance), variance > 0 && doubt > 0 ? 1 / doubt : infinity, reference};
 }
 
 struct BlockSums {
@@ -129,17 +114,18 @@ class ChannelDeviations {
       std::vector<double> ratios;
       for_each_pixel(out_.places[b],
                      [&](int x, int y) { ratios.push_back(mean > 0 ? channel_.variance[index(x, y)] / mean : 0); });
-      const Known expectation{mean, freedom_of_expectation(ratios, freedom_)};
+      const KnownVariance expectation{mean, freedom_of_expectation(ratios, freedom_)};
       // Least squares of the third moments on the cubed deviations: the noisiest pixels count most.
       const double of_one = sums_[b].variance_cubed > 0 ? sums_[b].skewed / sums_[b].variance_cubed : 0;
       const double skewness = std::max(0.0, of_one) / std::sqrt(channel_.images);
       for_each_pixel(out_.places[b], [&](int x, int y) {
         const std::size_t i = index(x, y);
-        Known known = steadied({channel_.variance[i], freedom_}, expectation);
+        KnownVariance known = steadied({channel_.variance[i], freedom_}, expectation);
         known.variance /= channel_.images;
         // As agreement.h does: a pixel that saw none of its rare bright samples looks dark and certain.
-        const Known of_reference{std::max(reference_mean, channel_.reference_variance[i]), known_.reference_freedom};
-        pixels[i] = deviation(channel_.mean[i], channel_.reference[i], known, of_reference);
+        const KnownVariance of_reference{std::max(reference_mean, channel_.reference_variance[i]),
+                                         known_.reference_freedom};
+        pixels[i] = deviation_of(channel_.mean[i], channel_.reference[i], known, of_reference);
         pixels[i].skewness = skewness;
         if (known_.samples)
           pixels[i].standard_error = std::hypot(pixels[i].standard_error, contrast_around(x, y) / *known_.samples);
@@ -179,11 +165,11 @@ class ChannelDeviations {
       // The pixels' variances are estimates, too: E[s^4] = sigma^4 (1 + 2/f).
       const double of_pixels =
           sums.variance_squared > 0 ? (freedom_ + 2) * sums.variance * sums.variance / sums.variance_squared : infinity;
-      const Known expectation{factor * sums.variance / (sums.pixels * sums.pixels), std::min(worth, of_pixels)};
-      Known known = steadied({own[b], freedom_}, expectation);
+      const KnownVariance expectation{factor * sums.variance / (sums.pixels * sums.pixels), std::min(worth, of_pixels)};
+      KnownVariance known = steadied({own[b], freedom_}, expectation);
       known.variance /= has_fault(Fault::certain_noise) ? channel_.images * channel_.images : channel_.images;
-      out_.blocks[c_].push_back(deviation(sums.mean / sums.pixels, sums.reference / sums.pixels, known,
-                                          {sums.reference_variance / (sums.pixels * sums.pixels), infinity}));
+      out_.blocks[c_].push_back(deviation_of(sums.mean / sums.pixels, sums.reference / sums.pixels, known,
+                                             {sums.reference_variance / (sums.pixels * sums.pixels), infinity}));
     }
   }
 
@@ -192,8 +178,8 @@ class ChannelDeviations {
     const BlockSums sums = sums_over(all);
     const double mean = sums.mean / sums.pixels;
     out_.whole[c_] =
-        deviation(mean, sums.reference / sums.pixels, {variance_of_block(all, mean) / channel_.images, freedom_},
-                  {sums.reference_variance / (sums.pixels * sums.pixels), infinity});
+        deviation_of(mean, sums.reference / sums.pixels, {variance_of_block(all, mean) / channel_.images, freedom_},
+                     {sums.reference_variance / (sums.pixels * sums.pixels), infinity});
   }
 
   const Channel& channel_;
@@ -206,16 +192,6 @@ class ChannelDeviations {
 };
 
 }  // namespace
-
-double Deviation::errors() const {
-  if (difference == 0) return 0;
-  const double t = difference / standard_error;
-  return t > 0 && skewness > 0 ? gamma_deviate(t, 4 / (skewness * skewness)) : t;
-}
-
-double Deviation::deviate() const { return std::copysign(normal_deviate(errors(), freedom), difference); }
-
-double Deviation::margin(double tail) const { return t_quantile(tail, freedom) * standard_error; }
 
 Deviations measure_deviations(const Rendering& reference, std::span<const Image* const> images,
                               const KnownNoise& known) {

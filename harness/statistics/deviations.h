@@ -11,36 +11,21 @@
 //   the Gamma distribution with the skewness that the block's pixels show together.
 // - The whole image's variance has no neighbours: it has the degrees of freedom of the images' number.
 // - A committed reference is rounded to half floats at random (reference/store/half_rounding.h). Its variance knows
-// that, but
-//   a value that goes up once in a thousand is no normal one: each pixel of the reference is taken to be as uncertain
-//   as that rounding can make it, 2^-11 of its value.
+//   that, but a value that goes up once in a thousand is no normal one: each pixel of the reference is taken to be as
+//   uncertain as that rounding can make it, 2^-11 of its value.
 // - Rounding of sums counts as a deviation of 1e-5 of the value, so that pixels without noise compare as equal.
 #pragma once
 
 #include <array>
-#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "harness/pixels/image_blocks.h"
+#include "harness/statistics/deviation.h"
 #include "scenes/images/image.h"
 
 namespace photonproof {
-
-struct Deviation {
-  double difference = 0;                                     ///< mean of the images' means - the reference's
-  double standard_error = 0;                                 ///< of `difference`
-  double freedom = std::numeric_limits<double>::infinity();  ///< of the standard error
-  double expected = 0;                                       ///< the reference's mean
-  double skewness = 0;                                       ///< of `difference`, where that matters
-  /// In standard errors, signed; less above the reference where skewness explains a part.
-  double errors() const;
-  /// In units of the normal distribution, signed.
-  double deviate() const;
-  /// The normal or t quantile that `difference` exceeds by chance with probability `tail`, times the standard error.
-  double margin(double tail) const;
-};
 
 struct Deviations {
   int width = 0, height = 0;

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 #include <functional>
 #include <numeric>
@@ -46,26 +45,6 @@ Estimate worst_whole(const Deviations& d, double tail) {
   return worst;
 }
 
-struct ChiSquare {
-  std::size_t channel = 0;
-  double value = 0, bound = 0;
-  bool beyond() const { return value > bound; }
-};
-
-ChiSquare chi_square_of_blocks(const Deviations& d, double alpha) {
-  ChiSquare worst;
-  worst.bound = boost::math::quantile(
-      boost::math::complement(boost::math::chi_squared(static_cast<double>(d.places.size())), sidak(alpha, 3)));
-  for (std::size_t c = 0; c < 3; ++c) {
-    double sum = 0;
-    for (const Deviation& block : d.blocks[c]) sum += std::pow(block.deviate(), 2);
-    if (sum <= worst.value) continue;
-    worst.value = sum;
-    worst.channel = c;
-  }
-  return worst;
-}
-
 struct PixelTest {
   std::size_t beyond = 0;
   double worst = 0;  ///< deviate
@@ -102,11 +81,9 @@ std::size_t worst_channel(const Deviations& d) {
 /// Whether noise explains what is left of a channel's blocks when `explained` of each is taken away.
 bool is_explained(const Deviations& d, std::size_t channel, double alpha,
                   const std::function<double(const Deviation& block)>& explained) {
-  double sum = 0;
-  for (const Deviation& block : d.blocks[channel])
-    if (block.standard_error > 0) sum += std::pow((block.difference - explained(block)) / block.standard_error, 2);
-  const auto blocks = static_cast<double>(d.places.size());
-  return sum <= boost::math::quantile(boost::math::complement(boost::math::chi_squared(blocks), alpha));
+  std::vector<Deviation> left = d.blocks[channel];
+  for (Deviation& block : left) block.difference -= explained(block);
+  return chi_square(left) <= chi_square_bound(left.size(), alpha);
 }
 
 std::string block_text(const Deviations& d, std::size_t b, std::size_t channel) {
@@ -147,7 +124,7 @@ constexpr double noticed = 2;          // deviations from which a block is count
 constexpr std::size_t most_named = 3;  // of them
 
 /// Blocks none of which is beyond its bound, but all together: the worst, and whether most go the same way.
-void name_blocks(const Deviations& d, const ChiSquare& chi_square, Judgement& judgement) {
+void name_blocks(const Deviations& d, const BlockChiSquare& chi_square, Judgement& judgement) {
   const std::size_t c = chi_square.channel;
   std::vector<std::size_t> order(d.places.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -223,7 +200,7 @@ Judgement judge_agreement(const Deviations& d, const AgreementBounds& bounds, do
 
   const bool whole_off =
       std::any_of(d.whole.begin(), d.whole.end(), [&](const Deviation& whole) { return beyond(whole, whole_tail); });
-  const ChiSquare chi_square = chi_square_of_blocks(d, part);
+  const BlockChiSquare chi_square = chi_square_of_blocks(d.blocks, part);
   const PixelTest pixels = test_pixels(d, pixel_tail);
   const auto score = [&](std::size_t b, std::size_t c) {
     const Deviation& block = d.blocks[c][b];

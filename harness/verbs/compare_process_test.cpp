@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <limits>
 
-#include "harness/metrics/metric_test_images.h"
+#include "harness/metrics/test_images.h"
 #include "reference/process/process.h"
 #include "scenes/text/test_folder.h"
 

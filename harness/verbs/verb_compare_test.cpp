@@ -6,7 +6,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "harness/metrics/metric_test_images.h"
+#include "harness/metrics/test_images.h"
 #include "harness/verbs/verbs.h"
 #include "scenes/text/atomic_file.h"
 #include "scenes/text/input_error.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "reference/closed_forms/convex_clip.h"
+#include "scenes/meshes/convex_clip.h"
 
 namespace photonproof {
 

@@ -6,9 +6,9 @@
 #include <optional>
 #include <span>
 
-#include "reference/closed_forms/convex_clip.h"
 #include "reference/povray/sdl_text.h"
 #include "reference/povray/unrepresentable.h"
+#include "scenes/meshes/convex_clip.h"
 #include "scenes/text/text_numbers.h"
 
 namespace photonproof {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "reference/closed_forms/convex_clip.h"
 #include "reference/povray/unrepresentable.h"
+#include "scenes/meshes/convex_clip.h"
 
 namespace photonproof {
 namespace {

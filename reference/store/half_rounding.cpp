@@ -4,6 +4,8 @@
 #include <bit>
 #include <cmath>
 
+#include "scenes/text/splitmix.h"
+
 namespace photonproof {
 namespace {
 
@@ -14,13 +16,8 @@ float spacing_at(float x) {
   return std::ldexp(1.0f, exponent - fraction_bits);
 }
 
-// In [0, 1), of the index alone (the finalizer of splitmix64, Steele et al. 2014).
-double uniform_of(std::uint64_t index) {
-  std::uint64_t z = (index + 1) * 0x9e3779b97f4a7c15u;
-  z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9u;
-  z = (z ^ z >> 27) * 0x94d049bb133111ebu;
-  return static_cast<double>((z ^ z >> 31) >> 11) * 0x1p-53;
-}
+// In [0, 1), of the index alone.
+double uniform_of(std::uint64_t index) { return static_cast<double>(splitmix64(0, index + 1) >> 11) * 0x1p-53; }
 
 // To 11 significant bits.
 float short_variance(double v) {

@@ -7,7 +7,7 @@
 #include "renderer/bsdfs/test_bsdfs.h"
 #include "renderer/bsdfs/test_shading.h"
 #include "renderer/core/parallel.h"
-#include "renderer/lanes/sphere_cells.h"
+#include "renderer/lanes/test_sphere_cells.h"
 
 namespace photonproof {
 namespace {

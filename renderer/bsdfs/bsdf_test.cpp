@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "renderer/bsdfs/test_shading.h"
-#include "renderer/lanes/chi_square.h"
+#include "renderer/lanes/test_chi_square.h"
 
 namespace photonproof {
 namespace {

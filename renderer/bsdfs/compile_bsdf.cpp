@@ -168,10 +168,6 @@ struct Nested {
 
 }  // namespace
 
-bool is_bsdf_leaf(const BsdfDescription& bsdf) {
-  return nested_bsdfs(bsdf).empty() || std::holds_alternative<LayeredDescription>(bsdf.model);
-}
-
 std::vector<BsdfIndex> nested_bsdfs(const BsdfDescription& bsdf) { return std::visit(Nested{}, bsdf.model); }
 
 bool is_anisotropic(const SceneDescription& scene, BsdfIndex bsdf) {

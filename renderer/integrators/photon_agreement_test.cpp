@@ -27,7 +27,7 @@
 #include "renderer/integrators/test_photon_scenes.h"
 #include "renderer/integrators/test_scenes.h"
 #include "renderer/kernels/camera_rays.h"
-#include "renderer/lanes/chi_square.h"
+#include "renderer/lanes/test_chi_square.h"
 #include "renderer/planning/test_compiled.h"
 #include "scenes/parser/parser.h"
 

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "renderer/integrators/test_scenes.h"
-#include "renderer/lanes/chi_square.h"
+#include "renderer/lanes/test_chi_square.h"
 #include "renderer/media/phase.h"
 #include "renderer/scalar/bdpt_weights.h"
 #include "scenes/images/mean_error.h"

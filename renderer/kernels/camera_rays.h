@@ -18,7 +18,7 @@ CameraRay<F> camera_rays(const SceneView& scene, const CameraTask& task, std::ui
   const U y = row + static_cast<std::uint32_t>(task.y0);
   CameraRay<F> ray;
   ray.index = path - pixel * task.samples + task.first_sample;
-  ray.key = mix_bits(U(mix_bits(U(y << 16 | x)) + task.seed));
+  ray.key = pixel_key<F>(x, y, task.seed);
 
   Vec2<F> in_pixel;
   if (task.grid > 0) {

@@ -1,6 +1,7 @@
 #include "renderer/kernels/isa.h"
 
 #include "scenes/text/input_error.h"
+#include "scenes/text/processor.h"
 
 namespace photonproof {
 
@@ -22,27 +23,11 @@ PHOTONPROOF_ENTRIES(kernels_native)
 
 namespace {
 
-#if defined(__x86_64__)
-
-/// What x86-64-v3 and v4 have beyond v2 and v3, as far as compilers let one ask; the rest came with these.
-bool processor_has_v3() {
-  return __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0 &&
-         __builtin_cpu_supports("bmi") != 0 && __builtin_cpu_supports("bmi2") != 0;
-}
-bool processor_has_v4() {
-  return processor_has_v3() && __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512bw") != 0 &&
-         __builtin_cpu_supports("avx512cd") != 0 && __builtin_cpu_supports("avx512dq") != 0 &&
-         __builtin_cpu_supports("avx512vl") != 0;
-}
-
-#endif
-
 std::vector<Kernels> kernels_of_this_processor() {
   std::vector<Kernels> list;
 #if defined(__x86_64__)
-  __builtin_cpu_init();
-  if (processor_has_v4()) list.push_back({"v4", kernels_v4::path, kernels_v4::photon, kernels_v4::gather});
-  if (processor_has_v3()) list.push_back({"v3", kernels_v3::path, kernels_v3::photon, kernels_v3::gather});
+  if (x86_64_level() >= 4) list.push_back({"v4", kernels_v4::path, kernels_v4::photon, kernels_v4::gather});
+  if (x86_64_level() >= 3) list.push_back({"v3", kernels_v3::path, kernels_v3::photon, kernels_v3::gather});
   list.push_back({"v2", kernels_v2::path, kernels_v2::photon, kernels_v2::gather});
 #else
   list.push_back({"native", kernels_native::path, kernels_native::photon, kernels_native::gather});

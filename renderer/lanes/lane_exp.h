@@ -1,4 +1,4 @@
-// Exponential, logarithm, power and the error function over lanes: the same polynomials on every instruction set and
+// Exponential, logarithm and the error function over lanes: the same polynomials on every instruction set and
 // for one lane, so that results agree. No exceptions: arguments beyond a function's range give its nearest value.
 #pragma once
 
@@ -37,13 +37,6 @@ F lane_log(const F& x) {
   const F series = mul_add(s2, mul_add(s2, mul_add(s2, F(2.0f / 9), F(2.0f / 7)), F(2.0f / 5)), F(2.0f / 3));
   const F log_m = mul_add(F(s * s2), series, F(2 * s));
   return mul_add(n, F(0.693359375f), mul_add(n, F(-2.12194440e-4f), log_m));
-}
-
-/// base^exponent for base >= 0, with a relative error of 2e-7 (1 + |exponent log base|).
-template <class F>
-F lane_pow(const F& base, const F& exponent) {
-  const F power = lane_exp(F(exponent * lane_log(base)));
-  return select(base > 0, power, select(exponent > 0, F(0.0f), F(1.0f)));
 }
 
 /// exp(x^2) erfc(x) for x >= 0, within 3e-7 of itself: t P(2t-1) with t = 1/(1 + x/2), P interpolating at Chebyshev's

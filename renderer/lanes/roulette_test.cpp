@@ -13,7 +13,7 @@
 #include <string>
 
 #include "renderer/integrators/test_scenes.h"
-#include "renderer/lanes/chi_square.h"
+#include "renderer/lanes/test_chi_square.h"
 
 namespace photonproof {
 namespace {

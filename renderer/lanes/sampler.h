@@ -125,4 +125,10 @@ inline std::uint32_t stream_seed(std::uint64_t seed, Stream stream, std::uint64_
   return mix_bits(h + half(block, 1));
 }
 
+/// The key of a pixel's samples, x, y < 2^16, in the stream of that seed.
+template <class F>
+UInt<F> pixel_key(const UInt<F>& x, const UInt<F>& y, std::uint32_t seed) {
+  return mix_bits(UInt<F>(mix_bits(UInt<F>(y << 16 | x)) + seed));
+}
+
 }  // namespace photonproof

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/lanes/chi_square.h"
+#include "renderer/lanes/test_chi_square.h"
 
 namespace photonproof {
 namespace {
@@ -28,9 +28,8 @@ float single(std::uint32_t key, std::uint32_t index, std::uint32_t dimension) {
   return draw_independent<float>(key, index, dimension);
 }
 
-/// As a pixel's key is made (kernels/camera_rays.h).
 std::uint32_t pixel_key(std::uint32_t x, std::uint32_t y, std::uint64_t seed = 1) {
-  return mix_bits((y << 16 | x) ^ stream_seed(seed, Stream::camera));
+  return photonproof::pixel_key<float>(x, y, stream_seed(seed, Stream::camera));
 }
 
 /// p-value of `values` in [0,1) being uniform over 64 cells.

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "renderer/lanes/chi_square.h"
+#include "renderer/lanes/test_chi_square.h"
 
 namespace photonproof {
 namespace {

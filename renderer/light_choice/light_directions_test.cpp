@@ -6,7 +6,7 @@
 #include <numbers>
 #include <string>
 
-#include "renderer/lanes/chi_square.h"
+#include "renderer/lanes/test_chi_square.h"
 #include "renderer/light_choice/test_lights.h"
 
 namespace photonproof {

@@ -6,7 +6,7 @@
 
 #include <numbers>
 
-#include "renderer/lanes/chi_square.h"
+#include "renderer/lanes/test_chi_square.h"
 #include "renderer/light_choice/test_lights.h"
 #include "renderer/light_choice/test_surface_lights.h"
 

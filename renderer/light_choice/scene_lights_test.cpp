@@ -8,7 +8,7 @@
 #include <cmath>
 #include <functional>
 
-#include "renderer/lanes/chi_square.h"
+#include "renderer/lanes/test_chi_square.h"
 #include "renderer/light_choice/test_lights.h"
 
 namespace photonproof {

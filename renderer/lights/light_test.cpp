@@ -6,7 +6,7 @@
 
 #include "renderer/bsdfs/test_shading.h"
 #include "renderer/kernels/direct_light.h"
-#include "renderer/lanes/chi_square.h"
+#include "renderer/lanes/test_chi_square.h"
 
 namespace photonproof {
 namespace {

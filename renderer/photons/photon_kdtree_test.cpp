@@ -1,13 +1,12 @@
 // The kd-tree's nearest photons against brute force: the same photons in the same order, ties included.
 
-#include "renderer/photons/photon_kdtree.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <limits>
 
-#include "renderer/photons/photon_clouds.h"
+#include "renderer/photons/test_photon_clouds.h"
+#include "renderer/photons/test_photon_kdtree.h"
 
 namespace photonproof {
 namespace {

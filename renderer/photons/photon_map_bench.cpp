@@ -18,9 +18,9 @@
 #include "renderer/kernels/isa.h"
 #include "renderer/lanes/test_random.h"
 #include "renderer/lanes/warp.h"
-#include "renderer/photons/photon_kdtree.h"
 #include "renderer/photons/photon_map.h"
 #include "renderer/photons/query_order.h"
+#include "renderer/photons/test_photon_kdtree.h"
 
 namespace photonproof {
 namespace {

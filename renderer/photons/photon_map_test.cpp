@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <limits>
 
-#include "renderer/photons/photon_clouds.h"
 #include "renderer/photons/photon_gather.h"
 #include "renderer/photons/query_order.h"
+#include "renderer/photons/test_photon_clouds.h"
 
 namespace photonproof {
 namespace {

@@ -8,9 +8,7 @@
 #include "renderer/lanes/roulette.h"
 #include "renderer/scalar/bdpt_weights.h"
 #include "renderer/scalar/scalar_passes.h"
-#include "renderer/scalar/surroundings.h"
-#include "renderer/scalar/world_camera.h"
-#include "renderer/scalar/world_lights.h"
+#include "renderer/scalar/scalar_tracer.h"
 
 namespace photonproof {
 namespace {
@@ -36,20 +34,10 @@ enum What : std::uint32_t { next, lobe, roulette, layer, end_choice, end_point }
 constexpr std::uint32_t at_vertex(std::uint32_t edges, What what) { return first_vertex + edges * of_vertex + what; }
 }  // namespace dimension
 
-constexpr TransportMode reversed(TransportMode mode) {
-  return mode == TransportMode::radiance ? TransportMode::importance : TransportMode::radiance;
-}
-
-class BidirectionalTracer {
+class BidirectionalTracer : ScalarTracer {
  public:
   BidirectionalTracer(const Scene& scene, const PathLimits& limits, int grid, std::int64_t pixels)
-      : world_(scene),
-        lights_(world_),
-        camera_(world_, pixels),
-        limits_(limits),
-        grid_(grid),
-        outer_(outer_medium(world_)),
-        around_camera_(surroundings_at(world_, scene.view().camera.origin, outer_)) {}
+      : ScalarTracer(scene, limits, pixels), grid_(grid) {}
 
   /// Radiance of a camera sample; what its light path brings to the lens is splatted. `light_path` is scratch.
   Rgb sample(int x, int y, const Draws& camera_draws, const Draws& light_draws, std::vector<Vertex>& light_path,
@@ -60,10 +48,6 @@ class BidirectionalTracer {
   }
 
  private:
-  bool within(std::uint32_t edges) const {
-    return limits_.max_depth < 0 || edges <= static_cast<std::uint32_t>(limits_.max_depth);
-  }
-
   void trace_light_path(const Draws& draws, std::vector<Vertex>& path, ScalarWork& work) const {
     if (!within(2)) return;
     const LightStart start =
@@ -299,13 +283,7 @@ class BidirectionalTracer {
     return value * arrives * static_cast<float>(1 / (1 + less + more));
   }
 
-  World world_;
-  WorldLights lights_;
-  WorldCamera camera_;
-  PathLimits limits_;
   int grid_;
-  std::uint32_t outer_;
-  Surroundings around_camera_;
 };
 
 }  // namespace

@@ -10,9 +10,7 @@
 
 #include "renderer/lanes/roulette.h"
 #include "renderer/scalar/scalar_passes.h"
-#include "renderer/scalar/surroundings.h"
-#include "renderer/scalar/world_camera.h"
-#include "renderer/scalar/world_lights.h"
+#include "renderer/scalar/scalar_tracer.h"
 
 namespace photonproof {
 namespace {
@@ -28,15 +26,10 @@ constexpr std::uint32_t at_vertex(std::uint32_t vertex, std::uint32_t what) {
 }
 }  // namespace dimension
 
-class ParticleTracer {
+class ParticleTracer : ScalarTracer {
  public:
   ParticleTracer(const Scene& scene, const PathLimits& limits, std::int64_t pixels)
-      : world_(scene),
-        lights_(world_),
-        camera_(world_, pixels),
-        limits_(limits),
-        outer_(outer_medium(world_)),
-        around_camera_(surroundings_at(world_, scene.view().camera.origin, outer_)) {}
+      : ScalarTracer(scene, limits, pixels) {}
 
   void trace(const Draws& draws, ScalarWork& work) const {
     if (lights_.count() == 0) return;
@@ -88,10 +81,6 @@ class ParticleTracer {
   }
 
  private:
-  bool within(std::uint32_t edges) const {
-    return limits_.max_depth < 0 || edges <= static_cast<std::uint32_t>(limits_.max_depth);
-  }
-
   void connect(const Interaction& at, const Vec3f& to_light, const Rgb& throughput, Surroundings around,
                const Draws& draws, std::uint32_t lens, ScalarWork& work) const {
     const std::optional<CameraSeen> seen = camera_.connect(at.p, draws.two(lens));
@@ -122,13 +111,6 @@ class ParticleTracer {
     const Rgb arrives = value * transmittance(world_, from, seen.end, around, false, draws, dimension::segment);
     if (max_component(arrives) > 0) work.splats.push_back({seen.raster, arrives});
   }
-
-  World world_;
-  WorldLights lights_;
-  WorldCamera camera_;
-  PathLimits limits_;
-  std::uint32_t outer_;
-  Surroundings around_camera_;
 };
 
 }  // namespace

@@ -10,8 +10,8 @@ constexpr std::int64_t most_histories = std::int64_t{1} << 21;  ///< of a pass: 
 constexpr int tile_size = 16;
 
 Draws draws_of(std::uint32_t seed, SamplerKind kind, int x, int y, std::int64_t sample) {
-  const auto pixel = static_cast<std::uint32_t>(y) << 16 | static_cast<std::uint32_t>(x);
-  return {kind, mix_bits(mix_bits(pixel) + seed), static_cast<std::uint32_t>(sample)};
+  return {kind, pixel_key<float>(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), seed),
+          static_cast<std::uint32_t>(sample)};
 }
 
 template <class Visit>

@@ -9,9 +9,7 @@
 
 #include "renderer/lanes/roulette.h"
 #include "renderer/scalar/scalar_passes.h"
-#include "renderer/scalar/surroundings.h"
-#include "renderer/scalar/world_camera.h"
-#include "renderer/scalar/world_lights.h"
+#include "renderer/scalar/scalar_tracer.h"
 
 namespace photonproof {
 namespace {
@@ -30,16 +28,10 @@ float power_heuristic(float pdf, float other) {
   return 1 / (1 + ratio * ratio);
 }
 
-class VolumetricTracer {
+class VolumetricTracer : ScalarTracer {
  public:
   VolumetricTracer(const Scene& scene, const PathLimits& limits, int grid)
-      : world_(scene),
-        lights_(world_),
-        camera_(world_, std::int64_t{scene.width} * scene.height),
-        limits_(limits),
-        grid_(grid),
-        outer_(outer_medium(world_)),
-        around_camera_(surroundings_at(world_, scene.view().camera.origin, outer_)) {}
+      : ScalarTracer(scene, limits, std::int64_t{scene.width} * scene.height), grid_(grid) {}
 
   Rgb sample(int x, int y, const Draws& draws, ScalarWork& work) const {
     const std::optional<Ray> first = camera_.ray(x, y, draws, grid_, dimension::in_pixel, draws.two(dimension::lens));
@@ -74,10 +66,6 @@ class VolumetricTracer {
     Vec3f scattered_at;          ///< where the last one was
     float pdf = 0;               ///< with which it drew the direction; 0 where light sampling had no part in it
   };
-
-  bool within(std::uint32_t edges) const {
-    return limits_.max_depth < 0 || edges <= static_cast<std::uint32_t>(limits_.max_depth);
-  }
 
   /// Takes from the throughput what the medium on the way does; a distance where the history scatters in it.
   std::optional<float> cross_medium(History& h, float distance, bool met, std::uint32_t step,
@@ -188,13 +176,7 @@ class VolumetricTracer {
     return true;
   }
 
-  World world_;
-  WorldLights lights_;
-  WorldCamera camera_;
-  PathLimits limits_;
   int grid_;
-  std::uint32_t outer_;
-  Surroundings around_camera_;
 };
 
 }  // namespace

@@ -8,28 +8,24 @@
 #include <array>
 
 #include "renderer/scalar/scalar_passes.h"
-#include "renderer/scalar/world_camera.h"
-#include "renderer/scalar/world_lights.h"
+#include "renderer/scalar/scalar_tracer.h"
 
 namespace photonproof {
 namespace {
 
 constexpr float faint = 1.0f / 1024;
-constexpr std::uint32_t deepest = 64;  ///< of unlimited branches: two facing mirrors of reflectance 1 never get faint
+constexpr int deepest = 64;  ///< of unlimited branches: two facing mirrors of reflectance 1 never get faint
 
 namespace dimension {
 constexpr std::uint32_t in_pixel = 0, lens = 1, first_hit = 2;
 }  // namespace dimension
 
-class WhittedTracer {
+class WhittedTracer : ScalarTracer {
  public:
   WhittedTracer(const Scene& scene, const PathLimits& limits, int grid)
-      : world_(scene),
-        lights_(world_),
-        camera_(world_, std::int64_t{scene.width} * scene.height),
-        grid_(grid),
-        hide_emitters_(limits.hide_emitters),
-        max_edges_(limits.max_depth < 0 ? deepest : static_cast<std::uint32_t>(limits.max_depth)) {}
+      : ScalarTracer(scene, limits, std::int64_t{scene.width} * scene.height), grid_(grid) {
+    if (limits_.max_depth < 0) limits_.max_depth = deepest;
+  }
 
   Rgb sample(int x, int y, const Draws& draws, ScalarWork& work) const {
     const std::optional<Ray> first = camera_.ray(x, y, draws, grid_, dimension::in_pixel, draws.two(dimension::lens));
@@ -44,14 +40,15 @@ class WhittedTracer {
   Rgb follow(const Ray& ray, const Rgb& throughput, std::uint32_t edges, const Draws& draws, std::uint32_t& dimension,
              ScalarWork& work) const {
     Interaction at;
-    if (edges > max_edges_) return Rgb(0.0f);
+    if (!within(edges)) return Rgb(0.0f);
     if (!world_.intersect(ray, draws.one(dimension++), TransportMode::radiance, at) ||
         (edges == 1 && camera_.beyond_far_plane(at.p)))
-      return edges == 1 && hide_emitters_ ? Rgb(0.0f) : throughput * lights_.environment(ray.direction);
+      return edges == 1 && limits_.hide_emitters ? Rgb(0.0f) : throughput * lights_.environment(ray.direction);
     const Vec3f wo = -ray.direction;
     Rgb radiance(0.0f);
-    if (at.light != no_index && !(edges == 1 && hide_emitters_)) radiance += throughput * lights_.radiance(at, wo);
-    if (edges + 1 > max_edges_) return radiance;
+    if (at.light != no_index && !(edges == 1 && limits_.hide_emitters))
+      radiance += throughput * lights_.radiance(at, wo);
+    if (!within(edges + 1)) return radiance;
     if (has_smooth(at.bsdf)) radiance += throughput * direct_light(at, wo, draws, dimension, work);
 
     // The lobes of a BSDF share [0,1) among them: its ends give every delta lobe of the kinds there are.
@@ -84,12 +81,7 @@ class WhittedTracer {
     return sum;
   }
 
-  World world_;
-  WorldLights lights_;
-  WorldCamera camera_;
   int grid_;
-  bool hide_emitters_;
-  std::uint32_t max_edges_;
 };
 
 }  // namespace

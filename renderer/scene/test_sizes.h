@@ -37,15 +37,16 @@ struct Room {
   bool bodies = false;  ///< mirrors and glass, textures' bumps, a lens
 };
 
-/// A floor without end, a shape of every kind on it, a light of every kind with an end over it, dim light from all
-/// around. Intensities go with the square of the unit.
-inline SceneDescription room_of_all_shapes(const Room& room) {
+/// Where something of that size stands in the room.
+inline Transform placed(const Room& room, double x, double y, double z, double size) {
+  return Transform::translate(Vec3d{x, y, z} * room.unit) * Transform::scale(Vec3d(size * room.unit));
+}
+
+/// A floor without end, and a shape of every kind on it.
+inline void add_shapes_to_see(const Room& room, SceneDescription& d) {
   const double u = room.unit;
-  const auto at = [&](double x, double y, double z, double size) {
-    return Transform::translate(Vec3d{x, y, z} * u) * Transform::scale(Vec3d(size * u));
-  };
-  SceneDescription d;
-  const BsdfIndex grey = add_bsdf(d, DiffuseDescription{RgbD(0.6)}), black = add_bsdf(d, DiffuseDescription{RgbD(0)});
+  const auto at = [&](double x, double y, double z, double size) { return placed(room, x, y, z, size); };
+  const BsdfIndex grey = add_bsdf(d, DiffuseDescription{RgbD(0.6)});
   BsdfIndex bumpy = grey, shiny = grey;
   if (room.bodies) {
     d.textures.push_back({{}, "", CheckerboardDescription{RgbD(0.9), RgbD(0.1), Transform::scale(Vec3d(8))}});
@@ -69,7 +70,13 @@ inline SceneDescription room_of_all_shapes(const Room& room) {
   group.shapes.push_back(member);
   d.groups.push_back(group);
   add_shape(d, InstanceDescription{{0}}, at(-1.5, -1.5, 0.01, 0.6), grey);
+}
 
+/// A light of every kind with an end, and dim light from all around. Intensities go with the square of the unit.
+inline void add_lights(const Room& room, SceneDescription& d) {
+  const double u = room.unit;
+  const auto at = [&](double x, double y, double z, double size) { return placed(room, x, y, z, size); };
+  const BsdfIndex black = add_bsdf(d, DiffuseDescription{RgbD(0)});
   const auto lamp = [&](const decltype(ShapeDescription::geometry)& geometry, const Transform& to_world) {
     add_shape(d, geometry, to_world * Transform::rotate({1, 0, 0}, 180), black).radiance = RgbD(3);
   };
@@ -77,7 +84,8 @@ inline SceneDescription room_of_all_shapes(const Room& room) {
   lamp(SphereDescription{{0, 0, 0}, 1}, at(1, -1, 3, 0.2));
   lamp(DiskDescription{}, at(1, 1, 3, 0.3));
   lamp(CylinderDescription{{0, 0, 0}, {0, 0, 1}, 0.3}, at(-1, 1, 3, 0.5));
-  lamp(MeshDescription{ply, "pyramid.ply", true, false, pyramid(0.3 * u)}, Transform::translate(Vec3d{0, 0, 3} * u));
+  lamp(MeshDescription{MeshDescription::Format::ply, "pyramid.ply", true, false, pyramid(0.3 * u)},
+       Transform::translate(Vec3d{0, 0, 3} * u));
   const RgbD intensity = RgbD(0.5) * (u * u);
   d.emitters.push_back({{}, "", PointLightDescription{Vec3d{2, -2, 2} * u, intensity}});
   SpotLightDescription spot;
@@ -90,10 +98,18 @@ inline SceneDescription room_of_all_shapes(const Room& room) {
   profile->candela = {2, 1, 0};
   d.emitters.push_back({{}, "", IesLightDescription{"lamp.ies", profile, intensity, at(2, 2, 3, 1 / u)}});
   d.emitters.push_back({{}, "", ConstantLightDescription{RgbD(0.02)}});
+}
+
+/// The shapes with the lights over them, and what looks at them.
+inline SceneDescription room_of_all_shapes(const Room& room) {
+  const double u = room.unit;
+  SceneDescription d;
+  add_shapes_to_see(room, d);
+  add_lights(room, d);
   if (room.media) {
     d.media.push_back({{}, "", HomogeneousDescription{RgbD{0.1, 0.2, 0.3} * (1 / u), RgbD(0.8), 1, {}}});
     d.sensor.medium = MediumIndex{0};
-    add_shape(d, SphereDescription{{0, 0, 0}, 20}, at(0, 0, 0, 1), add_bsdf(d, NullDescription{}));
+    add_shape(d, SphereDescription{{0, 0, 0}, 20}, placed(room, 0, 0, 0, 1), add_bsdf(d, NullDescription{}));
     d.shapes.back().interior = MediumIndex{0};
   }
   PerspectiveDescription camera{.fov_degrees = 50, .near_clip = 0.01 * u, .far_clip = 100 * u};

@@ -81,12 +81,4 @@ CameraConnection connect_to_camera(const CameraView& camera, const Vec3f& p, con
   return c;
 }
 
-CameraRayPdfs camera_ray_pdfs(const CameraView& camera, const Vec3f& direction) {
-  const float pixels = camera.width * camera.height;
-  if (camera.kind == CameraKind::orthographic) return {1 / (pixel_area(camera) * pixels), 1};
-  const bool has_lens = camera.kind == CameraKind::thin_lens && camera.lens_radius > 0;
-  return {has_lens ? 1 / (pi * camera.lens_radius * camera.lens_radius) : 1,
-          raster_per_solid_angle(camera, direction) / pixels};
-}
-
 }  // namespace photonproof

@@ -25,19 +25,4 @@ struct CameraConnection {
 /// `u_lens` draws the point of the lens; cameras without do not use it.
 CameraConnection connect_to_camera(const CameraView& camera, const Vec3f& p, const Vec2<float>& u_lens);
 
-struct CameraRayPdfs {
-  float position;   ///< per area of the lens or, of the orthographic camera, across the ray; 1 of a pinhole
-  float direction;  ///< per solid angle; 1 of the orthographic camera, whose rays have but one
-};
-
-/// Densities of the camera's ray in `direction`, unit, for raster points uniform over the image: one a pixel in the
-/// mean when there are as many rays as pixels. 0 where the camera does not look from any raster point.
-CameraRayPdfs camera_ray_pdfs(const CameraView& camera, const Vec3f& direction);
-
-inline bool has_delta_position(const CameraView& camera) {
-  return camera.kind == CameraKind::perspective || camera.kind == CameraKind::fisheye ||
-         (camera.kind == CameraKind::thin_lens && !(camera.lens_radius > 0));
-}
-inline bool has_delta_direction(const CameraView& camera) { return camera.kind == CameraKind::orthographic; }
-
 }  // namespace photonproof

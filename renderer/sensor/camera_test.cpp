@@ -9,7 +9,7 @@
 
 #include "renderer/integrators/test_scenes.h"
 #include "renderer/kernels/camera_rays.h"
-#include "renderer/lanes/chi_square.h"
+#include "renderer/lanes/test_chi_square.h"
 #include "renderer/sensor/camera_connection.h"
 #include "renderer/sensor/reconstruction_filter.h"
 
@@ -99,20 +99,23 @@ TEST(cameras, importance_is_the_raster_area_an_area_across_the_ray_covers) {
   }
 }
 
-TEST(cameras, densities_of_rays_integrate_to_one_over_the_image) {
-  // Over directions through raster points inside of it; of the orthographic camera over its area, 6 x 4 scaled by
-  // nothing but to_world's (3, 2): width 6, height 2 x 2 x 20/30.
+TEST(cameras, importance_integrates_to_the_pixels_of_the_image) {
+  // Raster area per solid angle, importance times the square of the distance to the lens, over the directions through
+  // raster points inside of the image; of the orthographic camera raster area per area, 6 x 4 scaled by nothing but
+  // to_world's (3, 2): width 6, height 2 x 2 x 20/30.
+  constexpr double pixels = image_width * image_height;
   for (const Named& named : cameras()) {
     const CameraView camera = view_of(named);
-    if (has_delta_direction(camera)) {
-      EXPECT_NEAR(1 / camera_ray_pdfs(camera, camera.forward).position, 6 * 4 * 2 / 3.0f, 1e-4f);
+    if (camera.kind == CameraKind::orthographic) {
+      const CameraConnection c = connect_to_camera(camera, camera.origin + camera.forward * 2.0f, {0.5f, 0.5f});
+      EXPECT_NEAR(pixels / double{c.importance}, 6 * 4 * 2 / 3.0, 1e-4);
       continue;
     }
     const auto density = [&](double z, double phi) {
       const double r = std::sqrt(std::max(1 - z * z, 0.0));
       const Vec3f d(Vec3d(r * std::cos(phi), r * std::sin(phi), z));
       const CameraConnection c = connect_to_camera(camera, camera.origin + d * 2.0f, {0.5f, 0.5f});
-      return c.visible ? double{camera_ray_pdfs(camera, c.direction).direction} : 0.0;
+      return c.visible ? double{c.importance} * 4 / pixels : 0.0;
     };
     double sum = 0;
     constexpr int cells = 60;

@@ -9,7 +9,7 @@
 
 #include "reference/process/process.h"
 #include "reports/formats/formats.h"
-#include "reports/view/sample_results.h"
+#include "reports/view/test_sample_results.h"
 
 namespace photonproof {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "harness/metrics/heatmap.h"
 #include "reports/record/heatmap_magma.h"
-#include "reports/view/sample_results.h"
+#include "reports/view/test_sample_results.h"
 #include "scenes/text/input_error.h"
 
 namespace photonproof {

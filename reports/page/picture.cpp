@@ -70,10 +70,6 @@ EmbeddedPicture embed(const File& file) {
 
 }  // namespace
 
-EmbeddedPicture embed_picture(const fs::path& folder, const std::string& relative) {
-  return embed(load(folder, relative));
-}
-
 EmbeddedPicture embed_thumbnail(const fs::path& folder, const std::string& relative, int longest_side) {
   File file = load(folder, relative);
   const int side = std::max(file.width, file.height);

@@ -14,10 +14,8 @@ struct EmbeddedPicture {
 };
 
 /// `relative` comes from results.json and is not trusted: it must name a PNG inside `folder`, of at most 4096 pixels a
-/// side. A picture that cannot be shown is a problem to print, not an error.
-EmbeddedPicture embed_picture(const std::filesystem::path& folder, const std::string& relative);
-
-/// The same, reduced by a whole factor (area average of linear light) until no side is longer than `longest_side`.
+/// side. It is reduced by a whole factor (area average of linear light) until no side is longer than `longest_side`. A
+/// picture that cannot be shown is a problem to print, not an error.
 EmbeddedPicture embed_thumbnail(const std::filesystem::path& folder, const std::string& relative, int longest_side);
 
 }  // namespace photonproof::reports

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "reports/view/sample_results.h"
+#include "reports/view/test_sample_results.h"
 
 namespace photonproof::reports {
 namespace {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "reference/process/process.h"
-#include "reports/view/sample_results.h"
+#include "reports/view/test_sample_results.h"
 
 namespace photonproof::reports {
 

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "reports/view/sample_results.h"
+#include "reports/view/test_sample_results.h"
 
 namespace photonproof::reports {
 namespace {

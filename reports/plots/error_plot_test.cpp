@@ -1,6 +1,6 @@
 #include "reports/plots/error_plot.h"
 
-#include "reports/view/sample_results.h"
+#include "reports/view/test_sample_results.h"
 
 namespace photonproof::reports {
 namespace {

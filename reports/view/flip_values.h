@@ -10,7 +10,7 @@
 namespace photonproof::reports {
 
 /// FLIP in every channel, a multiple of 1/255 as the picture has it. Empty where there is no such file, or where one of
-/// its colours is not magma's. `relative` as for embed_picture.
+/// its colours is not magma's. `relative` as for embed_thumbnail.
 std::optional<Image> flip_values(const std::filesystem::path& folder, const std::string& relative);
 
 /// The first channel in steps of 1/255, each byte the difference to the pixel on its left modulo 256; zlib's bytes.

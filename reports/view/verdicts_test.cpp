@@ -1,6 +1,6 @@
 #include "reports/view/verdicts.h"
 
-#include "reports/view/sample_results.h"
+#include "reports/view/test_sample_results.h"
 
 namespace photonproof::reports {
 namespace {

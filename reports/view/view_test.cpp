@@ -1,7 +1,7 @@
 #include "reports/view/view.h"
 
 #include "reports/view/conclusions.h"
-#include "reports/view/sample_results.h"
+#include "reports/view/test_sample_results.h"
 
 namespace photonproof::reports {
 namespace {

@@ -33,11 +33,7 @@ void plan_grid(double cells, MillionPlan& plan) {
     }
 }
 
-std::string scene_text(const MillionPlan& plan) {
-  return "<!-- A procedural landscape of " + std::to_string(plan.triangles()) +
-         R"( triangles, made by `photonproof generate million`: mountains behind
-     hills, rocks on them, a lake, and one large light high above on the left. -->
-<scene version="3.0.0">
+const char* const kView = R"(<scene version="3.0.0">
   <default name="size" value="256"/>
 
   <integrator type="path">
@@ -63,7 +59,9 @@ std::string scene_text(const MillionPlan& plan) {
     </sampler>
   </sensor>
 
-  <shape type="ply" id="ground">
+)";
+
+const char* const kLand = R"(  <shape type="ply" id="ground">
     <string name="filename" value="terrain.ply"/>
     <boolean name="face_normals" value="true"/>
     <bsdf type="diffuse">
@@ -78,7 +76,9 @@ std::string scene_text(const MillionPlan& plan) {
     </bsdf>
   </shape>
 
-  <!-- The lake, normal +y. -->
+)";
+
+const char* const kLakeAndSky = R"(  <!-- The lake, normal +y. -->
   <shape type="rectangle" id="lake">
     <transform name="to_world">
       <scale value="10"/>
@@ -100,7 +100,9 @@ std::string scene_text(const MillionPlan& plan) {
     </bsdf>
   </shape>
 
-  <shape type="rectangle" id="light">
+)";
+
+const char* const kLight = R"(  <shape type="rectangle" id="light">
     <transform name="to_world">
       <scale value="5"/>
       <lookat origin="-14, 20, 8" target="0, 0, -2" up="0, 1, 0"/>
@@ -114,6 +116,13 @@ std::string scene_text(const MillionPlan& plan) {
   </shape>
 </scene>
 )";
+
+std::string scene_text(const MillionPlan& plan) {
+  return "<!-- A procedural landscape of " + std::to_string(plan.triangles()) +
+         R"( triangles, made by `photonproof generate million`: mountains behind
+     hills, rocks on them, a lake, and one large light high above on the left. -->
+)" + kView +
+         kLand + kLakeAndSky + kLight;
 }
 
 std::string expect_text(const MillionPlan& plan) {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "scenes/meshes/icosphere.h"
-#include "scenes/meshes/mesh_checks.h"
+#include "scenes/meshes/test_mesh_checks.h"
 
 namespace photonproof {
 namespace {

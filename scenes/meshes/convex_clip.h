@@ -1,5 +1,5 @@
-// Small computational geometry behind the export's proofs: what of a flat polygon lies inside a convex region, and how
-// far a point is from a polygon's parallelogram.
+// Small computational geometry: what of a flat polygon lies inside a convex region, and how far a point is from a
+// parallelogram or a triangle.
 #pragma once
 
 #include <array>

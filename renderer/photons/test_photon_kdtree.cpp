@@ -1,4 +1,4 @@
-#include "renderer/photons/photon_kdtree.h"
+#include "renderer/photons/test_photon_kdtree.h"
 
 #include <algorithm>
 #include <bit>

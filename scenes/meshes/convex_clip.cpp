@@ -1,4 +1,4 @@
-#include "reference/closed_forms/convex_clip.h"
+#include "scenes/meshes/convex_clip.h"
 
 #include <array>
 

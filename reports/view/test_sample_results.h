@@ -74,17 +74,7 @@ inline Results sample_results() {
   return results;
 }
 
-/// sample_results and everything the harness may conclude from such a run: curves over seeds, gates of which one fails
-/// in two tiles, a stored reference, changes against an older run.
-inline Results sample_conclusions() {
-  Results results = sample_results();
-  results.caveats = {"the control's interval excludes 1: this machine is noisy"};
-  results.scenes[1].reference =
-      ReferenceRecord{"hole/reference-8x8.exr",
-                      "",
-                      "hole-ref.png",
-                      {{"estimator", "path"}, {"samples", "65536"}, {"standard_error", "0.1 %"}}};
-
+inline Convergence sample_curve() {
   Convergence curve;
   curve.scene = "box";
   curve.engine = "photon";
@@ -108,9 +98,11 @@ inline Results sample_conclusions() {
   curve.target_relmse = 0.025;
   curve.seconds_to_target = Estimate{2.4, Interval{2, 3}};
   curve.caveats = {"three seeds are few"};
-  results.convergence = {curve};
-  results.races = {{"box", 0.05, {{"photon", 1.25, false}, {"povray", 2.5, true}}}};
+  return curve;
+}
 
+/// One that passes, one that fails in two tiles, one that is open.
+inline std::vector<GateRecord> sample_gates() {
   GateRecord pass;
   pass.name = "box-photon-relmse";
   pass.scene = "box";
@@ -145,8 +137,10 @@ inline Results sample_conclusions() {
   open.sentence = "ssim 0.97 [0.96, 0.98] holds the bound 0.975 after 8 looks";
   open.observed = Estimate{0.97, Interval{0.96, 0.98}};
   open.bound = 0.975;
-  results.gates = {pass, fail, open};
+  return {pass, fail, open};
+}
 
+inline std::vector<ChangeRecord> sample_changes() {
   ChangeRecord same;
   same.scene = "box";
   same.engine = "photon";
@@ -162,7 +156,23 @@ inline Results sample_conclusions() {
   slower.control = Interval{0.99, 1.01};
   slower.change = Change::regression;
   slower.sentence = "6 % slower";
-  results.changes = {same, slower};
+  return {same, slower};
+}
+
+/// sample_results and everything the harness may conclude from such a run: curves over seeds, gates of which one fails
+/// in two tiles, a stored reference, changes against an older run.
+inline Results sample_conclusions() {
+  Results results = sample_results();
+  results.caveats = {"the control's interval excludes 1: this machine is noisy"};
+  results.scenes[1].reference =
+      ReferenceRecord{"hole/reference-8x8.exr",
+                      "",
+                      "hole-ref.png",
+                      {{"estimator", "path"}, {"samples", "65536"}, {"standard_error", "0.1 %"}}};
+  results.convergence = {sample_curve()};
+  results.races = {{"box", 0.05, {{"photon", 1.25, false}, {"povray", 2.5, true}}}};
+  results.gates = sample_gates();
+  results.changes = sample_changes();
   return results;
 }
 

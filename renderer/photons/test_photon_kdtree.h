@@ -1,6 +1,7 @@
-// The k nearest photons, for radii that follow the density: a kd-tree whose leaves are buckets of photons as arrays,
-// cut at the median of the widest axis (Friedman, Bentley, Finkel 1977). Nodes keep the bounds of their photons instead
-// of the cuts: photons lie on surfaces, whose bounds are far smaller than a cut's half space.
+// The k nearest photons, as tests and benches find them (the program looks up discs alone): a kd-tree whose leaves are
+// buckets of photons as arrays, cut at the median of the widest axis (Friedman, Bentley, Finkel 1977). Nodes keep the
+// bounds of their photons instead of the cuts: photons lie on surfaces, whose bounds are far smaller than a cut's half
+// space.
 #pragma once
 
 #include <compare>

@@ -1,0 +1,63 @@
+// How far a value is off, what chance could have made of it, and the chi^2 of a channel's blocks: one rule for gates
+// (deviations.h) and for `agreement` (agreement.h).
+//
+// A difference over an estimated standard error is Student's t: its square has the expectation f/(f - 2) and not 1, so
+// that a plain sum of squares rejects right images, the more often the fewer degrees of freedom they leave. Each t is
+// turned into the normal deviate of the same probability first (student.h); the squares of n independent ones then sum
+// to chi^2 with n degrees of freedom, whatever theirs were.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace photonproof {
+
+/// Relative deviations by rounding: no difference this small proves anything.
+inline constexpr double rounding_deviation = 1e-5;
+
+/// A variance, and the degrees of freedom that it is known with.
+struct KnownVariance {
+  double variance = 0, freedom = std::numeric_limits<double>::infinity();
+};
+
+struct Deviation {
+  double difference = 0;                                     ///< from what is expected
+  double standard_error = 0;                                 ///< of `difference`
+  double freedom = std::numeric_limits<double>::infinity();  ///< of the standard error
+  double expected = 0;
+  double skewness = 0;  ///< of `difference`, where that matters
+  /// In standard errors, signed; less above the reference where skewness explains a part.
+  double errors() const;
+  /// In units of the normal distribution, signed.
+  double deviate() const;
+  /// The normal or t quantile that `difference` exceeds by chance with probability `tail`, times the standard error.
+  double margin(double tail) const;
+};
+
+/// Of two estimates, their noise taken together (Welch and Satterthwaite), and rounding.
+Deviation deviation_of(double mean, double reference, const KnownVariance& of_mean, const KnownVariance& of_reference);
+
+/// The level at which each of `tests` may fail so that one of them does with probability `alpha` (Sidak 1967).
+inline double sidak(double alpha, double tests) { return -std::expm1(std::log1p(-alpha) / tests); }
+
+/// The upper quantile of chi^2.
+double chi_square_bound(std::size_t degrees, double alpha);
+
+/// Sum of the squared deviates.
+double chi_square(std::span<const Deviation> blocks);
+
+struct BlockChiSquare {
+  std::size_t channel = 0;  ///< the worst
+  double value = 0, bound = 0;
+  bool beyond() const { return value > bound; }
+};
+
+/// Of three channels that need not be independent, by Sidak's level for three. Precondition: equally many
+/// blocks in each.
+BlockChiSquare chi_square_of_blocks(const std::array<std::vector<Deviation>, 3>& blocks, double alpha);
+
+}  // namespace photonproof
