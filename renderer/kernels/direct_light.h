@@ -24,52 +24,24 @@ Vec3<F> estimate_direct(const SceneView& scene, const SurfaceHit<F>& hit, const 
                         const Vec3<F>& wo_local, bool weighted, const F& u_choice, const Vec2<F>& u_point,
                         const Mask<F>& active, RayCounts& counts) {
   const LightChoice<F> choice = choose_light(scene, hit.p, active, u_choice);
-  LightSample<F> s{};
-  Mask<F> is_surface = as_mask<F>(false), can_be_hit = is_surface;
-  UInt<F> target = choice.primitive;
-  const auto keep = [&](const LightSample<F>& drawn, const Mask<F>& lanes) {
-    s.p_light = select(lanes, drawn.p_light, s.p_light);
-    s.normal_light = select(lanes, drawn.normal_light, s.normal_light);
-    s.wi_world = select(lanes, drawn.wi_world, s.wi_world);
-    s.radiance = select(lanes, drawn.radiance, s.radiance);
-    s.pdf = select(lanes, drawn.pdf, s.pdf);
-  };
-  for_each_light_kind<F>(
-      scene, choice.light, active,
-      [&](const auto& light, const Mask<F>& lanes) {
-        keep(light.sample(hit.p, u_point), lanes);
-        if (!light.is_delta) can_be_hit = can_be_hit || lanes;
-        if (!light.is_delta && !light.is_infinite) is_surface = is_surface || lanes;
-      },
-      [&](const Mask<F>& lanes) {
-        auto block = ask<LightSampleBlock, F>(choice.light, lanes);
-        put(block.p, hit.p);
-        store_from(u_point.x, block.u_x);
-        store_from(u_point.y, block.u_y);
-        sample_lights(*scene.general_lights, block);
-        keep({take3<F>(block.p_light), take3<F>(block.normal), take3<F>(block.wi), take3<F>(block.radiance),
-              take<F>(block.pdf)},
-             lanes);
-        can_be_hit = can_be_hit || (lanes && !take_mask<F>(block.is_delta));
-        is_surface = is_surface || (lanes && take_mask<F>(block.is_surface));
-        target = select(lanes && is_surface, target + take_words<F>(block.triangle), target);
-      });
-  const Vec3<F> wi_local = frame.to_local(s.wi_world);
+  Mask<F> findable;
+  const LightSample<F> s = sample_light(scene, choice.light, active, hit.p, u_point, findable);
+  const Vec3<F> wi_local = frame.to_local(s.wi);
   const Vec3<F> f = bsdf.eval(wo_local, wi_local);
   const Mask<F> bright = active && s.pdf * choice.probability > 0 && max_component(f) > 0;
   const Mask<F> lit = scene.dark_shadow_rays ? active : bright;
   if (!any(lit)) return Vec3<F>(F(0.0f));
   counts.shadow += count_lanes(lit);
 
-  const Vec3<F> from = offset_from(hit.p, hit.normal, s.wi_world, scene.coordinate_floor);
-  Vec3<F> to = s.p_light;
-  if (!scene.small && any(is_surface))
-    to = select(is_surface, offset_from(to, s.normal_light, Vec3<F>(-s.wi_world), scene.coordinate_floor), to);
+  const Vec3<F> from = offset_from(hit.p, hit.normal, s.wi, scene.coordinate_floor);
+  Vec3<F> to = s.at.p;
+  if (!scene.small) to = offset_from(to, s.at.normal, Vec3<F>(-s.wi), scene.coordinate_floor);
+  const UInt<F> target = choice.primitive + s.at.triangle;
   const Mask<F> visible = bright && !occluded(scene, from, Vec3<F>(to - from), hit.primitive, target, lit);
 
   const F pdf = s.pdf * choice.probability;
   F weight = (has_fault(Fault::dropped_cosine) ? F(1.0f) : lane_abs(wi_local.z)) / pdf;
-  if (weighted) weight *= select(can_be_hit, mis_weight(pdf, bsdf.pdf(wo_local, wi_local)), F(1.0f));
+  if (weighted) weight *= select(findable, mis_weight(pdf, bsdf.pdf(wo_local, wi_local)), F(1.0f));
   return select(visible, Vec3<F>(f * s.radiance * weight), Vec3<F>(F(0.0f)));
 }
 

@@ -1,51 +1,81 @@
-// Packs ask the scalar side about lights that need tables and for choices by position (light_block.h).
+// Lights that need tables as one more kind of light_kinds.h: packs ask scene_lights.h, one lane after the other.
 #pragma once
 
-#include <cstring>
-
-#include "renderer/light_choice/light_block.h"
-#include "renderer/rays/surface_hit.h"
+#include "renderer/lanes/lane_records.h"
+#include "renderer/light_choice/scene_lights.h"
 
 namespace photonproof {
 
+/// Each lane's own light; what other lanes than `lanes` ask is answered by zeros.
 template <class F>
-void put(LightBlock::Column3& to, const Vec3<F>& v) {
-  store_from(v.x, to[0]);
-  store_from(v.y, to[1]);
-  store_from(v.z, to[2]);
-}
-template <class F>
-Vec3<F> take3(const LightBlock::Column3& from) {
-  Vec3<F> v;
-  load_into(v.x, from[0]);
-  load_into(v.y, from[1]);
-  load_into(v.z, from[2]);
-  return v;
-}
-template <class F>
-F take(const LightBlock::Column& from) {
-  F v;
-  load_into(v, from);
-  return v;
-}
-template <class F>
-UInt<F> take_words(const LightBlock::Words& from) {
-  UInt<F> v;
-  load_into(v, from);
-  return v;
-}
-template <class F>
-Mask<F> take_mask(const LightBlock::Words& from) {
-  return !equal<F>(take_words<F>(from), UInt<F>(0u));
-}
+class GeneralLight {
+ public:
+  GeneralLight(const SceneLights& lights, const UInt<F>& light, const Mask<F>& lanes)
+      : lights_(lights), light_(light), lanes_(lanes) {}
 
-/// A block that asks about these lanes' lights; what lanes do not ask for is answered by zeros.
-template <class Block, class F>
-Block ask(const UInt<F>& light, const Mask<F>& lanes) {
-  Block block{};
-  block.active = to_bits(lanes);
-  store_from(light, block.light);
-  return block;
+  LightSample<F> sample(const Vec3<F>& p, const Vec2<F>& u) const {
+    return ask<LightSample<F>>([&](std::uint32_t light, std::size_t i) {
+      return LightSample<float>(lights_.sample_of(light, lane_of(p, i), lane_of(u, i)));
+    });
+  }
+  F pdf(const Vec3<F>& p, const LightPoint<F>& at) const {
+    return ask<F>(
+        [&](std::uint32_t light, std::size_t i) { return lights_.pdf_of(light, lane_of(p, i), lane_of(at, i)); });
+  }
+  /// Guided, where the scene's are, whatever the light's kind.
+  Emission<F> emit(const Vec2<F>& u_position, const Vec2<F>& u_direction) const {
+    return ask<Emission<F>>([&](std::uint32_t light, std::size_t i) {
+      return Emission<float>(lights_.start_of(light, lane_of(u_position, i), lane_of(u_direction, i)));
+    });
+  }
+  Vec3<F> flux_towards(const LightPoint<F>& at, const Vec3<F>& direction) const {
+    return ask<Vec3<F>>([&](std::uint32_t light, std::size_t i) {
+      return lights_.flux_towards(light, lane_of(at, i), lane_of(direction, i));
+    });
+  }
+  /// From points that rays met.
+  Vec3<F> leaving(const LightPoint<F>& at, const Vec3<F>& direction) const {
+    return ask<Vec3<F>>([&](std::uint32_t light, std::size_t i) {
+      return lights_.radiance(light, lights_.with_uv(light, lane_of(at, i)), lane_of(direction, i));
+    });
+  }
+  Mask<F> is_delta() const {
+    return ask_whether([&](std::uint32_t light) { return lights_.is_delta(light); });
+  }
+  Mask<F> is_infinite() const {
+    return ask_whether([&](std::uint32_t light) { return lights_.is_infinite(light); });
+  }
+
+ private:
+  template <class Answer, class Ask>
+  Answer ask(const Ask& one) const {
+    return each_lane<Answer, F>(lanes_, [&](std::size_t i) { return one(lane_of(light_, i), i); });
+  }
+  template <class Ask>
+  Mask<F> ask_whether(const Ask& one) const {
+    return !equal<F>(ask<UInt<F>>([&](std::uint32_t light, std::size_t) { return one(light) ? 1u : 0u; }), UInt<F>(0u));
+  }
+
+  const SceneLights& lights_;
+  UInt<F> light_;
+  Mask<F> lanes_;
+};
+
+template <class F, class Kind>
+Mask<F> is_delta(const Kind&) {
+  return as_mask<F>(Kind::is_delta);
+}
+template <class F>
+Mask<F> is_delta(const GeneralLight<F>& light) {
+  return light.is_delta();
+}
+template <class F, class Kind>
+Mask<F> is_infinite(const Kind&) {
+  return as_mask<F>(Kind::is_infinite);
+}
+template <class F>
+Mask<F> is_infinite(const GeneralLight<F>& light) {
+  return light.is_infinite();
 }
 
 }  // namespace photonproof

@@ -11,6 +11,7 @@
 #include "renderer/lanes/sampler.h"
 #include "renderer/lanes/test_lane_words.h"
 #include "renderer/light_choice/light_table.h"
+#include "renderer/light_choice/test_lights.h"
 #include "renderer/lights/light.h"
 #include "renderer/rays/small_scene.h"
 #include "renderer/rays/small_scene_tables.h"
@@ -81,19 +82,19 @@ TEST(lanes, every_light_agrees) {
       const F* rest = &in[record];
       const Vec3<F> p = vec3(rest), q = vec3(rest + 3), normal = vec3(rest + 6);
       const Vec2<F> u{rest[9], rest[10]}, v{rest[11], rest[12]};
-      std::array<F, 37> out;
+      const LightPoint<F> at{q, normal};
+      std::array<F, 44> out;
       std::size_t k = 0;
-      for (const F& word : words_of<13, F>(light.sample(p, u))) out[k++] = word;
-      for (const F& word : words_of<12, F>(light.emit(u, v))) out[k++] = word;
+      for (const F& word : words_of<16, F>(light.sample(p, u))) out[k++] = word;
+      for (const F& word : words_of<16, F>(light.emit(u, v))) out[k++] = word;
       for (const F& word : words(light.flux())) out[k++] = word;
-      for (const F& word : words(light.leaving(normal, q))) out[k++] = word;
-      for (const F& word : words(light.flux_towards(normal, q))) out[k++] = word;
-      for (const F& word : words_of<2, F>(light.emit_pdfs(normal, q))) out[k++] = word;
-      const LightSample<F> drawn = light.sample(p, v);
-      out[k++] = light.pdf(p, drawn.p_light, drawn.normal_light);
+      for (const F& word : words(light.leaving(at, q))) out[k++] = word;
+      for (const F& word : words(light.flux_towards(at, q))) out[k++] = word;
+      for (const F& word : words_of<2, F>(light.emit_pdfs(at, q))) out[k++] = word;
+      out[k++] = light.pdf(p, light.sample(p, v).at);
       return out;
     };
-    expect_lanes_agree<n, 37>("light " + std::to_string(kind), f, [](Random& random) {
+    expect_lanes_agree<n, 44>("light " + std::to_string(kind), f, [](Random& random) {
       Floats<n> in;
       // Lamps of any size, and points near them: had each number a size of its own, edges would nearly be parallel and
       // points lie in the lamp's plane but for rounding.
@@ -138,6 +139,76 @@ TEST(lanes, lights_are_chosen_alike) {
         return std::array<F, 2>{to_float(choice.light), choice.probability};
       },
       units<1>());
+}
+
+// --- one lane after the other ----------------------------------------------------------------------------------------
+
+LightPoint<float> random_point(Random& random) {
+  const auto triangle = static_cast<std::uint32_t>(random.next() * 4);
+  return {{random.next(), random.next(), random.next()}, test::direction(random), {0.25f, random.next()}, triangle};
+}
+
+TEST(lanes, single_lanes_of_a_record_are_its_words_in_that_lane) {
+  Random random(77);
+  std::array<LightPoint<float>, width> points;
+  LightPoint<Lanes> packed{};
+  for (std::size_t i = 0; i < width; ++i) set_lane<Lanes>(packed, i, points[i] = random_point(random));
+  for (std::size_t i = 0; i < width; ++i) {
+    EXPECT_EQ(packed.p.x[i], points[i].p.x);
+    EXPECT_EQ(packed.normal.z[i], points[i].normal.z);
+    EXPECT_EQ(packed.uv.y[i], points[i].uv.y);
+    EXPECT_EQ(packed.triangle[i], points[i].triangle);
+    EXPECT_EQ((words_of<9, float>(lane_of(packed, i))), (words_of<9, float>(points[i])));
+  }
+}
+
+TEST(lanes, lights_that_need_tables_answer_for_every_lane) {
+  const auto gaudy = [](const Vec2<float>& uv) { return Rgb(0.1f + uv.x, uv.y, 2); };
+  const MeshShape mesh({{0, 0, 0}, {1, 0, 0}, {0, 2, 0}, {0, 0, 3}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}, {},
+                       false);
+  const SpotLight<float> spot = spot_light({0, 0, 1}, {0, 0, -1}, Rgb(2), 0.5, 1.2);
+  const test::Lights lights({AreaLight(mesh, gaudy), EnvironmentLight(ConstantSky{Rgb(1, 2, 3)}, {0, 0, 0}, 5),
+                             TexturedSpotLight(spot, {1, 0, 0}, {0, 1, 0}, gaudy), PointLight<float>{{}, Rgb(1)}});
+  Random random(78);
+  for (int round = 0; round < 100; ++round) {
+    LaneBits light;
+    LightPoint<Lanes> at{};
+    Vec3<Lanes> p, direction;
+    Vec2<Lanes> u, v;
+    for (std::size_t i = 0; i < width; ++i) {
+      light[i] = static_cast<std::uint32_t>(random.next() * 4);
+      set_lane<Lanes>(at, i, random_point(random));
+      set_lane<Lanes>(p, i, test::direction(random) * 3.0f);
+      set_lane<Lanes>(direction, i, test::direction(random));
+      set_lane<Lanes>(u, i, Vec2<float>{random.next(), random.next()});
+      set_lane<Lanes>(v, i, Vec2<float>{random.next(), random.next()});
+    }
+    const Mask<Lanes> lanes = direction.x > 0;
+    const GeneralLight<Lanes> general(lights.scene, light, lanes);
+    const LightSample<Lanes> sample = general.sample(p, u);
+    const Emission<Lanes> emission = general.emit(u, v);
+    const Vec3<Lanes> leaving = general.leaving(at, direction), towards = general.flux_towards(at, direction);
+    const Lanes pdf = general.pdf(p, at);
+    const std::uint32_t deltas = to_bits(general.is_delta()), infinite = to_bits(general.is_infinite());
+    for (std::size_t i = 0; i < width; ++i) {
+      if (!(direction.x[i] > 0)) {
+        EXPECT_EQ((words_of<16, float>(lane_of(sample, i))), (words_of<16, float>(LightSample<float>{})));
+        continue;
+      }
+      const SceneLights& all = lights.scene;
+      const LightPoint<float> there = lane_of(at, i);
+      const Vec3f from = lane_of(p, i), d = lane_of(direction, i);
+      const LightSample<float> seen = all.sample_of(light[i], from, lane_of(u, i));
+      const Emission<float> start = all.start_of(light[i], lane_of(u, i), lane_of(v, i));
+      EXPECT_EQ((words_of<16, float>(lane_of(sample, i))), (words_of<16, float>(seen)));
+      EXPECT_EQ((words_of<16, float>(lane_of(emission, i))), (words_of<16, float>(start)));
+      EXPECT_EQ(lane_of(leaving, i), all.radiance(light[i], all.with_uv(light[i], there), d));
+      EXPECT_EQ(lane_of(towards, i), all.flux_towards(light[i], there, d));
+      EXPECT_EQ(pdf[i], all.pdf_of(light[i], from, there));
+      EXPECT_EQ(deltas >> i & 1u, all.is_delta(light[i]) ? 1u : 0u);
+      EXPECT_EQ(infinite >> i & 1u, all.is_infinite(light[i]) ? 1u : 0u);
+    }
+  }
 }
 
 // --- rays ------------------------------------------------------------------------------------------------------------

@@ -7,9 +7,12 @@
 #include "renderer/lanes/lane.h"
 #include "renderer/light_choice/light_choice.h"
 #include "renderer/lights/light_kinds.h"
+#include "renderer/rays/surface_hit.h"
 #include "renderer/scene/scene_view.h"
 
 namespace photonproof {
+
+inline bool has_general_lights(const SceneView& scene) { return (scene.light_kinds >> general_light_kind & 1u) != 0; }
 
 /// The record of a chosen light. A single one is the same in every lane: nothing to gather.
 template <template <class> class Kind, class F>
@@ -23,11 +26,10 @@ Kind<F> light_record(const SceneView& scene, const UInt<F>& light) {
   return record;
 }
 
-/// Calls visit(light record of F, lanes of that kind) for the kinds that occur among the active lanes' lights, and
-/// general(lanes) for those that need tables.
-template <class F, class Visit, class General>
-void for_each_light_kind(const SceneView& scene, const UInt<F>& light, const Mask<F>& active, Visit&& visit,
-                         General&& general) {
+/// Calls visit(light of F, lanes of that kind) for the kinds that occur among the active lanes' lights; those that need
+/// tables are one kind, GeneralLight.
+template <class F, class Visit>
+void for_each_light_kind(const SceneView& scene, const UInt<F>& light, const Mask<F>& active, Visit&& visit) {
   UInt<F> kind(0u);
   const bool one_kind = (scene.light_kinds & (scene.light_kinds - 1)) == 0;
   if (!one_kind) kind = gather(&scene.light_words->kind, UInt<F>(light * LightWords::stride));
@@ -39,9 +41,9 @@ void for_each_light_kind(const SceneView& scene, const UInt<F>& light, const Mas
     const Mask<F> lanes = lanes_of(index);
     if (any(lanes)) visit(light_record<Kind, F>(scene, light), lanes);
   });
-  if ((scene.light_kinds >> general_light_kind & 1u) == 0) return;
+  if (!has_general_lights(scene)) return;
   const Mask<F> lanes = lanes_of(general_light_kind);
-  if (any(lanes)) general(lanes);
+  if (any(lanes)) visit(GeneralLight<F>(*scene.general_lights, light, lanes), lanes);
 }
 
 /// Picks a light as a photon's start, with probability proportional to its flux; `u` is uniform in [0,1). A single
@@ -56,13 +58,8 @@ LightChoice<F> choose_light(const SceneView& scene, const F& u) {
 template <class F>
 LightChoice<F> choose_light(const SceneView& scene, const Vec3<F>& p, const Mask<F>& active, const F& u) {
   if (!scene.lights_by_position) return choose_light(scene, u);
-  auto block = ask<LightChoiceBlock, F>(UInt<F>(0u), active);
-  put(block.p, p);
-  store_from(u, block.u);
-  choose_lights(*scene.general_lights, block);
-  const UInt<F> light = take_words<F>(block.light);
-  return {light, take<F>(block.probability),
-          gather(&scene.light_words->primitive, UInt<F>(light * LightWords::stride))};
+  return each_lane<LightChoice<F>, F>(
+      active, [&](std::size_t i) { return scene.general_lights->choose(lane_of(p, i), lane_of(u, i)); });
 }
 
 /// The probability of that choice.
@@ -70,39 +67,45 @@ template <class F>
 F choice_probability(const SceneView& scene, const UInt<F>& light, const Mask<F>& active, const Vec3<F>& p) {
   if (scene.one_light) return F(1.0f);
   if (!scene.lights_by_position) return gather(&scene.light_words->probability, UInt<F>(light * LightWords::stride));
-  auto block = ask<LightChoiceBlock, F>(light, active);
-  put(block.p, p);
-  choice_probabilities(*scene.general_lights, block);
-  return take<F>(block.probability);
+  return each_lane<F, F>(active, [&](std::size_t i) {
+    return scene.general_lights->choice_probability(lane_of(p, i), lane_of(light, i));
+  });
 }
 
-/// Of a mesh light that was met.
+/// A point of a light for every lane, the choice of the light not in its density. `findable`: lanes where a ray could
+/// find it too.
 template <class F>
-UInt<F> triangle_of(const SceneView& scene, const SurfaceHit<F>& hit, const UInt<F>& light) {
-  if (!scene.small) return hit.primitive;
-  return hit.primitive - gather(&scene.light_words->primitive, UInt<F>(light * LightWords::stride));
+LightSample<F> sample_light(const SceneView& scene, const UInt<F>& light, const Mask<F>& active, const Vec3<F>& p,
+                            const Vec2<F>& u, Mask<F>& findable) {
+  LightSample<F> s{};
+  findable = as_mask<F>(false);
+  for_each_light_kind<F>(scene, light, active, [&](const auto& kind, const Mask<F>& lanes) {
+    s = select(lanes, kind.sample(p, u), s);
+    findable = findable || (lanes && !is_delta<F>(kind));
+  });
+  return s;
+}
+
+/// The point of a light that was met. Only lights that need tables care about a mesh's triangle.
+template <class F>
+LightPoint<F> light_point(const SceneView& scene, const SurfaceHit<F>& hit, const UInt<F>& light) {
+  LightPoint<F> at{hit.p, hit.normal};
+  if (!has_general_lights(scene)) return at;
+  at.triangle = hit.primitive;
+  if (scene.small) at.triangle -= gather(&scene.light_words->primitive, UInt<F>(light * LightWords::stride));
+  return at;
 }
 
 /// Density per solid angle at `p_from` with which next-event estimation would have drawn the point of `light` that was
-/// met.
+/// met, the choice inside.
 template <class F>
 F direct_light_pdf(const SceneView& scene, const UInt<F>& light, const Mask<F>& active, const Vec3<F>& p_from,
                    const SurfaceHit<F>& met) {
   F pdf(0.0f);
-  for_each_light_kind<F>(
-      scene, light, active,
-      [&](const auto& record, const Mask<F>& lanes) {
-        pdf = select(lanes, record.pdf(p_from, met.p, met.normal), pdf);
-      },
-      [&](const Mask<F>& lanes) {
-        auto block = ask<LightPdfBlock, F>(light, lanes);
-        put(block.p, p_from);
-        put(block.p_light, met.p);
-        put(block.normal, met.normal);
-        store_from(triangle_of<F>(scene, met, light), block.triangle);
-        light_pdfs(*scene.general_lights, block);
-        pdf = select(lanes, take<F>(block.pdf), pdf);
-      });
+  const LightPoint<F> at = light_point<F>(scene, met, light);
+  for_each_light_kind<F>(scene, light, active, [&](const auto& kind, const Mask<F>& lanes) {
+    pdf = select(lanes, kind.pdf(p_from, at), pdf);
+  });
   if (scene.one_light) return pdf;
   return pdf * choice_probability<F>(scene, light, active, p_from);
 }
@@ -112,20 +115,10 @@ template <class F>
 Vec3<F> emitted_radiance(const SceneView& scene, const SurfaceHit<F>& hit, const UInt<F>& light, const Mask<F>& active,
                          const Vec3<F>& direction) {
   Vec3<F> radiance(F(0.0f));
-  for_each_light_kind<F>(
-      scene, light, active,
-      [&](const auto& record, const Mask<F>& lanes) {
-        radiance = select(lanes, record.leaving(hit.normal, direction), radiance);
-      },
-      [&](const Mask<F>& lanes) {
-        auto block = ask<LightRadianceBlock, F>(light, lanes);
-        put(block.p, hit.p);
-        put(block.normal, hit.normal);
-        put(block.direction, direction);
-        store_from(triangle_of<F>(scene, hit, light), block.triangle);
-        radiance_of_lights(*scene.general_lights, block);
-        radiance = select(lanes, take3<F>(block.radiance), radiance);
-      });
+  const LightPoint<F> at = light_point<F>(scene, hit, light);
+  for_each_light_kind<F>(scene, light, active, [&](const auto& kind, const Mask<F>& lanes) {
+    radiance = select(lanes, kind.leaving(at, direction), radiance);
+  });
   return radiance;
 }
 
@@ -139,11 +132,11 @@ struct EnvironmentLook {
 template <class F>
 EnvironmentLook<F> look_at_environment(const SceneView& scene, const Vec3<F>& origin, const Vec3<F>& direction,
                                        const Mask<F>& active) {
-  const UInt<F> light(scene.environment);
-  auto block = ask<EnvironmentBlock, F>(light, active);
-  put(block.direction, direction);
-  look_at_environment(*scene.general_lights, block);
-  return {take3<F>(block.radiance), take<F>(block.pdf) * choice_probability<F>(scene, light, active, origin)};
+  return each_lane<EnvironmentLook<F>, F>(active, [&](std::size_t i) {
+    const Vec3f d = lane_of(direction, i);
+    return EnvironmentLook<float>{scene.general_lights->environment_radiance(d),
+                                  scene.general_lights->environment_pdf(lane_of(origin, i), d)};
+  });
 }
 
 }  // namespace photonproof

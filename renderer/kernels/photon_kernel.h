@@ -56,39 +56,20 @@ class PhotonKernel : public BatchKernel<PhotonKernel<F>, PhotonState, TransportM
     const LightChoice<F> choice = choose_light(scene_, u_light);
     const Vec2<F> u_position = draw(s, 0u);
     const Vec2<F> u_direction = draw(s, 1u);
-    Vec3<F> normal(F(0.0f));
-    s.from = choice.primitive;
-    const auto keep = [&](const Emission<F>& start, const Mask<F>& of_kind) {
-      s.origin = select(of_kind, start.p_world, s.origin);
-      normal = select(of_kind, start.normal, normal);
-      s.direction = select(of_kind, start.direction, s.direction);
-      s.flux = select(of_kind, start.flux, s.flux);
+    Emission<F> start{};
+    const auto shine = [&](const auto& light, const Mask<F>& of_kind) {
+      start = select(of_kind, emit(s, light, u_position, u_direction, of_kind), start);
     };
-    const auto aim_from = [&](const Vec3<F>& p) {
-      const F u_target = draw_independent<F>(U(task_.seed), U(s.path + task_.first), U(2u));
-      return aim(scene_, p, u_target, u_direction);
-    };
-    const auto from_table = [&](const Mask<F>& of_kind) {
-      keep(emit_from_table(s, choice, u_position, u_direction, aim_from, of_kind), of_kind);
-    };
-    if (scene_.guided_emission) {
-      from_table(lanes);
-    } else {
-      for_each_light_kind<F>(
-          scene_, choice.light, lanes,
-          [&](const auto& light, const Mask<F>& of_kind) {
-            Emission<F> start = light.emit(u_position, u_direction);
-            if (task_.aimed && !light.is_infinite) {  // what comes from infinity goes where it goes
-              const AimedDirection<F> aimed = aim_from(start.p_world);
-              start.direction = aimed.direction;
-              start.flux = light.flux_towards(start.normal, aimed.direction) * (1 / aimed.pdf);
-            }
-            keep(start, of_kind);
-          },
-          from_table);
-    }
+    if (scene_.guided_emission)
+      shine(GeneralLight<F>(*scene_.general_lights, choice.light, lanes), lanes);
+    else
+      for_each_light_kind<F>(scene_, choice.light, lanes, shine);
+    // A primitive of a small scene; elsewhere rays leave by their offset.
+    s.from = select(equal<F>(choice.primitive, U(no_index)), choice.primitive, choice.primitive + start.at.triangle);
+    s.flux = start.flux;
+    s.direction = start.direction;
     s.flux *= F(task_.share) / choice.probability;
-    s.origin = offset_from(s.origin, normal, s.direction, scene_.coordinate_floor);
+    s.origin = offset_from(start.at.p, start.at.normal, s.direction, scene_.coordinate_floor);
     s.weight = F(1.0f);
     s.edges = U(0u);
     s.bounced = U(0u);
@@ -151,33 +132,19 @@ class PhotonKernel : public BatchKernel<PhotonKernel<F>, PhotonState, TransportM
  private:
   using Base::scene_;
 
-  /// From lights that need tables, and from all where starts are guided.
-  template <class Aim>
-  Emission<F> emit_from_table(PhotonState<F>& s, const LightChoice<F>& choice, const Vec2<F>& u_position,
-                              const Vec2<F>& u_direction, const Aim& aim_from, const Mask<F>& lanes) const {
-    auto block = ask<LightEmitBlock, F>(choice.light, lanes);
-    store_from(u_position.x, block.position_x);
-    store_from(u_position.y, block.position_y);
-    store_from(u_direction.x, block.direction_x);
-    store_from(u_direction.y, block.direction_y);
-    emit_from_lights(*scene_.general_lights, block);
-    Emission<F> start{take3<F>(block.origin), take3<F>(block.normal), take3<F>(block.direction), take3<F>(block.flux)};
-    // A primitive of a small scene; elsewhere rays leave by their offset.
-    const Mask<F> on_mesh = lanes && !equal<F>(s.from, U(no_index));
-    s.from = select(on_mesh, s.from + take_words<F>(block.triangle), s.from);
-    const Mask<F> aimable = lanes && take_mask<F>(block.can_be_aimed);
-    if (!task_.aimed || !any(aimable)) return start;
-
-    const AimedDirection<F> aimed = aim_from(start.p_world);
-    auto towards = ask<LightTowardsBlock, F>(choice.light, aimable);
-    put(towards.normal, start.normal);
-    put(towards.direction, aimed.direction);
-    std::memcpy(towards.uv_x, block.uv_x, sizeof block.uv_x);
-    std::memcpy(towards.uv_y, block.uv_y, sizeof block.uv_y);
-    flux_towards(*scene_.general_lights, towards);
-    start.direction = select(aimable, aimed.direction, start.direction);
-    start.flux =
-        select(aimable, Vec3<F>(take3<F>(towards.flux) * (1 / aimed.pdf) * (1 / take<F>(block.crowding))), start.flux);
+  /// Aimed where that is wanted; what comes from infinity goes where it goes.
+  template <class Light>
+  Emission<F> emit(const PhotonState<F>& s, const Light& light, const Vec2<F>& u_position, const Vec2<F>& u_direction,
+                   const Mask<F>& lanes) const {
+    Emission<F> start = light.emit(u_position, u_direction);
+    if (!task_.aimed) return start;
+    const Mask<F> finite = lanes && !is_infinite<F>(light);
+    if (!any(finite)) return start;
+    const F u_target = draw_independent<F>(U(task_.seed), U(s.path + task_.first), U(2u));
+    const AimedDirection<F> aimed = aim(scene_, start.at.p, u_target, u_direction);
+    const Vec3<F> flux = light.flux_towards(start.at, aimed.direction) * (1 / aimed.pdf) * (1 / start.crowding);
+    start.direction = select(finite, aimed.direction, start.direction);
+    start.flux = select(finite, flux, start.flux);
     return start;
   }
 

@@ -95,8 +95,7 @@ Estimate irradiance(const Light& light, std::uint64_t seed, int samples) {
   const test::Lights lights({light});
   double sum = 0, squares = 0;
   for (int i = 0; i < samples; ++i) {
-    const LightConnection c =
-        lights.scene.sample({0, 0, 0}, 0.5f, test::Random(seed, static_cast<std::uint64_t>(i)).next2());
+    const LightSeen c = lights.scene.sample({0, 0, 0}, 0.5f, test::Random(seed, static_cast<std::uint64_t>(i)).next2());
     const double x = c.pdf > 0 ? double{c.radiance.x} * std::max(0.0, double{c.wi.y}) / double{c.pdf} / half_turn : 0;
     sum += x;
     squares += x * x;
@@ -147,9 +146,9 @@ TEST(close_lamps, guided_photons_carry_what_every_part_of_the_lamp_emits_in_ever
       for (int i = 0; i < samples; ++i) {
         test::Random r(7300, static_cast<std::uint64_t>(i));
         const Vec2<float> u_position = r.next2();
-        const LightEmission e = lights.scene.emit(0.5f, u_position, r.next2());
+        const LightStart e = lights.scene.emit(0.5f, u_position, r.next2());
         if (!(e.flux.x > 0)) continue;
-        const double from = length(Vec3d(e.origin) - Vec3d(0, 1, 0)), cosine = dot(e.normal, e.direction);
+        const double from = length(Vec3d(e.at.p) - Vec3d(0, 1, 0)), cosine = dot(e.at.normal, e.direction);
         const std::size_t bin = (cosine * cosine > 0.5 ? 2 : 0) + (e.direction.x > 0 ? 1 : 0);
         for (std::size_t k = 0; k < reach.size(); ++k)
           if (from < reach[k]) {
@@ -183,8 +182,8 @@ TEST(close_lamps, guided_photons_of_a_long_tube_carry_what_it_emits) {
       for (int i = 0; i < samples; ++i) {
         test::Random r(7400, static_cast<std::uint64_t>(i));
         const Vec2<float> u_position = r.next2();
-        const LightEmission e = lights.scene.emit(0.5f, u_position, r.next2());
-        if (std::abs(double{e.origin.x}) > z || (sign > 0 && e.normal.y > -0.8660254f)) continue;
+        const LightStart e = lights.scene.emit(0.5f, u_position, r.next2());
+        if (std::abs(double{e.at.p.x}) > z || (sign > 0 && e.at.normal.y > -0.8660254f)) continue;
         sum += double{e.flux.x};
         squares += double{e.flux.x} * double{e.flux.x};
       }

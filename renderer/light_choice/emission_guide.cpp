@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
-#include <type_traits>
 
 #include "renderer/lights/light_bounds.h"
 
@@ -35,9 +33,8 @@ struct Viewpoint {
     return std::visit([&](const auto& shape) { return of_shape(shape); }, l.shape());
   }
   template <class L>
-  std::optional<Vec3f> operator()(const L&) const {
-    return std::nullopt;
-  }
+  requires(L::is_delta || L::is_infinite) std::optional<Vec3f>
+  operator()(const L&) const { return std::nullopt; }
 
  private:
   std::optional<Vec3f> before_plane(const Vec3f& on, const Vec3f& normal, float diagonal, float other) const {
@@ -82,15 +79,6 @@ struct Viewpoint {
   }
 };
 
-LightSample<float> sample_from(const Light& light, const Vec3f& p, const Vec2<float>& u, std::uint32_t& triangle) {
-  if (const auto* area = std::get_if<AreaLight>(&light)) {
-    LightSample<float> s{};
-    std::tie(s, triangle) = area->sample_point(p, u);
-    return s;
-  }
-  return std::visit([&](const auto& l) { return l.sample(p, u); }, light);
-}
-
 /// u < 1/2 or not, and what is left of it, uniform again.
 bool takes_second_half(float& u) {
   const bool second = u >= 0.5f;
@@ -98,28 +86,9 @@ bool takes_second_half(float& u) {
   return second;
 }
 
-GuidedStart guided(const AreaLight::Start& even) {
-  const Vec3f& p = even.emission.p_world;
-  return {p, even.emission.normal, even.uv, even.triangle, even.emission.direction, p};
-}
+GuidedStart guided(const Emission<float>& even) { return {even.at, even.direction, even.at.p}; }
 
 }  // namespace
-
-AreaLight::Start even_start(const Light& light, const Vec2<float>& u_position, const Vec2<float>& u_direction) {
-  if (const auto* area = std::get_if<AreaLight>(&light)) return area->start(u_position, u_direction);
-  return {std::visit([&](const auto& l) { return l.emit(u_position, u_direction); }, light), {}, 0};
-}
-
-float density_from(const Light& light, const Vec3f& p, const Vec3f& p_light, const Vec3f& n, std::uint32_t triangle) {
-  return std::visit(
-      [&](const auto& l) {
-        if constexpr (std::is_same_v<std::decay_t<decltype(l)>, AreaLight>)
-          return l.pdf(p, p_light, n, triangle);
-        else
-          return l.pdf(p, p_light, n);
-      },
-      light);
-}
 
 EmissionGuide::EmissionGuide(const std::vector<Light>& lights, const std::vector<AimTarget>& seen,
                              const SceneBall& scene)
@@ -140,65 +109,62 @@ EmissionGuide::EmissionGuide(const std::vector<Light>& lights, const std::vector
 /// The direction is drawn as without a guide.
 GuidedStart EmissionGuide::start_far(const Light& light, const AimTarget& ball, const Vec2<float>& u_position,
                                      const Vec2<float>& u_direction) const {
-  GuidedStart start = guided(even_start(light, {0.5f, 0.5f}, u_direction));
+  GuidedStart start = guided(emit(light, {0.5f, 0.5f}, u_direction));
   const Vec2<float> d = square_to_disc(u_position);
   start.on_line = ball.center + Frame<float>(start.direction).to_world({d.x, d.y, 0}) * ball.radius;
-  start.p = start.on_line - start.direction * (scene_.radius + length(ball.center - scene_.center));
+  start.at.p = start.on_line - start.direction * (scene_.radius + length(ball.center - scene_.center));
   return start;
 }
 
 std::optional<GuidedStart> EmissionGuide::start(const Light& light, std::uint32_t index, const Vec2<float>& u_position,
                                                 const Vec2<float>& u_direction) const {
   Vec2<float> u = u_position, u_way = u_direction;
-  if (!takes_second_half(u.x)) return guided(even_start(light, u, u_direction));
+  if (!takes_second_half(u.x)) return guided(emit(light, u, u_direction));
   const std::vector<View>& views = views_[index];
   const float scaled = u.x * static_cast<float>(views.size());
   const std::size_t which = std::min(static_cast<std::size_t>(scaled), views.size() - 1);
   u.x = std::min(scaled - static_cast<float>(which), 1 - 0x1p-24f);
   if (is_infinite(light)) return start_far(light, views[which].ball, u, u_direction);
 
-  GuidedStart start;
-  const LightSample<float> s = sample_from(light, views[which].from, u, start.triangle);
+  const LightSample<float> s = sample(light, views[which].from, u);
   if (!(s.pdf > 0)) return std::nullopt;
-  start.p = start.on_line = s.p_light;
-  start.normal = s.normal_light;
-  if (const auto* area = std::get_if<AreaLight>(&light)) start.uv = area->uv_at(start.p, start.triangle);
+  GuidedStart start;
+  start.at = with_uv(light, s.at);
+  start.on_line = s.at.p;
   if (takes_second_half(u_way.x)) {
-    const AimCone<float> cone = cone_towards<float>(views[which].ball.center, views[which].ball.radius, start.p);
+    const AimCone<float> cone = cone_towards<float>(views[which].ball.center, views[which].ball.radius, start.at.p);
     start.direction = normalize(Frame<float>(cone.axis).to_world(square_to_cone(u_way, cone.one_minus_cos)));
   } else {
-    start.direction = Frame<float>(start.normal).to_world(square_to_cosine_hemisphere(u_way));
+    start.direction = Frame<float>(start.at.normal).to_world(square_to_cosine_hemisphere(u_way));
   }
   return start;
 }
 
-EmissionPdfs<float> EmissionGuide::pdfs(const Light& light, std::uint32_t index, const Vec3f& p, const Vec3f& n,
-                                        std::uint32_t triangle, const Vec3f& direction,
-                                        const EmissionPdfs<float>& even) const {
+EmissionPdfs<float> EmissionGuide::pdfs(const Light& light, std::uint32_t index, const LightPoint<float>& at,
+                                        const Vec3f& direction, const EmissionPdfs<float>& even) const {
   const std::vector<View>& views = views_[index];
   const double share = 0.5 / static_cast<double>(views.size());
   if (is_infinite(light)) {
     double here = 0;
     for (const View& view : views) {
       const double r2 = double{view.ball.radius} * double{view.ball.radius};
-      if (double{length_squared(cross(p - view.from, direction))} <= r2) here += 1 / (std::numbers::pi * r2);
+      if (double{length_squared(cross(at.p - view.from, direction))} <= r2) here += 1 / (std::numbers::pi * r2);
     }
-    return {static_cast<float>(0.5 * double{even.position} + share * here), even.direction};
+    return {even.first, static_cast<float>(0.5 * double{even.second} + share * here)};
   }
   double position = 0, both = 0;
   for (const View& view : views) {
-    const Vec3f d = view.from - p;
-    const float distance2 = length_squared(d), cosine = dot(n, d) / std::sqrt(distance2);
+    const Vec3f d = view.from - at.p;
+    const float distance2 = length_squared(d), cosine = dot(at.normal, d) / std::sqrt(distance2);
     if (!(cosine > 0)) continue;
-    const double here = double{density_from(light, view.from, p, n, triangle)} * double{cosine} / double{distance2};
-    const AimCone<float> cone = cone_towards<float>(view.ball.center, view.ball.radius, p);
+    const double here = double{pdf(light, view.from, at)} * double{cosine} / double{distance2};
+    const AimCone<float> cone = cone_towards<float>(view.ball.center, view.ball.radius, at.p);
     const bool inside = 1 - dot(direction, cone.axis) <= cone.one_minus_cos;
     position += here;
-    both +=
-        here * 0.5 * (double{even.direction} + (inside ? 1 / (2 * std::numbers::pi * double{cone.one_minus_cos}) : 0));
+    both += here * 0.5 * (double{even.second} + (inside ? 1 / (2 * std::numbers::pi * double{cone.one_minus_cos}) : 0));
   }
-  const double all = 0.5 * double{even.position} + share * position;
-  const double joint = 0.5 * double{even.position} * double{even.direction} + share * both;
+  const double all = 0.5 * double{even.first} + share * position;
+  const double joint = 0.5 * double{even.first} * double{even.second} + share * both;
   return {static_cast<float>(all), static_cast<float>(joint / all)};
 }
 

@@ -22,13 +22,11 @@
 
 namespace photonproof {
 
-/// A start of a light path, before its direction is drawn.
+/// A start of a light path; what it carries is left to the caller.
 struct GuidedStart {
-  Vec3f p, normal;
-  Vec2<float> uv;
-  std::uint32_t triangle = 0;
+  LightPoint<float> at;
   Vec3f direction{0, 0, 1};
-  Vec3f on_line;  ///< a point of the path's line near what is looked at; p where the start is on a surface
+  Vec3f on_line;  ///< a point of the path's line near what is looked at; at.p where the start is on a surface
 };
 
 class EmissionGuide {
@@ -42,10 +40,10 @@ class EmissionGuide {
   /// Nothing where the place drawn does not see the light. `light` is what `lights` has at `index`, which is guided.
   std::optional<GuidedStart> start(const Light& light, std::uint32_t index, const Vec2<float>& u_position,
                                    const Vec2<float>& u_direction) const;
-  /// Densities of that; of light from infinity, p is any point of the path's line. `even`: what they are without a
+  /// Densities of that; of light from infinity, at.p is any point of the path's line. `even`: what they are without a
   /// guide.
-  EmissionPdfs<float> pdfs(const Light& light, std::uint32_t index, const Vec3f& p, const Vec3f& n,
-                           std::uint32_t triangle, const Vec3f& direction, const EmissionPdfs<float>& even) const;
+  EmissionPdfs<float> pdfs(const Light& light, std::uint32_t index, const LightPoint<float>& at, const Vec3f& direction,
+                           const EmissionPdfs<float>& even) const;
 
  private:
   struct View {
@@ -59,11 +57,5 @@ class EmissionGuide {
   std::vector<std::vector<View>> views_;  ///< of each light
   std::size_t guided_ = 0;                ///< lights with views
 };
-
-/// Where a path from the light starts without a guide: its texture coordinates and triangle are those of area lights.
-AreaLight::Start even_start(const Light& light, const Vec2<float>& u_position, const Vec2<float>& u_direction);
-
-/// Density per solid angle of next-event estimation from p for the point p_light of a light that has been chosen.
-float density_from(const Light& light, const Vec3f& p, const Vec3f& p_light, const Vec3f& n, std::uint32_t triangle);
 
 }  // namespace photonproof

@@ -78,11 +78,10 @@ TEST(light_photons, of_point_like_lights_match_their_density) {
   std::uint64_t seed = 740;
   for (const Case& c : all) {
     const Lights lights({c.light});
-    EXPECT_GT(
-        test::direction_p_value([&](Random& r) { return lights.scene.emit(0, r.next2(), r.next2()).direction; },
-                                [&](const Vec3f& d) { return lights.scene.emission_pdfs(0, {}, {}, 0, d).direction; },
-                                ++seed, samples, 8, c.cells),
-        test::sidak_level(static_cast<int>(all.size())))
+    EXPECT_GT(test::direction_p_value([&](Random& r) { return lights.scene.emit(0, r.next2(), r.next2()).direction; },
+                                      [&](const Vec3f& d) { return lights.scene.emit_pdfs(0, {}, d).second; }, ++seed,
+                                      samples, 8, c.cells),
+              test::sidak_level(static_cast<int>(all.size())))
         << c.name;
   }
 }
@@ -103,19 +102,19 @@ TEST(light_photons, from_infinity_enter_evenly_through_the_disc_that_covers_the_
       for (int i = 0; i < samples; ++i) {
         Random r(760 + static_cast<std::uint64_t>(tests), static_cast<std::uint64_t>(i));
         const Vec2<float> u = r.next2();
-        const LightEmission e = lights.scene.emit(0, u, r.next2());
-        const Vec3d d(e.direction), at = (Vec3d(e.origin) - Vec3d(center)) / double{radius};
+        const LightStart e = lights.scene.emit(0, u, r.next2());
+        const Vec3d d(e.direction), at = (Vec3d(e.at.p) - Vec3d(center)) / double{radius};
         const Vec3d s = normalize(cross(std::abs(d.x) < 0.6 ? Vec3d(1, 0, 0) : Vec3d(0, 1, 0), d));
         const double x = dot(at, s), y = dot(at, cross(d, s)), turns = std::atan2(y, x) / (2 * std::numbers::pi) + 0.5;
         observed[static_cast<std::size_t>(std::min(static_cast<int>((x * x + y * y) * rings), rings - 1) * sectors +
                                           std::min(static_cast<int>(turns * sectors), sectors - 1))] += 1;
         // On the disc that faces the scene, a radius before its middle, to a few roundings of 4 radii.
         wrong += std::abs(dot(at, d) + 1) > 4e-6 || x * x + y * y > 1 + 4e-6 || (!sky && e.direction != direction);
-        wrong += e.pdf_position != lights.scene.emission_pdfs(0, center, {}, 0, e.direction).position;
+        wrong += e.pdfs.second != lights.scene.emit_pdfs(0, {center}, e.direction).second;
       }
       EXPECT_EQ(wrong, 0);
       const double disc = std::numbers::pi * double{radius} * double{radius};
-      const double density = lights.scene.emission_pdfs(0, center, {}, 0, direction).position;
+      const double density = lights.scene.emit_pdfs(0, {center}, direction).second;
       for (std::size_t i = 0; i < cells; ++i) {
         expected[i] = samples * density * disc / cells;
         tilted[i] = expected[i] * (i < cells / 2 ? 1.02 : 0.98);
@@ -144,9 +143,9 @@ TEST(light_photons, from_infinity_that_are_guided_carry_what_enters_everywhere) 
       for (int i = 0; i < draws; ++i) {
         Random r(780, static_cast<std::uint64_t>(i));
         const Vec2<float> u = r.next2();
-        const LightEmission e = lights.scene.emit(0, u, r.next2());
+        const LightStart e = lights.scene.emit(0, u, r.next2());
         const Vec3d d(e.direction);
-        if (length(cross(places[k].first - Vec3d(e.origin), d)) > places[k].second) continue;
+        if (length(cross(places[k].first - Vec3d(e.at.p), d)) > places[k].second) continue;
         sum += double{e.flux.x};
         squares += double{e.flux.x} * double{e.flux.x};
       }

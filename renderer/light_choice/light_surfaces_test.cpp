@@ -86,16 +86,16 @@ void expect_density_of_view(const test::SurfaceLight& light, const Vec3f& p, dou
   std::vector<double> observed(cells.count() + 1), expected(cells.count() + 1);  // the last: none
   int wrong = 0;
   for (std::uint64_t i = 0; i < draws; ++i) {
-    const LightConnection c = lights.scene.sample(p, 0.5f, Random(seed, i).next2());
+    const LightSeen c = lights.scene.sample(p, 0.5f, Random(seed, i).next2());
     if (!(c.pdf > 0) || seen.patches.empty()) {
       observed.back() += 1;
       wrong += c.pdf > 0;
       continue;
     }
-    const Vec3d q(c.p_light), n(c.normal), d = q - Vec3d(p);
+    const Vec3d q(c.at.p), n(c.at.normal), d = q - Vec3d(p);
     // By the direction: the point's own rounding would show where it is close.
     observed[cells.of(Vec3d(p) + Vec3d(c.wi) * length(d), n)] += 1;
-    wrong += differ(c.pdf, lights.scene.pdf(p, c.light, c.p_light, c.normal, c.triangle), -dot(n, d) / length(d),
+    wrong += differ(c.pdf, lights.scene.pdf(c.light, p, c.at), -dot(n, d) / length(d),
                     0x1p-24 * length(q) / std::min(length(d), light.width), light.slant(q, n));
   }
   EXPECT_EQ(wrong, 0) << "samples whose density is not that of the point they found, or from where nothing shines";
@@ -105,7 +105,7 @@ void expect_density_of_view(const test::SurfaceLight& light, const Vec3f& p, dou
         i,
         [&](const PatchPoint& at) {
           const Vec3f q(at.p), n(at.n);
-          const double density = lights.scene.pdf(p, 0, q, n, at.triangle);
+          const double density = lights.scene.pdf(0, p, {q, n, {}, at.triangle});
           if (at.solid_angle > 0) return density * at.solid_angle;
           const Vec3d d = Vec3d(p) - Vec3d(q);  // as rounded as the light's
           return density * at.area * dot(Vec3d(n), d) / (length(d) * dot(d, d));
@@ -184,17 +184,18 @@ void expect_density_of_photons(const test::SurfaceLight& light, double level, st
   for (std::uint64_t i = 0; i < static_cast<std::uint64_t>(samples); ++i) {
     Random r(seed, i);
     const Vec2<float> u_position = r.next2();
-    const LightEmission e = lights.scene.emit(0, u_position, r.next2());
-    const Vec3d p(e.origin), n(e.normal), d(e.direction);
+    const LightStart e = lights.scene.emit(0, u_position, r.next2());
+    const Vec3d p(e.at.p), n(e.at.normal), d(e.direction);
     const std::size_t cell = cells.of(p, n);
     const std::size_t patch = cell / static_cast<std::size_t>(cells.side() * cells.side());
     const Vec2<double> uv = light.whole[patch].uv(p);
     PatchPoint from = light.whole[patch].at(std::clamp(uv.x, 0.0, 1.0), uv.y);
     observed[cell * directions + DirectionCell::of(d, from)] += 1;
     const double cosine = dot(n, d);
-    const EmissionPdfs<float> pdfs = lights.scene.emission_pdfs(0, e.origin, e.normal, e.triangle, e.direction);
-    const float flux = e.radiance.x * static_cast<float>(cosine) / (e.pdf_position * e.pdf_direction);
-    wrong += differ(e.pdf_position, pdfs.position, 1) || differ(e.pdf_direction, pdfs.direction, cosine) ||
+    const EmissionPdfs<float> pdfs = lights.scene.emit_pdfs(0, e.at, e.direction);
+    const float radiance = lights.scene.radiance(0, e.at, e.direction).x;
+    const float flux = radiance * static_cast<float>(cosine) / (e.pdfs.first * e.pdfs.second);
+    wrong += differ(e.pdfs.first, pdfs.first, 1) || differ(e.pdfs.second, pdfs.second, cosine) ||
              differ(e.flux.x, flux, cosine);
   }
   EXPECT_EQ(wrong, 0) << "photons whose densities or flux are not those of where and whither they start";
@@ -204,8 +205,8 @@ void expect_density_of_photons(const test::SurfaceLight& light, double level, st
       const double mass = cells.integral(i, [&](const PatchPoint& at) {
         return at.area * DirectionCell::integral(k, at, [&](const Vec3d& d) {
                  const EmissionPdfs<float> pdfs =
-                     lights.scene.emission_pdfs(0, Vec3f(at.p), Vec3f(at.n), at.triangle, Vec3f(d));
-                 return double{pdfs.position} * double{pdfs.direction};
+                     lights.scene.emit_pdfs(0, {Vec3f(at.p), Vec3f(at.n), {}, at.triangle}, Vec3f(d));
+                 return double{pdfs.first} * double{pdfs.second};
                });
       });
       expected[i * directions + k] = mass * samples;

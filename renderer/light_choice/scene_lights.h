@@ -1,4 +1,6 @@
-// One scalar interface over every kind of light, for estimators that follow one history at a time.
+// All lights of a scene: which one, a point of it, a light path's start, and the densities of those. Scalar integrators
+// ask here; kernels do for lights that need tables, for choices by position and for guided starts, and draw the rest by
+// the same formulas in their lanes (kernels/lights.h).
 //
 // Kinds of light, and what `radiance` and the densities mean for them:
 //   surface      (rectangle, sphere, disk, cylinder, mesh)  radiance, W m^-2 sr^-1; position density per area
@@ -6,20 +8,20 @@
 //   environment  (constant, envmap, sunsky)  radiance; no position of its own, see below
 //   directional  irradiance on a surface that faces it, W m^-2; the direction is a delta: density 1
 //
-// Emission. A surface light's photon starts at a point with density pdf_position per area and leaves with density
-// pdf_direction per solid angle. An infinite light's direction of travel is drawn first, with pdf_direction per solid
-// angle (1 for a directional light); then the point where it enters, uniformly on the disc across that direction that
-// covers the ball around the scene: pdf_position = 1 / (pi radius^2) per area across the direction. What a photon
-// carries is in every case
-//   flux = radiance |cos| / (pdf_position pdf_direction), divided by the probability of the light,
+// Emission. A surface light's photon starts at a point with a density per area and leaves with one per solid angle. An
+// infinite light's direction of travel is drawn first; then the point where it enters, uniformly on the disc across
+// that direction that covers the ball around the scene: 1 / (pi radius^2) per area across the direction. EmissionPdfs
+// are in that order. What a photon carries is in every case
+//   flux = radiance |cos| / (pdfs.first pdfs.second), divided by the probability of the light,
 // where |cos| is that of the emission's normal, 1 without one: infinite lights count as the disc, facing the scene.
 // A bidirectional estimator's density of the first vertex on a surface y met by the photon is then
-//   finite lights     pdf_direction |cos_y| / distance^2 per area
-//   infinite lights   pdf_position |cos_y| per area, and pdf_direction takes the place of the light vertex's own
-//   density
+//   finite lights     pdfs.second |cos_y| / distance^2 per area
+//   infinite lights   pdfs.second |cos_y| per area, and pdfs.first takes the place of the light vertex's own density
 //
 // The ball holds all shapes but infinite planes, which emission of infinite lights does not cover outside of it:
-// emission_pdfs is 0 there, so that weights of multiple importance sampling hold.
+// emit_pdfs are 0 there, so that weights of multiple importance sampling hold.
+//
+// Densities are of a light that has been chosen where the name ends in _of; else the choice is inside.
 #pragma once
 
 #include <cstdint>
@@ -28,6 +30,7 @@
 #include <vector>
 
 #include "renderer/light_choice/emission_guide.h"
+#include "renderer/light_choice/light_choice.h"
 #include "renderer/light_choice/light_words.h"
 #include "renderer/lights/light.h"
 #include "renderer/shapes/surface.h"
@@ -36,36 +39,18 @@ namespace photonproof {
 
 class LightTree;
 
-/// A point or a direction of a light, seen from a reference point.
-struct LightConnection {
-  std::uint32_t light = 0;
-  Vec3f p_light;  ///< of an infinite light: beyond the ball, where shadow segments end
-  Vec3f normal;   ///< of a surface light, unit; else 0
-  Vec3f wi;       ///< unit, from the reference point
-  float distance = 0;
-  Rgb radiance;           ///< arriving along wi; of a delta light the irradiance at normal incidence (1/d^2 inside)
-  float pdf = 0;          ///< per solid angle, 1 for a delta light, times `probability`; 0: no light from here
-  float probability = 0;  ///< of having chosen this light
-  std::uint32_t triangle = 0;  ///< of a mesh
-  bool is_delta = false;       ///< no ray finds it: sampling it is the only strategy
+/// A light as seen from a point; pdf is 0 where it shows nothing.
+struct LightSeen : LightSample<float> {
+  std::uint32_t light = no_index;
+  bool is_delta = false;  ///< no ray finds it: sampling it is the only strategy
   bool is_infinite = false;
 };
 
-struct LightEmission {
-  std::uint32_t light = 0;
-  Vec3f origin;                     ///< on the light; of an infinite one on the disc before the scene
-  Vec3f normal;                     ///< of a surface light, unit; else 0
-  Vec3f direction;                  ///< unit
-  Vec2<float> uv;                   ///< of a surface light with a texture
-  Rgb radiance;                     ///< as the table above says
-  Rgb flux;                         ///< radiance |cos| / (pdf_position pdf_direction probability)
-  float pdf_position = 0;           ///< probability not inside
-  float pdf_direction = 0;          ///< probability not inside
-  std::uint32_t triangle = 0;       ///< of a mesh
-  float probability = 0;            ///< of having chosen this light
-  bool is_delta_position = false;   ///< a point-like light
-  bool is_delta_direction = false;  ///< a directional light
-  bool is_infinite = false;
+/// A light path's start; its flux is 0 where there is none.
+struct LightStart : Emission<float> {
+  EmissionPdfs<float> pdfs;
+  std::uint32_t light = no_index;
+  bool is_delta = false, is_infinite = false;
 };
 
 class SceneLights {
@@ -79,49 +64,41 @@ class SceneLights {
 
   std::size_t count() const { return lights_.size(); }
   const SceneBall& ball() const { return ball_; }
-  bool is_delta(std::uint32_t light) const { return photonproof::is_delta(lights_[light]); }
-  bool is_infinite(std::uint32_t light) const { return photonproof::is_infinite(lights_[light]); }
+  bool is_delta(std::uint32_t light) const;
+  bool is_infinite(std::uint32_t light) const;
 
-  /// Chooses a light for the reference point p, and a point or direction of it. Without lights pdf is 0.
-  LightConnection sample(const Vec3f& p, float u_choice, const Vec2<float>& u) const;
-  /// The density with which `sample` from p gives the point p_light, with normal n, of a surface light; of a mesh, on
-  /// that triangle.
-  float pdf(const Vec3f& p, std::uint32_t light, const Vec3f& p_light, const Vec3f& n, std::uint32_t triangle) const;
-  struct Choice {
-    std::uint32_t light = 0;
-    float probability = 0;
-  };
-  /// What `sample` begins with. Without a light that could shine there, the probability is 0.
-  Choice choose(const Vec3f& p, float u) const;
-  /// The probability with which `sample` from p chooses this light.
+  /// Chooses a light for the reference point p; its probability is 0 where none could shine.
+  LightChoice<float> choose(const Vec3f& p, float u) const;
   float choice_probability(const Vec3f& p, std::uint32_t light) const;
+  LightSeen sample_of(std::uint32_t light, const Vec3f& p, const Vec2<float>& u) const;
+  /// Chooses a light, and a point or direction of it. pdf: of a delta light the probability of its choice.
+  LightSeen sample(const Vec3f& p, float u_choice, const Vec2<float>& u) const;
+  /// The density with which sampling from p gives that point, per solid angle; 0 of a delta light.
+  float pdf_of(std::uint32_t light, const Vec3f& p, const LightPoint<float>& at) const;
+  float pdf(std::uint32_t light, const Vec3f& p, const LightPoint<float>& at) const;
+  /// The same for a light path's start, or where it came from; of a delta light the probability of its choice.
+  float pdf(const Vec3f& p, const LightStart& start) const;
 
   /// Light paths start where what the camera sees gets its light from (emission_guide.h), from now on.
   void guide_emission(EmissionGuide guide) { guide_ = std::move(guide); }
   bool has_guide() const { return !guide_.empty(); }
 
-  /// A light path's start at a light that has been chosen; its flux is 0 where there is none.
-  struct Start {
-    Emission<float> emission;
-    EmissionPdfs<float> pdfs;
-    Vec2<float> uv;
-    std::uint32_t triangle = 0;
-    float crowding = 1;  ///< density of the position over that of an even one
-  };
-  Start start(std::uint32_t light, const Vec2<float>& u_position, const Vec2<float>& u_direction) const;
-  /// `u_choice` chooses the light in proportion to its flux.
-  LightEmission emit(float u_choice, const Vec2<float>& u_position, const Vec2<float>& u_direction) const;
-  /// Densities with which `emit` starts a photon of this light on the ray through p in `direction`, the light's choice
-  /// not inside. `p`, `n`: of a surface light its point and normal there, of a mesh on that triangle; of others any
-  /// point of the ray, and n is not used. Delta densities are given as 1.
-  EmissionPdfs<float> emission_pdfs(std::uint32_t light, const Vec3f& p, const Vec3f& n, std::uint32_t triangle,
-                                    const Vec3f& direction) const;
+  LightStart start_of(std::uint32_t light, const Vec2<float>& u_position, const Vec2<float>& u_direction) const;
+  /// Chooses the light in proportion to its flux. The choice is in the flux and in pdfs.first.
+  LightStart emit(float u_choice, const Vec2<float>& u_position, const Vec2<float>& u_direction) const;
+  /// Densities with which a photon of this light starts on the ray through that point in `direction`. The point is the
+  /// light's where it has a surface; of others it is any point of the ray.
+  EmissionPdfs<float> emit_pdfs_of(std::uint32_t light, const LightPoint<float>& at, const Vec3f& direction) const;
+  EmissionPdfs<float> emit_pdfs(std::uint32_t light, const LightPoint<float>& at, const Vec3f& direction) const;
   /// The probability with which `emit` chooses this light.
-  float emission_probability(std::uint32_t light) const;
+  float emission_probability(std::uint32_t light) const { return words_[light].probability; }
+  /// What a photon that starts there evenly carries towards `direction`, W sr^-1 (light_kinds.h).
+  Rgb flux_towards(std::uint32_t light, const LightPoint<float>& at, const Vec3f& direction) const;
 
-  /// From a point with normal n (towards the emitting side) and texture coordinates uv of a surface light, in
-  /// direction w; 0 from behind.
-  Rgb emitted_radiance(std::uint32_t light, const Vec3f& n, const Vec2<float>& uv, const Vec3f& w) const;
+  /// From a point of a light, with its texture coordinates, in `direction`; 0 from behind.
+  Rgb radiance(std::uint32_t light, const LightPoint<float>& at, const Vec3f& direction) const;
+  /// A point that a ray met, with its texture coordinates.
+  LightPoint<float> with_uv(std::uint32_t light, const LightPoint<float>& at) const;
 
   /// The light that rays see which leave the scene.
   std::optional<std::uint32_t> environment() const { return environment_; }
@@ -138,7 +115,8 @@ class SceneLights {
   static constexpr std::size_t most_in_table = 16;
 
  private:
-  Choice choose_infinite(float u) const;
+  LightChoice<float> chosen(std::uint32_t light, float probability) const;
+  LightChoice<float> choose_infinite(float u) const;
 
   const std::vector<Light>& lights_;
   const std::vector<LightWords>& words_;

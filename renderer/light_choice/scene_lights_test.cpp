@@ -108,12 +108,12 @@ TEST(scene_lights, a_sample_of_an_environment_has_the_density_and_radiance_of_it
     const Lights lights({sky.light});
     for (std::uint64_t i = 0; i < 2000; ++i) {
       Random r(210, i);
-      const LightConnection c = lights.scene.sample({0.1f, 0.2f, 0.3f}, r.next(), r.next2());
-      if (!(c.pdf > 0)) continue;
-      EXPECT_EQ(c.pdf, lights.scene.environment_pdf({0.1f, 0.2f, 0.3f}, c.wi)) << sky.name;
-      EXPECT_EQ(c.radiance, lights.scene.environment_radiance(c.wi)) << sky.name;
-      EXPECT_TRUE(c.is_infinite && !c.is_delta);
-      EXPECT_GT(length(c.p_light), 1000);
+      const LightSeen seen = lights.scene.sample({0.1f, 0.2f, 0.3f}, r.next(), r.next2());
+      if (!(seen.pdf > 0)) continue;
+      EXPECT_EQ(seen.pdf, lights.scene.environment_pdf({0.1f, 0.2f, 0.3f}, seen.wi)) << sky.name;
+      EXPECT_EQ(seen.radiance, lights.scene.environment_radiance(seen.wi)) << sky.name;
+      EXPECT_TRUE(seen.is_infinite && !seen.is_delta);
+      EXPECT_GT(length(seen.at.p), 1000);
     }
   }
 }
@@ -126,8 +126,8 @@ TEST(scene_lights, sampling_an_environment_finds_the_integral_of_its_radiance) {
     constexpr int samples = 400'000;
     for (int i = 0; i < samples; ++i) {
       Random r(220, static_cast<std::uint64_t>(i));
-      const LightConnection c = lights.scene.sample({0, 0, 0}, 0.5f, r.next2());
-      if (c.pdf > 0) sum += double{c.radiance.y} / double{c.pdf};
+      const LightSeen seen = lights.scene.sample({0, 0, 0}, 0.5f, r.next2());
+      if (seen.pdf > 0) sum += double{seen.radiance.y} / double{seen.pdf};
     }
     const double exact = over_sphere([&](const Vec3f& d) { return double{lights.scene.environment_radiance(d).y}; });
     EXPECT_NEAR(sum / samples, exact, 0.01 * exact) << sky.name;
@@ -164,13 +164,12 @@ TEST(scene_lights, surface_samples_match_their_density_from_random_places) {
       constexpr int samples = 100'000;
       for (int i = 0; i < samples; ++i) {
         Random r(231 + place, static_cast<std::uint64_t>(i));
-        const LightConnection c = lights.scene.sample(p, 0, r.next2());
-        if (!(c.pdf > 0)) continue;
-        const float again = lights.scene.pdf(p, c.light, c.p_light, c.normal, c.triangle);
-        ASSERT_NEAR(again, c.pdf, 2e-3f * c.pdf + 1e-5f) << named.name;
-        EXPECT_NEAR(c.distance, length(c.p_light - p), 1e-5f);
+        const LightSeen seen = lights.scene.sample(p, 0, r.next2());
+        if (!(seen.pdf > 0)) continue;
+        const float again = lights.scene.pdf(seen.light, p, seen.at);
+        ASSERT_NEAR(again, seen.pdf, 2e-3f * seen.pdf + 1e-5f) << named.name;
         // Projected area: the integral of cos / d^2 over the light's front, from the same points by area.
-        inverse += 1 / double{c.pdf};
+        inverse += 1 / double{seen.pdf};
         checked += 1;
       }
       ASSERT_GT(checked, 0) << named.name;
@@ -178,10 +177,10 @@ TEST(scene_lights, surface_samples_match_their_density_from_random_places) {
       double by_area = 0;
       for (int i = 0; i < samples; ++i) {
         Random r(241 + place, static_cast<std::uint64_t>(i));
-        const LightEmission e = lights.scene.emit(0, r.next2(), r.next2());
-        const Vec3f d = p - e.origin;
-        const double cosine = double{dot(e.normal, d)} / double{length(d)};
-        if (cosine > 0) by_area += cosine / double{dot(d, d)} / double{e.pdf_position};
+        const LightStart e = lights.scene.emit(0, r.next2(), r.next2());
+        const Vec3f d = p - e.at.p;
+        const double cosine = double{dot(e.at.normal, d)} / double{length(d)};
+        if (cosine > 0) by_area += cosine / double{dot(d, d)} / double{e.pdfs.first};
       }
       EXPECT_NEAR(inverse, by_area, 0.03 * by_area) << named.name;
     }
@@ -198,14 +197,14 @@ TEST(scene_lights, photons_leave_with_their_density_and_carry_the_flux) {
     RgbD sum(0.0);
     for (int i = 0; i < samples; ++i) {
       Random r(seed, static_cast<std::uint64_t>(i));
-      const LightEmission e = lights.scene.emit(0.5f, r.next2(), r.next2());
+      const LightStart e = lights.scene.emit(0.5f, r.next2(), r.next2());
       sum += RgbD(e.flux);
-      const EmissionPdfs<float> pdfs = lights.scene.emission_pdfs(0, e.origin, e.normal, e.triangle, e.direction);
-      ASSERT_NEAR(pdfs.direction, e.pdf_direction, 1e-3f * e.pdf_direction) << named.name;
-      ASSERT_EQ(pdfs.position, e.pdf_position) << named.name;
-      const float cosine = e.is_delta_position ? 1 : dot(e.normal, e.direction);
-      if (!(e.pdf_direction > 1e-4f)) continue;
-      const Rgb carried = e.radiance * (cosine / (e.pdf_position * e.pdf_direction));
+      const EmissionPdfs<float> pdfs = lights.scene.emit_pdfs(0, e.at, e.direction);
+      ASSERT_NEAR(pdfs.second, e.pdfs.second, 1e-3f * e.pdfs.second) << named.name;
+      ASSERT_EQ(pdfs.first, e.pdfs.first) << named.name;
+      const float cosine = e.is_delta ? 1 : dot(e.at.normal, e.direction);
+      if (!(e.pdfs.second > 1e-4f)) continue;
+      const Rgb carried = lights.scene.radiance(0, e.at, e.direction) * (cosine / (e.pdfs.first * e.pdfs.second));
       ASSERT_NEAR(carried.x, e.flux.x, 2e-3f * e.flux.x + 1e-6f) << named.name;
     }
     const Rgb whole = flux(named.light);
@@ -220,23 +219,13 @@ TEST(scene_lights, directions_of_photons_of_point_like_lights_match_their_densit
   std::uint64_t seed = 270;
   for (const Named& named : all) {
     const Lights lights({named.light});
-    EXPECT_GT(
-        test::direction_p_value([&](Random& r) { return lights.scene.emit(0, r.next2(), r.next2()).direction; },
-                                [&](const Vec3f& d) { return lights.scene.emission_pdfs(0, {}, {}, 0, d).direction; },
-                                ++seed, 1'000'000),
-        test::sidak_level(static_cast<int>(all.size())))
+    EXPECT_GT(test::direction_p_value([&](Random& r) { return lights.scene.emit(0, r.next2(), r.next2()).direction; },
+                                      [&](const Vec3f& d) { return lights.scene.emit_pdfs(0, {}, d).second; }, ++seed,
+                                      1'000'000),
+              test::sidak_level(static_cast<int>(all.size())))
         << named.name;
     // The flux is the integral of the intensity.
-    const double exact = over_sphere([&](const Vec3f& d) {
-      return double{std::visit(
-          [&](const auto& l) {
-            if constexpr (std::decay_t<decltype(l)>::is_delta)
-              return l.leaving(Vec3f(0.0f), d).x;
-            else
-              return 0.0f;
-          },
-          named.light)};
-    });
+    const double exact = over_sphere([&](const Vec3f& d) { return double{lights.scene.radiance(0, {}, d).x}; });
     EXPECT_NEAR(double{flux(named.light).x}, exact, 0.01 * exact) << named.name;
   }
 }
@@ -252,16 +241,16 @@ TEST(scene_lights, photons_from_infinity_cross_the_ball_evenly) {
     constexpr int samples = 2'000'000;
     for (int i = 0; i < samples; ++i) {
       Random r(290, static_cast<std::uint64_t>(i));
-      const LightEmission e = lights.scene.emit(0, r.next2(), r.next2());
+      const LightStart e = lights.scene.emit(0, r.next2(), r.next2());
       if (e.direction.z >= 0) continue;
-      ASSERT_LE(length(e.origin), 2 * 1.42f);
-      const float t = (0.5f - e.origin.z) / e.direction.z;
-      const Vec3f p = e.origin + e.direction * t;
+      ASSERT_LE(length(e.at.p), 2 * 1.42f);
+      const float t = (0.5f - e.at.p.z) / e.direction.z;
+      const Vec3f p = e.at.p + e.direction * t;
       if (std::abs(p.x - 0.4f) < 0.5f && std::abs(p.y) < 0.5f) through += double{e.flux.y};
       if (i < 100) {
-        const auto pdfs = lights.scene.emission_pdfs(0, p, {}, 0, e.direction);
-        EXPECT_NEAR(pdfs.position, 1 / (4 * pi), 1e-6f);
-        EXPECT_NEAR(pdfs.direction, e.pdf_direction, 1e-3f * e.pdf_direction);
+        const auto pdfs = lights.scene.emit_pdfs(0, {p}, e.direction);
+        EXPECT_NEAR(pdfs.second, 1 / (4 * pi), 1e-6f);
+        EXPECT_NEAR(pdfs.first, e.pdfs.first, 1e-3f * e.pdfs.first);
       }
     }
     const double exact = lights.scene.environment() ? over_sphere([&](const Vec3f& d) {
@@ -269,7 +258,7 @@ TEST(scene_lights, photons_from_infinity_cross_the_ball_evenly) {
     })
                                                     : 3 / std::sqrt(1.1);
     EXPECT_NEAR(through / samples, exact, 0.015 * exact) << named.name;
-    EXPECT_EQ(lights.scene.emission_pdfs(0, {5, 5, 0}, {}, 0, {0, 0, -1}).position, 0) << "beside the ball";
+    EXPECT_EQ(lights.scene.emit_pdfs(0, {{5, 5, 0}}, {0, 0, -1}).second, 0) << "beside the ball";
   }
 }
 

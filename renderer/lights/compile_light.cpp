@@ -19,73 +19,80 @@ std::pair<Vec3f, Vec3f> across(const Vec3f& forward, const Vec3f& right) {
 
 // --- shapes ----------------------------------------------------------------------------------------------------------
 
-LightShape light_shape(const Quad& q) { return QuadShape{q.corner, q.edge_u, q.edge_v, q.normal}; }
+/// A shape as light_area.h has it.
+struct CompileShape {
+  const ShapeDescription& shape;
+  const Transform& to_world;
+  const std::string& where;
 
-LightShape light_shape(const Sphere& s, const Transform& to_world) {
-  return SphereShape{s.center,
-                     s.radius,
-                     axis(to_world, {1, 0, 0}),
-                     axis(to_world, {0, 1, 0}),
-                     axis(to_world, {0, 0, 1}),
-                     s.inward ? -1.0f : 1.0f};
-}
+  LightShape operator()(const Quad& q) const { return QuadShape{q.corner, q.edge_u, q.edge_v, q.normal}; }
 
-LightShape light_shape(const Mesh& mesh, bool flip_v) {
-  std::vector<Vec3f> positions(mesh.positions.begin(), mesh.positions.end() - 1);  // the last is a spare
-  std::vector<Vec2<float>> uvs = mesh.source->uvs;
-  if (flip_v)
-    for (Vec2<float>& uv : uvs) uv.y = 1 - uv.y;
-  return MeshShape(std::move(positions), mesh.source->triangles, std::move(uvs), mesh.inward);
-}
+  LightShape operator()(const Sphere& s) const {
+    return SphereShape{s.center,
+                       s.radius,
+                       axis(to_world, {1, 0, 0}),
+                       axis(to_world, {0, 1, 0}),
+                       axis(to_world, {0, 0, 1}),
+                       s.inward ? -1.0f : 1.0f};
+  }
 
-DiskShape disk(const ShapeDescription& shape, const Transform& to_world) {
-  const Vec3d u = to_world.vector({1, 0, 0}), v = to_world.vector({0, 1, 0});
-  const bool mirrored = shape.to_world.determinant() < 0;
-  const Vec3d normal = normalize(cross(u, v)) * (shape.flip_normals != mirrored ? -1.0 : 1.0);
-  return {Vec3f(to_world.point({0, 0, 0})), Vec3f(u), Vec3f(v), Vec3f(normal)};
-}
+  LightShape operator()(const Mesh& mesh) const {
+    std::vector<Vec3f> positions(mesh.positions.begin(), mesh.positions.end() - 1);  // the last is a spare
+    std::vector<Vec2<float>> uvs = mesh.source->uvs;
+    if (mesh.flip_v)
+      for (Vec2<float>& uv : uvs) uv.y = 1 - uv.y;
+    return MeshShape(std::move(positions), mesh.source->triangles, std::move(uvs), mesh.inward);
+  }
 
-CylinderShape cylinder(const CylinderDescription& c, const ShapeDescription& shape, const Transform& to_world) {
-  // Mitsuba turns the cylinder's local z to p1 - p0 by its own frame; u starts at that frame's first axis.
-  const Vec3d along = c.p1 - c.p0;
-  const Frame<float> frame(Vec3f(normalize(along)));
-  return {Vec3f(to_world.point(c.p0)),
-          Vec3f(to_world.vector(along)),
-          axis(to_world, Vec3d(frame.s)),
-          axis(to_world, Vec3d(frame.t)),
-          static_cast<float>(c.radius * shape.to_world.similarity_scale()),
-          shape.flip_normals ? -1.0f : 1.0f};
-}
+  LightShape operator()(const Disk&) const { return disk(); }
 
-Light plain_light(const Geometry& geometry, const ShapeDescription& shape, const Transform& to_world,
-                  const Rgb& radiance, const std::string& where) {
-  if (const auto* q = std::get_if<Quad>(&geometry))
-    return QuadLight<float>{q->corner, q->edge_u, q->edge_v, q->normal, q->area, radiance};
-  if (const auto* s = std::get_if<Sphere>(&geometry))
-    return SphereLight<float>{s->center, s->radius, s->inward ? -1.0f : 1.0f, radiance};
-  if (const auto* mesh = std::get_if<Mesh>(&geometry)) return AreaLight(light_shape(*mesh, false), radiance);
-  if (std::holds_alternative<DiskDescription>(shape.geometry)) {
-    const DiskShape d = disk(shape, to_world);
+  LightShape operator()(const Cylinder&) const {
+    // Mitsuba turns the cylinder's local z to p1 - p0 by its own frame; u starts at that frame's first axis.
+    const auto& c = std::get<CylinderDescription>(shape.geometry);
+    const Vec3d along = c.p1 - c.p0;
+    const Frame<float> frame(Vec3f(normalize(along)));
+    return CylinderShape{Vec3f(to_world.point(c.p0)),
+                         Vec3f(to_world.vector(along)),
+                         axis(to_world, Vec3d(frame.s)),
+                         axis(to_world, Vec3d(frame.t)),
+                         static_cast<float>(c.radius * shape.to_world.similarity_scale()),
+                         shape.flip_normals ? -1.0f : 1.0f};
+  }
+
+  LightShape operator()(const Plane&) const { throw refusal(); }
+  LightShape operator()(const MeshInstance&) const { throw refusal(); }
+
+  DiskShape disk() const {
+    const Vec3d u = to_world.vector({1, 0, 0}), v = to_world.vector({0, 1, 0});
+    const bool mirrored = shape.to_world.determinant() < 0;
+    const Vec3d normal = normalize(cross(u, v)) * (shape.flip_normals != mirrored ? -1.0 : 1.0);
+    return {Vec3f(to_world.point({0, 0, 0})), Vec3f(u), Vec3f(v), Vec3f(normal)};
+  }
+
+ private:
+  InputError refusal() const { return InputError(where, "this shape cannot be a light"); }
+};
+
+/// A lamp of constant radiance: of some shapes there is a kind that kernels sample in their lanes.
+struct CompilePlainLight {
+  const CompileShape& shape;
+  const Rgb& radiance;
+
+  Light operator()(const Quad& q) const {
+    return QuadLight<float>{q.corner, q.edge_u, q.edge_v, q.normal, q.area, radiance};
+  }
+  Light operator()(const Sphere& s) const {
+    return SphereLight<float>{s.center, s.radius, s.inward ? -1.0f : 1.0f, radiance};
+  }
+  Light operator()(const Disk&) const {
+    const DiskShape d = shape.disk();
     return DiskLight<float>{d.center, d.half_axis_u, d.half_axis_v, d.normal, d.area(), radiance};
   }
-  if (const auto* c = std::get_if<CylinderDescription>(&shape.geometry))
-    return AreaLight(cylinder(*c, shape, to_world), radiance);
-  throw InputError(where, "this shape cannot be a light");
-}
-
-Light textured_light(const Geometry& geometry, const ShapeDescription& shape, const Transform& to_world,
-                     const LightTexture& texture, const std::string& where) {
-  if (const auto* q = std::get_if<Quad>(&geometry)) return AreaLight(light_shape(*q), texture);
-  if (const auto* s = std::get_if<Sphere>(&geometry)) return AreaLight(light_shape(*s, to_world), texture);
-  if (const auto* mesh = std::get_if<Mesh>(&geometry)) {
-    const auto* description = std::get_if<MeshDescription>(&shape.geometry);
-    return AreaLight(light_shape(*mesh, description != nullptr && description->flip_tex_coords), texture);
+  template <class Other>
+  Light operator()(const Other& other) const {
+    return AreaLight(shape(other), radiance);
   }
-  if (std::holds_alternative<DiskDescription>(shape.geometry)) return AreaLight(disk(shape, to_world), texture);
-  if (const auto* c = std::get_if<CylinderDescription>(&shape.geometry))
-    return AreaLight(cylinder(*c, shape, to_world), texture);
-  throw InputError(where, "this shape cannot be a light");
-}
+};
 
 // --- emitters --------------------------------------------------------------------------------------------------------
 
@@ -151,10 +158,11 @@ Light with_usable_flux(Light light, const std::string& where) {
 
 Light compile_surface_light(const Geometry& geometry, const ShapeDescription& shape, const Transform& to_world,
                             const TextureLookup& texture, const std::string& where) {
-  const Colour& radiance = *shape.radiance;
-  if (const auto* index = std::get_if<TextureIndex>(&radiance))
-    return with_usable_flux(textured_light(geometry, shape, to_world, texture(*index), where), where);
-  return with_usable_flux(plain_light(geometry, shape, to_world, Rgb(constant(radiance)), where), where);
+  const CompileShape compile{shape, to_world, where};
+  if (const auto* index = std::get_if<TextureIndex>(&*shape.radiance))
+    return with_usable_flux(AreaLight(std::visit(compile, geometry), texture(*index)), where);
+  const Rgb radiance(constant(*shape.radiance));
+  return with_usable_flux(std::visit(CompilePlainLight{compile, radiance}, geometry), where);
 }
 
 Light compile_light(const EmitterDescription& emitter, const Vec3d& moved, const SceneBall& ball,

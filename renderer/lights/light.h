@@ -1,5 +1,6 @@
 // Every kind of light, as the host sees it: those of light_kinds.h, which kernels also sample in their lanes, and those
-// that need tables, which offer the same as classes. Code that does not care which it has asks scene_lights.h.
+// that need tables, which offer the same as classes. What follows asks one whatever its kind, as light_kinds.h has it;
+// scene_lights.h asks all of a scene.
 #pragma once
 
 #include "renderer/lights/light_area.h"
@@ -28,6 +29,33 @@ inline bool is_infinite(const Light& light) {
 }
 inline Rgb flux(const Light& light) {
   return std::visit([](const auto& l) { return l.flux(); }, light);
+}
+inline LightSample<float> sample(const Light& light, const Vec3f& p, const Vec2<float>& u) {
+  return std::visit([&](const auto& l) { return l.sample(p, u); }, light);
+}
+inline float pdf(const Light& light, const Vec3f& p, const LightPoint<float>& at) {
+  return std::visit([&](const auto& l) { return l.pdf(p, at); }, light);
+}
+inline Emission<float> emit(const Light& light, const Vec2<float>& u_position, const Vec2<float>& u_direction) {
+  return std::visit([&](const auto& l) { return l.emit(u_position, u_direction); }, light);
+}
+inline EmissionPdfs<float> emit_pdfs(const Light& light, const LightPoint<float>& at, const Vec3f& direction) {
+  return std::visit([&](const auto& l) { return l.emit_pdfs(at, direction); }, light);
+}
+inline Rgb flux_towards(const Light& light, const LightPoint<float>& at, const Vec3f& direction) {
+  return std::visit([&](const auto& l) { return l.flux_towards(at, direction); }, light);
+}
+inline Rgb leaving(const Light& light, const LightPoint<float>& at, const Vec3f& direction) {
+  return std::visit([&](const auto& l) { return l.leaving(at, direction); }, light);
+}
+/// The point with its texture coordinates, which lights whose radiance depends on them say by uv_at.
+inline LightPoint<float> with_uv(const Light& light, LightPoint<float> at) {
+  std::visit(
+      [&](const auto& l) {
+        if constexpr (requires { l.uv_at(at); }) at.uv = l.uv_at(at);
+      },
+      light);
+  return at;
 }
 
 }  // namespace photonproof

@@ -17,7 +17,7 @@ Rgb mean_over(const LightShape& shape, const LightTexture& texture) {
   for (int row = 0; row < cells; ++row)
     for (int column = 0; column < cells; ++column) {
       const Vec2<float> u{(static_cast<float>(column) + 0.5f) / cells, (static_cast<float>(row) + 0.5f) / cells};
-      const AreaPoint point = std::visit([&](const auto& s) { return s.sample(u); }, shape);
+      const LightPoint<float> point = std::visit([&](const auto& s) { return s.sample(u); }, shape);
       sum += RgbD(texture(point.uv));
     }
   return Rgb(sum / (cells * cells));
@@ -48,27 +48,27 @@ float turn_of(float x, float y) {
 
 }  // namespace
 
-Vec2<float> QuadShape::uv_at(const Vec3f& p, std::uint32_t) const { return in_basis(p - corner, edge_u, edge_v); }
+Vec2<float> QuadShape::uv_at(const LightPoint<float>& at) const { return in_basis(at.p - corner, edge_u, edge_v); }
 
-Vec2<float> DiskShape::uv_at(const Vec3f& p, std::uint32_t) const {
-  const Vec2<float> d = in_basis(p - center, half_axis_u, half_axis_v);
+Vec2<float> DiskShape::uv_at(const LightPoint<float>& at) const {
+  const Vec2<float> d = in_basis(at.p - center, half_axis_u, half_axis_v);
   return {std::hypot(d.x, d.y), turn_of(d.x, d.y)};
 }
 
-Vec2<float> SphereShape::uv_at(const Vec3f& p, std::uint32_t) const {
-  const Vec3f d = normalize(p - center);
+Vec2<float> SphereShape::uv_at(const LightPoint<float>& at) const {
+  const Vec3f d = normalize(at.p - center);
   return {turn_of(dot(d, start), dot(d, side)), angle_between(d, up) / pi};
 }
 
-Vec2<float> CylinderShape::uv_at(const Vec3f& p, std::uint32_t) const {
-  const Vec3f d = p - base;
+Vec2<float> CylinderShape::uv_at(const LightPoint<float>& at) const {
+  const Vec3f d = at.p - base;
   return {turn_of(dot(d, start), dot(d, side)), dot(d, axis) / dot(axis, axis)};
 }
 
-Vec2<float> MeshShape::uv_at(const Vec3f& p, std::uint32_t triangle) const {
-  const Triangle& t = triangles_[std::min<std::size_t>(triangle, triangles_.size() - 1)];
+Vec2<float> MeshShape::uv_at(const LightPoint<float>& at) const {
+  const Triangle& t = triangles_[std::min<std::size_t>(at.triangle, triangles_.size() - 1)];
   const Vec3f& a = positions_[t[0]];
-  const Vec2<float> w = in_basis(p - a, positions_[t[1]] - a, positions_[t[2]] - a);
+  const Vec2<float> w = in_basis(at.p - a, positions_[t[1]] - a, positions_[t[2]] - a);
   return uv_of(t, w.x, w.y);
 }
 
@@ -79,20 +79,20 @@ Vec2<float> MeshShape::uv_of(const Triangle& t, float weight_b, float weight_c) 
   return {a.x * weight_a + b.x * weight_b + c.x * weight_c, a.y * weight_a + b.y * weight_b + c.y * weight_c};
 }
 
-AreaPoint DiskShape::sample(const Vec2<float>& u) const {
+LightPoint<float> DiskShape::sample(const Vec2<float>& u) const {
   const Vec2<float> d = square_to_disc(u);
   return {center + half_axis_u * d.x + half_axis_v * d.y, normal, {std::hypot(d.x, d.y), turn_of(d.x, d.y)}};
 }
 float DiskShape::area() const { return pi * length(cross(half_axis_u, half_axis_v)); }
 
-AreaPoint SphereShape::sample(const Vec2<float>& u) const {
+LightPoint<float> SphereShape::sample(const Vec2<float>& u) const {
   const Vec3f d = square_to_sphere(u);  // z = 1 - 2 u.x, azimuth 2 pi u.y
   const Vec3f outward = start * d.x + side * d.y + up * d.z;
   return {center + outward * radius, outward * sign, {u.y, std::acos(std::clamp(d.z, -1.0f, 1.0f)) / pi}};
 }
 float SphereShape::area() const { return 4 * pi * radius * radius; }
 
-AreaPoint CylinderShape::sample(const Vec2<float>& u) const {
+LightPoint<float> CylinderShape::sample(const Vec2<float>& u) const {
   const SinCos<float> angle = sincos_turn(u.x);
   const Vec3f outward = start * angle.cos + side * angle.sin;
   return {base + axis * u.y + outward * radius, outward * sign, u};
@@ -123,7 +123,7 @@ MeshShape::MeshShape(std::vector<Vec3f> positions, std::vector<Triangle> triangl
   by_importance_ = std::make_shared<const LightTree>(bounds);
 }
 
-AreaPoint MeshShape::sample(const Vec2<float>& u) const {
+LightPoint<float> MeshShape::sample(const Vec2<float>& u) const {
   const DiscreteDistribution::Drawn drawn = by_area_.sample(u.x);
   return point_on(static_cast<std::uint32_t>(drawn.index), {drawn.u, u.y});
 }
@@ -137,45 +137,37 @@ AreaLight::AreaLight(LightShape shape, LightTexture texture)
       texture_(std::move(texture)),
       flux_(mean_over(shape_, texture_) * (pi * area_)) {}
 
-AreaPoint AreaLight::at(const Vec2<float>& u) const {
-  return std::visit([&](const auto& shape) { return shape.sample(u); }, shape_);
-}
-
-std::pair<LightSample<float>, std::uint32_t> AreaLight::sample_point(const Vec3f& p, const Vec2<float>& u) const {
+LightSample<float> AreaLight::sample(const Vec3f& p, const Vec2<float>& u) const {
   const SeenPoint seen = std::visit([&](const auto& shape) { return shape.sample_from(p, u); }, shape_);
   const Vec3f wi = seen.offset * (1 / length(seen.offset));
-  return {{seen.point.p, seen.point.normal, wi, radiance_at(seen.point.uv), seen.pdf}, seen.point.triangle};
+  return {seen.at, wi, radiance_at(seen.at.uv), seen.pdf};
 }
 
-float AreaLight::pdf(const Vec3f& p, const Vec3f& p_light, const Vec3f& normal_light, std::uint32_t triangle) const {
-  return std::visit([&](const auto& shape) { return shape.pdf_from(p, p_light, normal_light, triangle); }, shape_);
+float AreaLight::pdf(const Vec3f& p, const LightPoint<float>& at) const {
+  return std::visit([&](const auto& shape) { return shape.pdf_from(p, at); }, shape_);
 }
 
 Emission<float> AreaLight::emit(const Vec2<float>& u_position, const Vec2<float>& u_direction) const {
-  return start(u_position, u_direction).emission;
+  const LightPoint<float> at = std::visit([&](const auto& shape) { return shape.sample(u_position); }, shape_);
+  const Vec3f direction = Frame<float>(at.normal).to_world(square_to_cosine_hemisphere(u_direction));
+  return {at, direction, radiance_at(at.uv) * (pi * area_)};
 }
 
-AreaLight::Start AreaLight::start(const Vec2<float>& u_position, const Vec2<float>& u_direction) const {
-  const AreaPoint point = at(u_position);
-  const Vec3f direction = Frame<float>(point.normal).to_world(square_to_cosine_hemisphere(u_direction));
-  return {{point.p, point.normal, direction, radiance_at(point.uv) * (pi * area_)}, point.uv, point.triangle};
-}
-
-Vec2<float> AreaLight::uv_at(const Vec3f& p, std::uint32_t triangle) const {
+Vec2<float> AreaLight::uv_at(const LightPoint<float>& at) const {
   if (!texture_) return {};
-  return std::visit([&](const auto& shape) { return shape.uv_at(p, triangle); }, shape_);
+  return std::visit([&](const auto& shape) { return shape.uv_at(at); }, shape_);
 }
 
-EmissionPdfs<float> AreaLight::emit_pdfs(const Vec3f& n, const Vec3f& direction) const {
-  return {1 / area_, cosine_hemisphere_pdf(dot(n, direction))};
+EmissionPdfs<float> AreaLight::emit_pdfs(const LightPoint<float>& at, const Vec3f& direction) const {
+  return {1 / area_, cosine_hemisphere_pdf(dot(at.normal, direction))};
 }
 
-Rgb AreaLight::flux_towards(const Vec3f& n, const Vec2<float>& uv, const Vec3f& direction) const {
-  return radiance_at(uv) * (area_ * std::max(dot(n, direction), 0.0f));
+Rgb AreaLight::flux_towards(const LightPoint<float>& at, const Vec3f& direction) const {
+  return radiance_at(at.uv) * (area_ * std::max(dot(at.normal, direction), 0.0f));
 }
 
-Rgb AreaLight::leaving(const Vec3f& n, const Vec2<float>& uv, const Vec3f& direction) const {
-  return dot(n, direction) > 0 ? radiance_at(uv) : Rgb(0.0f);
+Rgb AreaLight::leaving(const LightPoint<float>& at, const Vec3f& direction) const {
+  return dot(at.normal, direction) > 0 ? radiance_at(at.uv) : Rgb(0.0f);
 }
 
 }  // namespace photonproof

@@ -19,39 +19,35 @@
 
 namespace photonproof {
 
-/// A point drawn uniformly by area.
-struct AreaPoint {
-  Vec3f p, normal;
-  Vec2<float> uv;
-  std::uint32_t triangle = 0;
-};
-
 class LightTree;
 
 /// A point drawn as seen from another.
 struct SeenPoint {
-  AreaPoint point;
+  LightPoint<float> at;
   Vec3f offset;   ///< to it
   float pdf = 0;  ///< per solid angle
 };
 
+/// Shapes draw points uniformly by area, with their texture coordinates (`sample`), and as seen from p (`sample_from`,
+/// with the density `pdf_from`). Coordinates of a point are found by `uv_at`.
+
 /// corner + u edge_u + v edge_v; uv = (u, v).
 struct QuadShape {
   Vec3f corner, edge_u, edge_v, normal;
-  AreaPoint sample(const Vec2<float>& u) const { return {corner + edge_u * u.x + edge_v * u.y, normal, u}; }
+  LightPoint<float> sample(const Vec2<float>& u) const { return {corner + edge_u * u.x + edge_v * u.y, normal, u}; }
   SeenPoint sample_from(const Vec3f& p, const Vec2<float>& u) const;
-  float pdf_from(const Vec3f& p, const Vec3f& q, const Vec3f& n, std::uint32_t triangle) const;
-  Vec2<float> uv_at(const Vec3f& p, std::uint32_t) const;
+  float pdf_from(const Vec3f& p, const LightPoint<float>& at) const;
+  Vec2<float> uv_at(const LightPoint<float>& at) const;
   float area() const { return length(cross(edge_u, edge_v)); }
 };
 
 /// center + a half_axis_u + b half_axis_v, a^2 + b^2 <= 1; uv = (radius, angle / 2 pi) as Mitsuba's disk has it.
 struct DiskShape {
   Vec3f center, half_axis_u, half_axis_v, normal;
-  AreaPoint sample(const Vec2<float>& u) const;
+  LightPoint<float> sample(const Vec2<float>& u) const;
   SeenPoint sample_from(const Vec3f& p, const Vec2<float>& u) const;
-  float pdf_from(const Vec3f& p, const Vec3f& q, const Vec3f& n, std::uint32_t triangle) const;
-  Vec2<float> uv_at(const Vec3f& p, std::uint32_t triangle) const;
+  float pdf_from(const Vec3f& p, const LightPoint<float>& at) const;
+  Vec2<float> uv_at(const LightPoint<float>& at) const;
   float area() const;
 };
 
@@ -61,10 +57,10 @@ struct SphereShape {
   float radius = 1;
   Vec3f start{1, 0, 0}, side{0, 1, 0}, up{0, 0, 1};  ///< unit
   float sign = 1;                                    ///< 1: outward, -1: inward
-  AreaPoint sample(const Vec2<float>& u) const;
+  LightPoint<float> sample(const Vec2<float>& u) const;
   SeenPoint sample_from(const Vec3f& p, const Vec2<float>& u) const;
-  float pdf_from(const Vec3f& p, const Vec3f& q, const Vec3f& n, std::uint32_t triangle) const;
-  Vec2<float> uv_at(const Vec3f& p, std::uint32_t triangle) const;
+  float pdf_from(const Vec3f& p, const LightPoint<float>& at) const;
+  Vec2<float> uv_at(const LightPoint<float>& at) const;
   float area() const;
 };
 
@@ -74,10 +70,10 @@ struct CylinderShape {
   Vec3f start, side;  ///< unit
   float radius = 1;
   float sign = 1;  ///< 1: outward, -1: inward
-  AreaPoint sample(const Vec2<float>& u) const;
+  LightPoint<float> sample(const Vec2<float>& u) const;
   SeenPoint sample_from(const Vec3f& p, const Vec2<float>& u) const;
-  float pdf_from(const Vec3f& p, const Vec3f& q, const Vec3f& n, std::uint32_t triangle) const;
-  Vec2<float> uv_at(const Vec3f& p, std::uint32_t triangle) const;
+  float pdf_from(const Vec3f& p, const LightPoint<float>& at) const;
+  Vec2<float> uv_at(const LightPoint<float>& at) const;
   float area() const;
 };
 
@@ -88,17 +84,17 @@ class MeshShape {
   /// `uvs` per vertex or empty, when uv are the triangle's barycentric coordinates. `flipped`: normals are opposite to
   /// the winding's. What is passed is copied.
   MeshShape(std::vector<Vec3f> positions, std::vector<Triangle> triangles, std::vector<Vec2<float>> uvs, bool flipped);
-  AreaPoint sample(const Vec2<float>& u) const;
+  LightPoint<float> sample(const Vec2<float>& u) const;
   SeenPoint sample_from(const Vec3f& p, const Vec2<float>& u) const;
-  float pdf_from(const Vec3f& p, const Vec3f& q, const Vec3f& n, std::uint32_t triangle) const;
-  Vec2<float> uv_at(const Vec3f& p, std::uint32_t triangle) const;
+  float pdf_from(const Vec3f& p, const LightPoint<float>& at) const;
+  Vec2<float> uv_at(const LightPoint<float>& at) const;
   float area() const { return area_; }
   const std::vector<Vec3f>& positions() const { return positions_; }
 
  private:
   Vec2<float> uv_of(const Triangle& t, float weight_b, float weight_c) const;
   Vec3f normal_of(const Triangle& t) const;
-  AreaPoint point_on(std::uint32_t triangle, const Vec2<float>& u) const;
+  LightPoint<float> point_on(std::uint32_t triangle, const Vec2<float>& u) const;
   /// Of a triangle that p is close to.
   std::optional<CloseTriangle> close_triangle(const Triangle& t, const Vec3f& p) const;
   /// Density per solid angle at p of the point at this offset on a triangle that has been chosen.
@@ -125,27 +121,18 @@ class AreaLight {
   /// The flux is that of the texture's mean over the shape, on a lattice of samples.
   AreaLight(LightShape shape, LightTexture texture);
 
-  LightSample<float> sample(const Vec3f& p, const Vec2<float>& u) const { return sample_point(p, u).first; }
-  /// With the point's triangle.
-  std::pair<LightSample<float>, std::uint32_t> sample_point(const Vec3f& p, const Vec2<float>& u) const;
-  float pdf(const Vec3f& p, const Vec3f& p_light, const Vec3f& normal_light, std::uint32_t triangle) const;
+  LightSample<float> sample(const Vec3f& p, const Vec2<float>& u) const;
+  float pdf(const Vec3f& p, const LightPoint<float>& at) const;
   Emission<float> emit(const Vec2<float>& u_position, const Vec2<float>& u_direction) const;
-  struct Start {
-    Emission<float> emission;
-    Vec2<float> uv;
-    std::uint32_t triangle;
-  };
-  Start start(const Vec2<float>& u_position, const Vec2<float>& u_direction) const;
-  EmissionPdfs<float> emit_pdfs(const Vec3f& n, const Vec3f& direction) const;
-  Rgb flux_towards(const Vec3f& n, const Vec2<float>& uv, const Vec3f& direction) const;
-  Rgb leaving(const Vec3f& n, const Vec2<float>& uv, const Vec3f& direction) const;
+  EmissionPdfs<float> emit_pdfs(const LightPoint<float>& at, const Vec3f& direction) const;
+  Rgb flux_towards(const LightPoint<float>& at, const Vec3f& direction) const;
+  Rgb leaving(const LightPoint<float>& at, const Vec3f& direction) const;
   Rgb flux() const { return flux_; }
   const LightShape& shape() const { return shape_; }
-  /// Of a point on the shape; of a mesh, on that triangle. Constant radiance needs none: 0.
-  Vec2<float> uv_at(const Vec3f& p, std::uint32_t triangle) const;
+  /// Of a point on the shape; of a mesh, on its triangle. Constant radiance needs none: 0.
+  Vec2<float> uv_at(const LightPoint<float>& at) const;
 
  private:
-  AreaPoint at(const Vec2<float>& u) const;
   Rgb radiance_at(const Vec2<float>& uv) const { return texture_ ? texture_(uv) : radiance_; }
 
   LightShape shape_;

@@ -22,7 +22,7 @@ SphereLight<float> as_light(const SphereShape& s) { return {s.center, s.radius, 
 template <class Shape>
 SeenPoint sample_as_light(const Shape& shape, const Vec3f& p, const Vec2<float>& u) {
   const LightSample<float> s = as_light(shape).sample(p, u);
-  return {{s.p_light, s.normal_light, shape.uv_at(s.p_light, 0)}, s.wi_world, s.pdf};
+  return {{s.at.p, s.at.normal, shape.uv_at(s.at)}, s.wi, s.pdf};
 }
 
 constexpr double half_turn = std::numbers::pi;
@@ -86,22 +86,16 @@ struct SeenCylinder {
 }  // namespace
 
 SeenPoint QuadShape::sample_from(const Vec3f& p, const Vec2<float>& u) const { return sample_as_light(*this, p, u); }
-float QuadShape::pdf_from(const Vec3f& p, const Vec3f& q, const Vec3f& n, std::uint32_t) const {
-  return as_light(*this).pdf(p, q, n);
-}
+float QuadShape::pdf_from(const Vec3f& p, const LightPoint<float>& at) const { return as_light(*this).pdf(p, at); }
 SeenPoint DiskShape::sample_from(const Vec3f& p, const Vec2<float>& u) const { return sample_as_light(*this, p, u); }
-float DiskShape::pdf_from(const Vec3f& p, const Vec3f& q, const Vec3f& n, std::uint32_t) const {
-  return as_light(*this).pdf(p, q, n);
-}
+float DiskShape::pdf_from(const Vec3f& p, const LightPoint<float>& at) const { return as_light(*this).pdf(p, at); }
 SeenPoint SphereShape::sample_from(const Vec3f& p, const Vec2<float>& u) const { return sample_as_light(*this, p, u); }
-float SphereShape::pdf_from(const Vec3f& p, const Vec3f& q, const Vec3f& n, std::uint32_t) const {
-  return as_light(*this).pdf(p, q, n);
-}
+float SphereShape::pdf_from(const Vec3f& p, const LightPoint<float>& at) const { return as_light(*this).pdf(p, at); }
 
 SeenPoint CylinderShape::sample_from(const Vec3f& p, const Vec2<float>& u) const {
   const SeenCylinder seen(*this, p);
   if (!(seen.range > 0)) {  // any point, which gives nothing
-    const AreaPoint point = sample(u);
+    const LightPoint<float> point = sample(u);
     return {point, point.p - p, 0};
   }
   const double t = seen.from + double{u.x} * seen.range;
@@ -111,16 +105,16 @@ SeenPoint CylinderShape::sample_from(const Vec3f& p, const Vec2<float>& u) const
   const double z = std::clamp(d * std::tan(std::atan2(seen.low, d) + double{u.y} * angle), seen.low, seen.high);
   const Vec3d outward = seen.from_axis * cos_phi + seen.side * sin_phi;
   const Vec3d offset = outward * seen.radius - seen.from_axis * seen.rho + seen.along * z;
-  const Vec3f q(Vec3d(p) + offset);
-  return {{q, Vec3f(outward) * sign, uv_at(q, 0)},
-          Vec3f(offset),
-          static_cast<float>(seen.per_solid_angle(cos_phi, z, double{sign}))};
+  LightPoint<float> at{Vec3f(Vec3d(p) + offset), Vec3f(outward) * sign};
+  at.uv = uv_at(at);
+  return {at, Vec3f(offset), static_cast<float>(seen.per_solid_angle(cos_phi, z, double{sign}))};
 }
-float CylinderShape::pdf_from(const Vec3f& p, const Vec3f& q, const Vec3f& n, std::uint32_t) const {
+float CylinderShape::pdf_from(const Vec3f& p, const LightPoint<float>& at) const {
   const SeenCylinder seen(*this, p);
   // The angle by the normal: far from the origin a thin cylinder's points have few digits of it.
-  const Vec3d outward = Vec3d(n) * double{sign};
-  const double x = dot(outward, seen.from_axis), y = dot(outward, seen.side), z = dot(Vec3d(q) - Vec3d(p), seen.along);
+  const Vec3d outward = Vec3d(at.normal) * double{sign};
+  const double x = dot(outward, seen.from_axis), y = dot(outward, seen.side),
+               z = dot(Vec3d(at.p) - Vec3d(p), seen.along);
   return static_cast<float>(
       seen.per_solid_angle(x / std::hypot(x, y), std::clamp(z, seen.low, seen.high), double{sign}));
 }
@@ -152,7 +146,7 @@ Vec3f MeshShape::normal_of(const Triangle& t) const {
   return face_normal(positions_[t[1]] - a, positions_[t[2]] - a) * sign_;
 }
 
-AreaPoint MeshShape::point_on(std::uint32_t triangle, const Vec2<float>& u) const {
+LightPoint<float> MeshShape::point_on(std::uint32_t triangle, const Vec2<float>& u) const {
   const Triangle& t = triangles_[triangle];
   const Vec3f &a = positions_[t[0]], &b = positions_[t[1]], &c = positions_[t[2]];
   // Uniform on the triangle (Turk 1990).
@@ -172,13 +166,13 @@ std::optional<CloseTriangle> MeshShape::close_triangle(const Triangle& t, const 
 float MeshShape::pdf_on(const Triangle& t, const Vec3f& p, const Vec3f& offset) const {
   if (const auto close = close_triangle(t, p)) return close_pdf<float>(*close, offset);
   const Vec3f &a = positions_[t[0]], &b = positions_[t[1]], &c = positions_[t[2]];
-  return area_to_solid_angle<float>(2 / length(cross(b - a, c - a)), p, p + offset, normal_of(t));
+  return area_to_solid_angle<float>(2 / length(cross(b - a, c - a)), p, {p + offset, normal_of(t)});
 }
 
 SeenPoint MeshShape::sample_from(const Vec3f& p, const Vec2<float>& u) const {
   if (!is_close<float>(p, center_, half_extent2_)) {
-    const AreaPoint point = sample(u);
-    return {point, point.p - p, area_to_solid_angle<float>(1 / area_, p, point.p, point.normal)};
+    const LightPoint<float> point = sample(u);
+    return {point, point.p - p, area_to_solid_angle<float>(1 / area_, p, point)};
   }
   const std::optional<LightTree::Choice> chosen = by_importance_->choose(p, u.x);
   if (!chosen) return {sample(u), positions_[0] - p, 0};
@@ -187,18 +181,19 @@ SeenPoint MeshShape::sample_from(const Vec3f& p, const Vec2<float>& u) const {
   if (const auto close = close_triangle(t, p)) {
     const Vec3f n = normal_of(t);
     seen.offset = close_sample<float>(*close, n, {chosen->u, u.y}).offset;
-    seen.point = {p + seen.offset, n, uv_at(p + seen.offset, chosen->light), chosen->light};
+    seen.at = {p + seen.offset, n, {}, chosen->light};
+    seen.at.uv = uv_at(seen.at);
   } else {
-    seen.point = point_on(chosen->light, {chosen->u, u.y});
-    seen.offset = seen.point.p - p;
+    seen.at = point_on(chosen->light, {chosen->u, u.y});
+    seen.offset = seen.at.p - p;
   }
   seen.pdf = chosen->probability * pdf_on(t, p, seen.offset);
   return seen;
 }
 
-float MeshShape::pdf_from(const Vec3f& p, const Vec3f& q, const Vec3f& n, std::uint32_t triangle) const {
-  if (!is_close<float>(p, center_, half_extent2_)) return area_to_solid_angle<float>(1 / area_, p, q, n);
-  return by_importance_->probability(p, triangle) * pdf_on(triangles_[triangle], p, q - p);
+float MeshShape::pdf_from(const Vec3f& p, const LightPoint<float>& at) const {
+  if (!is_close<float>(p, center_, half_extent2_)) return area_to_solid_angle<float>(1 / area_, p, at);
+  return by_importance_->probability(p, at.triangle) * pdf_on(triangles_[at.triangle], p, at.p - p);
 }
 
 }  // namespace photonproof

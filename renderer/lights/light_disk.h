@@ -17,19 +17,19 @@ struct DiskLight {
   Vec3<F> radiance;  ///< W m^-2 sr^-1
 
   LightSample<F> sample(const Vec3<F>& p, const Vec2<F>& u) const {
-    const Vec3<F> p_light = at(u);
+    const Vec3<F> p_light = point(u);
     const Vec3<F> d = p_light - p;
     const F distance2 = dot(d, d);
     const Vec3<F> wi = d * (1 / lane_sqrt(distance2));
     const F cos_light = -dot(normal, wi);
-    LightSample<F> s{p_light, normal, wi, radiance, select(cos_light > 0, distance2 / (area * cos_light), F(0.0f))};
+    LightSample<F> s{{p_light, normal}, wi, radiance, select(cos_light > 0, distance2 / (area * cos_light), F(0.0f))};
     if (some_may_be_close(distance2, most_half_extent2())) sample_close(*this, p, u, s);
     return s;
   }
-  F pdf(const Vec3<F>& p, const Vec3<F>& p_light, const Vec3<F>& normal_light) const {
-    F density = area_to_solid_angle(F(1 / area), p, p_light, normal_light);
-    const Vec3<F> d = p - p_light;
-    if (some_may_be_close(F(dot(d, d)), most_half_extent2())) pdf_close(*this, p, p_light, density);
+  F pdf(const Vec3<F>& p, const LightPoint<F>& at) const {
+    F density = area_to_solid_angle(F(1 / area), p, at);
+    const Vec3<F> d = p - at.p;
+    if (some_may_be_close(F(dot(d, d)), most_half_extent2())) pdf_close(*this, p, at.p, density);
     return density;
   }
   Mask<F> is_close_to(const Vec3<F>& p) const { return is_close(p, center, most_half_extent2()); }
@@ -38,21 +38,21 @@ struct DiskLight {
   Mask<F> is_in_front(const Vec3<F>& p) const { return dot(p - center, normal) > 0; }
   CloseEllipse<F> shape_from(const Vec3<F>& p) const { return {Vec3<F>(p - center), half_axis_u, half_axis_v, normal}; }
   Emission<F> emit(const Vec2<F>& u_position, const Vec2<F>& u_direction) const {
-    return {at(u_position), normal, Frame<F>(normal).to_world(square_to_cosine_hemisphere(u_direction)), flux()};
+    return {{point(u_position), normal}, Frame<F>(normal).to_world(square_to_cosine_hemisphere(u_direction)), flux()};
   }
-  EmissionPdfs<F> emit_pdfs(const Vec3<F>& n, const Vec3<F>& direction) const {
-    return {1 / area, cosine_hemisphere_pdf(F(dot(n, direction)))};
+  EmissionPdfs<F> emit_pdfs(const LightPoint<F>& at, const Vec3<F>& direction) const {
+    return {1 / area, cosine_hemisphere_pdf(F(dot(at.normal, direction)))};
   }
-  Vec3<F> flux_towards(const Vec3<F>& n, const Vec3<F>& direction) const {
-    return flux() * cosine_hemisphere_pdf(F(dot(n, direction)));
+  Vec3<F> flux_towards(const LightPoint<F>& at, const Vec3<F>& direction) const {
+    return flux() * cosine_hemisphere_pdf(F(dot(at.normal, direction)));
   }
   Vec3<F> flux() const { return radiance * (pi * area); }
-  Vec3<F> leaving(const Vec3<F>& n, const Vec3<F>& direction) const {
-    return select(dot(n, direction) > 0, radiance, Vec3<F>(F(0.0f)));
+  Vec3<F> leaving(const LightPoint<F>& at, const Vec3<F>& direction) const {
+    return select(dot(at.normal, direction) > 0, radiance, Vec3<F>(F(0.0f)));
   }
 
  private:
-  Vec3<F> at(const Vec2<F>& u) const {
+  Vec3<F> point(const Vec2<F>& u) const {
     const Vec2<F> d = square_to_disc(u);  // an affine map keeps the density uniform
     return advance(advance(center, d.x, half_axis_u), d.y, half_axis_v);
   }

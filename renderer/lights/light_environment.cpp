@@ -11,11 +11,11 @@ EnvironmentLight::EnvironmentLight(Sky sky, const Vec3f& center, float radius)
 
 LightSample<float> EnvironmentLight::sample(const Vec3f& p, const Vec2<float>& u) const {
   const Vec3f wi = std::visit([&](const auto& sky) { return sky.sample(u); }, sky_);
-  return {p + wi * reach_beyond(center_, radius_, p), Vec3f(0.0f), wi, radiance(wi), pdf_direction(wi)};
+  return {{p + wi * reach_beyond(center_, radius_, p)}, wi, radiance(wi), pdf_direction(wi)};
 }
 
-float EnvironmentLight::pdf(const Vec3f& p, const Vec3f& p_light, const Vec3f&) const {
-  return pdf_direction(normalize(p_light - p));
+float EnvironmentLight::pdf(const Vec3f& p, const LightPoint<float>& at) const {
+  return pdf_direction(normalize(at.p - p));
 }
 
 Emission<float> EnvironmentLight::emit(const Vec2<float>& u_position, const Vec2<float>& u_direction) const {
@@ -24,11 +24,11 @@ Emission<float> EnvironmentLight::emit(const Vec2<float>& u_position, const Vec2
   const Vec2<float> d = square_to_disc(u_position);
   const Vec3f across = Frame<float>(towards_sky).to_world({d.x, d.y, 1});
   const Rgb flux = pdf > 0 ? radiance(towards_sky) * (pi * radius_ * radius_ / pdf) : Rgb(0.0f);
-  return {center_ + across * radius_, Vec3f(0.0f), -towards_sky, flux};
+  return {{center_ + across * radius_}, -towards_sky, flux};
 }
 
-EmissionPdfs<float> EnvironmentLight::emit_pdfs(const Vec3f&, const Vec3f& direction) const {
-  return {1 / (pi * radius_ * radius_), pdf_direction(-direction)};
+EmissionPdfs<float> EnvironmentLight::emit_pdfs(const LightPoint<float>&, const Vec3f& direction) const {
+  return {pdf_direction(-direction), 1 / (pi * radius_ * radius_)};
 }
 
 Rgb EnvironmentLight::flux() const {

@@ -26,13 +26,13 @@ class EnvironmentLight {
   EnvironmentLight(Sky sky, const Vec3f& center, float radius);
 
   LightSample<float> sample(const Vec3f& p, const Vec2<float>& u) const;
-  /// Of the direction from p to p_light.
-  float pdf(const Vec3f& p, const Vec3f& p_light, const Vec3f&) const;
+  /// Of the direction from p to the point.
+  float pdf(const Vec3f& p, const LightPoint<float>& at) const;
   Emission<float> emit(const Vec2<float>& u_position, const Vec2<float>& u_direction) const;
-  EmissionPdfs<float> emit_pdfs(const Vec3f&, const Vec3f& direction) const;
+  EmissionPdfs<float> emit_pdfs(const LightPoint<float>&, const Vec3f& direction) const;
   /// Photons come through the disc, in no other direction than the one it faces.
-  Rgb flux_towards(const Vec3f&, const Vec3f&) const { return Rgb(0.0f); }
-  Rgb leaving(const Vec3f&, const Vec3f& direction) const { return radiance(-direction); }
+  Rgb flux_towards(const LightPoint<float>&, const Vec3f&) const { return Rgb(0.0f); }
+  Rgb leaving(const LightPoint<float>&, const Vec3f& direction) const { return radiance(-direction); }
   Rgb flux() const;
 
   Rgb radiance(const Vec3f& towards_sky) const;

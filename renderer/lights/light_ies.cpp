@@ -75,11 +75,11 @@ LightSample<float> IesLight::sample(const Vec3f& p, const Vec2<float>&) const {
   const float inverse = 1 / length(d);
   const Vec3f wi = d * inverse;
   const auto towards = dot(d, d) > 0 ? static_cast<float>(candela_towards(-wi)) : 0.0f;
-  return {position_, Vec3f(0.0f), wi, intensity_ * (towards * inverse * inverse), towards > 0 ? 1.0f : 0.0f};
+  return {{position_}, wi, intensity_ * (towards * inverse * inverse), towards > 0 ? 1.0f : 0.0f};
 }
 
 Emission<float> IesLight::emit(const Vec2<float>&, const Vec2<float>& u) const {
-  if (!(cells_.total() > 0)) return {position_, Vec3f(0.0f), zenith_, Rgb(0.0f)};
+  if (!(cells_.total() > 0)) return {{position_}, zenith_, Rgb(0.0f)};
   const DiscreteDistribution::Drawn drawn = cells_.sample(u.x);
   const std::size_t row = drawn.index / columns(), column = drawn.index % columns();
   const double top = std::cos(vertical_[row] * radians), bottom = std::cos(vertical_[row + 1] * radians);
@@ -90,10 +90,10 @@ Emission<float> IesLight::emit(const Vec2<float>&, const Vec2<float>& u) const {
                           c90_ * static_cast<float>(across * std::sin(phi)) - zenith_ * static_cast<float>(down);
   const double pdf = double{drawn.probability} / solid_angle(drawn.index);
   const auto carried = static_cast<float>(candela_towards(direction) / pdf);
-  return {position_, Vec3f(0.0f), direction, intensity_ * carried};
+  return {{position_}, direction, intensity_ * carried};
 }
 
-EmissionPdfs<float> IesLight::emit_pdfs(const Vec3f&, const Vec3f& direction) const {
+EmissionPdfs<float> IesLight::emit_pdfs(const LightPoint<float>&, const Vec3f& direction) const {
   if (!(cells_.total() > 0)) return {1, 0};
   const double vertical = angle_between(Vec3f(-zenith_), direction) / radians;
   if (vertical < vertical_.front() || vertical > vertical_.back()) return {1, 0};
@@ -103,7 +103,7 @@ EmissionPdfs<float> IesLight::emit_pdfs(const Vec3f&, const Vec3f& direction) co
   return {1, static_cast<float>(double{cells_.probability(cell)} / solid_angle(cell))};
 }
 
-Rgb IesLight::leaving(const Vec3f&, const Vec3f& direction) const {
+Rgb IesLight::leaving(const LightPoint<float>&, const Vec3f& direction) const {
   return intensity_ * static_cast<float>(candela_towards(direction));
 }
 

@@ -20,11 +20,11 @@ class IesLight {
            const IesProfile& profile);
 
   LightSample<float> sample(const Vec3f& p, const Vec2<float>& u) const;
-  float pdf(const Vec3f&, const Vec3f&, const Vec3f&) const { return 0; }
+  float pdf(const Vec3f&, const LightPoint<float>&) const { return 0; }
   Emission<float> emit(const Vec2<float>& u_position, const Vec2<float>& u_direction) const;
-  EmissionPdfs<float> emit_pdfs(const Vec3f& n, const Vec3f& direction) const;
-  Rgb flux_towards(const Vec3f& n, const Vec3f& direction) const { return leaving(n, direction); }
-  Rgb leaving(const Vec3f& n, const Vec3f& direction) const;
+  EmissionPdfs<float> emit_pdfs(const LightPoint<float>& at, const Vec3f& direction) const;
+  Rgb flux_towards(const LightPoint<float>& at, const Vec3f& direction) const { return leaving(at, direction); }
+  Rgb leaving(const LightPoint<float>& at, const Vec3f& direction) const;
   Rgb flux() const { return flux_; }
   const Vec3f& position() const { return position_; }
 

@@ -1,11 +1,12 @@
 // The lights that kernels sample in their lanes: structs of floats, each in light_<name>.h, that offer
 //   sample(p, u)             a point of the light seen from p (next-event estimation), density per solid angle at p
-//   pdf(p, q, n)             that density for a ray from p that found the light's point q by itself (for MIS)
+//   pdf(p, at)               that density for a ray from p that found the light's point by itself (for MIS)
 //   emit(u, v)               a photon's start and what it carries
-//   emit_pdfs(n, d)          the densities of a start whose normal is n in direction d
-//   flux_towards(n, d)       W sr^-1: what such a photon carries towards d, over the density of its position only
-//   leaving(n, d)            radiance from a point with normal n in direction d; 0 from behind. Of a light without
-//                            surface the intensity, of a directional one the irradiance
+//   emit_pdfs(at, d)         the densities of a start there in direction d
+//   flux_towards(at, d)      W sr^-1: what a photon that starts there carries towards d, over the density of its
+//                            position only
+//   leaving(at, d)           radiance from a point in direction d; 0 from behind. Of a light without surface the
+//                            intensity, of a directional one the irradiance
 //   flux()                   total emitted flux, W per channel
 //   is_delta                 a ray cannot find it
 //   is_infinite              it has directions, but no points

@@ -98,8 +98,8 @@ F close_pdf(const Flat& flat, const Vec3<F>& offset) {
 /// Puts a sample drawn by angle in the place of one drawn by area, in these lanes.
 template <class F>
 void choose_close(LightSample<F>& s, const Mask<F>& close, const Vec3<F>& p, const CloseSample<F>& c) {
-  s.p_light = select(close, Vec3<F>(p + c.offset), s.p_light);
-  s.wi_world = select(close, normalize(c.offset), s.wi_world);
+  s.at.p = select(close, Vec3<F>(p + c.offset), s.at.p);
+  s.wi = select(close, normalize(c.offset), s.wi);
   s.pdf = select(close, c.pdf, s.pdf);
 }
 

@@ -16,16 +16,13 @@ struct PointLight {
     const Vec3<F> d = position - p;
     const F distance2 = dot(d, d);
     const F inverse = 1 / lane_sqrt(distance2);
-    return {position, Vec3<F>(F(0.0f)), d * inverse, intensity * (inverse * inverse),
-            select(distance2 > 0, F(1.0f), F(0.0f))};
+    return {{position}, d * inverse, intensity * (inverse * inverse), select(distance2 > 0, F(1.0f), F(0.0f))};
   }
-  F pdf(const Vec3<F>&, const Vec3<F>&, const Vec3<F>&) const { return F(0.0f); }
-  Emission<F> emit(const Vec2<F>&, const Vec2<F>& u) const {
-    return {position, Vec3<F>(F(0.0f)), square_to_sphere(u), flux()};
-  }
-  EmissionPdfs<F> emit_pdfs(const Vec3<F>&, const Vec3<F>&) const { return {F(1.0f), F(1 / (4 * pi))}; }
-  Vec3<F> flux_towards(const Vec3<F>&, const Vec3<F>&) const { return intensity; }
-  Vec3<F> leaving(const Vec3<F>&, const Vec3<F>&) const { return intensity; }
+  F pdf(const Vec3<F>&, const LightPoint<F>&) const { return F(0.0f); }
+  Emission<F> emit(const Vec2<F>&, const Vec2<F>& u) const { return {{position}, square_to_sphere(u), flux()}; }
+  EmissionPdfs<F> emit_pdfs(const LightPoint<F>&, const Vec3<F>&) const { return {F(1.0f), F(1 / (4 * pi))}; }
+  Vec3<F> flux_towards(const LightPoint<F>&, const Vec3<F>&) const { return intensity; }
+  Vec3<F> leaving(const LightPoint<F>&, const Vec3<F>&) const { return intensity; }
   Vec3<F> flux() const { return intensity * (4 * pi); }
 };
 

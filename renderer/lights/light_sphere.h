@@ -19,36 +19,31 @@ struct SphereLight {
   LightSample<F> sample(const Vec3<F>& p, const Vec2<F>& u) const {
     const Mask<F> cone = samples_cone(p);
     LightSample<F> s = all(cone) ? sample_cone(p, u) : sample_inward(p, u);
-    if (any(cone) && !all(cone)) {
-      const LightSample<F> c = sample_cone(p, u);
-      s.p_light = select(cone, c.p_light, s.p_light);
-      s.normal_light = select(cone, c.normal_light, s.normal_light);
-      s.wi_world = select(cone, c.wi_world, s.wi_world);
-      s.pdf = select(cone, c.pdf, s.pdf);
-    }
+    if (any(cone) && !all(cone)) s = select(cone, sample_cone(p, u), s);
     return s;
   }
-  F pdf(const Vec3<F>& p, const Vec3<F>& p_light, const Vec3<F>& normal_light) const {
+  F pdf(const Vec3<F>& p, const LightPoint<F>& at) const {
     const Mask<F> cone = samples_cone(p);
     const F by_cone = 1 / (2 * pi * cone_one_minus_cos(p));
     if (all(cone)) return by_cone;
-    const F by_area = area_to_solid_angle(F(1 / area()), p, p_light, normal_light);
+    const F by_area = area_to_solid_angle(F(1 / area()), p, at);
     return select(cone, by_cone, select(is_within(p), 0.5f * by_area + 1 / (8 * pi), by_area));
   }
   Emission<F> emit(const Vec2<F>& u_position, const Vec2<F>& u_direction) const {
     const Vec3<F> outward = square_to_sphere(u_position);
     const Vec3<F> normal = outward * side;
-    return {advance(center, radius, outward), normal,
-            Frame<F>(normal).to_world(square_to_cosine_hemisphere(u_direction)), flux()};
+    return {{advance(center, radius, outward), normal},
+            Frame<F>(normal).to_world(square_to_cosine_hemisphere(u_direction)),
+            flux()};
   }
-  EmissionPdfs<F> emit_pdfs(const Vec3<F>& n, const Vec3<F>& direction) const {
-    return {1 / area(), cosine_hemisphere_pdf(F(dot(n, direction)))};
+  EmissionPdfs<F> emit_pdfs(const LightPoint<F>& at, const Vec3<F>& direction) const {
+    return {1 / area(), cosine_hemisphere_pdf(F(dot(at.normal, direction)))};
   }
-  Vec3<F> flux_towards(const Vec3<F>& n, const Vec3<F>& direction) const {
-    return flux() * cosine_hemisphere_pdf(F(dot(n, direction)));
+  Vec3<F> flux_towards(const LightPoint<F>& at, const Vec3<F>& direction) const {
+    return flux() * cosine_hemisphere_pdf(F(dot(at.normal, direction)));
   }
-  Vec3<F> leaving(const Vec3<F>& n, const Vec3<F>& direction) const {
-    return select(dot(n, direction) > 0, radiance, Vec3<F>(F(0.0f)));
+  Vec3<F> leaving(const LightPoint<F>& at, const Vec3<F>& direction) const {
+    return select(dot(at.normal, direction) > 0, radiance, Vec3<F>(F(0.0f)));
   }
   Vec3<F> flux() const { return radiance * (pi * area()); }
 
@@ -82,7 +77,7 @@ struct SphereLight {
     const F x = local.x * t / radius, y = local.y * t / radius;
     const Vec3<F> normal = frame.to_world(Vec3<F>(x, y, -lane_sqrt(lane_max(F(1 - x * x - y * y), F(0.0f)))));
     const Vec3<F> wi = frame.to_world(local);
-    return {advance(center, radius, normal), normal, wi, radiance, 1 / (2 * pi * one_minus_cos)};
+    return {{advance(center, radius, normal), normal}, wi, radiance, 1 / (2 * pi * one_minus_cos)};
   }
   LightSample<F> sample_inward(const Vec3<F>& p, const Vec2<F>& u) const {
     const Mask<F> within = is_within(p), by_direction = within && u.x < 0.5f;
@@ -94,10 +89,8 @@ struct SphereLight {
     const F root = lane_sqrt(lane_max(F(b * b - c), F(0.0f)));
     const F t = select(b > 0, -c / select(b > 0, b + root, F(1.0f)), root - b);
     const Vec3<F> outward = select(by_direction, Vec3<F>(advance(from_center, t, random) * (1 / radius)), random);
-    const Vec3<F> p_light = advance(center, radius, outward);
-    const Vec3<F> normal = outward * side;
-    const Vec3<F> wi = select(by_direction, random, normalize(p_light - p));
-    return {p_light, normal, wi, radiance, pdf(p, p_light, normal)};
+    const LightPoint<F> at{advance(center, radius, outward), outward * side};
+    return {at, select(by_direction, random, normalize(at.p - p)), radiance, pdf(p, at)};
   }
 };
 

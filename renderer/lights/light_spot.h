@@ -29,22 +29,26 @@ struct SpotLight {
     const F inverse = 1 / lane_sqrt(distance2);
     const Vec3<F> wi = d * inverse;
     const F falloff = falloff_towards(Vec3<F>(-wi));
-    return {position, Vec3<F>(F(0.0f)), wi, intensity * (falloff * inverse * inverse),
+    return {{position},
+            wi,
+            intensity * (falloff * inverse * inverse),
             select(distance2 > 0 && falloff > 0, F(1.0f), F(0.0f))};
   }
-  F pdf(const Vec3<F>&, const Vec3<F>&, const Vec3<F>&) const { return F(0.0f); }
+  F pdf(const Vec3<F>&, const LightPoint<F>&) const { return F(0.0f); }
   Emission<F> emit(const Vec2<F>&, const Vec2<F>& u) const {
     const Vec3<F> direction = Frame<F>(axis).to_world(square_to_cone(u, one_minus_cos));
-    return {position, Vec3<F>(F(0.0f)), direction, intensity * (falloff_towards(direction) * solid_angle())};
+    return {{position}, direction, intensity * (falloff_towards(direction) * solid_angle())};
   }
-  EmissionPdfs<F> emit_pdfs(const Vec3<F>&, const Vec3<F>& direction) const {
+  EmissionPdfs<F> emit_pdfs(const LightPoint<F>&, const Vec3<F>& direction) const {
     return {F(1.0f), select(angle_between(axis, direction) < cutoff, 1 / solid_angle(), F(0.0f))};
   }
-  Vec3<F> flux_towards(const Vec3<F>&, const Vec3<F>& direction) const {
+  Vec3<F> flux_towards(const LightPoint<F>&, const Vec3<F>& direction) const {
     return intensity * falloff_towards(direction);
   }
   Vec3<F> flux() const { return intensity * (mean_falloff * solid_angle()); }
-  Vec3<F> leaving(const Vec3<F>&, const Vec3<F>& direction) const { return intensity * falloff_towards(direction); }
+  Vec3<F> leaving(const LightPoint<F>&, const Vec3<F>& direction) const {
+    return intensity * falloff_towards(direction);
+  }
 
  private:
   F solid_angle() const { return 2 * pi * one_minus_cos; }

@@ -4,16 +4,11 @@
 
 #include <gtest/gtest.h>
 
-#include "renderer/bsdfs/test_shading.h"
 #include "renderer/kernels/direct_light.h"
 #include "renderer/lanes/test_chi_square.h"
 
 namespace photonproof {
 namespace {
-
-using test::emit;
-using test::pdf;
-using test::sample;
 
 Light square(float half, float height) {
   // Faces down from y = height.
@@ -27,8 +22,7 @@ double irradiance(const Light& light, const Vec3f& p, const Vec3f& n, int sample
   for (int i = 0; i < samples; ++i) {
     test::Random s(31, static_cast<std::uint64_t>(i));
     const LightSample<float> drawn = sample(light, p, s.next2());
-    if (drawn.pdf > 0)
-      sum += static_cast<double>(drawn.radiance.x * std::max(0.0f, dot(n, drawn.wi_world)) / drawn.pdf);
+    if (drawn.pdf > 0) sum += static_cast<double>(drawn.radiance.x * std::max(0.0f, dot(n, drawn.wi)) / drawn.pdf);
   }
   return sum / samples;
 }
@@ -81,13 +75,13 @@ TEST(sphere_light, points_drawn_are_where_the_direction_meets_the_sphere_first) 
     const Vec3f p = Vec3f(0.48f, -0.6f, 0.64f) * distance;
     for (std::uint64_t i = 0; i < 10'000; ++i) {
       const LightSample<float> drawn = sample(light, p, test::Random(36, i).next2());
-      EXPECT_NEAR(length(drawn.normal_light), 1, 1e-3f);
-      EXPECT_NEAR(length(drawn.p_light - drawn.normal_light), 0, 1e-6f);
-      EXPECT_LT(dot(drawn.normal_light, drawn.wi_world), 0.01f);
+      EXPECT_NEAR(length(drawn.at.normal), 1, 1e-3f);
+      EXPECT_NEAR(length(drawn.at.p - drawn.at.normal), 0, 1e-6f);
+      EXPECT_LT(dot(drawn.at.normal, drawn.wi), 0.01f);
       // Across, in double: the point's and the ray's distance from the line through p and the centre.
-      const Vec3d axis = normalize(Vec3d(p)), wi(drawn.wi_world), n(drawn.normal_light);
+      const Vec3d axis = normalize(Vec3d(p)), wi(drawn.wi), n(drawn.at.normal);
       const Vec3d ray_across = wi - axis * dot(wi, axis), point_across = n - axis * dot(n, axis);
-      const double reach = length(Vec3d(drawn.p_light) - Vec3d(p));
+      const double reach = length(Vec3d(drawn.at.p) - Vec3d(p));
       ASSERT_NEAR(length(ray_across) * reach, length(point_across), 1e-3 + 0x1p-21 * double{distance}) << distance;
     }
   }
@@ -98,22 +92,21 @@ TEST(surface_lights, sampled_directions_match_their_density) {
   // outline are integrated on an 8x8 lattice, which for these large lights costs less than the test can see.
   const Light ball = SphereLight<float>{{0, 0, 1.5f}, 1.2f, 1, Rgb(1)};
   const Vec3f p(0, 0, 0);
-  const double p_value = test::direction_p_value([&](test::Random& s) { return sample(ball, p, s.next2()).wi_world; },
-                                                 [&](const Vec3f& d) { return d.z > 0.6f ? pdf(ball, p, {}, {}) : 0; },
+  const double p_value = test::direction_p_value([&](test::Random& s) { return sample(ball, p, s.next2()).wi; },
+                                                 [&](const Vec3f& d) { return d.z > 0.6f ? pdf(ball, p, {}) : 0; },
                                                  32);  // sin = 1.2/1.5, cos = 0.6
   EXPECT_GT(p_value, test::sidak_level(2));
 
   const Light shell = SphereLight<float>{{0, 0, 0}, 1, -1, Rgb(1)};
   const Vec3f inside(0.3f, -0.2f, 0.4f);
-  const double shell_p =
-      test::direction_p_value([&](test::Random& s) { return sample(shell, inside, s.next2()).wi_world; },
-                              [&](const Vec3f& d) {
-                                const float b = dot(d, inside);
-                                const float t = -b + std::sqrt(b * b + 1 - dot(inside, inside));
-                                const Vec3f hit = inside + d * t;
-                                return pdf(shell, inside, hit, -hit);
-                              },
-                              33);
+  const double shell_p = test::direction_p_value([&](test::Random& s) { return sample(shell, inside, s.next2()).wi; },
+                                                 [&](const Vec3f& d) {
+                                                   const float b = dot(d, inside);
+                                                   const float t = -b + std::sqrt(b * b + 1 - dot(inside, inside));
+                                                   const Vec3f hit = inside + d * t;
+                                                   return pdf(shell, inside, {hit, -hit});
+                                                 },
+                                                 33);
   EXPECT_GT(shell_p, test::sidak_level(2));
 }
 

@@ -20,7 +20,7 @@ TexturedSpotLight::TexturedSpotLight(const SpotLight<float>& spot, const Vec3f& 
 
 LightSample<float> TexturedSpotLight::sample(const Vec3f& p, const Vec2<float>& u) const {
   LightSample<float> s = spot_.sample(p, u);
-  if (s.pdf > 0) s.radiance *= texture_towards(-s.wi_world);
+  if (s.pdf > 0) s.radiance *= texture_towards(-s.wi);
   return s;
 }
 
@@ -30,8 +30,8 @@ Emission<float> TexturedSpotLight::emit(const Vec2<float>& u_position, const Vec
   return start;
 }
 
-Rgb TexturedSpotLight::leaving(const Vec3f& n, const Vec3f& direction) const {
-  const Rgb intensity = spot_.leaving(n, direction);
+Rgb TexturedSpotLight::leaving(const LightPoint<float>& at, const Vec3f& direction) const {
+  const Rgb intensity = spot_.leaving(at, direction);
   return max_component(intensity) > 0 ? intensity * texture_towards(direction) : Rgb(0.0f);
 }
 

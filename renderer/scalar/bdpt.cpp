@@ -43,7 +43,7 @@ class BidirectionalTracer : ScalarTracer {
   Rgb sample(int x, int y, const Draws& camera_draws, const Draws& light_draws, std::vector<Vertex>& light_path,
              ScalarWork& work) const {
     light_path.clear();
-    if (lights_.count() > 0) trace_light_path(light_draws, light_path, work);
+    if (lights_->count() > 0) trace_light_path(light_draws, light_path, work);
     return trace_camera_path(x, y, camera_draws, light_path, work);
   }
 
@@ -51,15 +51,15 @@ class BidirectionalTracer : ScalarTracer {
   void trace_light_path(const Draws& draws, std::vector<Vertex>& path, ScalarWork& work) const {
     if (!within(2)) return;
     const LightStart start =
-        lights_.emit(draws.one(dimension::light), draws.two(dimension::position), draws.two(dimension::direction));
+        lights_->emit(draws.one(dimension::light), draws.two(dimension::position), draws.two(dimension::direction));
     // Along the lamp's own surface its density is 0, which rounding draws once in some ten million.
-    if (!(max_component(start.weight) > 0 && start.pdf.direction > 0 && start.pdf.position > 0)) return;
-    Ray ray = world_.leave(start.end, start.direction);
+    if (!(max_component(start.flux) > 0 && start.pdfs.second > 0 && start.pdfs.first > 0)) return;
+    Ray ray = world_.leave(lights_.end(start), start.direction);
     ++work.rays.photon;
     Vertex v;
-    v.throughput = start.weight * arriving_from_infinity(world_, start.infinite, outer_);
+    v.throughput = start.flux * arriving_from_infinity(world_, start.is_infinite, outer_);
     if (!(max_component(v.throughput) > 0)) return;
-    if (world_.has_media_or_bodies()) v.around = surroundings_at(world_, start.end.p, outer_);
+    if (world_.has_media_or_bodies()) v.around = surroundings_at(world_, start.at.p, outer_);
     for (v.edges = 1;; ++v.edges) {
       // One edge more leads to the lens.
       const Vec3f before = ray.origin;
@@ -72,7 +72,7 @@ class BidirectionalTracer : ScalarTracer {
         join_lens(v, draws, work);
         path.push_back(v);
       }
-      if (!within(v.edges + 2) || !go_on(v, draws, TransportMode::importance, max_component(start.weight), ray)) return;
+      if (!within(v.edges + 2) || !go_on(v, draws, TransportMode::importance, max_component(start.flux), ray)) return;
       ++work.rays.bounce;
     }
   }
@@ -92,7 +92,7 @@ class BidirectionalTracer : ScalarTracer {
       const Vec3f before = ray.origin;
       if (!within(v.edges)) return radiance;
       if (!meet(ray, draws, TransportMode::radiance, v) || (v.edges == 1 && camera_.beyond_far_plane(v.at.p)))
-        return lights_.has_environment() ? radiance + meet_environment(v, before) : radiance;
+        return lights_->environment() ? radiance + meet_environment(v, before) : radiance;
       if (!has_density(v, before)) return radiance;
       if (v.edges == 1) {
         const double density = camera_.density(v.at.p, u_lens) * cosine(v.at.ng, v.back);
@@ -167,41 +167,42 @@ class BidirectionalTracer : ScalarTracer {
   }
 
   /// Density per area at `at` of a light path's first step there.
-  static float first_step(const EmissionPdf& pdf, bool infinite, const Vec3f& start, const Interaction& at,
+  static float first_step(const EmissionPdfs<float>& pdfs, bool infinite, const Vec3f& start, const Interaction& at,
                           const Vec3f& to_light) {
     const float cos_in = cosine(at.ng, to_light);
-    return pdf.direction * (infinite ? cos_in : cos_in / length_squared(at.p - start));
+    return pdfs.second * (infinite ? cos_in : cos_in / length_squared(at.p - start));
   }
 
   SubpathWeights first_light_weights(const LightStart& start, const Interaction& at) const {
     const Vec3f to_light = -start.direction;
-    const double f0 = start.pdf.position;
-    const double f1 = light_goes_on * first_step(start.pdf, start.infinite, start.end.p, at, to_light);
-    const double drawn_anew = lights_.sample_pdf(at.p, start);
-    if (start.delta) {  // no camera path meets it
+    const double f0 = start.pdfs.first;
+    const double f1 = light_goes_on * first_step(start.pdfs, start.is_infinite, start.at.p, at, to_light);
+    const double drawn_anew = lights_->pdf(at.p, start);
+    if (start.is_delta) {  // no camera path meets it
       const double a = drawn_anew / (f0 * f1);
       return {a * a, 0};
     }
-    const double g0 = start.infinite ? 1.0f : cosine(start.end.normal, to_light) / length_squared(at.p - start.end.p);
+    const double g0 = start.is_infinite ? 1.0f : cosine(start.at.normal, to_light) / length_squared(at.p - start.at.p);
     const double a = g0 * drawn_anew / (f0 * f1), b = g0 / (f0 * f1);
     return {a * a, b * b};
   }
 
   /// Density with which light paths start as the lamp was met, times that of going on.
-  static double emitting(const EmissionPdf& pdf) {
-    return double{light_goes_on} * double{pdf.position} * double{pdf.direction};
+  static double emitting(const EmissionPdfs<float>& pdfs) {
+    return double{light_goes_on} * double{pdfs.first} * double{pdfs.second};
   }
 
   /// s = 0: the camera path found a light by itself.
   Rgb meet_light(const Vertex& v, const Vec3f& before) const {
-    const Rgb emitted = lights_.radiance(v.at, v.back);
+    const LightPoint<float> point = lights_.point(v.at);
+    const Rgb emitted = lights_->radiance(v.at.light, point, v.back);
     if (!(max_component(emitted) > 0)) return Rgb(0.0f);
     if (v.edges == 1) return limits_.hide_emitters ? Rgb(0.0f) : v.throughput * emitted;
-    const EmissionPdf pdf = lights_.emit_pdf(v.at, v.back);
+    const EmissionPdfs<float> pdfs = lights_->emit_pdfs(v.at.light, point, v.back);
     const double g = cosine(v.at.ng, v.back) / length_squared(v.at.p - before);
-    const double drawn_anew = g * lights_.sample_pdf(before, v.at);
+    const double drawn_anew = g * lights_->pdf(v.at.light, before, point);
     // (d_0/b_0)^2 for s = 1, and for s > 1 what went before times (f_0 t_0/b_0 ...)^2.
-    const double more = v.weights.ratio_of_light(drawn_anew, emitting(pdf));
+    const double more = v.weights.ratio_of_light(drawn_anew, emitting(pdfs));
     return v.throughput * emitted * static_cast<float>(1 / (1 + more));
   }
 
@@ -209,34 +210,36 @@ class BidirectionalTracer : ScalarTracer {
   Rgb meet_environment(const Vertex& v, const Vec3f& before) const {
     if (v.edges == 1 && limits_.hide_emitters) return Rgb(0.0f);
     const Vec3f direction = -v.back;
-    const Rgb emitted = v.throughput * lights_.environment(direction);
+    const Rgb emitted = v.throughput * lights_->environment_radiance(direction);
     if (v.edges == 1 || !(max_component(emitted) > 0)) return emitted;
-    const EmissionPdf pdf = lights_.environment_emit_pdf(before, direction);
-    const double more = v.weights.ratio_of_light(lights_.environment_pdf(before, direction), emitting(pdf));
+    const EmissionPdfs<float> pdfs = lights_->emit_pdfs(*lights_->environment(), {before}, v.back);
+    const double more = v.weights.ratio_of_light(lights_->environment_pdf(before, direction), emitting(pdfs));
     return emitted * static_cast<float>(1 / (1 + more));
   }
 
   /// s = 1: a light's point drawn for this vertex.
   Rgb join_light(const Vertex& v, const Draws& draws, ScalarWork& work) const {
-    const LightSeen seen = lights_.sample(v.at.p, draws.one(dimension::at_vertex(v.edges, dimension::end_choice)),
-                                          draws.two(dimension::at_vertex(v.edges, dimension::end_point)));
+    const LightSeen seen = lights_->sample(v.at.p, draws.one(dimension::at_vertex(v.edges, dimension::end_choice)),
+                                           draws.two(dimension::at_vertex(v.edges, dimension::end_point)));
     if (!(seen.pdf > 0)) return Rgb(0.0f);
     const Rgb f = evaluate(v.at, v.back, seen.wi, TransportMode::radiance);
     const Rgb value = v.throughput * f * seen.radiance * (1 / seen.pdf);
     if (!(max_component(value) > 0)) return Rgb(0.0f);
     ++work.rays.shadow;
-    const Rgb arrives = arriving(v, seen.end, draws);
+    const Rgb arrives = arriving(v, lights_.end(seen), draws);
     if (!(max_component(arrives) > 0)) return Rgb(0.0f);
 
     const double less =
-        seen.delta ? 0.0 : scatter_pdf(v.at, v.back, seen.wi, TransportMode::radiance) / double{seen.pdf};
-    const EmissionPdf pdf =
-        lights_.emit_pdf(seen.light, seen.infinite ? v.at.p : seen.end.p, seen.end.normal, seen.triangle, -seen.wi);
-    const double f1 = light_goes_on * first_step(pdf, seen.infinite, seen.end.p, v.at, seen.wi);
+        seen.is_delta ? 0.0 : scatter_pdf(v.at, v.back, seen.wi, TransportMode::radiance) / double{seen.pdf};
+    LightPoint<float> on_line = seen.at;
+    if (seen.is_infinite) on_line.p = v.at.p;
+    const EmissionPdfs<float> pdfs = lights_->emit_pdfs(seen.light, on_line, -seen.wi);
+    const double f1 = light_goes_on * first_step(pdfs, seen.is_infinite, seen.at.p, v.at, seen.wi);
     // f_0 over d_0: both per area, or both per direction at an infinite light, or both of the choice alone.
     double drawn = seen.pdf;
-    if (!seen.delta && !seen.infinite) drawn *= cosine(seen.end.normal, seen.wi) / length_squared(v.at.p - seen.end.p);
-    const double more = v.weights.ratio(pdf.position * f1 / drawn, light_pdf(v, seen.wi));
+    if (!seen.is_delta && !seen.is_infinite)
+      drawn *= cosine(seen.at.normal, seen.wi) / length_squared(v.at.p - seen.at.p);
+    const double more = v.weights.ratio(pdfs.first * f1 / drawn, light_pdf(v, seen.wi));
     return value * arrives * static_cast<float>(1 / (1 + less * less + more));
   }
 

@@ -18,7 +18,7 @@
 // Where the ends differ: next-event estimation (s = 1) draws x_0 anew with a density d_0 of its own, so that the last
 // step is to (d_0/f_0)^2. Camera paths do not meet the lens (no strategy without a camera vertex), and the light seen
 // directly is left to camera paths, so s = 1 does not join the lens. Light at infinity has directions in place of
-// points: see EmissionPdf.
+// points: see EmissionPdfs.
 //
 // Roulette by throughput is in no density: weights need only be the same function of the path in every strategy, which
 // they are. But of long paths, half are made by a long light path and a long camera path, all pairs of which it takes

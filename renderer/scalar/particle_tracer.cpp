@@ -32,15 +32,15 @@ class ParticleTracer : ScalarTracer {
       : ScalarTracer(scene, limits, pixels) {}
 
   void trace(const Draws& draws, ScalarWork& work) const {
-    if (lights_.count() == 0) return;
+    if (lights_->count() == 0) return;
     if (!limits_.hide_emitters) show_light(draws, work);
     const LightStart start =
-        lights_.emit(draws.one(dimension::light), draws.two(dimension::position), draws.two(dimension::direction));
-    Rgb throughput = start.weight * arriving_from_infinity(world_, start.infinite, outer_);
+        lights_->emit(draws.one(dimension::light), draws.two(dimension::position), draws.two(dimension::direction));
+    Rgb throughput = start.flux * arriving_from_infinity(world_, start.is_infinite, outer_);
     if (!(max_component(throughput) > 0)) return;
     const Rgb first_throughput = throughput;
-    Ray ray = world_.leave(start.end, start.direction);
-    Surroundings around = surroundings_at(world_, start.end.p, outer_);
+    Ray ray = world_.leave(lights_.end(start), start.direction);
+    Surroundings around = surroundings_at(world_, start.at.p, outer_);
     ++work.rays.photon;
     // `edges` from the light to the vertex; the one to the camera comes on top.
     for (std::uint32_t edges = 1; within(edges + 1); ++edges) {
@@ -68,7 +68,7 @@ class ParticleTracer : ScalarTracer {
 
   /// What the camera sees of the environment itself.
   Rgb environment(int x, int y, const Draws& draws, ScalarWork& work) const {
-    if (!lights_.has_environment() || limits_.hide_emitters || !within(1)) return Rgb(0.0f);
+    if (!lights_->environment() || limits_.hide_emitters || !within(1)) return Rgb(0.0f);
     std::optional<Ray> ray = camera_.ray(x, y, draws, 0, dimension::in_pixel, draws.two(dimension::lens));
     if (!ray) return Rgb(0.0f);
     ++work.rays.camera;
@@ -77,7 +77,7 @@ class ParticleTracer : ScalarTracer {
     Interaction at;
     if (travel(world_, *ray, around, draws.one(dimension::layer), TransportMode::radiance, throughput, at))
       return Rgb(0.0f);
-    return throughput * lights_.environment(ray->direction);
+    return throughput * lights_->environment_radiance(ray->direction);
   }
 
  private:
@@ -94,14 +94,14 @@ class ParticleTracer : ScalarTracer {
 
   /// The light itself, by a point of its own.
   void show_light(const Draws& draws, ScalarWork& work) const {
-    const LightStart start = lights_.emit(draws.one(dimension::seen_light), draws.two(dimension::seen_position),
-                                          draws.two(dimension::direction));
-    if (start.delta || start.infinite || !(start.pdf.position > 0)) return;
-    const std::optional<CameraSeen> seen = camera_.connect(start.end.p, draws.two(dimension::seen_lens));
+    const LightStart start = lights_->emit(draws.one(dimension::seen_light), draws.two(dimension::seen_position),
+                                           draws.two(dimension::direction));
+    if (start.is_delta || start.is_infinite || !(start.pdfs.first > 0)) return;
+    const std::optional<CameraSeen> seen = camera_.connect(start.at.p, draws.two(dimension::seen_lens));
     if (!seen) return;
-    const Rgb emitted = lights_.radiance(start, seen->wi);
-    add(emitted * (cosine(start.end.normal, seen->wi) * seen->density / start.pdf.position), start.end, *seen,
-        surroundings_at(world_, start.end.p, outer_), draws, work);
+    const Rgb emitted = lights_->radiance(start.light, start.at, seen->wi);
+    add(emitted * (cosine(start.at.normal, seen->wi) * seen->density / start.pdfs.first), lights_.end(start), *seen,
+        surroundings_at(world_, start.at.p, outer_), draws, work);
   }
 
   void add(const Rgb& value, const SegmentEnd& from, const CameraSeen& seen, const Surroundings& around,

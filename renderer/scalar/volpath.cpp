@@ -91,10 +91,11 @@ class VolumetricTracer : ScalarTracer {
     const LightSeen seen = light_seen(p, step, draws);
     if (seen.pdf > 0) {
       const float f = phase.eval(h.ray.direction, seen.wi);
-      const float weight = seen.delta ? 1.0f : power_heuristic(seen.pdf, f);
+      const float weight = seen.is_delta ? 1.0f : power_heuristic(seen.pdf, f);
       ++work.rays.shadow;
-      h.radiance += h.throughput * seen.radiance * (f * weight / seen.pdf) *
-                    transmittance(world_, {p}, seen.end, h.surroundings, true, draws, dimension::segment(step));
+      h.radiance +=
+          h.throughput * seen.radiance * (f * weight / seen.pdf) *
+          transmittance(world_, {p}, lights_.end(seen), h.surroundings, true, draws, dimension::segment(step));
     }
     const Vec3f wi = phase.sample(h.ray.direction, draws.two(dimension::at_step(step, dimension::direction)));
     h.pdf = phase.eval(h.ray.direction, wi);
@@ -131,24 +132,25 @@ class VolumetricTracer : ScalarTracer {
 
   void add_emission(History& h, const Interaction& at, const Vec3f& wo) const {
     if (h.depth == 0 && limits_.hide_emitters) return;
-    const Rgb emitted = lights_.radiance(at, wo);
+    const LightPoint<float> point = lights_.point(at);
+    const Rgb emitted = lights_->radiance(at.light, point, wo);
     if (!(max_component(emitted) > 0)) return;
-    const float weight = h.pdf > 0 ? power_heuristic(h.pdf, lights_.sample_pdf(h.scattered_at, at)) : 1.0f;
+    const float weight = h.pdf > 0 ? power_heuristic(h.pdf, lights_->pdf(at.light, h.scattered_at, point)) : 1.0f;
     h.radiance += h.throughput * emitted * weight;
   }
 
   /// Nothing follows.
   bool meet_environment(History& h) const {
-    if (!lights_.has_environment() || (h.depth == 0 && limits_.hide_emitters)) return false;
+    if (!lights_->environment() || (h.depth == 0 && limits_.hide_emitters)) return false;
     const Vec3f& direction = h.ray.direction;
-    const float weight = h.pdf > 0 ? power_heuristic(h.pdf, lights_.environment_pdf(h.scattered_at, direction)) : 1.0f;
-    h.radiance += h.throughput * lights_.environment(direction) * weight;
+    const float weight = h.pdf > 0 ? power_heuristic(h.pdf, lights_->environment_pdf(h.scattered_at, direction)) : 1.0f;
+    h.radiance += h.throughput * lights_->environment_radiance(direction) * weight;
     return false;
   }
 
   LightSeen light_seen(const Vec3f& p, std::uint32_t step, const Draws& draws) const {
-    return lights_.sample(p, draws.one(dimension::at_step(step, dimension::light_choice)),
-                          draws.two(dimension::at_step(step, dimension::light_point)));
+    return lights_->sample(p, draws.one(dimension::at_step(step, dimension::light_choice)),
+                           draws.two(dimension::at_step(step, dimension::light_point)));
   }
 
   void add_direct_light(History& h, const Interaction& at, const Vec3f& wo, std::uint32_t step, const Draws& draws,
@@ -158,12 +160,12 @@ class VolumetricTracer : ScalarTracer {
     const Rgb f = evaluate(at, wo, seen.wi, TransportMode::radiance);
     if (!(max_component(f) > 0)) return;
     const float weight =
-        seen.delta ? 1.0f : power_heuristic(seen.pdf, scatter_pdf(at, wo, seen.wi, TransportMode::radiance));
+        seen.is_delta ? 1.0f : power_heuristic(seen.pdf, scatter_pdf(at, wo, seen.wi, TransportMode::radiance));
     Surroundings outward = h.surroundings;
     outward.leave(world_, at, wo, seen.wi);
     ++work.rays.shadow;
     h.radiance += h.throughput * f * seen.radiance * (weight / seen.pdf) *
-                  transmittance(world_, end_at(at), seen.end, outward, true, draws, dimension::segment(step));
+                  transmittance(world_, end_at(at), lights_.end(seen), outward, true, draws, dimension::segment(step));
   }
 
   /// Russian roulette from rr_depth on, with the largest channel.

@@ -43,11 +43,11 @@ class WhittedTracer : ScalarTracer {
     if (!within(edges)) return Rgb(0.0f);
     if (!world_.intersect(ray, draws.one(dimension++), TransportMode::radiance, at) ||
         (edges == 1 && camera_.beyond_far_plane(at.p)))
-      return edges == 1 && limits_.hide_emitters ? Rgb(0.0f) : throughput * lights_.environment(ray.direction);
+      return edges == 1 && limits_.hide_emitters ? Rgb(0.0f) : throughput * lights_->environment_radiance(ray.direction);
     const Vec3f wo = -ray.direction;
     Rgb radiance(0.0f);
     if (at.light != no_index && !(edges == 1 && limits_.hide_emitters))
-      radiance += throughput * lights_.radiance(at, wo);
+      radiance += throughput * lights_->radiance(at.light, lights_.point(at), wo);
     if (!within(edges + 1)) return radiance;
     if (has_smooth(at.bsdf)) radiance += throughput * direct_light(at, wo, draws, dimension, work);
 
@@ -70,13 +70,13 @@ class WhittedTracer : ScalarTracer {
   Rgb direct_light(const Interaction& at, const Vec3f& wo, const Draws& draws, std::uint32_t& dimension,
                    ScalarWork& work) const {
     Rgb sum(0.0f);
-    for (std::uint32_t light = 0; light < lights_.count(); ++light) {
-      const LightSeen seen = lights_.sample_of(light, at.p, draws.two(dimension++));
+    for (std::uint32_t light = 0; light < lights_->count(); ++light) {
+      const LightSeen seen = lights_->sample_of(light, at.p, draws.two(dimension++));
       if (!(seen.pdf > 0)) continue;
       const Rgb value = evaluate(at, wo, seen.wi, TransportMode::radiance) * seen.radiance * (1 / seen.pdf);
       if (!(max_component(value) > 0)) continue;
       ++work.rays.shadow;
-      if (world_.visible(end_at(at), seen.end)) sum += value;
+      if (world_.visible(end_at(at), lights_.end(seen))) sum += value;
     }
     return sum;
   }
