@@ -16,12 +16,6 @@ struct CompiledBsdf {
   std::vector<TextureSlot> slots;
 };
 
-/// False for what only chooses or turns other BSDFs: twosided, mask, blendbsdf, bumpmap, normalmap.
-bool is_bsdf_leaf(const BsdfDescription& bsdf);
-/// The BSDFs that one nests, in the order of its description; none of a leaf but the base of `layered`, which is
-/// compiled into its record.
-std::vector<BsdfIndex> nested_bsdfs(const BsdfDescription& bsdf);
-
 /// Whether a leaf looks different when it is turned about its normal, and so asks for the tangent along dp/du.
 bool is_anisotropic(const SceneDescription& scene, BsdfIndex bsdf);
 

@@ -83,16 +83,15 @@ TEST(compile_bsdf, refuses_what_has_no_record) {
   EXPECT_NO_THROW(compile(DielectricDescription{1.3, 1.3, one, one}));
 }
 
-TEST(compile_bsdf, knows_leaves_and_directions) {
+TEST(compile_bsdf, knows_directions) {
   SceneDescription scene;
   const RgbD one(1.0);
   scene.bsdfs.push_back({{}, "", RoughConductorDescription{MicrofacetDistribution::ggx, 0.1, 0.2, true, {}, one}});
   scene.bsdfs.push_back({{}, "", LayeredDescription{{0}, 1.5, 1.0, RgbD(0.0), 1, one}});
-  scene.bsdfs.push_back({{}, "", TwoSidedDescription{{0}, {0}}});
+  scene.bsdfs.push_back({{}, "", PlasticDescription{}});
   EXPECT_TRUE(is_anisotropic(scene, {0}));
   EXPECT_TRUE(is_anisotropic(scene, {1}));
-  EXPECT_TRUE(is_bsdf_leaf(scene.bsdfs[1]));
-  EXPECT_FALSE(is_bsdf_leaf(scene.bsdfs[2]));
+  EXPECT_FALSE(is_anisotropic(scene, {2}));
 }
 
 }  // namespace

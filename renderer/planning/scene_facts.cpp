@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "scenes/description/overloaded.h"
+
 namespace photonproof {
 namespace {
 
@@ -37,11 +39,13 @@ bool faces(const Scene& scene, const Surface& surface, const Surface& other) {
 }
 
 bool sees_itself(const Scene& scene, const Surface& surface) {
-  const Geometry& geometry = surface.geometry;
-  if (std::holds_alternative<Mesh>(geometry) || std::holds_alternative<MeshInstance>(geometry)) return true;
-  if (const auto* cylinder = std::get_if<Cylinder>(&geometry)) return cylinder->inward || !is_one_sided(scene, surface);
-  if (const auto* sphere = std::get_if<Sphere>(&geometry)) return sphere->inward || !is_one_sided(scene, surface);
-  return false;
+  const auto curved = [&](bool inward) { return inward || !is_one_sided(scene, surface); };
+  return std::visit(
+      Overloaded{[](const Mesh&) { return true; }, [](const MeshInstance&) { return true; },
+                 [&](const Cylinder& cylinder) { return curved(cylinder.inward); },
+                 [&](const Sphere& sphere) { return curved(sphere.inward); }, [](const Quad&) { return false; },
+                 [](const Disk&) { return false; }, [](const Plane&) { return false; }},
+      surface.geometry);
 }
 
 bool can_interreflect(const Scene& scene, const std::vector<const Surface*>& diffuse) {
