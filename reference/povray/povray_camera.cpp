@@ -8,6 +8,7 @@
 
 #include "reference/povray/sdl_text.h"
 #include "reference/povray/unrepresentable.h"
+#include "scenes/description/overloaded.h"
 #include "scenes/meshes/convex_clip.h"
 #include "scenes/text/text_numbers.h"
 
@@ -93,14 +94,19 @@ bool may_meet(const PovSphere& sphere, const PovCamera& camera, double nearest, 
 }
 
 bool may_meet(const PovSurface& surface, const PovCamera& camera, double nearest, double farthest) {
-  if (const auto* sphere = std::get_if<PovSphere>(&surface.geometry))
-    return may_meet(*sphere, camera, nearest, farthest);
   const std::vector<HalfSpace> region = frustum(camera, nearest, farthest);
-  if (const auto* face = std::get_if<PovParallelogram>(&surface.geometry)) return meets(*face, region);
-  if (const auto* mesh = std::get_if<PovMesh>(&surface.geometry))
-    return mesh->any_triangle([&](const auto& triangle) { return meets(triangle, polygon_area(triangle), region); });
-  const auto faces = std::get<PovBox>(surface.geometry).faces();
-  return std::any_of(faces.begin(), faces.end(), [&](const PovParallelogram& face) { return meets(face, region); });
+  const auto face_meets = [&](const PovParallelogram& face) { return meets(face, region); };
+  return std::visit(
+      Overloaded{[&](const PovSphere& sphere) { return may_meet(sphere, camera, nearest, farthest); }, face_meets,
+                 [&](const PovMesh& mesh) {
+                   return mesh.any_triangle(
+                       [&](const auto& triangle) { return meets(triangle, polygon_area(triangle), region); });
+                 },
+                 [&](const PovBox& box) {
+                   const auto faces = box.faces();
+                   return std::any_of(faces.begin(), faces.end(), face_meets);
+                 }},
+      surface.geometry);
 }
 
 /// Whether every surface and light is on the front side of the face's plane, so that only the camera looks at its back.
@@ -113,19 +119,19 @@ bool nothing_behind(const PovParallelogram& plane, const PovScene& scene) {
     return std::all_of(vertices.begin(), vertices.end(), [&](const Vec3d& v) { return in_front(v, 0); });
   };
   for (const PovSurface& surface : scene.surfaces) {
-    bool clear = true;
-    if (const auto* sphere = std::get_if<PovSphere>(&surface.geometry)) {
-      clear = in_front(sphere->center, sphere->radius);
-    } else if (const auto* face = std::get_if<PovParallelogram>(&surface.geometry)) {
-      clear = face_in_front(*face);
-    } else if (const auto* mesh = std::get_if<PovMesh>(&surface.geometry)) {
-      clear = !mesh->any_triangle([&](const auto& triangle) {
-        return std::any_of(triangle.begin(), triangle.end(), [&](const Vec3d& v) { return !in_front(v, 0); });
-      });
-    } else {
-      const auto faces = std::get<PovBox>(surface.geometry).faces();
-      clear = std::all_of(faces.begin(), faces.end(), face_in_front);
-    }
+    const bool clear = std::visit(
+        Overloaded{[&](const PovSphere& sphere) { return in_front(sphere.center, sphere.radius); }, face_in_front,
+                   [&](const PovMesh& mesh) {
+                     return !mesh.any_triangle([&](const auto& triangle) {
+                       return std::any_of(triangle.begin(), triangle.end(),
+                                          [&](const Vec3d& v) { return !in_front(v, 0); });
+                     });
+                   },
+                   [&](const PovBox& box) {
+                     const auto faces = box.faces();
+                     return std::all_of(faces.begin(), faces.end(), face_in_front);
+                   }},
+        surface.geometry);
     if (!clear) return false;
   }
   const auto& emitters = scene.description->emitters;

@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "reference/povray/povray_materials.h"
+#include "scenes/description/overloaded.h"
 #include "scenes/text/text_numbers.h"
 
 namespace photonproof {
@@ -49,13 +50,17 @@ std::string shape_sdl(const PovBox& box, double scale) {
 std::string shape_sdl(const PovMesh& mesh, double) { return "object{Mesh_" + std::to_string(mesh.number); }
 
 std::string kind(const PovSurface& surface) {
-  if (const auto* mesh = std::get_if<PovMesh>(&surface.geometry))
-    return "ply as a mesh2 of " + std::to_string(mesh->mesh->triangles.size()) +
-           " flat triangles, in world space and single precision";
-  if (std::holds_alternative<PovSphere>(surface.geometry)) return "sphere";
-  if (std::holds_alternative<PovBox>(surface.geometry)) return "cube as a box";
-  if (std::holds_alternative<RectangleDescription>(surface.shape->geometry)) return "rectangle as a polygon";
-  return "side of a cube as a polygon";
+  const bool rectangle = std::holds_alternative<RectangleDescription>(surface.shape->geometry);
+  return std::visit(Overloaded{[](const PovMesh& mesh) {
+                                 return "ply as a mesh2 of " + std::to_string(mesh.mesh->triangles.size()) +
+                                        " flat triangles, in world space and single precision";
+                               },
+                               [](const PovSphere&) -> std::string { return "sphere"; },
+                               [](const PovBox&) -> std::string { return "cube as a box"; },
+                               [&](const PovParallelogram&) -> std::string {
+                                 return rectangle ? "rectangle as a polygon" : "side of a cube as a polygon";
+                               }},
+                    surface.geometry);
 }
 
 /// Texture of a light's front that shows both what it emits and what it reflects. POV-Ray multiplies emission by the

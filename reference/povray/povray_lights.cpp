@@ -6,6 +6,7 @@
 #include <random>
 #include <stdexcept>
 
+#include "scenes/description/overloaded.h"
 #include "scenes/text/text_numbers.h"
 
 namespace photonproof {
@@ -36,15 +37,18 @@ PovrayLightPoints share(const PovrayLightPoints& points, const PovScene& scene) 
 void write_area_light(const PovScene& scene, const PovSurface& surface, const PovPlan& plan,
                       const PovrayLightPoints& points, std::uint64_t seed, SdlWriter& out) {
   std::vector<std::string> spots;
-  if (const auto* face = std::get_if<PovParallelogram>(&surface.geometry)) {
-    const Vec3d normal = face->normal();
-    for (const Vec2<double>& s : square_points(points.rectangle, seed))
-      spots.push_back(spot((face->corner + face->edge_u * s.x + face->edge_v * s.y) * plan.scale, normal));
-  } else {
-    const PovSphere& sphere = std::get<PovSphere>(surface.geometry);
-    for (const Vec3d& n : sphere_points(points.sphere, seed))
-      spots.push_back(spot((sphere.center + n * sphere.radius) * plan.scale, n));
-  }
+  const auto refuse = []() { throw std::logic_error("lower_scene lets no such lamp through"); };
+  std::visit(Overloaded{[&](const PovParallelogram& face) {
+                          for (const Vec2<double>& s : square_points(points.rectangle, seed))
+                            spots.push_back(spot((face.corner + face.edge_u * s.x + face.edge_v * s.y) * plan.scale,
+                                                 face.normal()));
+                        },
+                        [&](const PovSphere& sphere) {
+                          for (const Vec3d& n : sphere_points(points.sphere, seed))
+                            spots.push_back(spot((sphere.center + n * sphere.radius) * plan.scale, n));
+                        },
+                        [&](const PovBox&) { refuse(); }, [&](const PovMesh&) { refuse(); }},
+             surface.geometry);
   // Each is a small patch of the surface: intensity L A cos(angle) over the number of patches.
   const double patch = area(surface) * plan.scale * plan.scale / static_cast<double>(spots.size());
   out.explain("light of " + scene.description->where(surface.shape->loc) + ": " + std::to_string(spots.size()) +

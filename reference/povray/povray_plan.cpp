@@ -6,47 +6,29 @@
 
 #include "reference/povray/sdl_text.h"
 #include "reference/povray/unrepresentable.h"
+#include "scenes/description/overloaded.h"
 
 namespace photonproof {
 namespace {
 
 constexpr int kMostBounces = 20;  // POV-Ray 3.7's limit for recursion_limit
 
-/// The corners of what is flat, and how far anything reaches around them.
-struct Extent {
-  std::vector<Vec3d> points;
-  double reach = 0;
-};
-Extent extent(const PovSurface& surface) {
-  if (const auto* sphere = std::get_if<PovSphere>(&surface.geometry)) return {{sphere->center}, sphere->radius};
-  Extent result;
-  if (const auto* face = std::get_if<PovParallelogram>(&surface.geometry)) {
-    for (const Vec3d& v : face->vertices()) result.points.push_back(v);
-  } else if (const auto* mesh = std::get_if<PovMesh>(&surface.geometry)) {
-    const auto corners = mesh->box_corners();
-    result.points.assign(corners.begin(), corners.end());
-  } else {
-    for (const PovParallelogram& side : std::get<PovBox>(surface.geometry).faces())
-      for (const Vec3d& v : side.vertices()) result.points.push_back(v);
-  }
-  return result;
-}
-
 /// Whether any of `to` is in front of `from`. Where `from` is curved the answer is yes.
 bool any_in_front(const PovSurface& from, const PovSurface& to) {
   const auto* face = std::get_if<PovParallelogram>(&from.geometry);
   if (!face) return true;
   const Vec3d n = face->normal();
-  const Extent other = extent(to);
+  const PovExtent other = extent(to);
   const double touch = 1e-9 * std::sqrt(face->area());
   return std::any_of(other.points.begin(), other.points.end(),
                      [&](const Vec3d& p) { return dot(n, p - face->corner) + other.reach > touch; });
 }
 
 bool sees_itself(const PovSurface& surface) {
-  if (std::holds_alternative<PovMesh>(surface.geometry)) return true;  // for all that is known
-  const auto* sphere = std::get_if<PovSphere>(&surface.geometry);
-  return sphere && sphere->inward;
+  return std::visit(Overloaded{[](const PovMesh&) { return true; },  // for all that is known
+                               [](const PovSphere& sphere) { return sphere.inward; },
+                               [](const PovParallelogram&) { return false; }, [](const PovBox&) { return false; }},
+                    surface.geometry);
 }
 
 int max_depth(const SceneDescription& scene) { return scene.integrator.limits().max_depth; }

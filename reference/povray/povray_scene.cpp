@@ -1,11 +1,14 @@
 #include "reference/povray/povray_scene.h"
 
 #include <algorithm>
+#include <concepts>
 #include <limits>
 #include <numbers>
+#include <stdexcept>
 
 #include "reference/povray/povray_overlap.h"
 #include "reference/povray/unrepresentable.h"
+#include "scenes/description/overloaded.h"
 
 namespace photonproof {
 namespace {
@@ -20,6 +23,11 @@ PovParallelogram parallelogram(const Transform& t, bool flip) {
 }
 
 bool is_texture(const Colour& colour) { return std::holds_alternative<TextureIndex>(colour); }
+
+/// What lower_shape has a case for.
+template <class Kind>
+concept Writable = std::same_as<Kind, SphereDescription> || std::same_as<Kind, RectangleDescription> ||
+    std::same_as<Kind, CubeDescription> || std::same_as<Kind, MeshDescription>;
 
 /// The models that povray_materials.cpp can write.
 void check_model(const SceneDescription& scene, const BsdfDescription& bsdf) {
@@ -37,9 +45,7 @@ void check_model(const SceneDescription& scene, const BsdfDescription& bsdf) {
 
 void check_kinds(const SceneDescription& scene) {
   for (const ShapeDescription& shape : scene.shapes) {
-    const std::size_t kind = shape.geometry.index();
-    const std::size_t known = 4;  // sphere, rectangle, cube, mesh
-    if (kind >= known)
+    if (!std::visit([]<class Kind>(const Kind&) { return Writable<Kind>; }, shape.geometry))
       throw Unrepresentable(scene.where(shape.loc), "this shape; spheres, rectangles, cubes and meshes can be written");
     if (shape.interior || shape.exterior) throw Unrepresentable(scene.where(shape.loc), "a participating medium");
     if (shape.radiance && is_texture(*shape.radiance))
@@ -94,7 +100,7 @@ void check_mesh(const SceneDescription& scene, const ShapeDescription& shape) {
         where, "a triangle mesh with interpolated shading normals; one with face_normals true can be written");
 }
 
-void add_surface(PovScene& scene, PovSurface surface, const decltype(PovSurface::geometry)& geometry) {
+void add_surface(PovScene& scene, PovSurface surface, const PovGeometry& geometry) {
   surface.geometry = geometry;
   check_shape(*scene.description, surface);
   scene.surfaces.push_back(surface);
@@ -109,24 +115,32 @@ void lower_shape(PovScene& scene, const ShapeDescription& shape) {
   const bool closed = !std::holds_alternative<RectangleDescription>(shape.geometry);
   if (emits && closed && shape.flip_normals) surface.emission = PovSurface::Emission::radiosity;
 
-  if (const auto* sphere = std::get_if<SphereDescription>(&shape.geometry)) {
-    const double scale = std::cbrt(std::abs(shape.to_world.determinant()));
-    add_surface(scene, surface,
-                PovSphere{shape.to_world.point(sphere->center), sphere->radius * scale, shape.flip_normals});
-  } else if (std::holds_alternative<MeshDescription>(shape.geometry)) {
-    check_mesh(*scene.description, shape);
-    add_surface(scene, surface, place_mesh(shape, scene.surfaces.size()));
-  } else if (!closed) {
-    add_surface(scene, surface, parallelogram(shape.to_world, shape.flip_normals));
-  } else {
-    const PovBox box{shape.to_world, shape.flip_normals};
+  const auto add_box = [&](const PovBox& box) {
     const bool glass = std::holds_alternative<DielectricDescription>(surface.bsdf->model);
-    if (glass || (!emits && !shape.flip_normals)) {
-      add_surface(scene, surface, box);
-    } else {
-      for (const PovParallelogram& face : box.faces()) add_surface(scene, surface, face);
-    }
-  }
+    if (glass || (!emits && !shape.flip_normals)) return add_surface(scene, surface, box);
+    for (const PovParallelogram& face : box.faces()) add_surface(scene, surface, face);
+  };
+  std::visit(Overloaded{[&](const SphereDescription& sphere) {
+                          const double scale = std::cbrt(std::abs(shape.to_world.determinant()));
+                          add_surface(scene, surface,
+                                      PovSphere{shape.to_world.point(sphere.center), sphere.radius * scale,
+                                                shape.flip_normals});
+                        },
+                        [&](const MeshDescription&) {
+                          check_mesh(*scene.description, shape);
+                          add_surface(scene, surface, place_mesh(shape, scene.surfaces.size()));
+                        },
+                        [&](const RectangleDescription&) {
+                          add_surface(scene, surface, parallelogram(shape.to_world, shape.flip_normals));
+                        },
+                        [&](const CubeDescription&) {
+                          add_box({shape.to_world, shape.flip_normals});
+                        },
+                        []<class Kind>(const Kind&) {
+                          static_assert(!Writable<Kind>);
+                          throw std::logic_error("check_kinds lets no such shape through");
+                        }},
+             shape.geometry);
 }
 
 /// A ball around the centre of the axis-aligned box of everything.
@@ -138,16 +152,8 @@ void bound(PovScene& scene) {
     high = {std::max(high.x, p.x + reach), std::max(high.y, p.y + reach), std::max(high.z, p.z + reach)};
   };
   for (const PovSurface& surface : scene.surfaces) {
-    if (const auto* sphere = std::get_if<PovSphere>(&surface.geometry)) {
-      add(sphere->center, sphere->radius);
-    } else if (const auto* face = std::get_if<PovParallelogram>(&surface.geometry)) {
-      for (const Vec3d& v : face->vertices()) add(v, 0);
-    } else if (const auto* mesh = std::get_if<PovMesh>(&surface.geometry)) {
-      for (const Vec3d& v : mesh->box_corners()) add(v, 0);
-    } else {
-      for (const PovParallelogram& side : std::get<PovBox>(surface.geometry).faces())
-        for (const Vec3d& v : side.vertices()) add(v, 0);
-    }
+    const PovExtent of = extent(surface);
+    for (const Vec3d& p : of.points) add(p, of.reach);
   }
   for (const EmitterDescription& emitter : scene.description->emitters)
     add(std::get<PointLightDescription>(emitter.light).position, 0);
@@ -183,13 +189,33 @@ std::array<PovParallelogram, 6> PovBox::faces() const {
 }
 
 double area(const PovSurface& surface) {
-  if (const auto* sphere = std::get_if<PovSphere>(&surface.geometry))
-    return 4 * std::numbers::pi * sphere->radius * sphere->radius;
-  if (const auto* face = std::get_if<PovParallelogram>(&surface.geometry)) return face->area();
-  if (const auto* mesh = std::get_if<PovMesh>(&surface.geometry)) return mesh->area;
-  double sum = 0;
-  for (const PovParallelogram& side : std::get<PovBox>(surface.geometry).faces()) sum += side.area();
-  return sum;
+  const auto of_box = [](const PovBox& box) {
+    double sum = 0;
+    for (const PovParallelogram& side : box.faces()) sum += side.area();
+    return sum;
+  };
+  return std::visit(
+      Overloaded{[](const PovSphere& sphere) { return 4 * std::numbers::pi * sphere.radius * sphere.radius; },
+                 [](const PovParallelogram& face) { return face.area(); },
+                 [](const PovMesh& mesh) { return mesh.area; }, of_box},
+      surface.geometry);
+}
+
+PovExtent extent(const PovSurface& surface) {
+  PovExtent found;
+  const auto add_all = [&](const auto& corners) {
+    found.points.insert(found.points.end(), corners.begin(), corners.end());
+  };
+  std::visit(Overloaded{[&](const PovSphere& sphere) {
+                          found = {{sphere.center}, sphere.radius};
+                        },
+                        [&](const PovParallelogram& face) { add_all(face.vertices()); },
+                        [&](const PovMesh& mesh) { add_all(mesh.box_corners()); },
+                        [&](const PovBox& box) {
+                          for (const PovParallelogram& side : box.faces()) add_all(side.vertices());
+                        }},
+             surface.geometry);
+  return found;
 }
 
 bool is_diffuse(const PovSurface& surface) {

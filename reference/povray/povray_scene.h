@@ -30,8 +30,10 @@ struct PovBox {
   std::array<PovParallelogram, 6> faces() const;
 };
 
+using PovGeometry = std::variant<PovParallelogram, PovSphere, PovBox, PovMesh>;
+
 struct PovSurface {
-  std::variant<PovParallelogram, PovSphere, PovBox, PovMesh> geometry;
+  PovGeometry geometry;
   const ShapeDescription* shape = nullptr;
   const BsdfDescription* bsdf = nullptr;
   /// Lights that enclose what they light are left to radiosity, which finds them with any ray; others are too small for
@@ -48,6 +50,13 @@ struct PovScene {
 };
 
 double area(const PovSurface& surface);
+
+/// The corners of what is flat, of a mesh those of its box, and how far anything reaches around them.
+struct PovExtent {
+  std::vector<Vec3d> points;
+  double reach = 0;
+};
+PovExtent extent(const PovSurface& surface);
 
 /// A diffuse surface that reflects anything.
 bool is_diffuse(const PovSurface& surface);

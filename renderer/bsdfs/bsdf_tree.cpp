@@ -32,10 +32,7 @@ BsdfNode node(const BumpMapDescription& d) {
 BsdfNode node(const NormalMapDescription& d) {
   return map(Kind::normal_map, d.nested, {1, d.normals.value}, d.normal_options);
 }
-template <class Leaf>
-BsdfNode node(const Leaf&) {
-  return {};
-}
+BsdfNode node(const LeafBsdf auto&) { return {}; }
 
 }  // namespace
 

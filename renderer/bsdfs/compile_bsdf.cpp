@@ -3,6 +3,7 @@
 #include <cstddef>
 
 #include "renderer/bsdfs/interface_tables.h"
+#include "scenes/description/overloaded.h"
 #include "scenes/text/faults.h"
 
 namespace photonproof {
@@ -60,19 +61,20 @@ class Compiler {
     return record;
   }
   Bsdf operator()(const LayeredDescription& d) {
-    const auto& base = scene_.bsdfs[d.base.value].model;
-    if (const auto* m = std::get_if<DiffuseDescription>(&base)) return layered<DiffuseBsdf>(d, diffuse(*m));
-    if (const auto* m = std::get_if<ConductorDescription>(&base))
-      return layered<ConductorBsdf>(d, conductor(*m, d.int_ior));
-    if (const auto* m = std::get_if<RoughConductorDescription>(&base))
-      return layered<RoughConductorBsdf>(d, rough_conductor(*m, d.int_ior));
-    if (const auto* m = std::get_if<PhongDescription>(&base)) return layered<PhongBsdf>(d, phong(*m));
-    refuse("layered: the base must be diffuse, conductor, roughconductor or phong");
+    return std::visit(Overloaded{[&](const DiffuseDescription& base) { return layered<DiffuseBsdf>(d, diffuse(base)); },
+                                 [&](const ConductorDescription& base) {
+                                   return layered<ConductorBsdf>(d, conductor(base, d.int_ior));
+                                 },
+                                 [&](const RoughConductorDescription& base) {
+                                   return layered<RoughConductorBsdf>(d, rough_conductor(base, d.int_ior));
+                                 },
+                                 [&](const PhongDescription& base) { return layered<PhongBsdf>(d, phong(base)); },
+                                 [&](const auto&) -> Bsdf {
+                                   refuse("layered: the base must be diffuse, conductor, roughconductor or phong");
+                                 }},
+                      scene_.bsdfs[d.base.value].model);
   }
-  template <class Wrapper>
-  Bsdf operator()(const Wrapper&) {
-    refuse("this BSDF only works by others and has no record of its own");
-  }
+  Bsdf operator()(const WrappingBsdf auto&) { refuse("this BSDF only works by others and has no record of its own"); }
 
  private:
   [[noreturn]] void refuse(const std::string& why) const { throw InputError(scene_.where(bsdf_.loc), why); }
@@ -153,29 +155,19 @@ class Compiler {
   const BsdfDescription& bsdf_;
 };
 
-struct Nested {
-  std::vector<BsdfIndex> operator()(const TwoSidedDescription& d) const { return {d.front, d.back}; }
-  std::vector<BsdfIndex> operator()(const MaskDescription& d) const { return {d.nested}; }
-  std::vector<BsdfIndex> operator()(const BlendDescription& d) const { return {d.first, d.second}; }
-  std::vector<BsdfIndex> operator()(const BumpMapDescription& d) const { return {d.nested}; }
-  std::vector<BsdfIndex> operator()(const NormalMapDescription& d) const { return {d.nested}; }
-  std::vector<BsdfIndex> operator()(const LayeredDescription& d) const { return {d.base}; }
-  template <class Leaf>
-  std::vector<BsdfIndex> operator()(const Leaf&) const {
-    return {};
-  }
-};
-
 }  // namespace
 
-std::vector<BsdfIndex> nested_bsdfs(const BsdfDescription& bsdf) { return std::visit(Nested{}, bsdf.model); }
-
 bool is_anisotropic(const SceneDescription& scene, BsdfIndex bsdf) {
-  const auto& model = scene.bsdfs.at(bsdf.value).model;
-  if (const auto* metal = std::get_if<RoughConductorDescription>(&model)) return metal->alpha_u != metal->alpha_v;
-  if (const auto* glass = std::get_if<RoughDielectricDescription>(&model)) return glass->alpha_u != glass->alpha_v;
-  if (const auto* lacquer = std::get_if<LayeredDescription>(&model)) return is_anisotropic(scene, lacquer->base);
-  return false;
+  return std::visit(
+      [&]<class Model>(const Model& model) {
+        if constexpr (std::is_same_v<Model, LayeredDescription>)
+          return is_anisotropic(scene, model.base);
+        else if constexpr (requires { model.alpha_u; })
+          return model.alpha_u != model.alpha_v;
+        else
+          return false;
+      },
+      scene.bsdfs.at(bsdf.value).model);
 }
 
 CompiledBsdf compile_bsdf(const SceneDescription& scene, BsdfIndex bsdf) {

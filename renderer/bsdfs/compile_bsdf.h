@@ -16,10 +16,6 @@ struct CompiledBsdf {
   std::vector<TextureSlot> slots;
 };
 
-/// The BSDFs that one nests, in the order of its description; none of a leaf but the base of `layered`, which is
-/// compiled into its record.
-std::vector<BsdfIndex> nested_bsdfs(const BsdfDescription& bsdf);
-
 /// Whether a leaf looks different when it is turned about its normal, and so asks for the tangent along dp/du.
 bool is_anisotropic(const SceneDescription& scene, BsdfIndex bsdf);
 

@@ -88,8 +88,10 @@ TEST(compile_bsdf, knows_what_is_anisotropic_under_a_lacquer_too) {
   const RgbD one(1.0);
   scene.bsdfs.push_back({{}, "", RoughConductorDescription{MicrofacetDistribution::ggx, 0.1, 0.2, true, {}, one}});
   scene.bsdfs.push_back({{}, "", LayeredDescription{{0}, 1.5, 1.0, RgbD(0.0), 1, one}});
+  scene.bsdfs.push_back({{}, "", PlasticDescription{}});
   EXPECT_TRUE(is_anisotropic(scene, {0}));
   EXPECT_TRUE(is_anisotropic(scene, {1}));
+  EXPECT_FALSE(is_anisotropic(scene, {2}));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "scenes/description/overloaded.h"
 #include "scenes/text/faults.h"
 
 namespace photonproof {
@@ -19,14 +20,16 @@ std::pair<Vec3f, Vec3f> across(const Vec3f& forward, const Vec3f& right) {
 
 // --- shapes ----------------------------------------------------------------------------------------------------------
 
-/// A shape as light_area.h has it.
-struct CompileShape {
+DiskShape disk_shape(const Disk& d) { return {d.center, d.axis_x, d.axis_y, d.normal}; }
+
+/// From the surface as rays meet it, and what that does not keep of the shape.
+struct LightShaper {
   const ShapeDescription& shape;
   const Transform& to_world;
   const std::string& where;
 
   LightShape operator()(const Quad& q) const { return QuadShape{q.corner, q.edge_u, q.edge_v, q.normal}; }
-
+  LightShape operator()(const Disk& d) const { return disk_shape(d); }
   LightShape operator()(const Sphere& s) const {
     return SphereShape{s.center,
                        s.radius,
@@ -35,7 +38,15 @@ struct CompileShape {
                        axis(to_world, {0, 0, 1}),
                        s.inward ? -1.0f : 1.0f};
   }
-
+  LightShape operator()(const Cylinder& cylinder) const {
+    // Mitsuba turns the cylinder's local z to p1 - p0 by its own frame; u starts at that frame's first axis.
+    const auto& c = std::get<CylinderDescription>(shape.geometry);
+    const Vec3d along = c.p1 - c.p0;
+    const Frame<float> frame(Vec3f(normalize(along)));
+    return CylinderShape{
+        cylinder.base,   Vec3f(to_world.vector(along)), axis(to_world, Vec3d(frame.s)), axis(to_world, Vec3d(frame.t)),
+        cylinder.radius, cylinder.inward ? -1.0f : 1.0f};
+  }
   LightShape operator()(const Mesh& mesh) const {
     std::vector<Vec3f> positions(mesh.positions.begin(), mesh.positions.end() - 1);  // the last is a spare
     std::vector<Vec2<float>> uvs = mesh.source->uvs;
@@ -43,56 +54,28 @@ struct CompileShape {
       for (Vec2<float>& uv : uvs) uv.y = 1 - uv.y;
     return MeshShape(std::move(positions), mesh.source->triangles, std::move(uvs), mesh.inward);
   }
-
-  LightShape operator()(const Disk&) const { return disk(); }
-
-  LightShape operator()(const Cylinder&) const {
-    // Mitsuba turns the cylinder's local z to p1 - p0 by its own frame; u starts at that frame's first axis.
-    const auto& c = std::get<CylinderDescription>(shape.geometry);
-    const Vec3d along = c.p1 - c.p0;
-    const Frame<float> frame(Vec3f(normalize(along)));
-    return CylinderShape{Vec3f(to_world.point(c.p0)),
-                         Vec3f(to_world.vector(along)),
-                         axis(to_world, Vec3d(frame.s)),
-                         axis(to_world, Vec3d(frame.t)),
-                         static_cast<float>(c.radius * shape.to_world.similarity_scale()),
-                         shape.flip_normals ? -1.0f : 1.0f};
-  }
-
-  LightShape operator()(const Plane&) const { throw refusal(); }
-  LightShape operator()(const MeshInstance&) const { throw refusal(); }
-
-  DiskShape disk() const {
-    const Vec3d u = to_world.vector({1, 0, 0}), v = to_world.vector({0, 1, 0});
-    const bool mirrored = shape.to_world.determinant() < 0;
-    const Vec3d normal = normalize(cross(u, v)) * (shape.flip_normals != mirrored ? -1.0 : 1.0);
-    return {Vec3f(to_world.point({0, 0, 0})), Vec3f(u), Vec3f(v), Vec3f(normal)};
-  }
+  LightShape operator()(const Plane&) const { refuse(); }
+  LightShape operator()(const MeshInstance&) const { refuse(); }
 
  private:
-  InputError refusal() const { return InputError(where, "this shape cannot be a light"); }
+  [[noreturn]] void refuse() const { throw InputError(where, "this shape cannot be a light"); }
 };
 
-/// A lamp of constant radiance: of some shapes there is a kind that kernels sample in their lanes.
-struct CompilePlainLight {
-  const CompileShape& shape;
-  const Rgb& radiance;
-
-  Light operator()(const Quad& q) const {
-    return QuadLight<float>{q.corner, q.edge_u, q.edge_v, q.normal, q.area, radiance};
-  }
-  Light operator()(const Sphere& s) const {
-    return SphereLight<float>{s.center, s.radius, s.inward ? -1.0f : 1.0f, radiance};
-  }
-  Light operator()(const Disk&) const {
-    const DiskShape d = shape.disk();
-    return DiskLight<float>{d.center, d.half_axis_u, d.half_axis_v, d.normal, d.area(), radiance};
-  }
-  template <class Other>
-  Light operator()(const Other& other) const {
-    return AreaLight(shape(other), radiance);
-  }
-};
+/// Quads, spheres and disks have lanes where their radiance is one colour.
+Light plain_light(const Geometry& geometry, const LightShaper& shaper, const Rgb& radiance) {
+  return std::visit(Overloaded{[&](const Quad& q) -> Light {
+                                 return QuadLight<float>{q.corner, q.edge_u, q.edge_v, q.normal, q.area, radiance};
+                               },
+                               [&](const Sphere& s) -> Light {
+                                 return SphereLight<float>{s.center, s.radius, s.inward ? -1.0f : 1.0f, radiance};
+                               },
+                               [&](const Disk& d) -> Light {
+                                 return DiskLight<float>{d.center, d.axis_x, d.axis_y, d.normal, disk_shape(d).area(),
+                                                         radiance};
+                               },
+                               [&](const auto& other) -> Light { return AreaLight(shaper(other), radiance); }},
+                    geometry);
+}
 
 // --- emitters --------------------------------------------------------------------------------------------------------
 
@@ -158,11 +141,11 @@ Light with_usable_flux(Light light, const std::string& where) {
 
 Light compile_surface_light(const Geometry& geometry, const ShapeDescription& shape, const Transform& to_world,
                             const TextureLookup& texture, const std::string& where) {
-  const CompileShape compile{shape, to_world, where};
-  if (const auto* index = std::get_if<TextureIndex>(&*shape.radiance))
-    return with_usable_flux(AreaLight(std::visit(compile, geometry), texture(*index)), where);
-  const Rgb radiance(constant(*shape.radiance));
-  return with_usable_flux(std::visit(CompilePlainLight{compile, radiance}, geometry), where);
+  const LightShaper shaper{shape, to_world, where};
+  const auto compile =
+      Overloaded{[&](TextureIndex index) -> Light { return AreaLight(std::visit(shaper, geometry), texture(index)); },
+                 [&](const RgbD& radiance) { return plain_light(geometry, shaper, Rgb(radiance)); }};
+  return with_usable_flux(std::visit(compile, *shape.radiance), where);
 }
 
 Light compile_light(const EmitterDescription& emitter, const Vec3d& moved, const SceneBall& ball,

@@ -6,22 +6,21 @@
 #include "renderer/rays/rays.h"
 #include "renderer/scene/surface_detail.h"
 #include "renderer/shapes/disc_area.h"
+#include "scenes/description/overloaded.h"
 #include "scenes/text/faults.h"
 
 namespace photonproof {
 namespace {
 
-const Mesh* mesh_of(const Geometry& geometry) {
-  if (const auto* instance = std::get_if<MeshInstance>(&geometry)) return instance->mesh.get();
-  return std::get_if<Mesh>(&geometry);
-}
-
 /// Whether all that a ball of the radius holds of the surface has one normal and one tangent plane, or near enough.
 bool is_one_sheet(const Geometry& geometry, float radius) {
   const auto is_flat_enough = [&](float surface_radius) { return radius < 0.99f * 2 * sheet_height * surface_radius; };
-  if (const auto* sphere = std::get_if<Sphere>(&geometry)) return is_flat_enough(sphere->radius);
-  if (const auto* cylinder = std::get_if<Cylinder>(&geometry)) return is_flat_enough(cylinder->radius);
-  return mesh_of(geometry) == nullptr;
+  return std::visit(
+      Overloaded{[&](const Sphere& sphere) { return is_flat_enough(sphere.radius); },
+                 [&](const Cylinder& cylinder) { return is_flat_enough(cylinder.radius); },
+                 [](const Mesh&) { return false; }, [](const MeshInstance&) { return false; },
+                 [](const Quad&) { return true; }, [](const Disk&) { return true; }, [](const Plane&) { return true; }},
+      geometry);
 }
 // As far from p as the radius r, a sphere or cylinder of radius R is r^2 / 2R from the tangent plane, and the versine
 // of the normals' angle is r^2 / 2R^2: below the limits where r < 2 sheet_height R.
@@ -114,18 +113,16 @@ float LookUpAreas::diffuse_share(const GatherPoint& point) const {
 
 float LookUpAreas::area(const GatherPoint& point, float radius) const {
   const Geometry& geometry = scene_.surfaces[surface_number(point.surface)].geometry;
+  const MeshArea* mesh = mesh_of_[surface_number(point.surface)];
   return std::visit(
-      [&]<class Shape>(const Shape& shape) -> float {
-        if constexpr (std::is_same_v<Shape, Mesh>) {
-          return static_cast<float>(
-              mesh_of_[surface_number(point.surface)]->within(point.p, unit_sheet_normal(point.sheet), radius));
-        } else if constexpr (std::is_same_v<Shape, MeshInstance>) {
-          return static_cast<float>(mesh_of_[surface_number(point.surface)]->within(
-              *shape.placement, point.p, unit_sheet_normal(point.sheet), radius));
-        } else {
-          return disc_area(shape, point.p, radius);
-        }
-      },
+      Overloaded{[&](const Mesh&) {
+                   return static_cast<float>(mesh->within(point.p, unit_sheet_normal(point.sheet), radius));
+                 },
+                 [&](const MeshInstance& copy) {
+                   return static_cast<float>(
+                       mesh->within(*copy.placement, point.p, unit_sheet_normal(point.sheet), radius));
+                 },
+                 [&](const auto& shape) { return disc_area(shape, point.p, radius); }},
       geometry);
 }
 

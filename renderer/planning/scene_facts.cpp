@@ -5,6 +5,7 @@
 #include <bit>
 
 #include "renderer/light_choice/scene_lights.h"
+#include "scenes/description/overloaded.h"
 
 namespace photonproof {
 namespace {
@@ -40,11 +41,13 @@ bool faces(const SceneParts& scene, const Surface& surface, const Surface& other
 }
 
 bool sees_itself(const SceneParts& scene, const Surface& surface) {
-  const Geometry& geometry = surface.geometry;
-  if (std::holds_alternative<Mesh>(geometry) || std::holds_alternative<MeshInstance>(geometry)) return true;
-  if (const auto* cylinder = std::get_if<Cylinder>(&geometry)) return cylinder->inward || !is_one_sided(scene, surface);
-  if (const auto* sphere = std::get_if<Sphere>(&geometry)) return sphere->inward || !is_one_sided(scene, surface);
-  return false;
+  const auto curved = [&](bool inward) { return inward || !is_one_sided(scene, surface); };
+  return std::visit(
+      Overloaded{[](const Mesh&) { return true; }, [](const MeshInstance&) { return true; },
+                 [&](const Cylinder& cylinder) { return curved(cylinder.inward); },
+                 [&](const Sphere& sphere) { return curved(sphere.inward); }, [](const Quad&) { return false; },
+                 [](const Disk&) { return false; }, [](const Plane&) { return false; }},
+      surface.geometry);
 }
 
 bool can_interreflect(const SceneParts& scene, const std::vector<const Surface*>& diffuse) {

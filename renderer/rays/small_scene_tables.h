@@ -10,6 +10,10 @@ namespace photonproof {
 
 class SmallSceneTables {
  public:
+  /// Parallelograms, triangles and spheres.
+  static bool can_hold(const Geometry& geometry);
+
+  /// Of surfaces that it can hold.
   explicit SmallSceneTables(const std::vector<Surface>& surfaces);
   /// Valid as long as this.
   SmallSceneView view() const;

@@ -22,11 +22,15 @@ namespace photonproof {
 namespace {
 
 constexpr unsigned quad_geometry = 0;
-constexpr unsigned sphere_geometry = 1;
-constexpr unsigned disk_geometry = 2;
-constexpr unsigned cylinder_geometry = 3;
-constexpr unsigned long_face_geometry = 4;
-constexpr unsigned first_mesh = 5;  // then the instances
+constexpr unsigned first_solved = 1;                                                              // a geometry a table
+constexpr unsigned first_mesh = first_solved + std::tuple_size_v<decltype(TraceTables::solved)>;  // then the instances
+
+/// Calls visit(table, number of its geometry) for every table of solved shapes.
+template <class Solved, class Visit>
+void for_each_solved(Solved& solved, Visit&& visit) {
+  unsigned id = first_solved;
+  std::apply([&](auto&... table) { (visit(table, id++), ...); }, solved);
+}
 
 struct SurfacePoint {
   Vec3f p, normal;
@@ -304,10 +308,6 @@ std::uint32_t Tracer::Impl::meet_planes(RTCRay& ray) const {
 
 SurfacePoint Tracer::Impl::locate(unsigned instance, unsigned geometry, unsigned primitive, float u, float v,
                                   const Vec3d& near) const {
-  const auto on = [&](const auto& table) -> SurfacePoint {
-    const ShapePoint point = point_on(*table.shapes[primitive], near);
-    return {point.p, point.normal, table.surface[primitive]};
-  };
   const auto on_triangle = [&](const Mesh& mesh, std::uint32_t surface) -> SurfacePoint {
     const Vec3f corner = mesh.corner(primitive, 0);
     const Vec3f edge_u = mesh.corner(primitive, 1) - corner;
@@ -322,25 +322,21 @@ SurfacePoint Tracer::Impl::locate(unsigned instance, unsigned geometry, unsigned
     point.normal = normalize(copy.placement->normal(point.normal));
     return point;
   }
-  switch (geometry) {
-    case quad_geometry: {
-      const Quad& quad = *tables.quads.shapes[primitive];
-      return {quad.corner + quad.edge_u * u + quad.edge_v * v, quad.normal, tables.quads.surface[primitive]};
-    }
-    case sphere_geometry:
-      return on(tables.spheres);
-    case disk_geometry:
-      return on(tables.disks);
-    case cylinder_geometry:
-      return on(tables.cylinders);
-    case long_face_geometry: {
-      SurfacePoint point = on(tables.long_faces);
-      point.primitive = tables.long_faces.shapes[primitive]->primitive;
-      return point;
-    }
-    default:
-      return on_triangle(*tables.meshes.shapes[geometry - first_mesh], tables.meshes.surface[geometry - first_mesh]);
+  if (geometry == quad_geometry) {
+    const Quad& quad = *tables.quads.shapes[primitive];
+    return {quad.corner + quad.edge_u * u + quad.edge_v * v, quad.normal, tables.quads.surface[primitive]};
   }
+  if (geometry >= first_mesh)
+    return on_triangle(*tables.meshes.shapes[geometry - first_mesh], tables.meshes.surface[geometry - first_mesh]);
+  SurfacePoint found;
+  for_each_solved(tables.solved, [&](const auto& table, unsigned id) {
+    if (id != geometry) return;
+    const auto& shape = *table.shapes[primitive];
+    const ShapePoint point = point_on(shape, near);
+    found = {point.p, point.normal, table.surface[primitive]};
+    if constexpr (requires { shape.primitive; }) found.primitive = shape.primitive;
+  });
+  return found;
 }
 
 Tracer::Tracer(const std::vector<Surface>& surfaces) : impl_(std::make_unique<Impl>(surfaces)) {
@@ -350,10 +346,7 @@ Tracer::Tracer(const std::vector<Surface>& surfaces) : impl_(std::make_unique<Im
   rtcSetDeviceMemoryMonitorFunction(impl_->device, count_bytes, &impl_->bytes);
   impl_->scene = impl_->new_scene();
   impl_->attach_quads();
-  impl_->attach_shapes(tables.spheres, sphere_geometry);
-  impl_->attach_shapes(tables.disks, disk_geometry);
-  impl_->attach_shapes(tables.cylinders, cylinder_geometry);
-  impl_->attach_shapes(tables.long_faces, long_face_geometry);
+  for_each_solved(tables.solved, [&](auto& table, unsigned id) { impl_->attach_shapes(table, id); });
   for (std::size_t i = 0; i < tables.meshes.shapes.size(); ++i)
     impl_->attach_mesh(impl_->scene, *tables.meshes.shapes[i], tables.long_faces_of_mesh[i],
                        static_cast<unsigned>(first_mesh + i));

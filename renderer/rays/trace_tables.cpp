@@ -1,23 +1,26 @@
 #include "renderer/rays/trace_tables.h"
 
+#include <algorithm>
+
+#include "scenes/description/overloaded.h"
+
 namespace photonproof {
 
 TraceTables::TraceTables(const std::vector<Surface>& surfaces) {
   for (std::uint32_t i = 0; i < surfaces.size(); ++i) {
-    const Geometry& geometry = surfaces[i].geometry;
     const std::vector<LongFace>* faces = surfaces[i].long_faces.get();
-    if (faces != nullptr)
-      for (const LongFace& face : *faces) long_faces.add(face, i);
-    if (const auto* quad = std::get_if<Quad>(&geometry); quad != nullptr && faces == nullptr) quads.add(*quad, i);
-    if (const auto* sphere = std::get_if<Sphere>(&geometry)) spheres.add(*sphere, i);
-    if (const auto* disk = std::get_if<Disk>(&geometry)) disks.add(*disk, i);
-    if (const auto* cylinder = std::get_if<Cylinder>(&geometry)) cylinders.add(*cylinder, i);
-    if (const auto* plane = std::get_if<Plane>(&geometry)) planes.add(*plane, i);
-    if (const auto* mesh = std::get_if<Mesh>(&geometry)) {
-      meshes.add(*mesh, i);
-      long_faces_of_mesh.push_back(faces);
-    }
-    if (const auto* copy = std::get_if<MeshInstance>(&geometry)) add(*copy, i);
+    const auto add_solved = [&]<class Shape>(const Shape& shape) { std::get<ShapeTable<Shape>>(solved).add(shape, i); };
+    if (faces != nullptr) std::for_each(faces->begin(), faces->end(), add_solved);
+    std::visit(Overloaded{[&](const Quad& quad) {
+                            if (faces == nullptr) quads.add(quad, i);
+                          },
+                          [&](const Plane& plane) { planes.add(plane, i); },
+                          [&](const Mesh& mesh) {
+                            meshes.add(mesh, i);
+                            long_faces_of_mesh.push_back(faces);
+                          },
+                          [&](const MeshInstance& copy) { add(copy, i); }, add_solved},
+               surfaces[i].geometry);
   }
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <tuple>
 #include <vector>
 
 #include "renderer/shapes/surface.h"
@@ -32,10 +33,8 @@ struct PlacedGroup {
 
 struct TraceTables {
   ShapeTable<Quad> quads;
-  ShapeTable<Sphere> spheres;
-  ShapeTable<Disk> disks;
-  ShapeTable<Cylinder> cylinders;
-  ShapeTable<LongFace> long_faces;
+  /// What Embree does not know and curved_shapes.h does.
+  std::tuple<ShapeTable<Sphere>, ShapeTable<Disk>, ShapeTable<Cylinder>, ShapeTable<LongFace>> solved;
   ShapeTable<Plane> planes;  ///< tested one after the other: boxes around them would be of no use
   ShapeTable<Mesh> meshes;   ///< geometries of their own
   std::vector<const std::vector<LongFace>*> long_faces_of_mesh;  ///< null where there are none

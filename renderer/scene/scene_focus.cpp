@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "renderer/scene/scene_frame.h"
+#include "scenes/description/overloaded.h"
 
 namespace photonproof {
 namespace {
@@ -84,32 +85,35 @@ void add_ball(Nearest& nearest, const Vec3d& center, double radius) {
   nearest.add(center + (distance > 0 ? to_point * (radius / distance) : Vec3d{radius, 0, 0}));
 }
 
-void add_shape(Nearest& nearest, const SceneDescription& scene, const ShapeDescription& shape,
-               const Transform& to_world) {
-  if (const auto* sphere = std::get_if<SphereDescription>(&shape.geometry)) {
-    add_ball(nearest, to_world.point(sphere->center), sphere->radius * to_world.similarity_scale());
-  } else if (const auto* cylinder = std::get_if<CylinderDescription>(&shape.geometry)) {
-    const Vec3d base = to_world.point(cylinder->p0), along = to_world.point(cylinder->p1) - base;
-    const double share = std::clamp(dot(nearest.to - base, along) / dot(along, along), 0.0, 1.0);
-    add_ball(nearest, base + along * share, cylinder->radius * to_world.similarity_scale());
-  } else if (const auto* mesh = std::get_if<MeshDescription>(&shape.geometry)) {
-    add_mesh(nearest, *mesh->mesh, to_world);
-  } else if (const auto* instance = std::get_if<InstanceDescription>(&shape.geometry)) {
-    for (const ShapeDescription& member : scene.groups[instance->group.value].shapes)
-      if (!std::holds_alternative<InstanceDescription>(member.geometry))
-        add_shape(nearest, scene, member, to_world * member.to_world);
-  } else if (std::holds_alternative<PlaneDescription>(shape.geometry)) {
-    const Vec3d n = cross(to_world.vector({1, 0, 0}), to_world.vector({0, 1, 0}));
-    nearest.add(nearest.to + n * (dot(n, to_world.point({0, 0, 0}) - nearest.to) / dot(n, n)));
-  } else {
-    add_box(nearest, to_world, std::holds_alternative<CubeDescription>(shape.geometry));
-  }
+void add_plane(Nearest& nearest, const Transform& to_world) {
+  const Vec3d n = cross(to_world.vector({1, 0, 0}), to_world.vector({0, 1, 0}));
+  nearest.add(nearest.to + n * (dot(n, to_world.point({0, 0, 0}) - nearest.to) / dot(n, n)));
 }
 
-double near_clip(const ThinLensDescription& camera) { return camera.perspective.near_clip; }
-template <class Camera>
-double near_clip(const Camera& camera) {
-  return camera.near_clip;
+void add_cylinder(Nearest& nearest, const CylinderDescription& cylinder, const Transform& to_world) {
+  const Vec3d base = to_world.point(cylinder.p0), along = to_world.point(cylinder.p1) - base;
+  const double share = std::clamp(dot(nearest.to - base, along) / dot(along, along), 0.0, 1.0);
+  add_ball(nearest, base + along * share, cylinder.radius * to_world.similarity_scale());
+}
+
+void add_shape(Nearest& nearest, const SceneDescription& scene, const ShapeDescription& shape,
+               const Transform& to_world) {
+  std::visit(Overloaded{[&](const SphereDescription& sphere) {
+                          add_ball(nearest, to_world.point(sphere.center), sphere.radius * to_world.similarity_scale());
+                        },
+                        [&](const CylinderDescription& cylinder) { add_cylinder(nearest, cylinder, to_world); },
+                        [&](const RectangleDescription&) { add_box(nearest, to_world, false); },
+                        [&](const DiskDescription&) { add_box(nearest, to_world, false); },
+                        [&](const HeightfieldDescription&) { add_box(nearest, to_world, false); },
+                        [&](const CubeDescription&) { add_box(nearest, to_world, true); },
+                        [&](const PlaneDescription&) { add_plane(nearest, to_world); },
+                        [&](const MeshDescription& mesh) { add_mesh(nearest, *mesh.mesh, to_world); },
+                        [&](const InstanceDescription& instance) {
+                          for (const ShapeDescription& member : scene.groups[instance.group.value].shapes)
+                            if (!std::holds_alternative<InstanceDescription>(member.geometry))
+                              add_shape(nearest, scene, member, to_world * member.to_world);
+                        }},
+             shape.geometry);
 }
 
 /// Around what the camera sees: a cone, or of an orthographic one a cylinder.
@@ -120,18 +124,23 @@ struct View {
   explicit View(const SensorDescription& sensor)
       : origin(sensor.to_world.point({0, 0, 0})), axis(normalize(sensor.to_world.vector({0, 0, 1}))) {
     const double film = std::max(sensor.film.width, sensor.film.height), other = sensor.film.width + sensor.film.height;
-    near = std::visit([](const auto& camera) { return near_clip(camera); }, sensor.camera);
-    if (std::holds_alternative<OrthographicDescription>(sensor.camera)) {
-      half_width = length(sensor.to_world.vector({1, 0, 0})) * other / sensor.film.width;
-      return;
-    }
-    double degrees = 0;
-    if (const auto* pinhole = std::get_if<PerspectiveDescription>(&sensor.camera)) degrees = pinhole->fov_degrees;
-    if (const auto* lens = std::get_if<ThinLensDescription>(&sensor.camera)) degrees = lens->perspective.fov_degrees;
-    if (const auto* fisheye = std::get_if<FisheyeDescription>(&sensor.camera)) degrees = fisheye->fov_degrees;
-    // Up to the corners, whichever axis the angle is along.
-    const double longest = std::numbers::sqrt2 * film / (other - film);
-    half_angle = degrees >= 180 ? std::numbers::pi : std::atan(std::tan(degrees * std::numbers::pi / 360) * longest);
+    const auto see_cone = [&](double near_clip, double degrees) {
+      near = near_clip;
+      // Up to the corners, whichever axis the angle is along.
+      const double longest = std::numbers::sqrt2 * film / (other - film);
+      half_angle = degrees >= 180 ? std::numbers::pi : std::atan(std::tan(degrees * std::numbers::pi / 360) * longest);
+    };
+    std::visit(
+        Overloaded{[&](const PerspectiveDescription& pinhole) { see_cone(pinhole.near_clip, pinhole.fov_degrees); },
+                   [&](const ThinLensDescription& lens) {
+                     see_cone(lens.perspective.near_clip, lens.perspective.fov_degrees);
+                   },
+                   [&](const FisheyeDescription& fisheye) { see_cone(fisheye.near_clip, fisheye.fov_degrees); },
+                   [&](const OrthographicDescription& parallel) {
+                     near = parallel.near_clip;
+                     half_width = length(sensor.to_world.vector({1, 0, 0})) * other / sensor.film.width;
+                   }},
+        sensor.camera);
   }
 
   bool shows(const Vec3d& center, double radius) const {

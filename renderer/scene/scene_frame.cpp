@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "renderer/scene/scene_focus.h"
+#include "scenes/description/overloaded.h"
 
 namespace photonproof {
 namespace {
@@ -22,6 +23,17 @@ void add_ball(Extent& extent, const Transform& to_world, const Vec3d& center, do
   const Vec3d reach(radius * to_world.similarity_scale());
   extent.add(middle - reach);
   extent.add(middle + reach);
+}
+
+/// In the group's own coordinates.
+Extent extent_of(const SceneDescription& description, const ShapeGroupDescription& group) {
+  Extent extent;
+  for (const ShapeDescription& member : group.shapes) {
+    if (std::holds_alternative<InstanceDescription>(member.geometry)) continue;
+    const Extent part = extent_of(description, member);
+    if (part.is_usable()) extent.add(part);
+  }
+  return extent;
 }
 
 /// The mean of the two middle ones of an even number.
@@ -83,27 +95,26 @@ void Extent::add(const Extent& other) {
 
 Extent extent_of(const SceneDescription& description, const ShapeDescription& shape) {
   Extent extent;
-  if (const auto* sphere = std::get_if<SphereDescription>(&shape.geometry)) {
-    add_ball(extent, shape.to_world, sphere->center, sphere->radius);
-  } else if (const auto* cylinder = std::get_if<CylinderDescription>(&shape.geometry)) {
-    add_ball(extent, shape.to_world, cylinder->p0, cylinder->radius);
-    add_ball(extent, shape.to_world, cylinder->p1, cylinder->radius);
-  } else if (const auto* mesh = std::get_if<MeshDescription>(&shape.geometry)) {
-    for (const Vec3f& p : mesh->mesh->positions) extent.add(shape.to_world.point(Vec3d(p)));
-  } else if (const auto* instance = std::get_if<InstanceDescription>(&shape.geometry)) {
-    Extent group;
-    for (const ShapeDescription& member : description.groups[instance->group.value].shapes) {
-      if (std::holds_alternative<InstanceDescription>(member.geometry)) continue;
-      const Extent part = extent_of(description, member);
-      if (part.is_usable()) group.add(part);
-    }
-    if (group.is_usable()) add_corners(extent, shape.to_world, group.low, group.high);
-  } else if (!std::holds_alternative<PlaneDescription>(shape.geometry)) {
-    const auto* field = std::get_if<HeightfieldDescription>(&shape.geometry);
-    const bool cube = std::holds_alternative<CubeDescription>(shape.geometry);
-    const double height = field != nullptr ? std::abs(field->amplitude) : cube ? 1 : 0;
-    add_corners(extent, shape.to_world, {-1, -1, -height}, {1, 1, height});
-  }
+  const auto add_box = [&](double height) { add_corners(extent, shape.to_world, {-1, -1, -height}, {1, 1, height}); };
+  std::visit(Overloaded{[&](const SphereDescription& sphere) {
+                          add_ball(extent, shape.to_world, sphere.center, sphere.radius);
+                        },
+                        [&](const CylinderDescription& cylinder) {
+                          add_ball(extent, shape.to_world, cylinder.p0, cylinder.radius);
+                          add_ball(extent, shape.to_world, cylinder.p1, cylinder.radius);
+                        },
+                        [&](const RectangleDescription&) { add_box(0); }, [&](const DiskDescription&) { add_box(0); },
+                        [&](const CubeDescription&) { add_box(1); },
+                        [&](const HeightfieldDescription& field) { add_box(std::abs(field.amplitude)); },
+                        [](const PlaneDescription&) {},
+                        [&](const MeshDescription& mesh) {
+                          for (const Vec3f& p : mesh.mesh->positions) extent.add(shape.to_world.point(Vec3d(p)));
+                        },
+                        [&](const InstanceDescription& instance) {
+                          const Extent group = extent_of(description, description.groups[instance.group.value]);
+                          if (group.is_usable()) add_corners(extent, shape.to_world, group.low, group.high);
+                        }},
+             shape.geometry);
   return extent;
 }
 

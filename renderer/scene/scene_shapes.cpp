@@ -5,10 +5,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "renderer/rays/small_scene_tables.h"
 #include "renderer/scene/scene_frame.h"
 #include "renderer/shapes/heightfield.h"
 #include "renderer/shapes/local_geometry.h"
 #include "renderer/shapes/mesh_normals.h"
+#include "scenes/description/overloaded.h"
 
 namespace photonproof {
 namespace {
@@ -41,11 +43,13 @@ constexpr std::size_t triangles_to_copy = 0x10000;
 /// Estimators divide by areas and normalise by them: both must stay finite with room to spare.
 bool has_usable_size(const Geometry& geometry) {
   const auto usable = [](float area) { return area > 1e-30f && area < 1e30f; };
-  if (const auto* quad = std::get_if<Quad>(&geometry)) return usable(quad->area);
-  if (const auto* sphere = std::get_if<Sphere>(&geometry)) return usable(sphere->area());
-  if (const auto* disk = std::get_if<Disk>(&geometry)) return usable(disk->area);
-  if (const auto* cylinder = std::get_if<Cylinder>(&geometry)) return usable(cylinder->area());
-  return true;
+  return std::visit(
+      Overloaded{[&](const Quad& quad) { return usable(quad.area); },
+                 [&](const Sphere& sphere) { return usable(sphere.area()); },
+                 [&](const Disk& disk) { return usable(disk.area); },
+                 [&](const Cylinder& cylinder) { return usable(cylinder.area()); }, [](const Plane&) { return true; },
+                 [](const Mesh&) { return true; }, [](const MeshInstance&) { return true; }},
+      geometry);
 }
 
 /// The normal of the plane of two edges that a transform made of the local x and y axes: the inverse transpose's, which
@@ -79,31 +83,7 @@ SceneShapes::SceneShapes(const SceneDescription& description, const Textures& te
 }
 
 void SceneShapes::add(const ShapeDescription& shape, const Transform& to_world) {
-  const std::size_t first = surfaces.size();
-  if (const auto* sphere = std::get_if<SphereDescription>(&shape.geometry)) {
-    add_sphere(shape, *sphere, to_world);
-  } else if (const auto* cylinder = std::get_if<CylinderDescription>(&shape.geometry)) {
-    add_cylinder(shape, *cylinder, to_world);
-  } else if (std::holds_alternative<DiskDescription>(shape.geometry)) {
-    add_disk(shape, to_world);
-  } else if (std::holds_alternative<PlaneDescription>(shape.geometry)) {
-    add_plane(shape, to_world);
-  } else if (std::holds_alternative<RectangleDescription>(shape.geometry)) {
-    add_quad(shape, to_world.point({-1, -1, 0}), to_world.vector({2, 0, 0}), to_world.vector({0, 2, 0}),
-             to_world.determinant() < 0);
-  } else if (std::holds_alternative<CubeDescription>(shape.geometry)) {
-    add_cube(shape, to_world);
-  } else if (const auto* instance = std::get_if<InstanceDescription>(&shape.geometry)) {
-    add_instance(shape, *instance, to_world);
-    return;
-  } else {
-    add_mesh(shape, to_world, false);
-    return;
-  }
-  primitives += surfaces.size() - first;
-  for (std::size_t i = first; i < surfaces.size(); ++i)
-    if (!has_usable_size(surfaces[i].geometry))
-      throw InputError(description_.where(shape.loc), "the shape's area is outside what single precision can hold");
+  std::visit([&](const auto& kind) { add(kind, shape, to_world); }, shape.geometry);
 }
 
 void SceneShapes::require_similarity(const ShapeDescription& shape, const Transform& to_world) const {
@@ -116,28 +96,25 @@ void SceneShapes::require_similarity(const ShapeDescription& shape, const Transf
                      "a sphere or cylinder cannot be stretched or sheared, by an instance either");
 }
 
-void SceneShapes::add_sphere(const ShapeDescription& shape, const SphereDescription& sphere,
-                             const Transform& to_world) {
+void SceneShapes::add(const SphereDescription& sphere, const ShapeDescription& shape, const Transform& to_world) {
   require_similarity(shape, to_world);
   const double radius = sphere.radius * to_world.similarity_scale();
   const Vec3d center = to_world.point(sphere.center);
   const AffineMap uv(to_world.vector({sphere.radius, 0, 0}), to_world.vector({0, sphere.radius, 0}),
                      to_world.vector({0, 0, sphere.radius}), center);
-  add_surface(Sphere{Vec3f(center), static_cast<float>(radius), shape.flip_normals}, shape, uv);
+  add_primitive(Sphere{Vec3f(center), static_cast<float>(radius), shape.flip_normals}, shape, uv);
 }
 
-void SceneShapes::add_disk(const ShapeDescription& shape, const Transform& to_world) {
+void SceneShapes::add(const DiskDescription&, const ShapeDescription& shape, const Transform& to_world) {
   const Vec3d center = to_world.point({0, 0, 0});
   const Vec3d x = to_world.vector({1, 0, 0}), y = to_world.vector({0, 1, 0});
   const Vec3d normal = flat_normal(x, y, shape.flip_normals != (to_world.determinant() < 0));
   const double area = std::numbers::pi * length(cross(x, y));
-  add_surface(Disk{Vec3f(center), Vec3f(x), Vec3f(y), Vec3f(normal), static_cast<float>(area)}, shape,
-              flat_frame(center, x, y));
-  simple = false;
+  add_primitive(Disk{Vec3f(center), Vec3f(x), Vec3f(y), Vec3f(normal), static_cast<float>(area)}, shape,
+                flat_frame(center, x, y));
 }
 
-void SceneShapes::add_cylinder(const ShapeDescription& shape, const CylinderDescription& cylinder,
-                               const Transform& to_world) {
+void SceneShapes::add(const CylinderDescription& cylinder, const ShapeDescription& shape, const Transform& to_world) {
   require_similarity(shape, to_world);
   const Vec3d base = to_world.point(cylinder.p0);
   const Vec3d along = to_world.point(cylinder.p1) - base;
@@ -146,23 +123,26 @@ void SceneShapes::add_cylinder(const ShapeDescription& shape, const CylinderDesc
   const AffineMap uv(to_world.vector(Vec3d(around.s) * cylinder.radius),
                      to_world.vector(Vec3d(around.t) * cylinder.radius), along, base);
   const Vec3d axis = normalize(along);
-  add_surface(Cylinder{Vec3f(base), Vec3f(axis), static_cast<float>(length(along)), static_cast<float>(radius),
-                       shape.flip_normals},
-              shape, uv);
-  simple = false;
+  add_primitive(Cylinder{Vec3f(base), Vec3f(axis), static_cast<float>(length(along)), static_cast<float>(radius),
+                         shape.flip_normals},
+                shape, uv);
 }
 
-void SceneShapes::add_plane(const ShapeDescription& shape, const Transform& to_world) {
+void SceneShapes::add(const PlaneDescription&, const ShapeDescription& shape, const Transform& to_world) {
   const Vec3d origin = to_world.point({0, 0, 0});
   const Vec3d x = to_world.vector({1, 0, 0}), y = to_world.vector({0, 1, 0});
   const Vec3d normal = flat_normal(x, y, shape.flip_normals != (to_world.determinant() < 0));
   if (!is_finite(normal) || !is_finite(Vec3f(origin)))
     throw InputError(description_.where(shape.loc), "the plane is outside what single precision can hold");
-  add_surface(Plane{origin, normal}, shape, flat_frame(origin, x, y));
-  simple = false;
+  add_primitive(Plane{origin, normal}, shape, flat_frame(origin, x, y));
 }
 
-void SceneShapes::add_cube(const ShapeDescription& shape, const Transform& to_world) {
+void SceneShapes::add(const RectangleDescription&, const ShapeDescription& shape, const Transform& to_world) {
+  add_quad(shape, to_world.point({-1, -1, 0}), to_world.vector({2, 0, 0}), to_world.vector({0, 2, 0}),
+           to_world.determinant() < 0);
+}
+
+void SceneShapes::add(const CubeDescription&, const ShapeDescription& shape, const Transform& to_world) {
   for (const CubeFace& face : cube_faces)
     add_quad(shape, to_world.point(face.corner), to_world.vector(face.along_u), to_world.vector(face.along_v),
              to_world.determinant() > 0);
@@ -174,11 +154,19 @@ void SceneShapes::add_quad(const ShapeDescription& shape, const Vec3d& corner, c
   const double area = length(n);
   // A mirrored transform turns the winding round but not the side Mitsuba's normal (inverse transpose) points to.
   const Vec3d normal = n / area * (shape.flip_normals != turned ? -1.0 : 1.0);
-  add_surface(Quad{Vec3f(corner), Vec3f(edge_u), Vec3f(edge_v), Vec3f(normal), static_cast<float>(area)}, shape,
-              flat_frame(corner, edge_u, edge_v));
+  add_primitive(Quad{Vec3f(corner), Vec3f(edge_u), Vec3f(edge_v), Vec3f(normal), static_cast<float>(area)}, shape,
+                flat_frame(corner, edge_u, edge_v));
   if (length(edge_u) > long_edge_ || length(edge_v) > long_edge_)
     surfaces.back().long_faces = std::make_shared<const std::vector<LongFace>>(
         std::vector<LongFace>{{corner, edge_u, edge_v, normal, dot(normal, corner), false, 0}});
+}
+
+void SceneShapes::add(const MeshDescription&, const ShapeDescription& shape, const Transform& to_world) {
+  add_mesh(shape, to_world, false);
+}
+
+void SceneShapes::add(const HeightfieldDescription&, const ShapeDescription& shape, const Transform& to_world) {
+  add_mesh(shape, to_world, false);
 }
 
 void SceneShapes::add_mesh(const ShapeDescription& shape, const Transform& to_world, bool placed_mirrored) {
@@ -261,8 +249,7 @@ const SceneShapes::GroupMeshes& SceneShapes::meshes_of(ShapeGroupIndex index) {
   return groups_.emplace(index, std::move(made)).first->second;
 }
 
-void SceneShapes::add_instance(const ShapeDescription& shape, const InstanceDescription& instance,
-                               const Transform& to_world) {
+void SceneShapes::add(const InstanceDescription& instance, const ShapeDescription& shape, const Transform& to_world) {
   if (!to_world.inverse()) throw InputError(description_.where(shape.loc), "the instance's to_world has no inverse");
   const GroupMeshes& meshes = meshes_of(instance.group);
   const auto placement = std::make_shared<const AffineMap>(to_world * Transform::translate(meshes.middle) *
@@ -290,7 +277,6 @@ void SceneShapes::add_instance(const ShapeDescription& shape, const InstanceDesc
   if (part == 0) return;
   ++instances_;
   ++primitives;
-  simple = false;
 }
 
 void SceneShapes::add_surface(Geometry geometry, const ShapeDescription& shape) {
@@ -299,11 +285,15 @@ void SceneShapes::add_surface(Geometry geometry, const ShapeDescription& shape) 
   surface.bsdf = shape.bsdf.value;
   if (shape.interior) surface.interior = shape.interior->value;
   if (shape.exterior) surface.exterior = shape.exterior->value;
+  simple = simple && SmallSceneTables::can_hold(surface.geometry);
   surfaces.push_back(std::move(surface));
   shape_of.push_back(&shape);
 }
 
-void SceneShapes::add_surface(Geometry geometry, const ShapeDescription& shape, const AffineMap& uv_frame) {
+void SceneShapes::add_primitive(Geometry geometry, const ShapeDescription& shape, const AffineMap& uv_frame) {
+  if (!has_usable_size(geometry))
+    throw InputError(description_.where(shape.loc), "the shape's area is outside what single precision can hold");
+  ++primitives;
   add_surface(std::move(geometry), shape);
   surfaces.back().uv_frame = static_cast<std::uint32_t>(uv_frames.size());
   uv_frames.push_back(uv_frame);

@@ -21,7 +21,7 @@ class SceneShapes {
   std::vector<const ShapeDescription*> shape_of;  ///< of each surface, in the description
   std::vector<AffineMap> uv_frames;               ///< by Surface::uv_frame
   std::size_t primitives = 0;                     ///< a group's triangles count once, and each instance as one
-  bool simple = true;                             ///< parallelograms, triangles and spheres only
+  bool simple = true;                             ///< what SmallSceneTables can hold
 
  private:
   /// The meshes of a group, around their middle and in a unit of length of their own where the group's is extreme.
@@ -35,16 +35,19 @@ class SceneShapes {
   };
 
   void add(const ShapeDescription& shape, const Transform& to_world);
-  void add_sphere(const ShapeDescription& shape, const SphereDescription& sphere, const Transform& to_world);
-  void add_disk(const ShapeDescription& shape, const Transform& to_world);
-  void add_cylinder(const ShapeDescription& shape, const CylinderDescription& cylinder, const Transform& to_world);
-  void add_plane(const ShapeDescription& shape, const Transform& to_world);
-  void add_cube(const ShapeDescription& shape, const Transform& to_world);
+  void add(const SphereDescription& sphere, const ShapeDescription& shape, const Transform& to_world);
+  void add(const RectangleDescription&, const ShapeDescription& shape, const Transform& to_world);
+  void add(const CubeDescription&, const ShapeDescription& shape, const Transform& to_world);
+  void add(const DiskDescription&, const ShapeDescription& shape, const Transform& to_world);
+  void add(const CylinderDescription& cylinder, const ShapeDescription& shape, const Transform& to_world);
+  void add(const PlaneDescription&, const ShapeDescription& shape, const Transform& to_world);
+  void add(const MeshDescription&, const ShapeDescription& shape, const Transform& to_world);
+  void add(const HeightfieldDescription&, const ShapeDescription& shape, const Transform& to_world);
+  void add(const InstanceDescription& instance, const ShapeDescription& shape, const Transform& to_world);
   /// uv is (0, 0) at the corner and grows to 1 along the edges. The front is where cross(edge_u, edge_v) points, the
   /// other side when `turned`; then as flip_normals says.
   void add_quad(const ShapeDescription& shape, const Vec3d& corner, const Vec3d& edge_u, const Vec3d& edge_v,
                 bool turned);
-  void add_instance(const ShapeDescription& shape, const InstanceDescription& instance, const Transform& to_world);
   const GroupMeshes& meshes_of(ShapeGroupIndex group);
   /// `placed_mirrored`: by an instance, whose mirroring does not turn a mesh over as its own to_world does.
   void add_mesh(const ShapeDescription& shape, const Transform& to_world, bool placed_mirrored);
@@ -52,7 +55,8 @@ class SceneShapes {
   void mark_long_faces(const Transform& to_world);
   Mesh compile_mesh(const ShapeDescription& shape, const Transform& to_world) const;
   void add_surface(Geometry geometry, const ShapeDescription& shape);
-  void add_surface(Geometry geometry, const ShapeDescription& shape, const AffineMap& uv_frame);
+  /// Of a shape that is one primitive.
+  void add_primitive(Geometry geometry, const ShapeDescription& shape, const AffineMap& uv_frame);
   void require_similarity(const ShapeDescription& shape, const Transform& to_world) const;
 
   const SceneDescription& description_;

@@ -4,6 +4,7 @@
 
 #include "renderer/lanes/warp.h"
 #include "renderer/shapes/face_normal.h"
+#include "scenes/description/overloaded.h"
 #include "scenes/text/faults.h"
 
 namespace photonproof {
@@ -97,19 +98,19 @@ LocalGeometry on_instance(const MeshInstance& copy, std::uint32_t triangle, cons
 
 LocalGeometry local_geometry(const Surface& surface, const AffineMap* frame, std::uint32_t triangle, const Vec3f& p,
                              const Vec3f& normal) {
-  const Geometry& geometry = surface.geometry;
-  if (const auto* mesh = std::get_if<Mesh>(&geometry)) return on_mesh(*mesh, triangle, p, normal);
-  if (const auto* copy = std::get_if<MeshInstance>(&geometry)) return on_instance(*copy, triangle, p);
-  if (std::holds_alternative<Sphere>(geometry)) return on_sphere(*frame, p, normal);
-  if (std::holds_alternative<Disk>(geometry)) return on_disk(*frame, p, normal);
-  if (std::holds_alternative<Cylinder>(geometry)) return on_cylinder(*frame, p, normal);
-  return on_square(*frame, p, normal);
+  return std::visit(Overloaded{[&](const Mesh& mesh) { return on_mesh(mesh, triangle, p, normal); },
+                               [&](const MeshInstance& copy) { return on_instance(copy, triangle, p); },
+                               [&](const Sphere&) { return on_sphere(*frame, p, normal); },
+                               [&](const Disk&) { return on_disk(*frame, p, normal); },
+                               [&](const Cylinder&) { return on_cylinder(*frame, p, normal); },
+                               [&](const Quad&) { return on_square(*frame, p, normal); },
+                               [&](const Plane&) { return on_square(*frame, p, normal); }},
+                    surface.geometry);
 }
 
 bool has_shading_normals(const Surface& surface) {
-  if (const auto* mesh = std::get_if<Mesh>(&surface.geometry)) return !mesh->normals.empty();
-  if (const auto* copy = std::get_if<MeshInstance>(&surface.geometry)) return !copy->mesh->normals.empty();
-  return false;
+  const Mesh* mesh = mesh_of(surface.geometry);
+  return mesh != nullptr && !mesh->normals.empty();
 }
 
 Tangents any_tangents(const Vec3f& n) {

@@ -12,6 +12,11 @@ AffineMap::AffineMap(const Vec3d& axis_x, const Vec3d& axis_y, const Vec3d& axis
   to_z = Vec3f(cross(axis_x, axis_y) / determinant);
 }
 
+const Mesh* mesh_of(const Geometry& geometry) {
+  if (const auto* copy = std::get_if<MeshInstance>(&geometry)) return copy->mesh.get();
+  return std::get_if<Mesh>(&geometry);
+}
+
 const LongFace* Surface::long_face(std::size_t primitive) const {
   if (long_faces == nullptr) return nullptr;
   const auto found = std::lower_bound(long_faces->begin(), long_faces->end(), primitive,

@@ -101,6 +101,9 @@ struct LongFace {
 
 using Geometry = std::variant<Quad, Sphere, Mesh, Disk, Cylinder, Plane, MeshInstance>;
 
+/// The mesh that it is or is a copy of; null for other shapes.
+const Mesh* mesh_of(const Geometry& geometry);
+
 struct Surface {
   Geometry geometry;
   std::uint32_t bsdf = 0;

@@ -1,6 +1,21 @@
 #include "scenes/description/description.h"
 
 namespace photonproof {
+namespace {
+
+struct Nested {
+  std::vector<BsdfIndex> operator()(const TwoSidedDescription& d) const { return {d.front, d.back}; }
+  std::vector<BsdfIndex> operator()(const MaskDescription& d) const { return {d.nested}; }
+  std::vector<BsdfIndex> operator()(const BlendDescription& d) const { return {d.first, d.second}; }
+  std::vector<BsdfIndex> operator()(const BumpMapDescription& d) const { return {d.nested}; }
+  std::vector<BsdfIndex> operator()(const NormalMapDescription& d) const { return {d.nested}; }
+  std::vector<BsdfIndex> operator()(const LayeredDescription& d) const { return {d.base}; }
+  std::vector<BsdfIndex> operator()(const LeafBsdf auto&) const { return {}; }
+};
+
+}  // namespace
+
+std::vector<BsdfIndex> nested_bsdfs(const BsdfDescription& bsdf) { return std::visit(Nested{}, bsdf.model); }
 
 std::string SceneDescription::where(const SourceLoc& loc) const {
   const bool known_file = loc.file >= 0 && static_cast<std::size_t>(loc.file) < files.size();

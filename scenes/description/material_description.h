@@ -2,11 +2,13 @@
 #pragma once
 
 #include <compare>
+#include <concepts>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "scenes/description/transform.h"
 #include "scenes/images/image.h"
@@ -217,5 +219,16 @@ struct BsdfDescription {
                NullDescription, BumpMapDescription, NormalMapDescription>
       model;
 };
+
+/// What only chooses or turns other BSDFs and has no record.
+template <class Description>
+concept WrappingBsdf = std::same_as<Description, TwoSidedDescription> || std::same_as<Description, MaskDescription> ||
+    std::same_as<Description, BlendDescription> || std::same_as<Description, BumpMapDescription> ||
+    std::same_as<Description, NormalMapDescription>;
+template <class Description>
+concept LeafBsdf = !WrappingBsdf<Description>;
+
+/// The BSDFs that one nests, in the order of its description.
+std::vector<BsdfIndex> nested_bsdfs(const BsdfDescription& bsdf);
 
 }  // namespace photonproof

@@ -11,16 +11,10 @@ BsdfIndex nested(Params& params, std::size_t i) { return params.objects().bsdf(*
 
 BsdfIndex only_bsdf(Params& params) { return params.objects().bsdf(params.only_nested("bsdf")); }
 
-/// Whether it is no wrapper around others.
-bool is_leaf(const BsdfModel& model) {
+/// Whether it nests no others.
+bool is_plain(const BsdfModel& model) {
   return std::visit(
-      [](const auto& m) {
-        using Model = std::decay_t<decltype(m)>;
-        return !(std::is_same_v<Model, LayeredDescription> || std::is_same_v<Model, TwoSidedDescription> ||
-                 std::is_same_v<Model, MaskDescription> || std::is_same_v<Model, BlendDescription> ||
-                 std::is_same_v<Model, BumpMapDescription> || std::is_same_v<Model, NormalMapDescription>);
-      },
-      model);
+      []<class Model>(const Model&) { return LeafBsdf<Model> && !std::is_same_v<Model, LayeredDescription>; }, model);
 }
 
 BsdfIndex expect_opaque(Params& params, BsdfIndex index, std::size_t child) {
@@ -91,7 +85,7 @@ BsdfModel build_layered(Params& params) {
   model.thickness = params.number_in("thickness", model.thickness, 0, kUnbounded);
   model.specular_reflectance = params.colour_map("specular_reflectance", RgbD(1.0), 0, 1);
   model.base = expect_opaque(params, only_bsdf(params), 0);
-  if (!is_leaf(params.objects().scene().bsdfs[model.base.value].model))
+  if (!is_plain(params.objects().scene().bsdfs[model.base.value].model))
     params.sources().fail(params.nested("bsdf")[0]->at,
                           params.title() + " has a base that nests other BSDFs, expected a plain one");
   return model;

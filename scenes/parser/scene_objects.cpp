@@ -149,29 +149,15 @@ SceneObjects::TextureFacts SceneObjects::facts_of(const TextureDescription& text
 }
 
 SceneObjects::BsdfFacts SceneObjects::facts_of(const BsdfDescription& bsdf) const {
-  std::vector<BsdfIndex> nested;
-  bool transmits = false;
-  std::visit(
-      [&](const auto& model) {
-        using Model = std::decay_t<decltype(model)>;
-        if constexpr (std::is_same_v<Model, DielectricDescription> ||
-                      std::is_same_v<Model, ThinDielectricDescription> ||
-                      std::is_same_v<Model, RoughDielectricDescription> || std::is_same_v<Model, NullDescription>)
-          transmits = true;
-        else if constexpr (std::is_same_v<Model, LayeredDescription>)
-          nested = {model.base};
-        else if constexpr (std::is_same_v<Model, TwoSidedDescription>)
-          nested = {model.front, model.back};
-        else if constexpr (std::is_same_v<Model, BlendDescription>)
-          nested = {model.first, model.second};
-        else if constexpr (std::is_same_v<Model, BumpMapDescription> || std::is_same_v<Model, NormalMapDescription> ||
-                           std::is_same_v<Model, MaskDescription>)
-          nested = {model.nested};
-        if constexpr (std::is_same_v<Model, MaskDescription>) transmits = true;
+  const bool transmits = std::visit(
+      []<class Model>(const Model&) {
+        return std::is_same_v<Model, DielectricDescription> || std::is_same_v<Model, ThinDielectricDescription> ||
+               std::is_same_v<Model, RoughDielectricDescription> || std::is_same_v<Model, NullDescription> ||
+               std::is_same_v<Model, MaskDescription>;
       },
       bsdf.model);
   BsdfFacts facts{transmits, 1};
-  for (const BsdfIndex index : nested) {
+  for (const BsdfIndex index : nested_bsdfs(bsdf)) {
     facts.transmits = facts.transmits || bsdfs_known_[index.value].transmits;
     facts.depth = std::max(facts.depth, 1 + bsdfs_known_[index.value].depth);
   }
