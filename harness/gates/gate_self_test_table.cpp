@@ -6,7 +6,7 @@
 #include <boost/math/distributions/binomial.hpp>
 #include <cmath>
 
-#include "harness/gates/gate_self_test.h"
+#include "harness/gates/gate_self_tests.h"
 
 namespace photonproof {
 namespace {

@@ -13,7 +13,7 @@
 
 #include "harness/gates/gate_accept.h"
 #include "harness/gates/gate_run.h"
-#include "harness/gates/gate_self_test.h"
+#include "harness/gates/gate_self_tests.h"
 #include "harness/suites/engine_command.h"
 #include "harness/verbs/engine_output.h"
 #include "harness/verbs/interrupt.h"

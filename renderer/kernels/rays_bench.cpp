@@ -7,7 +7,7 @@
 #include <map>
 
 #include "renderer/kernels/isa.h"
-#include "renderer/kernels/recorded_rays.h"
+#include "renderer/kernels/test_recorded_rays.h"
 #include "renderer/kernels/test_bench_scenes.h"
 
 namespace photonproof {

@@ -43,7 +43,8 @@ class WhittedTracer : ScalarTracer {
     if (!within(edges)) return Rgb(0.0f);
     if (!world_.intersect(ray, draws.one(dimension++), TransportMode::radiance, at) ||
         (edges == 1 && camera_.beyond_far_plane(at.p)))
-      return edges == 1 && limits_.hide_emitters ? Rgb(0.0f) : throughput * lights_->environment_radiance(ray.direction);
+      return edges == 1 && limits_.hide_emitters ? Rgb(0.0f)
+                                                 : throughput * lights_->environment_radiance(ray.direction);
     const Vec3f wo = -ray.direction;
     Rgb radiance(0.0f);
     if (at.light != no_index && !(edges == 1 && limits_.hide_emitters))

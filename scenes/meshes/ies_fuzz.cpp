@@ -8,7 +8,7 @@
 #include <functional>
 
 #include "scenes/meshes/ies.h"
-#include "scenes/meshes/mesh_promises.h"
+#include "scenes/meshes/test_mesh_promises.h"
 
 namespace photonproof {
 

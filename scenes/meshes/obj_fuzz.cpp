@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "scenes/meshes/mesh_promises.h"
+#include "scenes/meshes/test_mesh_promises.h"
 #include "scenes/meshes/obj.h"
 
 namespace photonproof {

@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "scenes/meshes/mesh_promises.h"
+#include "scenes/meshes/test_mesh_promises.h"
 #include "scenes/meshes/ply.h"
 
 namespace photonproof {

@@ -7,7 +7,7 @@
 #include <cstdlib>
 
 #include "scenes/parser/parser.h"
-#include "scenes/parser/same_scene.h"
+#include "scenes/parser/test_same_scene.h"
 #include "scenes/text/utf8.h"
 #include "scenes/xml/writer.h"
 

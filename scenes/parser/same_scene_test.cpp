@@ -1,5 +1,5 @@
 // The comparison behind the round-trip tests notices a change of any field.
-#include "scenes/parser/same_scene.h"
+#include "scenes/parser/test_same_scene.h"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,7 @@
 #include "scenes/meshes/obj.h"
 #include "scenes/meshes/ply.h"
 #include "scenes/parser/parser.h"
-#include "scenes/parser/same_scene.h"
+#include "scenes/parser/test_same_scene.h"
 
 namespace photonproof {
 namespace {

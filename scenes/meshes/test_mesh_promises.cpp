@@ -1,4 +1,4 @@
-#include "scenes/meshes/mesh_promises.h"
+#include "scenes/meshes/test_mesh_promises.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "renderer/kernels/recorded_rays.h"
+#include "renderer/kernels/test_recorded_rays.h"
 
 #include <bit>
 

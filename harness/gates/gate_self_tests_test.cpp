@@ -1,4 +1,4 @@
-#include "harness/gates/gate_self_test.h"
+#include "harness/gates/gate_self_tests.h"
 
 #include <algorithm>
 #include <set>

@@ -1,4 +1,4 @@
-#include "scenes/parser/same_scene.h"
+#include "scenes/parser/test_same_scene.h"
 
 #include <algorithm>
 
