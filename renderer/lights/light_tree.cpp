@@ -37,6 +37,53 @@ std::vector<std::optional<LightBounds>> bounds_of(const std::vector<Light>& ligh
   return all;
 }
 
+constexpr std::size_t bucket_count = 12;
+
+/// Along each axis, of the lights' middles.
+struct Buckets {
+  Vec3f low, extent;  ///< of twice the middles
+
+  std::size_t of(const LightBounds& bounds, int axis) const {
+    const float at = (2 * middle(bounds, axis) - component(low, axis)) / component(extent, axis);
+    return std::min(static_cast<std::size_t>(at * bucket_count), bucket_count - 1);
+  }
+};
+
+struct Split {
+  int axis = -1;  ///< none
+  std::size_t at = 0;
+};
+
+/// Before which bucket of which axis the two halves cost least.
+template <class Entry>
+Split best_split(const Entry* first, const Entry* last, const Buckets& buckets) {
+  const float longest = max_component(buckets.extent);
+  double best_cost = std::numeric_limits<double>::infinity();
+  Split best;
+  for (int axis = 0; axis < 3; ++axis) {
+    const float extent = component(buckets.extent, axis);
+    if (!(extent > 0) || !std::isfinite(extent)) continue;
+    std::array<std::optional<LightBounds>, bucket_count> bucket;
+    for (const Entry* e = first; e != last; ++e) {
+      auto& b = bucket[buckets.of(e->bounds, axis)];
+      b = b ? merge(*b, e->bounds) : e->bounds;
+    }
+    const auto cost_of = [&](std::size_t from, std::size_t to) {
+      std::optional<LightBounds> all;
+      for (std::size_t i = from; i < to; ++i)
+        if (bucket[i]) all = all ? merge(*all, *bucket[i]) : bucket[i];
+      return all ? double{all->power} * orientation_cost(*all) * half_surface(*all) : 0.0;
+    };
+    for (std::size_t split = 1; split < bucket_count; ++split) {
+      const double cost = (cost_of(0, split) + cost_of(split, bucket_count)) * double{longest / extent};
+      if (!(cost < best_cost)) continue;
+      best_cost = cost;
+      best = {axis, split};
+    }
+  }
+  return best;
+}
+
 }  // namespace
 
 LightTree::LightTree(const std::vector<Light>& lights) : LightTree(bounds_of(lights)) {}
@@ -69,41 +116,11 @@ std::uint32_t LightTree::build(Entry* first, Entry* last, std::uint32_t parent) 
   }
   nodes_[index].importance = LightImportance(bounds);
 
-  constexpr std::size_t buckets = 12;
-  const Vec3f extent = high - low;
-  const float longest = max_component(extent);
-  double best_cost = std::numeric_limits<double>::infinity();
-  int best_axis = -1;
-  std::size_t best_split = 0;
-  const auto bucket_of = [&](const Entry& e, int axis) {
-    const float at = (2 * middle(e.bounds, axis) - component(low, axis)) / component(extent, axis);
-    return std::min(static_cast<std::size_t>(at * buckets), buckets - 1);
-  };
-  for (int axis = 0; axis < 3; ++axis) {
-    if (!(component(extent, axis) > 0) || !std::isfinite(component(extent, axis))) continue;
-    std::array<std::optional<LightBounds>, buckets> bucket;
-    for (const Entry* e = first; e != last; ++e) {
-      auto& b = bucket[bucket_of(*e, axis)];
-      b = b ? merge(*b, e->bounds) : e->bounds;
-    }
-    for (std::size_t split = 1; split < buckets; ++split) {
-      const auto cost_of = [&](std::size_t from, std::size_t to) {
-        std::optional<LightBounds> all;
-        for (std::size_t i = from; i < to; ++i)
-          if (bucket[i]) all = all ? merge(*all, *bucket[i]) : bucket[i];
-        return all ? double{all->power} * orientation_cost(*all) * half_surface(*all) : 0.0;
-      };
-      const double cost = (cost_of(0, split) + cost_of(split, buckets)) * double{longest / component(extent, axis)};
-      if (cost < best_cost) {
-        best_cost = cost;
-        best_axis = axis;
-        best_split = split;
-      }
-    }
-  }
+  const Buckets buckets{low, high - low};
+  const Split best = best_split(first, last, buckets);
   Entry* cut = first;
-  if (best_axis >= 0)
-    cut = std::stable_partition(first, last, [&](const Entry& e) { return bucket_of(e, best_axis) < best_split; });
+  if (best.axis >= 0)
+    cut = std::stable_partition(first, last, [&](const Entry& e) { return buckets.of(e.bounds, best.axis) < best.at; });
   if (cut == first || cut == last) cut = first + (last - first) / 2;
   const std::uint32_t left = build(first, cut, index);
   const std::uint32_t right = build(cut, last, index);
