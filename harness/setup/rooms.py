@@ -48,7 +48,7 @@ def main(rooms_file, root):
         lines = path.read_text().splitlines()
         if len(lines) > most_lines:
             problems.append(f"{file}:{most_lines}: has {len(lines)} lines, more than {most_lines}")
-        if re.search(r"_(test|bench|fuzz)\.cpp$|^test_", path.name):
+        if re.search(r"_(test|bench|fuzz)\.cpp$|^test_", path.name) and path.name != "verb_bench.cpp":
             continue
         for number, line in enumerate(lines, 1):
             included = re.match(r'#include "([a-z_/0-9]+)/[^/"]+"', line)

@@ -16,28 +16,12 @@
 
 #include "scenes/description/description.h"
 #include "scenes/description/spectrum.h"
+#include "scenes/xml/param_type.h"
 #include "scenes/xml/xml_source.h"
 
 namespace photonproof::scene_xml {
 
 class SceneObjects;
-
-/// `colour_map` and `number_map` may be textures, `texture` must be one.
-enum class ParamType {
-  boolean,
-  integer,
-  number,
-  string,
-  ior,
-  colour,
-  emission,
-  colour_map,
-  emission_map,
-  number_map,
-  texture,
-  point,
-  transform
-};
 
 struct ParamSpec {
   std::string name;
@@ -48,6 +32,7 @@ struct ParamSpec {
 struct NestedSpec {
   std::string tag;
   std::size_t most = 1;
+  std::string meaning = {};
 };
 
 /// True for <float>, <rgb>, <transform> and the other tags that set a parameter.

@@ -29,6 +29,19 @@ bool is_even(const Transform& t) {
          is_perpendicular(x, y) && is_perpendicular(y, z) && is_perpendicular(z, x);
 }
 
+void expect_alone(const Params& params, const std::string& name, const std::string& other) {
+  params.expect(!(params.has(name) && params.has(other)), name,
+                "is given beside " + other + ", expected one or the other");
+}
+
+Vec3d unit_vector(Params& params, const std::string& name, const Vec3d& fallback) {
+  const Vec3d v = params.point(name, fallback);
+  if (std::abs(length_squared(v) - 1) < 1e-8) return v;
+  const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  params.expect(largest > 0, name, "is zero, expected a direction");
+  return normalize(v / largest);
+}
+
 void expect_similarity(Params& params, const std::string& what) {
   const Transform to_world = params.transform("to_world");
   params.expect(is_even(to_world), "to_world",

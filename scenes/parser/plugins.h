@@ -2,7 +2,7 @@
 #pragma once
 
 #include <algorithm>
-#include <limits>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -14,15 +14,13 @@
 
 namespace photonproof::scene_xml {
 
-constexpr double kUnbounded = std::numeric_limits<double>::infinity();
-
 /// A row: the plugin's name, what parameters it takes, what objects may be nested in it, and how its value is built.
 template <class Result>
 struct Plugin {
   std::string type;
   std::vector<ParamSpec> params;
   std::vector<NestedSpec> nested;
-  Result (*build)(Params&);
+  std::function<Result(Params&)> build;
 };
 
 /// "<tag> '<type>'", what messages call an object.
@@ -57,13 +55,15 @@ Result build_plugin(SceneObjects& objects, const Element& object, const std::vec
 /// The `id` attribute, empty without one.
 std::string id_of(const Element& object);
 
-/// Two tables as one, in the order of the names.
 template <class Result>
-std::vector<Plugin<Result>> merged(std::vector<Plugin<Result>> a, const std::vector<Plugin<Result>>& b) {
-  a.insert(a.end(), b.begin(), b.end());
-  std::sort(a.begin(), a.end(), [](const auto& x, const auto& y) { return x.type < y.type; });
-  return a;
+void sort_by_name(std::vector<Plugin<Result>>& table) {
+  std::sort(table.begin(), table.end(), [](const auto& a, const auto& b) { return a.type < b.type; });
 }
+
+/// Throws where both are given.
+void expect_alone(const Params& params, const std::string& name, const std::string& other);
+/// A direction of length 1; one that is so already stays as it is, that writing and reading does not wear it down.
+Vec3d unit_vector(Params& params, const std::string& name, const Vec3d& fallback);
 
 /// "bk7" or a number, above 0.
 double read_ior(Params& params, const std::string& name, double fallback);
@@ -77,11 +77,6 @@ bool is_perpendicular(const Vec3d& a, const Vec3d& b);
 bool is_even(const Transform& t);
 /// Throws unless `to_world` is so without mirroring; `what` is "a sphere".
 void expect_similarity(Params& params, const std::string& what);
-
-using BsdfModel = decltype(BsdfDescription::model);
-std::vector<Plugin<BsdfModel>> leaf_bsdfs();
-std::vector<Plugin<BsdfModel>> rough_bsdfs();
-std::vector<Plugin<BsdfModel>> nesting_bsdfs();
 
 TextureDescription read_texture(SceneObjects& objects, const Element& element);
 BsdfDescription read_bsdf(SceneObjects& objects, const Element& element);

@@ -1,7 +1,8 @@
-// Mitsuba 3's smooth BSDFs and null, and the extension phong; defaults are Mitsuba's, phong's those of Mitsuba 0.6.
+// Mitsuba 3's BSDFs, and the extensions phong and layered: what a description alone does not say of them.
 #include "scenes/description/conductor_ior.h"
 #include "scenes/description/named_ior.h"
-#include "scenes/parser/plugins.h"
+#include "scenes/parser/plugin_reader.h"
+#include "scenes/xml/describe_bsdfs.h"
 
 namespace photonproof::scene_xml {
 
@@ -37,92 +38,42 @@ std::optional<ComplexIor> read_conductor_ior(Params& params) {
 
 namespace {
 
-const ParamSpec kReflectance{"specular_reflectance", ParamType::colour_map};
-const ParamSpec kTransmittance{"specular_transmittance", ParamType::colour_map};
-const ParamSpec kIntIor{"int_ior", ParamType::ior}, kExtIor{"ext_ior", ParamType::ior};
+using BsdfModel = decltype(BsdfDescription::model);
 
-BsdfModel build_diffuse(Params& params) {
-  return DiffuseDescription{params.colour_map("reflectance", RgbD(0.5), 0, 1)};
+/// Whether it nests no others.
+bool is_plain(const BsdfModel& model) {
+  return std::visit(
+      []<class Model>(const Model&) { return LeafBsdf<Model> && !std::is_same_v<Model, LayeredDescription>; }, model);
 }
 
-BsdfModel build_conductor(Params& params) {
-  ConductorDescription conductor;
-  conductor.ior = read_conductor_ior(params);
-  conductor.specular_reflectance = params.colour_map("specular_reflectance", RgbD(1.0), 0, 1);
-  return conductor;
-}
+struct Complete {
+  Params& params;
 
-template <class Description>
-Description read_interface(Params& params) {
-  Description model;
-  model.int_ior = read_ior(params, "int_ior", model.int_ior);
-  model.ext_ior = read_ior(params, "ext_ior", model.ext_ior);
-  model.specular_reflectance = params.colour_map("specular_reflectance", RgbD(1.0), 0, 1);
-  return model;
-}
+  void operator()(TwoSidedDescription& d) const {
+    expect_opaque(d.front, 0);
+    if (d.back != d.front) expect_opaque(d.back, 1);
+  }
+  void operator()(LayeredDescription& d) const {
+    expect_opaque(d.base, 0);
+    if (!is_plain(params.objects().scene().bsdfs[d.base.value].model))
+      params.sources().fail(params.nested("bsdf")[0]->at,
+                            params.title() + " has a base that nests other BSDFs, expected a plain one");
+  }
+  template <class Other>
+  void operator()(Other&) const {}
 
-BsdfModel build_dielectric(Params& params) {
-  auto dielectric = read_interface<DielectricDescription>(params);
-  dielectric.specular_transmittance = params.colour_map("specular_transmittance", RgbD(1.0), 0, 1);
-  if (params.has("priority")) dielectric.priority = static_cast<int>(params.integer("priority", 0, 0, 1'000'000));
-  return dielectric;
-}
-
-BsdfModel build_thin_dielectric(Params& params) {
-  auto pane = read_interface<ThinDielectricDescription>(params);
-  pane.specular_transmittance = params.colour_map("specular_transmittance", RgbD(1.0), 0, 1);
-  return pane;
-}
-
-BsdfModel build_plastic(Params& params) {
-  auto plastic = read_interface<PlasticDescription>(params);
-  plastic.diffuse_reflectance = params.colour_map("diffuse_reflectance", RgbD(0.5), 0, 1);
-  plastic.nonlinear = params.boolean("nonlinear", false);
-  return plastic;
-}
-
-BsdfModel build_phong(Params& params) {
-  PhongDescription phong;
-  phong.exponent = params.number_map("exponent", 30, 0, kUnbounded);
-  phong.diffuse_reflectance = params.colour_map("diffuse_reflectance", RgbD(0.5), 0, 1);
-  phong.specular_reflectance = params.colour_map("specular_reflectance", RgbD(0.2), 0, 1);
-  return phong;
-}
-
-BsdfModel build_null(Params&) { return NullDescription{}; }
+ private:
+  void expect_opaque(BsdfIndex index, std::size_t child) const {
+    if (params.objects().transmits(index))
+      params.sources().fail(params.nested("bsdf")[child]->at,
+                            params.title() + " nests a BSDF that lets light through, expected one that reflects only");
+  }
+};
 
 }  // namespace
 
-std::vector<Plugin<BsdfModel>> leaf_bsdfs() {
-  return {
-      {"conductor",
-       {{"material", ParamType::string}, {"eta", ParamType::colour}, {"k", ParamType::colour}, kReflectance},
-       {},
-       build_conductor},
-      {"dielectric",
-       {kIntIor, kExtIor, kReflectance, kTransmittance, {"priority", ParamType::integer}},
-       {},
-       build_dielectric},
-      {"diffuse", {{"reflectance", ParamType::colour_map}}, {}, build_diffuse},
-      {"null", {}, {}, build_null},
-      {"phong",
-       {{"exponent", ParamType::number_map}, {"diffuse_reflectance", ParamType::colour_map}, kReflectance},
-       {},
-       build_phong},
-      {"plastic",
-       {kIntIor,
-        kExtIor,
-        {"diffuse_reflectance", ParamType::colour_map},
-        kReflectance,
-        {"nonlinear", ParamType::boolean}},
-       {},
-       build_plastic},
-      {"thindielectric", {kIntIor, kExtIor, kReflectance, kTransmittance}, {}, build_thin_dielectric},
-  };
-}
-
 BsdfDescription read_bsdf(SceneObjects& objects, const Element& element) {
-  static const std::vector<Plugin<BsdfModel>> table = merged(merged(leaf_bsdfs(), rough_bsdfs()), nesting_bsdfs());
+  static const std::vector<Plugin<BsdfModel>> table = described_plugins<BsdfModel, Complete>();
   return {objects.sources().loc(element.at), id_of(element), build_plugin(objects, element, table)};
 }
 

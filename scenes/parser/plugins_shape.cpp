@@ -1,133 +1,58 @@
-// Mitsuba 3's shapes and the extensions plane and heightfield; defaults are Mitsuba's.
+// Mitsuba 3's shapes and the extensions plane and heightfield: what a description alone does not say of them.
 #include <cmath>
 
-#include "scenes/parser/plugins.h"
+#include "scenes/parser/plugin_reader.h"
+#include "scenes/xml/describe_shapes.h"
 
 namespace photonproof::scene_xml {
 namespace {
 
 using Geometry = decltype(ShapeDescription::geometry);
-using Row = Plugin<Geometry>;
 
 constexpr std::int64_t kMaxCells = std::int64_t{1} << 24;  ///< of a heightfield
 
-Geometry build_sphere(Params& params) {
-  SphereDescription sphere;
-  sphere.center = params.point("center", sphere.center);
-  sphere.radius = params.positive("radius", sphere.radius);
-  expect_similarity(params, "a sphere");
-  return sphere;
-}
+struct Complete {
+  Params& params;
 
-Geometry build_rectangle(Params& params) {
-  const Transform to_world = params.transform("to_world");
-  params.expect(is_perpendicular(to_world.vector({1, 0, 0}), to_world.vector({0, 1, 0})), "to_world",
-                "shears the rectangle, expected perpendicular sides");
-  return RectangleDescription{};
-}
-
-Geometry build_disk(Params& params) {
-  const Transform to_world = params.transform("to_world");
-  const Vec3d x = to_world.vector({1, 0, 0}), y = to_world.vector({0, 1, 0});
-  params.expect(is_perpendicular(x, y) && std::abs(length(y) / length(x) - 1) <= 1e-5, "to_world",
-                "makes the disk an ellipse, expected the same scale along x and y");
-  return DiskDescription{};
-}
-
-Geometry build_cube(Params&) { return CubeDescription{}; }
-
-Geometry build_plane(Params&) { return PlaneDescription{}; }
-
-Geometry build_cylinder(Params& params) {
-  CylinderDescription cylinder;
-  cylinder.p0 = params.point("p0", cylinder.p0);
-  cylinder.p1 = params.point("p1", cylinder.p1);
-  cylinder.radius = params.positive("radius", cylinder.radius);
-  params.expect(length(cylinder.p1 - cylinder.p0) > 0, "p1", "is the same point as p0, expected another");
-  expect_similarity(params, "a cylinder");
-  return cylinder;
-}
-
-Geometry read_mesh(Params& params, MeshDescription::Format format, bool flips_v) {
-  const bool is_ply = format == MeshDescription::Format::ply;
-  params.expect(params.has("filename"), "filename",
-                std::string("is missing, expected the name of ") + (is_ply ? "a PLY file" : "an OBJ file"));
-  params.string("filename", "");
-  MeshDescription mesh;
-  mesh.format = format;
-  mesh.face_normals = params.boolean("face_normals", false);
-  mesh.flip_tex_coords = params.boolean("flip_tex_coords", flips_v);
-  const auto loaded = params.objects().files().mesh(params.value_of("filename"), format);
-  mesh.filename = loaded.name;
-  mesh.mesh = loaded.content;
-  return mesh;
-}
-
-Geometry build_ply(Params& params) { return read_mesh(params, MeshDescription::Format::ply, false); }
-
-Geometry build_obj(Params& params) { return read_mesh(params, MeshDescription::Format::obj, true); }
-
-Geometry build_heightfield(Params& params) {
-  HeightfieldDescription field;
-  field.columns = static_cast<int>(params.integer("columns", field.columns, 1, 1 << 20));
-  field.rows = static_cast<int>(params.integer("rows", field.rows, 1, 1 << 20));
-  params.expect(
-      std::int64_t{field.columns} * field.rows <= kMaxCells, "columns",
-      "times rows is " + std::to_string(std::int64_t{field.columns} * field.rows) + " cells, expected at most 2^24");
-  field.amplitude = params.number("amplitude", field.amplitude);
-  field.face_normals = params.boolean("face_normals", field.face_normals);
-  if (const auto height = params.texture("height")) {
-    field.height = *height;
-    return field;
+  void operator()(SphereDescription&) const { expect_similarity(params, "a sphere"); }
+  void operator()(RectangleDescription&) const {
+    const Transform to_world = params.transform("to_world");
+    params.expect(is_perpendicular(to_world.vector({1, 0, 0}), to_world.vector({0, 1, 0})), "to_world",
+                  "shears the rectangle, expected perpendicular sides");
   }
-  HeightfieldDescription::Noise noise;
-  noise.frequency_x = params.number_in("frequency_x", noise.frequency_x, 0, 1e6);
-  noise.frequency_y = params.number_in("frequency_y", noise.frequency_y, 0, 1e6);
-  noise.octaves = static_cast<int>(params.integer("octaves", noise.octaves, 1, 16));
-  noise.seed = static_cast<std::uint32_t>(params.integer("seed", noise.seed, 0, 4294967295));
-  field.height = noise;
-  return field;
-}
+  void operator()(DiskDescription&) const {
+    const Transform to_world = params.transform("to_world");
+    const Vec3d x = to_world.vector({1, 0, 0}), y = to_world.vector({0, 1, 0});
+    params.expect(is_perpendicular(x, y) && std::abs(length(y) / length(x) - 1) <= 1e-5, "to_world",
+                  "makes the disk an ellipse, expected the same scale along x and y");
+  }
+  void operator()(CubeDescription&) const {}
+  void operator()(PlaneDescription&) const {}
+  void operator()(CylinderDescription& d) const {
+    params.expect(length(d.p1 - d.p0) > 0, "p1", "is the same point as p0, expected another");
+    expect_similarity(params, "a cylinder");
+  }
+  void operator()(MeshDescription& d) const {
+    const auto loaded = params.objects().files().mesh(params.value_of("filename"), d.format);
+    d.filename = loaded.name;
+    d.mesh = loaded.content;
+  }
+  void operator()(HeightfieldDescription& d) const {
+    const std::int64_t cells = std::int64_t{d.columns} * d.rows;
+    params.expect(cells <= kMaxCells, "columns",
+                  "times rows is " + std::to_string(cells) + " cells, expected at most 2^24");
+  }
+  void operator()(InstanceDescription&) const {}
+};
 
-Geometry build_instance(Params& params) {
-  const Element& group = params.only_nested("shape");
-  if (group.tag != "ref")
-    params.sources().fail(group.at, "a shape inside an instance, expected a <ref> to a shapegroup of the scene");
-  return InstanceDescription{params.objects().shape_group(group)};
-}
-
-std::vector<ParamSpec> with_common(std::vector<ParamSpec> own) {
-  own.push_back({"to_world", ParamType::transform});
-  own.push_back({"flip_normals", ParamType::boolean});
-  return own;
-}
-
-const std::vector<Row>& table() {
-  static const std::vector<NestedSpec> inside = {{"bsdf"}, {"emitter"}, {"medium", 2}};
-  const ParamSpec filename{"filename", ParamType::string}, face_normals{"face_normals", ParamType::boolean},
-      flip_tex_coords{"flip_tex_coords", ParamType::boolean}, radius{"radius", ParamType::number};
-  static const std::vector<Row> rows = {
-      {"cube", with_common({}), inside, build_cube},
-      {"cylinder", with_common({{"p0", ParamType::point}, {"p1", ParamType::point}, radius}), inside, build_cylinder},
-      {"disk", with_common({}), inside, build_disk},
-      {"heightfield",
-       with_common({{"columns", ParamType::integer},
-                    {"rows", ParamType::integer},
-                    {"amplitude", ParamType::number},
-                    {"height", ParamType::texture},
-                    {"frequency_x", ParamType::number},
-                    {"frequency_y", ParamType::number},
-                    {"octaves", ParamType::integer},
-                    {"seed", ParamType::integer},
-                    face_normals}),
-       inside, build_heightfield},
-      {"instance", {{"to_world", ParamType::transform}}, {{"shape"}}, build_instance},
-      {"obj", with_common({filename, face_normals, flip_tex_coords}), inside, build_obj},
-      {"plane", with_common({}), inside, build_plane},
-      {"ply", with_common({filename, face_normals, flip_tex_coords}), inside, build_ply},
-      {"rectangle", with_common({}), inside, build_rectangle},
-      {"sphere", with_common({{"center", ParamType::point}, radius}), inside, build_sphere},
-  };
+/// Mitsuba turns the v of an OBJ over, and not that of a PLY, which is the kind's own row.
+std::vector<Plugin<Geometry>> make_table() {
+  std::vector<Plugin<Geometry>> rows = described_plugins<Geometry, Complete>();
+  MeshDescription obj;
+  obj.format = MeshDescription::Format::obj;
+  obj.flip_tex_coords = true;
+  rows.push_back(described_plugin<Geometry, Complete>(obj));
+  sort_by_name(rows);
   return rows;
 }
 
@@ -154,7 +79,8 @@ BsdfIndex read_surface(Params& params) {
 
 ShapeDescription read_shape(SceneObjects& objects, const Element& element) {
   const Sources& sources = objects.sources();
-  const Row& plugin = find_plugin(sources, element, table());
+  static const std::vector<Plugin<Geometry>> table = make_table();
+  const Plugin<Geometry>& plugin = find_plugin(sources, element, table);
   Params params(objects, element, title_of(sources, element), plugin.params, plugin.nested);
   ShapeDescription shape;
   shape.loc = sources.loc(element.at);
@@ -162,14 +88,14 @@ ShapeDescription read_shape(SceneObjects& objects, const Element& element) {
   shape.to_world = params.transform("to_world");
   params.expect(shape.to_world.inverse().has_value(), "to_world", "is singular: it flattens the shape");
   shape.geometry = plugin.build(params);
-  if (plugin.build != build_instance) {
+  if (!std::holds_alternative<InstanceDescription>(shape.geometry)) {
     shape.flip_normals = params.boolean("flip_normals", false);
     shape.bsdf = read_surface(params);
   }
   read_media(params, shape);
   if (!params.nested("emitter").empty()) {
     const Element& emitter = *params.nested("emitter").front();
-    if (plugin.build == build_plane)
+    if (std::holds_alternative<PlaneDescription>(shape.geometry))
       sources.fail(emitter.at, "shape 'plane' is infinite and cannot emit, expected a shape of finite area");
     shape.radiance = read_area_emitter(objects, objects.target(emitter));
   }

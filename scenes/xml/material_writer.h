@@ -20,12 +20,15 @@ class MaterialWriter {
   void use(const std::string& name, const Scalar& number);
   void use(const std::string& name, TextureIndex index);
   void use(BsdfIndex index);
+  void use(ShapeGroupIndex index) { xml_.leaf("ref", {{"id", scene_.groups.at(index.value).id}}); }
   void use(const std::string& name, MediumIndex index);
 
  private:
-  void write(const TextureDescription& texture, const std::string& name);
-  void write(const BsdfDescription& bsdf);
-  void write(const MediumDescription& medium, const std::string& name);
+  // Copies, since `describe` is for readers too.
+  void write(TextureDescription texture, const std::string& name);
+  void write(BsdfDescription bsdf);
+  void write(MediumDescription medium, const std::string& name);
+  void write_phase(decltype(HomogeneousDescription::phase) phase);
 
   const SceneDescription& scene_;
   XmlWriter& xml_;

@@ -1,0 +1,96 @@
+// scenes/FORMAT.md has what readers and writers go by: its tables are made from the same functions.
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "scenes/parser/plugin_rows.h"
+#include "scenes/text/atomic_file.h"
+#include "scenes/xml/describe_bsdfs.h"
+#include "scenes/xml/describe_lights.h"
+#include "scenes/xml/describe_shapes.h"
+#include "scenes/xml/describe_textures_media.h"
+#include "scenes/xml/describe_views.h"
+
+namespace photonproof::scene_xml {
+namespace {
+
+template <class Description>
+PluginRows rows_of(Description description = {}) {
+  PluginRows rows;
+  describe(rows, description);
+  return rows;
+}
+
+/// One a kind of the variant.
+template <class... Kinds>
+std::vector<PluginRows> rows_of_kinds(const std::variant<Kinds...>*) {
+  return {rows_of<Kinds>()...};
+}
+template <class Variant>
+std::vector<PluginRows> rows_of_kinds() {
+  return rows_of_kinds(static_cast<const Variant*>(nullptr));
+}
+
+std::string in_backquotes(const std::string& text) { return "`" + text + "`"; }
+
+std::string line(const std::vector<std::string>& cells) {
+  std::string text = "|";
+  for (const std::string& cell : cells) text += (cell.empty() ? "" : " " + cell) + " |";
+  return text + "\n";
+}
+
+/// What an earlier plugin has just so is named alone.
+std::string table(const std::string& tag, const std::vector<PluginRows>& plugins) {
+  std::string text = "### " + tag + "\n\n" + line({"plugin", "parameter", "default", "values", "meaning"}) +
+                     line({"---", "---", "---", "---", "---"});
+  std::set<std::string> shown;
+  for (const PluginRows& plugin : plugins) {
+    std::string known, own;
+    const auto add = [&](const std::string& name, const std::vector<std::string>& rest) {
+      const std::string row = line({"", name, rest[0], rest[1], rest[2]});
+      if (shown.insert(row).second)
+        own += row;
+      else
+        known += (known.empty() ? "" : ", ") + name;
+    };
+    for (const ParamRow& row : plugin.rows) add(in_backquotes(row.name), {row.fallback, row.values, row.meaning});
+    for (const NestedSpec& nested : plugin.nested_specs) add("nested `" + nested.tag + "`", {"", "", nested.meaning});
+    text +=
+        line({in_backquotes(plugin.type), known + (known.empty() ? "" : " as above"), "", "", plugin.meaning}) + own;
+  }
+  return text + "\n";
+}
+
+std::string all_tables() {
+  auto integrators = rows_of_kinds<decltype(IntegratorDescription::method)>();
+  integrators.push_back(rows_of<MomentPlugin>());
+  auto shapes = rows_of_kinds<decltype(ShapeDescription::geometry)>();
+  MeshDescription obj;
+  obj.format = MeshDescription::Format::obj;
+  obj.flip_tex_coords = true;
+  shapes.push_back(rows_of(obj));
+  auto emitters = rows_of_kinds<decltype(EmitterDescription::light)>();
+  emitters.push_back(rows_of<AreaEmitter>());
+  using Kind = ReconstructionFilter::Kind;
+  std::vector<PluginRows> filters, samplers;
+  for (const Kind kind : {Kind::box, Kind::tent, Kind::gaussian})
+    filters.push_back(rows_of(ReconstructionFilter{.kind = kind}));
+  for (const char* type : {"independent", "stratified", "multijitter", "orthogonal", "ldsampler"})
+    samplers.push_back(rows_of(SamplerPlugin{.type = type}));
+  return table("integrator", integrators) + table("sensor", rows_of_kinds<decltype(SensorDescription::camera)>()) +
+         table("film", {rows_of<FilmDescription>()}) + table("rfilter", filters) + table("sampler", samplers) +
+         table("shape", shapes) + table("bsdf", rows_of_kinds<decltype(BsdfDescription::model)>()) +
+         table("texture", rows_of_kinds<decltype(TextureDescription::pattern)>()) + table("emitter", emitters) +
+         table("medium", rows_of_kinds<decltype(MediumDescription::model)>()) +
+         table("phase", rows_of_kinds<decltype(HomogeneousDescription::phase)>());
+}
+
+TEST(scene_format, page_has_the_tables_that_readers_and_writers_go_by) {
+  const std::string page = read_file(PHOTONPROOF_SOURCE_DIR "/scenes/FORMAT.md"), expected = all_tables();
+  const std::size_t from = page.find("### integrator\n"), to = page.find("\n## ", from);
+  ASSERT_NE(to, std::string::npos);
+  EXPECT_EQ(page.substr(from, to + 1 - from), expected) << "put this in the page:\n" << expected;
+}
+
+}  // namespace
+}  // namespace photonproof::scene_xml

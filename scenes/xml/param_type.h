@@ -1,0 +1,44 @@
+// What a parameter of a plugin may be.
+#pragma once
+
+#include <limits>
+
+namespace photonproof::scene_xml {
+
+/// `colour_map` and `number_map` may be textures, `texture` must be one.
+enum class ParamType {
+  boolean,
+  integer,
+  number,
+  string,
+  ior,
+  colour,
+  emission,
+  colour_map,
+  emission_map,
+  number_map,
+  texture,
+  point,
+  transform
+};
+
+constexpr double kUnbounded = std::numeric_limits<double>::infinity();
+
+/// The numbers that make sense, which messages and the page call `words`, or "from <low> to <high>" without.
+struct Range {
+  double low = -kUnbounded, high = kUnbounded;
+  const char* words = nullptr;
+  bool open = false;  ///< without `low` itself
+  bool open_above = false;
+  bool holds(double x) const { return (open ? x > low : x >= low) && (open_above ? x < high : x <= high); }
+};
+constexpr Range kAny{}, kNotNegative{0, kUnbounded}, kShare{0, 1};
+
+/// A word that stands for a value.
+template <class Value>
+struct Word {
+  const char* text;
+  Value value;
+};
+
+}  // namespace photonproof::scene_xml
