@@ -1,3 +1,4 @@
+#define PHOTONPROOF_PACKS
 #include "renderer/kernels/test_recorded_rays.h"
 
 #include <bit>

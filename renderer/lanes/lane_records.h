@@ -10,10 +10,6 @@ namespace photonproof {
 
 inline float lane_of(float v, std::size_t) { return v; }
 inline std::uint32_t lane_of(std::uint32_t v, std::size_t) { return v; }
-template <class T, class A>
-T lane_of(const stdx::simd<T, A>& v, std::size_t lane) {
-  return v[lane];
-}
 template <template <class> class Record, class F>
 Record<float> lane_of(const Record<F>& v, std::size_t lane) {
   constexpr std::size_t words = sizeof(Record<float>) / 4;

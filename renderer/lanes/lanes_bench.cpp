@@ -1,6 +1,7 @@
 // Draws and warps a lane, in packs; shading by material, as paths inside a closed ball of it, where a ray costs next to
 // nothing. One thread; items are draws, warps and bounces.
 
+#define PHOTONPROOF_PACKS
 #include <benchmark/benchmark.h>
 
 #include <string>

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstring>
+#include <experimental/simd>
 
 #include "renderer/lanes/always_inline.h"
 #include "renderer/lanes/lane.h"
@@ -27,7 +28,7 @@ struct PhotonFilter {
 
 namespace gathering {
 
-constexpr std::size_t width = stdx::native_simd<float>::size(), block = 16, parts = block / width;
+constexpr std::size_t width = std::experimental::native_simd<float>::size(), block = 16, parts = block / width;
 static_assert(block <= Photons::padding);
 using Floats [[gnu::vector_size(width * sizeof(float))]] = float;
 using Ints [[gnu::vector_size(width * sizeof(float))]] = std::int32_t;  // a mask is all ones or all zeros
