@@ -7,8 +7,8 @@
 #include <map>
 
 #include "renderer/kernels/isa.h"
-#include "renderer/kernels/test_recorded_rays.h"
 #include "renderer/kernels/test_bench_scenes.h"
+#include "renderer/kernels/test_recorded_rays.h"
 
 namespace photonproof {
 namespace {

@@ -4,8 +4,8 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "scenes/meshes/test_mesh_promises.h"
 #include "scenes/meshes/obj.h"
+#include "scenes/meshes/test_mesh_promises.h"
 
 namespace photonproof {
 

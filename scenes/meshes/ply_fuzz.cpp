@@ -8,8 +8,8 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "scenes/meshes/test_mesh_promises.h"
 #include "scenes/meshes/ply.h"
+#include "scenes/meshes/test_mesh_promises.h"
 
 namespace photonproof {
 namespace {

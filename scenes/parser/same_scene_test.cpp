@@ -1,9 +1,9 @@
 // The comparison behind the round-trip tests notices a change of any field.
-#include "scenes/parser/test_same_scene.h"
-
 #include <gtest/gtest.h>
 
 #include <functional>
+
+#include "scenes/parser/test_same_scene.h"
 
 namespace photonproof {
 namespace {
