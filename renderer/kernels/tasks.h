@@ -52,7 +52,7 @@ struct PathTask {
   PathSettings settings;
   AtDiffuse at_diffuse = AtDiffuse::go_on;
   float* radiance = nullptr;         ///< 3 a path, in the task's order of paths
-  std::uint32_t* scratch = nullptr;  ///< Kernels::path_scratch words
+  std::uint32_t* scratch = nullptr;  ///< PathKernelEntry::scratch words
   GatherPoints points{};             ///< of a GatherQueue with room for one a path, where paths leave them
   RayCounts counts{};
 };
@@ -84,7 +84,7 @@ struct PhotonTask {
   float share = 1;                   ///< of the lights' flux that a path carries
   bool aimed = false;                ///< emitted towards specular surfaces only
   int max_edges = -1;                ///< longest light subpath; -1 is unlimited
-  std::uint32_t* scratch = nullptr;  ///< Kernels::photon_scratch words
+  std::uint32_t* scratch = nullptr;  ///< PhotonKernelEntry::scratch words
   PhotonDeposits* deposits = nullptr;
   void (*drain)(PhotonTask&) = nullptr;  ///< empties `deposits`: called when they are full and at the end
   void* sink = nullptr;                  ///< of `drain`

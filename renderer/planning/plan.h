@@ -1,7 +1,7 @@
-// What a render will do and what it leaves out, decided from plain facts before the scene is built: the one place where
-// skips are decided. Printed by `render --plan`, kept in the stats.
+// What a render will do and what it leaves out, decided from plain facts before the scene is built: by the
+// planner and the integrator's own plan_ function. Printed by `render --plan`, kept in the stats.
 //
-//   const SceneParts parts(description, width, height);
+//   SceneParts parts(description, width, height);
 //   const RenderPlan plan = plan_render(analyse(parts), method, job);   // integrators/integrator.h
 //   const Scene scene(std::move(parts), plan.scene);
 //   render(scene, plan, job, film, stats);

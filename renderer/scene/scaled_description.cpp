@@ -13,8 +13,11 @@ struct LightScaler {
   }
   void operator()(SpotLightDescription& light) const { place(light); }
   void operator()(IesLightDescription& light) const { place(light); }
-  template <class FromInfinity>
-  void operator()(FromInfinity&) const {}
+  // From infinity.
+  void operator()(DirectionalLightDescription&) const {}
+  void operator()(ConstantLightDescription&) const {}
+  void operator()(EnvmapDescription&) const {}
+  void operator()(SunSkyDescription&) const {}
 
  private:
   template <class Light>

@@ -1,4 +1,4 @@
-// What a plan decides about a scene before it is built (planning/scene_decisions.h has the reasons).
+// What a plan decides about a scene before it is built (planning/planner.cpp has the reasons).
 #pragma once
 
 namespace photonproof {
