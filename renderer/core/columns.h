@@ -7,7 +7,7 @@
 namespace photonproof {
 
 template <class T>
-using Value = T;
+using OneValue = T;
 template <class T>
 using Pointer = T*;
 template <class T>

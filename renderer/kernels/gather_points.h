@@ -73,22 +73,22 @@ class GatherQueue {
             c.sheet[i]};
   }
   void push_back(const GatherPoint& point) {
-    const GatherColumns<Value> row{point.p.x,
-                                   point.p.y,
-                                   point.p.z,
-                                   point.weight.x,
-                                   point.weight.y,
-                                   point.weight.z,
-                                   point.path,
-                                   point.surface,
-                                   point.edges,
-                                   point.sheet,
-                                   0,
-                                   0,
-                                   0,
-                                   0,
-                                   0,
-                                   0};
+    const GatherColumns<OneValue> row{point.p.x,
+                                      point.p.y,
+                                      point.p.z,
+                                      point.weight.x,
+                                      point.weight.y,
+                                      point.weight.z,
+                                      point.path,
+                                      point.surface,
+                                      point.edges,
+                                      point.sheet,
+                                      0,
+                                      0,
+                                      0,
+                                      0,
+                                      0,
+                                      0};
     zip_gather_points([&](auto& column, const auto& value) { column[count_] = value; }, columns_, row);
     ++count_;
   }

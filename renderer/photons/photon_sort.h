@@ -14,7 +14,7 @@
 namespace photonproof {
 
 /// A photon on its way through the sort; unlike Photon it costs nothing to create.
-using StagedPhoton = PhotonColumns<Value>;
+using StagedPhoton = PhotonColumns<OneValue>;
 
 struct StagedPhotons {
   int shift = 0;                     ///< a cell belongs to bucket PhotonGrid::key >> shift
