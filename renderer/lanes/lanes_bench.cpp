@@ -61,7 +61,7 @@ void shade(benchmark::State& state, const decltype(BsdfDescription::model)& mate
     PathTask task;
     task.scene = &scene.view();
     task.camera = {0, 0, 16, 16, 0, 16, 1, SamplerKind::sobol, 0};
-    task.settings = {32, 64, false, true};
+    task.settings = {32, 64, false, DirectLight::weighted};
     task.radiance = radiance.data();
     task.scratch = scratch.data();
     kernels.path.trace(task);
