@@ -13,6 +13,8 @@ namespace photonproof {
 /// order. Memory belongs to the caller.
 template <template <class> class State, class F>
 class LaneBatch {
+  static_assert(sizeof(State<F>) == State<F>::column_count * sizeof(F), "column_count is not the number of columns");
+
  public:
   static constexpr std::size_t slack = 16;  ///< rows that a pack may touch beyond the last one
   static constexpr std::size_t words(std::size_t capacity) { return State<F>::column_count * (capacity + slack); }

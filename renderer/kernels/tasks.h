@@ -7,7 +7,7 @@
 #include "renderer/core/ray_counts.h"
 #include "renderer/kernels/gather_points.h"
 #include "renderer/lanes/sampler.h"
-#include "renderer/photons/photon_gather.h"
+#include "renderer/photons/photon_view.h"
 #include "renderer/scene/scene_view.h"
 
 namespace photonproof {

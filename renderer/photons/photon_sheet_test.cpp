@@ -10,6 +10,7 @@
 #include "renderer/kernels/isa.h"
 #include "renderer/lanes/test_random.h"
 #include "renderer/lanes/warp.h"
+#include "renderer/photons/photon_gather.h"
 #include "renderer/photons/photon_map.h"
 
 namespace photonproof {

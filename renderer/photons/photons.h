@@ -45,14 +45,12 @@ struct Photons : PhotonColumns<LargeArray> {
     zip_photons([](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); }, *this, other);
   }
   void push_back(const Photon& photon) {
-    x.push_back(photon.p_world.x);
-    y.push_back(photon.p_world.y);
-    z.push_back(photon.p_world.z);
-    red.push_back(photon.flux.x);
-    green.push_back(photon.flux.y);
-    blue.push_back(photon.flux.z);
-    surface.push_back(photon.surface);
-    sheet.push_back(with_edges<float>(photon.sheet, static_cast<std::uint32_t>(photon.edges)));
+    const PhotonColumns<OneValue> row{
+        photon.p_world.x, photon.p_world.y,
+        photon.p_world.z, photon.flux.x,
+        photon.flux.y,    photon.flux.z,
+        photon.surface,   with_edges<float>(photon.sheet, static_cast<std::uint32_t>(photon.edges))};
+    zip_photons([](auto& array, const auto& value) { array.push_back(value); }, *this, row);
   }
 };
 
