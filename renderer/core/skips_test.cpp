@@ -135,7 +135,8 @@ TEST(skips, the_plan_says_what_the_scene_does_not_need_and_why) {
       "  light-choice        the random choice among lights: 1 light\n"
       "  shadow-rays         shadow rays to lights that a cosine of 0 hides: where the light or the BSDF gives "
       "nothing, none is traced\n"
-      "  mis                 multiple importance sampling: every light is a point, no ray can hit one\n");
+      "  mis                 weights against lights that rays meet by themselves: every light is a point, no ray can "
+      "hit one\n");
 }
 
 TEST(skips, a_switch_that_is_off_is_in_the_plan) {

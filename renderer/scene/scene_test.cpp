@@ -240,7 +240,7 @@ TEST(facts, tell_what_a_scene_cannot_do) {
   EXPECT_TRUE(facts(test::furnace(0.5, 1, 4)).diffuse_interreflection);
   EXPECT_FALSE(facts(test::furnace(0, 1, 4)).any_diffuse);
   EXPECT_EQ(facts(test::room(4, false)).specular_surfaces, 0u);
-  EXPECT_EQ(facts(test::room(4, true)).specular_surfaces, 1u);
+  EXPECT_EQ(facts(test::room(4, true)).specular_surfaces, 2u);
 }
 
 TEST(film, means_and_variance_of_the_mean_follow_the_weights) {
