@@ -110,7 +110,8 @@ TEST(Process, memory_hog_is_killed) {
       shell("tail -n 1 /dev/zero", {.wall_limit_seconds = 30, .memory_limit_bytes = std::uint64_t{64} << 20});
   EXPECT_EQ(outcome.end, End::out_of_memory);
   EXPECT_EQ(outcome.sentence(), "used more than 64 MiB of memory (limit)");
-  EXPECT_GT(outcome.peak_bytes, std::uint64_t{64} << 20);
+  // The limit is of all processes, the peak of the largest: the shell beside it needs some 2 MiB.
+  EXPECT_GT(outcome.peak_bytes, std::uint64_t{60} << 20);
 }
 
 TEST(Process, memory_of_a_grandchild_counts_towards_the_limit) {
