@@ -22,7 +22,7 @@ void add_method_options(CLI::App& verb, RenderArguments& arguments) {
   verb.add_option("--sampler", arguments.sampler, "sobol (Owen-scrambled) or independent, to check the other against")
       ->check(CLI::IsMember({"sobol", "independent"}));
   std::vector<std::string> isas;
-  for (const Kernels* kernels : available_kernels()) isas.emplace_back(kernels->isa);
+  for (const Kernels& kernels : available_kernels()) isas.emplace_back(kernels.isa);
   verb.add_option("--isa", arguments.isa, "instruction set of the kernels (default: the best this processor has)")
       ->check(CLI::IsMember(isas));
   verb.add_option("--no-skip", arguments.no_skip,

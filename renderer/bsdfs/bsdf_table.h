@@ -25,11 +25,19 @@ struct BsdfTable {
   std::uint32_t kind(std::uint32_t leaf) const { return static_cast<std::uint32_t>(records[leaf].index()); }
   /// Whether the BSDF wraps no other.
   bool is_leaf(std::uint32_t bsdf) const { return tree[bsdf].kind == BsdfNode::Kind::leaf; }
+  /// Whether test(const Bsdf&, bool textured) holds of some leaf.
+  template <class Test>
+  bool any_leaf(std::uint32_t bsdf, Test&& test) const {
+    bool any = false;
+    for_each_leaf(bsdf, [&](const Bsdf& leaf, bool textured) { any = any || test(leaf, textured); });
+    return any;
+  }
+  bool any_lambertian(std::uint32_t bsdf) const {
+    return any_leaf(bsdf, [](const Bsdf& leaf, bool) { return is_lambertian(leaf); });
+  }
   /// Whether some leaf is not Lambertian.
   bool is_specular(std::uint32_t bsdf) const {
-    bool specular = false;
-    for_each_leaf(bsdf, [&](const Bsdf& leaf, bool) { specular = specular || !is_lambertian(leaf); });
-    return specular;
+    return any_leaf(bsdf, [](const Bsdf& leaf, bool) { return !is_lambertian(leaf); });
   }
 };
 

@@ -89,13 +89,13 @@ class ImageOf : public testing::TestWithParam<const char*> {};
 TEST_P(ImageOf, any_number_of_threads_is_the_same_bits_on_every_instruction_set) {
   for (const std::size_t limit : {by_small_kernel, by_embree}) {
     const SceneDescription scene = test::room(40, true);
-    for (const Kernels* kernels : available_kernels()) {
+    for (const Kernels& kernels : available_kernels()) {
       const auto with_threads = [&](int threads) {
-        return image_of(scene, GetParam(), {kernels->isa, SamplerKind::sobol, limit, threads}, 4, 1);
+        return image_of(scene, GetParam(), {kernels.isa, SamplerKind::sobol, limit, threads}, 4, 1);
       };
       const Image one = with_threads(1);
       EXPECT_GT(test::image_mean(one), 0);
-      for (const int threads : {2, 7}) EXPECT_EQ(one.rgb, with_threads(threads).rgb) << kernels->isa << " " << threads;
+      for (const int threads : {2, 7}) EXPECT_EQ(one.rgb, with_threads(threads).rgb) << kernels.isa << " " << threads;
     }
   }
 }
@@ -106,11 +106,11 @@ TEST_P(ImageOf, instruction_sets_agree_at_equal_seeds_but_for_a_few_paths) {
   for (const SamplerKind sampler : {SamplerKind::sobol, SamplerKind::independent}) {
     const SceneDescription scene = dim_room(32, true, GetParam());
     const Image scalar = image_of(scene, GetParam(), {"scalar", sampler}, 16, 3);
-    for (const Kernels* kernels : available_kernels()) {
-      const Difference d = difference(image_of(scene, GetParam(), {kernels->isa, sampler}, 16, 3), scalar);
-      std::printf("%s: %.4f of the values differ, the means by %.2e\n", kernels->isa, d.part_that_differs, d.of_means);
-      EXPECT_LT(d.of_means, 1e-4) << kernels->isa;
-      EXPECT_LT(d.part_that_differs, 0.01) << kernels->isa;
+    for (const Kernels& kernels : available_kernels()) {
+      const Difference d = difference(image_of(scene, GetParam(), {kernels.isa, sampler}, 16, 3), scalar);
+      std::printf("%s: %.4f of the values differ, the means by %.2e\n", kernels.isa, d.part_that_differs, d.of_means);
+      EXPECT_LT(d.of_means, 1e-4) << kernels.isa;
+      EXPECT_LT(d.part_that_differs, 0.01) << kernels.isa;
     }
   }
 }
@@ -119,7 +119,7 @@ TEST_P(ImageOf, instruction_sets_that_fuse_multiply_and_add_agree_to_the_bit) {
   // v3 and v4 differ in width alone: every lane's arithmetic is the same.
   const auto has = [](const char* isa) {
     return std::any_of(available_kernels().begin(), available_kernels().end(),
-                       [&](const Kernels* kernels) { return std::string(kernels->isa) == isa; });
+                       [&](const Kernels& kernels) { return std::string(kernels.isa) == isa; });
   };
   if (!has("v3") || !has("v4")) GTEST_SKIP() << "this processor has one of them at most";
   for (const bool with_balls : {false, true}) {
@@ -133,9 +133,9 @@ TEST_P(ImageOf, instruction_sets_agree_in_the_mean_of_other_seeds) {
   const SceneDescription scene = dim_room(16, true, GetParam());
   const Estimate scalar = mean_over_seeds(scene, GetParam(), {"scalar"}, 1000);
   std::uint64_t first_seed = 2000;
-  for (const Kernels* kernels : available_kernels()) {
-    if (std::string(kernels->isa) == "scalar") continue;
-    expect_same(mean_over_seeds(scene, GetParam(), {kernels->isa}, first_seed), scalar, kernels->isa);
+  for (const Kernels& kernels : available_kernels()) {
+    if (std::string(kernels.isa) == "scalar") continue;
+    expect_same(mean_over_seeds(scene, GetParam(), {kernels.isa}, first_seed), scalar, kernels.isa);
     first_seed += 1000;
   }
 }

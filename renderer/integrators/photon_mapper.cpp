@@ -161,8 +161,7 @@ void render_photon_mapper(const Scene& scene, const RenderPlan& plan, const Rend
   for (MapState* map : {&maps.global, &maps.caustic}) loop.keep_between_passes(map->counts);
   CameraPass camera(scene, plan, job, wanted, areas ? &*areas : nullptr);
   for (; loop.next(); ++pass_count) {
-    for (MapState* map : {&maps.global, &maps.caustic})
-      if (map->wanted) refill(*map, source, loop.first(), loop.first() + loop.samples(), spp, stats);
+    for (MapState* map : wanted) refill(*map, source, loop.first(), loop.first() + loop.samples(), spp, stats);
     const PhaseTimer phase(stats.phases["render"]);
     loop.for_each_tile([&](const Tile& tile) { camera.render(tile, loop, film); });
     camera.end_pass();

@@ -38,22 +38,17 @@ std::vector<Kernels> kernels_of_this_processor() {
 
 }  // namespace
 
-const std::vector<const Kernels*>& available_kernels() {
+const std::vector<Kernels>& available_kernels() {
   static const std::vector<Kernels> kernels = kernels_of_this_processor();
-  static const std::vector<const Kernels*> available = [] {
-    std::vector<const Kernels*> list;
-    for (const Kernels& of_one_set : kernels) list.push_back(&of_one_set);
-    return list;
-  }();
-  return available;
+  return kernels;
 }
 
 const Kernels& kernels_for(const std::string& isa) {
-  if (isa.empty()) return *available_kernels().front();
+  if (isa.empty()) return available_kernels().front();
   std::string names;
-  for (const Kernels* kernels : available_kernels()) {
-    if (isa == kernels->isa) return *kernels;
-    names += (names.empty() ? "" : ", ") + std::string(kernels->isa);
+  for (const Kernels& kernels : available_kernels()) {
+    if (isa == kernels.isa) return kernels;
+    names += (names.empty() ? "" : ", ") + std::string(kernels.isa);
   }
   throw InputError("--isa", "this processor has no '" + isa + "', it has: " + names);
 }

@@ -9,7 +9,7 @@
 namespace photonproof {
 
 /// Those this processor can run, best first; the last is always "scalar", one lane, the definition of the others.
-const std::vector<const Kernels*>& available_kernels();
+const std::vector<Kernels>& available_kernels();
 
 /// The kernels of that name; an empty name asks for the best. Throws InputError naming those there are.
 const Kernels& kernels_for(const std::string& isa);

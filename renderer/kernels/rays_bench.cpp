@@ -112,12 +112,12 @@ int register_all() {
     add("rays/" + scene + "/shadow/single", [scene](benchmark::State& s) { query(s, scene, Kind::shadow); });
   }
   add("path_tracer/ours/million:10000000", [](benchmark::State& s) { path_tracer(s, "million:10000000", "", false); });
-  for (const Kernels* kernels : available_kernels()) {
-    const std::string isa = kernels->isa;
+  for (const Kernels& kernels : available_kernels()) {
+    const std::string isa = kernels.isa;
     add("isa/" + isa, [isa](benchmark::State& s) { path_tracer(s, "cornell", isa, false); });
   }
-  for (const Kernels* kernels : available_kernels()) {
-    const std::string isa = kernels->isa;
+  for (const Kernels& kernels : available_kernels()) {
+    const std::string isa = kernels.isa;
     for (const int plates : {16, 32, 64, 128, 256}) {
       const std::string name = "threshold/" + isa + "/" + std::to_string(plates);
       add(name + "/kernel", [plates, isa](benchmark::State& s) { threshold(s, plates, isa, false); });

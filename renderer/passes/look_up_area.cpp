@@ -29,7 +29,7 @@ static_assert(2 * sheet_height * sheet_height < 1 - least_sheet_cosine);
 /// How likely a hit of the BSDF draws a Lambertian leaf; `weight` gives the numbers of masks and blends.
 template <class Weight>
 float chance_of_diffuse(const Scene& scene, std::uint32_t bsdf, bool behind, const Weight& weight) {
-  const BsdfNode& node = scene.view().detail->bsdfs.tree[bsdf];
+  const BsdfNode& node = scene.bsdfs.tree[bsdf];
   const auto of = [&](std::uint32_t nested) { return chance_of_diffuse(scene, nested, behind, weight); };
   switch (node.kind) {
     case BsdfNode::Kind::leaf:
@@ -52,16 +52,9 @@ float chance_of_diffuse(const Scene& scene, std::uint32_t bsdf, bool behind, con
 LookUpAreas::LookUpAreas(const Scene& scene, const Threads& threads)
     : scene_(scene), may_miss_(scene.surfaces.size()), mesh_of_(scene.surfaces.size()) {
   for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
-    bool other = false;
-    scene.bsdfs.for_each_leaf(scene.surfaces[i].bsdf,
-                              [&](const Bsdf& leaf, bool) { other = other || !is_lambertian(leaf); });
-    may_miss_[i] = other ? 1 : 0;
+    may_miss_[i] = scene.bsdfs.is_specular(scene.surfaces[i].bsdf) ? 1 : 0;
     const Mesh* mesh = mesh_of(scene.surfaces[i].geometry);
-    if (mesh == nullptr) continue;
-    bool diffuse = false;
-    scene.bsdfs.for_each_leaf(scene.surfaces[i].bsdf,
-                              [&](const Bsdf& leaf, bool) { diffuse = diffuse || is_lambertian(leaf); });
-    if (!diffuse) continue;
+    if (mesh == nullptr || !scene.bsdfs.any_lambertian(scene.surfaces[i].bsdf)) continue;
     std::unique_ptr<const MeshArea>& made = meshes_[mesh];
     if (!made) made = std::make_unique<MeshArea>(*mesh, threads);
     mesh_of_[i] = made.get();

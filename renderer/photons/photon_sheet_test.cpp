@@ -146,9 +146,9 @@ TEST(photon_sheet, every_instruction_set_gathers_the_same_bits) {
   for (const SheetTest test : {SheetTest::none, SheetTest::side, SheetTest::side_and_normal}) {
     const std::vector<SheetTest> tests{test, SheetTest::side_and_normal};
     const auto expected = look_ups.gather(kernels_for("scalar"), map, 0.12f, tests);
-    for (const Kernels* kernels : available_kernels()) {
-      const auto flux = look_ups.gather(*kernels, map, 0.12f, tests);
-      EXPECT_EQ(std::memcmp(flux.data(), expected.data(), flux.size() * sizeof flux[0]), 0) << kernels->isa;
+    for (const Kernels& kernels : available_kernels()) {
+      const auto flux = look_ups.gather(kernels, map, 0.12f, tests);
+      EXPECT_EQ(std::memcmp(flux.data(), expected.data(), flux.size() * sizeof flux[0]), 0) << kernels.isa;
     }
   }
 }

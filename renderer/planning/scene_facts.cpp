@@ -12,12 +12,10 @@ namespace {
 
 /// A textured reflectance counts as one that is not black everywhere.
 bool reflects_diffusely(const SceneParts& scene, const Surface& surface) {
-  bool reflects = false;
-  scene.bsdfs.for_each_leaf(surface.bsdf, [&](const Bsdf& leaf, bool textured) {
+  return scene.bsdfs.any_leaf(surface.bsdf, [](const Bsdf& leaf, bool textured) {
     const auto* diffuse = std::get_if<DiffuseBsdf<float>>(&leaf);
-    reflects = reflects || (diffuse != nullptr && (textured || max_component(diffuse->reflectance) > 0));
+    return diffuse != nullptr && (textured || max_component(diffuse->reflectance) > 0);
   });
-  return reflects;
 }
 
 /// A front that is lit alone: rays from behind see nothing of it.
@@ -67,24 +65,23 @@ SceneFacts analyse(const SceneParts& scene) {
   SceneFacts facts;
   facts.primitives = scene.primitives;
   facts.simple_primitives = scene.simple_primitives;
-  facts.bsdf_kinds = static_cast<std::size_t>(std::popcount(scene.bsdf_kinds()));
+  facts.bsdf_kinds = static_cast<std::size_t>(std::popcount(scene.bsdf_kinds));
   facts.media = scene.media.media.size();
   facts.lights = scene.lights.size();
   facts.many_lights = SceneLights::wants_tree(scene.lights);
-  facts.lights_can_be_hit = scene.lights_can_be_hit();
+  facts.lights_can_be_hit = scene.lights_can_be_hit;
   for (const Light& light : scene.lights) {
     facts.any_delta_light = facts.any_delta_light || is_delta(light);
     facts.any_environment = facts.any_environment || std::holds_alternative<EnvironmentLight>(light);
   }
   std::vector<const Surface*> diffuse;
   for (const Surface& surface : scene.surfaces) {
-    scene.bsdfs.for_each_leaf(surface.bsdf, [&](const Bsdf& leaf, bool) {
-      facts.any_delta_bsdf = facts.any_delta_bsdf || !has_smooth(leaf);
-    });
+    facts.any_delta_bsdf = facts.any_delta_bsdf ||
+                           scene.bsdfs.any_leaf(surface.bsdf, [](const Bsdf& leaf, bool) { return !has_smooth(leaf); });
     if (scene.bsdfs.is_specular(surface.bsdf)) ++facts.specular_surfaces;
     if (reflects_diffusely(scene, surface)) diffuse.push_back(&surface);
-    facts.all_plain = facts.all_plain && scene.is_plain(surface);
   }
+  facts.all_plain = std::ranges::all_of(scene.plain, [](char plain) { return plain != 0; });
   facts.any_diffuse = !diffuse.empty();
   // By way of a mirror even one plane sees itself.
   facts.diffuse_interreflection =

@@ -458,9 +458,4 @@ std::size_t Tracer::count_occluded_alone(const std::vector<RayBlock>& rays) cons
   return hits;
 }
 
-std::string Tracer::embree_version() {
-  return std::to_string(RTC_VERSION_MAJOR) + "." + std::to_string(RTC_VERSION_MINOR) + "." +
-         std::to_string(RTC_VERSION_PATCH);
-}
-
 }  // namespace photonproof

@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <string>
 #include <vector>
 
 #include "renderer/core/ray.h"
@@ -51,8 +50,6 @@ class Tracer {
   /// benches compare with. Returns how many rays hit something.
   std::size_t count_hits_alone(const std::vector<RayBlock>& rays, bool packets) const;
   std::size_t count_occluded_alone(const std::vector<RayBlock>& rays) const;
-
-  static std::string embree_version();
 
  private:
   struct Impl;

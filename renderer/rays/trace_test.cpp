@@ -356,17 +356,17 @@ TEST(scene_rays, no_history_of_any_kernel_is_lost_in_a_closed_white_scene) {
       const Scene in_sphere = test::compiled(white_sphere(at), 16, 16, {}, limit);
       const Scene with_balls = test::compiled(white_box_with_balls(at), 16, 16, {}, limit);
       const Scene in_facets = test::compiled(white_facets(at), 16, 16, {}, limit);
-      for (const Kernels* kernels : available_kernels()) {
+      for (const Kernels& kernels : available_kernels()) {
         const std::string what =
-            std::string(limit == by_embree ? "Embree, " : "small, ") + kernels->isa + ", " + testing::PrintToString(at);
+            std::string(limit == by_embree ? "Embree, " : "small, ") + kernels.isa + ", " + testing::PrintToString(at);
         const std::int64_t allowed = hits_on_edges(at, 5 * 8192);
-        EXPECT_LE(camera_paths_lost(*kernels, in_box, 6), allowed) << "box, " << what;
-        EXPECT_LE(photons_lost(*kernels, in_box, 6), allowed) << "box, " << what;
-        EXPECT_LE(camera_paths_lost(*kernels, in_sphere, 6), allowed) << "sphere, " << what;
-        EXPECT_LE(photons_lost(*kernels, in_sphere, 6), allowed) << "sphere, " << what;
-        EXPECT_LE(camera_paths_lost(*kernels, in_facets, 6), allowed) << "facets, " << what;
-        EXPECT_LE(photons_lost(*kernels, in_facets, 6), allowed) << "facets, " << what;
-        EXPECT_LE(camera_paths_lost(*kernels, with_balls, 6), allowed) << "balls, " << what;
+        EXPECT_LE(camera_paths_lost(kernels, in_box, 6), allowed) << "box, " << what;
+        EXPECT_LE(photons_lost(kernels, in_box, 6), allowed) << "box, " << what;
+        EXPECT_LE(camera_paths_lost(kernels, in_sphere, 6), allowed) << "sphere, " << what;
+        EXPECT_LE(photons_lost(kernels, in_sphere, 6), allowed) << "sphere, " << what;
+        EXPECT_LE(camera_paths_lost(kernels, in_facets, 6), allowed) << "facets, " << what;
+        EXPECT_LE(photons_lost(kernels, in_facets, 6), allowed) << "facets, " << what;
+        EXPECT_LE(camera_paths_lost(kernels, with_balls, 6), allowed) << "balls, " << what;
       }
     }
   }

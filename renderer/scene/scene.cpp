@@ -40,13 +40,6 @@ std::vector<LightWords> words_of_lights(const SceneParts& parts, const SmallScen
   return words;
 }
 
-DetailTables detail_tables(const SceneParts& parts, const SmallSceneTables* small) {
-  DetailTables tables{parts.surfaces, parts.uv_frames, *parts.textures, parts.bsdfs, {}, nullptr};
-  for (const Surface& surface : parts.surfaces) tables.plain.push_back(parts.is_plain(surface) ? 1 : 0);
-  if (small != nullptr) tables.triangles = small->triangles();
-  return tables;
-}
-
 }  // namespace
 
 Scene::Scene(SceneParts parts, const SceneChoices& choices)
@@ -58,7 +51,7 @@ Scene::Scene(SceneParts parts, const SceneChoices& choices)
       light_records_(light_records(lights)),
       light_words_(words_of_lights(*this, small_.get())),
       aim_targets_(aim_targets(surfaces, [&](const Surface& surface) { return bsdfs.is_specular(surface.bsdf); })),
-      detail_(detail_tables(*this, small_.get())),
+      detail_{surfaces, uv_frames, *textures, bsdfs, plain, small_ ? small_->triangles() : nullptr},
       scene_lights_(std::make_unique<SceneLights>(lights, light_words_, ball)),
       view_(view_of(choices)) {
   if (choices.light_paths) scene_lights_->guide_emission(EmissionGuide(lights, looked_at(*this), ball));
@@ -77,7 +70,7 @@ SceneView Scene::view_of(const SceneChoices& choices) const {
 
   view.surfaces = surface_words_.data();
   view.bsdfs = bsdf_records_.data();
-  view.bsdf_kinds = bsdf_kinds();
+  view.bsdf_kinds = bsdf_kinds;
   view.one_bsdf_kind = choices.one_bsdf_kind;
   view.detail = &detail_;
   view.detailed = choices.detailed;
@@ -90,7 +83,7 @@ SceneView Scene::view_of(const SceneChoices& choices) const {
   view.light_words = light_words_.data();
   view.light_count = static_cast<std::uint32_t>(lights.size());
   for (const Light& light : lights) view.light_kinds |= 1u << kernel_kind(light);
-  view.lights_can_be_hit = lights_can_be_hit();
+  view.lights_can_be_hit = lights_can_be_hit;
   view.general_lights = scene_lights_.get();
   view.environment = scene_lights_->environment().value_or(no_index);
   view.one_light = choices.one_light;
@@ -105,7 +98,7 @@ std::size_t Scene::memory_bytes() const {
   const auto bytes = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
   std::size_t total = bytes(surfaces) + bytes(bsdfs.records) + bytes(lights) + bytes(surface_words_) +
                       bytes(light_words_) + bytes(bsdf_records_) + bytes(light_records_) + bytes(uv_frames) +
-                      bytes(detail_.plain) + textures->bytes();
+                      bytes(plain) + textures->bytes();
   std::set<const void*> counted;  // what shapes share counts once
   const auto add_mesh = [&](const Mesh& mesh) {
     if (!counted.insert(&mesh).second) return;
@@ -114,10 +107,8 @@ std::size_t Scene::memory_bytes() const {
     if (!counted.insert(&source).second) return;
     total += bytes(source.positions) + bytes(source.triangles) + bytes(source.normals) + bytes(source.uvs);
   };
-  for (const Surface& surface : surfaces) {
-    if (const auto* mesh = std::get_if<Mesh>(&surface.geometry)) add_mesh(*mesh);
-    if (const auto* copy = std::get_if<MeshInstance>(&surface.geometry)) add_mesh(*copy->mesh);
-  }
+  for (const Surface& surface : surfaces)
+    if (const Mesh* mesh = mesh_of(surface.geometry)) add_mesh(*mesh);
   return total;
 }
 

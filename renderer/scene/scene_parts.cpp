@@ -33,6 +33,13 @@ std::vector<Light> surface_lights(const SceneDescription& description, const Vec
   return lights;
 }
 
+/// Whether hits need no details (surface_detail.h).
+bool is_plain(const BsdfTable& bsdfs, const Surface& surface) {
+  const BsdfNode& node = bsdfs.tree[surface.bsdf];
+  return node.kind == BsdfNode::Kind::leaf && node.slots.empty() && !node.has_directions &&
+         !has_shading_normals(surface);
+}
+
 }  // namespace
 
 SceneParts::SceneParts(const SceneDescription& in_its_unit, int width_, int height_)
@@ -53,24 +60,12 @@ SceneParts::SceneParts(const SceneDescription& in_its_unit, int width_, int heig
   ball = scene_ball(surfaces);
   for (const EmitterDescription& e : description.emitters)
     lights.push_back(compile_light(e, frame.moved, ball, texture_lookup(textures), description.where(e.loc)));
+  lights_can_be_hit = std::ranges::any_of(lights, [](const Light& light) { return !is_delta(light); });
+  for (const Surface& surface : surfaces) {
+    plain.push_back(is_plain(bsdfs, surface) ? 1 : 0);
+    bsdfs.for_each_leaf(surface.bsdf, [&](const Bsdf& leaf, bool) { bsdf_kinds |= 1u << leaf.index(); });
+  }
   camera = compile_camera(description.sensor, width, height, frame.moved);
-}
-
-bool SceneParts::is_plain(const Surface& surface) const {
-  const BsdfNode& node = bsdfs.tree[surface.bsdf];
-  return node.kind == BsdfNode::Kind::leaf && node.slots.empty() && !node.has_directions &&
-         !has_shading_normals(surface);
-}
-
-std::uint32_t SceneParts::bsdf_kinds() const {
-  std::uint32_t kinds = 0;
-  for (const Surface& surface : surfaces)
-    bsdfs.for_each_leaf(surface.bsdf, [&](const Bsdf& leaf, bool) { kinds |= 1u << leaf.index(); });
-  return kinds;
-}
-
-bool SceneParts::lights_can_be_hit() const {
-  return std::any_of(lights.begin(), lights.end(), [](const Light& light) { return !is_delta(light); });
 }
 
 }  // namespace photonproof

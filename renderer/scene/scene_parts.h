@@ -34,17 +34,14 @@ struct SceneParts {
   std::size_t primitives = 0;        ///< of all shapes; those of a shape group count once, and each instance as one
   bool simple_primitives = true;     ///< parallelograms, triangles and spheres only: what the packed kernel knows
   SceneBall ball;
-  std::vector<Light> lights;  ///< of the shapes' surfaces, then the emitters
+  std::vector<Light> lights;       ///< of the shapes' surfaces, then the emitters
+  std::vector<char> plain;         ///< by surface: hits need no more than its BSDF record and geometric normal
+  std::uint32_t bsdf_kinds = 0;    ///< bit k: a surface has a BSDF of kind k
+  bool lights_can_be_hit = false;  ///< by a ray
 
   /// A length of the description times this is one of the scene: 1, or a power of two where that would be all too small
   /// or large.
   double scale() const { return frame.scale; }
-  /// Whether hits need no more than the surface's BSDF record and geometric normal (surface_detail.h).
-  bool is_plain(const Surface& surface) const;
-  /// Bit k: a surface has a BSDF of kind k.
-  std::uint32_t bsdf_kinds() const;
-  /// Whether a ray can meet a light.
-  bool lights_can_be_hit() const;
 };
 
 }  // namespace photonproof

@@ -217,10 +217,10 @@ TEST(scene, without_a_primitive_every_ray_misses) {
     d.emitters.push_back({{}, "", PointLightDescription{{0, 0, 1}, RgbD(1)}});
     test::set_camera(d, {}, 40, 4);
     for (const char* integrator : {"path", "photonmapper"})
-      for (const Kernels* kernels : available_kernels()) {
+      for (const Kernels& kernels : available_kernels()) {
         RenderJob job = test::job_with(2, 100);
-        job.isa = kernels->isa;
-        EXPECT_EQ(test::image_mean(test::render(d, integrator, job).image.mean), 0) << integrator << kernels->isa;
+        job.isa = kernels.isa;
+        EXPECT_EQ(test::image_mean(test::render(d, integrator, job).image.mean), 0) << integrator << kernels.isa;
       }
   }
 }

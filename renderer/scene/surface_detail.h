@@ -37,7 +37,7 @@ struct DetailTables {
   const std::vector<AffineMap>& uv_frames;  ///< by Surface::uv_frame
   const Textures& textures;
   const BsdfTable& bsdfs;
-  std::vector<std::uint8_t> plain;           ///< of a surface: SceneParts::is_plain
+  const std::vector<char>& plain;            ///< of a surface: SceneParts::plain
   const std::uint32_t* triangles = nullptr;  ///< of a small scene: which of its mesh a primitive is
 
   /// `primitive` as SurfaceHit has it.

@@ -262,12 +262,12 @@ TEST(detail_image, does_not_depend_on_threads) {
 
 TEST(detail_image, is_the_same_in_every_instruction_set_and_through_embree_up_to_noise) {
   const double expected = test::image_mean(image_of(rich_room(), 64));
-  for (const Kernels* kernels : available_kernels()) {
+  for (const Kernels& kernels : available_kernels()) {
     RenderJob job = test::job_with(64);
-    job.isa = kernels->isa;
+    job.isa = kernels.isa;
     for (const std::size_t limit : {std::size_t{0}, small_scene_limit})
       EXPECT_NEAR(test::image_mean(test::render(rich_room(), "path", job, limit).image.mean), expected, 0.01 * expected)
-          << kernels->isa << ' ' << limit;
+          << kernels.isa << ' ' << limit;
   }
 }
 
