@@ -5,6 +5,7 @@
 
 #include "harness/gates/independence.h"
 #include "harness/suites/suite_rows.h"
+#include "renderer/integrators/integrator.h"
 
 namespace photonproof {
 namespace {
@@ -15,24 +16,9 @@ bool holds(const Names& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// The code of ours that an integrator runs beside what all of them share (CONTRIBUTING, "A batch's life" and "One
-/// history at a time").
-const Names& passes_of(const std::string& integrator) {
-  static const std::string direct = "direct light", weights = "weights of lamps that bounces meet",
-                           diffuse = "diffuse bounces", specular = "mirrors and glass",
-                           camera_paths = "camera paths of one history at a time",
-                           light_paths = "light paths of one history at a time";
-  static const std::map<std::string, Names> table{
-      {"path", {direct, weights, diffuse, specular}},
-      {"direct", {direct, weights}},
-      {"photonmapper", {direct, specular, "photon paths", "densities of photons"}},
-      {"bdpt", {camera_paths, light_paths, "weights of bdpt"}},
-      {"ptracer", {light_paths, "splats"}},
-      {"volpath", {camera_paths, "media"}},
-      {"whitted", {"rays of whitted"}}};
-  static const Names unknown;
-  const auto found = table.find(integrator);
-  return found == table.end() ? unknown : found->second;
+Names passes_of(const std::string& integrator) {
+  const Integrator* row = find_integrator(integrator);
+  return row == nullptr ? Names() : Names(row->parts.begin(), row->parts.end());
 }
 
 constexpr const char* shared_by_all = "camera, materials, lamps and textures";

@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderer/integrators/integrator.h"
+
 namespace photonproof {
 namespace {
 
 /// Of integrators that share sampling code, the one that has it.
 std::string sampling_of(const std::string& integrator) {
-  return integrator == "photonmapper" || integrator == "direct" ? "path" : integrator;
+  const Integrator* row = find_integrator(integrator);
+  return row == nullptr || row->sampling == nullptr ? integrator : row->sampling;
 }
 
 bool keeps(const Rendering& reference, const RgbD& mean) {

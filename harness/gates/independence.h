@@ -15,7 +15,8 @@ namespace photonproof {
 std::optional<std::string> integrator_of(const Engine& engine);
 
 /// Whether two integrators find their paths by the same code: the photon mapper's and `direct`'s camera paths are
-/// `path`'s. (Materials, lights and textures are shared by all; closed forms and published values are for those.)
+/// `path`'s (`Integrator::sampling`). (Materials, lights and textures are shared by all; closed forms and published
+/// values are for those.)
 bool shares_sampling(const std::string& integrator, const std::string& other);
 
 /// Why a gate on this engine can find nothing but changes: "the reference is by path, whose sampling is the engine's".

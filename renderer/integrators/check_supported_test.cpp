@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "renderer/integrators/test_scenes.h"
+#include "scenes/description/plugin_name.h"
 
 namespace photonproof {
 namespace {
@@ -30,6 +31,13 @@ SceneDescription room_of_file() {
 
 TEST(check_supported, lets_every_integrator_do_a_plain_room) {
   for (const Integrator& row : integrators()) EXPECT_EQ(refusal(room_of_file(), row.name), "") << row.name;
+}
+
+TEST(check_supported, knows_every_integrator_that_a_scene_file_may_name) {
+  for (const char* name : plugin_names(decltype(IntegratorDescription::method)())) {
+    ASSERT_NE(find_integrator(name), nullptr) << name;
+    EXPECT_FALSE(find_integrator(name)->parts.empty()) << name;
+  }
 }
 
 TEST(check_supported, refuses_media_at_the_medium_for_integrators_that_do_none) {

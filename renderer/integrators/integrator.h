@@ -12,9 +12,19 @@
 
 namespace photonproof {
 
+/// The code of ours that integrators run beside what all of them share (CONTRIBUTING, "A batch's life" and "One history
+/// at a time"), as sentences on those that fail together name it.
+namespace part {
+constexpr const char *direct = "direct light", *weights = "weights of lamps that bounces meet",
+                     *diffuse = "diffuse bounces", *specular = "mirrors and glass",
+                     *camera_paths = "camera paths of one history at a time",
+                     *light_paths = "light paths of one history at a time";
+}  // namespace part
+
 struct Integrator {
   const char* name;
   const char* summary;
+  std::vector<const char*> parts;  ///< those of `part`, and its own
   /// What it will do with a scene of these facts, and what it leaves out.
   void (*plan)(const IntegratorDescription&, Planner&);
   /// Renders as `render` below says. The plan is its own, and the scene is built as it says.
@@ -25,10 +35,12 @@ struct Integrator {
     bool grid = true;
     bool isa = true;
     bool target_error = false;  ///< its film tells its error after every pass
-  } heeds = {};
+  } heeds{};
   /// What of a scene it can do.
   enum class Media { none, absorbing, all } media = Media::none;
   bool dielectric_priorities = false;
+  /// The integrator whose code finds its paths; null: its own.
+  const char* sampling = nullptr;
 
   /// Up to how many primitives it traces rays without Embree.
   std::size_t small_limit() const { return heeds.isa ? small_scene_limit : small_scene_limit_of_single_rays; }

@@ -1,30 +1,34 @@
 #include "renderer/planning/integrator_name.h"
 
-#include <iterator>
 #include <utility>
 #include <variant>
+#include <vector>
+
+#include "scenes/description/plugin_name.h"
 
 namespace photonproof {
 namespace {
 
 using Method = decltype(IntegratorDescription::method);
 
-/// The scene file's name of each description, in the order of the variant.
-constexpr const char* method_names[] = {"path", "photonmapper", "volpath", "bdpt", "ptracer", "direct", "whitted"};
-static_assert(std::size(method_names) == std::variant_size_v<Method>);
+/// In the order of the variant.
+const std::vector<const char*>& method_names() {
+  static const std::vector<const char*> names = plugin_names(Method());
+  return names;
+}
 
 /// The alternative of that name with default parameters.
 template <std::size_t... Index>
 Method method_named(const std::string& name, std::index_sequence<Index...>) {
   Method method;
-  ((name == method_names[Index] ? void(method.emplace<Index>()) : void()), ...);
+  ((name == method_names()[Index] ? void(method.emplace<Index>()) : void()), ...);
   return method;
 }
 
 }  // namespace
 
 std::string integrator_name(const IntegratorDescription& description) {
-  return method_names[description.method.index()];
+  return method_names()[description.method.index()];
 }
 
 IntegratorDescription with_integrator(const IntegratorDescription& description, const std::string& name) {

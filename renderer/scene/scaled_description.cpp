@@ -3,30 +3,6 @@
 namespace photonproof {
 namespace {
 
-struct LightScaler {
-  double factor;
-  Transform scale;
-
-  void operator()(PointLightDescription& light) const {
-    light.position *= factor;
-    light.intensity *= factor * factor;
-  }
-  void operator()(SpotLightDescription& light) const { place(light); }
-  void operator()(IesLightDescription& light) const { place(light); }
-  // From infinity.
-  void operator()(DirectionalLightDescription&) const {}
-  void operator()(ConstantLightDescription&) const {}
-  void operator()(EnvmapDescription&) const {}
-  void operator()(SunSkyDescription&) const {}
-
- private:
-  template <class Light>
-  void place(Light& light) const {
-    light.to_world = scale * light.to_world;
-    light.intensity *= factor * factor;
-  }
-};
-
 struct CameraScaler {
   double factor;
 
@@ -57,7 +33,8 @@ struct CameraScaler {
 SceneDescription scaled(SceneDescription description, double factor) {
   const Transform scale = Transform::scale(Vec3d(factor));
   for (ShapeDescription& shape : description.shapes) shape.to_world = scale * shape.to_world;
-  for (EmitterDescription& emitter : description.emitters) std::visit(LightScaler{factor, scale}, emitter.light);
+  for (EmitterDescription& emitter : description.emitters)
+    std::visit([&](auto& light) { light.scale_lengths(factor); }, emitter.light);
   for (MediumDescription& medium : description.media)
     std::visit([&](auto& model) { model.scale /= factor; }, medium.model);
   for (BsdfDescription& bsdf : description.bsdfs)

@@ -88,17 +88,6 @@ void add_mesh_notes(const SceneDescription& description, Notes& notes) {
 
 bool is_zero(const RgbD& colour) { return colour == RgbD(0.0); }
 
-/// Lights that the scene file itself sets to nothing are meant to be dark.
-struct MeantDark {
-  bool operator()(const PointLightDescription& d) const { return is_zero(d.intensity); }
-  bool operator()(const SpotLightDescription& d) const { return is_zero(d.intensity); }
-  bool operator()(const IesLightDescription& d) const { return is_zero(d.intensity); }
-  bool operator()(const DirectionalLightDescription& d) const { return is_zero(d.irradiance); }
-  bool operator()(const ConstantLightDescription& d) const { return is_zero(d.radiance); }
-  bool operator()(const EnvmapDescription& d) const { return d.scale == 0; }
-  bool operator()(const SunSkyDescription& d) const { return d.sun_scale == 0 && d.sky_scale == 0; }
-};
-
 /// What it is that has no light in it.
 struct Darkness {
   std::string operator()(const IesLightDescription& d) const { return "every candela of '" + d.filename + "' is 0"; }
@@ -133,7 +122,7 @@ void add_light_notes(const SceneDescription& description, const SceneParts& scen
   }
   for (const EmitterDescription& emitter : description.emitters) {
     const std::size_t own = light++;
-    if (!std::visit(MeantDark{}, emitter.light) && is_dark(own))
+    if (!std::visit([](const auto& d) { return d.is_dark(); }, emitter.light) && is_dark(own))
       notes.add(emitter.loc, "the light emits nothing: " + std::visit(Darkness{}, emitter.light));
   }
 }

@@ -1,5 +1,6 @@
 // Every file of scenes/malformed is refused with exactly the message that malformed/messages.txt shows for it. The
-// messages were checked by eye: right place, what is wrong, what was expected.
+// messages were checked by eye: right place, what is wrong, what was expected. There {shapes} and {bsdfs} stand for the
+// plugins of that kind that scenes/FORMAT.md has.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -8,6 +9,7 @@
 
 #include "scenes/parser/parser.h"
 #include "scenes/text/atomic_file.h"
+#include "scenes/text/edit_distance.h"
 
 namespace photonproof {
 namespace {
@@ -29,9 +31,26 @@ std::string message_for(const std::string& file) {
   }
 }
 
+/// The plugins in the page's table of that tag, as a sentence lists them.
+std::string listed_in_format(const std::string& tag) {
+  const std::string page = read_file(PHOTONPROOF_SOURCE_DIR "/scenes/FORMAT.md"), heading = "### " + tag + "\n";
+  const std::size_t begin = page.find(heading) + heading.size();
+  std::vector<std::string> names;
+  for (std::size_t at = begin, end = page.find("\n#", begin); (at = page.find("\n| `", at)) < end;) {
+    at += 4;
+    names.push_back(page.substr(at, page.find('`', at) - at));
+  }
+  std::sort(names.begin(), names.end());
+  return join_or(names);
+}
+
 /// Messages are separated by empty lines and stand in the order of the files' names.
 std::vector<std::string> expected_messages() {
-  const std::string text = read_file(kFolder + "messages.txt");
+  std::string text = read_file(kFolder + "messages.txt");
+  for (const std::string tag : {"shape", "bsdf"}) {
+    const std::string placeholder = "{" + tag + "s}";
+    text.replace(text.find(placeholder), placeholder.size(), listed_in_format(tag));
+  }
   std::vector<std::string> messages;
   for (std::size_t begin = 0; begin < text.size();) {
     const auto end = std::min(text.find("\n\n", begin), text.size() - 1);

@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "scenes/description/description.h"
+#include "scenes/description/param_type.h"
 #include "scenes/description/spectrum.h"
-#include "scenes/xml/param_type.h"
 #include "scenes/xml/xml_source.h"
 
 namespace photonproof::scene_xml {

@@ -86,21 +86,9 @@ class SceneReader {
   }
 
   bool is_bright(const EmitterDescription& emitter) {
-    return std::visit(
-        [&](const auto& light) {
-          using Light = std::decay_t<decltype(light)>;
-          if constexpr (std::is_same_v<Light, DirectionalLightDescription>)
-            return is_bright(light.irradiance);
-          else if constexpr (std::is_same_v<Light, ConstantLightDescription>)
-            return is_bright(light.radiance);
-          else if constexpr (std::is_same_v<Light, EnvmapDescription>)
-            return light.scale > 0 && objects_.largest_value(*light.image) > 0;
-          else if constexpr (std::is_same_v<Light, SunSkyDescription>)
-            return light.sun_scale > 0 || light.sky_scale > 0;
-          else
-            return is_bright(light.intensity);
-        },
-        emitter.light);
+    if (const auto* map = std::get_if<EnvmapDescription>(&emitter.light))
+      if (objects_.largest_value(*map->image) <= 0) return false;
+    return std::visit([](const auto& light) { return !light.is_dark(); }, emitter.light);
   }
 
   /// A scene without light would render black without a word.

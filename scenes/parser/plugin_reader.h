@@ -1,4 +1,4 @@
-// What `describe` functions read (scenes/xml/describe_bsdfs.h): each member keeps its default where the file says
+// What `describe` functions read (scenes/description/description.h): each member keeps its default where the file says
 // nothing.
 #pragma once
 

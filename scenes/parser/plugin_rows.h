@@ -1,4 +1,4 @@
-// What `describe` functions list (scenes/xml/describe_bsdfs.h): names, types, defaults, values and meanings of a
+// What `describe` functions list (scenes/description/description.h): names, types, defaults, values and meanings of a
 // plugin's parameters, for the parser's checks and for the page of the format.
 #pragma once
 
@@ -7,9 +7,9 @@
 #include <type_traits>
 #include <vector>
 
+#include "scenes/description/description.h"
 #include "scenes/parser/params.h"
 #include "scenes/text/edit_distance.h"
-#include "scenes/xml/describe_lights.h"
 
 namespace photonproof::scene_xml {
 

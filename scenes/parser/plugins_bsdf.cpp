@@ -1,8 +1,8 @@
 // Mitsuba 3's BSDFs, and the extensions phong and layered: what a description alone does not say of them.
 #include "scenes/description/conductor_ior.h"
+#include "scenes/description/description.h"
 #include "scenes/description/named_ior.h"
 #include "scenes/parser/plugin_reader.h"
-#include "scenes/xml/describe_bsdfs.h"
 
 namespace photonproof::scene_xml {
 

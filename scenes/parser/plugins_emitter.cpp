@@ -1,6 +1,6 @@
 // Mitsuba 3's emitters and the extension ies: what a description alone does not say of them.
+#include "scenes/description/description.h"
 #include "scenes/parser/plugin_reader.h"
-#include "scenes/xml/describe_lights.h"
 
 namespace photonproof::scene_xml {
 namespace {

@@ -1,6 +1,6 @@
 // Mitsuba 3's hdrfilm with the filters box, tent and gaussian.
+#include "scenes/description/description.h"
 #include "scenes/parser/plugin_reader.h"
-#include "scenes/xml/describe_views.h"
 
 namespace photonproof::scene_xml {
 namespace {

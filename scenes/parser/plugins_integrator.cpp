@@ -1,6 +1,6 @@
 // Mitsuba 3's integrators path, volpath, ptracer, direct and moment, and the extensions bdpt, whitted and photonmapper.
+#include "scenes/description/description.h"
 #include "scenes/parser/plugin_reader.h"
-#include "scenes/xml/describe_views.h"
 
 namespace photonproof::scene_xml {
 namespace {

@@ -1,6 +1,6 @@
 // Mitsuba 3's homogeneous medium with the phase functions isotropic and hg.
+#include "scenes/description/description.h"
 #include "scenes/parser/plugin_reader.h"
-#include "scenes/xml/describe_textures_media.h"
 
 namespace photonproof::scene_xml {
 namespace {

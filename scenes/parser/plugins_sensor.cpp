@@ -2,8 +2,8 @@
 // Mitsuba's.
 #include <cmath>
 
+#include "scenes/description/description.h"
 #include "scenes/parser/plugin_reader.h"
-#include "scenes/xml/describe_views.h"
 
 namespace photonproof::scene_xml {
 namespace {

@@ -1,8 +1,8 @@
 // Mitsuba 3's shapes and the extensions plane and heightfield: what a description alone does not say of them.
 #include <cmath>
 
+#include "scenes/description/description.h"
 #include "scenes/parser/plugin_reader.h"
-#include "scenes/xml/describe_shapes.h"
 
 namespace photonproof::scene_xml {
 namespace {
@@ -95,8 +95,8 @@ ShapeDescription read_shape(SceneObjects& objects, const Element& element) {
   read_media(params, shape);
   if (!params.nested("emitter").empty()) {
     const Element& emitter = *params.nested("emitter").front();
-    if (std::holds_alternative<PlaneDescription>(shape.geometry))
-      sources.fail(emitter.at, "shape 'plane' is infinite and cannot emit, expected a shape of finite area");
+    if (!std::visit([]<class Kind>(const Kind&) { return Kind::finite; }, shape.geometry))
+      sources.fail(emitter.at, params.title() + " is infinite and cannot emit, expected a shape of finite area");
     shape.radiance = read_area_emitter(objects, objects.target(emitter));
   }
   params.finish();

@@ -1,7 +1,7 @@
 // Mitsuba 3's bitmap and checkerboard.
+#include "scenes/description/description.h"
 #include "scenes/parser/plugin_reader.h"
 #include "scenes/text/faults.h"
-#include "scenes/xml/describe_textures_media.h"
 
 namespace photonproof::scene_xml {
 namespace {

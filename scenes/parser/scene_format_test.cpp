@@ -3,13 +3,9 @@
 
 #include <set>
 
+#include "scenes/description/description.h"
 #include "scenes/parser/plugin_rows.h"
 #include "scenes/text/atomic_file.h"
-#include "scenes/xml/describe_bsdfs.h"
-#include "scenes/xml/describe_lights.h"
-#include "scenes/xml/describe_shapes.h"
-#include "scenes/xml/describe_textures_media.h"
-#include "scenes/xml/describe_views.h"
 
 namespace photonproof::scene_xml {
 namespace {

@@ -149,13 +149,7 @@ SceneObjects::TextureFacts SceneObjects::facts_of(const TextureDescription& text
 }
 
 SceneObjects::BsdfFacts SceneObjects::facts_of(const BsdfDescription& bsdf) const {
-  const bool transmits = std::visit(
-      []<class Model>(const Model&) {
-        return std::is_same_v<Model, DielectricDescription> || std::is_same_v<Model, ThinDielectricDescription> ||
-               std::is_same_v<Model, RoughDielectricDescription> || std::is_same_v<Model, NullDescription> ||
-               std::is_same_v<Model, MaskDescription>;
-      },
-      bsdf.model);
+  const bool transmits = std::visit([]<class Model>(const Model&) { return Model::transmits; }, bsdf.model);
   BsdfFacts facts{transmits, 1};
   for (const BsdfIndex index : nested_bsdfs(bsdf)) {
     facts.transmits = facts.transmits || bsdfs_known_[index.value].transmits;

@@ -1,7 +1,6 @@
 #include "scenes/xml/material_writer.h"
 
-#include "scenes/xml/describe_bsdfs.h"
-#include "scenes/xml/describe_textures_media.h"
+#include "scenes/description/description.h"
 #include "scenes/xml/plugin_writer.h"
 
 namespace photonproof {

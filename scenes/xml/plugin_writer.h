@@ -1,4 +1,4 @@
-// What `describe` functions write (describe_bsdfs.h): every parameter of a plugin, in their order.
+// What `describe` functions write (scenes/description/description.h): every parameter of a plugin, in their order.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 #include <variant>
 
 #include "scenes/description/description.h"
+#include "scenes/description/param_type.h"
 #include "scenes/xml/material_writer.h"
-#include "scenes/xml/param_type.h"
 #include "scenes/xml/xml_writer.h"
 
 namespace photonproof {

@@ -1,9 +1,7 @@
 // The inverse of the parser.
 #include "scenes/xml/writer.h"
 
-#include "scenes/xml/describe_lights.h"
-#include "scenes/xml/describe_shapes.h"
-#include "scenes/xml/describe_views.h"
+#include "scenes/description/description.h"
 #include "scenes/xml/material_writer.h"
 #include "scenes/xml/plugin_writer.h"
 #include "scenes/xml/xml_writer.h"

@@ -1,73 +1,15 @@
-// Textures and BSDFs as a scene file says them (description.h).
+// BSDFs as a scene file says them. `transmits`: whether it lets light through, whatever it nests does.
 #pragma once
 
-#include <compare>
 #include <concepts>
-#include <cstdint>
-#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
-#include "scenes/description/transform.h"
-#include "scenes/images/image.h"
-#include "scenes/meshes/vec.h"
-#include "scenes/text/input_error.h"
+#include "scenes/description/texture_description.h"
 
 namespace photonproof {
-
-/// A typed index into one of SceneDescription's tables.
-template <class Tag>
-struct Index {
-  std::uint32_t value = 0;
-  friend auto operator<=>(const Index&, const Index&) = default;
-};
-using BsdfIndex = Index<struct BsdfTag>;
-using TextureIndex = Index<struct TextureTag>;
-using MediumIndex = Index<struct MediumTag>;
-using ShapeGroupIndex = Index<struct ShapeGroupTag>;
-
-// --- Textures --------------------------------------------------------------------------------------------------------
-
-/// A colour, or the texture that gives one at every point.
-using Colour = std::variant<RgbD, TextureIndex>;
-/// A number, or the texture whose luminance (Rec. 709) gives one at every point.
-using Scalar = std::variant<double, TextureIndex>;
-
-/// The colour of what is known to be no texture.
-inline const RgbD& constant(const Colour& colour) { return std::get<RgbD>(colour); }
-
-enum class TextureFilter { bilinear, nearest };
-enum class TextureWrap { repeat, mirror, clamp };
-
-/// An image over the unit square of uv; its first row is at v = 0, as in Mitsuba.
-struct BitmapDescription {
-  std::string filename;                ///< as the scene spells it
-  std::shared_ptr<const Image> image;  ///< never null, linear; shared by the textures that name the same file
-  bool raw = false;                    ///< 8-bit values are numbers, not sRGB
-  TextureFilter filter = TextureFilter::bilinear;
-  TextureWrap wrap = TextureWrap::repeat;
-  Transform to_uv;  ///< applied to uv before the look-up; its x and y rows count
-  friend bool operator==(const BitmapDescription& a, const BitmapDescription& b) {
-    return a.filename == b.filename && a.raw == b.raw && a.filter == b.filter && a.wrap == b.wrap && a.to_uv == b.to_uv;
-  }
-};
-
-/// Two colours in turn on squares of half a unit of uv: color0 where both halves agree.
-struct CheckerboardDescription {
-  Colour color0 = RgbD(0.4), color1 = RgbD(0.2);
-  Transform to_uv;
-  friend bool operator==(const CheckerboardDescription&, const CheckerboardDescription&) = default;
-};
-
-struct TextureDescription {
-  SourceLoc loc;
-  std::string id;  ///< empty when unnamed
-  std::variant<BitmapDescription, CheckerboardDescription> pattern;
-};
-
-// --- BSDFs -----------------------------------------------------------------------------------------------------------
 
 struct ComplexIor {
   RgbD eta, k;
@@ -78,18 +20,39 @@ enum class MicrofacetDistribution { beckmann, ggx };
 
 /// Lambertian, one-sided: black from behind (the side its normal does not point to).
 struct DiffuseDescription {
+  static constexpr bool transmits = false;
   Colour reflectance = RgbD(0.5);
   friend bool operator==(const DiffuseDescription&, const DiffuseDescription&) = default;
 };
 
+template <class P>
+void describe(P& p, DiffuseDescription& d) {
+  p.plugin("diffuse", "Lambertian, black from behind");
+  p.colour_map("reflectance", d.reflectance, scene_xml::kShare, "albedo");
+}
+
 /// Smooth conductor, one-sided. Without `ior` it reflects `specular_reflectance` at every angle (material "none").
 struct ConductorDescription {
+  static constexpr bool transmits = false;
   std::optional<ComplexIor> ior;
   Colour specular_reflectance = RgbD(1.0);
   friend bool operator==(const ConductorDescription&, const ConductorDescription&) = default;
 };
 
+template <class P>
+void describe_specular(P& p, Colour& reflectance) {
+  p.colour_map("specular_reflectance", reflectance, scene_xml::kShare, "factor of what is mirrored");
+}
+
+template <class P>
+void describe(P& p, ConductorDescription& d) {
+  p.plugin("conductor", "smooth metal, black from behind");
+  p.metal(d.ior);
+  describe_specular(p, d.specular_reflectance);
+}
+
 struct RoughConductorDescription {
+  static constexpr bool transmits = false;
   MicrofacetDistribution distribution = MicrofacetDistribution::beckmann;
   Scalar alpha_u = 0.1, alpha_v = 0.1;  ///< roughness along the tangents dp/du and dp/dv
   bool sample_visible = true;
@@ -98,8 +61,26 @@ struct RoughConductorDescription {
   friend bool operator==(const RoughConductorDescription&, const RoughConductorDescription&) = default;
 };
 
+template <class P, class Rough>
+void describe_facets(P& p, Rough& d) {
+  p.choice("distribution", d.distribution,
+           {{"beckmann", MicrofacetDistribution::beckmann}, {"ggx", MicrofacetDistribution::ggx}},
+           "of the microfacets' normals");
+  p.boolean("sample_visible", d.sample_visible, "draws the normals that are seen");
+}
+
+template <class P>
+void describe(P& p, RoughConductorDescription& d) {
+  p.plugin("roughconductor", "rough metal, black from behind");
+  describe_facets(p, d);
+  p.roughness(d.alpha_u, d.alpha_v);
+  p.metal(d.ior);
+  describe_specular(p, d.specular_reflectance);
+}
+
 /// Smooth dielectric; the normal points to the exterior.
 struct DielectricDescription {
+  static constexpr bool transmits = true;
   double int_ior = 1.5046;    // bk7
   double ext_ior = 1.000277;  // air
   Colour specular_reflectance = RgbD(1.0);
@@ -110,14 +91,44 @@ struct DielectricDescription {
   friend bool operator==(const DielectricDescription&, const DielectricDescription&) = default;
 };
 
+template <class P, class Interface>
+void describe_iors(P& p, Interface& d) {
+  p.ior("int_ior", d.int_ior, "index of refraction behind the surface");
+  p.ior("ext_ior", d.ext_ior, "index of refraction before it");
+}
+
+template <class P>
+void describe_transmitted(P& p, Colour& transmittance) {
+  p.colour_map("specular_transmittance", transmittance, scene_xml::kShare, "factor of what is refracted");
+}
+
+template <class P>
+void describe(P& p, DielectricDescription& d) {
+  p.plugin("dielectric", "smooth glass; normals point outside");
+  describe_iors(p, d);
+  describe_specular(p, d.specular_reflectance);
+  describe_transmitted(p, d.specular_transmittance);
+  p.optional_integer("priority", d.priority, 0, 1'000'000, "extension: where bodies overlap, the highest counts");
+}
+
 /// A pane: both interfaces at once, without the sideways shift.
 struct ThinDielectricDescription {
+  static constexpr bool transmits = true;
   double int_ior = 1.5046, ext_ior = 1.000277;
   Colour specular_reflectance = RgbD(1.0), specular_transmittance = RgbD(1.0);
   friend bool operator==(const ThinDielectricDescription&, const ThinDielectricDescription&) = default;
 };
 
+template <class P>
+void describe(P& p, ThinDielectricDescription& d) {
+  p.plugin("thindielectric", "a pane: both sides at once");
+  describe_iors(p, d);
+  describe_specular(p, d.specular_reflectance);
+  describe_transmitted(p, d.specular_transmittance);
+}
+
 struct RoughDielectricDescription {
+  static constexpr bool transmits = true;
   MicrofacetDistribution distribution = MicrofacetDistribution::beckmann;
   Scalar alpha_u = 0.1, alpha_v = 0.1;
   bool sample_visible = true;
@@ -126,15 +137,41 @@ struct RoughDielectricDescription {
   friend bool operator==(const RoughDielectricDescription&, const RoughDielectricDescription&) = default;
 };
 
+template <class P>
+void describe(P& p, RoughDielectricDescription& d) {
+  p.plugin("roughdielectric", "rough glass; normals point outside");
+  describe_facets(p, d);
+  p.roughness(d.alpha_u, d.alpha_v);
+  describe_iors(p, d);
+  describe_specular(p, d.specular_reflectance);
+  describe_transmitted(p, d.specular_transmittance);
+}
+
 /// Diffuse below a smooth dielectric boundary.
 struct PlasticDescription {
+  static constexpr bool transmits = false;
   Colour diffuse_reflectance = RgbD(0.5), specular_reflectance = RgbD(1.0);
   double int_ior = 1.49, ext_ior = 1.000277;  // polypropylene, air
   bool nonlinear = false;                     ///< colours shift with every internal reflection
   friend bool operator==(const PlasticDescription&, const PlasticDescription&) = default;
 };
 
+template <class P, class Plastic>
+void describe_plastic(P& p, Plastic& d) {
+  describe_iors(p, d);
+  p.colour_map("diffuse_reflectance", d.diffuse_reflectance, scene_xml::kShare, "albedo below the coat");
+  describe_specular(p, d.specular_reflectance);
+  p.boolean("nonlinear", d.nonlinear, "colours shift with every reflection inside");
+}
+
+template <class P>
+void describe(P& p, PlasticDescription& d) {
+  p.plugin("plastic", "diffuse below a smooth clear coat");
+  describe_plastic(p, d);
+}
+
 struct RoughPlasticDescription {
+  static constexpr bool transmits = false;
   MicrofacetDistribution distribution = MicrofacetDistribution::beckmann;
   double alpha = 0.1;
   bool sample_visible = true;
@@ -144,15 +181,33 @@ struct RoughPlasticDescription {
   friend bool operator==(const RoughPlasticDescription&, const RoughPlasticDescription&) = default;
 };
 
+template <class P>
+void describe(P& p, RoughPlasticDescription& d) {
+  p.plugin("roughplastic", "diffuse below a rough clear coat");
+  describe_facets(p, d);
+  p.positive("alpha", d.alpha, "roughness");
+  describe_plastic(p, d);
+}
+
 /// Modified Phong (Lafortune and Willems 1994), parameters of Mitsuba 0.6.
 struct PhongDescription {
+  static constexpr bool transmits = false;
   Scalar exponent = 30.0;
   Colour diffuse_reflectance = RgbD(0.5), specular_reflectance = RgbD(0.2);
   friend bool operator==(const PhongDescription&, const PhongDescription&) = default;
 };
 
+template <class P>
+void describe(P& p, PhongDescription& d) {
+  p.plugin("phong", "extension: modified Phong, parameters of Mitsuba 0.6");
+  p.number_map("exponent", d.exponent, scene_xml::kNotNegative, "of the cosine to the mirror direction");
+  p.colour_map("diffuse_reflectance", d.diffuse_reflectance, scene_xml::kShare, "albedo of the diffuse part");
+  p.colour_map("specular_reflectance", d.specular_reflectance, scene_xml::kShare, "albedo of the glossy part");
+}
+
 /// Extension: a clear or tinted lacquer over any opaque reflecting BSDF.
 struct LayeredDescription {
+  static constexpr bool transmits = false;
   BsdfIndex base;
   double int_ior = 1.5046, ext_ior = 1.000277;  ///< of the lacquer and of what is above it
   RgbD sigma_a{0.0};                            ///< absorption of the lacquer, per scene unit
@@ -161,29 +216,69 @@ struct LayeredDescription {
   friend bool operator==(const LayeredDescription&, const LayeredDescription&) = default;
 };
 
+template <class P>
+void describe(P& p, LayeredDescription& d) {
+  p.plugin("layered", "extension: a lacquer; `eta` and `k` of a metal below are its own, seen through the lacquer");
+  describe_iors(p, d);
+  p.colour("sigma_a", d.sigma_a, scene_xml::kNotNegative, "absorption of the lacquer, per scene unit");
+  p.number("thickness", d.thickness, scene_xml::kNotNegative, "scene units");
+  describe_specular(p, d.specular_reflectance);
+  p.bsdf(d.base, "a BSDF that neither transmits nor nests");
+}
+
 struct TwoSidedDescription {
+  static constexpr bool transmits = false;
   BsdfIndex front, back;
   friend bool operator==(const TwoSidedDescription&, const TwoSidedDescription&) = default;
 };
 
+template <class P>
+void describe(P& p, TwoSidedDescription& d) {
+  p.plugin("twosided", "shows itself, or the second, behind too");
+  p.one_or_two_bsdfs(d.front, d.back, "one or two BSDFs that do not transmit");
+}
+
 /// `nested` where the surface is there, nothing where it is not.
 struct MaskDescription {
+  static constexpr bool transmits = true;
   Scalar opacity = 0.5;
   BsdfIndex nested;
   friend bool operator==(const MaskDescription&, const MaskDescription&) = default;
 };
 
+template <class P>
+void describe(P& p, MaskDescription& d) {
+  p.plugin("mask", "holes");
+  p.number_map("opacity", d.opacity, scene_xml::kShare, "share of the surface that is there");
+  p.bsdf(d.nested, "a BSDF");
+}
+
 /// first x (1 - weight) + second x weight.
 struct BlendDescription {
+  static constexpr bool transmits = false;
   Scalar weight = 0.5;
   BsdfIndex first, second;
   friend bool operator==(const BlendDescription&, const BlendDescription&) = default;
 };
 
+template <class P>
+void describe(P& p, BlendDescription& d) {
+  p.plugin("blendbsdf", "a mixture");
+  p.require("weight", "a number or a texture");
+  p.number_map("weight", d.weight, scene_xml::kShare, "share of the second");
+  p.two_bsdfs(d.first, d.second, "two BSDFs");
+}
+
 /// No surface: a border between media.
 struct NullDescription {
+  static constexpr bool transmits = true;
   friend bool operator==(const NullDescription&, const NullDescription&) = default;
 };
+
+template <class P>
+void describe(P& p, NullDescription&) {
+  p.plugin("null", "no surface, a border between media");
+}
 
 /// What Mitsuba 3.7.1 and later do with normals that are not the surface's own.
 struct MappedNormalsDescription {
@@ -194,6 +289,7 @@ struct MappedNormalsDescription {
 
 /// Displaces the shading normal by the gradient of a height texture, `scale` times.
 struct BumpMapDescription {
+  static constexpr bool transmits = false;
   TextureIndex height;
   double scale = 1;
   BsdfIndex nested;
@@ -201,13 +297,38 @@ struct BumpMapDescription {
   friend bool operator==(const BumpMapDescription&, const BumpMapDescription&) = default;
 };
 
+template <class P>
+void describe_maps(P& p, MappedNormalsDescription& d) {
+  p.boolean("flip_invalid_normals", d.flip_invalid_normals, "mirrors normals that are turned away from the viewer");
+  p.boolean("use_shadowing_function", d.use_shadowing_function, "bumps shadow each other");
+}
+
+template <class P>
+void describe(P& p, BumpMapDescription& d) {
+  p.plugin("bumpmap", "normals of the surface that a texture displaces");
+  p.nested_texture(d.height, "a texture");
+  p.number("scale", d.scale, scene_xml::kAny, "factor of the texture's heights");
+  describe_maps(p, d.normal_options);
+  p.bsdf(d.nested, "a BSDF");
+}
+
 /// Shading normals from a raw texture, n = 2 rgb - 1 in the frame of dp/du.
 struct NormalMapDescription {
+  static constexpr bool transmits = false;
   TextureIndex normals;
   BsdfIndex nested;
   MappedNormalsDescription normal_options{};
   friend bool operator==(const NormalMapDescription&, const NormalMapDescription&) = default;
 };
+
+template <class P>
+void describe(P& p, NormalMapDescription& d) {
+  p.plugin("normalmap", "normals from a texture");
+  p.require("normalmap", "a texture");
+  p.texture("normalmap", d.normals, "n = 2 rgb - 1 in the frame of dp/du");
+  describe_maps(p, d.normal_options);
+  p.bsdf(d.nested, "a BSDF");
+}
 
 struct BsdfDescription {
   SourceLoc loc;

@@ -1,0 +1,140 @@
+// Integrators as a scene file says them.
+#pragma once
+
+#include <cstdint>
+#include <variant>
+
+#include "scenes/description/param_type.h"
+#include "scenes/text/input_error.h"
+
+namespace photonproof {
+
+/// What all integrators know. `max_depth` counts path edges as Mitsuba does (1 = emitters only, 2 = direct light); -1
+/// is unlimited.
+struct PathLimits {
+  int max_depth = -1;
+  int rr_depth = 5;  ///< Russian roulette from this depth on
+  bool hide_emitters = false;
+  friend bool operator==(const PathLimits&, const PathLimits&) = default;
+};
+
+/// Path tracing with next-event estimation; media are ignored by none: it refuses scenes that have some.
+struct PathDescription : PathLimits {
+  friend bool operator==(const PathDescription&, const PathDescription&) = default;
+};
+
+template <class P>
+void describe_limits(P& p, PathLimits& d) {
+  p.integer("max_depth", d.max_depth, -1, 1'000'000, "edges of a path, -1 for no end; not 0");
+  p.integer("rr_depth", d.rr_depth, 1, 1'000'000, "roulette from this depth on");
+  p.boolean("hide_emitters", d.hide_emitters, "the camera does not see lights");
+}
+
+template <class P>
+void describe(P& p, PathDescription& d) {
+  p.plugin("path", "path tracing without media");
+  describe_limits(p, d);
+}
+
+/// Path tracing through participating media and nested dielectrics.
+struct VolPathDescription : PathLimits {
+  friend bool operator==(const VolPathDescription&, const VolPathDescription&) = default;
+};
+
+template <class P>
+void describe(P& p, VolPathDescription& d) {
+  p.plugin("volpath", "path tracing through media");
+  describe_limits(p, d);
+}
+
+/// Bidirectional path tracing with multiple importance sampling over all strategies.
+struct BdptDescription : PathLimits {
+  friend bool operator==(const BdptDescription&, const BdptDescription&) = default;
+};
+
+template <class P>
+void describe(P& p, BdptDescription& d) {
+  p.plugin("bdpt", "extension: bidirectional path tracing");
+  describe_limits(p, d);
+}
+
+/// Light tracing: paths start at the lights, every vertex is connected to the camera.
+struct ParticleTracerDescription : PathLimits {
+  friend bool operator==(const ParticleTracerDescription&, const ParticleTracerDescription&) = default;
+};
+
+template <class P>
+void describe(P& p, ParticleTracerDescription& d) {
+  p.plugin("ptracer", "light tracing");
+  describe_limits(p, d);
+}
+
+/// Direct light only; max_depth and rr_depth are not its parameters. `emitter_samples` and `bsdf_samples` a camera
+/// sample, weighted against each other.
+struct DirectDescription : PathLimits {
+  int emitter_samples = 1, bsdf_samples = 1;
+  friend bool operator==(const DirectDescription&, const DirectDescription&) = default;
+};
+
+template <class P>
+void describe(P& p, DirectDescription& d) {
+  p.plugin("direct", "direct light");
+  p.also("shading_samples", scene_xml::ParamType::integer, "1", "in place of the next two, for both");
+  p.integer("emitter_samples", d.emitter_samples, 0, 1 << 16, "of lights, a camera sample");
+  p.integer("bsdf_samples", d.bsdf_samples, 0, 1 << 16, "of directions, a camera sample; not both 0");
+  p.boolean("hide_emitters", d.hide_emitters, "the camera does not see lights");
+}
+
+/// Whitted 1980: both branches at smooth dielectrics, mirrors, direct light everywhere else, and no further.
+struct WhittedDescription : PathLimits {
+  friend bool operator==(const WhittedDescription&, const WhittedDescription&) = default;
+};
+
+template <class P>
+void describe(P& p, WhittedDescription& d) {
+  p.plugin("whitted", "extension: Whitted 1980");
+  describe_limits(p, d);
+}
+
+/// Fixed-radius photon mapping with a global and a caustic map. A radius of 0 asks for the automatic choice.
+struct PhotonMapperDescription : PathLimits {
+  std::int64_t global_photons = 1'000'000;   ///< emitted for the global map, over the whole render
+  std::int64_t caustic_photons = 1'000'000;  ///< emitted for the caustic map, over the whole render
+  double global_radius = 0;                  ///< scene units
+  double caustic_radius = 0;                 ///< scene units
+  friend bool operator==(const PhotonMapperDescription&, const PhotonMapperDescription&) = default;
+};
+
+template <class P>
+void describe(P& p, PhotonMapperDescription& d) {
+  constexpr std::int64_t most = std::int64_t{1} << 40;
+  constexpr scene_xml::Range radius{0, scene_xml::kUnbounded, "a positive length, or 0 for the automatic choice"};
+  p.plugin("photonmapper", "extension: photon mapping with a global and a caustic map");
+  describe_limits(p, d);
+  p.integer("global_photons", d.global_photons, 0, most, "emitted for the global map");
+  p.integer("caustic_photons", d.caustic_photons, 0, most, "emitted for the caustic map");
+  p.number("global_radius", d.global_radius, radius, "of a look-up, scene units");
+  p.number("caustic_radius", d.caustic_radius, radius, "of a look-up, scene units");
+}
+
+struct IntegratorDescription {
+  SourceLoc loc;
+  std::variant<PathDescription, PhotonMapperDescription, VolPathDescription, BdptDescription, ParticleTracerDescription,
+               DirectDescription, WhittedDescription>
+      method;
+
+  const PathLimits& limits() const {
+    return std::visit([](const auto& m) -> const PathLimits& { return m; }, method);
+  }
+};
+
+/// Mitsuba's wrapper that adds the variance of every pixel.
+struct MomentPlugin {};
+
+template <class P>
+void describe(P& p, MomentPlugin&) {
+  p.plugin("moment", "the nested integrator: the variance is always written");
+  p.nested("integrator", 1, "an integrator");
+}
+
+}  // namespace photonproof

@@ -1,0 +1,207 @@
+// Shapes as a scene file says them. Of every plugin the parser and the writer themselves do what ShapeDescription has
+// beside the geometry.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "scenes/description/texture_description.h"
+#include "scenes/meshes/mesh.h"
+
+namespace photonproof {
+
+/// Before `to_world`: centre and radius. `to_world` must be a similarity; the normal points outward.
+struct SphereDescription {
+  static constexpr bool finite = true;
+  Vec3d center{0, 0, 0};
+  double radius = 1;
+  friend bool operator==(const SphereDescription&, const SphereDescription&) = default;
+};
+
+template <class P>
+void describe_placed_shape(P& p) {
+  p.also("to_world", scene_xml::ParamType::transform, "", "places the shape; it has an inverse");
+  p.also("flip_normals", scene_xml::ParamType::boolean, "false", "the front is the other side");
+  p.nested("bsdf", 1, "a BSDF, else `diffuse`");
+  p.nested("emitter", 1, "an `area`");
+  p.nested("medium", 2, "media named `interior` and `exterior`");
+}
+
+template <class P>
+void describe(P& p, SphereDescription& d) {
+  p.plugin("sphere", "normals outward; to_world turns, moves and scales evenly");
+  p.point("center", d.center, "before to_world");
+  p.positive("radius", d.radius, "before to_world");
+  describe_placed_shape(p);
+}
+
+/// [-1,1]^2 in the local xy plane, normal +z.
+struct RectangleDescription {
+  static constexpr bool finite = true;
+  friend bool operator==(const RectangleDescription&, const RectangleDescription&) = default;
+};
+
+template <class P>
+void describe(P& p, RectangleDescription&) {
+  p.plugin("rectangle", "[-1,1]^2 in the local xy plane, normal +z");
+  describe_placed_shape(p);
+}
+
+/// The unit disc in the local xy plane, normal +z; `to_world` leaves it a circle.
+struct DiskDescription {
+  static constexpr bool finite = true;
+  friend bool operator==(const DiskDescription&, const DiskDescription&) = default;
+};
+
+template <class P>
+void describe(P& p, DiskDescription&) {
+  p.plugin("disk", "the unit disc in the local xy plane, normal +z; to_world leaves it a circle");
+  describe_placed_shape(p);
+}
+
+/// [-1,1]^3, normals outward.
+struct CubeDescription {
+  static constexpr bool finite = true;
+  friend bool operator==(const CubeDescription&, const CubeDescription&) = default;
+};
+
+template <class P>
+void describe(P& p, CubeDescription&) {
+  p.plugin("cube", "[-1,1]^3, normals outward");
+  describe_placed_shape(p);
+}
+
+/// The curved side of a cylinder from p0 to p1, open at both ends, normals outward. `to_world` must be a similarity.
+struct CylinderDescription {
+  static constexpr bool finite = true;
+  Vec3d p0{0, 0, 0}, p1{0, 0, 1};
+  double radius = 1;
+  friend bool operator==(const CylinderDescription&, const CylinderDescription&) = default;
+};
+
+template <class P>
+void describe(P& p, CylinderDescription& d) {
+  p.plugin("cylinder", "open at both ends, normals outward; to_world turns, moves and scales evenly");
+  p.point("p0", d.p0, "one end of its axis");
+  p.point("p1", d.p1, "the other");
+  p.positive("radius", d.radius, "before to_world");
+  describe_placed_shape(p);
+}
+
+/// Extension: the whole local xy plane, normal +z; uv = local xy.
+struct PlaneDescription {
+  static constexpr bool finite = false;
+  friend bool operator==(const PlaneDescription&, const PlaneDescription&) = default;
+};
+
+template <class P>
+void describe(P& p, PlaneDescription&) {
+  p.plugin("plane", "extension: the whole local xy plane, normal +z; it does not emit");
+  describe_placed_shape(p);
+}
+
+/// A mesh of triangles. After to_world the normal of a triangle is that of its corners counter-clockwise: as in
+/// Mitsuba, a mirroring to_world turns it, other than with the shapes above. Unless `face_normals`, shading
+/// interpolates the mesh's vertex normals (transformed by the inverse transpose, normalised); Mitsuba computes the ones
+/// a file lacks as the mean of the adjoining triangles' normals, weighted by their angles at the vertex (Thuermer and
+/// Wuethrich 1998). What is kept here is the file's.
+struct MeshDescription {
+  static constexpr bool finite = true;
+  enum class Format { ply, obj };
+  Format format = Format::ply;
+  std::string filename;  ///< as the scene spells it
+  bool face_normals = false;
+  bool flip_tex_coords = false;              ///< v becomes 1 - v; the default of an OBJ is true, of a PLY false
+  std::shared_ptr<const TriangleMesh> mesh;  ///< never null; shared by the shapes that name the same file
+  friend bool operator==(const MeshDescription& a, const MeshDescription& b) {
+    return a.format == b.format && a.filename == b.filename && a.face_normals == b.face_normals &&
+           a.flip_tex_coords == b.flip_tex_coords && (a.mesh == b.mesh || (a.mesh && b.mesh && *a.mesh == *b.mesh));
+  }
+};
+
+template <class P>
+void describe(P& p, MeshDescription& d) {
+  const bool is_ply = d.format == MeshDescription::Format::ply;
+  p.plugin(is_ply ? "ply" : "obj", "triangles of a file");
+  p.file("filename", d.filename, is_ply ? "the name of a PLY file" : "the name of an OBJ file");
+  p.boolean("face_normals", d.face_normals, "shades flat, without normals of vertices");
+  p.boolean("flip_tex_coords", d.flip_tex_coords, "v becomes 1 - v");
+  describe_placed_shape(p);
+}
+
+struct HeightfieldNoise {
+  double frequency_x = 1, frequency_y = 1;  ///< lattice cells per local unit
+  int octaves = 1;                          ///< each twice the frequency and half the height of the one before
+  std::uint32_t seed = 0;
+  friend bool operator==(const HeightfieldNoise&, const HeightfieldNoise&) = default;
+};
+
+/// Extension: z(x, y) over [-1,1]^2 of the local xy plane, columns x rows cells of two triangles, uv over the square.
+/// Heights come from a bitmap (its mean channel times `amplitude`) or from gradient noise in +-amplitude.
+struct HeightfieldDescription {
+  static constexpr bool finite = true;
+  using Noise = HeightfieldNoise;
+  int columns = 64, rows = 64;
+  double amplitude = 1;
+  bool face_normals = false;
+  std::variant<Noise, TextureIndex> height;
+  friend bool operator==(const HeightfieldDescription&, const HeightfieldDescription&) = default;
+};
+
+template <class P>
+void describe(P& p, HeightfieldDescription& d) {
+  p.plugin("heightfield",
+           "extension: z(x, y) over [-1,1]^2 of the local xy plane, at most 2^24 cells of two triangles");
+  p.integer("columns", d.columns, 1, 1 << 20, "cells along x");
+  p.integer("rows", d.rows, 1, 1 << 20, "cells along y");
+  p.number("amplitude", d.amplitude, scene_xml::kAny, "factor of the heights");
+  p.boolean("face_normals", d.face_normals, "shades flat, without normals of vertices");
+  p.texture_or("height", d.height,
+               "its mean channel is the height; without, gradient noise in +-1:", [&](HeightfieldNoise& noise) {
+                 p.number("frequency_x", noise.frequency_x, {0, 1e6}, "cells of the noise per local unit");
+                 p.number("frequency_y", noise.frequency_y, {0, 1e6}, "cells of the noise per local unit");
+                 p.integer("octaves", noise.octaves, 1, 16, "each of half the height and twice the frequency");
+                 p.integer("seed", noise.seed, 0, 4294967295, "");
+               });
+  describe_placed_shape(p);
+}
+
+/// A copy of a group of shapes, placed by to_world. The BSDFs are the group's: the instance's own index means nothing.
+struct InstanceDescription {
+  static constexpr bool finite = true;
+  ShapeGroupIndex group;
+  friend bool operator==(const InstanceDescription&, const InstanceDescription&) = default;
+};
+
+template <class P>
+void describe(P& p, InstanceDescription& d) {
+  p.plugin("instance", "a copy of a shape group");
+  p.shape_group(d.group, "a <ref> to a shapegroup");
+  p.also("to_world", scene_xml::ParamType::transform, "", "places the copy; it has an inverse");
+}
+
+struct ShapeDescription {
+  SourceLoc loc;
+  std::string id;
+  std::variant<SphereDescription, RectangleDescription, CubeDescription, MeshDescription, DiskDescription,
+               CylinderDescription, PlaneDescription, HeightfieldDescription, InstanceDescription>
+      geometry;
+  Transform to_world;
+  bool flip_normals = false;
+  BsdfIndex bsdf;
+  std::optional<Colour> radiance;                 ///< of an area emitter on the side the normal points to
+  std::optional<MediumIndex> interior, exterior;  ///< behind the surface and before it
+};
+
+/// Shapes that are there only where instances put them; they do not emit.
+struct ShapeGroupDescription {
+  SourceLoc loc;
+  std::string id;
+  std::vector<ShapeDescription> shapes;
+};
+
+}  // namespace photonproof

@@ -1,0 +1,89 @@
+// Textures as a scene file says them, and the indices by which parts of a description name each other.
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "scenes/description/param_type.h"
+#include "scenes/description/transform.h"
+#include "scenes/images/image.h"
+#include "scenes/meshes/vec.h"
+#include "scenes/text/input_error.h"
+
+namespace photonproof {
+
+/// A typed index into one of SceneDescription's tables.
+template <class Tag>
+struct Index {
+  std::uint32_t value = 0;
+  friend auto operator<=>(const Index&, const Index&) = default;
+};
+
+using BsdfIndex = Index<struct BsdfTag>;
+using TextureIndex = Index<struct TextureTag>;
+using MediumIndex = Index<struct MediumTag>;
+using ShapeGroupIndex = Index<struct ShapeGroupTag>;
+
+/// A colour, or the texture that gives one at every point.
+using Colour = std::variant<RgbD, TextureIndex>;
+/// A number, or the texture whose luminance (Rec. 709) gives one at every point.
+using Scalar = std::variant<double, TextureIndex>;
+
+/// The colour of what is known to be no texture.
+inline const RgbD& constant(const Colour& colour) { return std::get<RgbD>(colour); }
+
+enum class TextureFilter { bilinear, nearest };
+enum class TextureWrap { repeat, mirror, clamp };
+
+/// An image over the unit square of uv; its first row is at v = 0, as in Mitsuba.
+struct BitmapDescription {
+  std::string filename;                ///< as the scene spells it
+  std::shared_ptr<const Image> image;  ///< never null, linear; shared by the textures that name the same file
+  bool raw = false;                    ///< 8-bit values are numbers, not sRGB
+  TextureFilter filter = TextureFilter::bilinear;
+  TextureWrap wrap = TextureWrap::repeat;
+  Transform to_uv;  ///< applied to uv before the look-up; its x and y rows count
+  friend bool operator==(const BitmapDescription& a, const BitmapDescription& b) {
+    return a.filename == b.filename && a.raw == b.raw && a.filter == b.filter && a.wrap == b.wrap && a.to_uv == b.to_uv;
+  }
+};
+
+template <class P>
+void describe(P& p, BitmapDescription& d) {
+  p.plugin("bitmap", "an image over the unit square of uv, its first row at v = 0");
+  p.file("filename", d.filename, "the name of an image");
+  p.boolean("raw", d.raw, "8-bit values are numbers, not sRGB");
+  p.choice("filter_type", d.filter, {{"bilinear", TextureFilter::bilinear}, {"nearest", TextureFilter::nearest}},
+           "between texels");
+  p.choice("wrap_mode", d.wrap,
+           {{"repeat", TextureWrap::repeat}, {"mirror", TextureWrap::mirror}, {"clamp", TextureWrap::clamp}},
+           "beyond the unit square");
+  p.transform("to_uv", d.to_uv, "applied to uv before the look-up");
+}
+
+/// Two colours in turn on squares of half a unit of uv: color0 where both halves agree.
+struct CheckerboardDescription {
+  Colour color0 = RgbD(0.4), color1 = RgbD(0.2);
+  Transform to_uv;
+  friend bool operator==(const CheckerboardDescription&, const CheckerboardDescription&) = default;
+};
+
+template <class P>
+void describe(P& p, CheckerboardDescription& d) {
+  p.plugin("checkerboard", "squares of half a unit of uv");
+  p.colour_map("color0", d.color0, scene_xml::kNotNegative, "where both halves agree");
+  p.colour_map("color1", d.color1, scene_xml::kNotNegative, "elsewhere");
+  p.transform("to_uv", d.to_uv, "applied to uv before the look-up");
+}
+
+struct TextureDescription {
+  SourceLoc loc;
+  std::string id;  ///< empty when unnamed
+  std::variant<BitmapDescription, CheckerboardDescription> pattern;
+};
+
+}  // namespace photonproof

@@ -1,0 +1,180 @@
+// Sensors, films, filters and samplers as a scene file says them.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "scenes/description/texture_description.h"
+
+namespace photonproof {
+
+enum class FovAxis { x, y, diagonal, smaller, larger };
+
+/// Looks along local +z, +y up, +x left in the image (Mitsuba's). Rays start on the plane z = near_clip.
+struct PerspectiveDescription {
+  double fov_degrees = 50;  ///< full angle, along `fov_axis`; the parser converts `focal_length`
+  FovAxis fov_axis = FovAxis::x;
+  double near_clip = 1e-2;
+  double far_clip = 1e4;
+  double principal_x = 0, principal_y = 0;  ///< offset of the principal point, fractions of the film's width and height
+  friend bool operator==(const PerspectiveDescription&, const PerspectiveDescription&) = default;
+};
+
+template <class P, class Camera>
+void describe_clips(P& p, Camera& d) {
+  p.positive("near_clip", d.near_clip, "rays start at this z");
+  p.number("far_clip", d.far_clip, scene_xml::kAny, "above `near_clip`: rays end at this z");
+}
+
+template <class P>
+void describe_lens(P& p, PerspectiveDescription& d) {
+  p.field_of_view(d.fov_degrees, d.fov_axis, [&] {
+    p.choice("fov_axis", d.fov_axis,
+             {{"x", FovAxis::x},
+              {"y", FovAxis::y},
+              {"diagonal", FovAxis::diagonal},
+              {"smaller", FovAxis::smaller},
+              {"larger", FovAxis::larger}},
+             "what `fov` is along");
+  });
+  p.number("principal_point_offset_x", d.principal_x, scene_xml::kAny, "of the film's width");
+  p.number("principal_point_offset_y", d.principal_y, scene_xml::kAny, "of the film's height");
+  describe_clips(p, d);
+}
+
+template <class P>
+void describe_placed_camera(P& p, const char* to_world) {
+  p.also("to_world", scene_xml::ParamType::transform, "", to_world);
+  p.nested("film", 1, "a film");
+  p.nested("sampler", 1, "a sampler");
+  p.nested("medium", 1, "the medium around the camera");
+}
+
+template <class P>
+void describe(P& p, PerspectiveDescription& d) {
+  p.plugin("perspective", "along local +z, +y up, +x left in the image");
+  describe_lens(p, d);
+  describe_placed_camera(p, "turns and moves");
+}
+
+/// The perspective camera through a lens of this radius, sharp at this distance along local +z.
+struct ThinLensDescription {
+  PerspectiveDescription perspective;
+  double aperture_radius = 0;
+  double focus_distance = 1;
+  friend bool operator==(const ThinLensDescription&, const ThinLensDescription&) = default;
+};
+
+template <class P>
+void describe(P& p, ThinLensDescription& d) {
+  p.plugin("thinlens", "the perspective camera through a lens");
+  describe_lens(p, d.perspective);
+  p.require("aperture_radius", "the radius of the lens");
+  p.number("aperture_radius", d.aperture_radius, scene_xml::kNotNegative, "scene units");
+  p.number_after("focus_distance", d.focus_distance, d.perspective.far_clip, "`far_clip`", "sharp at this z");
+  describe_placed_camera(p, "turns and moves");
+}
+
+/// Parallel rays along local +z; the film's width spans local x in [-1,1], which to_world may scale.
+struct OrthographicDescription {
+  double near_clip = 1e-2;
+  double far_clip = 1e4;
+  friend bool operator==(const OrthographicDescription&, const OrthographicDescription&) = default;
+};
+
+template <class P>
+void describe(P& p, OrthographicDescription& d) {
+  p.plugin("orthographic", "parallel rays along local +z from x in [-1,1]");
+  describe_clips(p, d);
+  describe_placed_camera(p, "turns, moves and scales");
+}
+
+/// Extension: equidistant fisheye, the angle from local +z in proportion to the distance from the image's middle;
+/// `fov_degrees` is the full angle across the shorter side. Beyond the circle of that angle pixels are black.
+struct FisheyeDescription {
+  double fov_degrees = 180;
+  double near_clip = 1e-2;
+  double far_clip = 1e4;
+  friend bool operator==(const FisheyeDescription&, const FisheyeDescription&) = default;
+};
+
+template <class P>
+void describe(P& p, FisheyeDescription& d) {
+  p.plugin("fisheye", "extension: equidistant");
+  p.number("fov", d.fov_degrees, {0, 360, "more than 0 and at most 360 degrees", true}, "across the shorter side");
+  describe_clips(p, d);
+  describe_placed_camera(p, "turns and moves");
+}
+
+/// Pixels: box radius 0.5; tent radius 1; Gaussian of this deviation, cut at 4 deviations and shifted to 0 there.
+struct ReconstructionFilter {
+  enum class Kind { box, tent, gaussian };
+  Kind kind = Kind::gaussian;
+  double stddev = 0.5;
+  double radius = 1;  ///< of the tent
+  friend bool operator==(const ReconstructionFilter&, const ReconstructionFilter&) = default;
+};
+
+template <class P>
+void describe(P& p, ReconstructionFilter& d) {
+  switch (d.kind) {
+    case ReconstructionFilter::Kind::box:
+      return p.plugin("box", "radius 0.5 pixels");
+    case ReconstructionFilter::Kind::tent:
+      p.plugin("tent", "");
+      return p.positive("radius", d.radius, "pixels", 16, "pixels");
+    case ReconstructionFilter::Kind::gaussian:
+      p.plugin("gaussian", "cut at 4 deviations; when none is named");
+      return p.positive("stddev", d.stddev, "pixels", 4, "pixels");
+  }
+}
+
+struct FilmDescription {
+  int width = 768;
+  int height = 576;
+  ReconstructionFilter filter = {.kind = ReconstructionFilter::Kind::box};
+  /// The part of the image that is rendered: {x, y, width, height}; the whole when empty.
+  struct Crop {
+    int x = 0, y = 0, width = 0, height = 0;
+    friend bool operator==(const Crop&, const Crop&) = default;
+  };
+  std::optional<Crop> crop = {};
+  friend bool operator==(const FilmDescription&, const FilmDescription&) = default;
+};
+
+template <class P>
+void describe(P& p, FilmDescription& d) {
+  p.plugin("hdrfilm", "");
+  p.integer("width", d.width, 1, 65536, "pixels; at most 2^28 in all");
+  p.integer("height", d.height, 1, 65536, "pixels");
+  p.crop(d);
+  p.word("pixel_format", {"rgb", "rgba"}, false, "always written as rgb");
+  p.word("component_format", {"float32", "float16"}, true, "always written as float32");
+  p.word("file_format", {"openexr", "exr"}, false, "always written as that");
+  p.nested("rfilter", 1, "a filter");
+}
+
+struct SensorDescription {
+  SourceLoc loc;
+  std::string id;
+  std::variant<PerspectiveDescription, ThinLensDescription, OrthographicDescription, FisheyeDescription> camera;
+  Transform to_world;
+  FilmDescription film;
+  int sample_count = 4;
+  std::optional<MediumIndex> medium;  ///< around the camera
+};
+
+/// All are the renderer's own sampler: the names differ in how samples are spread, not in what they average to.
+struct SamplerPlugin {
+  const char* type = "independent";
+  int sample_count = SensorDescription().sample_count;
+};
+
+template <class P>
+void describe(P& p, SamplerPlugin& d) {
+  p.plugin(d.type, "the renderer's own");
+  p.integer("sample_count", d.sample_count, 1, 1 << 30, "a pixel");
+}
+
+}  // namespace photonproof
