@@ -30,7 +30,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t max_program_bytes = std::size_t{1} << 30;
-constexpr double warm_up_seconds = 20;
+constexpr double longest_warm_up = 20;
 
 // What a round came to: its numbers, or why there are none ("" when it was interrupted).
 using Round = std::variant<PairedRound, std::string>;
@@ -91,7 +91,7 @@ class PairRunner {
   // Programs come from disk the first time.
   void warm_up(const Engine& engine) const {
     ProcessOptions options;
-    options.wall_limit_seconds = warm_up_seconds;
+    options.wall_limit_seconds = longest_warm_up;
     options.interrupt = run_.interrupt;
     for (const auto& command : engine.version_commands)
       for (const fs::path& program : {programs_[0], programs_[1]}) {

@@ -41,7 +41,7 @@ constexpr double quick_save_seconds = 0.01;
 constexpr double tolerated_save_share = 0.005;
 // An engine measured this often can afford to have its first cell rendered once before, for at most so long.
 constexpr std::size_t least_cells_for_warm_up = 3;
-constexpr double warm_up_seconds = 2;
+constexpr double warm_up_limit = 2;
 constexpr const char* warm_up_folder = "cells/warm-up";
 
 // Any number that is the suite's own.
@@ -218,7 +218,7 @@ class Bench {
       if (cells.size() < least_cells_for_warm_up) continue;
       fs::create_directories(folder, ignored);
       Limits limits = suite_.limits;
-      limits.seconds = std::min(limits.seconds, warm_up_seconds);
+      limits.seconds = std::min(limits.seconds, warm_up_limit);
       const auto result = run(*cells.front(), command_of(*cells.front(), warm_up_folder, &copies_), limits);
       if (result) summary_.engine_seconds += result->wall_seconds.value_or(0);
       fs::remove_all(folder, ignored);

@@ -11,7 +11,7 @@
 namespace photonproof {
 namespace {
 
-std::optional<Image> image_of(const Result& result, const std::filesystem::path& folder) {
+std::optional<Image> image_in_folder(const Result& result, const std::filesystem::path& folder) {
   try {
     return read_image((folder / result.image).string());
   } catch (const InputError&) {
@@ -22,9 +22,9 @@ std::optional<Image> image_of(const Result& result, const std::filesystem::path&
 std::string label_without_seed(const Cell& cell) { return cell.scene + "/" + cell.engine + "/" + cell.budget.label(); }
 
 bool all_the_same(const std::vector<const Result*>& seeds, const std::filesystem::path& folder) {
-  const std::optional<Image> first = image_of(*seeds.front(), folder);
+  const std::optional<Image> first = image_in_folder(*seeds.front(), folder);
   return first && std::all_of(seeds.begin() + 1, seeds.end(), [&](const Result* result) {
-           const std::optional<Image> other = image_of(*result, folder);
+           const std::optional<Image> other = image_in_folder(*result, folder);
            return other && other->rgb == first->rgb;
          });
 }

@@ -56,12 +56,6 @@ std::optional<Reference> reference_of(const Results& results, const SceneRecord&
   return reference;
 }
 
-std::optional<double> relmse_of(const Result& result) {
-  for (const MetricValue& metric : result.metrics)
-    if (metric.name == "relmse") return metric.value;
-  return std::nullopt;
-}
-
 using Cells = std::vector<const Result*>;
 
 // Of the wall time, as the engine's phases tell it; empty where it tells none.
@@ -165,10 +159,9 @@ void add_start_up_caveat(const std::map<double, Cells>& cells, Convergence& curv
   }
 }
 
-using Points = std::vector<std::pair<double, double>>;
-
 // With the error's interval, the times at which its lower and upper ends come down to the target, where both do.
-void add_time_to_target(const Points& points, const Points& low, const Points& high, Convergence& curve) {
+void add_time_to_target(const CurvePoints& points, const CurvePoints& low, const CurvePoints& high,
+                        Convergence& curve) {
   const double target = *curve.target_relmse;
   if (const auto seconds = time_to_error(points, target)) {
     curve.seconds_to_target = Estimate{*seconds, {}};
@@ -231,7 +224,13 @@ Estimate efficiency_of(const Estimate& relmse, const Estimate& seconds) {
 
 }  // namespace
 
-std::optional<double> time_to_error(const Points& points, double target) {
+std::optional<double> relmse_of(const Result& result) {
+  for (const MetricValue& metric : result.metrics)
+    if (metric.name == "relmse") return metric.value;
+  return std::nullopt;
+}
+
+std::optional<double> time_to_error(const CurvePoints& points, double target) {
   for (std::size_t i = 1; i < points.size(); ++i) {
     const auto& [t0, e0] = points[i - 1];
     const auto& [t1, e1] = points[i];
@@ -244,7 +243,7 @@ std::optional<double> time_to_error(const Points& points, double target) {
 }
 
 void conclude(Convergence& curve) {
-  Points points, low, high;
+  CurvePoints points, low, high;
   std::vector<double> log_seconds, log_relmse;
   for (const CurvePoint& point : curve.points) {
     if (!has_own_error(point)) continue;
@@ -257,7 +256,7 @@ void conclude(Convergence& curve) {
     log_seconds.push_back(std::log(seconds));
     log_relmse.push_back(std::log(point.relmse->value));
   }
-  for (Points* list : {&points, &low, &high}) std::sort(list->begin(), list->end());
+  for (CurvePoints* list : {&points, &low, &high}) std::sort(list->begin(), list->end());
   set_slope(log_seconds, log_relmse, curve);
   if (!curve.points.empty()) {
     const CurvePoint& last = curve.points.back();

@@ -32,8 +32,13 @@ std::vector<Convergence> convergence_of(const Results& results, const std::files
 /// caveats that go with them.
 void conclude(Convergence& curve);
 
+/// Of a finished cell with a reference; else empty.
+std::optional<double> relmse_of(const Result& result);
+
+using CurvePoints = std::vector<std::pair<double, double>>;  ///< seconds and error
+
 /// When the curve through `points` (seconds and error, ascending seconds) first comes down to `target`: log-log between
 /// two points; empty outside of them.
-std::optional<double> time_to_error(const std::vector<std::pair<double, double>>& points, double target);
+std::optional<double> time_to_error(const CurvePoints& points, double target);
 
 }  // namespace photonproof

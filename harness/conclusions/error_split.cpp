@@ -92,7 +92,7 @@ double sample_variance(std::span<const double> values) {
   return squares / static_cast<double>(values.size() - 1);
 }
 
-Estimate relmse_of(const std::vector<BlockSums>& blocks, std::size_t images) {
+Estimate relmse_of_blocks(const std::vector<BlockSums>& blocks, std::size_t images) {
   std::vector<double> totals(images);
   double values = 0, independent_blocks = 0;
   for (const BlockSums& block : blocks) {
@@ -114,7 +114,7 @@ Estimate relmse_of(const std::vector<BlockSums>& blocks, std::size_t images) {
 ErrorSplit split_error(const Image& reference, const Image* reference_variance, std::span<const Image> images,
                        ReferenceVariance known) {
   const std::vector<BlockSums> blocks = sums_of_blocks(reference, reference_variance, images);
-  ErrorSplit split{relmse_of(blocks, images.size()), {}, {}};
+  ErrorSplit split{relmse_of_blocks(blocks, images.size()), {}, {}};
   if (images.size() < 2) return split;
   split.bias2 = resampled(blocks, [](const BlockSums& block) { return block.bias2; });
   if (known == ReferenceVariance::upper_bound && reference_variance != nullptr && split.bias2->interval)

@@ -9,20 +9,18 @@
 namespace photonproof {
 namespace {
 
-using Points = std::vector<std::pair<double, double>>;
-
 /// An error that grows with the budget by more than this is not known.
 constexpr double tolerated_growth = 2;
 
-double least_error(const Points& points) {
+double least_error(const CurvePoints& points) {
   return std::min_element(points.begin(), points.end(),
                           [](const auto& a, const auto& b) { return a.second < b.second; })
       ->second;
 }
 
 /// Seconds and error, ascending seconds.
-Points points_of(const Convergence& curve) {
-  Points points;
+CurvePoints points_of(const Convergence& curve) {
+  CurvePoints points;
   for (const CurvePoint& point : curve.points)
     if (point.relmse && point.relmse->value > 0 && point.seconds.value > 0 && !point.undefined.contains(own_error_key))
       points.emplace_back(point.seconds.value, point.relmse->value);
@@ -33,7 +31,7 @@ Points points_of(const Convergence& curve) {
   return points;
 }
 
-RaceRecord::Time time_of(const std::string& engine, const Points& points, double error) {
+RaceRecord::Time time_of(const std::string& engine, const CurvePoints& points, double error) {
   if (points.front().second <= error) return {engine, points.front().first, true};
   return {engine, *time_to_error(points, error), false};
 }
@@ -43,12 +41,12 @@ RaceRecord::Time time_of(const std::string& engine, const Points& points, double
 std::vector<RaceRecord> races_of(const std::vector<Convergence>& curves) {
   struct Runner {
     std::string engine;
-    Points points;
+    CurvePoints points;
   };
   std::vector<std::string> scenes;
   std::map<std::string, std::vector<Runner>> runners;
   for (const Convergence& curve : curves) {
-    Points points = points_of(curve);
+    CurvePoints points = points_of(curve);
     if (points.empty()) continue;
     if (!runners.contains(curve.scene)) scenes.push_back(curve.scene);
     runners[curve.scene].push_back({curve.engine, std::move(points)});

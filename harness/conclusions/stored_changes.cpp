@@ -13,12 +13,6 @@ namespace {
 
 constexpr const char* remedy = "; --old-program PATH would decide it";
 
-std::optional<double> relmse_of(const Result& result) {
-  for (const MetricValue& metric : result.metrics)
-    if (metric.name == "relmse") return metric.value;
-  return std::nullopt;
-}
-
 // Finished cells of one scene, engine and budget.
 std::vector<const Result*> cells_like(const Results& run, const Cell& cell) {
   std::vector<const Result*> cells;
@@ -30,7 +24,7 @@ std::vector<const Result*> cells_like(const Results& run, const Cell& cell) {
 }
 
 // What identifies the reference that a scene's cells were compared with; empty when there is none.
-std::string reference_of(const Results& run, const std::string& scene_name) {
+std::string reference_named(const Results& run, const std::string& scene_name) {
   for (const SceneRecord& scene : run.scenes) {
     if (scene.name != scene_name) continue;
     if (scene.reference) {
@@ -136,8 +130,8 @@ ChangeRecord change_of_seconds(const Results& old_run, const Results& new_run, c
 
 std::optional<ChangeRecord> change_of_relmse(const Results& old_run, const Results& new_run, const Cell& cell,
                                              const ChangeThresholds& thresholds) {
-  const std::string reference = reference_of(old_run, cell.scene);
-  if (reference.empty() || reference != reference_of(new_run, cell.scene)) return std::nullopt;
+  const std::string reference = reference_named(old_run, cell.scene);
+  if (reference.empty() || reference != reference_named(new_run, cell.scene)) return std::nullopt;
   std::vector<PairedRound> pairs;
   for (const Result* now : cells_like(new_run, cell)) {
     const Result* before = old_run.find(now->cell.label());

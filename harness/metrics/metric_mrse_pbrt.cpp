@@ -8,15 +8,15 @@
 namespace photonproof {
 namespace {
 
-struct Error {
+struct MrseError {
   double operator()(double x, double r) const { return (x - r) * (x - r) / ((r + 0.01) * (r + 0.01)); }
 };
 
-class MrsePass : public MeanErrorPass<Error> {
+class MrsePass : public MeanErrorPass<MrseError> {
  public:
-  using MeanErrorPass<Error>::MeanErrorPass;
+  using MeanErrorPass<MrseError>::MeanErrorPass;
   std::optional<double> value(std::size_t which) const override {
-    const auto mean = MeanErrorPass<Error>::value(which);
+    const auto mean = MeanErrorPass<MrseError>::value(which);
     return std::isfinite(*mean) ? mean : std::nullopt;
   }
 };

@@ -5,14 +5,14 @@
 namespace photonproof {
 namespace {
 
-struct Error {
+struct RelmseError {
   double operator()(double x, double r) const { return (x - r) * (x - r) / (r * r + 1e-4); }
 };
 
 }  // namespace
 
 std::unique_ptr<MetricPass> relmse_jeri_pass(const PairFacts& pair) {
-  return std::make_unique<MeanErrorPass<Error>>(pair);
+  return std::make_unique<MeanErrorPass<RelmseError>>(pair);
 }
 std::string relmse_jeri_parameters(const MetricOptions&) { return "epsilon=0.0001"; }
 

@@ -7,13 +7,15 @@
 namespace photonproof {
 namespace {
 
-struct Error {
+struct SmapeError {
   double operator()(double x, double r) const { return 2 * std::abs(x - r) / (std::abs(x) + std::abs(r) + 0.02); }
 };
 
 }  // namespace
 
-std::unique_ptr<MetricPass> smape_pass(const PairFacts& pair) { return std::make_unique<MeanErrorPass<Error>>(pair); }
+std::unique_ptr<MetricPass> smape_pass(const PairFacts& pair) {
+  return std::make_unique<MeanErrorPass<SmapeError>>(pair);
+}
 std::string smape_parameters(const MetricOptions&) { return "epsilon=0.02"; }
 
 }  // namespace photonproof

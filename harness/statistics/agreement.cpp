@@ -93,8 +93,8 @@ std::string text(const char* format, Values... values) {
   return buffer.data();
 }
 
-StatisticalVerdict test_pixels(const std::array<Differences, 3>& channels, const Rendering& reference,
-                               const Rendering& test, double alpha) {
+StatisticalVerdict test_all_pixels(const std::array<Differences, 3>& channels, const Rendering& reference,
+                                   const Rendering& test, double alpha) {
   StatisticalVerdict verdict;
   verdict.n = 3 * reference.mean.pixels();
   verdict.alpha = sidak(alpha, static_cast<double>(verdict.n));
@@ -235,7 +235,7 @@ struct Mean {
 
 /// Where pixels share light paths, an image's MeanError tells of the plain sum, as if any two of them had the one
 /// correlation c: (error of the sum)^2 = (1 - c) sum v + c (sum sqrt v)^2. The weighed sum's is the same with w^2 v.
-Mean mean_of(const Rendering& rendering, std::size_t channel, const Weights& weight) {
+Mean weighted_mean(const Rendering& rendering, std::size_t channel, const Weights& weight) {
   const Block all{0, 0, rendering.mean.width, rendering.mean.height};
   const auto variance = [&](int x, int y) { return double{rendering.variance->pixel(x, y)[channel]}; };
   Mean mean;
@@ -259,7 +259,7 @@ Mean mean_of(const Rendering& rendering, std::size_t channel, const Weights& wei
 /// The relative error d that is found with probability `power` by a test of this two-sided level: it exceeds both
 /// quantiles, d r = q sqrt(v_r + (1 + d)^2 v_x), for the noise of an image that is brighter is larger, too. Infinite
 /// where none is found so often. Precondition: there is a reference. `difference` is of the two.
-double would_see(const Deviation& difference, const KnownVariance& of_test, double alpha, double power) {
+double least_seen(const Deviation& difference, const KnownVariance& of_test, double alpha, double power) {
   const double q = difference.margin(alpha / 2) + difference.margin(1 - power);
   const double reference = std::pow(difference.expected, 2), variance = std::pow(difference.standard_error, 2);
   const double x = q * q * of_test.variance / variance / reference, r = q * q / reference - x;
@@ -276,10 +276,10 @@ StatisticalVerdict test_whole(const Rendering& reference, const Rendering& test,
   double worst = -1;
   for (std::size_t channel = 0; channel < 3; ++channel) {
     const Weights weight(reference, test, channel);
-    const Mean of_reference = mean_of(reference, channel, weight), of_test = mean_of(test, channel, weight);
+    const Mean of_reference = weighted_mean(reference, channel, weight), of_test = weighted_mean(test, channel, weight);
     const Deviation d = deviation_of(of_test.value, of_reference.value, of_test.known, of_reference.known);
     if (d.expected != 0)
-      seen = std::max(seen.value_or(0), would_see(d, of_test.known, verdict.alpha, Agreement::power));
+      seen = std::max(seen.value_or(0), least_seen(d, of_test.known, verdict.alpha, Agreement::power));
     const double deviate = std::abs(d.deviate());
     if (deviate <= worst) continue;
     worst = verdict.observed = deviate;
@@ -311,7 +311,7 @@ Agreement test_agreement(const Rendering& reference, const Rendering& test, doub
                                             differences(reference, test, 2)};
   const double part = sidak(alpha, 3);
   Agreement agreement;
-  agreement.pixels = test_pixels(channels, reference, test, part);
+  agreement.pixels = test_all_pixels(channels, reference, test, part);
   agreement.blocks = test_blocks(channels, reference, part);
   agreement.whole = test_whole(reference, test, part, agreement.would_see);
   return agreement;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int most_tiles_a_side = 8;
 constexpr std::size_t most_images = 4;
-constexpr std::size_t most_named = 3;
+constexpr std::size_t most_shares_named = 3;
 constexpr double named_over_even = 2;
 constexpr int least_window = 11;  // pixels, of ssim
 
@@ -95,7 +95,8 @@ std::vector<FailingTile> largest_error_shares(const std::string& metric, const I
   for (const std::size_t i : order) {
     const double share = sum > 0 ? losses[i] / sum : 0;
     const bool stands_out = share * static_cast<double>(tiles.size()) > named_over_even;
-    if (share <= 0 || named.size() == most_named || (!named.empty() && (!stands_out || is_greatest(name)))) break;
+    if (share <= 0 || named.size() == most_shares_named || (!named.empty() && (!stands_out || is_greatest(name))))
+      break;
     const Block& tile = tiles[i];
     FailingTile out{tile.x0, tile.y0, tile.x1 - tile.x0, tile.y1 - tile.y0, share, {}};
     const std::string part =

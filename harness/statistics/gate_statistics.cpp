@@ -167,7 +167,7 @@ std::string pixel_text(const Deviations& d, const PixelTest& test) {
 }
 
 /// What could still hide: the relative deviation that would be seen with probability 1 - missed.
-double would_see(const Deviation& d, double tail, double scale) { return (d.margin(tail) + d.margin(missed)) / scale; }
+double sees_from(const Deviation& d, double tail, double scale) { return (d.margin(tail) + d.margin(missed)) / scale; }
 
 struct Power {
   double whole = 0, block = 0;
@@ -178,9 +178,9 @@ Power power_of(const Deviations& d, double whole_tail, double block_tail) {
   Power power;
   for (std::size_t c = 0; c < 3; ++c) {
     if (d.whole[c].expected == 0) continue;
-    power.whole = std::max(power.whole, would_see(d.whole[c], whole_tail, std::abs(d.whole[c].expected)));
+    power.whole = std::max(power.whole, sees_from(d.whole[c], whole_tail, std::abs(d.whole[c].expected)));
     for (std::size_t b = 0; b < d.places.size(); ++b) {
-      const double seen = would_see(d.blocks[c][b], block_tail, scale_of(d.blocks[c][b], d.whole[c]));
+      const double seen = sees_from(d.blocks[c][b], block_tail, scale_of(d.blocks[c][b], d.whole[c]));
       if (seen <= power.block) continue;
       power.block = seen;
       power.worst_block = b;

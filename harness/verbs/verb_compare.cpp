@@ -169,7 +169,7 @@ void compare_files(const CompareOptions& options, const std::vector<MetricBound>
   if (maps) comparison.heatmaps = maps->finish();
 }
 
-void print_text(const CompareOptions& options, const Comparison& comparison) {
+void print_comparison(const CompareOptions& options, const Comparison& comparison) {
   if (comparison.width > 0)
     std::printf("reference %s, test %s, %d x %d pixels\n", options.reference.c_str(), options.test.c_str(),
                 comparison.width, comparison.height);
@@ -198,7 +198,7 @@ nlohmann::ordered_json as_json(const StatisticalVerdict& verdict) {
           {"n", verdict.n},       {"alpha", verdict.alpha},       {"sentence", verdict.sentence}};
 }
 
-void print_json(const CompareOptions& options, const Comparison& comparison) {
+void print_comparison_json(const CompareOptions& options, const Comparison& comparison) {
   using json = nlohmann::ordered_json;
   json metrics = json::array();
   for (const Measurement& measured : comparison.measurements) {
@@ -264,7 +264,7 @@ int run_compare(CompareOptions options) {
     comparison.findings.push_back({Verdict::file_error, error.summary()});
     std::fprintf(stderr, "%s\n", error.summary().c_str());
   }
-  options.json ? print_json(options, comparison) : print_text(options, comparison);
+  options.json ? print_comparison_json(options, comparison) : print_comparison(options, comparison);
   return static_cast<int>(comparison.verdict());
 }
 

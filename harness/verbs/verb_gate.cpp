@@ -63,7 +63,7 @@ class ProgressLines : public GateObserver {
   bool terminal_ = isatty(STDERR_FILENO) != 0;
 };
 
-std::vector<fs::path> write_reports(const GateSummary& summary) {
+std::vector<fs::path> write_gate_reports(const GateSummary& summary) {
   const fs::path folder = summary.results_file.parent_path();
   const fs::path html = folder / "report.html", junit = folder / "junit.xml";
   write_html_report(summary.results, folder, html);
@@ -71,7 +71,7 @@ std::vector<fs::path> write_reports(const GateSummary& summary) {
   return {html, junit};
 }
 
-void print_json(const GateSummary& summary, const std::vector<fs::path>& reports) {
+void print_gates_json(const GateSummary& summary, const std::vector<fs::path>& reports) {
   nlohmann::ordered_json json = {{"results", summary.results_file.string()},
                                  {"reports", nlohmann::json::array()},
                                  {"pass", summary.count(GateVerdict::pass)},
@@ -96,7 +96,7 @@ void print_json(const GateSummary& summary, const std::vector<fs::path>& reports
   std::printf("%s\n", json_text(json).c_str());
 }
 
-void print_text(const GateSuite& suite, const GateSummary& summary, const std::vector<fs::path>& reports) {
+void print_gates(const GateSuite& suite, const GateSummary& summary, const std::vector<fs::path>& reports) {
   std::printf("%s: %zu pass, %zu fail, %zu inconclusive%s\n", suite.name.c_str(), summary.count(GateVerdict::pass),
               summary.count(GateVerdict::fail), summary.count(GateVerdict::inconclusive),
               summary.interrupted ? "; interrupted: --resume goes on from here" : "");
@@ -221,19 +221,19 @@ int accept(const GateArguments& arguments, const GateSuite& suite) {
   return 0;
 }
 
-int run(const GateArguments& arguments) {
+int run_gates(const GateArguments& arguments) {
   const GateSuite suite = read_gate_suite(arguments.suite);
   if (!arguments.accept.empty()) return accept(arguments, suite);
   if (!arguments.reason.empty()) throw InputError("--reason", "is for --accept");
   if (arguments.self_test) return self_test(arguments, suite);
   ProgressLines progress;
   const GateSummary summary = run_gates(suite, options_of(arguments, suite), progress);
-  const std::vector<fs::path> reports = arguments.report ? write_reports(summary) : std::vector<fs::path>{};
+  const std::vector<fs::path> reports = arguments.report ? write_gate_reports(summary) : std::vector<fs::path>{};
   const char* github = std::getenv("GITHUB_ACTIONS");
   if (arguments.json)
-    print_json(summary, reports);
+    print_gates_json(summary, reports);
   else
-    print_text(suite, summary, reports);
+    print_gates(suite, summary, reports);
   if (arguments.annotations || (!arguments.json && github != nullptr && std::string(github) == "true"))
     print_annotations(summary);
   return exit_code_of(summary);
@@ -283,7 +283,7 @@ void add_gate_verb(CLI::App& program, int& exit_code) {
   verb->add_option("--reason", arguments->reason, "why, for --accept; kept in the reference's provenance");
   verb->add_option("--standard-error", arguments->standard_error, "of what --accept renders (default: the old one's)")
       ->check(CLI::Range(1e-6, 1.0));
-  verb->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+  verb->callback([arguments, &exit_code] { exit_code = run_gates(*arguments); });
 }
 
 }  // namespace photonproof

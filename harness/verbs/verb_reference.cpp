@@ -220,7 +220,7 @@ void check_reason(const Job& job) {
     throw InputError(committed_reference_path(arguments.scene.path, job.width, job.height).string(), reason_is_missing);
 }
 
-int run(const ReferenceArguments& arguments) {
+int make_reference(const ReferenceArguments& arguments) {
   interrupt_flag();
   if (!arguments.output.empty() && fs::path(arguments.output).extension() != ".exr")
     throw InputError("--output", "'" + arguments.output + "' is not the name of an EXR, expected NAME.exr");
@@ -280,7 +280,7 @@ void add_reference_verb(CLI::App& program, int& exit_code) {
   verb->add_flag("--fresh", arguments->fresh, "begin anew instead of using what the cache has");
   verb->add_flag("--json", arguments->json, "print files and provenance as JSON");
   verb->add_flag("--quiet", arguments->quiet, "no progress line");
-  verb->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+  verb->callback([arguments, &exit_code] { exit_code = make_reference(*arguments); });
 }
 
 }  // namespace photonproof

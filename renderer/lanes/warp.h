@@ -8,6 +8,7 @@
 namespace photonproof {
 
 inline constexpr float pi = std::numbers::pi_v<float>;
+inline constexpr double pi_d = std::numbers::pi;
 
 /// Orthonormal frame around a unit normal (Duff et al. 2017, "Building an Orthonormal Basis, Revisited").
 template <class F>

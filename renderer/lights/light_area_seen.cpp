@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
+#include "renderer/lanes/warp.h"
 #include "renderer/lights/light_area.h"
 #include "renderer/lights/light_tree.h"
 #include "renderer/shapes/face_normal.h"
@@ -24,8 +24,6 @@ SeenPoint sample_as_light(const Shape& shape, const Vec3f& p, const Vec2<float>&
   const LightSample<float> s = as_light(shape).sample(p, u);
   return {{s.at.p, s.at.normal, shape.uv_at(s.at)}, s.wi, s.pdf};
 }
-
-constexpr double half_turn = std::numbers::pi;
 
 /// A cylinder's points by the angle about the axis from where p is, phi, and the height z above p, along the axis. Both
 /// are drawn by the angle that they are seen under: with rho the distance of p from the axis and
@@ -55,13 +53,13 @@ struct SeenCylinder {
     }
     stretch = (rho + radius) / std::max(std::abs(rho - radius), 1e-9 * radius);
     if (!outside) {
-      from = -half_turn / 2;
-      range = half_turn;
+      from = -pi_d / 2;
+      range = pi_d;
       return;
     }
     const double half = t_of(std::acos(radius / rho));
     from = s.sign > 0 ? -half : half;
-    range = s.sign > 0 ? 2 * half : half_turn - 2 * half;
+    range = s.sign > 0 ? 2 * half : pi_d - 2 * half;
   }
   double t_of(double phi) const { return std::atan(stretch * std::tan(phi / 2)); }
   double distance2(double cos_phi) const {

@@ -31,7 +31,7 @@ double half_surface(const LightBounds& b) {
   return d.x * d.y + d.y * d.z + d.z * d.x + 1e-3 * dot(d, d);
 }
 
-std::vector<std::optional<LightBounds>> bounds_of(const std::vector<Light>& lights) {
+std::vector<std::optional<LightBounds>> bounds_of_all(const std::vector<Light>& lights) {
   std::vector<std::optional<LightBounds>> all;
   for (const Light& light : lights) all.push_back(light_bounds(light));
   return all;
@@ -86,7 +86,7 @@ Split best_split(const Entry* first, const Entry* last, const Buckets& buckets) 
 
 }  // namespace
 
-LightTree::LightTree(const std::vector<Light>& lights) : LightTree(bounds_of(lights)) {}
+LightTree::LightTree(const std::vector<Light>& lights) : LightTree(bounds_of_all(lights)) {}
 
 LightTree::LightTree(const std::vector<std::optional<LightBounds>>& lights) : leaf_of_(lights.size(), no_index) {
   std::vector<Entry> entries;

@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "renderer/lanes/lane_trig.h"
+#include "renderer/lanes/warp.h"
 
 namespace photonproof {
 namespace {
-
-constexpr double pi_d = std::numbers::pi;
 
 double magnitude(const Rgb& rgb) { return (std::abs(double{rgb.x}) + std::abs(rgb.y) + std::abs(rgb.z)) / 3; }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "renderer/lanes/warp.h"
 #include "renderer/lights/sun_spectrum.h"
@@ -11,7 +10,6 @@
 namespace photonproof {
 namespace {
 
-constexpr double pi_d = std::numbers::pi;
 constexpr double real_aperture = 0.5358 * pi_d / 180;  // full angle of the sun
 
 double cone(double full_angle) {

@@ -25,14 +25,14 @@ struct Vertex {
 };
 
 /// What the draws of a history are for; light paths and camera paths have sequences of their own.
-namespace dimension {
+namespace bdpt_dimension {
 constexpr std::uint32_t in_pixel = 0, lens = 1;
 constexpr std::uint32_t light = 0, position = 1, direction = 2;
 constexpr std::uint32_t first_vertex = 4, of_vertex = 6;
 constexpr std::uint32_t segment = 0x80000000u;
 enum What : std::uint32_t { next, lobe, roulette, layer, end_choice, end_point };
 constexpr std::uint32_t at_vertex(std::uint32_t edges, What what) { return first_vertex + edges * of_vertex + what; }
-}  // namespace dimension
+}  // namespace bdpt_dimension
 
 class BidirectionalTracer : ScalarTracer {
  public:
@@ -50,8 +50,8 @@ class BidirectionalTracer : ScalarTracer {
  private:
   void trace_light_path(const Draws& draws, std::vector<Vertex>& path, ScalarWork& work) const {
     if (!within(2)) return;
-    const LightStart start =
-        lights_->emit(draws.one(dimension::light), draws.two(dimension::position), draws.two(dimension::direction));
+    const LightStart start = lights_->emit(draws.one(bdpt_dimension::light), draws.two(bdpt_dimension::position),
+                                           draws.two(bdpt_dimension::direction));
     // Along the lamp's own surface its density is 0, which rounding draws once in some ten million.
     if (!(max_component(start.flux) > 0 && start.pdfs.second > 0 && start.pdfs.first > 0)) return;
     Ray ray = world_.leave(lights_.end(start), start.direction);
@@ -79,8 +79,8 @@ class BidirectionalTracer : ScalarTracer {
 
   Rgb trace_camera_path(int x, int y, const Draws& draws, const std::vector<Vertex>& light_path,
                         ScalarWork& work) const {
-    const Vec2<float> u_lens = draws.two(dimension::lens);
-    std::optional<Ray> first = camera_.ray(x, y, draws, grid_, dimension::in_pixel, u_lens);
+    const Vec2<float> u_lens = draws.two(bdpt_dimension::lens);
+    std::optional<Ray> first = camera_.ray(x, y, draws, grid_, bdpt_dimension::in_pixel, u_lens);
     if (!first) return Rgb(0.0f);
     Ray& ray = *first;
     ++work.rays.camera;
@@ -114,8 +114,8 @@ class BidirectionalTracer : ScalarTracer {
 
   bool meet(Ray& ray, const Draws& draws, TransportMode mode, Vertex& v) const {
     v.back = -ray.direction;
-    return travel(world_, ray, v.around, draws.one(dimension::at_vertex(v.edges, dimension::layer)), mode, v.throughput,
-                  v.at);
+    return travel(world_, ray, v.around, draws.one(bdpt_dimension::at_vertex(v.edges, bdpt_dimension::layer)), mode,
+                  v.throughput, v.at);
   }
 
   /// Where a ray meets a surface edge-on, or where it starts, no density per area exists. Such rays have no share of
@@ -129,7 +129,7 @@ class BidirectionalTracer : ScalarTracer {
     if (!world_.has_media_or_bodies()) return Rgb(world_.visible(end_at(v.at), to) ? 1.0f : 0.0f);
     Surroundings around = v.around;
     around.leave(world_, v.at, v.back, to.p - v.at.p);
-    return transmittance(world_, end_at(v.at), to, around, false, draws, dimension::segment);
+    return transmittance(world_, end_at(v.at), to, around, false, draws, bdpt_dimension::segment);
   }
 
   /// Density with which a light path goes on from the vertex as a camera path came.
@@ -140,8 +140,8 @@ class BidirectionalTracer : ScalarTracer {
   /// Draws the next direction and plays roulette; false where the subpath ends. `full` is the throughput that roulette
   /// compares with.
   bool go_on(Vertex& v, const Draws& draws, TransportMode mode, float full, Ray& ray) const {
-    const Scattered next = scatter(v.at, v.back, draws.one(dimension::at_vertex(v.edges, dimension::lobe)),
-                                   draws.two(dimension::at_vertex(v.edges, dimension::next)), mode);
+    const Scattered next = scatter(v.at, v.back, draws.one(bdpt_dimension::at_vertex(v.edges, bdpt_dimension::lobe)),
+                                   draws.two(bdpt_dimension::at_vertex(v.edges, bdpt_dimension::next)), mode);
     if (!next.valid) return false;
     const bool from_light = mode == TransportMode::importance;
     const float cos_out = cosine(v.at.ng, next.wi);
@@ -158,7 +158,7 @@ class BidirectionalTracer : ScalarTracer {
       const float weight = max_component(v.throughput) * v.refraction_scale / full;
       const float q =
           from_light ? std::min(light_goes_on, weight) : survival_probability(weight, v.edges, limits_.rr_depth);
-      if (draws.one(dimension::at_vertex(v.edges, dimension::roulette)) >= q) return false;
+      if (draws.one(bdpt_dimension::at_vertex(v.edges, bdpt_dimension::roulette)) >= q) return false;
       v.throughput *= 1 / q;
     }
     if (world_.has_media_or_bodies()) v.around.leave(world_, v.at, v.back, next.wi);
@@ -219,8 +219,9 @@ class BidirectionalTracer : ScalarTracer {
 
   /// s = 1: a light's point drawn for this vertex.
   Rgb join_light(const Vertex& v, const Draws& draws, ScalarWork& work) const {
-    const LightSeen seen = lights_->sample(v.at.p, draws.one(dimension::at_vertex(v.edges, dimension::end_choice)),
-                                           draws.two(dimension::at_vertex(v.edges, dimension::end_point)));
+    const LightSeen seen =
+        lights_->sample(v.at.p, draws.one(bdpt_dimension::at_vertex(v.edges, bdpt_dimension::end_choice)),
+                        draws.two(bdpt_dimension::at_vertex(v.edges, bdpt_dimension::end_point)));
     if (!(seen.pdf > 0)) return Rgb(0.0f);
     const Rgb f = evaluate(v.at, v.back, seen.wi, TransportMode::radiance);
     const Rgb value = v.throughput * f * seen.radiance * (1 / seen.pdf);
@@ -246,7 +247,7 @@ class BidirectionalTracer : ScalarTracer {
   /// t = 1: the light vertex as the camera sees it.
   void join_lens(const Vertex& v, const Draws& draws, ScalarWork& work) const {
     const std::optional<CameraSeen> seen =
-        camera_.connect(v.at.p, draws.two(dimension::at_vertex(v.edges, dimension::end_point)));
+        camera_.connect(v.at.p, draws.two(bdpt_dimension::at_vertex(v.edges, bdpt_dimension::end_point)));
     if (!seen) return;
     Interaction other;
     const Interaction& at = world_.seen_from(v.at, seen->wi, other);

@@ -16,7 +16,7 @@ namespace photonproof {
 namespace {
 
 /// What the draws of a history are for.
-namespace dimension {
+namespace ptracer_dimension {
 constexpr std::uint32_t light = 0, position = 1, direction = 2, seen_light = 3, seen_position = 4, seen_lens = 5;
 constexpr std::uint32_t segment = 0x80000000u;
 constexpr std::uint32_t in_pixel = 0, lens = 1, layer = 2;  // of the camera's ray, which has a sequence of its own
@@ -24,7 +24,7 @@ constexpr std::uint32_t first_vertex = 8, of_vertex = 5;    // from there: lens,
 constexpr std::uint32_t at_vertex(std::uint32_t vertex, std::uint32_t what) {
   return first_vertex + vertex * of_vertex + what;
 }
-}  // namespace dimension
+}  // namespace ptracer_dimension
 
 class ParticleTracer : ScalarTracer {
  public:
@@ -34,8 +34,8 @@ class ParticleTracer : ScalarTracer {
   void trace(const Draws& draws, ScalarWork& work) const {
     if (lights_->count() == 0) return;
     if (!limits_.hide_emitters) show_light(draws, work);
-    const LightStart start =
-        lights_->emit(draws.one(dimension::light), draws.two(dimension::position), draws.two(dimension::direction));
+    const LightStart start = lights_->emit(draws.one(ptracer_dimension::light), draws.two(ptracer_dimension::position),
+                                           draws.two(ptracer_dimension::direction));
     Rgb throughput = start.flux * arriving_from_infinity(world_, start.is_infinite, outer_);
     if (!(max_component(throughput) > 0)) return;
     const Rgb first_throughput = throughput;
@@ -44,7 +44,7 @@ class ParticleTracer : ScalarTracer {
     ++work.rays.photon;
     // `edges` from the light to the vertex; the one to the camera comes on top.
     for (std::uint32_t edges = 1; within(edges + 1); ++edges) {
-      const auto draw = [&](std::uint32_t what) { return dimension::at_vertex(edges, what); };
+      const auto draw = [&](std::uint32_t what) { return ptracer_dimension::at_vertex(edges, what); };
       Interaction at;
       if (!travel(world_, ray, around, draws.one(draw(4)), TransportMode::importance, throughput, at)) return;
       const Vec3f to_light = -ray.direction;
@@ -69,13 +69,14 @@ class ParticleTracer : ScalarTracer {
   /// What the camera sees of the environment itself.
   Rgb environment(int x, int y, const Draws& draws, ScalarWork& work) const {
     if (!lights_->environment() || limits_.hide_emitters || !within(1)) return Rgb(0.0f);
-    std::optional<Ray> ray = camera_.ray(x, y, draws, 0, dimension::in_pixel, draws.two(dimension::lens));
+    std::optional<Ray> ray =
+        camera_.ray(x, y, draws, 0, ptracer_dimension::in_pixel, draws.two(ptracer_dimension::lens));
     if (!ray) return Rgb(0.0f);
     ++work.rays.camera;
     Rgb throughput(1.0f);
     Surroundings around = around_camera_;
     Interaction at;
-    if (travel(world_, *ray, around, draws.one(dimension::layer), TransportMode::radiance, throughput, at))
+    if (travel(world_, *ray, around, draws.one(ptracer_dimension::layer), TransportMode::radiance, throughput, at))
       return Rgb(0.0f);
     return throughput * lights_->environment_radiance(ray->direction);
   }
@@ -94,10 +95,11 @@ class ParticleTracer : ScalarTracer {
 
   /// The light itself, by a point of its own.
   void show_light(const Draws& draws, ScalarWork& work) const {
-    const LightStart start = lights_->emit(draws.one(dimension::seen_light), draws.two(dimension::seen_position),
-                                           draws.two(dimension::direction));
+    const LightStart start =
+        lights_->emit(draws.one(ptracer_dimension::seen_light), draws.two(ptracer_dimension::seen_position),
+                      draws.two(ptracer_dimension::direction));
     if (start.is_delta || start.is_infinite || !(start.pdfs.first > 0)) return;
-    const std::optional<CameraSeen> seen = camera_.connect(start.at.p, draws.two(dimension::seen_lens));
+    const std::optional<CameraSeen> seen = camera_.connect(start.at.p, draws.two(ptracer_dimension::seen_lens));
     if (!seen) return;
     const Rgb emitted = lights_->radiance(start.light, start.at, seen->wi);
     add(emitted * (cosine(start.at.normal, seen->wi) * seen->density / start.pdfs.first), lights_.end(start), *seen,
@@ -108,7 +110,7 @@ class ParticleTracer : ScalarTracer {
            const Draws& draws, ScalarWork& work) const {
     if (!(max_component(value) > 0)) return;
     ++work.rays.shadow;
-    const Rgb arrives = value * transmittance(world_, from, seen.end, around, false, draws, dimension::segment);
+    const Rgb arrives = value * transmittance(world_, from, seen.end, around, false, draws, ptracer_dimension::segment);
     if (max_component(arrives) > 0) work.splats.push_back({seen.raster, arrives});
   }
 };

@@ -15,13 +15,13 @@ namespace photonproof {
 namespace {
 
 /// What the draws are for. A history's steps are its straight pieces; a light's segment has its own, far beyond.
-namespace dimension {
+namespace volpath_dimension {
 constexpr std::uint32_t in_pixel = 0, lens = 1;
 constexpr std::uint32_t first_step = 4, of_step = 9;
 enum What : std::uint32_t { layer, channel, distance, light_choice, light_point, lobe, direction, roulette };
 constexpr std::uint32_t at_step(std::uint32_t step, What what) { return first_step + step * of_step + what; }
 constexpr std::uint32_t segment(std::uint32_t step) { return 0x80000000u + step * 1024u; }
-}  // namespace dimension
+}  // namespace volpath_dimension
 
 float power_heuristic(float pdf, float other) {
   const float ratio = other / pdf;
@@ -34,7 +34,8 @@ class VolumetricTracer : ScalarTracer {
       : ScalarTracer(scene, limits, std::int64_t{scene.width} * scene.height), grid_(grid) {}
 
   Rgb sample(int x, int y, const Draws& draws, ScalarWork& work) const {
-    const std::optional<Ray> first = camera_.ray(x, y, draws, grid_, dimension::in_pixel, draws.two(dimension::lens));
+    const std::optional<Ray> first =
+        camera_.ray(x, y, draws, grid_, volpath_dimension::in_pixel, draws.two(volpath_dimension::lens));
     if (!first) return Rgb(0.0f);
     History h;
     h.ray = *first;
@@ -42,9 +43,9 @@ class VolumetricTracer : ScalarTracer {
     ++work.rays.camera;
     for (std::uint32_t step = 0;; ++step) {
       Interaction at;
-      const bool met =
-          world_.intersect(h.ray, draws.one(dimension::at_step(step, dimension::layer)), TransportMode::radiance, at) &&
-          !(step == 0 && camera_.beyond_far_plane(at.p));
+      const bool met = world_.intersect(h.ray, draws.one(volpath_dimension::at_step(step, volpath_dimension::layer)),
+                                        TransportMode::radiance, at) &&
+                       !(step == 0 && camera_.beyond_far_plane(at.p));
       const float distance = met ? h.ray.way_to(at.p) : world_.far_away();
       const std::optional<float> scattered = cross_medium(h, distance, met, step, draws);
       if (!(max_component(h.throughput) > 0)) return h.radiance;
@@ -78,8 +79,8 @@ class VolumetricTracer : ScalarTracer {
       return std::nullopt;
     }
     const FreeFlight flight =
-        fly(medium, h.throughput, distance, draws.one(dimension::at_step(step, dimension::channel)),
-            draws.one(dimension::at_step(step, dimension::distance)));
+        fly(medium, h.throughput, distance, draws.one(volpath_dimension::at_step(step, volpath_dimension::channel)),
+            draws.one(volpath_dimension::at_step(step, volpath_dimension::distance)));
     h.throughput *= flight.weight;
     return flight.scattered;
   }
@@ -95,9 +96,10 @@ class VolumetricTracer : ScalarTracer {
       ++work.rays.shadow;
       h.radiance +=
           h.throughput * seen.radiance * (f * weight / seen.pdf) *
-          transmittance(world_, {p}, lights_.end(seen), h.surroundings, true, draws, dimension::segment(step));
+          transmittance(world_, {p}, lights_.end(seen), h.surroundings, true, draws, volpath_dimension::segment(step));
     }
-    const Vec3f wi = phase.sample(h.ray.direction, draws.two(dimension::at_step(step, dimension::direction)));
+    const Vec3f wi =
+        phase.sample(h.ray.direction, draws.two(volpath_dimension::at_step(step, volpath_dimension::direction)));
     h.pdf = phase.eval(h.ray.direction, wi);
     h.scattered_at = p;
     h.ray = {p, wi};
@@ -116,8 +118,9 @@ class VolumetricTracer : ScalarTracer {
     }
     Surroundings::refract_as(crossing, at);
     if (has_smooth(at.bsdf) && within(h.depth + 2)) add_direct_light(h, at, wo, step, draws, work);
-    const Scattered next = scatter(at, wo, draws.one(dimension::at_step(step, dimension::lobe)),
-                                   draws.two(dimension::at_step(step, dimension::direction)), TransportMode::radiance);
+    const Scattered next =
+        scatter(at, wo, draws.one(volpath_dimension::at_step(step, volpath_dimension::lobe)),
+                draws.two(volpath_dimension::at_step(step, volpath_dimension::direction)), TransportMode::radiance);
     if (!next.valid) return false;
     h.throughput *= next.weight;
     h.refraction_scale *= next.eta * next.eta;
@@ -149,8 +152,8 @@ class VolumetricTracer : ScalarTracer {
   }
 
   LightSeen light_seen(const Vec3f& p, std::uint32_t step, const Draws& draws) const {
-    return lights_->sample(p, draws.one(dimension::at_step(step, dimension::light_choice)),
-                           draws.two(dimension::at_step(step, dimension::light_point)));
+    return lights_->sample(p, draws.one(volpath_dimension::at_step(step, volpath_dimension::light_choice)),
+                           draws.two(volpath_dimension::at_step(step, volpath_dimension::light_point)));
   }
 
   void add_direct_light(History& h, const Interaction& at, const Vec3f& wo, std::uint32_t step, const Draws& draws,
@@ -164,8 +167,9 @@ class VolumetricTracer : ScalarTracer {
     Surroundings outward = h.surroundings;
     outward.leave(world_, at, wo, seen.wi);
     ++work.rays.shadow;
-    h.radiance += h.throughput * f * seen.radiance * (weight / seen.pdf) *
-                  transmittance(world_, end_at(at), lights_.end(seen), outward, true, draws, dimension::segment(step));
+    h.radiance +=
+        h.throughput * f * seen.radiance * (weight / seen.pdf) *
+        transmittance(world_, end_at(at), lights_.end(seen), outward, true, draws, volpath_dimension::segment(step));
   }
 
   /// Russian roulette from rr_depth on, with the largest channel.
@@ -173,7 +177,7 @@ class VolumetricTracer : ScalarTracer {
     if (!(max_component(h.throughput) > 0)) return false;
     if (h.depth < static_cast<std::uint32_t>(limits_.rr_depth)) return true;
     const float q = survival_probability(max_component(h.throughput) * h.refraction_scale, h.depth, limits_.rr_depth);
-    if (draws.one(dimension::at_step(step, dimension::roulette)) >= q) return false;
+    if (draws.one(volpath_dimension::at_step(step, volpath_dimension::roulette)) >= q) return false;
     h.throughput *= 1 / q;
     return true;
   }

@@ -16,9 +16,9 @@ namespace {
 constexpr float faint = 1.0f / 1024;
 constexpr int deepest = 64;  ///< of unlimited branches: two facing mirrors of reflectance 1 never get faint
 
-namespace dimension {
+namespace whitted_dimension {
 constexpr std::uint32_t in_pixel = 0, lens = 1, first_hit = 2;
-}  // namespace dimension
+}  // namespace whitted_dimension
 
 class WhittedTracer : ScalarTracer {
  public:
@@ -28,10 +28,11 @@ class WhittedTracer : ScalarTracer {
   }
 
   Rgb sample(int x, int y, const Draws& draws, ScalarWork& work) const {
-    const std::optional<Ray> first = camera_.ray(x, y, draws, grid_, dimension::in_pixel, draws.two(dimension::lens));
+    const std::optional<Ray> first =
+        camera_.ray(x, y, draws, grid_, whitted_dimension::in_pixel, draws.two(whitted_dimension::lens));
     if (!first) return Rgb(0.0f);
     ++work.rays.camera;
-    std::uint32_t dimension = dimension::first_hit;
+    std::uint32_t dimension = whitted_dimension::first_hit;
     return follow(*first, Rgb(1.0f), 1, draws, dimension, work);
   }
 

@@ -79,7 +79,7 @@ void add_mesh(Nearest& nearest, const TriangleMesh& mesh, const Transform& to_wo
   }
 }
 
-void add_ball(Nearest& nearest, const Vec3d& center, double radius) {
+void add_nearest_of_ball(Nearest& nearest, const Vec3d& center, double radius) {
   const Vec3d to_point = nearest.to - center;
   const double distance = length(to_point);
   nearest.add(center + (distance > 0 ? to_point * (radius / distance) : Vec3d{radius, 0, 0}));
@@ -93,13 +93,14 @@ void add_plane(Nearest& nearest, const Transform& to_world) {
 void add_cylinder(Nearest& nearest, const CylinderDescription& cylinder, const Transform& to_world) {
   const Vec3d base = to_world.point(cylinder.p0), along = to_world.point(cylinder.p1) - base;
   const double share = std::clamp(dot(nearest.to - base, along) / dot(along, along), 0.0, 1.0);
-  add_ball(nearest, base + along * share, cylinder.radius * to_world.similarity_scale());
+  add_nearest_of_ball(nearest, base + along * share, cylinder.radius * to_world.similarity_scale());
 }
 
 void add_shape(Nearest& nearest, const SceneDescription& scene, const ShapeDescription& shape,
                const Transform& to_world) {
   std::visit(Overloaded{[&](const SphereDescription& sphere) {
-                          add_ball(nearest, to_world.point(sphere.center), sphere.radius * to_world.similarity_scale());
+                          add_nearest_of_ball(nearest, to_world.point(sphere.center),
+                                              sphere.radius * to_world.similarity_scale());
                         },
                         [&](const CylinderDescription& cylinder) { add_cylinder(nearest, cylinder, to_world); },
                         [&](const RectangleDescription&) { add_box(nearest, to_world, false); },

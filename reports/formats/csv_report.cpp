@@ -62,7 +62,7 @@ std::optional<Estimate> estimate(const std::optional<T>& value) {
   return value ? std::optional(Estimate{static_cast<double>(*value), {}}) : std::nullopt;
 }
 
-void add_cell(Table& table, const Result& result) {
+void add_cell_rows(Table& table, const Result& result) {
   const Cell& cell = result.cell;
   const Subject subject{"cell",
                         "",
@@ -90,7 +90,7 @@ void add_or_why(Table& table, Subject subject, const std::string& quantity, cons
   table.add(subject, quantity, estimate);
 }
 
-void add_curve(Table& table, const Convergence& curve) {
+void add_curve_rows(Table& table, const Convergence& curve) {
   Subject subject{"curve", "", curve.scene, curve.engine, "", "", "", "", ""};
   for (const CurvePoint& point : curve.points) {
     subject.budget_kind = point.budget.kind;
@@ -113,7 +113,7 @@ void add_curve(Table& table, const Convergence& curve) {
   add_or_why(table, subject, "seconds_to_target", curve.seconds_to_target, curve.undefined);
 }
 
-void add_gate(Table& table, const GateRecord& gate) {
+void add_gate_rows(Table& table, const GateRecord& gate) {
   const Subject subject{"gate", gate.name, gate.scene, gate.engine, "", "", "", to_string(gate.verdict), gate.sentence};
   table.add(subject, gate.metric, gate.observed);
   table.add_if(subject, "bound", estimate(gate.bound));
@@ -125,9 +125,9 @@ void add_gate(Table& table, const GateRecord& gate) {
 
 void write_csv_report(const Results& results, const std::filesystem::path&, const std::filesystem::path& out) {
   Table table;
-  for (const Result& result : results.results) add_cell(table, result);
-  for (const Convergence& curve : results.convergence) add_curve(table, curve);
-  for (const GateRecord& gate : results.gates) add_gate(table, gate);
+  for (const Result& result : results.results) add_cell_rows(table, result);
+  for (const Convergence& curve : results.convergence) add_curve_rows(table, curve);
+  for (const GateRecord& gate : results.gates) add_gate_rows(table, gate);
   for (const ChangeRecord& change : results.changes) {
     table.add({"change", "", change.scene, change.engine, change.budget.kind, change.budget.amount_text(), "",
                to_string(change.change), change.sentence},

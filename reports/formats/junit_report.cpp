@@ -79,7 +79,7 @@ class Suite {
   pugi::xml_node node_, properties_;
 };
 
-void add_gate(Suite& suite, const GateRecord& gate) {
+void add_gate_case(Suite& suite, const GateRecord& gate) {
   const bool no_images = gate.status && *gate.status != Status::bad_image;  // which is one, and a wrong one
   const char* outcome = gate.verdict == GateVerdict::fail && no_images ? "error"
                         : gate.verdict == GateVerdict::fail            ? "failure"
@@ -111,7 +111,7 @@ void add_change(Suite& suite, const ChangeRecord& change) {
   suite.add_case(name, change.scene + "." + change.engine, 0, outcome, to_string(change.change), change.sentence, "");
 }
 
-void add_cell(Suite& suite, const Result& result) {
+void add_cell_case(Suite& suite, const Result& result) {
   const char* outcome = result.status == Status::ok ? "" : result.status == Status::unsupported ? "skipped" : "error";
   const std::string name = fmt::format("{} seed {}", result.cell.budget.label(), result.cell.seed);
   for (const MetricValue& metric : result.metrics) {
@@ -132,12 +132,12 @@ void write_junit_report(const Results& results, const std::filesystem::path&, co
   Tally total;
   for (const SceneView& scene : view.scenes) {
     Suite suite(root, scene.record.name);
-    for (const GateRecord* gate : scene.gates) add_gate(suite, *gate);
+    for (const GateRecord* gate : scene.gates) add_gate_case(suite, *gate);
     for (const ChangeRecord* change : view.changes) {
       if (change->scene == scene.record.name) add_change(suite, *change);
     }
     for (const EngineOutcome& outcome : scene.engines) {
-      for (const Result* cell : outcome.cells) add_cell(suite, *cell);
+      for (const Result* cell : outcome.cells) add_cell_case(suite, *cell);
     }
     suite.finish();
     total.tests += suite.tally.tests;

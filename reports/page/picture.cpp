@@ -50,7 +50,7 @@ void read_png_header(File& file, const std::string& name) {
   file.height = static_cast<int>(height);
 }
 
-File load(const fs::path& folder, const std::string& relative) {
+File read_picture(const fs::path& folder, const std::string& relative) {
   const ResultsFile found = results_file(folder, relative);
   File file{found.path, {}, 0, 0, found.problem};
   if (!file.problem.empty()) return file;
@@ -71,7 +71,7 @@ EmbeddedPicture embed(const File& file) {
 }  // namespace
 
 EmbeddedPicture embed_thumbnail(const fs::path& folder, const std::string& relative, int longest_side) {
-  File file = load(folder, relative);
+  File file = read_picture(folder, relative);
   const int side = std::max(file.width, file.height);
   if (!file.problem.empty() || side <= longest_side) return embed(file);
   try {

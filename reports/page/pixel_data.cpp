@@ -97,16 +97,16 @@ PixelDataSet pixel_data(const std::filesystem::path& folder, const std::vector<P
     set.reduced_by = factor;
     std::size_t bytes = 0;
     for (const Loaded& each : loaded) {
-      PixelData& data = set.images.emplace_back();
-      data.problem = each.problem;
+      PixelData& pixels = set.images.emplace_back();
+      pixels.problem = each.problem;
       if (!each.image) continue;
-      data.width = each.image->width;
-      data.height = each.image->height;
-      data.from_picture = each.from_picture;
+      pixels.width = each.image->width;
+      pixels.height = each.image->height;
+      pixels.from_picture = each.from_picture;
       const auto reduced = [&](const Image& image) { return factor == 1 ? image : reduced_image(image, factor); };
-      data.base64 = base64(packed_pixels(reduced(*each.image)));
-      if (each.flip) data.flip_base64 = base64(packed_flip(reduced(*each.flip)));
-      bytes += data.base64.size() + data.flip_base64.size();
+      pixels.base64 = base64(packed_pixels(reduced(*each.image)));
+      if (each.flip) pixels.flip_base64 = base64(packed_flip(reduced(*each.flip)));
+      bytes += pixels.base64.size() + pixels.flip_base64.size();
     }
     if (bytes <= allowance || factor >= longest) return set;
     // Averages of k x k pixels hold less noise, but take more than half of bytes/k²: smaller factors are not tried.

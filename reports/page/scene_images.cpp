@@ -57,7 +57,7 @@ SceneImage gate_image(const View& view, const GateRecord& gate) {
   return image;
 }
 
-std::string file_of(const GateRecord& gate) {
+std::string picture_of_gate(const GateRecord& gate) {
   if (!gate.image.empty()) return gate.image;
   const auto found = gate.pictures.find("image");
   return found == gate.pictures.end() ? std::string() : found->second;
@@ -73,7 +73,7 @@ std::vector<SceneImage> scene_images(const View& view, const SceneView& scene) {
   }
   std::vector<std::string> files;
   for (const GateRecord* gate : scene.gates) {
-    const std::string file = file_of(*gate);
+    const std::string file = picture_of_gate(*gate);
     if (file.empty() || std::ranges::find(files, file) != files.end()) continue;
     files.push_back(file);
     images.push_back(gate_image(view, *gate));
@@ -87,8 +87,9 @@ std::optional<std::size_t> image_of_gate(const std::vector<SceneImage>& images, 
     const auto found = std::ranges::find_if(images, matches);
     return found == images.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - images.begin()));
   };
-  if (!file_of(gate).empty()) {
-    return index([&](const SceneImage& image) { return image.gate && file_of(*image.gate) == file_of(gate); });
+  if (!picture_of_gate(gate).empty()) {
+    return index(
+        [&](const SceneImage& image) { return image.gate && picture_of_gate(*image.gate) == picture_of_gate(gate); });
   }
   return index([&](const SceneImage& image) { return image.engine == engine_index(view, gate.engine); });
 }

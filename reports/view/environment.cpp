@@ -7,7 +7,7 @@
 namespace photonproof::reports {
 namespace {
 
-void append(std::string& list, const std::string& item) {
+void append_known(std::string& list, const std::string& item) {
   if (!item.empty()) list += (list.empty() ? "" : ", ") + item;
 }
 
@@ -15,18 +15,18 @@ void append(std::string& list, const std::string& item) {
 
 std::string host_text(const Host& host) {
   std::string text;
-  append(text, host.cpu);
-  if (host.cores > 0) append(text, fmt::format("{} core{}", host.cores, host.cores == 1 ? "" : "s"));
-  if (host.memory_bytes > 0) append(text, gibibytes(host.memory_bytes) + " GiB");
-  append(text, host.os);
-  append(text, host.kernel);
+  append_known(text, host.cpu);
+  if (host.cores > 0) append_known(text, fmt::format("{} core{}", host.cores, host.cores == 1 ? "" : "s"));
+  if (host.memory_bytes > 0) append_known(text, gibibytes(host.memory_bytes) + " GiB");
+  append_known(text, host.os);
+  append_known(text, host.kernel);
   return text.empty() ? undefined_number : text;
 }
 
 std::string versions_text(const std::map<std::string, std::string>& versions) {
   std::string text;
   for (const auto& [name, version] : versions)
-    append(text, version.starts_with(name + " ") ? version : name + " " + version);
+    append_known(text, version.starts_with(name + " ") ? version : name + " " + version);
   return text.empty() ? undefined_number : text;
 }
 

@@ -12,7 +12,7 @@ struct Row {
 /// Solids" (1985), the files data/ior/*.spd of Mitsuba, reduced to linear RGB as rgb_of_spectrum does an emission: the
 /// numbers that Bitterli's Tungsten renderer publishes (src/core/bsdfs/ComplexIorData.hpp), components below 0 set to
 /// 0. spectrum_test.cpp repeats the reduction for gold. AlSb is left out: its data miss the red end of the spectrum.
-const Row kTable[] = {
+const Row kConductors[] = {
     {"a-C", {{2.9441, 2.22715, 1.968167}, {0.8874329, 0.7993216, 0.8152863}}},
     {"Ag", {{0.1552646, 0.1167233, 0.1383807}, {4.828343, 3.122246, 2.14695}}},
     {"Al", {{1.65746, 0.880369, 0.5212287}, {9.223869, 6.269523, 4.837001}}},
@@ -87,14 +87,14 @@ const Row kTable[] = {
 }  // namespace
 
 std::optional<ComplexIor> conductor_named(const std::string& material) {
-  for (const Row& row : kTable)
+  for (const Row& row : kConductors)
     if (material == row.name) return row.ior;
   return std::nullopt;
 }
 
 std::vector<std::string> conductor_names() {
   std::vector<std::string> names;
-  for (const Row& row : kTable) names.emplace_back(row.name);
+  for (const Row& row : kConductors) names.emplace_back(row.name);
   return names;
 }
 

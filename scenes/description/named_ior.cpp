@@ -7,7 +7,7 @@ namespace photonproof {
 namespace {
 
 /// Mitsuba's names for indices of refraction (its manual, table "ior-table-list"; after Hecht, Optics).
-constexpr std::array<std::pair<const char*, double>, 23> kTable = {
+constexpr std::array<std::pair<const char*, double>, 23> kIors = {
     {{"vacuum", 1.0},      {"helium", 1.000036},        {"hydrogen", 1.000132},
      {"air", 1.000277},    {"carbon dioxide", 1.00045}, {"water", 1.3330},
      {"acetone", 1.36},    {"ethanol", 1.361},          {"carbon tetrachloride", 1.461},
@@ -20,14 +20,14 @@ constexpr std::array<std::pair<const char*, double>, 23> kTable = {
 }  // namespace
 
 std::optional<double> ior_named(const std::string& material) {
-  for (const auto& [name, ior] : kTable)
+  for (const auto& [name, ior] : kIors)
     if (material == name) return ior;
   return std::nullopt;
 }
 
 std::vector<std::string> ior_names() {
   std::vector<std::string> names;
-  for (const auto& [name, ior] : kTable) names.emplace_back(name);
+  for (const auto& [name, ior] : kIors) names.emplace_back(name);
   return names;
 }
 

@@ -102,7 +102,7 @@ const char* const kLakeAndSky = R"(  <!-- The lake, normal +y. -->
 
 )";
 
-const char* const kLight = R"(  <shape type="rectangle" id="light">
+const char* const kSkylight = R"(  <shape type="rectangle" id="light">
     <transform name="to_world">
       <scale value="5"/>
       <lookat origin="-14, 20, 8" target="0, 0, -2" up="0, 1, 0"/>
@@ -122,7 +122,7 @@ std::string scene_text(const MillionPlan& plan) {
          R"( triangles, made by `photonproof generate million`: mountains behind
      hills, rocks on them, a lake, and one large light high above on the left. -->
 )" + kView +
-         kLand + kLakeAndSky + kLight;
+         kLand + kLakeAndSky + kSkylight;
 }
 
 std::string expect_text(const MillionPlan& plan) {

@@ -14,7 +14,7 @@ std::string first_line(std::string message) {
 }
 
 /// False for what describes the file rather than the rendering in it.
-bool is_metadata(const std::string& name) { return !name.starts_with("oiio:") && name != "DateTime"; }
+bool is_of_the_file(const std::string& name) { return !name.starts_with("oiio:") && name != "DateTime"; }
 
 class OpenImageIoFile : public ImageFile {
  public:
@@ -40,7 +40,7 @@ class OpenImageIoFile : public ImageFile {
       throw InputError(path, std::string("samples are ") + spec_.format.c_str() + ", expected float or 8- or 16-bit");
     header_.rows_together = spec_.tile_height;
     for (const auto& attribute : spec_.extra_attribs)
-      if (attribute.type() == OIIO::TypeString && is_metadata(attribute.name().string()))
+      if (attribute.type() == OIIO::TypeString && is_of_the_file(attribute.name().string()))
         header_.metadata[attribute.name().string()] = attribute.get_string();
   }
 

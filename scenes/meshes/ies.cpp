@@ -13,9 +13,9 @@ namespace {
 
 constexpr std::int64_t kMaxAngles = 10'000;
 
-class Reader {
+class IesReader {
  public:
-  Reader(std::string_view text, const std::string& file) : text_(text), file_(file) {}
+  IesReader(std::string_view text, const std::string& file) : text_(text), file_(file) {}
 
   IesProfile run() {
     skip_keywords();
@@ -136,6 +136,6 @@ class Reader {
 
 IesProfile read_ies(const std::string& path) { return parse_ies(read_file(path, kMaxIesBytes), path); }
 
-IesProfile parse_ies(std::string_view text, const std::string& file) { return Reader(text, file).run(); }
+IesProfile parse_ies(std::string_view text, const std::string& file) { return IesReader(text, file).run(); }
 
 }  // namespace photonproof

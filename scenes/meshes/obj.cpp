@@ -21,9 +21,9 @@ constexpr std::uint32_t kNone = 0xFFFFFFFF;
 /// Indices of a position, a texture coordinate and a normal; the last two may be kNone.
 using Corner = std::array<std::uint32_t, 3>;
 
-class Reader {
+class ObjReader {
  public:
-  Reader(std::string_view text, const std::string& file) : text_(text), file_(file) {}
+  ObjReader(std::string_view text, const std::string& file) : text_(text), file_(file) {}
 
   TriangleMesh run() {
     while (next_ < text_.size()) {
@@ -187,6 +187,6 @@ class Reader {
 
 TriangleMesh read_obj(const std::string& path) { return parse_obj(read_file(path, kMaxObjBytes), path); }
 
-TriangleMesh parse_obj(std::string_view text, const std::string& file) { return Reader(text, file).run(); }
+TriangleMesh parse_obj(std::string_view text, const std::string& file) { return ObjReader(text, file).run(); }
 
 }  // namespace photonproof

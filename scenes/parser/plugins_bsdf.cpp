@@ -46,7 +46,7 @@ bool is_plain(const BsdfModel& model) {
       []<class Model>(const Model&) { return LeafBsdf<Model> && !std::is_same_v<Model, LayeredDescription>; }, model);
 }
 
-struct Complete {
+struct CompleteBsdf {
   Params& params;
 
   void operator()(TwoSidedDescription& d) const {
@@ -73,7 +73,7 @@ struct Complete {
 }  // namespace
 
 BsdfDescription read_bsdf(SceneObjects& objects, const Element& element) {
-  static const std::vector<Plugin<BsdfModel>> table = described_plugins<BsdfModel, Complete>();
+  static const std::vector<Plugin<BsdfModel>> table = described_plugins<BsdfModel, CompleteBsdf>();
   return {objects.sources().loc(element.at), id_of(element), build_plugin(objects, element, table)};
 }
 

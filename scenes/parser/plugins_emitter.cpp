@@ -7,7 +7,7 @@ namespace {
 
 using Light = decltype(EmitterDescription::light);
 
-struct Complete {
+struct CompleteEmitter {
   Params& params;
 
   void operator()(AreaEmitter&) const {}
@@ -45,7 +45,7 @@ struct Complete {
 };
 
 const std::vector<Plugin<Light>>& scene_table() {
-  static const std::vector<Plugin<Light>> rows = described_plugins<Light, Complete>();
+  static const std::vector<Plugin<Light>> rows = described_plugins<Light, CompleteEmitter>();
   return rows;
 }
 
@@ -61,7 +61,8 @@ Colour read_area_emitter(SceneObjects& objects, const Element& element) {
     if (has_type(element, row.type))
       objects.sources().fail(element.find("type")->at,
                              "emitter '" + row.type + "' cannot stand in a shape, expected it directly in <scene>");
-  static const std::vector<Plugin<AreaEmitter>> shape_table = {described_plugin<AreaEmitter, Complete>(AreaEmitter{})};
+  static const std::vector<Plugin<AreaEmitter>> shape_table = {
+      described_plugin<AreaEmitter, CompleteEmitter>(AreaEmitter{})};
   return build_plugin(objects, element, shape_table).radiance;
 }
 

@@ -9,15 +9,15 @@ constexpr std::int64_t kMaxPixels = std::int64_t{1} << 28;
 
 using Filter = ReconstructionFilter;
 
-struct Complete {
+struct CompleteFilm {
   Params& params;
 
   void operator()(Filter&) const {}
   void operator()(FilmDescription& d) const {
     static const std::vector<Plugin<Filter>> filters = {
-        described_plugin<Filter, Complete>(Filter{Filter::Kind::box}),
-        described_plugin<Filter, Complete>(Filter{Filter::Kind::gaussian}),
-        described_plugin<Filter, Complete>(Filter{Filter::Kind::tent})};
+        described_plugin<Filter, CompleteFilm>(Filter{Filter::Kind::box}),
+        described_plugin<Filter, CompleteFilm>(Filter{Filter::Kind::gaussian}),
+        described_plugin<Filter, CompleteFilm>(Filter{Filter::Kind::tent})};
     const std::int64_t pixels = std::int64_t{d.width} * d.height;
     params.expect(pixels <= kMaxPixels, "width",
                   "times height is " + std::to_string(pixels) + " pixels, expected at most 2^28");
@@ -31,7 +31,7 @@ struct Complete {
 
 FilmDescription read_film(SceneObjects& objects, const Element& element) {
   static const std::vector<Plugin<FilmDescription>> table = {
-      described_plugin<FilmDescription, Complete>(FilmDescription())};
+      described_plugin<FilmDescription, CompleteFilm>(FilmDescription())};
   return build_plugin(objects, element, table);
 }
 

@@ -7,7 +7,7 @@ namespace {
 
 using Method = decltype(IntegratorDescription::method);
 
-struct Complete {
+struct CompleteIntegrator {
   Params& params;
 
   /// All but direct.
@@ -32,8 +32,8 @@ Method build_moment(Params& params) {
   return read_integrator(params.objects(), nested).method;
 }
 
-std::vector<Plugin<Method>> make_table() {
-  std::vector<Plugin<Method>> rows = described_plugins<Method, Complete>();
+std::vector<Plugin<Method>> integrator_plugins() {
+  std::vector<Plugin<Method>> rows = described_plugins<Method, CompleteIntegrator>();
   rows.push_back(plugin_of<Method>(MomentPlugin{}, build_moment));
   sort_by_name(rows);
   return rows;
@@ -47,7 +47,7 @@ IntegratorDescription read_integrator(SceneObjects& objects, const Element& elem
             "integrator " + in_quotes(type->value) +
                 " is not built yet, expected bdpt or photonmapper, which see the "
                 "same light");
-  static const std::vector<Plugin<Method>> table = make_table();
+  static const std::vector<Plugin<Method>> table = integrator_plugins();
   return {objects.sources().loc(element.at), build_plugin(objects, element, table)};
 }
 

@@ -8,11 +8,11 @@ namespace {
 using Model = decltype(MediumDescription::model);
 using Phase = decltype(HomogeneousDescription::phase);
 
-struct Complete {
+struct CompleteMedium {
   Params& params;
 
   void operator()(HomogeneousDescription& d) const {
-    static const std::vector<Plugin<Phase>> phases = described_plugins<Phase, Complete>();
+    static const std::vector<Plugin<Phase>> phases = described_plugins<Phase, CompleteMedium>();
     if (!params.nested("phase").empty())
       d.phase = build_plugin(params.objects(), params.objects().target(params.only_nested("phase")), phases);
   }
@@ -23,7 +23,7 @@ struct Complete {
 }  // namespace
 
 MediumDescription read_medium(SceneObjects& objects, const Element& element) {
-  static const std::vector<Plugin<Model>> table = described_plugins<Model, Complete>();
+  static const std::vector<Plugin<Model>> table = described_plugins<Model, CompleteMedium>();
   return {objects.sources().loc(element.at), id_of(element), build_plugin(objects, element, table)};
 }
 

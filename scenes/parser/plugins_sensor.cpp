@@ -21,7 +21,7 @@ void check_rigid(const Params& params, const Transform& t) {
   }
 }
 
-struct Complete {
+struct CompleteSensor {
   Params& params;
 
   void operator()(PerspectiveDescription& d) const {
@@ -58,7 +58,7 @@ struct Complete {
 std::vector<Plugin<SamplerPlugin>> sampler_table() {
   std::vector<Plugin<SamplerPlugin>> rows;
   for (const char* type : {"independent", "ldsampler", "multijitter", "orthogonal", "stratified"})
-    rows.push_back(described_plugin<SamplerPlugin, Complete>(SamplerPlugin{type}));
+    rows.push_back(described_plugin<SamplerPlugin, CompleteSensor>(SamplerPlugin{type}));
   return rows;
 }
 
@@ -66,7 +66,7 @@ std::vector<Plugin<SamplerPlugin>> sampler_table() {
 
 SensorDescription read_sensor(SceneObjects& objects, const Element& element) {
   const Sources& sources = objects.sources();
-  static const std::vector<Plugin<Camera>> cameras = described_plugins<Camera, Complete>();
+  static const std::vector<Plugin<Camera>> cameras = described_plugins<Camera, CompleteSensor>();
   static const std::vector<Plugin<SamplerPlugin>> samplers = sampler_table();
   const Plugin<Camera>& plugin = find_plugin(sources, element, cameras);
   Params params(objects, element, title_of(sources, element), plugin.params, plugin.nested);

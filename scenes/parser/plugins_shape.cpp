@@ -11,7 +11,7 @@ using Geometry = decltype(ShapeDescription::geometry);
 
 constexpr std::int64_t kMaxCells = std::int64_t{1} << 24;  ///< of a heightfield
 
-struct Complete {
+struct CompleteShape {
   Params& params;
 
   void operator()(SphereDescription&) const { expect_similarity(params, "a sphere"); }
@@ -46,12 +46,12 @@ struct Complete {
 };
 
 /// Mitsuba turns the v of an OBJ over, and not that of a PLY, which is the kind's own row.
-std::vector<Plugin<Geometry>> make_table() {
-  std::vector<Plugin<Geometry>> rows = described_plugins<Geometry, Complete>();
+std::vector<Plugin<Geometry>> shape_plugins() {
+  std::vector<Plugin<Geometry>> rows = described_plugins<Geometry, CompleteShape>();
   MeshDescription obj;
   obj.format = MeshDescription::Format::obj;
   obj.flip_tex_coords = true;
-  rows.push_back(described_plugin<Geometry, Complete>(obj));
+  rows.push_back(described_plugin<Geometry, CompleteShape>(obj));
   sort_by_name(rows);
   return rows;
 }
@@ -79,7 +79,7 @@ BsdfIndex read_surface(Params& params) {
 
 ShapeDescription read_shape(SceneObjects& objects, const Element& element) {
   const Sources& sources = objects.sources();
-  static const std::vector<Plugin<Geometry>> table = make_table();
+  static const std::vector<Plugin<Geometry>> table = shape_plugins();
   const Plugin<Geometry>& plugin = find_plugin(sources, element, table);
   Params params(objects, element, title_of(sources, element), plugin.params, plugin.nested);
   ShapeDescription shape;

@@ -8,7 +8,7 @@ namespace {
 
 using Pattern = decltype(TextureDescription::pattern);
 
-struct Complete {
+struct CompleteTexture {
   Params& params;
 
   void operator()(BitmapDescription& d) const {
@@ -23,7 +23,7 @@ struct Complete {
 }  // namespace
 
 TextureDescription read_texture(SceneObjects& objects, const Element& element) {
-  static const std::vector<Plugin<Pattern>> table = described_plugins<Pattern, Complete>();
+  static const std::vector<Plugin<Pattern>> table = described_plugins<Pattern, CompleteTexture>();
   return {objects.sources().loc(element.at), id_of(element), build_plugin(objects, element, table)};
 }
 

@@ -9,11 +9,7 @@
 namespace photonproof::scene_xml {
 namespace {
 
-double parse_in(const Sources& sources, const Attribute& attribute, std::string_view text) {
-  const auto parsed = parse_number(text);
-  if (!parsed.value) fail_at(sources, attribute, "a number of the spectrum " + parsed.problem);
-  return *parsed.value;
-}
+constexpr const char* of_spectrum = "a number of the spectrum";
 
 void check(const Sources& sources, const Attribute& attribute, const std::vector<SpectrumSample>& samples) {
   if (samples.size() < 2) fail_at(sources, attribute, "the spectrum has fewer than two wavelengths");
@@ -34,8 +30,8 @@ std::vector<SpectrumSample> pairs_of(const Sources& sources, const Attribute& va
     const auto colon = pair.find(':');
     if (colon == std::string_view::npos)
       fail_at(sources, value, "the spectrum has " + in_quotes(pair) + ", expected wavelength:value");
-    samples.push_back(
-        {parse_in(sources, value, pair.substr(0, colon)), parse_in(sources, value, pair.substr(colon + 1))});
+    samples.push_back({number_in(sources, value, pair.substr(0, colon), of_spectrum),
+                       number_in(sources, value, pair.substr(colon + 1), of_spectrum)});
   }
   return samples;
 }
@@ -53,8 +49,8 @@ std::vector<SpectrumSample> samples_of_file(SceneObjects& objects, const Attribu
     if (words.size() != 2)
       fail_at(objects.sources(), filename,
               "the spectrum's file has the line " + in_quotes(line) + ", expected a wavelength and a value");
-    samples.push_back(
-        {parse_in(objects.sources(), filename, words[0]), parse_in(objects.sources(), filename, words[1])});
+    samples.push_back({number_in(objects.sources(), filename, words[0], of_spectrum),
+                       number_in(objects.sources(), filename, words[1], of_spectrum)});
   }
   return samples;
 }

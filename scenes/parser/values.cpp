@@ -11,12 +11,6 @@
 namespace photonproof::scene_xml {
 namespace {
 
-double parse_in(const Sources& sources, const Attribute& attribute, std::string_view text) {
-  const auto parsed = parse_number(text);
-  if (!parsed.value) fail_at(sources, attribute, "attribute '" + attribute.name + "' " + parsed.problem);
-  return *parsed.value;
-}
-
 /// IEC 61966-2-1.
 double decode_srgb(double v) { return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4); }
 
@@ -91,8 +85,14 @@ const std::vector<Operation>& operations() {
 
 }  // namespace
 
+double number_in(const Sources& sources, const Attribute& attribute, std::string_view text, const std::string& what) {
+  const auto parsed = parse_number(text);
+  if (!parsed.value) fail_at(sources, attribute, what + " " + parsed.problem);
+  return *parsed.value;
+}
+
 double number_of(const Sources& sources, const Attribute& attribute) {
-  return parse_in(sources, attribute, attribute.value);
+  return number_in(sources, attribute, attribute.value, "attribute '" + attribute.name + "'");
 }
 
 std::vector<double> numbers_of(const Sources& sources, const Attribute& attribute,
@@ -107,7 +107,8 @@ std::vector<double> numbers_of(const Sources& sources, const Attribute& attribut
   }
   std::vector<double> values;
   values.reserve(parts.size());
-  for (const std::string_view part : parts) values.push_back(parse_in(sources, attribute, part));
+  for (const std::string_view part : parts)
+    values.push_back(number_in(sources, attribute, part, "attribute '" + attribute.name + "'"));
   return values;
 }
 

@@ -3,6 +3,8 @@
 
 #include <initializer_list>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "scenes/description/transform.h"
@@ -11,7 +13,9 @@
 
 namespace photonproof::scene_xml {
 
-/// A number in an attribute; throws there.
+/// The number that `text`, a part of the attribute, is; throws there, calling it `what`.
+double number_in(const Sources& sources, const Attribute& attribute, std::string_view text, const std::string& what);
+/// The number in an attribute; throws there.
 double number_of(const Sources& sources, const Attribute& attribute);
 
 /// `count` numbers in an attribute, between white space or commas.
