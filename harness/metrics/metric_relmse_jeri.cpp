@@ -14,6 +14,6 @@ struct Error {
 std::unique_ptr<MetricPass> relmse_jeri_pass(const PairFacts& pair) {
   return std::make_unique<MeanErrorPass<Error>>(pair);
 }
-std::string relmse_jeri_parameters(const MetricOptions&) { return "epsilon=0.0001"; }
+std::string relmse_jeri_parameters() { return "epsilon=0.0001"; }
 
 }  // namespace photonproof

@@ -14,6 +14,6 @@ struct Error {
 }  // namespace
 
 std::unique_ptr<MetricPass> smape_pass(const PairFacts& pair) { return std::make_unique<MeanErrorPass<Error>>(pair); }
-std::string smape_parameters(const MetricOptions&) { return "epsilon=0.02"; }
+std::string smape_parameters() { return "epsilon=0.02"; }
 
 }  // namespace photonproof
