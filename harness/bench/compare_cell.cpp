@@ -53,9 +53,8 @@ void compare_cell(const Comparison& comparison, Result& result) {
   }
   HeatmapWriter maps(image.width, image.height, comparison.results_folder / comparison.cell_folder, "map");
   ImageSource reference_rows(*reference), image_rows(image);
-  const MetricOptions metrics{.exposure = comparison.exposure,
-                              .hdr_flip = comparison.hdr_exposures.has_value(),
-                              .hdr_exposures = comparison.hdr_exposures};
+  MetricOptions metrics{.parameters = {comparison.exposure, comparison.hdr_exposures}};
+  if (comparison.hdr_exposures) metrics.also = {"hdr_flip"};
   PairMeasurements measured = measure_pair(reference_rows, image_rows, metrics, &maps);
   if (!measured.defects.empty()) {
     result.caveats.push_back(not_compared + measured.defects.front().sentence);

@@ -24,15 +24,12 @@ std::string checksum_of(const Image& image) {
   return size_text(image.width, image.height) + " " + checksum.hex();
 }
 
+/// All that a gate is, so that no member is forgotten: a pass would be kept for another value of it. The scene is known
+/// by the reference; whom images are from, and the metric's parameters, which the scene shares, are told apart.
 std::string settings_of(const Gate& gate) {
-  return fmt::format("{} {} {} {} {} {} {} {}", gate.metric, gate.bound, gate.block_bound, gate.alpha, gate.seeds,
-                     gate.looks, gate.takes_seed, gate.unbiased);
-}
-
-std::string exposures_of(const Viewing& viewing) {
-  if (!viewing.hdr_exposures) return fmt::format("{}", viewing.exposure);
-  const ExposureRange& range = *viewing.hdr_exposures;
-  return fmt::format("{} {} {} {}", viewing.exposure, range.start, range.stop, range.count);
+  const auto& [name, scene, engine, budget, metric, bound, block_bound, alpha, seeds, looks, takes_seed, unbiased,
+               parameters] = gate;
+  return fmt::format("{} {} {} {} {} {} {} {}", metric, bound, block_bound, alpha, seeds, looks, takes_seed, unbiased);
 }
 
 fs::path file_of(const std::string& key) { return cache_folder() / "verdicts" / (key + ".json"); }
@@ -46,7 +43,7 @@ std::size_t images_to_accept(const GateSuite& suite, const Gate& gate) {
 }
 
 std::string verdict_key(const Gate& gate, const GateSuite& suite, const StoredReference& reference,
-                        const Viewing& viewing, std::span<const std::unique_ptr<DrawnImage>> first_images) {
+                        const ParameterValues& viewing, std::span<const std::unique_ptr<DrawnImage>> first_images) {
   std::vector<std::string> images;
   for (const auto& drawn : first_images)
     images.push_back(std::to_string(drawn->result.cell.seed) + " " + checksum_of(drawn->image));
@@ -56,7 +53,7 @@ std::string verdict_key(const Gate& gate, const GateSuite& suite, const StoredRe
                       {"budget", gate.budget.label()},
                       {"threads", std::to_string(suite.limits.threads)},
                       {"reference", provenance_text(reference.provenance)},
-                      {"exposures", exposures_of(viewing)},
+                      {"parameters", values_text(parameters_of(gate, viewing))},
                       {"judging", PHOTONPROOF_SOURCE_HASH},
                       {"images", length_prefixed(images)}});
 }

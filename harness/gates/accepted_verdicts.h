@@ -22,7 +22,7 @@ std::size_t images_to_accept(const GateSuite& suite, const Gate& gate);
 /// sources: a change there is judged anew), the seeds, and the bits of the images. What the engine's version is, or how
 /// it came to these images, does not matter. Images of status ok.
 std::string verdict_key(const Gate& gate, const GateSuite& suite, const StoredReference& reference,
-                        const Viewing& viewing, std::span<const std::unique_ptr<DrawnImage>> first_images);
+                        const ParameterValues& viewing, std::span<const std::unique_ptr<DrawnImage>> first_images);
 
 /// <cache>/verdicts/<key>.json: the record of a run, with the one gate that passed and without pictures. Empty when
 /// there is none, or none that can be read.

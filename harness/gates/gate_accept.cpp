@@ -40,7 +40,8 @@ std::optional<StoredReference> committed(const SuiteScene& scene) {
 std::string difference(const StoredReference& old, const StoredReference& fresh, double exposure) {
   if (!find_defects(old.rendering.mean, fresh.rendering.mean).empty()) return "the old one cannot be compared";
   std::string text = "new against old:";
-  for (const MetricValue& metric : compute_metrics(old.rendering.mean, fresh.rendering.mean, {.exposure = exposure}))
+  for (const MetricValue& metric :
+       compute_metrics(old.rendering.mean, fresh.rendering.mean, {.parameters = {.exposure = exposure}}))
     if (metric.name == "bias" || metric.name == "relmse" || metric.name == "ssim" || metric.name == "max_abs")
       text += fmt::format(" {} {:.3g}", metric.name, metric.value);
   return text;

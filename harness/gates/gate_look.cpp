@@ -34,17 +34,19 @@ std::optional<Image> variance_by_reference(const Budget& budget, const StoredRef
   return least;
 }
 
-MetricOptions options_for(const Gate& gate, const Viewing& viewing) {
-  return {.exposure = viewing.exposure,
-          .threads = 1,
-          .hdr_flip = find_metric(gate.metric)->on_request,
-          .hdr_exposures = viewing.hdr_exposures,
-          .only = {gate.metric}};
+MetricOptions options_for(const Gate& gate, const ParameterValues& viewing) {
+  return {.parameters = parameters_of(gate, viewing), .threads = 1, .only = {gate.metric}};
+}
+
+/// With the parameters that the gate gives, "flip (exposure=4)".
+std::string metric_text(const Gate& gate) {
+  return gate.parameters.empty() ? gate.metric : gate.metric + " (" + given_text(gate.parameters) + ")";
 }
 
 }  // namespace
 
-double metric_of(const Gate& gate, const StoredReference& reference, const Viewing& viewing, const Image& image) {
+double metric_of(const Gate& gate, const StoredReference& reference, const ParameterValues& viewing,
+                 const Image& image) {
   const std::vector<MetricValue> values = compute_metrics(reference.rendering.mean, image, options_for(gate, viewing));
   constexpr double as_good_as_equal = 1000;  // dB: psnr of equal images is infinite and left out
   if (values.empty() && gate.metric == "psnr") return as_good_as_equal;
@@ -54,7 +56,7 @@ double metric_of(const Gate& gate, const StoredReference& reference, const Viewi
 }
 
 Judgement look_at_values(const Gate& gate, std::span<const double> values) {
-  return judge_metric(gate.metric, values, find_metric(gate.metric)->bound, gate.bound, gate.alpha / gate.looks);
+  return judge_metric(metric_text(gate), values, find_metric(gate.metric)->bound, gate.bound, gate.alpha / gate.looks);
 }
 
 namespace {
@@ -97,7 +99,7 @@ std::optional<Judgement> fault_of_seeds(const Gate& gate, const StoredReference&
                                      all_the_same(gate, repeats.images), gate.metric));
 }
 
-Judgement look_at_metric(const Gate& gate, const StoredReference& reference, const Viewing& viewing,
+Judgement look_at_metric(const Gate& gate, const StoredReference& reference, const ParameterValues& viewing,
                          std::span<const Image* const> images, const Repeats& repeats) {
   std::vector<double> values;
   for (const Image* image : images) values.push_back(metric_of(gate, reference, viewing, *image));
@@ -121,7 +123,7 @@ Deviations deviations_of(bool unbiased, const Budget& budget, const StoredRefere
   return measure_deviations(reference.rendering, images, known);
 }
 
-Judgement look_at(const Gate& gate, const StoredReference& reference, const Viewing& viewing,
+Judgement look_at(const Gate& gate, const StoredReference& reference, const ParameterValues& viewing,
                   std::span<const Image* const> images) {
   const Repeats repeats = count_repeats(images);
   if (const auto fault = fault_of_seeds(gate, reference, images, repeats)) return *fault;
@@ -132,11 +134,15 @@ Judgement look_at(const Gate& gate, const StoredReference& reference, const View
   return judge_bias(deviations, gate.metric == block_bias_metric, gate.bound, alpha);
 }
 
-Viewing viewing_of(const SuiteScene& scene) {
+ParameterValues viewing_of(const SuiteScene& scene) {
   const std::string path = expect_path_of(scene.path.string());
-  if (scene.exposure && !std::filesystem::exists(path)) return {*scene.exposure, std::nullopt};
+  if (scene.exposure && !std::filesystem::exists(path)) return {.exposure = *scene.exposure};
   const Expect expect = read_expect(path);
-  return {scene.exposure.value_or(expect.exposure), expect.hdr_exposures};
+  return {.exposure = scene.exposure.value_or(expect.exposure), .hdr_exposures = expect.hdr_exposures};
+}
+
+ParameterValues parameters_of(const Gate& gate, const ParameterValues& viewing) {
+  return with_given(viewing, gate.parameters);
 }
 
 }  // namespace photonproof

@@ -10,6 +10,8 @@
 #include <functional>
 #include <random>
 
+#include "harness/metrics/metrics.h"
+
 namespace photonproof {
 namespace {
 
@@ -319,8 +321,12 @@ TEST(gate_look, a_metric_that_fails_names_the_tile_with_most_of_the_error) {
                                       {"psnr", 90.0},
                                       {"rmse", 1e-3},
                                       {"relmse_trimmed", 1e-3},
+                                      {"flip_weighted_median", 1e-3},
+                                      {"flip_max", 1e-3},
+                                      {"hdr_flip", 1e-3},
                                       {"max_abs", 1e-3}}) {
-    const Judgement judgement = look_at(gate(metric, bound, 0.001, 1), stored, {}, pointers(images));
+    const ParameterValues viewing{.hdr_exposures = ExposureRange{-1, 1, 2}};
+    const Judgement judgement = look_at(gate(metric, bound, 0.001, 1), stored, viewing, pointers(images));
     ASSERT_EQ(judgement.verdict, GateVerdict::fail) << metric;
     ASSERT_FALSE(judgement.tiles.empty()) << metric;
     const FailingTile& tile = judgement.tiles.front();
@@ -331,6 +337,27 @@ TEST(gate_look, a_metric_that_fails_names_the_tile_with_most_of_the_error) {
       EXPECT_NEAR(tile.score, 0.9, 0.03);
     }
   }
+}
+
+TEST(gate_look, a_parameter_that_the_gate_gives_is_what_it_judges_by_and_is_in_its_sentence) {
+  const StoredReference stored = reference();
+  Random random(11);
+  std::vector<Image> images;
+  for (int i = 0; i < 8; ++i) images.push_back(draw(random));
+  const ParameterValues scene{.exposure = -6};
+  const Gate asked = gate("flip", 0.9, 0.001, 1);
+  Gate own = asked;
+  own.parameters = {{&metric_parameters[0], {-2}}};
+  double mean = 0;
+  for (const Image& image : images)
+    mean += compute_metrics(stored.rendering.mean, image, {.parameters = {.exposure = -2}, .only = {"flip"}})[0].value /
+            static_cast<double>(images.size());
+  const Judgement judgement = look_at(own, stored, scene, pointers(images));
+  EXPECT_NEAR(judgement.observed.value, mean, 1e-12);
+  EXPECT_EQ(judgement.sentence.rfind("flip (exposure=-2) is ", 0), 0u) << judgement.sentence;
+  const Judgement of_scene = look_at(asked, stored, scene, pointers(images));
+  EXPECT_LT(of_scene.observed.value, 0.9 * mean);  // darker by four stops
+  EXPECT_EQ(of_scene.sentence.rfind("flip is ", 0), 0u) << of_scene.sentence;
 }
 
 TEST(gate_look, what_only_all_blocks_together_show_has_its_worst_blocks_and_their_sign) {

@@ -20,8 +20,8 @@ std::string folder_name(std::string name) {
 
 }  // namespace
 
-void store_pictures(const Image& mean, const StoredReference& reference, double exposure, const fs::path& folder,
-                    GateRecord& record) {
+void store_pictures(const Image& mean, const StoredReference& reference, double exposure, const ParameterValues& judged,
+                    const fs::path& folder, GateRecord& record) {
   const std::string place = "gates/" + folder_name(record.name);
   fs::create_directories(folder / place);
   record.image = place + "/mean.exr";
@@ -32,7 +32,7 @@ void store_pictures(const Image& mean, const StoredReference& reference, double 
   write_png((folder / record.pictures["image"]).string(), mean, exposure);
   HeatmapWriter maps(mean.width, mean.height, folder / place, "map");
   ImageSource reference_rows(reference.rendering.mean), mean_rows(mean);
-  measure_pair(reference_rows, mean_rows, {.exposure = exposure}, &maps);
+  measure_pair(reference_rows, mean_rows, {.parameters = judged}, &maps);
   const HeatmapFiles files = maps.finish();
   record.pictures["flip"] = place + "/" + files.flip.filename().string();
   record.pictures["error"] = place + "/" + files.error.filename().string();

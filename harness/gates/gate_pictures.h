@@ -4,14 +4,15 @@
 #include <filesystem>
 #include <string>
 
+#include "harness/metrics/metric_parameters.h"
 #include "reference/store/reference_store.h"
 #include "reports/record/results.h"
 
 namespace photonproof {
 
-/// Writes gates/<name of the gate>/ under `folder` and sets the record's image and pictures. `mean` has the reference's
-/// size and is finite.
-void store_pictures(const Image& mean, const StoredReference& reference, double exposure,
+/// Writes gates/<name of the gate>/ under `folder` and sets the record's image and pictures: the image at the scene's
+/// `exposure` (stops), maps as the gate's metrics see it. `mean` has the reference's size and is finite.
+void store_pictures(const Image& mean, const StoredReference& reference, double exposure, const ParameterValues& judged,
                     const std::filesystem::path& folder, GateRecord& record);
 
 /// Removes what store_reference left of an earlier run: engines write near it.

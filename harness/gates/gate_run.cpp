@@ -92,7 +92,7 @@ class Run {
     record.purpose = expected ? expected->purpose : "";
     record.width = scene.width;
     record.height = scene.height;
-    const Viewing& viewing = viewings_[scene.name] = viewing_of(scene);
+    const ParameterValues& viewing = viewings_[scene.name] = viewing_of(scene);
     record.exposure = viewing.exposure;
     record.hdr_exposures = viewing.hdr_exposures;
     remove_reference(scene.name, options_.folder);  // until the engines are done
@@ -160,7 +160,7 @@ class Run {
     }
     ImageStream& stream = stream_of(gate);
     const Acceptance& acceptance = acceptances_[gate.name];
-    if (acceptance.kept) return as_accepted(*acceptance.kept, stream, images_to_accept(suite_, gate), record);
+    if (acceptance.kept) return as_accepted(gate, *acceptance.kept, stream, record);
     std::vector<const Image*> images;
     for (int look = 0; look < gate.looks; ++look) {
       const std::size_t count = static_cast<std::size_t>(gate.seeds) << look;
@@ -192,13 +192,14 @@ class Run {
     record.regression_only =
         regression_only(suite_.engine(gate.engine), references_.at(gate.scene), expectations_.at(gate.scene));
     if (!record.regression_only.empty()) record.sentence += "; regression only: " + record.regression_only;
-    add_pictures(images, stream, record);
+    add_pictures(gate, images, stream, record);
     if (record.verdict == GateVerdict::pass) keep(acceptance.key, record);
     return record;
   }
 
   /// The verdict is the kept one's; what it cost, and the pictures, are of the images that were drawn now.
-  GateRecord as_accepted(const Results& kept, const ImageStream& stream, std::size_t drawn, const GateRecord& asked) {
+  GateRecord as_accepted(const Gate& gate, const Results& kept, const ImageStream& stream, const GateRecord& asked) {
+    const std::size_t drawn = images_to_accept(suite_, gate);
     GateRecord record = kept.gates[0];
     record.accepted = kept.created;
     record.sentence += fmt::format("; decided {}, and {} the same, bit for bit", kept.created,
@@ -207,7 +208,7 @@ class Run {
     record.seconds = 0;
     record.samples = 0;
     count_images(stream, drawn, record);
-    add_pictures(first_images(stream, drawn), stream, record);
+    add_pictures(gate, first_images(stream, drawn), stream, record);
     return record;
   }
 
@@ -222,10 +223,12 @@ class Run {
     }
   }
 
-  void add_pictures(const std::vector<const Image*>& images, const ImageStream& stream, GateRecord& record) const {
+  void add_pictures(const Gate& gate, const std::vector<const Image*>& images, const ImageStream& stream,
+                    GateRecord& record) const {
     record.skipped = stream.drawn().front()->result.skipped;
-    store_pictures(mean_of(images), references_.at(record.scene), viewings_.at(record.scene).exposure, options_.folder,
-                   record);
+    const ParameterValues& viewing = viewings_.at(gate.scene);
+    store_pictures(mean_of(images), references_.at(gate.scene), viewing.exposure, parameters_of(gate, viewing),
+                   options_.folder, record);
   }
 
   static std::vector<const Image*> first_images(const ImageStream& stream, std::size_t count) {
@@ -256,7 +259,7 @@ class Run {
   DrawOptions draw_;
   std::map<std::string, EngineVersion> versions_;
   std::map<std::string, StoredReference> references_;
-  std::map<std::string, Viewing> viewings_;
+  std::map<std::string, ParameterValues> viewings_;
   std::map<std::string, std::optional<Expect>> expectations_;
   std::map<std::string, ImageStream> streams_;
   std::map<std::string, Acceptance> acceptances_;  ///< by gate, of those whose first images are there

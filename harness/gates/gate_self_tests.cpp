@@ -117,7 +117,7 @@ class SelfTestRun {
     const Gate& gate;  ///< any of its gates
     std::string label;
     StoredReference reference;
-    Viewing viewing;
+    ParameterValues viewing;
     std::string engine_version;
     std::optional<Pool> healthy{}, with_faulty_kernels{};  ///< once drawn
   };
@@ -267,7 +267,7 @@ class SelfTestRun {
   /// One gate on a pool: metrics of an image are computed once.
   class PoolJudge {
    public:
-    PoolJudge(const Gate& gate, const StoredReference& reference, const Viewing& viewing,
+    PoolJudge(const Gate& gate, const StoredReference& reference, const ParameterValues& viewing,
               const std::vector<Image>& images, bool defective)
         : gate_(gate), reference_(reference), viewing_(viewing), images_(images), defective_(defective) {
       if (!defective && !weighs_noise(gate.metric))
@@ -298,7 +298,7 @@ class SelfTestRun {
 
     const Gate& gate_;
     const StoredReference& reference_;
-    const Viewing& viewing_;
+    const ParameterValues& viewing_;
     const std::vector<Image>& images_;
     bool defective_;
     std::vector<double> values_;

@@ -42,15 +42,35 @@ std::vector<MetricName> known_metrics() {
   return names;
 }
 
+/// Those keys that are parameters of a metric: this gate's, or the key is wrong here.
+std::vector<GivenParameter> parameters_from_toml(const TomlTable& table, const std::string& metric) {
+  const MetricRow* row = weighs_noise(metric) ? nullptr : find_metric(metric);
+  std::vector<GivenParameter> given;
+  for (const MetricParameter& parameter : metric_parameters) {
+    const std::string key = parameter.name;
+    if (!table.has(key)) continue;
+    if (!row || !has_parameter(*row, parameter))
+      throw table.error(
+          key, "'" + key + "' is a parameter of " + metrics_with(parameter) + "; " + metric + " does not have it");
+    GivenParameter one{&parameter, {}};
+    one.numbers = number_count(parameter) == 1 ? std::vector{table.number(key)} : table.numbers(key);
+    ParameterValues tried;
+    if (const auto problem = set_parameter(parameter, one.numbers, tried))
+      throw table.error(key, "'" + key + "': " + *problem);
+    given.push_back(std::move(one));
+  }
+  return given;
+}
+
 std::string metric_from_toml(const TomlTable& table, const SuiteScene& scene) {
   const std::string metric = table.string("metric");
   if (metric != agreement_metric && metric != block_bias_metric && find_metric(metric) == nullptr)
     throw table.error("metric", unknown_name("metric", metric, known_metrics()));
   if (metric == "ssim" && std::min(scene.width, scene.height) < least_ssim_side)
     throw table.error("metric", "ssim needs images of at least 11 x 11 pixels");
-  if (metric == "hdr_flip" && !viewing_of(scene).hdr_exposures)
+  if (metric == "hdr_flip" && !table.has("exposures") && !viewing_of(scene).hdr_exposures)
     throw table.error("metric", "hdr_flip needs the scene to pin its exposures: 'hdr_flip_exposures' in " +
-                                    expect_path_of(scene.path.string()));
+                                    expect_path_of(scene.path.string()) + ", or 'exposures' here");
   return metric;
 }
 
@@ -66,6 +86,7 @@ Gate gate_from_toml(const TomlTable& table, const GateSuite& suite, const Gate& 
   if (const auto problem = budget_problem(budget, engine)) throw table.error("budget", *problem);
   gate.budget = *budget_from_text(budget);
   gate.metric = metric_from_toml(table, scene);
+  gate.parameters = parameters_from_toml(table, gate.metric);
   if (gate.metric == agreement_metric && engine.trust == Trust::biased)
     throw table.error("metric", "engine '" + engine.name +
                                     "' has a known error, which agreement would find; bound it by bias or block_bias");

@@ -6,11 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "harness/metrics/metric_parameters.h"
 #include "harness/suites/suite.h"
 #include "reports/record/gate_metrics.h"
 
 namespace photonproof {
 
+/// A new member does not compile until verdict_key (accepted_verdicts.cpp) says whether a pass depends on it.
 struct Gate {
   std::string name;
   std::string scene, engine;  ///< names
@@ -21,8 +23,9 @@ struct Gate {
   double alpha = 0;
   int seeds = 0;  ///< images at the first look
   int looks = 0;
-  bool takes_seed = true;  ///< its engine's command has a {seed}
-  bool unbiased = true;    ///< its engine's trust: images whose noise averages out
+  bool takes_seed = true;                    ///< its engine's command has a {seed}
+  bool unbiased = true;                      ///< its engine's trust: images whose noise averages out
+  std::vector<GivenParameter> parameters{};  ///< of its metric; the scene says the others
 };
 
 /// What --self-test plants and no gate of the suite has to find, though it changes images of the suite.

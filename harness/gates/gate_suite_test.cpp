@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "harness/gates/gate_look.h"
 #include "scenes/text/test_folder.h"
 
 namespace photonproof {
@@ -119,9 +120,34 @@ TEST_F(GateSuiteFile, hdr_flip_is_bounded_only_where_the_scene_pins_its_exposure
   put("expect.toml", expect);
   EXPECT_EQ(error(text),
             "g.toml:12:10: error: hdr_flip needs the scene to pin its exposures: 'hdr_flip_exposures' in " +
-                (folder_ / "expect.toml").string());
+                (folder_ / "expect.toml").string() + ", or 'exposures' here");
   put("expect.toml", expect + "hdr_flip_exposures = [-1, 1, 2]\n");
   EXPECT_EQ(read(text).gates.at(0).metric, "hdr_flip");
+}
+
+TEST_F(GateSuiteFile, a_gate_may_give_parameters_of_its_metric_and_no_others) {
+  const auto text = [&](const std::string& metric, const std::string& key) {
+    return std::string(head) + scene +
+           gate("engine = 'path'\nbudget = 'spp=16'\nmetric = '" + metric + "'\nbound = 0.1\n" + key);
+  };
+  put("expect.toml", "purpose = 'x'\nexposure = 3\n");
+  const GateSuite suite = read(text("flip", "exposure = -2.5\n"));
+  EXPECT_EQ(viewing_of(suite.scenes.at(0)).exposure, 3);
+  EXPECT_EQ(parameters_of(suite.gates.at(0), viewing_of(suite.scenes.at(0))).exposure, -2.5);
+  EXPECT_EQ(given_text(read(text("hdr_flip", "exposures = [-1, 0.5, 3]\n")).gates.at(0).parameters),
+            "exposures=-1 0.5 3");
+  EXPECT_TRUE(read(text("flip", "")).gates.at(0).parameters.empty());
+
+  EXPECT_EQ(error(text("flip", "exposure = 65\n")), "g.toml:14:12: error: 'exposure': 65 is not from -64 to 64");
+  EXPECT_EQ(error(text("flip", "exposure = '1'\n")),
+            "g.toml:14:12: error: 'exposure' must be a finite number, not a string");
+  EXPECT_EQ(
+      error(text("hdr_flip", "exposures = [1, 2]\n")),
+      "g.toml:14:13: error: 'exposures': expected a first and a last exposure from -64 to 64 and their number from "
+      "1 to 100");
+  for (const std::string metric : {"relmse", "bias", "agreement"})
+    EXPECT_EQ(error(text(metric, "exposures = [1, 2, 3]\n")),
+              "g.toml:14:13: error: 'exposures' is a parameter of hdr_flip; " + metric + " does not have it");
 }
 
 TEST_F(GateSuiteFile, the_suite_we_ship_is_valid_and_has_ten_scenes) {

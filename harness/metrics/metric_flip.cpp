@@ -4,7 +4,6 @@
 #include "harness/metrics/metric_flip.h"
 
 #include "harness/metrics/metric_rows.h"
-#include "scenes/text/text_numbers.h"
 
 namespace photonproof {
 namespace {
@@ -39,8 +38,6 @@ class FlipPass : public MetricPass {
 
 std::unique_ptr<MetricPass> flip_pass(const PairFacts&) { return std::make_unique<FlipPass>(); }
 
-std::string flip_parameters(const MetricOptions& options) {
-  return "exposure=" + format_number(options.exposure) + ", pixels_per_degree=67.0206";
-}
+std::string flip_parameters() { return "exposure, pixels_per_degree=67.0206"; }
 
 }  // namespace photonproof

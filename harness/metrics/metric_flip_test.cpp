@@ -8,7 +8,6 @@
 #include <numeric>
 
 #include "harness/metrics/test_images.h"
-#include "harness/metrics/test_metric_maps.h"
 #include "harness/metrics/test_oracle_table.h"
 
 namespace photonproof {

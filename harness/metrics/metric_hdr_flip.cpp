@@ -14,7 +14,6 @@
 #include "harness/metrics/metric_flip.h"
 #include "harness/metrics/metric_rows.h"
 #include "harness/pixels/row_source.h"
-#include "scenes/text/text_numbers.h"
 
 namespace photonproof {
 namespace {
@@ -138,15 +137,13 @@ std::optional<ExposureRange> exposures_of(RowSource& reference) {
 }
 
 std::unique_ptr<MetricPass> hdr_flip_pass(const PairFacts& pair) {
-  return std::make_unique<HdrFlipPass>(pair.options.hdr_exposures);
+  return std::make_unique<HdrFlipPass>(pair.options.parameters.hdr_exposures);
 }
 
-std::string hdr_flip_parameters(const MetricOptions& options) {
-  std::string text = "tone_mapper=ACES, ";
-  if (const auto& range = options.hdr_exposures)
-    text += "exposures=" + format_number(range->start) + " " + format_number(range->stop) + " " +
-            std::to_string(range->count) + ", ";
-  return text + "pixels_per_degree=67.0206";
+std::string hdr_flip_parameters() { return "tone_mapper=ACES, exposures, pixels_per_degree=67.0206"; }
+
+void derive_hdr_exposures(ParameterValues& values, RowSource& reference) {
+  if (!values.hdr_exposures) values.hdr_exposures = exposures_of(reference);
 }
 
 }  // namespace photonproof

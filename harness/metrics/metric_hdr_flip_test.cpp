@@ -14,8 +14,8 @@ namespace {
 std::optional<double> hdr_flip(const Image& reference, const Image& test,
                                const std::optional<ExposureRange>& exposures = {}) {
   MetricOptions options;
-  options.hdr_flip = true;
-  options.hdr_exposures = exposures;
+  options.also = {"hdr_flip"};
+  options.parameters.hdr_exposures = exposures;
   for (const Measurement& measured : measure(reference, test, options))
     if (measured.row->name == std::string("hdr_flip")) return measured.value;
   return std::nullopt;

@@ -24,6 +24,6 @@ class MrsePass : public MeanErrorPass<MrseError> {
 }  // namespace
 
 std::unique_ptr<MetricPass> mrse_pbrt_pass(const PairFacts& pair) { return std::make_unique<MrsePass>(pair); }
-std::string mrse_pbrt_parameters(const MetricOptions&) { return "epsilon=0.01"; }
+std::string mrse_pbrt_parameters() { return "epsilon=0.01"; }
 
 }  // namespace photonproof

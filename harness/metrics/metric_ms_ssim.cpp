@@ -12,7 +12,6 @@
 #include "harness/metrics/metric_rows.h"
 #include "harness/metrics/metric_windows.h"
 #include "harness/pixels/metric_sum.h"
-#include "scenes/text/text_numbers.h"
 
 namespace photonproof {
 namespace {
@@ -149,8 +148,8 @@ std::optional<double> CoarseScales::ms_ssim(const std::array<double, 3>& first_s
   return sum / 3;
 }
 
-std::string ms_ssim_parameters(const MetricOptions& options) {
-  return ssim_parameters(options) + ", scales=5, weights=0.0448 0.2856 0.3001 0.2363 0.1333";
+std::string ms_ssim_parameters() {
+  return ssim_parameters() + ", scales=5, weights=0.0448 0.2856 0.3001 0.2363 0.1333";
 }
 
 }  // namespace photonproof

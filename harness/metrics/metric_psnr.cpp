@@ -4,7 +4,6 @@
 
 #include "harness/metrics/metric_rows.h"
 #include "harness/pixels/metric_sum.h"
-#include "scenes/text/text_numbers.h"
 
 namespace photonproof {
 namespace {
@@ -40,8 +39,6 @@ class PsnrPass : public SumPass {
 
 std::unique_ptr<MetricPass> psnr_pass(const PairFacts& pair) { return std::make_unique<PsnrPass>(pair); }
 
-std::string psnr_parameters(const MetricOptions& options) {
-  return "exposure=" + format_number(options.exposure) + ", peak=1";
-}
+std::string psnr_parameters() { return "exposure, peak=1"; }
 
 }  // namespace photonproof

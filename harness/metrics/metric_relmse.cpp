@@ -104,7 +104,7 @@ class RelmsePass : public MetricPass {
 }  // namespace
 
 std::unique_ptr<MetricPass> relmse_pass(const PairFacts& pair) { return std::make_unique<RelmsePass>(pair); }
-std::string relmse_parameters(const MetricOptions&) { return "epsilon=0.01"; }
-std::string relmse_trimmed_parameters(const MetricOptions&) { return "epsilon=0.01, trimmed=0.1% of pixels"; }
+std::string relmse_parameters() { return "epsilon=0.01"; }
+std::string relmse_trimmed_parameters() { return "epsilon=0.01, trimmed=0.1% of pixels"; }
 
 }  // namespace photonproof

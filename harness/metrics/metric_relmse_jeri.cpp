@@ -14,6 +14,6 @@ struct RelmseError {
 std::unique_ptr<MetricPass> relmse_jeri_pass(const PairFacts& pair) {
   return std::make_unique<MeanErrorPass<RelmseError>>(pair);
 }
-std::string relmse_jeri_parameters(const MetricOptions&) { return "epsilon=0.0001"; }
+std::string relmse_jeri_parameters() { return "epsilon=0.0001"; }
 
 }  // namespace photonproof

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "harness/metrics/metric_hdr_flip.h"
 #include "scenes/text/input_error.h"
 #include "scenes/text/size_text.h"
 
@@ -138,7 +137,7 @@ class Run {
         maps_(maps) {
     const PairFacts pair = facts();
     for (const MetricRow& row : metric_rows()) {
-      const bool wanted = is_wanted(row), shown = maps && (row.pass == flip_pass || row.pass == relmse_pass);
+      const bool wanted = is_wanted(row, options_), shown = maps && (row.pass == flip_pass || row.pass == relmse_pass);
       if (wanted) rows_.push_back(&row);
       if (!(wanted || shown) || std::ranges::find(makers_, row.pass) != makers_.end()) continue;
       makers_.push_back(row.pass);
@@ -171,7 +170,7 @@ class Run {
     std::vector<Measurement> measured;
     for (const MetricRow* row : rows_) {
       const auto pass = static_cast<std::size_t>(std::ranges::find(makers_, row->pass) - makers_.begin());
-      std::string parameters = row->parameters ? row->parameters(options_) : std::string();
+      std::string parameters = parameters_text(*row, options_.parameters);
       parameters += parameters.empty() && !notes.empty() ? notes.substr(2) : notes;
       measured.push_back({row, passes_[pass]->value(row->which), std::move(parameters)});
     }
@@ -179,11 +178,6 @@ class Run {
   }
 
  private:
-  bool is_wanted(const MetricRow& row) const {
-    if (options_.only.empty()) return !row.on_request || options_.hdr_flip;
-    return std::ranges::find(options_.only, row.name) != options_.only.end();
-  }
-
   PairFacts facts() const {
     PairFacts pair{grid_.width, grid_.height, 0, options_.mask != nullptr, options_};
     pair.counted = options_.mask ? options_.mask->counted()
@@ -204,8 +198,8 @@ class Run {
     workers_.for_each(tiles, [&](std::size_t i, TileMemory& memory) {
       const int x0 = static_cast<int>(i) % across * TileGrid::tile_width;
       const int y0 = begin + static_cast<int>(i) / across * TileGrid::tile_height;
-      const PairTile tile(grid_, x0, y0, reference_.block(), test_.block(), options_.mask.get(), options_.exposure,
-                          memory);
+      const PairTile tile(grid_, x0, y0, reference_.block(), test_.block(), options_.mask.get(),
+                          options_.parameters.exposure, memory);
       TileMaps tile_maps;
       if (maps_) tile_maps = {memory.take<float>(tile.pixels()), memory.take<float>(tile.pixels())};
       for (std::size_t p = 0; p < passes_.size(); ++p) passes_[p]->measure(tile, tile_maps, parts[i][p]);
@@ -249,7 +243,8 @@ PairMeasurements measure_part(RowSource& reference, RowSource& test, MetricOptio
     throw InputError(options.mask_name, "mask is " + size_text(options.mask->width(), options.mask->height()) +
                                             " pixels, what it should choose from " +
                                             size_text(reference.width(), reference.height()));
-  if (options.hdr_flip && !options.hdr_exposures) options.hdr_exposures = exposures_of(reference);
+  for (const MetricRow& row : metric_rows())
+    if (row.derive && is_wanted(row, options)) row.derive(options.parameters, reference);
   Run run(reference, test, options, maps);
   run.measure_all();
   PairMeasurements result{run.defects(), {}, reference.width(), reference.height()};

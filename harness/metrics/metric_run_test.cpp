@@ -6,7 +6,6 @@
 #include <map>
 
 #include "harness/metrics/test_images.h"
-#include "harness/metrics/test_metric_maps.h"
 #include "scenes/text/input_error.h"
 #include "scenes/text/test_folder.h"
 
@@ -21,7 +20,7 @@ std::map<std::string, double> values_of(const std::vector<Measurement>& measurem
 }
 
 std::map<std::string, double> every_value(const Image& reference, const Image& test, MetricOptions options) {
-  options.hdr_flip = true;
+  options.also = {"hdr_flip"};
   return values_of(measure(reference, test, options));
 }
 

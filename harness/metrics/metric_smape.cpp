@@ -16,6 +16,6 @@ struct SmapeError {
 std::unique_ptr<MetricPass> smape_pass(const PairFacts& pair) {
   return std::make_unique<MeanErrorPass<SmapeError>>(pair);
 }
-std::string smape_parameters(const MetricOptions&) { return "epsilon=0.02"; }
+std::string smape_parameters() { return "epsilon=0.02"; }
 
 }  // namespace photonproof

@@ -4,13 +4,10 @@
 // Only windows that lie wholly inside the image count, so the treatment of borders does not matter.
 // ms_ssim, whose first scale this is, shares the pass.
 
-#include <algorithm>
-
 #include "harness/metrics/metric_ms_ssim.h"
 #include "harness/metrics/metric_rows.h"
 #include "harness/metrics/metric_windows.h"
 #include "harness/pixels/metric_sum.h"
-#include "scenes/text/text_numbers.h"
 
 namespace photonproof {
 namespace {
@@ -18,9 +15,8 @@ namespace {
 class SsimPass : public SumPass {
  public:
   explicit SsimPass(const PairFacts& pair) : undefined_(pair.width < ssim_window || pair.height < ssim_window) {
-    const auto& only = pair.options.only;
-    const bool wanted = only.empty() || std::ranges::find(only, "ms_ssim") != only.end();
-    if (wanted && CoarseScales::possible(pair)) coarse_.emplace(pair.width, pair.height);
+    if (is_wanted(*find_metric("ms_ssim"), pair.options) && CoarseScales::possible(pair))
+      coarse_.emplace(pair.width, pair.height);
   }
 
   void rows_begin(int begin, int end) override {
@@ -81,8 +77,6 @@ class SsimPass : public SumPass {
 
 std::unique_ptr<MetricPass> ssim_pass(const PairFacts& pair) { return std::make_unique<SsimPass>(pair); }
 
-std::string ssim_parameters(const MetricOptions& options) {
-  return "exposure=" + format_number(options.exposure) + ", window=11, sigma=1.5, K1=0.01, K2=0.03, data_range=1";
-}
+std::string ssim_parameters() { return "exposure, window=11, sigma=1.5, K1=0.01, K2=0.03, data_range=1"; }
 
 }  // namespace photonproof

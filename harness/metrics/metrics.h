@@ -7,26 +7,24 @@
 #include <string>
 #include <vector>
 
+#include "harness/metrics/metric_parameters.h"
 #include "harness/pixels/pixel_mask.h"
 #include "harness/pixels/pixel_region.h"
 #include "reports/record/results.h"
-#include "scenes/images/exposure_range.h"
 #include "scenes/images/image.h"
 
 namespace photonproof {
 
 struct MetricOptions {
-  /// Stops applied before the display encoding of psnr, ssim and flip (scale by 2^exposure, clamp to [0,1], sRGB).
-  double exposure = 0;
-  int threads = 0;                               ///< 0: all cores. The numbers do not depend on it.
-  bool hdr_flip = false;                         ///< compute it, too: it takes as long as `count` times flip
-  std::optional<ExposureRange> hdr_exposures{};  ///< empty: from the reference, as the paper does
+  ParameterValues parameters{};
+  int threads = 0;  ///< 0: all cores. The numbers do not depend on it.
   /// Only these pixels count: of the pixelwise metrics their values, of the windowed ones (ssim, flip, hdr_flip) the
   /// maps made from whole images. Of the images' size, or of the region's. Null: all count.
   std::shared_ptr<const PixelMask> mask{};
   /// As if both images had been cropped to this before.
   std::optional<PixelRegion> region{};
   std::vector<std::string> only{};  ///< names of the table; empty: all that are not on request
+  std::vector<std::string> also{};  ///< names that are computed in any case
   std::string mask_name{};          ///< for the parameters that are printed
 };
 

@@ -42,7 +42,7 @@ BENCHMARK(ssim_4k)->Unit(benchmark::kSecond)->UseRealTime();
 void one_metric(benchmark::State& state, const MetricRow& row) {
   const TileGrid grid{side, side};
   PairFacts pair{side, side, std::uint64_t{side} * side, false, {}};
-  pair.options.hdr_exposures = ExposureRange{-2, 2, 4};
+  pair.options.parameters.hdr_exposures = ExposureRange{-2, 2, 4};
   TileMemory memory;
   for (auto _ : state) {
     const auto pass = row.pass(pair);

@@ -4,10 +4,10 @@
 
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "harness/metrics/metric_run.h"
 #include "harness/metrics/test_images.h"
-#include "harness/metrics/test_metric_maps.h"
 #include "harness/pixels/metric_sum.h"
 
 namespace photonproof {
@@ -156,9 +156,8 @@ TEST(Metrics, parameters_travel_with_the_numbers) {
   const Image reference = busy_image(161, 161);  // the least that every metric has a value for
   const Image test = busy_image(161, 161, 1, 2);
   std::map<std::string, std::string> parameters;
-  MetricOptions options{-1.5};
-  options.hdr_flip = true;
-  options.hdr_exposures = ExposureRange{-2, 1.5, 3};
+  const MetricOptions options{.parameters = {.exposure = -1.5, .hdr_exposures = ExposureRange{-2, 1.5, 3}},
+                              .also = {"hdr_flip"}};
   for (const MetricValue& metric : compute_metrics(reference, test, options))
     parameters[metric.name] = metric.parameters;
   EXPECT_EQ(parameters.size(), metric_rows().size());
@@ -175,11 +174,96 @@ TEST(Metrics, parameters_travel_with_the_numbers) {
   EXPECT_EQ(parameters["hdr_flip"], "tone_mapper=ACES, exposures=-2 1.5 3, pixels_per_degree=67.0206");
 }
 
+std::map<std::string, Measurement> every_metric(const ParameterValues& values) {
+  // The least images that every metric has a value for.
+  MetricOptions options{.parameters = values};
+  for (const MetricRow& row : metric_rows()) options.also.emplace_back(row.name);
+  std::map<std::string, Measurement> all;
+  for (Measurement& measured : measure(busy_image(161, 161), busy_image(161, 161, 1, 2), options))
+    all[measured.row->name] = std::move(measured);
+  return all;
+}
+
+TEST(MetricParameters, another_value_changes_the_numbers_and_the_print_of_those_that_have_it_and_of_no_other) {
+  const auto before = every_metric({});
+  ASSERT_EQ(before.size(), metric_rows().size());
+  for (const MetricParameter& parameter : metric_parameters) {
+    ParameterValues values;
+    ASSERT_EQ(set_parameter(parameter, example_of(parameter), values), std::nullopt) << parameter.name;
+    const std::string printed = std::string(parameter.name) + "=" + value_text(parameter, values);
+    EXPECT_NE(metrics_with(parameter), "") << parameter.name;
+    for (const auto& [name, after] : every_metric(values)) {
+      const bool has = has_parameter(*after.row, parameter);
+      EXPECT_EQ(after.value != before.at(name).value, has) << name << " " << parameter.name;
+      EXPECT_EQ((", " + after.parameters + ",").find(", " + printed + ",") != std::string::npos, has)
+          << name << ": " << after.parameters;
+    }
+  }
+}
+
+TEST(MetricParameters, every_name_that_a_metric_prints_has_a_value) {
+  for (const auto& [name, measured] : every_metric({})) {
+    const std::string& text = measured.parameters;
+    for (std::size_t at = 0; at < text.size(); at = std::min(text.find(", ", at), text.size() - 2) + 2)
+      EXPECT_NE(text.substr(at, text.find(", ", at) - at).find('='), std::string::npos) << name << ": " << text;
+  }
+}
+
+TEST(MetricParameters, what_is_out_of_range_is_said_and_not_set) {
+  const MetricParameter &number = metric_parameters[0], &range = metric_parameters[1];
+  ParameterValues values{.exposure = 3, .hdr_exposures = ExposureRange{1, 2, 5}};
+  const auto problem = [&](const MetricParameter& parameter, const std::vector<double>& numbers) {
+    return set_parameter(parameter, numbers, values).value_or("none");
+  };
+  EXPECT_EQ(problem(number, {64.5}), "64.5 is not from -64 to 64");
+  EXPECT_EQ(problem(number, {std::nan("")}).substr(4), "is not from -64 to 64");
+  EXPECT_EQ(problem(number, {1, 2}), "expected a number");
+  for (const std::vector<double>& numbers :
+       {std::vector<double>{-2, 1}, {1, -2, 4}, {-65, 1, 4}, {-2, 1, 0}, {-2, 1, 101}, {-2, 1, 1e12}})
+    EXPECT_EQ(problem(range, numbers), expected_exposures);
+  EXPECT_EQ(problem(range, {-2, 1, 2.5}), "the count 2.5 is not a whole number");
+  EXPECT_EQ(value_text(number, values) + ", " + value_text(range, values), "3, 1 2 5");
+  EXPECT_EQ(problem(number, {-64}), "none");
+  EXPECT_EQ(problem(range, {-64, 64, 100}), "none");
+  EXPECT_EQ(values_text(values).rfind("exposure=-64, exposures=-64 64 100", 0), 0u);
+  EXPECT_EQ(value_text(range, {}), "");
+  EXPECT_EQ(values_text({}).find("exposures"), std::string::npos);
+}
+
+TEST(MetricParameters, those_that_are_given_stand_in_for_others) {
+  const ParameterValues scene{.exposure = 3, .hdr_exposures = ExposureRange{1, 2, 5}};
+  EXPECT_EQ(values_text(with_given(scene, {})), values_text(scene));
+  const std::vector<GivenParameter> given = {{&metric_parameters[0], {-0.25}}};
+  const ParameterValues values = with_given(scene, given);
+  EXPECT_EQ(values.exposure, -0.25);
+  EXPECT_EQ(values.hdr_exposures, scene.hdr_exposures);
+  EXPECT_EQ(given_text(given), "exposure=-0.25");
+}
+
+TEST(Metrics, a_metric_on_request_is_computed_where_it_is_named_and_else_left_out) {
+  const Image image = busy_image(12, 12), other = busy_image(12, 12, 1, 2);
+  const auto names = [&](const MetricOptions& options) {
+    std::vector<std::string> found;
+    for (const MetricValue& metric : compute_metrics(image, other, options)) found.push_back(metric.name);
+    return found;
+  };
+  int on_request = 0;
+  for (const MetricRow& row : metric_rows()) {
+    if (!row.on_request) continue;
+    ++on_request;
+    EXPECT_EQ(std::ranges::count(names({}), row.name), 0) << row.name;
+    EXPECT_EQ(std::ranges::count(names({.also = {row.name}}), row.name), 1) << row.name;
+    EXPECT_EQ(names({.only = {row.name}}), std::vector<std::string>{row.name});  // its parameters are derived here, too
+    EXPECT_EQ(names({.only = {"mse"}, .also = {row.name}}), (std::vector<std::string>{"mse", row.name}));
+  }
+  EXPECT_GT(on_request, 0);
+}
+
 TEST(Metrics, values_of_extreme_magnitude_stay_finite) {
   const float greatest = std::numeric_limits<float>::max();
   const Image reference = constant_image(12, 12, 0, 0, 1e-45f);
   const Image test = constant_image(12, 12, greatest, -greatest, greatest);
-  for (const Measurement& measured : measure(reference, test, {60})) {
+  for (const Measurement& measured : measure(reference, test, {.parameters = {.exposure = 60}})) {
     if (measured.value) {
       EXPECT_TRUE(std::isfinite(*measured.value)) << measured.row->name;
     }

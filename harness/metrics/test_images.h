@@ -4,8 +4,11 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
-#include "harness/metrics/metrics.h"
+#include "harness/metrics/metric_run.h"
+#include "scenes/text/text_numbers.h"
 
 namespace photonproof {
 
@@ -33,10 +36,48 @@ inline Image busy_image(int width, int height, float greatest = 1, unsigned seed
 /// The metric's value, or nothing when compute_metrics leaves it out.
 inline std::optional<double> metric_value(const std::string& name, const Image& reference, const Image& test,
                                           double exposure = 0) {
-  const auto values = compute_metrics(reference, test, {exposure});
+  const auto values = compute_metrics(reference, test, {.parameters = {.exposure = exposure}});
   const auto found = std::ranges::find(values, name, &MetricValue::name);
   if (found == values.end()) return std::nullopt;
   return found->value;
+}
+
+// Whole maps of the metrics that heat maps show, of images in memory: LDR-FLIP in [0,1], and relative squared error
+// (x-r)^2/(r^2+0.01) averaged over channels. Row-major, one float a pixel.
+class KeptMaps : public MapSink {
+ public:
+  explicit KeptMaps(int width) : width_(static_cast<std::size_t>(width)) {}
+  void add(int rows, const float* flip, const float* error) override {
+    const std::size_t count = static_cast<std::size_t>(rows) * width_;
+    flip_.insert(flip_.end(), flip, flip + count);
+    error_.insert(error_.end(), error, error + count);
+  }
+
+  std::vector<float> flip_, error_;
+
+ private:
+  std::size_t width_;
+};
+
+inline std::vector<float> flip_map(const Image& reference, const Image& test, const MetricOptions& options) {
+  KeptMaps maps(reference.width);
+  measure(reference, test, options, &maps);
+  return std::move(maps.flip_);
+}
+
+inline std::vector<float> relmse_map(const Image& reference, const Image& test) {
+  KeptMaps maps(reference.width);
+  measure(reference, test, {}, &maps);
+  return std::move(maps.error_);
+}
+
+/// The numbers of its example, which is TOML.
+inline std::vector<double> example_of(const MetricParameter& parameter) {
+  std::string text = parameter.example;
+  std::erase_if(text, [](char c) { return c == '[' || c == ']'; });
+  std::vector<double> numbers;
+  for (const std::string_view number : split_list(text)) numbers.push_back(parse_number(number).value.value());
+  return numbers;
 }
 
 }  // namespace photonproof

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 #include "harness/metrics/metric_rows.h"
@@ -19,22 +18,10 @@ constexpr std::size_t most_shares_named = 3;
 constexpr double named_over_even = 2;
 constexpr int least_window = 11;  // pixels, of ssim
 
-/// The metric whose values on tiles add up to this one's.
-std::string additive(const std::string& metric) {
-  if (metric == "rmse") return "mse";
-  if (metric == "relmse_trimmed") return "relmse";
-  if (metric == "ms_ssim") return "ssim";
-  return metric.starts_with("flip_weighted") ? "flip" : metric;
-}
-
-bool is_greatest(const std::string& metric) { return metric == "max_abs" || metric == "flip_max"; }
-
-bool has_windows(const std::string& metric) { return metric == "ssim" || metric.find("flip") != std::string::npos; }
-
-/// What the value is short of a perfect one; psnr's as the mean square it is made of.
-double loss_of(const std::string& metric, double value) {
-  if (metric == "psnr") return std::pow(10, -value / 10);
-  return metric == "ssim" ? 1 - value : std::abs(value);
+/// The row whose tiles tell where the metric's error is.
+const MetricRow& told_by(const std::string& metric) {
+  const MetricRow* row = find_metric(metric);
+  return row->shares.by ? *find_metric(row->shares.by) : *row;
 }
 
 /// A tile's pixels with half a window around them, within the image.
@@ -72,20 +59,22 @@ int share_tile_side(int width, int height) {
 std::vector<FailingTile> largest_error_shares(const std::string& metric, const Image& reference,
                                               std::span<const Image* const> images, MetricOptions options) {
   images = images.first(std::min(images.size(), most_images));
-  const std::string name = additive(metric);
-  options.only = {name};
+  const MetricRow& row = told_by(metric);
+  options.only = {row.name};
+  options.also.clear();
   const int side = share_tile_side(reference.width, reference.height);
   std::vector<Block> tiles;
   std::vector<double> losses;
   for (int y = 0; y < reference.height; y += side)
     for (int x = 0; x < reference.width; x += side) {
       const Block tile{x, y, std::min(x + side, reference.width), std::min(y + side, reference.height)};
-      options.region = region_of(tile, has_windows(name), reference.width, reference.height);
+      options.region = region_of(tile, row.shares.windows, reference.width, reference.height);
       double loss = 0;
       for (const Image* image : images)
-        for (const MetricValue& value : compute_metrics(reference, *image, options)) loss += loss_of(name, value.value);
+        for (const MetricValue& value : compute_metrics(reference, *image, options))
+          loss += row.shares.loss(value.value);
       tiles.push_back(tile);
-      losses.push_back(is_greatest(name) ? loss : loss * tile.pixels());
+      losses.push_back(row.shares.greatest ? loss : loss * tile.pixels());
     }
   const double sum = std::accumulate(losses.begin(), losses.end(), 0.0);
   std::vector<std::size_t> order(tiles.size());
@@ -95,12 +84,12 @@ std::vector<FailingTile> largest_error_shares(const std::string& metric, const I
   for (const std::size_t i : order) {
     const double share = sum > 0 ? losses[i] / sum : 0;
     const bool stands_out = share * static_cast<double>(tiles.size()) > named_over_even;
-    if (share <= 0 || named.size() == most_shares_named || (!named.empty() && (!stands_out || is_greatest(name))))
+    if (share <= 0 || named.size() == most_shares_named || (!named.empty() && (!stands_out || row.shares.greatest)))
       break;
     const Block& tile = tiles[i];
     FailingTile out{tile.x0, tile.y0, tile.x1 - tile.x0, tile.y1 - tile.y0, share, {}};
     const std::string part =
-        is_greatest(name) ? "the greatest error" : fmt::format("{:.2g} % of the error", 100 * share);
+        row.shares.greatest ? "the greatest error" : fmt::format("{:.2g} % of the error", 100 * share);
     out.sentence = fmt::format("{} in {} x {} px at ({}, {}), where the image is {}", part, out.width, out.height,
                                out.x, out.y, relative_to(reference, images, tile));
     named.push_back(std::move(out));

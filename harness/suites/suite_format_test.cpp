@@ -76,6 +76,8 @@ std::string with_unknown(std::string text, const std::string& after) {
   return text.insert(at + after.size(), "unknown = 1\n");
 }
 
+constexpr const char* parameters_heading = "Parameters of a gate's metric";
+
 constexpr const char* bench_text = R"toml(title = 't'
 name = 'n'
 [limits]
@@ -148,8 +150,48 @@ TEST_F(SuiteFormat, every_key_that_is_read_is_in_the_page_and_no_other) {
       if (documented.count(one) != 0 &&
           section(heading).find("`" + std::string(many) + "` is the same") != std::string::npos)
         documented.insert(many);
+    if (heading == "`[[gate]]`") documented.merge(documented_keys(parameters_heading));
     EXPECT_EQ(documented, keys) << heading;
   }
+}
+
+TEST_F(SuiteFormat, page_has_the_table_of_the_metrics_parameters_that_gates_go_by) {
+  std::string table = "| key | type | without it | of | meaning | example |\n|---|---|---|---|---|---|\n";
+  for (const MetricParameter& parameter : metric_parameters) {
+    const std::string range = range_text(parameter);
+    const std::string type = number_count(parameter) == 1 ? "number" : "array of numbers";
+    const std::string without = parameter.in_gates  ? parameter.in_gates
+                                : parameter.without ? parameter.without
+                                                    : value_text(parameter, {});
+    table += "| `" + std::string(parameter.name) + "` | " + type + (range.empty() ? "" : ", " + range) + " | " +
+             without + " | " + metrics_with(parameter) + " | " + parameter.meaning + " | `" + parameter.example +
+             "` |\n";
+  }
+  EXPECT_TRUE(section(parameters_heading).ends_with("\n" + table)) << "put this in the page:\n" << table;
+  for (const std::string& key : documented_keys("`[[gate]]`"))
+    EXPECT_EQ(std::ranges::count(metric_parameters, key, &MetricParameter::name), 0) << key << " is a key already";
+}
+
+TEST_F(SuiteFormat, every_metric_takes_the_examples_of_its_parameters) {
+  int taken = 0;
+  for (const MetricParameter& parameter : metric_parameters)
+    for (const MetricRow& row : metric_rows()) {
+      if (!has_parameter(row, parameter)) continue;
+      std::string text = gate_text;
+      for (const auto& [old, fresh] :
+           {std::pair{std::string("'agreement'"), "'" + std::string(row.name) + "'"},
+            {"width = 8", "width = 16"},
+            {"height = 8", "height = 16"},
+            {"bound = 0.5\n", "bound = 0.5\n" + (parameter.name + (" = " + std::string(parameter.example))) + "\n"}})
+        text.replace(text.find(old), old.size(), fresh);
+      put("s.toml", text);
+      EXPECT_EQ(input_error_of([&] {
+                  EXPECT_EQ(read_gate_suite(folder_ / "s.toml").gates.at(0).parameters.size(), 1u);
+                  ++taken;
+                }),
+                "no error");
+    }
+  EXPECT_GT(taken, 0);
 }
 
 TEST_F(SuiteFormat, every_placeholder_is_in_the_page) {
@@ -183,8 +225,8 @@ TEST_F(SuiteFormat, the_examples_of_the_page_load) {
     return all;
   };
   EXPECT_EQ(input_error_of([&] {
-              EXPECT_EQ(names(),
-                        (std::vector<std::string>{"cornell/path/agreement", "furnace/path/agreement", "looks alike"}));
+              EXPECT_EQ(names(), (std::vector<std::string>{"cornell/path/agreement", "furnace/path/agreement",
+                                                           "looks alike", "looks alike in the dark"}));
             }),
             "no error");
   // A key that every table has in some example, or its table's row would teach by words alone.

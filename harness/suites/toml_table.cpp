@@ -75,6 +75,11 @@ struct TomlTable::View {
     if (!value.is_integer()) throw wrong_type(key, value, "an integer");
     return value.as_integer()->get();
   }
+  double number(const std::string& key, const toml::node& value) const {
+    const std::optional<double> number = value.is_number() ? value.value<double>() : std::nullopt;
+    if (!number || !std::isfinite(*number)) throw wrong_type(key, value, "a finite number");
+    return *number;
+  }
   const toml::array& array(const std::string& key, const toml::node& value, const std::string& of) const {
     if (!value.is_array()) throw wrong_type(key, value, "an array of " + of);
     return *value.as_array();
@@ -105,11 +110,13 @@ std::string TomlTable::string(const std::string& key) const { return view_->stri
 
 std::int64_t TomlTable::integer(const std::string& key) const { return view_->integer(key, view_->node(key)); }
 
-double TomlTable::number(const std::string& key) const {
-  const toml::node& value = view_->node(key);
-  const std::optional<double> number = value.is_number() ? value.value<double>() : std::nullopt;
-  if (!number || !std::isfinite(*number)) throw view_->wrong_type(key, value, "a finite number");
-  return *number;
+double TomlTable::number(const std::string& key) const { return view_->number(key, view_->node(key)); }
+
+std::vector<double> TomlTable::numbers(const std::string& key) const {
+  std::vector<double> list;
+  for (const toml::node& element : view_->array(key, view_->node(key), "numbers"))
+    list.push_back(view_->number(key, element));
+  return list;
 }
 
 std::vector<std::string> TomlTable::strings(const std::string& key) const {

@@ -26,6 +26,7 @@ class TomlTable {
   double number(const std::string& key) const;  ///< integer or float, finite
   std::vector<std::string> strings(const std::string& key) const;
   std::vector<std::int64_t> integers(const std::string& key) const;
+  std::vector<double> numbers(const std::string& key) const;  ///< integers or floats, finite
   std::vector<std::vector<std::string>> string_lists(const std::string& key) const;
   TomlTable table(const std::string& key) const;
 

@@ -54,7 +54,7 @@ TEST_F(ExposureHeadroom, of_every_library_scene_shows_a_fifth_more_and_less) {
     const Image image = image_of(scene);
     const double exposure = read_expect(expect_path_of(scene.string())).exposure;
     for (const float factor : {1.2f, 0.8f}) {
-      const auto values = compute_metrics(image, times(image, factor), {exposure});
+      const auto values = compute_metrics(image, times(image, factor), {.parameters = {.exposure = exposure}});
       const std::string what = scene.parent_path().filename().string() + " times " + std::to_string(factor);
       EXPECT_LT(metric(values, "psnr"), 38) << what;
       EXPECT_LT(metric(values, "ssim"), 0.998) << what;

@@ -40,7 +40,6 @@ struct CompareOptions {
   std::string heatmap_folder;           // empty: none
   std::string mask;                     // a file; empty: none
   std::vector<int> region;              // x, y, width, height; empty: all
-  std::vector<std::string> exposures;   // start, stop, count; empty: from the reference
   bool agreement = false;
   bool json = false;
 };
@@ -70,19 +69,6 @@ std::vector<MetricBound> parse_bounds(const std::string& option, const std::vect
   bounds.reserve(texts.size());
   for (const std::string& text : texts) bounds.push_back(parse_bound(option, text));
   return bounds;
-}
-
-/// Throws InputError when they are no numbers from -64 to 64 in ascending order and a count.
-ExposureRange parse_exposures(const std::vector<std::string>& texts) {
-  const Parsed<double> start = parse_number(texts[0]), stop = parse_number(texts[1]);
-  const Parsed<std::int64_t> count = parse_integer(texts[2]);
-  for (const auto* number : {&start, &stop})
-    if (!number->value) throw InputError("--exposures", number->problem);
-  if (!count.value) throw InputError("--exposures", "the count " + count.problem);
-  const auto limited_count = static_cast<int>(std::clamp<std::int64_t>(*count.value, 0, 1 << 20));
-  const ExposureRange range{*start.value, *stop.value, limited_count};
-  if (!is_usable(range)) throw InputError("--exposures", expected_exposures);
-  return range;
 }
 
 void check_bounds(const std::vector<MetricBound>& bounds, Verdict verdict, Comparison& comparison) {
@@ -219,7 +205,7 @@ void print_comparison_json(const CompareOptions& options, const Comparison& comp
                  {"test", options.test},
                  {"width", comparison.width},
                  {"height", comparison.height},
-                 {"exposure", options.metrics.exposure},
+                 {"exposure", options.metrics.parameters.exposure},
                  {"region", nullptr},
                  {"mask", nullptr},
                  {"verdict", name_of(comparison.verdict())},
@@ -249,14 +235,9 @@ int run_compare(CompareOptions options) {
   const std::vector<MetricBound> fail = parse_bounds("--fail", options.fail);
   if (const auto& part = options.region; !part.empty())
     options.metrics.region = PixelRegion{part[0], part[1], part[2], part[3]};
-  if (!options.exposures.empty()) options.metrics.hdr_exposures = parse_exposures(options.exposures);
-  std::vector<std::string>& only = options.metrics.only;
-  for (const std::string& name : only) options.metrics.hdr_flip |= metric_named("--metrics", name).on_request;
+  for (const std::string& name : options.metrics.only) metric_named("--metrics", name);
   for (const auto* bounds : {&warn, &fail})
-    for (const MetricBound& bound : *bounds) {
-      options.metrics.hdr_flip |= bound.metric->on_request;
-      if (!only.empty()) only.emplace_back(bound.metric->name);
-    }
+    for (const MetricBound& bound : *bounds) options.metrics.also.emplace_back(bound.metric->name);
   Comparison comparison;
   try {
     compare_files(options, warn, fail, comparison);
@@ -268,11 +249,42 @@ int run_compare(CompareOptions options) {
   return static_cast<int>(comparison.verdict());
 }
 
-/// CLI11's convention: empty when `text` is good. (Its own range check lets NaN pass.)
-std::string check_exposure(const std::string& text) {
-  const Parsed<double> stops = parse_number(text);
-  if (!stops.value) return stops.problem;
-  return std::abs(*stops.value) <= 64 ? std::string() : text + " is not from -64 to 64";
+/// An option's name: "--hdr-flip" of hdr_flip.
+std::string option_of(std::string name) {
+  std::ranges::replace(name, '_', '-');
+  return "--" + name;
+}
+
+/// Sets the parameter, or says what is wrong with the texts.
+std::optional<std::string> set_from(const std::vector<std::string>& texts, const MetricParameter& parameter,
+                                    ParameterValues& values) {
+  std::vector<double> numbers;
+  for (const std::string& text : texts) {
+    const Parsed<double> number = parse_number(text);
+    if (!number.value)  // of three the last is a count
+      return (numbers.size() == 2 ? "the count " : "") + number.problem;
+    numbers.push_back(*number.value);
+  }
+  return set_parameter(parameter, numbers, values);
+}
+
+/// Of a single number CLI11 says what is wrong, as of other options; of several that are wrong together, an InputError.
+void add_parameter_options(CLI::App& verb, ParameterValues& values) {
+  for (const MetricParameter& parameter : metric_parameters) {
+    const std::string name = option_of(parameter.name), range = range_text(parameter);
+    const auto set = [&values, &parameter, name](const std::vector<std::string>& texts) {
+      if (const auto problem = set_from(texts, parameter, values)) throw InputError(name, *problem);
+    };
+    std::string help = parameter.meaning + (range.empty() ? "" : ", " + range);
+    if (parameter.without) help += std::string("; without it ") + parameter.without;
+    CLI::Option* option = verb.add_option_function<std::vector<std::string>>(name, set, help);
+    option->type_name(parameter.argument)->expected(static_cast<int>(number_count(parameter)));
+    if (number_count(parameter) > 1) continue;
+    option->default_str(value_text(parameter, values))->check([&parameter](const std::string& text) {
+      ParameterValues tried;
+      return set_from({text}, parameter, tried).value_or("");
+    });
+  }
 }
 
 }  // namespace
@@ -284,11 +296,7 @@ void add_compare_verb(CLI::App& program, int& exit_code) {
       ->required()
       ->type_name("");
   verb->add_option("TEST", options->test, "test image of the same size")->required()->type_name("");
-  verb->add_option("--exposure", options->metrics.exposure,
-                   "stops applied before psnr, ssim and flip encode for display, -64 to 64")
-      ->check(check_exposure)
-      ->type_name("STOPS")
-      ->capture_default_str();
+  add_parameter_options(*verb, options->metrics.parameters);
   verb->add_option("--metrics", options->metrics.only, "compute these and those with a bound, instead of all")
       ->delimiter(',')
       ->allow_extra_args(false)
@@ -301,12 +309,11 @@ void add_compare_verb(CLI::App& program, int& exit_code) {
                        "count only the pixels where this image, of the same size, is not 0; ssim and flip are computed "
                        "everywhere and averaged over them")
           ->type_name("FILE");
-  verb->add_flag("--hdr-flip", options->metrics.hdr_flip, "compute hdr_flip, too; a bound on it does so as well");
-  verb->add_option("--exposures", options->exposures,
-                   "first and last exposure of hdr_flip in stops and their number, pinned for a scene; without it they "
-                   "are derived from the reference")
-      ->expected(3)
-      ->type_name("START STOP COUNT");
+  for (const MetricRow& row : metric_rows())
+    if (row.on_request)
+      verb->add_flag_callback(
+          option_of(row.name), [options = options.get(), &row] { options->metrics.also.emplace_back(row.name); },
+          std::string("compute ") + row.name + ", too; a bound on it does so as well");
   verb->add_option("--threads", options->metrics.threads, "0: all cores; the numbers do not depend on it")
       ->check(CLI::Range(0, 1024))
       ->type_name("N");

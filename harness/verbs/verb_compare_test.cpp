@@ -2,10 +2,12 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "harness/metrics/metric_rows.h"
 #include "harness/metrics/test_images.h"
 #include "harness/verbs/verbs.h"
 #include "scenes/text/atomic_file.h"
@@ -188,12 +190,35 @@ TEST_F(CompareVerb, hdr_flip_is_computed_for_a_bound_or_by_name) {
   const std::string ref = reference(), test = darker();
   EXPECT_EQ(compare({ref, test}).out.find("hdr_flip"), std::string::npos);
   EXPECT_NE(compare({ref, test, "--hdr-flip"}).out.find("\nhdr_flip "), std::string::npos);
+  EXPECT_NE(compare({ref, test, "--metrics", "hdr_flip"}).out.find("\nhdr_flip "), std::string::npos);
+  EXPECT_NE(compare({ref, test, "--metrics", "mse", "--hdr-flip"}).out.find("\nhdr_flip "), std::string::npos);
   const Run run = compare({ref, test, "--fail", "hdr_flip=0.001", "--exposures", "-2", "1", "4"});
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_NE(run.out.find("tone_mapper=ACES, exposures=-2 1 4, pixels_per_degree=67.0206\n"), std::string::npos)
       << run.out;
   EXPECT_THROW(compare({ref, test, "--hdr-flip", "--exposures", "1", "-2", "4"}), InputError);
   EXPECT_THROW(compare({ref, test, "--hdr-flip", "--exposures", "1", "2", "0"}), InputError);
+  EXPECT_THROW(compare({ref, test, "--hdr-flip", "--exposures", "1", "2", "x"}), InputError);
+}
+
+TEST_F(CompareVerb, every_parameter_of_a_metric_is_an_option_and_printed_with_its_value) {
+  const std::string ref = reference(), test = darker();
+  for (const MetricParameter& parameter : metric_parameters) {
+    std::vector<std::string> arguments = {ref, test, "--json", "--" + std::string(parameter.name)};
+    std::ranges::replace(arguments.back(), '_', '-');
+    std::string value;
+    for (const double number : example_of(parameter)) {
+      arguments.push_back(format_number(number));
+      value += (value.empty() ? "" : " ") + arguments.back();
+    }
+    for (const MetricRow& row : metric_rows())
+      if (has_parameter(row, parameter)) arguments.insert(arguments.end(), {"--metrics", row.name});
+    const auto record = nlohmann::json::parse(compare(arguments).out);
+    EXPECT_GT(record.at("metrics").size(), 0u);
+    for (const auto& metric : record.at("metrics"))
+      EXPECT_NE(metric.at("parameters").get<std::string>().find(parameter.name + ("=" + value)), std::string::npos)
+          << metric;
+  }
 }
 
 TEST_F(CompareVerb, json_holds_every_metric_and_says_which_have_no_number) {

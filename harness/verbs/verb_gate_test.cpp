@@ -125,13 +125,26 @@ TEST_F(GateVerb, hdr_flip_is_judged_at_the_exposures_that_the_scene_pins) {
   for (std::string engine, seed; log >> engine >> seed; ++images) {
     const std::string image = "good-" + std::to_string(std::stoul(seed) % prepared) + ".exr";
     sum += compute_metrics(reference.rendering.mean, read_image((folder_ / image).string()),
-                           {.hdr_flip = true, .hdr_exposures = ExposureRange{-3, 0.5, 3}, .only = {"hdr_flip"}})
+                           {.parameters = {.hdr_exposures = ExposureRange{-3, 0.5, 3}}, .only = {"hdr_flip"}})
                .at(0)
                .value;
   }
   EXPECT_EQ(images, 8);
   EXPECT_GT(sum, 0);
   EXPECT_NEAR(results.gates.at(0).observed->value, sum / images, 1e-12);
+}
+
+TEST_F(GateVerb, a_gate_with_an_exposure_of_its_own_has_its_flip_map_at_that_and_its_picture_at_the_scenes) {
+  put_reference();
+  const auto pictures = [&](const std::string& more) {
+    run_gate(gate("dim", "flip", 0.9) + more);
+    const GateRecord record = only_gate();
+    return std::pair(get("out/" + record.pictures.at("image")), get("out/" + record.pictures.at("flip")));
+  };
+  const auto scene = pictures(""), own = pictures("exposure = -3\n");
+  EXPECT_EQ(own.first, scene.first);
+  EXPECT_NE(own.second, scene.second);
+  EXPECT_EQ(only_gate().sentence.rfind("flip (exposure=-3) is ", 0), 0u) << only_gate().sentence;
 }
 
 TEST_F(GateVerb, crashes_and_bad_images_fail_with_their_reason) {
@@ -216,6 +229,8 @@ TEST_F(GateVerb, what_differs_from_an_accepted_verdict_is_judged_anew) {
   put("expect.toml", "purpose = 'to be measured'\nexposure = 1.5\n");
   EXPECT_EQ(images_of(gates), 8);
   put("expect.toml", "purpose = 'to be measured'\nexposure = 0.5\n");
+  run_gate(gate("good", "flip", 0.9));
+  EXPECT_EQ(images_of(gate("good", "flip", 0.9) + "exposure = 2\n"), 8);
   // The last of the first two, by one bit of one value.
   Image second = read_image((folder_ / "good-1.exr").string());
   const Image kept = second;
