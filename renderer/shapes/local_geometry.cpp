@@ -10,12 +10,6 @@
 namespace photonproof {
 namespace {
 
-/// The angle of (x, y) in [0, 1) of a turn.
-float turn_of(float x, float y) {
-  const float turn = std::atan2(y, x) / (2 * pi);
-  return turn < 0 ? turn + 1 : turn;
-}
-
 LocalGeometry on_square(const AffineMap& frame, const Vec3f& p, const Vec3f& normal) {
   const Vec3f local = frame.local_point(p);
   return {{local.x, local.y}, frame.x, frame.y, normal};
