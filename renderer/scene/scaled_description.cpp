@@ -7,24 +7,21 @@ struct LightScaler {
   double factor;
   Transform scale;
 
-  void operator()(PointLightDescription& light) const {
-    light.position *= factor;
+  /// What has an intensity shines from a place.
+  template <class Light>
+  requires requires(Light& light) { light.intensity; }
+  void operator()(Light& light) const {
+    if constexpr (requires { light.position; })
+      light.position *= factor;
+    else
+      light.to_world = scale * light.to_world;
     light.intensity *= factor * factor;
   }
-  void operator()(SpotLightDescription& light) const { place(light); }
-  void operator()(IesLightDescription& light) const { place(light); }
   // From infinity.
   void operator()(DirectionalLightDescription&) const {}
   void operator()(ConstantLightDescription&) const {}
   void operator()(EnvmapDescription&) const {}
   void operator()(SunSkyDescription&) const {}
-
- private:
-  template <class Light>
-  void place(Light& light) const {
-    light.to_world = scale * light.to_world;
-    light.intensity *= factor * factor;
-  }
 };
 
 struct CameraScaler {
