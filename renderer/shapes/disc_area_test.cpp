@@ -1,13 +1,12 @@
 // The clipped look-up disc against closed forms and counting.
 
-#include "renderer/shapes/disc_area.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
 #include "renderer/lanes/test_random.h"
+#include "renderer/shapes/surface.h"
 
 namespace photonproof {
 namespace {

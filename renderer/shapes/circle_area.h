@@ -1,0 +1,23 @@
+// Areas that circles have in common with other figures, for disc_area.
+#pragma once
+
+#include <span>
+
+#include "scenes/meshes/vec.h"
+
+namespace photonproof {
+
+inline double cross2(const Vec2<double>& a, const Vec2<double>& b) { return a.x * b.y - a.y * b.x; }
+inline double dot2(const Vec2<double>& a, const Vec2<double>& b) { return a.x * b.x + a.y * b.y; }
+
+/// Signed area of the sector of the circle about the origin between the directions of a and b.
+double circle_sector(const Vec2<double>& a, const Vec2<double>& b, double radius);
+
+/// What a polygon, in order around, has in the circle about the origin.
+double polygon_in_circle(std::span<const Vec2<double>> polygon, double radius);
+
+/// 1 - cosine of the widest angle about a centre or an axis at which a surface of this radius is still accepted by the
+/// sheet's test: its normals and its distance to the tangent plane, `height`, both go by it.
+double accepted_versine(double surface_radius, double height);
+
+}  // namespace photonproof
