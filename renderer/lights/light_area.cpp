@@ -100,7 +100,7 @@ MeshShape::MeshShape(std::vector<Vec3f> positions, std::vector<Triangle> triangl
   by_area_ = DiscreteDistribution(areas);
   area_ = static_cast<float>(by_area_.total());
   if (!(area_ > 0)) return;
-  const LightBounds all = box_around(positions_);
+  const LightBounds all = round_bounds(positions_);
   center_ = (all.low + all.high) * 0.5f;
   half_extent2_ = length_squared(all.high - all.low) * 0.25f;
   by_importance_ = std::make_shared<const LightTree>(bounds);

@@ -74,7 +74,7 @@ class MeshShape {
   float pdf_from(const Vec3f& p, const LightPoint<float>& at) const;
   Vec2<float> uv_at(const LightPoint<float>& at) const;
   float area() const { return area_; }
-  LightBounds bounds() const { return box_around(positions_); }
+  LightBounds bounds() const { return round_bounds(positions_); }
 
  private:
   Vec2<float> uv_of(const Triangle& t, float weight_b, float weight_c) const;

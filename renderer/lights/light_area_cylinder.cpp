@@ -111,7 +111,7 @@ float CylinderShape::pdf_from(const Vec3f& p, const LightPoint<float>& at) const
 }
 
 LightBounds CylinderShape::bounds() const {
-  const LightBounds line = box_around({base, base + axis});
+  const LightBounds line = round_bounds({base, base + axis});
   return round_bounds(line.low - Vec3f(radius), line.high + Vec3f(radius));
 }
 

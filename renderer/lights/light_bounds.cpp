@@ -38,7 +38,7 @@ std::optional<LightBounds> triangle_bounds(const Vec3f& a, const Vec3f& b, const
   return bounds;
 }
 
-LightBounds box_around(const std::vector<Vec3f>& points) {
+LightBounds round_bounds(const std::vector<Vec3f>& points) {
   constexpr float infinity = std::numeric_limits<float>::infinity();
   LightBounds bounds = round_bounds(Vec3f(infinity), Vec3f(-infinity));
   for (const Vec3f& p : points) {

@@ -24,13 +24,11 @@ LightBounds parallelogram_bounds(const Vec3f& corner, const Vec3f& edge_u, const
 LightBounds ellipse_bounds(const Vec3f& center, const Vec3f& half_axis_u, const Vec3f& half_axis_v,
                            const Vec3f& normal);
 LightBounds round_bounds(const Vec3f& low, const Vec3f& high);
+LightBounds round_bounds(const std::vector<Vec3f>& points);  ///< in the box around them
 
 /// Of a triangle that emits to the side of its normal, its area being its power; nothing if it has none.
 std::optional<LightBounds> triangle_bounds(const Vec3f& a, const Vec3f& b, const Vec3f& c, const Vec3f& normal,
                                            float area);
-/// The box around points, which shine in every direction.
-LightBounds box_around(const std::vector<Vec3f>& points);
-
 /// Of both together.
 LightBounds merge(const LightBounds& a, const LightBounds& b);
 
