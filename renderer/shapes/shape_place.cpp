@@ -12,7 +12,7 @@ void ShapePlace::require_similarity() const {
   const auto differs = [&](double a, double b) { return std::abs(a - b) > 1e-4 * scale; };
   if (differs(dot(y, y), scale) || differs(dot(z, z), scale) || differs(dot(x, y), 0) || differs(dot(x, z), 0) ||
       differs(dot(y, z), 0))
-    refuse("a sphere or cylinder cannot be stretched or sheared, by an instance either");
+    refuse("this shape cannot be stretched or sheared, by an instance either");
 }
 
 Vec3d ShapePlace::flat_normal(const Vec3d& edge_u, const Vec3d& edge_v) const {
