@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "renderer/photons/photon_sheet.h"
-
 namespace photonproof {
 namespace {
 
@@ -41,10 +39,6 @@ double polygon_in_circle(std::span<const Point> polygon, double radius) {
   for (std::size_t i = 0; i < polygon.size(); ++i)
     area += clipped_triangle(polygon[i], polygon[(i + 1) % polygon.size()], radius);
   return std::abs(area);
-}
-
-double accepted_versine(double surface_radius, double height) {
-  return std::min(1 - double{least_sheet_cosine}, height / surface_radius);
 }
 
 }  // namespace photonproof

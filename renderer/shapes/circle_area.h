@@ -1,8 +1,10 @@
 // Areas that circles have in common with other figures, for disc_area.
 #pragma once
 
+#include <algorithm>
 #include <span>
 
+#include "renderer/photons/photon_sheet.h"
 #include "scenes/meshes/vec.h"
 
 namespace photonproof {
@@ -18,6 +20,8 @@ double polygon_in_circle(std::span<const Vec2<double>> polygon, double radius);
 
 /// 1 - cosine of the widest angle about a centre or an axis at which a surface of this radius is still accepted by the
 /// sheet's test: its normals and its distance to the tangent plane, `height`, both go by it.
-double accepted_versine(double surface_radius, double height);
+inline double accepted_versine(double surface_radius, double height) {
+  return std::min(1 - double{least_sheet_cosine}, height / surface_radius);
+}
 
 }  // namespace photonproof

@@ -19,6 +19,8 @@
 // digits.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "renderer/core/ray.h"
@@ -61,12 +63,22 @@ struct LocalGeometry {
 inline constexpr float flat_curvature = std::numeric_limits<float>::infinity();
 
 /// The parameter where the ray crosses the plane through `point`, if ahead.
-double plane_distance(const Vec3d& point, const Vec3d& normal, const ShapeRay& ray);
+inline double plane_distance(const Vec3d& point, const Vec3d& normal, const ShapeRay& ray) {
+  const double t = dot(normal, point - ray.origin) / dot(normal, ray.direction);
+  return t > 0 && t >= ray.t_near && t <= ray.t_far ? t : missed;  // a NaN, of a parallel ray, is a miss
+}
+
 /// The box of these corners and what rounding could leave outside.
 ShapeBox padded_box(const Vec3d& low, const Vec3d& high);
 /// The largest magnitude of a coordinate.
-double largest_coordinate(const Vec3f& p);
+inline double largest_coordinate(const Vec3f& p) {
+  return std::max({std::abs(double{p.x}), std::abs(double{p.y}), std::abs(double{p.z})});
+}
+
 /// Of a parallelogram or a plane with texture coordinates along the frame's first two axes.
-LocalGeometry local_geometry_of_square(const AffineMap& frame, const Vec3f& p, const Vec3f& normal);
+inline LocalGeometry local_geometry_of_square(const AffineMap& frame, const Vec3f& p, const Vec3f& normal) {
+  const Vec3f local = frame.local_point(p);
+  return {{local.x, local.y}, frame.x, frame.y, normal};
+}
 
 }  // namespace photonproof
