@@ -1,6 +1,7 @@
 // Maps from the unit square to the directions and points that estimators draw, with their densities.
 #pragma once
 
+#include <cmath>
 #include <numbers>
 
 #include "renderer/lanes/lane_trig.h"
@@ -9,6 +10,12 @@ namespace photonproof {
 
 inline constexpr float pi = std::numbers::pi_v<float>;
 inline constexpr double pi_d = std::numbers::pi;
+
+/// The angle of (x, y) in [0, 1) of a turn.
+inline float turn_of(float x, float y) {
+  const float turn = std::atan2(y, x) / (2 * pi);
+  return turn < 0 ? turn + 1 : turn;
+}
 
 /// Orthonormal frame around a unit normal (Duff et al. 2017, "Building an Orthonormal Basis, Revisited").
 template <class F>

@@ -68,9 +68,9 @@ struct Viewpoint {
     if (z < -ball.radius || z > whole + ball.radius) return std::nullopt;
     return around(from_base - along * z, s.base + along * z, s.radius, s.sign, std::hypot(whole / 2, s.radius));
   }
-  /// Its triangles are chosen from where the ball is.
-  std::optional<Vec3f> of_shape(const MeshShape& s) const {
-    const LightBounds box = box_around(s.positions());
+  /// Any other's by the box around it: of a mesh, triangles are chosen from where the ball is.
+  std::optional<Vec3f> of_shape(const auto& s) const {
+    const LightBounds box = s.bounds();
     const auto beside = [](float low, float high, float x) { return std::max({low - x, x - high, 0.0f}); };
     const Vec3f apart{beside(box.low.x, box.high.x, ball.center.x), beside(box.low.y, box.high.y, ball.center.y),
                       beside(box.low.z, box.high.z, ball.center.z)};

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
-#include <utility>
 
 #include "renderer/core/ray.h"
 
@@ -53,19 +52,6 @@ std::vector<LightWords> light_table(const std::vector<Light>& lights) {
   }
   return table;
 }
-
-namespace {
-
-/// A light's index is its kind in the kernels' tables: `Light` begins with those of LightKinds, in their order.
-template <std::size_t... kind>
-constexpr bool begins_with_lanes(std::index_sequence<kind...>) {
-  return (
-      std::is_same_v<std::variant_alternative_t<kind, Light>, std::variant_alternative_t<kind, LightKinds::Variant>> &&
-      ...);
-}
-static_assert(begins_with_lanes(std::make_index_sequence<LightKinds::count>{}));
-
-}  // namespace
 
 std::vector<float> light_records(const std::vector<Light>& lights) {
   std::vector<float> records(lights.size() * LightKinds::stride, 0.0f);

@@ -194,7 +194,7 @@ inline void add_meshes(std::vector<SurfaceLight>& all, const Vec3d& at, double s
     const std::string name = flipped ? "flipped mesh" : "mesh";
     const MeshShape shape(positions, faces, uvs, flipped);
     // From close by triangles are chosen by an importance that is above 0 for some that turn out to face away.
-    const auto seen = [=, fronts = seen_fronts(whole), box = box_around(positions)](const Vec3d& p) {
+    const auto seen = [=, fronts = seen_fronts(whole), box = round_bounds(positions)](const Vec3d& p) {
       Seen found = fronts(p);
       const Vec3d diagonal(box.high - box.low), from = p - Vec3d(box.low + box.high) * 0.5;
       if (dot(from, from) > dot(diagonal, diagonal)) return found;

@@ -38,15 +38,6 @@ struct LightShaper {
                        axis(to_world, {0, 0, 1}),
                        s.inward ? -1.0f : 1.0f};
   }
-  LightShape operator()(const Cylinder& cylinder) const {
-    // Mitsuba turns the cylinder's local z to p1 - p0 by its own frame; u starts at that frame's first axis.
-    const auto& c = std::get<CylinderDescription>(shape.geometry);
-    const Vec3d along = c.p1 - c.p0;
-    const Frame<float> frame(Vec3f(normalize(along)));
-    return CylinderShape{
-        cylinder.base,   Vec3f(to_world.vector(along)), axis(to_world, Vec3d(frame.s)), axis(to_world, Vec3d(frame.t)),
-        cylinder.radius, cylinder.inward ? -1.0f : 1.0f};
-  }
   LightShape operator()(const Mesh& mesh) const {
     std::vector<Vec3f> positions(mesh.positions.begin(), mesh.positions.end() - 1);  // the last is a spare
     std::vector<Vec2<float>> uvs = mesh.source->uvs;
@@ -56,6 +47,7 @@ struct LightShaper {
   }
   LightShape operator()(const Plane&) const { refuse(); }
   LightShape operator()(const MeshInstance&) const { refuse(); }
+  LightShape operator()(const auto& surface) const { return light_shape(surface, shape, to_world); }
 
  private:
   [[noreturn]] void refuse() const { throw InputError(where, "this shape cannot be a light"); }

@@ -3,6 +3,9 @@
 // scene_lights.h asks all of a scene.
 #pragma once
 
+#include <optional>
+#include <type_traits>
+
 #include "renderer/lights/light_area.h"
 #include "renderer/lights/light_environment.h"
 #include "renderer/lights/light_ies.h"
@@ -11,10 +14,8 @@
 
 namespace photonproof {
 
-using Light = std::variant<QuadLight<float>, SphereLight<float>, PointLight<float>, DiskLight<float>, SpotLight<float>,
-                           DirectionalLight<float>, AreaLight, EnvironmentLight, IesLight, TexturedSpotLight>;
-static_assert(std::is_same_v<std::variant_alternative_t<LightKinds::count, Light>, AreaLight>,
-              "a light's index is its kind in the kernels' tables");
+/// A light's index is its kind in the kernels' tables.
+using Light = LightKinds::VariantWith<AreaLight, EnvironmentLight, IesLight, TexturedSpotLight>;
 
 /// What LightWords::kind says.
 inline std::uint32_t kernel_kind(const Light& light) {
@@ -29,6 +30,22 @@ inline bool is_infinite(const Light& light) {
 }
 inline Rgb flux(const Light& light) {
   return std::visit([](const auto& l) { return l.flux(); }, light);
+}
+/// Nothing for lights that shine on nothing or come from infinity.
+inline std::optional<LightBounds> light_bounds(const Light& light) {
+  const Rgb f = flux(light);
+  const float power = (f.x + f.y + f.z) / 3;
+  if (is_infinite(light) || !(power > 0)) return std::nullopt;
+  LightBounds bounds = std::visit(
+      [](const auto& l) -> LightBounds {
+        if constexpr (std::decay_t<decltype(l)>::is_infinite)
+          return {};
+        else
+          return l.bounds();
+      },
+      light);
+  bounds.power = power;
+  return bounds;
 }
 inline LightSample<float> sample(const Light& light, const Vec3f& p, const Vec2<float>& u) {
   return std::visit([&](const auto& l) { return l.sample(p, u); }, light);

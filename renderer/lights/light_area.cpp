@@ -41,11 +41,6 @@ Vec2<float> in_basis(const Vec3f& d, const Vec3f& u, const Vec3f& v) {
   return solution(Vec3d(d), Vec3d(u), Vec3d(v));
 }
 
-float turn_of(float x, float y) {
-  const float turn = std::atan2(y, x) / (2 * pi);
-  return turn < 0 ? turn + 1 : turn;
-}
-
 }  // namespace
 
 Vec2<float> QuadShape::uv_at(const LightPoint<float>& at) const { return in_basis(at.p - corner, edge_u, edge_v); }
@@ -58,11 +53,6 @@ Vec2<float> DiskShape::uv_at(const LightPoint<float>& at) const {
 Vec2<float> SphereShape::uv_at(const LightPoint<float>& at) const {
   const Vec3f d = normalize(at.p - center);
   return {turn_of(dot(d, start), dot(d, side)), angle_between(d, up) / pi};
-}
-
-Vec2<float> CylinderShape::uv_at(const LightPoint<float>& at) const {
-  const Vec3f d = at.p - base;
-  return {turn_of(dot(d, start), dot(d, side)), dot(d, axis) / dot(axis, axis)};
 }
 
 Vec2<float> MeshShape::uv_at(const LightPoint<float>& at) const {
@@ -92,13 +82,6 @@ LightPoint<float> SphereShape::sample(const Vec2<float>& u) const {
 }
 float SphereShape::area() const { return 4 * pi * radius * radius; }
 
-LightPoint<float> CylinderShape::sample(const Vec2<float>& u) const {
-  const SinCos<float> angle = sincos_turn(u.x);
-  const Vec3f outward = start * angle.cos + side * angle.sin;
-  return {base + axis * u.y + outward * radius, outward * sign, u};
-}
-float CylinderShape::area() const { return 2 * pi * radius * length(axis); }
-
 MeshShape::MeshShape(std::vector<Vec3f> positions, std::vector<Triangle> triangles, std::vector<Vec2<float>> uvs,
                      bool flipped)
     : positions_(std::move(positions)),
@@ -117,7 +100,7 @@ MeshShape::MeshShape(std::vector<Vec3f> positions, std::vector<Triangle> triangl
   by_area_ = DiscreteDistribution(areas);
   area_ = static_cast<float>(by_area_.total());
   if (!(area_ > 0)) return;
-  const LightBounds all = box_around(positions_);
+  const LightBounds all = round_bounds(positions_);
   center_ = (all.low + all.high) * 0.5f;
   half_extent2_ = length_squared(all.high - all.low) * 0.25f;
   by_importance_ = std::make_shared<const LightTree>(bounds);

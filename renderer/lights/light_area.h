@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "renderer/core/discrete_distribution.h"
+#include "renderer/lights/light_area_cylinder.h"
+#include "renderer/lights/light_bounds.h"
 #include "renderer/lights/light_disk.h"
 #include "renderer/lights/light_quad.h"
 #include "renderer/lights/light_sample.h"
@@ -21,15 +23,8 @@ namespace photonproof {
 
 class LightTree;
 
-/// A point drawn as seen from another.
-struct SeenPoint {
-  LightPoint<float> at;
-  Vec3f offset;   ///< to it
-  float pdf = 0;  ///< per solid angle
-};
-
 /// Shapes draw points uniformly by area, with their texture coordinates (`sample`), and as seen from p (`sample_from`,
-/// with the density `pdf_from`). Coordinates of a point are found by `uv_at`.
+/// with the density `pdf_from`). Coordinates of a point are found by `uv_at`, where to they shine says `bounds`.
 
 /// corner + u edge_u + v edge_v; uv = (u, v).
 struct QuadShape {
@@ -39,6 +34,7 @@ struct QuadShape {
   float pdf_from(const Vec3f& p, const LightPoint<float>& at) const;
   Vec2<float> uv_at(const LightPoint<float>& at) const;
   float area() const { return length(cross(edge_u, edge_v)); }
+  LightBounds bounds() const { return parallelogram_bounds(corner, edge_u, edge_v, normal); }
 };
 
 /// center + a half_axis_u + b half_axis_v, a^2 + b^2 <= 1; uv = (radius, angle / 2 pi) as Mitsuba's disk has it.
@@ -49,6 +45,7 @@ struct DiskShape {
   float pdf_from(const Vec3f& p, const LightPoint<float>& at) const;
   Vec2<float> uv_at(const LightPoint<float>& at) const;
   float area() const;
+  LightBounds bounds() const { return ellipse_bounds(center, half_axis_u, half_axis_v, normal); }
 };
 
 /// uv = (azimuth about `up` from `start`, polar angle from `up`), in turns and half turns.
@@ -62,19 +59,7 @@ struct SphereShape {
   float pdf_from(const Vec3f& p, const LightPoint<float>& at) const;
   Vec2<float> uv_at(const LightPoint<float>& at) const;
   float area() const;
-};
-
-/// The curved side: base + radius (cos(2 pi u) start + sin(2 pi u) side) + v axis.
-struct CylinderShape {
-  Vec3f base, axis;   ///< `axis` reaches to the other end
-  Vec3f start, side;  ///< unit
-  float radius = 1;
-  float sign = 1;  ///< 1: outward, -1: inward
-  LightPoint<float> sample(const Vec2<float>& u) const;
-  SeenPoint sample_from(const Vec3f& p, const Vec2<float>& u) const;
-  float pdf_from(const Vec3f& p, const LightPoint<float>& at) const;
-  Vec2<float> uv_at(const LightPoint<float>& at) const;
-  float area() const;
+  LightBounds bounds() const { return round_bounds(center - Vec3f(radius), center + Vec3f(radius)); }
 };
 
 /// Triangles in the world's frame. A triangle is drawn by its area, its normal is geometric.
@@ -89,7 +74,7 @@ class MeshShape {
   float pdf_from(const Vec3f& p, const LightPoint<float>& at) const;
   Vec2<float> uv_at(const LightPoint<float>& at) const;
   float area() const { return area_; }
-  const std::vector<Vec3f>& positions() const { return positions_; }
+  LightBounds bounds() const { return round_bounds(positions_); }
 
  private:
   Vec2<float> uv_of(const Triangle& t, float weight_b, float weight_c) const;
@@ -111,6 +96,7 @@ class MeshShape {
   std::shared_ptr<const LightTree> by_importance_;
 };
 
+/// One row a shape.
 using LightShape = std::variant<QuadShape, DiskShape, SphereShape, CylinderShape, MeshShape>;
 
 class AreaLight {
@@ -128,6 +114,9 @@ class AreaLight {
   Rgb flux_towards(const LightPoint<float>& at, const Vec3f& direction) const;
   Rgb leaving(const LightPoint<float>& at, const Vec3f& direction) const;
   Rgb flux() const { return flux_; }
+  LightBounds bounds() const {
+    return std::visit([](const auto& shape) { return shape.bounds(); }, shape_);
+  }
   const LightShape& shape() const { return shape_; }
   /// Of a point on the shape; of a mesh, on its triangle. Constant radiance needs none: 0.
   Vec2<float> uv_at(const LightPoint<float>& at) const;

@@ -13,57 +13,22 @@ Vec3f lower(const Vec3f& a, const Vec3f& b) { return {std::min(a.x, b.x), std::m
 Vec3f upper(const Vec3f& a, const Vec3f& b) { return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)}; }
 
 LightBounds flat(const Vec3f& low, const Vec3f& high, const Vec3f& normal) { return {low, high, normal, 0, pi / 2, 0}; }
-LightBounds round(const Vec3f& low, const Vec3f& high) { return {low, high, {0, 0, 1}, half_turn, pi / 2, 0}; }
 
-LightBounds parallelogram(const Vec3f& corner, const Vec3f& edge_u, const Vec3f& edge_v, const Vec3f& normal) {
+}  // namespace
+
+LightBounds parallelogram_bounds(const Vec3f& corner, const Vec3f& edge_u, const Vec3f& edge_v, const Vec3f& normal) {
   const Vec3f a = corner + edge_u, b = corner + edge_v, c = a + edge_v;
   return flat(lower(lower(corner, a), lower(b, c)), upper(upper(corner, a), upper(b, c)), normal);
 }
 
-LightBounds ellipse(const Vec3f& center, const Vec3f& u, const Vec3f& v, const Vec3f& normal) {
+LightBounds ellipse_bounds(const Vec3f& center, const Vec3f& half_axis_u, const Vec3f& half_axis_v,
+                           const Vec3f& normal) {
+  const Vec3f &u = half_axis_u, &v = half_axis_v;
   const Vec3f reach{std::hypot(u.x, v.x), std::hypot(u.y, v.y), std::hypot(u.z, v.z)};
   return flat(center - reach, center + reach, normal);
 }
 
-LightBounds shape_bounds(const QuadShape& s) { return parallelogram(s.corner, s.edge_u, s.edge_v, s.normal); }
-LightBounds shape_bounds(const DiskShape& s) { return ellipse(s.center, s.half_axis_u, s.half_axis_v, s.normal); }
-LightBounds shape_bounds(const SphereShape& s) { return round(s.center - Vec3f(s.radius), s.center + Vec3f(s.radius)); }
-LightBounds shape_bounds(const CylinderShape& s) {
-  const Vec3f end = s.base + s.axis;
-  return round(lower(s.base, end) - Vec3f(s.radius), upper(s.base, end) + Vec3f(s.radius));
-}
-LightBounds shape_bounds(const MeshShape& s) { return box_around(s.positions()); }
-
-LightBounds bounds_of(const QuadLight<float>& l) { return parallelogram(l.corner, l.edge_u, l.edge_v, l.normal); }
-LightBounds bounds_of(const SphereLight<float>& l) {
-  return round(l.center - Vec3f(l.radius), l.center + Vec3f(l.radius));
-}
-LightBounds bounds_of(const PointLight<float>& l) { return round(l.position, l.position); }
-LightBounds bounds_of(const DiskLight<float>& l) { return ellipse(l.center, l.half_axis_u, l.half_axis_v, l.normal); }
-LightBounds bounds_of(const SpotLight<float>& l) { return {l.position, l.position, l.axis, 0, l.cutoff, 0}; }
-LightBounds bounds_of(const AreaLight& l) {
-  return std::visit([](const auto& s) { return shape_bounds(s); }, l.shape());
-}
-LightBounds bounds_of(const IesLight& l) { return round(l.position(), l.position()); }
-LightBounds bounds_of(const TexturedSpotLight& l) { return bounds_of(l.spot()); }
-
-}  // namespace
-
-std::optional<LightBounds> light_bounds(const Light& light) {
-  const Rgb f = flux(light);
-  const float power = (f.x + f.y + f.z) / 3;
-  if (is_infinite(light) || !(power > 0)) return std::nullopt;
-  LightBounds bounds = std::visit(
-      [](const auto& l) -> LightBounds {
-        if constexpr (std::decay_t<decltype(l)>::is_infinite)
-          return {};
-        else
-          return bounds_of(l);
-      },
-      light);
-  bounds.power = power;
-  return bounds;
-}
+LightBounds round_bounds(const Vec3f& low, const Vec3f& high) { return {low, high, {0, 0, 1}, half_turn, pi / 2, 0}; }
 
 std::optional<LightBounds> triangle_bounds(const Vec3f& a, const Vec3f& b, const Vec3f& c, const Vec3f& normal,
                                            float area) {
@@ -73,9 +38,9 @@ std::optional<LightBounds> triangle_bounds(const Vec3f& a, const Vec3f& b, const
   return bounds;
 }
 
-LightBounds box_around(const std::vector<Vec3f>& points) {
+LightBounds round_bounds(const std::vector<Vec3f>& points) {
   constexpr float infinity = std::numeric_limits<float>::infinity();
-  LightBounds bounds = round(Vec3f(infinity), Vec3f(-infinity));
+  LightBounds bounds = round_bounds(Vec3f(infinity), Vec3f(-infinity));
   for (const Vec3f& p : points) {
     bounds.low = lower(bounds.low, p);
     bounds.high = upper(bounds.high, p);

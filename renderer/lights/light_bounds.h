@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "renderer/lights/light.h"
+#include "renderer/lanes/warp.h"
 
 namespace photonproof {
 
@@ -14,19 +14,21 @@ namespace photonproof {
 struct LightBounds {
   Vec3f low, high;
   Vec3f axis{0, 0, 1};
-  float spread = 3.14159265f, emission = 1.57079633f;
+  float spread = pi, emission = pi / 2;
   float power = 0;  ///< mean channel of the flux, W
 };
 
-/// Nothing for lights that shine on nothing or come from infinity.
-std::optional<LightBounds> light_bounds(const Light& light);
+/// Without their power: of a Lambertian parallelogram or ellipse (center + a half_axis_u + b half_axis_v), and of what
+/// is in a box and has normals on all sides.
+LightBounds parallelogram_bounds(const Vec3f& corner, const Vec3f& edge_u, const Vec3f& edge_v, const Vec3f& normal);
+LightBounds ellipse_bounds(const Vec3f& center, const Vec3f& half_axis_u, const Vec3f& half_axis_v,
+                           const Vec3f& normal);
+LightBounds round_bounds(const Vec3f& low, const Vec3f& high);
+LightBounds round_bounds(const std::vector<Vec3f>& points);  ///< in the box around them
 
 /// Of a triangle that emits to the side of its normal, its area being its power; nothing if it has none.
 std::optional<LightBounds> triangle_bounds(const Vec3f& a, const Vec3f& b, const Vec3f& c, const Vec3f& normal,
                                            float area);
-/// The box around points, which shine in every direction.
-LightBounds box_around(const std::vector<Vec3f>& points);
-
 /// Of both together.
 LightBounds merge(const LightBounds& a, const LightBounds& b);
 

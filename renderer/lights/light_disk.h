@@ -3,6 +3,7 @@
 #pragma once
 
 #include "renderer/lanes/warp.h"
+#include "renderer/lights/light_bounds.h"
 #include "renderer/lights/light_near.h"
 #include "renderer/lights/light_sample.h"
 
@@ -47,6 +48,7 @@ struct DiskLight {
     return flux() * cosine_hemisphere_pdf(F(dot(at.normal, direction)));
   }
   Vec3<F> flux() const { return radiance * (pi * area); }
+  LightBounds bounds() const { return ellipse_bounds(center, half_axis_u, half_axis_v, normal); }
   Vec3<F> leaving(const LightPoint<F>& at, const Vec3<F>& direction) const {
     return select(dot(at.normal, direction) > 0, radiance, Vec3<F>(F(0.0f)));
   }

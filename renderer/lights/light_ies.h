@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "renderer/core/discrete_distribution.h"
+#include "renderer/lights/light_bounds.h"
 #include "renderer/lights/light_sample.h"
 #include "scenes/meshes/ies.h"
 
@@ -26,7 +27,7 @@ class IesLight {
   Rgb flux_towards(const LightPoint<float>& at, const Vec3f& direction) const { return leaving(at, direction); }
   Rgb leaving(const LightPoint<float>& at, const Vec3f& direction) const;
   Rgb flux() const { return flux_; }
-  const Vec3f& position() const { return position_; }
+  LightBounds bounds() const { return round_bounds(position_, position_); }
 
  private:
   /// Candela at the angles, degrees; 0 outside of the file's vertical ones.

@@ -8,6 +8,7 @@
 //   leaving(at, d)           radiance from a point in direction d; 0 from behind. Of a light without surface the
 //                            intensity, of a directional one the irradiance
 //   flux()                   total emitted flux, W per channel
+//   bounds()                 of a light that is not infinite: where it is and where to it shines (light_bounds.h)
 //   is_delta                 a ray cannot find it
 //   is_infinite              it has directions, but no points
 #pragma once

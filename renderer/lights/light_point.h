@@ -2,6 +2,7 @@
 #pragma once
 
 #include "renderer/lanes/warp.h"
+#include "renderer/lights/light_bounds.h"
 #include "renderer/lights/light_sample.h"
 
 namespace photonproof {
@@ -24,6 +25,7 @@ struct PointLight {
   Vec3<F> flux_towards(const LightPoint<F>&, const Vec3<F>&) const { return intensity; }
   Vec3<F> leaving(const LightPoint<F>&, const Vec3<F>&) const { return intensity; }
   Vec3<F> flux() const { return intensity * (4 * pi); }
+  LightBounds bounds() const { return round_bounds(position, position); }
 };
 
 }  // namespace photonproof

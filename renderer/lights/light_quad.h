@@ -3,6 +3,7 @@
 #pragma once
 
 #include "renderer/lanes/warp.h"
+#include "renderer/lights/light_bounds.h"
 #include "renderer/lights/light_near.h"
 #include "renderer/lights/light_sample.h"
 #include "scenes/text/faults.h"
@@ -54,6 +55,7 @@ struct QuadLight {
     return select(dot(at.normal, direction) > 0, radiance, Vec3<F>(F(0.0f)));
   }
   Vec3<F> flux() const { return radiance * (pi * area); }
+  LightBounds bounds() const { return parallelogram_bounds(corner, edge_u, edge_v, normal); }
 
  private:
   Vec3<F> point(const Vec2<F>& u) const { return advance(advance(corner, u.x, edge_u), u.y, edge_v); }

@@ -23,6 +23,13 @@ struct LightSample {
   F pdf = {};        ///< per solid angle at the shaded point; 1 for a delta light; 0 when it gives nothing there
 };
 
+/// A point drawn as seen from another.
+struct SeenPoint {
+  LightPoint<float> at;
+  Vec3f offset;   ///< to it
+  float pdf = 0;  ///< per solid angle
+};
+
 /// A light path's start at a light that has been chosen.
 template <class F>
 struct Emission {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "renderer/lanes/warp.h"
+#include "renderer/lights/light_bounds.h"
 #include "renderer/lights/light_sample.h"
 
 namespace photonproof {
@@ -46,6 +47,7 @@ struct SphereLight {
     return select(dot(at.normal, direction) > 0, radiance, Vec3<F>(F(0.0f)));
   }
   Vec3<F> flux() const { return radiance * (pi * area()); }
+  LightBounds bounds() const { return round_bounds(center - Vec3f(radius), center + Vec3f(radius)); }
 
  private:
   F area() const { return 4 * pi * radius * radius; }

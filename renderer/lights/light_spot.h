@@ -2,6 +2,7 @@
 #pragma once
 
 #include "renderer/lanes/warp.h"
+#include "renderer/lights/light_bounds.h"
 #include "renderer/lights/light_sample.h"
 
 namespace photonproof {
@@ -46,6 +47,7 @@ struct SpotLight {
     return intensity * falloff_towards(direction);
   }
   Vec3<F> flux() const { return intensity * (mean_falloff * solid_angle()); }
+  LightBounds bounds() const { return {position, position, axis, 0, cutoff, 0}; }
   Vec3<F> leaving(const LightPoint<F>&, const Vec3<F>& direction) const {
     return intensity * falloff_towards(direction);
   }

@@ -23,7 +23,7 @@ class TexturedSpotLight {
   Rgb flux_towards(const LightPoint<float>& at, const Vec3f& direction) const { return leaving(at, direction); }
   Rgb leaving(const LightPoint<float>& at, const Vec3f& direction) const;
   Rgb flux() const { return flux_; }
-  const SpotLight<float>& spot() const { return spot_; }
+  LightBounds bounds() const { return spot_.bounds(); }
 
  private:
   Rgb texture_towards(const Vec3f& direction) const;

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "renderer/lights/light.h"
 #include "renderer/lights/light_bounds.h"
 
 namespace photonproof {

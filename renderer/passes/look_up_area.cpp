@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <optional>
 
+#include "renderer/photons/photon_sheet.h"
 #include "renderer/rays/rays.h"
 #include "renderer/scene/surface_detail.h"
-#include "renderer/shapes/disc_area.h"
 #include "scenes/description/overloaded.h"
 #include "scenes/text/faults.h"
 
@@ -14,15 +14,10 @@ namespace {
 
 /// Whether all that a ball of the radius holds of the surface has one normal and one tangent plane, or near enough.
 bool is_one_sheet(const Geometry& geometry, float radius) {
-  const auto is_flat_enough = [&](float surface_radius) { return radius < 0.99f * 2 * sheet_height * surface_radius; };
-  return std::visit(
-      Overloaded{[&](const Sphere& sphere) { return is_flat_enough(sphere.radius); },
-                 [&](const Cylinder& cylinder) { return is_flat_enough(cylinder.radius); },
-                 [](const Mesh&) { return false; }, [](const MeshInstance&) { return false; },
-                 [](const Quad&) { return true; }, [](const Disk&) { return true; }, [](const Plane&) { return true; }},
-      geometry);
+  const float surface_radius = std::visit([](const auto& shape) { return shape.curvature_radius(); }, geometry);
+  return radius < 0.99f * 2 * sheet_height * surface_radius;
 }
-// As far from p as the radius r, a sphere or cylinder of radius R is r^2 / 2R from the tangent plane, and the versine
+// As far from p as the radius r, a surface of curvature radius R is r^2 / 2R from the tangent plane, and the versine
 // of the normals' angle is r^2 / 2R^2: below the limits where r < 2 sheet_height R.
 static_assert(2 * sheet_height * sheet_height < 1 - least_sheet_cosine);
 

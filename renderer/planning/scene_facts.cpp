@@ -5,7 +5,6 @@
 #include <bit>
 
 #include "renderer/light_choice/scene_lights.h"
-#include "scenes/description/overloaded.h"
 
 namespace photonproof {
 namespace {
@@ -21,7 +20,8 @@ bool reflects_diffusely(const SceneParts& scene, const Surface& surface) {
 /// A front that is lit alone: rays from behind see nothing of it.
 bool is_one_sided(const SceneParts& scene, const Surface& surface) { return scene.bsdfs.is_leaf(surface.bsdf); }
 
-/// Whether some point of `other` lies in front of the quad. Corners decide for a quad, the nearest point for a sphere.
+/// Whether some point of `other` may lie in front of the quad. Corners decide for a quad, the nearest point for a
+/// sphere; anything else is taken to have one.
 bool has_part_in_front(const Quad& quad, const Surface& other) {
   const auto height = [&](const Vec3f& p) { return dot(quad.normal, p - quad.corner); };
   if (const auto* sphere = std::get_if<Sphere>(&other.geometry)) return height(sphere->center) + sphere->radius > 0;
@@ -39,13 +39,8 @@ bool faces(const SceneParts& scene, const Surface& surface, const Surface& other
 }
 
 bool sees_itself(const SceneParts& scene, const Surface& surface) {
-  const auto curved = [&](bool inward) { return inward || !is_one_sided(scene, surface); };
-  return std::visit(
-      Overloaded{[](const Mesh&) { return true; }, [](const MeshInstance&) { return true; },
-                 [&](const Cylinder& cylinder) { return curved(cylinder.inward); },
-                 [&](const Sphere& sphere) { return curved(sphere.inward); }, [](const Quad&) { return false; },
-                 [](const Disk&) { return false; }, [](const Plane&) { return false; }},
-      surface.geometry);
+  const bool both_sides = !is_one_sided(scene, surface);
+  return std::visit([&](const auto& shape) { return shape.sees_itself(both_sides); }, surface.geometry);
 }
 
 bool can_interreflect(const SceneParts& scene, const std::vector<const Surface*>& diffuse) {

@@ -14,20 +14,13 @@ Plate plate(const Vec3d& corner, const Vec3d& edge_u, const Vec3d& edge_v, const
           Vec3f(v),      static_cast<float>(-dot(v, corner))};
 }
 
-bool has_code_for(const Quad&) { return true; }
-bool has_code_for(const Sphere&) { return true; }
-bool has_code_for(const Mesh&) { return true; }
-bool has_code_for(const Disk&) { return false; }
-bool has_code_for(const Cylinder&) { return false; }
-bool has_code_for(const Plane&) { return false; }
-bool has_code_for(const MeshInstance&) { return false; }
-
 Plate plate(const LongFace& face) { return plate(face.corner, face.edge_u, face.edge_v, face.normal); }
 
 }  // namespace
 
 bool SmallSceneTables::can_hold(const Geometry& geometry) {
-  return std::visit([](const auto& shape) { return has_code_for(shape); }, geometry);
+  return std::holds_alternative<Quad>(geometry) || std::holds_alternative<Mesh>(geometry) ||
+         std::holds_alternative<Sphere>(geometry);
 }
 
 SmallSceneTables::SmallSceneTables(const std::vector<Surface>& surfaces) : first_primitive_(surfaces.size(), 0) {

@@ -10,7 +10,7 @@ namespace photonproof {
 
 class SmallSceneTables {
  public:
-  /// Parallelograms, triangles and spheres.
+  /// Parallelograms, triangles and spheres; whatever else there is is Embree's.
   static bool can_hold(const Geometry& geometry);
 
   /// Of surfaces that it can hold.

@@ -13,9 +13,9 @@
 #include <limits>
 #include <new>
 #include <stdexcept>
+#include <string>
 
 #include "renderer/rays/trace_tables.h"
-#include "renderer/shapes/curved_shapes.h"
 #include "renderer/shapes/face_normal.h"
 
 namespace photonproof {
@@ -45,13 +45,15 @@ ShapeRay shape_ray(const RTCRay& ray) {
 template <class Shape>
 void bounds_callback(const RTCBoundsFunctionArguments* args) {
   const ShapeBox box = box_around(*static_cast<const ShapeTable<Shape>*>(args->geometryUserPtr)->shapes[args->primID]);
+  const Vec3f margin = (box.high - box.low) * 0x1p-21f;  // what rounding could leave outside
+  const Vec3f low = box.low - margin, high = box.high + margin;
   RTCBounds& b = *args->bounds_o;
-  b.lower_x = box.low.x;
-  b.lower_y = box.low.y;
-  b.lower_z = box.low.z;
-  b.upper_x = box.high.x;
-  b.upper_y = box.high.y;
-  b.upper_z = box.high.z;
+  b.lower_x = low.x;
+  b.lower_y = low.y;
+  b.lower_z = low.z;
+  b.upper_x = high.x;
+  b.upper_y = high.y;
+  b.upper_z = high.z;
 }
 
 // Called with one ray or with a packet of them.

@@ -27,8 +27,8 @@ struct alignas(64) HitBlock {
   std::uint32_t primitive[RayBlock::width];  ///< the triangle of a mesh, else 0
 };
 
-/// Immutable once built; safe for any number of threads. Quads and triangles are Embree's (ROBUST), spheres, discs,
-/// cylinders and long faces user geometry solved in double precision; planes are tested apart.
+/// Immutable once built; safe for any number of threads. Quads and triangles are Embree's (ROBUST), other shapes
+/// and long faces user geometry solved in double precision; planes are tested apart.
 class Tracer {
  public:
   /// Throws std::runtime_error with Embree's message when it cannot build. `surfaces` must outlive the tracer.

@@ -20,6 +20,9 @@ struct ShapeTable {
   }
 };
 
+template <class... Shape>
+using ShapeTables = std::tuple<ShapeTable<Shape>...>;
+
 /// The meshes of a shape group, which all its instances share.
 struct MeshGroup {
   std::vector<const Mesh*> parts;
@@ -33,10 +36,9 @@ struct PlacedGroup {
 
 struct TraceTables {
   ShapeTable<Quad> quads;
-  /// What Embree does not know and curved_shapes.h does.
-  std::tuple<ShapeTable<Sphere>, ShapeTable<Disk>, ShapeTable<Cylinder>, ShapeTable<LongFace>> solved;
-  ShapeTable<Plane> planes;  ///< tested one after the other: boxes around them would be of no use
-  ShapeTable<Mesh> meshes;   ///< geometries of their own
+  SolvedShapes<ShapeTables, LongFace> solved;  ///< what Embree does not know
+  ShapeTable<Plane> planes;                    ///< tested one after the other: boxes around them would be of no use
+  ShapeTable<Mesh> meshes;                     ///< geometries of their own
   std::vector<const std::vector<LongFace>*> long_faces_of_mesh;  ///< null where there are none
   std::vector<MeshGroup> groups;
   std::vector<PlacedGroup> instances;

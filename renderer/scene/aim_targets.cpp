@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace photonproof {
 namespace {
@@ -15,14 +14,11 @@ AimTarget ball_around(const Quad& quad) {
   return {quad.corner + half_diagonal, reach};
 }
 
-AimTarget ball_around(const Mesh& mesh) {
-  Vec3f low(std::numeric_limits<float>::infinity()), high = -low;
-  for (std::size_t i = 0; i + 1 < mesh.positions.size(); ++i) {  // the last is a spare
-    const Vec3f& p = mesh.positions[i];
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
-  return {(low + high) * 0.5f, length(high - low) * 0.5f};
+/// By the box around it, of what there is no smaller ball for.
+template <class Shape>
+AimTarget ball_around(const Shape& shape) {
+  const ShapeBox box = box_around(shape);
+  return {(box.low + box.high) * 0.5f, length(box.high - box.low) * 0.5f};
 }
 
 AimTarget ball_around(const Disk& disk) { return {disk.center, std::hypot(length(disk.axis_x), length(disk.axis_y))}; }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "renderer/scene/scene_frame.h"
+#include "renderer/shapes/surface.h"
 #include "scenes/description/overloaded.h"
 
 namespace photonproof {
@@ -79,41 +80,19 @@ void add_mesh(Nearest& nearest, const TriangleMesh& mesh, const Transform& to_wo
   }
 }
 
-void add_nearest_of_ball(Nearest& nearest, const Vec3d& center, double radius) {
-  const Vec3d to_point = nearest.to - center;
-  const double distance = length(to_point);
-  nearest.add(center + (distance > 0 ? to_point * (radius / distance) : Vec3d{radius, 0, 0}));
-}
-
-void add_plane(Nearest& nearest, const Transform& to_world) {
-  const Vec3d n = cross(to_world.vector({1, 0, 0}), to_world.vector({0, 1, 0}));
-  nearest.add(nearest.to + n * (dot(n, to_world.point({0, 0, 0}) - nearest.to) / dot(n, n)));
-}
-
-void add_cylinder(Nearest& nearest, const CylinderDescription& cylinder, const Transform& to_world) {
-  const Vec3d base = to_world.point(cylinder.p0), along = to_world.point(cylinder.p1) - base;
-  const double share = std::clamp(dot(nearest.to - base, along) / dot(along, along), 0.0, 1.0);
-  add_nearest_of_ball(nearest, base + along * share, cylinder.radius * to_world.similarity_scale());
-}
-
 void add_shape(Nearest& nearest, const SceneDescription& scene, const ShapeDescription& shape,
                const Transform& to_world) {
-  std::visit(Overloaded{[&](const SphereDescription& sphere) {
-                          add_nearest_of_ball(nearest, to_world.point(sphere.center),
-                                              sphere.radius * to_world.similarity_scale());
-                        },
-                        [&](const CylinderDescription& cylinder) { add_cylinder(nearest, cylinder, to_world); },
-                        [&](const RectangleDescription&) { add_box(nearest, to_world, false); },
-                        [&](const DiskDescription&) { add_box(nearest, to_world, false); },
+  std::visit(Overloaded{[&](const RectangleDescription&) { add_box(nearest, to_world, false); },
                         [&](const HeightfieldDescription&) { add_box(nearest, to_world, false); },
+                        [&](const DiskDescription&) { add_box(nearest, to_world, false); },
                         [&](const CubeDescription&) { add_box(nearest, to_world, true); },
-                        [&](const PlaneDescription&) { add_plane(nearest, to_world); },
                         [&](const MeshDescription& mesh) { add_mesh(nearest, *mesh.mesh, to_world); },
                         [&](const InstanceDescription& instance) {
                           for (const ShapeDescription& member : scene.groups[instance.group.value].shapes)
                             if (!std::holds_alternative<InstanceDescription>(member.geometry))
                               add_shape(nearest, scene, member, to_world * member.to_world);
-                        }},
+                        },
+                        [&](const auto& primitive) { nearest.add(nearest_on(primitive, to_world, nearest.to)); }},
              shape.geometry);
 }
 

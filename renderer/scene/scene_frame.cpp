@@ -5,25 +5,11 @@
 #include <vector>
 
 #include "renderer/scene/scene_focus.h"
+#include "renderer/shapes/surface.h"
 #include "scenes/description/overloaded.h"
 
 namespace photonproof {
 namespace {
-
-/// The corners of a local box.
-void add_corners(Extent& extent, const Transform& to_world, const Vec3d& low, const Vec3d& high) {
-  for (int corner = 0; corner < 8; ++corner) {
-    const auto pick = [&](int bit, double a, double b) { return (corner >> bit & 1) != 0 ? b : a; };
-    extent.add(to_world.point({pick(0, low.x, high.x), pick(1, low.y, high.y), pick(2, low.z, high.z)}));
-  }
-}
-
-void add_ball(Extent& extent, const Transform& to_world, const Vec3d& center, double radius) {
-  const Vec3d middle = to_world.point(center);
-  const Vec3d reach(radius * to_world.similarity_scale());
-  extent.add(middle - reach);
-  extent.add(middle + reach);
-}
 
 /// In the group's own coordinates.
 Extent extent_of(const SceneDescription& description, const ShapeGroupDescription& group) {
@@ -83,37 +69,19 @@ SceneFrame frame_of_middles(const SceneDescription& description) {
 
 double power_of_two_below(double x) { return std::ldexp(1.0, std::ilogb(x)); }
 
-void Extent::add(const Vec3d& p) {
-  low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-  high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-}
-
-void Extent::add(const Extent& other) {
-  add(other.low);
-  add(other.high);
-}
-
 Extent extent_of(const SceneDescription& description, const ShapeDescription& shape) {
   Extent extent;
-  const auto add_box = [&](double height) { add_corners(extent, shape.to_world, {-1, -1, -height}, {1, 1, height}); };
-  std::visit(Overloaded{[&](const SphereDescription& sphere) {
-                          add_ball(extent, shape.to_world, sphere.center, sphere.radius);
-                        },
-                        [&](const CylinderDescription& cylinder) {
-                          add_ball(extent, shape.to_world, cylinder.p0, cylinder.radius);
-                          add_ball(extent, shape.to_world, cylinder.p1, cylinder.radius);
-                        },
-                        [&](const RectangleDescription&) { add_box(0); }, [&](const DiskDescription&) { add_box(0); },
-                        [&](const CubeDescription&) { add_box(1); },
+  const auto add_box = [&](double height) { extent.add_box(shape.to_world, {-1, -1, -height}, {1, 1, height}); };
+  std::visit(Overloaded{[&](const RectangleDescription&) { add_box(0); }, [&](const CubeDescription&) { add_box(1); },
                         [&](const HeightfieldDescription& field) { add_box(std::abs(field.amplitude)); },
-                        [](const PlaneDescription&) {},
                         [&](const MeshDescription& mesh) {
                           for (const Vec3f& p : mesh.mesh->positions) extent.add(shape.to_world.point(Vec3d(p)));
                         },
                         [&](const InstanceDescription& instance) {
                           const Extent group = extent_of(description, description.groups[instance.group.value]);
-                          if (group.is_usable()) add_corners(extent, shape.to_world, group.low, group.high);
-                        }},
+                          if (group.is_usable()) extent.add_box(shape.to_world, group.low, group.high);
+                        },
+                        [&](const auto& primitive) { extent = extent_of(primitive, shape.to_world); }},
              shape.geometry);
   return extent;
 }

@@ -3,18 +3,10 @@
 
 #include <limits>
 
+#include "renderer/shapes/extent.h"
 #include "scenes/description/description.h"
 
 namespace photonproof {
-
-/// A box; empty until something is added.
-struct Extent {
-  Vec3d low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
-  void add(const Vec3d& p);
-  void add(const Extent& other);
-  bool is_usable() const { return is_finite(low) && is_finite(high); }
-  Vec3d middle() const { return (low + high) * 0.5; }
-};
 
 /// Around the shape in the world of the description, not always tightly; not usable if it has no end.
 Extent extent_of(const SceneDescription& description, const ShapeDescription& shape);

@@ -39,9 +39,6 @@ struct BsdfNotes {
   Notes& notes;
   const SourceLoc& loc;
 
-  void operator()(const RoughConductorDescription& d) const { roughness(d.alpha_u, d.alpha_v); }
-  void operator()(const RoughDielectricDescription& d) const { roughness(d.alpha_u, d.alpha_v); }
-  void operator()(const RoughPlasticDescription& d) const { roughness(d.alpha, d.alpha); }
   void operator()(const PhongDescription& d) const {
     notes.limit(loc, "exponent", d.exponent, [](float n) { return PhongBsdf<float>{n, {}, {}}.exponent(); });
     const auto* diffuse = std::get_if<RgbD>(&d.diffuse_reflectance);
@@ -54,7 +51,14 @@ struct BsdfNotes {
                          " in a channel: both are rendered divided by that");
   }
   template <class Other>
-  void operator()(const Other&) const {}
+  void operator()(const Other& d) const {
+    static_assert(
+        !requires { d.exponent; }, "which exponents are usable is for each BSDF to say");
+    if constexpr (requires { d.alpha_u; })
+      roughness(d.alpha_u, d.alpha_v);
+    else if constexpr (requires { d.alpha; })
+      roughness(d.alpha, d.alpha);
+  }
 
  private:
   void roughness(const Scalar& along_u, const Scalar& along_v) const {

@@ -3,14 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "renderer/rays/small_scene_tables.h"
 #include "renderer/scene/scene_frame.h"
 #include "renderer/shapes/heightfield.h"
-#include "renderer/shapes/local_geometry.h"
 #include "renderer/shapes/mesh_normals.h"
-#include "scenes/description/overloaded.h"
 
 namespace photonproof {
 namespace {
@@ -27,11 +24,6 @@ const std::array<CubeFace, 6> cube_faces{{{{-1, -1, 1}, {0, 2, 0}, {2, 0, 0}},
                                           {{-1, -1, -1}, {0, 0, 2}, {2, 0, 0}},
                                           {{1, 1, 1}, {-2, 0, 0}, {0, 0, -2}}}};
 
-/// The frame of a flat shape: its two edges and, across it, a unit normal.
-AffineMap flat_frame(const Vec3d& origin, const Vec3d& along_u, const Vec3d& along_v) {
-  return {along_u, along_v, normalize(cross(along_u, along_v)), origin};
-}
-
 bool is_mesh(const ShapeDescription& shape) {
   return std::holds_alternative<MeshDescription>(shape.geometry) ||
          std::holds_alternative<HeightfieldDescription>(shape.geometry);
@@ -39,24 +31,6 @@ bool is_mesh(const ShapeDescription& shape) {
 
 /// An instance of so few may be copied for the sake of its faces.
 constexpr std::size_t triangles_to_copy = 0x10000;
-
-/// Estimators divide by areas and normalise by them: both must stay finite with room to spare.
-bool has_usable_size(const Geometry& geometry) {
-  const auto usable = [](float area) { return area > 1e-30f && area < 1e30f; };
-  return std::visit(
-      Overloaded{[&](const Quad& quad) { return usable(quad.area); },
-                 [&](const Sphere& sphere) { return usable(sphere.area()); },
-                 [&](const Disk& disk) { return usable(disk.area); },
-                 [&](const Cylinder& cylinder) { return usable(cylinder.area()); }, [](const Plane&) { return true; },
-                 [](const Mesh&) { return true; }, [](const MeshInstance&) { return true; }},
-      geometry);
-}
-
-/// The normal of the plane of two edges that a transform made of the local x and y axes: the inverse transpose's, which
-/// a mirroring transform does not turn over as it does the winding.
-Vec3d flat_normal(const Vec3d& edge_u, const Vec3d& edge_v, bool turned) {
-  return normalize(cross(edge_u, edge_v)) * (turned ? -1.0 : 1.0);
-}
 
 double edge_of_triangle(const Mesh& mesh, std::size_t triangle) {
   const Vec3d a(mesh.corner(triangle, 0)), b(mesh.corner(triangle, 1)), c(mesh.corner(triangle, 2));
@@ -86,55 +60,9 @@ void SceneShapes::add(const ShapeDescription& shape, const Transform& to_world) 
   std::visit([&](const auto& kind) { add(kind, shape, to_world); }, shape.geometry);
 }
 
-void SceneShapes::require_similarity(const ShapeDescription& shape, const Transform& to_world) const {
-  const Vec3d x = to_world.vector({1, 0, 0}), y = to_world.vector({0, 1, 0}), z = to_world.vector({0, 0, 1});
-  const double scale = dot(x, x);
-  const auto differs = [&](double a, double b) { return std::abs(a - b) > 1e-4 * scale; };
-  if (differs(dot(y, y), scale) || differs(dot(z, z), scale) || differs(dot(x, y), 0) || differs(dot(x, z), 0) ||
-      differs(dot(y, z), 0))
-    throw InputError(description_.where(shape.loc),
-                     "a sphere or cylinder cannot be stretched or sheared, by an instance either");
-}
-
-void SceneShapes::add(const SphereDescription& sphere, const ShapeDescription& shape, const Transform& to_world) {
-  require_similarity(shape, to_world);
-  const double radius = sphere.radius * to_world.similarity_scale();
-  const Vec3d center = to_world.point(sphere.center);
-  const AffineMap uv(to_world.vector({sphere.radius, 0, 0}), to_world.vector({0, sphere.radius, 0}),
-                     to_world.vector({0, 0, sphere.radius}), center);
-  add_primitive(Sphere{Vec3f(center), static_cast<float>(radius), shape.flip_normals}, shape, uv);
-}
-
-void SceneShapes::add(const DiskDescription&, const ShapeDescription& shape, const Transform& to_world) {
-  const Vec3d center = to_world.point({0, 0, 0});
-  const Vec3d x = to_world.vector({1, 0, 0}), y = to_world.vector({0, 1, 0});
-  const Vec3d normal = flat_normal(x, y, shape.flip_normals != (to_world.determinant() < 0));
-  const double area = std::numbers::pi * length(cross(x, y));
-  add_primitive(Disk{Vec3f(center), Vec3f(x), Vec3f(y), Vec3f(normal), static_cast<float>(area)}, shape,
-                flat_frame(center, x, y));
-}
-
-void SceneShapes::add(const CylinderDescription& cylinder, const ShapeDescription& shape, const Transform& to_world) {
-  require_similarity(shape, to_world);
-  const Vec3d base = to_world.point(cylinder.p0);
-  const Vec3d along = to_world.point(cylinder.p1) - base;
-  const double radius = cylinder.radius * to_world.similarity_scale();
-  const Tangents around = any_tangents(Vec3f(normalize(cylinder.p1 - cylinder.p0)));
-  const AffineMap uv(to_world.vector(Vec3d(around.s) * cylinder.radius),
-                     to_world.vector(Vec3d(around.t) * cylinder.radius), along, base);
-  const Vec3d axis = normalize(along);
-  add_primitive(Cylinder{Vec3f(base), Vec3f(axis), static_cast<float>(length(along)), static_cast<float>(radius),
-                         shape.flip_normals},
-                shape, uv);
-}
-
-void SceneShapes::add(const PlaneDescription&, const ShapeDescription& shape, const Transform& to_world) {
-  const Vec3d origin = to_world.point({0, 0, 0});
-  const Vec3d x = to_world.vector({1, 0, 0}), y = to_world.vector({0, 1, 0});
-  const Vec3d normal = flat_normal(x, y, shape.flip_normals != (to_world.determinant() < 0));
-  if (!is_finite(normal) || !is_finite(Vec3f(origin)))
-    throw InputError(description_.where(shape.loc), "the plane is outside what single precision can hold");
-  add_primitive(Plane{origin, normal}, shape, flat_frame(origin, x, y));
+template <class Primitive>
+void SceneShapes::add(const Primitive& primitive, const ShapeDescription& shape, const Transform& to_world) {
+  add_primitive(placed(primitive, ShapePlace{description_, shape, to_world}), shape);
 }
 
 void SceneShapes::add(const RectangleDescription&, const ShapeDescription& shape, const Transform& to_world) {
@@ -154,8 +82,8 @@ void SceneShapes::add_quad(const ShapeDescription& shape, const Vec3d& corner, c
   const double area = length(n);
   // A mirrored transform turns the winding round but not the side Mitsuba's normal (inverse transpose) points to.
   const Vec3d normal = n / area * (shape.flip_normals != turned ? -1.0 : 1.0);
-  add_primitive(Quad{Vec3f(corner), Vec3f(edge_u), Vec3f(edge_v), Vec3f(normal), static_cast<float>(area)}, shape,
-                flat_frame(corner, edge_u, edge_v));
+  const Quad quad{Vec3f(corner), Vec3f(edge_u), Vec3f(edge_v), Vec3f(normal), static_cast<float>(area)};
+  add_primitive(PlacedShape<Quad>{quad, flat_frame(corner, edge_u, edge_v), area}, shape);
   if (length(edge_u) > long_edge_ || length(edge_v) > long_edge_)
     surfaces.back().long_faces = std::make_shared<const std::vector<LongFace>>(
         std::vector<LongFace>{{corner, edge_u, edge_v, normal, dot(normal, corner), false, 0}});
@@ -290,13 +218,15 @@ void SceneShapes::add_surface(Geometry geometry, const ShapeDescription& shape) 
   shape_of.push_back(&shape);
 }
 
-void SceneShapes::add_primitive(Geometry geometry, const ShapeDescription& shape, const AffineMap& uv_frame) {
-  if (!has_usable_size(geometry))
+template <class Shape>
+void SceneShapes::add_primitive(const PlacedShape<Shape>& made, const ShapeDescription& shape) {
+  // Estimators divide by areas and normalise by them: both must stay finite with room to spare.
+  if (made.area && !(*made.area > 1e-30 && *made.area < 1e30))
     throw InputError(description_.where(shape.loc), "the shape's area is outside what single precision can hold");
   ++primitives;
-  add_surface(std::move(geometry), shape);
+  add_surface(made.shape, shape);
   surfaces.back().uv_frame = static_cast<std::uint32_t>(uv_frames.size());
-  uv_frames.push_back(uv_frame);
+  uv_frames.push_back(made.uv_frame);
 }
 
 }  // namespace photonproof

@@ -5,6 +5,7 @@
 #include <map>
 #include <vector>
 
+#include "renderer/shapes/shape_place.h"
 #include "renderer/shapes/surface.h"
 #include "renderer/textures/texture.h"
 #include "scenes/description/description.h"
@@ -35,15 +36,14 @@ class SceneShapes {
   };
 
   void add(const ShapeDescription& shape, const Transform& to_world);
-  void add(const SphereDescription& sphere, const ShapeDescription& shape, const Transform& to_world);
   void add(const RectangleDescription&, const ShapeDescription& shape, const Transform& to_world);
   void add(const CubeDescription&, const ShapeDescription& shape, const Transform& to_world);
-  void add(const DiskDescription&, const ShapeDescription& shape, const Transform& to_world);
-  void add(const CylinderDescription& cylinder, const ShapeDescription& shape, const Transform& to_world);
-  void add(const PlaneDescription&, const ShapeDescription& shape, const Transform& to_world);
   void add(const MeshDescription&, const ShapeDescription& shape, const Transform& to_world);
   void add(const HeightfieldDescription&, const ShapeDescription& shape, const Transform& to_world);
   void add(const InstanceDescription& instance, const ShapeDescription& shape, const Transform& to_world);
+  /// Of a description that `placed` makes one primitive of.
+  template <class Primitive>
+  void add(const Primitive& primitive, const ShapeDescription& shape, const Transform& to_world);
   /// uv is (0, 0) at the corner and grows to 1 along the edges. The front is where cross(edge_u, edge_v) points, the
   /// other side when `turned`; then as flip_normals says.
   void add_quad(const ShapeDescription& shape, const Vec3d& corner, const Vec3d& edge_u, const Vec3d& edge_v,
@@ -55,9 +55,8 @@ class SceneShapes {
   void mark_long_faces(const Transform& to_world);
   Mesh compile_mesh(const ShapeDescription& shape, const Transform& to_world) const;
   void add_surface(Geometry geometry, const ShapeDescription& shape);
-  /// Of a shape that is one primitive.
-  void add_primitive(Geometry geometry, const ShapeDescription& shape, const AffineMap& uv_frame);
-  void require_similarity(const ShapeDescription& shape, const Transform& to_world) const;
+  template <class Shape>
+  void add_primitive(const PlacedShape<Shape>& made, const ShapeDescription& shape);
 
   const SceneDescription& description_;
   const Textures& textures_;

@@ -10,43 +10,6 @@
 namespace photonproof {
 namespace {
 
-/// The angle of (x, y) in [0, 1) of a turn.
-float turn_of(float x, float y) {
-  const float turn = std::atan2(y, x) / (2 * pi);
-  return turn < 0 ? turn + 1 : turn;
-}
-
-LocalGeometry on_square(const AffineMap& frame, const Vec3f& p, const Vec3f& normal) {
-  const Vec3f local = frame.local_point(p);
-  return {{local.x, local.y}, frame.x, frame.y, normal};
-}
-
-LocalGeometry on_sphere(const AffineMap& frame, const Vec3f& p, const Vec3f& normal) {
-  const Vec3f local = frame.local_point(p);
-  const float from_axis = std::hypot(local.x, local.y);
-  const float cos_phi = from_axis > 0 ? local.x / from_axis : 1, sin_phi = from_axis > 0 ? local.y / from_axis : 0;
-  return {{turn_of(local.x, local.y), std::atan2(from_axis, local.z) / pi},
-          frame.vector({-2 * pi * local.y, 2 * pi * local.x, 0}),
-          frame.vector({pi * local.z * cos_phi, pi * local.z * sin_phi, -pi * from_axis}),
-          normal};
-}
-
-LocalGeometry on_disk(const AffineMap& frame, const Vec3f& p, const Vec3f& normal) {
-  const Vec3f local = frame.local_point(p);
-  const float r = std::hypot(local.x, local.y);
-  const float cos_phi = r > 0 ? local.x / r : 1, sin_phi = r > 0 ? local.y / r : 0;
-  return {{r, turn_of(local.x, local.y)},
-          frame.vector({cos_phi, sin_phi, 0}),
-          frame.vector({-sin_phi, cos_phi, 0}),
-          normal};
-}
-
-LocalGeometry on_cylinder(const AffineMap& frame, const Vec3f& p, const Vec3f& normal) {
-  const Vec3f local = frame.local_point(p);
-  return {
-      {turn_of(local.x, local.y), local.z}, frame.vector({-2 * pi * local.y, 2 * pi * local.x, 0}), frame.z, normal};
-}
-
 /// `p` in the mesh's own space.
 LocalGeometry on_mesh(const Mesh& mesh, std::uint32_t triangle, const Vec3f& p, const Vec3f& face_normal) {
   const auto& corners = mesh.source->triangles[triangle];
@@ -100,11 +63,7 @@ LocalGeometry local_geometry(const Surface& surface, const AffineMap* frame, std
                              const Vec3f& normal) {
   return std::visit(Overloaded{[&](const Mesh& mesh) { return on_mesh(mesh, triangle, p, normal); },
                                [&](const MeshInstance& copy) { return on_instance(copy, triangle, p); },
-                               [&](const Sphere&) { return on_sphere(*frame, p, normal); },
-                               [&](const Disk&) { return on_disk(*frame, p, normal); },
-                               [&](const Cylinder&) { return on_cylinder(*frame, p, normal); },
-                               [&](const Quad&) { return on_square(*frame, p, normal); },
-                               [&](const Plane&) { return on_square(*frame, p, normal); }},
+                               [&](const auto& shape) { return local_geometry(shape, *frame, p, normal); }},
                     surface.geometry);
 }
 

@@ -6,14 +6,7 @@
 
 namespace photonproof {
 
-struct LocalGeometry {
-  Vec2<float> uv;
-  Vec3f dp_du, dp_dv;  ///< 0 where the parameterisation is singular
-  Vec3f normal;        ///< for shading: unit, interpolated where the mesh has normals, else the geometric one
-};
-
-/// `frame`: local to world space, where the shape is a unit square, sphere, disc, cylinder or the plane z = 0 (meshes
-/// need none). `triangle`: of a mesh. `normal`: the geometric one.
+/// `frame`: as shape.h has it; meshes need none. `triangle`: of a mesh. `normal`: the geometric one.
 LocalGeometry local_geometry(const Surface& surface, const AffineMap* frame, std::uint32_t triangle, const Vec3f& p,
                              const Vec3f& normal);
 

@@ -1,6 +1,6 @@
-// What disc_area.h is for the other shapes, for triangle meshes: the area of the mesh within the look-up radius whose
-// photons pass the sheet's test. A balanced tree over the triangles, whose nodes know their bounds, their area and a
-// cone of their normals, so that a look-up takes or leaves most nodes whole; triangles on the border are clipped.
+// What disc_area (shape.h) is for the other shapes, for triangle meshes: the area of the mesh within the look-up radius
+// whose photons pass the sheet's test. A balanced tree over the triangles, whose nodes know their bounds, their area
+// and a cone of their normals, so that a look-up takes or leaves most nodes whole; triangles on the border are clipped.
 #pragma once
 
 #include <array>

@@ -10,7 +10,7 @@
 #include "renderer/integrators/test_photon_scenes.h"
 #include "renderer/lanes/test_random.h"
 #include "renderer/lanes/warp.h"
-#include "renderer/shapes/disc_area.h"
+#include "renderer/shapes/surface.h"
 
 namespace photonproof {
 namespace {

@@ -4,12 +4,17 @@
 
 namespace photonproof {
 
-AffineMap::AffineMap(const Vec3d& axis_x, const Vec3d& axis_y, const Vec3d& axis_z, const Vec3d& at)
-    : x(axis_x), y(axis_y), z(axis_z), origin(at) {
-  const double determinant = dot(axis_x, cross(axis_y, axis_z));
-  to_x = Vec3f(cross(axis_y, axis_z) / determinant);
-  to_y = Vec3f(cross(axis_z, axis_x) / determinant);
-  to_z = Vec3f(cross(axis_x, axis_y) / determinant);
+ShapeBox box_around(const Mesh& mesh) {
+  ShapeBox box;
+  for (std::size_t i = 0; i + 1 < mesh.positions.size(); ++i) box.add(mesh.positions[i]);  // the last is a spare
+  return box;
+}
+
+ShapeBox box_around(const MeshInstance& copy) {
+  const Mesh& mesh = *copy.mesh;
+  ShapeBox box;
+  for (std::size_t i = 0; i + 1 < mesh.positions.size(); ++i) box.add(copy.placement->point(mesh.positions[i]));
+  return box;
 }
 
 const Mesh* mesh_of(const Geometry& geometry) {

@@ -10,7 +10,11 @@ using Light = decltype(EmitterDescription::light);
 struct CompleteEmitter {
   Params& params;
 
-  void operator()(AreaEmitter&) const {}
+  /// What names no file is complete; what has a place may be moved, turned and scaled evenly.
+  template <class Light>
+  requires(!requires(Light & d) { d.filename; }) void operator()(Light&) const {
+    if constexpr (requires(Light & d) { d.to_world; }) expect_similarity(params, "the light");
+  }
   void operator()(PointLightDescription& d) const {
     expect_alone(params, "position", "to_world");
     if (params.has("to_world")) d.position = params.transform("to_world").point({0, 0, 0});
@@ -28,13 +32,13 @@ struct CompleteEmitter {
     params.expect(to_world.inverse().has_value(), "to_world", "is singular: it flattens the light");
     d.direction = normalize(to_world.vector({0, 0, 1}));
   }
-  void operator()(ConstantLightDescription&) const {}
   void operator()(EnvmapDescription& d) const {
     params.expect(is_even(d.to_world), "to_world", "scales unevenly or shears the map, expected a uniform scale");
     const auto loaded = params.objects().files().image(params.value_of("filename"), false);
     d.filename = loaded.name;
     d.image = loaded.content;
   }
+  /// Its place is checked with the sun's direction (PluginReader::sun).
   void operator()(SunSkyDescription&) const {}
   void operator()(IesLightDescription& d) const {
     expect_similarity(params, "the light");

@@ -1,0 +1,30 @@
+// A cylinder that emits (light_area.h). Seen from a point it is sampled by the angles that its lines are seen under.
+#pragma once
+
+#include "renderer/lights/light_bounds.h"
+#include "renderer/lights/light_sample.h"
+#include "renderer/shapes/surface.h"
+
+namespace photonproof {
+
+struct ShapeDescription;
+
+/// The curved side: base + radius (cos(2 pi u) start + sin(2 pi u) side) + v axis.
+struct CylinderShape {
+  Vec3f base, axis;   ///< `axis` reaches to the other end
+  Vec3f start, side;  ///< unit
+  float radius = 1;
+  float sign = 1;  ///< 1: outward, -1: inward
+  LightPoint<float> sample(const Vec2<float>& u) const;
+  SeenPoint sample_from(const Vec3f& p, const Vec2<float>& u) const;
+  float pdf_from(const Vec3f& p, const LightPoint<float>& at) const;
+  Vec2<float> uv_at(const LightPoint<float>& at) const;
+  float area() const;
+  LightBounds bounds() const;
+};
+
+/// From the surface as rays meet it, and what that does not keep of the shape, a cylinder. `to_world` as of
+/// compile_surface_light.
+CylinderShape light_shape(const Cylinder& cylinder, const ShapeDescription& shape, const Transform& to_world);
+
+}  // namespace photonproof

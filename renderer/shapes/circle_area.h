@@ -1,0 +1,29 @@
+// Areas that circles have in common with other figures, for disc_area.
+#pragma once
+
+#include <algorithm>
+#include <span>
+
+#include "renderer/photons/photon_sheet.h"
+#include "scenes/meshes/vec.h"
+
+namespace photonproof {
+
+using PlanePoint = Vec2<double>;  ///< in the plane of a circle about its middle
+
+inline double cross2(const PlanePoint& a, const PlanePoint& b) { return a.x * b.y - a.y * b.x; }
+inline double dot2(const PlanePoint& a, const PlanePoint& b) { return a.x * b.x + a.y * b.y; }
+
+/// Signed area of the sector of the circle about the origin between the directions of a and b.
+double circle_sector(const PlanePoint& a, const PlanePoint& b, double radius);
+
+/// What a polygon, in order around, has in the circle about the origin.
+double polygon_in_circle(std::span<const PlanePoint> polygon, double radius);
+
+/// 1 - cosine of the widest angle about a centre or an axis at which a surface of this radius is still accepted by the
+/// sheet's test: its normals and its distance to the tangent plane, `height`, both go by it.
+inline double accepted_versine(double surface_radius, double height) {
+  return std::min(1 - double{least_sheet_cosine}, height / surface_radius);
+}
+
+}  // namespace photonproof

@@ -1,0 +1,29 @@
+// Cylinders, open at both ends.
+#pragma once
+
+#include "renderer/shapes/shape.h"
+
+namespace photonproof {
+
+struct CylinderDescription;
+
+/// The points at distance `radius` from the segment base + [0, length] axis; no caps.
+struct Cylinder {
+  Vec3f base, axis;  ///< axis is unit
+  float length, radius;
+  bool inward;  ///< the normal points to the axis
+  float curvature_radius() const { return radius; }
+  bool sees_itself(bool both_sides) const { return inward || both_sides; }
+};
+
+double hit_distance(const Cylinder& cylinder, const ShapeRay& ray);
+ShapePoint point_on(const Cylinder& cylinder, const Vec3d& near);
+ShapeBox box_around(const Cylinder& cylinder);
+LocalGeometry local_geometry(const Cylinder& cylinder, const AffineMap& frame, const Vec3f& p, const Vec3f& normal);
+/// Accurate to 1e-6.
+float disc_area(const Cylinder& cylinder, const Vec3f& p, float radius);
+PlacedShape<Cylinder> placed(const CylinderDescription& description, const ShapePlace& place);
+Extent extent_of(const CylinderDescription& description, const Transform& to_world);
+Vec3d nearest_on(const CylinderDescription& description, const Transform& to_world, const Vec3d& to);
+
+}  // namespace photonproof

@@ -1,0 +1,28 @@
+// Discs.
+#pragma once
+
+#include "renderer/shapes/shape.h"
+
+namespace photonproof {
+
+struct DiskDescription;
+
+/// center + x axis_x + y axis_y for x^2 + y^2 <= 1: an ellipse where the axes are not alike. `normal` as of a
+/// Quad.
+struct Disk {
+  Vec3f center, axis_x, axis_y;
+  Vec3f normal;
+  float curvature_radius() const { return flat_curvature; }
+  bool sees_itself(bool) const { return false; }
+};
+
+double hit_distance(const Disk& disk, const ShapeRay& ray);
+ShapePoint point_on(const Disk& disk, const Vec3d& near);
+ShapeBox box_around(const Disk& disk);
+LocalGeometry local_geometry(const Disk& disk, const AffineMap& frame, const Vec3f& p, const Vec3f& normal);
+/// Exact up to what less than a 32nd of the way around an ellipse hides.
+float disc_area(const Disk& disk, const Vec3f& p, float radius);
+PlacedShape<Disk> placed(const DiskDescription& description, const ShapePlace& place);
+Extent extent_of(const DiskDescription& description, const Transform& to_world);
+
+}  // namespace photonproof

@@ -1,0 +1,34 @@
+#include "renderer/shapes/long_face.h"
+
+#include <algorithm>
+
+namespace photonproof {
+
+double hit_distance(const LongFace& face, const ShapeRay& ray) {
+  const double t = (face.offset - dot(face.normal, ray.origin)) / dot(face.normal, ray.direction);
+  if (!(t > 0 && t >= ray.t_near && t <= ray.t_far)) return missed;
+  const Vec3d q = ray.origin + ray.direction * t - face.corner, n = cross(face.edge_u, face.edge_v);
+  // By volumes rather than in_basis, whose determinant cancels where the edges are nearly parallel.
+  const double nn = dot(n, n), u = dot(n, cross(q, face.edge_v)) / nn, v = dot(n, cross(face.edge_u, q)) / nn;
+  constexpr double low = -1e-12, high = 1 - low;  // so that nothing slips between two faces that share an edge
+  const bool inside = u >= low && v >= low && (face.is_triangle ? u + v <= high : u <= high && v <= high);
+  return inside ? t : missed;
+}
+
+ShapePoint point_on(const LongFace& face, const Vec3d& near) {
+  return {Vec3f(near + face.normal * (face.offset - dot(face.normal, near))), Vec3f(face.normal)};
+}
+
+ShapeBox box_around(const LongFace& face) {
+  const Vec3d& corner = face.corner;
+  Vec3d low = corner, high = corner;
+  for (const Vec3d& p : {corner + face.edge_u, corner + face.edge_v, corner + face.edge_u + face.edge_v}) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  static constexpr double most = 1e18;  // Embree leaves out what reaches further
+  const auto held = [](double x) { return std::clamp(x, -most, most); };
+  return padded_box({held(low.x), held(low.y), held(low.z)}, {held(high.x), held(high.y), held(high.z)});
+}
+
+}  // namespace photonproof

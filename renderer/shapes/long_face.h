@@ -1,0 +1,22 @@
+// Faces too long for Embree.
+#pragma once
+
+#include "renderer/shapes/shape.h"
+
+namespace photonproof {
+
+/// A parallelogram or triangle that is so much longer than what is looked at that single precision loses the latter:
+/// corner + u edge_u + v edge_v as the description has it, in double.
+struct LongFace {
+  Vec3d corner, edge_u, edge_v;
+  Vec3d normal;       ///< unit, in front
+  double offset = 0;  ///< normal . corner: of x on the face, normal . x, to the last digit of what is near the origin
+  bool is_triangle = false;
+  std::uint32_t primitive = 0;  ///< the triangle of a mesh
+};
+
+double hit_distance(const LongFace& face, const ShapeRay& ray);
+ShapePoint point_on(const LongFace& face, const Vec3d& near);
+ShapeBox box_around(const LongFace& face);
+
+}  // namespace photonproof

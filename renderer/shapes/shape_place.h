@@ -1,0 +1,36 @@
+// From a shape of the description to one of the compiled scene.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "renderer/shapes/affine_map.h"
+#include "scenes/description/description.h"
+
+namespace photonproof {
+
+/// A shape of a description that becomes one primitive.
+struct ShapePlace {
+  const SceneDescription& scene;
+  const ShapeDescription& shape;
+  const Transform& to_world;  ///< to the compiled scene's coordinates
+
+  [[noreturn]] void refuse(const std::string& why) const;
+  /// Refuses a to_world that stretches or shears.
+  void require_similarity() const;
+  /// Of the plane of two edges that to_world made of the local x and y axes: the inverse transpose's, which a mirroring
+  /// transform does not turn over as it does the winding.
+  Vec3d flat_normal(const Vec3d& edge_u, const Vec3d& edge_v) const;
+};
+
+template <class Shape>
+struct PlacedShape {
+  Shape shape;
+  AffineMap uv_frame;          ///< from its own space, where it is of unit size
+  std::optional<double> area;  ///< none of a shape without end
+};
+
+/// The frame of a flat shape: its two edges and, across it, a unit normal.
+AffineMap flat_frame(const Vec3d& origin, const Vec3d& along_u, const Vec3d& along_v);
+
+}  // namespace photonproof
