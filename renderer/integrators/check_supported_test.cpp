@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "renderer/integrators/test_scenes.h"
 #include "scenes/description/plugin_name.h"
 
@@ -37,6 +39,15 @@ TEST(check_supported, knows_every_integrator_that_a_scene_file_may_name) {
   for (const char* name : plugin_names(decltype(IntegratorDescription::method)())) {
     ASSERT_NE(find_integrator(name), nullptr) << name;
     EXPECT_FALSE(find_integrator(name)->parts.empty()) << name;
+  }
+}
+
+// Else two integrators that are compared would err alike.
+TEST(check_supported, integrators_draw_from_streams_of_their_own) {
+  std::map<Stream, std::string> owners;
+  for (const Integrator& row : integrators()) {
+    const std::string owner = row.sampling != nullptr ? row.sampling : row.name;
+    EXPECT_EQ(owners.try_emplace(row.stream, owner).first->second, owner) << row.name;
   }
 }
 

@@ -3,6 +3,7 @@
 #include "renderer/integrators/direct_integrator.h"
 #include "renderer/integrators/path_integrator.h"
 #include "renderer/integrators/photon_mapper.h"
+#include "renderer/passes/tile_film.h"
 #include "renderer/scalar/bdpt.h"
 #include "renderer/scalar/particle_tracer.h"
 #include "renderer/scalar/volpath.h"
@@ -17,19 +18,22 @@ const std::vector<Integrator>& integrators() {
        .parts = {part::direct, part::weights, part::diffuse, part::specular},
        .plan = plan_path,
        .render = render_path,
-       .heeds = {.target_error = true}},
+       .heeds = {.target_error = true},
+       .stream = camera_stream},
       {.name = "photonmapper",
        .summary = "global and caustic photon maps of fixed radius, direct light by next-event estimation",
        .parts = {part::direct, part::specular, "photon paths", "densities of photons"},
        .plan = plan_photon_mapper,
        .render = render_photon_mapper,
        .heeds = {.photons = true},
+       .stream = camera_stream,
        .sampling = "path"},
       {.name = "direct",
        .summary = "emission and light reflected once: next-event estimation and BSDF sampling, MIS",
        .parts = {part::direct, part::weights},
        .plan = plan_direct,
        .render = render_direct,
+       .stream = camera_stream,
        .sampling = "path"},
       {.name = "bdpt",
        .summary = "unbiased bidirectional path tracing: every way of making a path, weighted against the others",
@@ -38,7 +42,8 @@ const std::vector<Integrator>& integrators() {
        .render = render_bdpt,
        .heeds = {.isa = false},
        .media = Integrator::Media::absorbing,
-       .dielectric_priorities = true},
+       .dielectric_priorities = true,
+       .stream = bdpt_stream},
       {.name = "ptracer",
        .summary = "unbiased light tracing: paths from the lights, every vertex connected to the camera",
        .parts = {part::light_paths, "splats"},
@@ -46,7 +51,8 @@ const std::vector<Integrator>& integrators() {
        .render = render_particle_tracer,
        .heeds = {.grid = false, .isa = false},
        .media = Integrator::Media::absorbing,
-       .dielectric_priorities = true},
+       .dielectric_priorities = true,
+       .stream = ptracer_stream},
       {.name = "volpath",
        .summary = "unbiased path tracing through participating media and nested dielectrics",
        .parts = {part::camera_paths, "media"},
@@ -54,13 +60,15 @@ const std::vector<Integrator>& integrators() {
        .render = render_volpath,
        .heeds = {.isa = false, .target_error = true},
        .media = Integrator::Media::all,
-       .dielectric_priorities = true},
+       .dielectric_priorities = true,
+       .stream = volpath_stream},
       {.name = "whitted",
        .summary = "mirrors and glass followed exactly, direct light elsewhere, no interreflection",
        .parts = {"rays of whitted"},
        .plan = plan_whitted,
        .render = render_whitted,
-       .heeds = {.isa = false, .target_error = true}},
+       .heeds = {.isa = false, .target_error = true},
+       .stream = whitted_stream},
   };
   return table;
 }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "renderer/lanes/sampler.h"
 #include "renderer/passes/render_job.h"
 #include "renderer/planning/integrator_name.h"
 #include "renderer/planning/planner.h"
@@ -39,6 +40,7 @@ struct Integrator {
   /// What of a scene it can do.
   enum class Media { none, absorbing, all } media = Media::none;
   bool dielectric_priorities = false;
+  Stream stream;  ///< of its draws; no other's but of those that share their code
   /// The integrator whose code finds its paths; null: its own.
   const char* sampling = nullptr;
 

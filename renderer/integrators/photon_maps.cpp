@@ -22,7 +22,7 @@ constexpr std::uint64_t few_photons_in_map = 1000;
 void choose_radius_of(MapState& map, double asked, const PhotonSource& source, RayTotals& totals) {
   map.radius = static_cast<float>(asked * source.scene.scale());
   if (!map.wanted || map.radius > 0) return;
-  const PhotonRun pilot{map.kind, Stream::pilot, source.job.seed, 0, pilot_photons, -1, map.aimed};
+  const PhotonRun pilot{map.kind, pilot_stream, source.job.seed, 0, pilot_photons, -1, map.aimed};
   map.radius = choose_radius(source.scene, pilot, static_cast<std::uint64_t>(map.total), map.photons_in_disc,
                              {source.job.kernels(), source.job.sampler}, source.threads, totals);
   if (map.radius <= 0) map.radius = 4 * std::max(median_pixel_footprint(source.scene), 1e-6f);

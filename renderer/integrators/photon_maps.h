@@ -59,8 +59,8 @@ struct PhotonSource {
 // relmse .0029, .0021, .0017, .0016; caustic discs of 20 and 7 photons .0017 and .0014. Pixels average many look-ups,
 // so smooth indirect light wants a wide disc and sharp caustics a small one.
 struct PhotonMaps {
-  MapState global{PhotonKind::global, Stream::global_photon, "global", 350};
-  MapState caustic{PhotonKind::caustic, Stream::caustic_photon, "caustic", 8};
+  MapState global{PhotonKind::global, global_photon_stream, "global", 350};
+  MapState caustic{PhotonKind::caustic, caustic_photon_stream, "caustic", 8};
 
   /// Those that the plan wants, their totals and radii; where the settings leave a radius open, a pilot run of photons
   /// says it.

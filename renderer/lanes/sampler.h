@@ -15,17 +15,8 @@ namespace photonproof {
 
 enum class SamplerKind : std::uint32_t { sobol, independent };
 
-/// What a key is for; keys of different streams never coincide but by chance.
-enum class Stream : std::uint64_t {
-  camera = 1,
-  global_photon = 2,
-  caustic_photon = 3,
-  pilot = 4,
-  light_tracing = 5,
-  bidirectional = 6,
-  volumetric = 7,
-  whitted = 8
-};
+/// What a key is for, a number that its owner chooses: keys of different streams never coincide but by chance.
+enum class Stream : std::uint64_t {};
 
 /// A permutation of the 32-bit integers in which every input bit moves every output bit (Wellons's search, 2018).
 template <class U>

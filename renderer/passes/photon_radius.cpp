@@ -28,7 +28,7 @@ float choose_radius(const Scene& scene, PhotonRun pilot, std::uint64_t total, do
                     const PhotonMethod& method, const Threads& threads, RayTotals& totals) {
   constexpr std::size_t probes = 256;
   constexpr std::size_t neighbour = 16;  // its distance measures the density around a probe
-  pilot.stream = Stream::pilot;
+  pilot.stream = pilot_stream;
   const Photons photons = trace_photons(scene, pilot, method, threads, totals);
   if (photons.size() <= neighbour) return 0;
 

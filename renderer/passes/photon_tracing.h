@@ -5,15 +5,18 @@
 
 #include "renderer/core/parallel.h"
 #include "renderer/kernels/tasks.h"
+#include "renderer/lanes/sampler.h"
 #include "renderer/passes/ray_totals.h"
 #include "renderer/photons/photons.h"
 #include "renderer/scene/scene.h"
 
 namespace photonproof {
 
+inline constexpr Stream global_photon_stream{2}, caustic_photon_stream{3}, pilot_stream{4};
+
 struct PhotonRun {
   PhotonKind kind = PhotonKind::global;
-  Stream stream = Stream::global_photon;
+  Stream stream = global_photon_stream;
   std::uint64_t seed = 0;
   std::uint64_t first = 0;  ///< index of the first path of this run
   std::uint64_t count = 0;  ///< paths; each carries 1/count of the lights' flux

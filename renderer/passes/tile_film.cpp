@@ -21,7 +21,7 @@ CameraTask camera_task(const RenderJob& job, const Tile& tile, std::int64_t firs
           tile.y1,
           static_cast<std::uint32_t>(first),
           static_cast<std::uint32_t>(samples),
-          stream_seed(has_fault(Fault::same_samples) ? 1 : job.seed, Stream::camera),
+          stream_seed(has_fault(Fault::same_samples) ? 1 : job.seed, camera_stream),
           job.sampler,
           job.grid};
 }

@@ -5,10 +5,13 @@
 
 #include "renderer/core/parallel.h"
 #include "renderer/kernels/tasks.h"
+#include "renderer/lanes/sampler.h"
 #include "renderer/passes/render_job.h"
 #include "renderer/sensor/film.h"
 
 namespace photonproof {
+
+inline constexpr Stream camera_stream{1};
 
 /// Samples [first, first + samples) of a tile's pixels.
 CameraTask camera_task(const RenderJob& job, const Tile& tile, std::int64_t first, std::int64_t samples);

@@ -304,12 +304,12 @@ void render_bdpt(const Scene& scene, const RenderPlan& plan, const RenderJob& jo
   const auto pixels = static_cast<std::uint64_t>(film.width()) * static_cast<std::uint64_t>(film.height());
   const BidirectionalTracer tracer(scene, std::get<BdptDescription>(plan.method.method), job.grid,
                                    static_cast<std::int64_t>(pixels));
-  render_splats(scene, job, Stream::bidirectional, "bidirectional path tracing", film, stats, [&] {
+  render_splats(scene, job, bdpt_stream, "bidirectional path tracing", film, stats, [&] {
     return [&, light_path = std::vector<Vertex>()](int x, int y, const Draws& draws, ScalarWork& work) mutable {
       const auto pixel = static_cast<std::uint64_t>(y - film.window().y0) * static_cast<std::uint64_t>(film.width()) +
                          static_cast<std::uint64_t>(x - film.window().x0);
       const Draws light_draws =
-          draws_of_history(job.sampler, job.seed, Stream::light_tracing, draws.index * pixels + pixel);
+          draws_of_history(job.sampler, job.seed, ptracer_stream, draws.index * pixels + pixel);
       return tracer.sample(x, y, draws, light_draws, light_path, work);
     };
   });

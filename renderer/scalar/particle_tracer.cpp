@@ -131,11 +131,11 @@ void render_particle_tracer(const Scene& scene, const RenderPlan& plan, const Re
   const auto pixels = static_cast<std::uint64_t>(film.width()) * static_cast<std::uint64_t>(film.height());
   const ParticleTracer tracer(scene, std::get<ParticleTracerDescription>(plan.method.method),
                               static_cast<std::int64_t>(pixels));
-  render_splats(scene, job, Stream::light_tracing, "light tracing", film, stats, [&] {
+  render_splats(scene, job, ptracer_stream, "light tracing", film, stats, [&] {
     return [&](int x, int y, const Draws& draws, ScalarWork& work) {
       const auto pixel = static_cast<std::uint64_t>(y - film.window().y0) * static_cast<std::uint64_t>(film.width()) +
                          static_cast<std::uint64_t>(x - film.window().x0);
-      tracer.trace(draws_of_history(job.sampler, job.seed, Stream::light_tracing, draws.index * pixels + pixel), work);
+      tracer.trace(draws_of_history(job.sampler, job.seed, ptracer_stream, draws.index * pixels + pixel), work);
       return tracer.environment(x, y, draws, work);
     };
   });

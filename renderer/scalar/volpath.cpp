@@ -199,7 +199,7 @@ void plan_volpath(const IntegratorDescription& description, Planner& planner) {
 
 void render_volpath(const Scene& scene, const RenderPlan& plan, const RenderJob& job, Film& film, RenderStats& stats) {
   const VolumetricTracer tracer(scene, std::get<VolPathDescription>(plan.method.method), job.grid);
-  render_samples(job, Stream::volumetric, "volumetric path tracing", film, stats,
+  render_samples(job, volpath_stream, "volumetric path tracing", film, stats,
                  [&](int x, int y, const Draws& draws, ScalarWork& work) { return tracer.sample(x, y, draws, work); });
 }
 

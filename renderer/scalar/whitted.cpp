@@ -98,7 +98,7 @@ void plan_whitted(const IntegratorDescription& description, Planner& planner) {
 
 void render_whitted(const Scene& scene, const RenderPlan& plan, const RenderJob& job, Film& film, RenderStats& stats) {
   const WhittedTracer tracer(scene, std::get<WhittedDescription>(plan.method.method), job.grid);
-  render_samples(job, Stream::whitted, "ray tracing", film, stats,
+  render_samples(job, whitted_stream, "ray tracing", film, stats,
                  [&](int x, int y, const Draws& draws, ScalarWork& work) { return tracer.sample(x, y, draws, work); });
 }
 
