@@ -7,6 +7,7 @@
 
 #include "renderer/lanes/roulette.h"
 #include "renderer/scalar/bdpt_weights.h"
+#include "renderer/scalar/particle_tracer.h"
 #include "renderer/scalar/scalar_passes.h"
 #include "renderer/scalar/scalar_tracer.h"
 
@@ -308,8 +309,7 @@ void render_bdpt(const Scene& scene, const RenderPlan& plan, const RenderJob& jo
     return [&, light_path = std::vector<Vertex>()](int x, int y, const Draws& draws, ScalarWork& work) mutable {
       const auto pixel = static_cast<std::uint64_t>(y - film.window().y0) * static_cast<std::uint64_t>(film.width()) +
                          static_cast<std::uint64_t>(x - film.window().x0);
-      const Draws light_draws =
-          draws_of_history(job.sampler, job.seed, ptracer_stream, draws.index * pixels + pixel);
+      const Draws light_draws = draws_of_history(job.sampler, job.seed, ptracer_stream, draws.index * pixels + pixel);
       return tracer.sample(x, y, draws, light_draws, light_path, work);
     };
   });

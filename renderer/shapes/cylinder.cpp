@@ -36,12 +36,12 @@ double hit_distance(const Cylinder& cylinder, const ShapeRay& ray) {
   // The circle's problem in the plane across the axis.
   const Vec3d o = from_base - axis * along, d = ray.direction - axis * climb;
   const double a = dot(d, d);
-  if (!(a > 0)) return missed;
+  if (!(a > 0)) return shape_missed;
   const double middle = -dot(d, o) / a;
   const Vec3d nearest = o + d * middle;
   const double radius = cylinder.radius;
   const double discriminant = radius * radius - dot(nearest, nearest);
-  if (!(discriminant > 0)) return missed;
+  if (!(discriminant > 0)) return shape_missed;
   const double root = std::sqrt(discriminant / a);
   const double grain = 0x1p-21 * std::max(radius, largest_coordinate(cylinder.base) + cylinder.length);
   const double nearest_t = std::max(ray.t_near, grain / length(ray.direction));
@@ -49,7 +49,7 @@ double hit_distance(const Cylinder& cylinder, const ShapeRay& ray) {
     const double height = along + t * climb;
     if (t >= nearest_t && t <= ray.t_far && height >= 0 && height <= cylinder.length) return t;
   }
-  return missed;
+  return shape_missed;
 }
 
 ShapePoint point_on(const Cylinder& cylinder, const Vec3d& near) {

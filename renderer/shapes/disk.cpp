@@ -24,9 +24,9 @@ Vec2<double> in_basis(const Vec3d& q, const Vec3d& a, const Vec3d& b) {
 double hit_distance(const Disk& disk, const ShapeRay& ray) {
   const Vec3d center(disk.center);
   const double t = plane_distance(center, Vec3d(disk.normal), ray);
-  if (t < 0) return missed;
+  if (t < 0) return shape_missed;
   const Vec2<double> at = in_basis(ray.origin + ray.direction * t - center, Vec3d(disk.axis_x), Vec3d(disk.axis_y));
-  return at.x * at.x + at.y * at.y <= 1 ? t : missed;
+  return at.x * at.x + at.y * at.y <= 1 ? t : shape_missed;
 }
 
 ShapePoint point_on(const Disk& disk, const Vec3d& near) {

@@ -6,13 +6,13 @@ namespace photonproof {
 
 double hit_distance(const LongFace& face, const ShapeRay& ray) {
   const double t = (face.offset - dot(face.normal, ray.origin)) / dot(face.normal, ray.direction);
-  if (!(t > 0 && t >= ray.t_near && t <= ray.t_far)) return missed;
+  if (!(t > 0 && t >= ray.t_near && t <= ray.t_far)) return shape_missed;
   const Vec3d q = ray.origin + ray.direction * t - face.corner, n = cross(face.edge_u, face.edge_v);
   // By volumes rather than in_basis, whose determinant cancels where the edges are nearly parallel.
   const double nn = dot(n, n), u = dot(n, cross(q, face.edge_v)) / nn, v = dot(n, cross(face.edge_u, q)) / nn;
   constexpr double low = -1e-12, high = 1 - low;  // so that nothing slips between two faces that share an edge
   const bool inside = u >= low && v >= low && (face.is_triangle ? u + v <= high : u <= high && v <= high);
-  return inside ? t : missed;
+  return inside ? t : shape_missed;
 }
 
 ShapePoint point_on(const LongFace& face, const Vec3d& near) {

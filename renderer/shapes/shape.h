@@ -40,7 +40,7 @@ struct ShapeRay {
 };
 
 /// What hit_distance says of a ray that does not meet the shape.
-inline constexpr double missed = -1;
+inline constexpr double shape_missed = -1;
 
 /// A point of the shape and the unit normal there, on the shape's front side.
 struct ShapePoint {
@@ -65,7 +65,7 @@ inline constexpr float flat_curvature = std::numeric_limits<float>::infinity();
 /// The parameter where the ray crosses the plane through `point`, if ahead.
 inline double plane_distance(const Vec3d& point, const Vec3d& normal, const ShapeRay& ray) {
   const double t = dot(normal, point - ray.origin) / dot(normal, ray.direction);
-  return t > 0 && t >= ray.t_near && t <= ray.t_far ? t : missed;  // a NaN, of a parallel ray, is a miss
+  return t > 0 && t >= ray.t_near && t <= ray.t_far ? t : shape_missed;  // a NaN, of a parallel ray, is a miss
 }
 
 /// The box of these corners and what rounding could leave outside.

@@ -20,7 +20,7 @@ double hit_distance(const Sphere& sphere, const ShapeRay& ray) {
   const Vec3d nearest = to_center - d * (b / a);
   const double radius = sphere.radius;
   const double discriminant = radius * radius - dot(nearest, nearest);
-  if (!(discriminant > 0)) return missed;
+  if (!(discriminant > 0)) return shape_missed;
   const double root = std::sqrt(discriminant / a);
   const double grain = 0x1p-21 * std::max(radius, largest_coordinate(sphere.center));
   const double nearest_t = std::max(ray.t_near, grain / std::sqrt(a));
@@ -28,7 +28,7 @@ double hit_distance(const Sphere& sphere, const ShapeRay& ray) {
   if (t0 >= nearest_t && t0 <= ray.t_far) return t0;
   const double t1 = b / a + root;
   if (t1 >= nearest_t && t1 <= ray.t_far) return t1;
-  return missed;
+  return shape_missed;
 }
 
 ShapePoint point_on(const Sphere& sphere, const Vec3d& near) {
