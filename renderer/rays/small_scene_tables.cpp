@@ -51,8 +51,11 @@ SmallSceneTables::SmallSceneTables(const std::vector<Surface>& surfaces) : first
       const Vec3d edge_u = Vec3d(mesh->corner(t, 1)) - corner;
       const Vec3d edge_v = Vec3d(mesh->corner(t, 2)) - corner;
       const Vec3d n = cross(edge_u, edge_v) * (mesh->inward ? -1.0 : 1.0);
-      if (dot(n, n) == 0) continue;
       add(i, t);
+      if (dot(n, n) == 0) {  // has a place, since lights count their triangles, but a plate that no ray meets
+        plates_.emplace_back();
+        continue;
+      }
       const LongFace* face = surfaces[i].long_face(t);
       plates_.push_back(face != nullptr ? plate(*face) : plate(corner, edge_u, edge_v, normalize(n)));
     }
