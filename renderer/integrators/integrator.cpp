@@ -11,8 +11,10 @@
 
 namespace photonproof {
 
-const std::vector<Integrator>& integrators() {
-  static const std::vector<Integrator> table{
+namespace {
+
+std::vector<Integrator> integrators_in_batches() {
+  return {
       {.name = "path",
        .summary = "unbiased path tracing: next-event estimation, MIS, Russian roulette",
        .parts = {part::direct, part::weights, part::diffuse, part::specular},
@@ -35,6 +37,11 @@ const std::vector<Integrator>& integrators() {
        .render = render_direct,
        .stream = camera_stream,
        .sampling = "path"},
+  };
+}
+
+std::vector<Integrator> integrators_of_one_history() {
+  return {
       {.name = "bdpt",
        .summary = "unbiased bidirectional path tracing: every way of making a path, weighted against the others",
        .parts = {part::camera_paths, part::light_paths, "weights of bdpt"},
@@ -70,6 +77,16 @@ const std::vector<Integrator>& integrators() {
        .heeds = {.isa = false, .target_error = true},
        .stream = whitted_stream},
   };
+}
+
+}  // namespace
+
+const std::vector<Integrator>& integrators() {
+  static const std::vector<Integrator> table = [] {
+    std::vector<Integrator> all = integrators_in_batches();
+    for (const Integrator& row : integrators_of_one_history()) all.push_back(row);
+    return all;
+  }();
   return table;
 }
 
