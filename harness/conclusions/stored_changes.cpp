@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "harness/conclusions/convergence.h"
 #include "harness/statistics/statistics.h"
 
 namespace photonproof {

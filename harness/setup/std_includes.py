@@ -104,17 +104,18 @@ class Sources:
                 ours.append(found.group(2))
         return standard, ours
 
-    def reachable(self, path):
-        standard, seen, left = set(), set(), [path]
+    def files(self, path):
+        """It and what it includes of ours, itself or by others."""
+        seen, left = set(), [path]
         while left:
             one = left.pop()
-            if one in seen:
-                continue
-            seen.add(one)
-            here, ours = self.includes(one)
-            standard |= here
-            left += ours
-        return standard
+            if one not in seen:
+                seen.add(one)
+                left += self.includes(one)[1]
+        return seen
+
+    def reachable(self, path):
+        return set().union(*(self.includes(one)[0] for one in self.files(path)))
 
     def problems(self, path):
         has, told = self.reachable(path), set()

@@ -1,0 +1,8 @@
+// What own_includes.py must refuse.
+#pragma once
+
+namespace photonproof {
+
+int twice(int x);
+
+}  // namespace photonproof

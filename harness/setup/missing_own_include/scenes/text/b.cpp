@@ -1,0 +1,5 @@
+namespace photonproof {
+
+int four_times(int x) { return twice(twice(x)); }
+
+}  // namespace photonproof
