@@ -4,7 +4,9 @@
 // eval and pdf know the others only, pdf with the probability that `sample` chooses them. Two constants say what
 // estimators need to know of a kind:
 //   has_smooth     eval is not always 0: light sampling can reach it
-//   is_lambertian  eval does not depend on the directions above the surface: photons of any direction count alike
+//   is_lambertian  eval does not depend on the directions above the surface and is 0 behind it: photons of any
+//   direction
+//                  count alike
 #pragma once
 
 #include "renderer/bsdfs/bsdf_conductor.h"

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "renderer/bsdfs/test_bsdf_records.h"
 #include "renderer/bsdfs/test_bsdfs.h"
 #include "renderer/bsdfs/test_shading.h"
 #include "renderer/lanes/test_random.h"
@@ -69,6 +70,31 @@ Mean albedo_on_lattices(const Bsdf& bsdf, const Vec3f& wo, int points) {
   }
   const double mean = sum / lattices;
   return {mean, std::sqrt(std::max(0.0, squares / lattices - mean * mean) / (lattices - 1))};
+}
+
+/// What photon maps and look-ups take for granted.
+template <class Kind>
+void expect_lambertian() {
+  test::Random random(17);
+  Kind bsdf{};
+  test::randomise(bsdf, random);
+  const Rgb in_front = bsdf.eval(Vec3f(0, 0, 1), Vec3f(0.6f, 0, 0.8f));
+  EXPECT_GT(max_component(in_front), 0);
+  for (const Vec3f& wo : test::test_directions(true))
+    for (const Vec3f& wi : test::test_directions(true))
+      EXPECT_EQ(bsdf.eval(wo, wi), wo.z > 0 && wi.z > 0 ? in_front : Rgb(0.0f)) << wo.z << ' ' << wi.z;
+}
+
+template <class... Kinds>
+void expect_lambertian_where_they_say_so(const std::variant<Kinds...>*) {
+  const auto look_at = []<class Kind>(const Kind*) {
+    if constexpr (Kind::is_lambertian) expect_lambertian<Kind>();
+  };
+  (look_at(static_cast<const Kinds*>(nullptr)), ...);
+}
+
+TEST(bsdf_laws, lambertian_ones_are_the_same_in_front_and_black_behind) {
+  expect_lambertian_where_they_say_so(static_cast<const Bsdf*>(nullptr));
 }
 
 TEST(bsdf_laws, nothing_makes_energy) {

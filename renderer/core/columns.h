@@ -2,7 +2,7 @@
 // for a single record, for arrays, for pointers into them, and for a kernel's lanes.
 #pragma once
 
-#include <type_traits>
+#include <cstddef>
 
 namespace photonproof {
 
@@ -12,5 +12,14 @@ template <class T>
 using Pointer = T*;
 template <class T>
 using ConstPointer = const T*;
+
+/// How many columns of a record of single values `zip` comes to, so that none is forgotten.
+template <class Record, class Zip>
+consteval std::size_t columns_visited(const Zip& zip) {
+  std::size_t columns = 0;
+  Record record{};
+  zip([&columns](auto&) { ++columns; }, record);
+  return columns;
+}
 
 }  // namespace photonproof

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "renderer/integrators/test_scenes.h"
+#include "renderer/passes/photon_tracing.h"
 #include "scenes/description/plugin_name.h"
 
 namespace photonproof {
@@ -44,7 +45,8 @@ TEST(check_supported, knows_every_integrator_that_a_scene_file_may_name) {
 
 // Else two integrators that are compared would err alike.
 TEST(check_supported, integrators_draw_from_streams_of_their_own) {
-  std::map<Stream, std::string> owners;
+  std::map<Stream, std::string> owners{
+      {global_photon_stream, "photons"}, {caustic_photon_stream, "photons"}, {pilot_stream, "photons"}};
   for (const Integrator& row : integrators()) {
     const std::string owner = row.sampling != nullptr ? row.sampling : row.name;
     EXPECT_EQ(owners.try_emplace(row.stream, owner).first->second, owner) << row.name;

@@ -27,7 +27,7 @@ struct GatherColumns {
 
 /// Calls f with one column after the other of all records.
 template <class F, class... Records>
-void zip_gather_points(const F& f, Records&... records) {
+constexpr void zip_gather_points(const F& f, Records&... records) {
   f(records.x...), f(records.y...), f(records.z...);
   f(records.weight_red...), f(records.weight_green...), f(records.weight_blue...);
   f(records.path...), f(records.surface...), f(records.edges...), f(records.sheet...);
@@ -35,6 +35,8 @@ void zip_gather_points(const F& f, Records&... records) {
   f(records.flux_red...), f(records.flux_green...), f(records.flux_blue...);
   f(records.found...), f(records.area...);
 }
+static_assert(columns_visited<GatherColumns<OneValue>>([](const auto& f, auto& row) { zip_gather_points(f, row); }) ==
+              sizeof(GatherColumns<OneValue>) / 4);
 
 /// The columns as kernels see them.
 struct GatherPoints : GatherColumns<Pointer> {

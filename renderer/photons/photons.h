@@ -11,14 +11,6 @@
 
 namespace photonproof {
 
-struct Photon {
-  Vec3f p_world;
-  Rgb flux;                   ///< W
-  std::uint32_t surface = 0;  ///< where it landed: index into Scene::surfaces
-  std::int32_t edges = 0;     ///< path edges from the light to here; PhotonSheet::most_edges where there are more
-  std::uint32_t sheet = 0;    ///< sheet_word
-};
-
 /// Every array has the same size: 32 bytes a photon. Positions are finite.
 struct Photons : PhotonColumns<LargeArray> {
   /// Arrays of a photon map may be read up to this many elements past the last photon.
@@ -27,11 +19,9 @@ struct Photons : PhotonColumns<LargeArray> {
   std::size_t size() const { return x.size(); }
   bool empty() const { return x.empty(); }
   Photon operator[](std::size_t i) const {
-    return {{x[i], y[i], z[i]},
-            {red[i], green[i], blue[i]},
-            surface[i],
-            static_cast<std::int32_t>(sheet[i] >> PhotonSheet::edges_shift),
-            sheet[i] & PhotonSheet::mask};
+    PhotonColumns<OneValue> row;
+    zip_photons([i](auto& value, const auto& array) { value = array[i]; }, row, *this);
+    return photon_of(row);
   }
 
   void resize(std::size_t count) {
@@ -45,11 +35,7 @@ struct Photons : PhotonColumns<LargeArray> {
     zip_photons([](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); }, *this, other);
   }
   void push_back(const Photon& photon) {
-    const PhotonColumns<OneValue> row{
-        photon.p_world.x, photon.p_world.y,
-        photon.p_world.z, photon.flux.x,
-        photon.flux.y,    photon.flux.z,
-        photon.surface,   with_edges<float>(photon.sheet, static_cast<std::uint32_t>(photon.edges))};
+    const PhotonColumns<OneValue> row = row_of(photon);
     zip_photons([](auto& array, const auto& value) { array.push_back(value); }, *this, row);
   }
 };

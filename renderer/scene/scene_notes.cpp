@@ -41,19 +41,13 @@ struct BsdfNotes {
 
   void operator()(const PhongDescription& d) const {
     notes.limit(loc, "exponent", d.exponent, [](float n) { return PhongBsdf<float>{n, {}, {}}.exponent(); });
-    const auto* diffuse = std::get_if<RgbD>(&d.diffuse_reflectance);
-    const auto* specular = std::get_if<RgbD>(&d.specular_reflectance);
-    if (diffuse == nullptr || specular == nullptr) return;
-    const double sum = max_component(*diffuse + *specular);
-    if (static_cast<float>(sum) > 1)
-      notes.add(loc, "diffuse_reflectance and specular_reflectance add up to " +
-                         format_number(static_cast<double>(static_cast<float>(sum))) +
-                         " in a channel: both are rendered divided by that");
+    shares(d);
   }
   template <class Other>
   void operator()(const Other& d) const {
     static_assert(
         !requires { d.exponent; }, "which exponents are usable is for each BSDF to say");
+    if constexpr (requires { d.shares(); }) shares(d);
     if constexpr (requires { d.alpha_u; })
       roughness(d.alpha_u, d.alpha_v);
     else if constexpr (requires { d.alpha; })
@@ -61,6 +55,16 @@ struct BsdfNotes {
   }
 
  private:
+  template <class Description>
+  void shares(const Description& d) const {
+    const auto [first, second] = d.shares();
+    const auto *a = std::get_if<RgbD>(&first.second), *b = std::get_if<RgbD>(&second.second);
+    if (a == nullptr || b == nullptr) return;
+    const auto sum = static_cast<float>(max_component(*a + *b));
+    if (sum > 1)
+      notes.add(loc, std::string(first.first) + " and " + second.first + " add up to " +
+                         format_number(static_cast<double>(sum)) + " in a channel: both are rendered divided by that");
+  }
   void roughness(const Scalar& along_u, const Scalar& along_v) const {
     const auto usable = Microfacets<float>::usable;
     notes.limit(loc, along_u == along_v ? "alpha" : "alpha_u", along_u, usable);
@@ -116,7 +120,9 @@ void add_light_notes(const SceneDescription& description, const SceneParts& scen
   std::size_t light = 0;
   for (const ShapeDescription& shape : description.shapes) {
     if (!shape.radiance) continue;
-    const std::size_t surfaces = std::holds_alternative<CubeDescription>(shape.geometry) ? 6 : 1, first = light;
+    const std::size_t first = light;
+    const std::size_t surfaces =
+        std::visit([]<class Kind>(const Kind&) -> std::size_t { return Kind::surfaces; }, shape.geometry);
     light += surfaces;
     const auto* radiance = std::get_if<RgbD>(&*shape.radiance);
     if (radiance != nullptr && is_zero(*radiance)) continue;

@@ -9,6 +9,7 @@
 #include "renderer/scene/scene_frame.h"
 #include "renderer/scene/test_sizes.h"
 #include "renderer/shapes/face_normal.h"
+#include "scenes/description/plugin_name.h"
 #include "scenes/parser/parser.h"
 
 namespace photonproof {
@@ -42,7 +43,7 @@ TEST_P(integrators_at_any_size, give_the_same_picture) {
 }
 
 INSTANTIATE_TEST_SUITE_P(all, integrators_at_any_size,
-                         ::testing::Values("path", "bdpt", "ptracer", "photonmapper", "volpath", "whitted", "direct"),
+                         ::testing::ValuesIn(plugin_names(decltype(IntegratorDescription::method)())),
                          [](const auto& name) { return std::string(name.param); });
 
 TEST(sizes, of_the_library_are_ordinary) {

@@ -1,9 +1,11 @@
 // BSDFs as a scene file says them. `transmits`: whether it lets light through, whatever it nests does.
 #pragma once
 
+#include <array>
 #include <concepts>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -194,6 +196,10 @@ struct PhongDescription {
   static constexpr bool transmits = false;
   Scalar exponent = 30.0;
   Colour diffuse_reflectance = RgbD(0.5), specular_reflectance = RgbD(0.2);
+  /// Names and colours that may add up to 1; where they add up to more they are rendered divided by their sum.
+  std::array<std::pair<const char*, Colour>, 2> shares() const {
+    return {{{"diffuse_reflectance", diffuse_reflectance}, {"specular_reflectance", specular_reflectance}}};
+  }
   friend bool operator==(const PhongDescription&, const PhongDescription&) = default;
 };
 

@@ -24,17 +24,19 @@ std::vector<InputFile> scene_inputs(const SceneDescription& scene) {
   for (const std::string& file : scene.files)
     inputs.push_back({file, inputs.empty() ? "the scene itself" : "a part of the scene"});
   const fs::path folder = scene.files.empty() ? fs::path() : fs::path(scene.files.front()).parent_path();
-  const auto add = [&](const auto* named) {
-    if (named != nullptr) inputs.push_back({folder / named->filename, "a file that the scene uses"});
+  const auto add = [&](const auto& kind) {
+    std::visit(
+        [&](const auto& description) {
+          if constexpr (requires { description.filename; })
+            inputs.push_back({folder / description.filename, "a file that the scene uses"});
+        },
+        kind);
   };
-  for (const TextureDescription& texture : scene.textures) add(std::get_if<BitmapDescription>(&texture.pattern));
-  for (const ShapeDescription& shape : scene.shapes) add(std::get_if<MeshDescription>(&shape.geometry));
+  for (const TextureDescription& texture : scene.textures) add(texture.pattern);
+  for (const ShapeDescription& shape : scene.shapes) add(shape.geometry);
   for (const ShapeGroupDescription& group : scene.groups)
-    for (const ShapeDescription& shape : group.shapes) add(std::get_if<MeshDescription>(&shape.geometry));
-  for (const EmitterDescription& emitter : scene.emitters) {
-    add(std::get_if<EnvmapDescription>(&emitter.light));
-    add(std::get_if<IesLightDescription>(&emitter.light));
-  }
+    for (const ShapeDescription& shape : group.shapes) add(shape.geometry);
+  for (const EmitterDescription& emitter : scene.emitters) add(emitter.light);
   return inputs;
 }
 

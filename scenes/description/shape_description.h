@@ -17,6 +17,7 @@ namespace photonproof {
 /// Before `to_world`: centre and radius. `to_world` must be a similarity; the normal points outward.
 struct SphereDescription {
   static constexpr bool finite = true;
+  static constexpr int surfaces = 1;
   Vec3d center{0, 0, 0};
   double radius = 1;
   friend bool operator==(const SphereDescription&, const SphereDescription&) = default;
@@ -42,6 +43,7 @@ void describe(P& p, SphereDescription& d) {
 /// [-1,1]^2 in the local xy plane, normal +z.
 struct RectangleDescription {
   static constexpr bool finite = true;
+  static constexpr int surfaces = 1;
   friend bool operator==(const RectangleDescription&, const RectangleDescription&) = default;
 };
 
@@ -54,6 +56,7 @@ void describe(P& p, RectangleDescription&) {
 /// The unit disc in the local xy plane, normal +z; `to_world` leaves it a circle.
 struct DiskDescription {
   static constexpr bool finite = true;
+  static constexpr int surfaces = 1;
   friend bool operator==(const DiskDescription&, const DiskDescription&) = default;
 };
 
@@ -66,6 +69,7 @@ void describe(P& p, DiskDescription&) {
 /// [-1,1]^3, normals outward.
 struct CubeDescription {
   static constexpr bool finite = true;
+  static constexpr int surfaces = 6;
   friend bool operator==(const CubeDescription&, const CubeDescription&) = default;
 };
 
@@ -78,6 +82,7 @@ void describe(P& p, CubeDescription&) {
 /// The curved side of a cylinder from p0 to p1, open at both ends, normals outward. `to_world` must be a similarity.
 struct CylinderDescription {
   static constexpr bool finite = true;
+  static constexpr int surfaces = 1;
   Vec3d p0{0, 0, 0}, p1{0, 0, 1};
   double radius = 1;
   friend bool operator==(const CylinderDescription&, const CylinderDescription&) = default;
@@ -95,6 +100,7 @@ void describe(P& p, CylinderDescription& d) {
 /// Extension: the whole local xy plane, normal +z; uv = local xy.
 struct PlaneDescription {
   static constexpr bool finite = false;
+  static constexpr int surfaces = 1;
   friend bool operator==(const PlaneDescription&, const PlaneDescription&) = default;
 };
 
@@ -111,6 +117,7 @@ void describe(P& p, PlaneDescription&) {
 /// Wuethrich 1998). What is kept here is the file's.
 struct MeshDescription {
   static constexpr bool finite = true;
+  static constexpr int surfaces = 1;
   enum class Format { ply, obj };
   Format format = Format::ply;
   std::string filename;  ///< as the scene spells it
@@ -144,6 +151,7 @@ struct HeightfieldNoise {
 /// Heights come from a bitmap (its mean channel times `amplitude`) or from gradient noise in +-amplitude.
 struct HeightfieldDescription {
   static constexpr bool finite = true;
+  static constexpr int surfaces = 1;
   using Noise = HeightfieldNoise;
   int columns = 64, rows = 64;
   double amplitude = 1;
@@ -173,6 +181,7 @@ void describe(P& p, HeightfieldDescription& d) {
 /// A copy of a group of shapes, placed by to_world. The BSDFs are the group's: the instance's own index means nothing.
 struct InstanceDescription {
   static constexpr bool finite = true;
+  static constexpr int surfaces = 1;
   ShapeGroupIndex group;
   friend bool operator==(const InstanceDescription&, const InstanceDescription&) = default;
 };
