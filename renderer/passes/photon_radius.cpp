@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <vector>
 
 #include "renderer/scene/looked_at.h"
 #include "renderer/sensor/camera.h"
@@ -15,6 +18,30 @@ float median(std::vector<float>& values) {
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
 }
+
+/// Positions of the photons of one surface one after the other, in the photons' order.
+class PhotonsBySurface {
+ public:
+  explicit PhotonsBySurface(const Photons& photons) : photons_(photons) {
+    for (std::size_t i = 0; i < photons.size(); ++i) positions_[photons.surface[i]].push_back(photons[i].p_world);
+  }
+
+  /// Of photon i to the one that k others of its surface are nearer than; negative where there are fewer.
+  float distance_to_neighbour(std::size_t i, std::size_t k) const {
+    const Vec3f p = photons_[i].p_world;
+    const std::vector<Vec3f>& others = positions_.at(photons_.surface[i]);
+    if (others.size() <= k) return -1;
+    std::vector<float> squares(others.size());
+    std::ranges::transform(others, squares.begin(), [&](const Vec3f& other) { return length_squared(other - p); });
+    const auto kth = squares.begin() + static_cast<std::ptrdiff_t>(k);
+    std::nth_element(squares.begin(), kth, squares.end());  // [0] is the photon itself
+    return std::sqrt(*kth);
+  }
+
+ private:
+  const Photons& photons_;
+  std::map<std::uint32_t, std::vector<Vec3f>> positions_;
+};
 
 }  // namespace
 
@@ -32,18 +59,12 @@ float choose_radius(const Scene& scene, PhotonRun pilot, std::uint64_t total, do
   const Photons photons = trace_photons(scene, pilot, method, threads, totals);
   if (photons.size() <= neighbour) return 0;
 
-  std::vector<float> distances;
-  std::vector<float> to_others;
+  const PhotonsBySurface by_surface(photons);
   const std::size_t stride = std::max<std::size_t>(1, photons.size() / probes);
-  for (std::size_t i = 0; i < photons.size(); i += stride) {
-    to_others.clear();
-    for (std::size_t j = 0; j < photons.size(); ++j)
-      if (photons.surface[j] == photons.surface[i])
-        to_others.push_back(length_squared(photons[j].p_world - photons[i].p_world));
-    if (to_others.size() <= neighbour) continue;
-    std::nth_element(to_others.begin(), to_others.begin() + neighbour, to_others.end());  // [0] is the probe itself
-    distances.push_back(std::sqrt(to_others[neighbour]));
-  }
+  std::vector<float> distances((photons.size() + stride - 1) / stride);
+  threads.for_each(distances.size(),
+                   [&](std::size_t i) { distances[i] = by_surface.distance_to_neighbour(i * stride, neighbour); });
+  std::erase_if(distances, [](float distance) { return distance < 0; });
   if (distances.empty()) return 0;
   const double scale =
       photons_in_disc / static_cast<double>(neighbour) * static_cast<double>(pilot.count) / static_cast<double>(total);
