@@ -6,25 +6,23 @@
 Prints what is longer as file:line: sentence and ends with 1.
 """
 import re
-import subprocess
 import sys
 from pathlib import Path
 
+from source_tags import room_sources, tags
+
 most_lines = 60
-tops = ("scenes", "renderer", "reference", "reports", "harness")
 
 
 def functions(ctags, root, files):
     """Path, line, name and number of lines of each."""
-    command = [ctags, "--language-force=C++", "--c++-kinds=f", "--fields=e", "--excmd=number", "-L", "-", "-f", "-"]
-    tags = subprocess.run(command, input="\n".join(files), cwd=root, capture_output=True, text=True, check=True).stdout
-    for name, path, line, end in re.findall(r'^([^!\t][^\t]*)\t([^\t]+)\t(\d+);"\tend:(\d+)$', tags, re.MULTILINE):
+    found = tags(ctags, root, files, kinds="f", fields="e")
+    for name, path, line, end in re.findall(r'^([^!\t][^\t]*)\t([^\t]+)\t(\d+);"\tend:(\d+)$', found, re.MULTILINE):
         yield path, int(line), name, int(end) - int(line) + 1
 
 
 def main(ctags, root):
-    paths = [p.relative_to(root).as_posix() for top in tops for end in ("*.h", "*.cpp") for p in (root / top).rglob(end)]
-    files = sorted(path for path in paths if not path.startswith("harness/setup/"))
+    files = room_sources(root, ".h", ".cpp")
     found = list(functions(ctags, root, files))
     problems = [f"{path}:{line}: {name} has {lines} lines, more than {most_lines}"
                 for path, line, name, lines in found if lines > most_lines]

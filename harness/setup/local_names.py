@@ -7,26 +7,24 @@ release build compiles together (PHOTONPROOF_UNITY): two functions of one name w
 Prints what two sources have as file:line: sentence and ends with 1.
 """
 import re
-import subprocess
 import sys
 from pathlib import Path
 
-tops = ("scenes", "renderer", "reference", "reports", "harness")
+from source_tags import room_sources, tags
+
 alone = re.compile(r"(_(test|bench|fuzz)\.cpp|/test_[^/]*)$")
 
 
 def local_names(ctags, root, files):
     """Path, line and name of each."""
-    command = [ctags, "--language-force=C++", "--c++-kinds=fvsgectud", "--fields=sn", "--excmd=number", "-L", "-", "-f", "-"]
-    tags = subprocess.run(command, input="\n".join(files), cwd=root, capture_output=True, text=True, check=True).stdout
+    found = tags(ctags, root, files, kinds="fvsgectud", fields="sn")
     scope = r"namespace:(?:\w+::)*__anon[0-9a-f]+"
-    for name, path, line in re.findall(rf'^([^!\t][^\t]*)\t([^\t]+)\t(\d+);".*\t{scope}$', tags, re.MULTILINE):
+    for name, path, line in re.findall(rf'^([^!\t][^\t]*)\t([^\t]+)\t(\d+);".*\t{scope}$', found, re.MULTILINE):
         yield path, int(line), name
 
 
 def main(ctags, root):
-    paths = [p.relative_to(root).as_posix() for top in tops for p in (root / top).rglob("*.cpp")]
-    files = sorted(path for path in paths if not path.startswith("harness/setup/") and not alone.search(path))
+    files = [path for path in room_sources(root, ".cpp") if not alone.search(path)]
     names, problems = {}, []
     for path, line, name in local_names(ctags, root, files):
         room = path.rpartition("/")[0]

@@ -9,23 +9,21 @@ exit code 1 if there is any.
 """
 import functools
 import re
-import subprocess
 import sys
 from pathlib import Path
 
+from source_tags import room_sources, tags
 from std_includes import NO_CODE, Sources, blank
 
 # Before a name that is used, other than before one that is declared there, as in "auto name" or "class Name".
 keywords = {"return", "else", "case", "throw", "new", "const", "constexpr", "static", "inline", "friend", "virtual",
             "explicit", "operator", "mutable", "in", "co_return", "delete", "sizeof", "extern", "thread_local", "namespace"}
-tops = ("scenes", "renderer", "reference", "reports", "harness")
 
 
 def declarations(ctags, root, files):
     """Path, name and kind of what is declared in namespaces: p prototype, f function, others types."""
-    command = [ctags, "--language-force=C++", "--c++-kinds=pfscgutm", "--fields=ks", "--excmd=number", "-L", "-", "-f", "-"]
-    tags = subprocess.run(command, input="\n".join(files), cwd=root, capture_output=True, text=True, check=True).stdout
-    for name, path, kind, scope in re.findall(r'^([^!\t][^\t]*)\t([^\t]+)\t\d+;"\t(\w)(?:\t(.*))?$', tags, re.MULTILINE):
+    found = tags(ctags, root, files, kinds="pfscgutm", fields="ks")
+    for name, path, kind, scope in re.findall(r'^([^!\t][^\t]*)\t([^\t]+)\t\d+;"\t(\w)(?:\t(.*))?$', found, re.MULTILINE):
         yield path, name, kind, scope
 
 
@@ -36,8 +34,7 @@ def forward(path):
 
 def main(ctags, root):
     sources = Sources(root)
-    files = sorted(p.relative_to(root).as_posix() for top in tops for end in ("*.h", "*.cpp") for p in (root / top).rglob(end))
-    files = [path for path in files if not path.startswith("harness/setup/")]
+    files = room_sources(root, ".h", ".cpp")
     owners, local, functions, members = {}, {}, set(), set()
     for path, name, kind, scope in declarations(ctags, root, files):
         local.setdefault(path, set()).add(name)
@@ -67,7 +64,6 @@ def main(ctags, root):
 
 
 if __name__ == "__main__":
-    sys.dont_write_bytecode = True
     if len(sys.argv) != 3:
         sys.exit(__doc__)
     sys.exit(main(sys.argv[1], Path(sys.argv[2]).resolve()))

@@ -10,8 +10,9 @@ import re
 import sys
 from pathlib import Path
 
+from source_tags import room_sources
+
 most_files, most_lines = 45, 500
-tops = ("scenes", "renderer", "reference", "reports", "harness")
 
 
 def read_rooms(text):
@@ -36,11 +37,8 @@ def main(rooms_file, root):
     problems = [f"{room}: may include itself through {', '.join(may[room])}" for room in may
                 if any(room in allowed[other] for other in may[room])]
     count = dict.fromkeys(may, 0)
-    for path in sorted(p for top in tops for end in ("*.h", "*.cpp") for p in (root / top).rglob(end)):
-        file = path.relative_to(root).as_posix()
-        room = file.rpartition("/")[0]
-        if room.startswith("harness/setup/"):
-            continue  # what its scripts are tested with
+    for file in room_sources(root, ".h", ".cpp"):
+        path, room = root / file, file.rpartition("/")[0]
         if room not in may:
             problems.append(f"{file}:1: lies in no room")
             continue

@@ -1,0 +1,17 @@
+"""The rooms' sources, and what Universal Ctags says of them, for the checks beside this file."""
+import subprocess
+
+tops = ("scenes", "renderer", "reference", "reports", "harness")
+
+
+def room_sources(root, *ends):
+    """Paths below root, in their order, but for what the checks are tested with."""
+    paths = [p.relative_to(root).as_posix() for top in tops for end in ends for p in (root / top).rglob("*" + end)]
+    return sorted(path for path in paths if not path.startswith("harness/setup/"))
+
+
+def tags(ctags, root, files, kinds, fields):
+    """What ctags prints: a line a name, `name<tab>path<tab>line;"<tab>fields`."""
+    command = [ctags, "--language-force=C++", "--c++-kinds=" + kinds, "--fields=" + fields, "--excmd=number", "-L", "-",
+               "-f", "-"]
+    return subprocess.run(command, input="\n".join(files), cwd=root, capture_output=True, text=True, check=True).stdout
