@@ -122,8 +122,10 @@ TEST(skips, the_plan_says_what_the_scene_does_not_need_and_why) {
       plan_text(plan_render(facts, mapper, job)),
       "photonmapper, kernels scalar (1 lane)\n"
       "runs\n"
-      "  camera paths        to their first diffuse surface, where photons within a fixed radius are looked up; "
-      "paths of any length\n"
+      "  camera paths        to their first diffuse surface, where photons are looked up, once for all samples of a "
+      "pixel "
+      "that end alike; paths of any length\n"
+      "  more camera paths   up to 64 times as many in pixels whose earlier passes disagree\n"
       "  rays                packed kernel over all primitives\n"
       "skips\n"
       "  global-map          the global photon map: no two diffuse surfaces see each other\n"

@@ -151,31 +151,50 @@ TEST(photon_mapper, emits_the_photons_asked_for) {
   EXPECT_GT(out.stats.counts.at("photons_stored_caustic"), 0);
 }
 
-TEST(photon_mapper, refuses_more_photons_in_a_pass_than_memory_holds) {
-  // 1e9 photons over four passes of a sample each: 2.5e8 in the first.
+/// What is refused says how many this machine takes: all but that number.
+std::string refusal(const SceneDescription& scene, const RenderJob& job) {
   try {
-    render(test::room(4, false), "photonmapper", job_with(4, 1'000'000'000));
-    FAIL();
+    render(scene, "photonmapper", job);
+    return "";
   } catch (const InputError& error) {
-    EXPECT_EQ(error.summary(),
-              "--photons: error: 250000000 in one pass are more than 10000000, the most that are kept at once; more "
-              "samples a pixel make more passes");
+    std::string text = error.summary();
+    const std::size_t from = text.find("more than ") + 10;
+    return text.replace(from, text.find(',', from) - from, "N");
   }
+}
+
+TEST(photon_mapper, refuses_more_photons_in_a_pass_than_memory_holds) {
+  // 4e12 photons over four passes of a sample each.
+  EXPECT_EQ(refusal(test::room(4, false), job_with(4, 4'000'000'000'000)),
+            "--photons: error: 1000000000000 in one pass are more than N, what this machine's memory holds; more "
+            "samples a pixel make more passes");
   SceneDescription room = test::room(4, false);
   room.integrator = with_integrator(room.integrator, "photonmapper");
-  std::get<PhotonMapperDescription>(room.integrator.method).global_photons = 1'000'000'000;
+  std::get<PhotonMapperDescription>(room.integrator.method).global_photons = 1'000'000'000'000;
   RenderJob job = job_with(4, 1);
   job.budget.photons.reset();
   job.integrator_place = "room.xml:2:3";
-  try {
-    render(room, "photonmapper", job);
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_EQ(
-        error.summary(),
-        "room.xml:2:3: error: global_photons: 250000000 in one pass are more than 10000000, the most that are kept "
-        "at once; more samples a pixel make more passes");
-  }
+  EXPECT_EQ(refusal(room, job),
+            "room.xml:2:3: error: global_photons: 250000000000 in one pass are more than N, what this machine's memory "
+            "holds; more samples a pixel make more passes");
+}
+
+TEST(sppm, radius_shrinks_as_knaus_and_zwicker_have_it) {
+  // r^2 of pass i + 1 is (i + a)/(i + 1) of that of pass i: after 9 passes of a = 1/2 the next one's is
+  // (3/4)(5/6) ... (19/20) of the first.
+  SceneDescription furnace = test::furnace(0.5, 1, 16);
+  SppmDescription settings;
+  settings.photons = 1000;
+  settings.radius = 0.2;
+  settings.alpha = 0.5;
+  furnace.integrator.method = settings;
+  RenderJob job = job_with(9);
+  const auto out = render(furnace, "sppm", job);
+  double square = 0.04;
+  for (int i = 1; i <= 9; ++i) square *= (i + 0.5) / (i + 1);
+  EXPECT_NEAR(out.stats.counts.at("radius_global"), std::sqrt(square), 1e-6);
+  EXPECT_EQ(out.stats.counts.at("photons_emitted_global"), 9000);
+  EXPECT_EQ(out.stats.counts.at("passes"), 9);
 }
 
 }  // namespace

@@ -1,5 +1,9 @@
 #include "renderer/integrators/photon_maps.h"
 
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "renderer/passes/photon_radius.h"
@@ -9,23 +13,57 @@
 namespace photonproof {
 namespace {
 
-constexpr std::int64_t photons_per_sample = 50'000;  // with a time budget: emitted for each camera sample a pixel
+constexpr double photons_a_camera_path = 0.25;          // for each map: look-ups and paths take about as long then
+constexpr std::int64_t fewest_photons_a_pass = 16'384;  // small images want their mean, too
 constexpr std::uint64_t pilot_photons = 20'000;
-constexpr std::uint64_t most_photons_in_a_pass = 10'000'000;  // a map of them takes about a gigabyte
+constexpr double guessed_for = 1e6;  // photons, of MapState::photons_in_disc
+
+/// Of fewer passes than this in either half the evidence is too little.
+constexpr std::int64_t least_evidence = 2;
+/// From pass to pass a radius changes no more than this.
+constexpr double most_shrinking = 0.75, most_growing = 1.1;
+/// Of the guess, that a radius never leaves.
+constexpr double widest = 4, narrowest = 1.0 / 16;
 
 /// Fewer in a disc than this, and the spread that is seen may miss the few that carry the light.
 constexpr double few_photons_in_disc = 10;
 /// A map of fewer says that hardly any light goes that way, not that it goes elsewhere.
 constexpr std::uint64_t few_photons_in_map = 1000;
 
-/// A map without a radius gets one from the pilot; a map whose pilot stores nothing is small enough for any radius.
-void choose_radius_of(MapState& map, double asked, const PhotonSource& source, RayTotals& totals) {
-  map.radius = static_cast<float>(asked * source.scene.scale());
-  if (!map.wanted || map.radius > 0) return;
+/// What a radius shrinks to as there are so many times more photons.
+double shrunk(double times) { return std::pow(times, -1.0 / 6); }
+
+void choose_first_radius(MapState& map, double asked, const PhotonSource& source, RayTotals& totals) {
+  float& radius = map.radii.radius;
+  radius = static_cast<float>(asked * source.scene.scale());
+  map.fixed_radius = radius > 0;
+  if (!map.wanted || map.fixed_radius) return;
   const PhotonRun pilot{map.kind, pilot_stream, source.job.seed, 0, pilot_photons, -1, map.aimed};
-  map.radius = choose_radius(source.scene, pilot, static_cast<std::uint64_t>(map.total), map.photons_in_disc,
-                             {source.job.kernels(), source.job.sampler}, source.threads, totals);
-  if (map.radius <= 0) map.radius = 4 * std::max(median_pixel_footprint(source.scene), 1e-6f);
+  radius = guess_radius(source.scene, pilot, static_cast<std::uint64_t>(guessed_for), map.photons_in_disc,
+                        {source.job.kernels(), source.job.sampler}, source.threads, totals);
+  // A map whose pilot stores nothing is small enough for any radius.
+  if (radius <= 0) radius = 4 * std::max(median_pixel_footprint(source.scene), 1e-6f);
+  map.radii.first_photons = std::max(map.a_sample, static_cast<double>(map.least));
+  radius *= static_cast<float>(shrunk(map.radii.first_photons / guessed_for));
+  map.radii.first_radius = static_cast<double>(radius);
+}
+
+/// How many photons passes have.
+void choose_photons(MapState& map, std::int64_t by_scene, const PhotonSource& source) {
+  if (source.settings.textbook) {
+    map.a_sample = static_cast<double>(source.settings.textbook->photons_a_pass);
+    return;
+  }
+  const RenderBudget& budget = source.job.budget;
+  const std::int64_t total = budget.photons.value_or(by_scene);
+  if (total > 0) {
+    map.a_sample = static_cast<double>(total) / static_cast<double>(budget.spp.value_or(source.job.sample_count));
+    return;
+  }
+  const CameraView& camera = source.scene.view().camera;
+  const double pixels = 1 / (static_cast<double>(camera.inverse_width) * static_cast<double>(camera.inverse_height));
+  map.a_sample = photons_a_camera_path * pixels;
+  map.least = fewest_photons_a_pass;
 }
 
 void store_counts_of(const MapState& state, double scale, std::int64_t passes, RenderStats& stats) {
@@ -33,7 +71,7 @@ void store_counts_of(const MapState& state, double scale, std::int64_t passes, R
   const std::string name = state.name;
   stats.counts["photons_emitted_" + name] = static_cast<double>(state.counts.emitted);
   stats.counts["photons_stored_" + name] = static_cast<double>(state.counts.stored);
-  stats.counts["radius_" + name] = state.radius / scale;
+  stats.counts["radius_" + name] = static_cast<double>(state.radii.radius) / scale;
   stats.counts["rays_photon"] += static_cast<double>(state.counts.rays);
   stats.counts["photons_in_disc_" + name] = state.counts.in_disc(passes);
 }
@@ -53,28 +91,32 @@ void say_if_few_arrive(const MapState& global, std::int64_t passes, RenderStats&
   stats.losses.emplace_back(text);
 }
 
-/// Photons of a map for the pass that takes samples [first, last) of `spp`; at least one, so that a pass has a map.
-/// Throws InputError when they would not fit in memory.
-std::uint64_t photons_for_pass(const MapState& state, const RenderJob& job, std::int64_t first, std::int64_t last,
-                               std::int64_t spp) {
-  const auto until = [&](std::int64_t s) {
-    return static_cast<std::int64_t>(static_cast<double>(state.total) * static_cast<double>(s) /
-                                     static_cast<double>(spp));
-  };
-  const auto count = static_cast<std::uint64_t>(std::max<std::int64_t>(1, until(last) - until(first)));
-  if (count > most_photons_in_a_pass)
+/// Photons that a pass can emit on this machine: where each is stored twice on average, the two maps and the sort of
+/// one take this much of it.
+std::uint64_t most_photons_in_a_pass() {
+  constexpr std::uint64_t bytes = 2 * (2 * 32 + 34);
+  const auto memory =
+      static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<std::uint64_t>(sysconf(_SC_PAGE_SIZE));
+  return std::min<std::uint64_t>(memory / bytes, std::uint64_t{1} << 30);
+}
+
+/// Photons of a map for the pass that takes samples [first, last). Throws InputError when they would not fit in memory.
+std::uint64_t photons_for_pass(const MapState& state, const RenderJob& job, std::int64_t first, std::int64_t last) {
+  const auto until = [&](std::int64_t s) { return static_cast<std::int64_t>(state.a_sample * static_cast<double>(s)); };
+  const auto count = static_cast<std::uint64_t>(std::max<std::int64_t>(state.least, until(last) - until(first)));
+  if (count > most_photons_in_a_pass())
     throw InputError(job.budget.photons ? "--photons" : job.integrator_place,
                      (job.budget.photons ? std::string() : std::string(state.name) + "_photons: ") +
                          std::to_string(count) + " in one pass are more than " +
-                         std::to_string(most_photons_in_a_pass) +
-                         ", the most that are kept at once; more samples a pixel make more passes");
+                         std::to_string(most_photons_in_a_pass()) +
+                         ", what this machine's memory holds; more samples a pixel make more passes");
   return count;
 }
 
 /// Emits the photons that follow those emitted before.
 Photons emit(MapState& map, const PhotonSource& source, std::uint64_t count, RenderStats& stats) {
   const PhaseTimer phase(stats.phases[std::string("photons_") + map.name]);
-  const int max_edges = source.settings.max_depth >= 0 ? source.settings.max_depth - 1 : -1;
+  const int max_edges = source.settings.limits.max_depth >= 0 ? source.settings.limits.max_depth - 1 : -1;
   const std::uint64_t traced = has_fault(Fault::half_photons) ? (count + 1) / 2 : count;
   const std::uint64_t seed = has_fault(Fault::same_photons) ? 1 : source.job.seed;
   RayTotals rays;
@@ -87,18 +129,50 @@ Photons emit(MapState& map, const PhotonSource& source, std::uint64_t count, Ren
 
 }  // namespace
 
+PhotonSettings::PhotonSettings(const IntegratorDescription& description) : limits(description.limits()) {
+  if (const auto* photons = std::get_if<PhotonMapperDescription>(&description.method)) {
+    global_photons = photons->global_photons;
+    caustic_photons = photons->caustic_photons;
+    global_radius = photons->global_radius;
+    caustic_radius = photons->caustic_radius;
+  } else {
+    const auto& sppm = std::get<SppmDescription>(description.method);
+    textbook = Textbook{sppm.photons, sppm.alpha};
+    global_radius = caustic_radius = sppm.radius;
+  }
+}
+
+void choose_next_radius(MapState& map, const PhotonSettings& settings, const LookUpBias::Evidence& evidence,
+                        const PassHalves& halves, double all_samples) {
+  RadiusHistory& radii = map.radii;
+  const double now = static_cast<double>(radii.radius);
+  double next = now;
+  if (settings.textbook) {
+    const auto passes = static_cast<double>(halves.pass_count());
+    next = now * std::sqrt((passes + settings.textbook->alpha) / (passes + 1));
+  } else if (!map.fixed_radius) {
+    const double photons = radii.worth() * all_samples / halves.all_samples();
+    const double guess = radii.first_radius * shrunk(photons / radii.first_photons);
+    next = guess;
+    if (halves.passes[1] >= least_evidence) {
+      next = std::clamp(radii.best(evidence, all_samples), most_shrinking * now, most_growing * now);
+      next = std::clamp(next, narrowest * guess, widest * guess);
+    }
+  }
+  radii.radius = static_cast<float>(next);
+}
+
 PhotonMaps::PhotonMaps(const RenderPlan& plan, const PhotonSource& source, RenderStats& stats) {
-  const std::optional<std::int64_t>& asked = source.job.budget.photons;
   global.wanted = !plan.skips(Skip::global_map);
-  global.total = asked.value_or(source.settings.global_photons);
+  choose_photons(global, source.settings.global_photons, source);
   caustic.wanted = !plan.skips(Skip::caustic_map);
   caustic.aimed = plan.skips(Skip::stray_photons);
-  caustic.total = asked.value_or(source.settings.caustic_photons);
+  choose_photons(caustic, source.settings.caustic_photons, source);
 
   const PhaseTimer phase(stats.phases["pilot"]);
   RayTotals pilot_rays;
-  choose_radius_of(global, source.settings.global_radius, source, pilot_rays);
-  choose_radius_of(caustic, source.settings.caustic_radius, source, pilot_rays);
+  choose_first_radius(global, source.settings.global_radius, source, pilot_rays);
+  choose_first_radius(caustic, source.settings.caustic_radius, source, pilot_rays);
   pilot_rays.store(stats);
 }
 
@@ -110,7 +184,9 @@ std::vector<MapState*> PhotonMaps::wanted() {
 }
 
 std::string PhotonMaps::totals() const {
-  return std::to_string(global.total) + " global and " + std::to_string(caustic.total) + " caustic photons";
+  char text[96];
+  std::snprintf(text, sizeof text, "%.9g global and %.9g caustic photons a sample", global.a_sample, caustic.a_sample);
+  return text;
 }
 
 void PhotonMaps::store_counts(double scale, std::int64_t passes, RenderStats& stats) const {
@@ -119,16 +195,15 @@ void PhotonMaps::store_counts(double scale, std::int64_t passes, RenderStats& st
   say_if_few_arrive(global, passes, stats);
 }
 
-void refill(MapState& map, const PhotonSource& source, std::int64_t first, std::int64_t last, std::int64_t spp,
-            RenderStats& stats) {
-  const std::uint64_t count = source.job.budget.seconds
-                                  ? static_cast<std::uint64_t>(photons_per_sample * (last - first))
-                                  : photons_for_pass(map, source.job, first, last, spp);
+std::uint64_t refill(MapState& map, const PhotonSource& source, std::int64_t first, std::int64_t last,
+                     RenderStats& stats) {
+  const std::uint64_t count = photons_for_pass(map, source.job, first, last);
   Photons photons = emit(map, source, count, stats);
   const PhaseTimer phase(stats.phases["build"]);
-  map.map.build(std::move(photons), map.radius, source.threads);
+  map.map.build(std::move(photons), map.radii.radius, source.threads);
   map.counts.emitted += count;
   map.counts.stored += map.map.size();
+  return count;
 }
 
 }  // namespace photonproof

@@ -1,18 +1,25 @@
 // The two photon maps of a render: how many photons each gets, within which radius they are looked up, and what became
 // of them. Every pass has photons of its own.
+//
+// A radius that is left open starts at a guess, what a small pilot run says of the photons' density, in proportion to
+// n^(-1/6) of the photons that will have been emitted. After some passes their own evidence takes over
+// (look_up_bias.h): the radius that makes variance and squared bias together least, which falls at least as fast.
 #pragma once
 
 #include <algorithm>
 #include <atomic>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "renderer/passes/look_up_bias.h"
 #include "renderer/passes/photon_tracing.h"
 #include "renderer/passes/render_job.h"
 #include "renderer/photons/photon_map.h"
 #include "renderer/planning/plan.h"
 #include "renderer/scene/scene.h"
+#include "scenes/description/integrator_description.h"
 
 namespace photonproof {
 
@@ -31,39 +38,55 @@ struct PhotonCounts {
   }
 };
 
+/// How photons are emitted and looked up, whichever integrator asks.
+struct PhotonSettings {
+  PathLimits limits;
+  std::int64_t global_photons = 0, caustic_photons = 0;  ///< over the whole render; 0: automatic
+  double global_radius = 0, caustic_radius = 0;          ///< scene units; 0: automatic
+  /// As textbooks have it: every pass takes one sample a pixel and so many photons, each sample has its own look-ups,
+  /// and the radius shrinks by alpha, from the one that is given or the pilot's.
+  struct Textbook {
+    std::int64_t photons_a_pass;
+    double alpha;
+  };
+  std::optional<Textbook> textbook{};
+
+  explicit PhotonSettings(const IntegratorDescription& description);
+};
+
 /// One of the two maps, with what it takes to refill it every pass.
 struct MapState {
   PhotonKind kind;
   Stream stream;
   const char* name;
-  double photons_in_disc;  ///< the automatic radius aims at this many over the whole render
+  double photons_in_disc;  ///< what the first guess of a radius aims at, of 1e6 emitted
   bool wanted = false;
-  bool aimed = false;      ///< emitted towards specular surfaces only
-  std::int64_t total = 0;  ///< photons to emit over the whole render
-  float radius = 0;
+  bool aimed = false;         ///< emitted towards specular surfaces only
+  double a_sample = 0;        ///< photons to emit for each camera sample of a pixel
+  std::int64_t least = 1;     ///< photons of a pass
+  bool fixed_radius = false;  ///< as the scene asks
+  RadiusHistory radii{};
   std::vector<SheetTest> tests{};  ///< by surface
   PhotonCounts counts{};
-  std::atomic<std::uint64_t> found{0};  ///< in this pass
+  double pass_photons = 0;                            ///< emitted in this pass
+  std::atomic<std::uint64_t> looked_up{0}, found{0};  ///< in this pass
   PhotonMap map{};
 };
 
 /// What fills maps.
 struct PhotonSource {
   const Scene& scene;
-  const PhotonMapperDescription& settings;
+  const PhotonSettings& settings;
   const RenderJob& job;
   const Threads& threads;
 };
 
-// Measured on cornell-spheres at 256^2, 1e6 photons, 32 samples a pixel: global discs of 50, 130, 350, 900 photons gave
-// relmse .0029, .0021, .0017, .0016; caustic discs of 20 and 7 photons .0017 and .0014. Pixels average many look-ups,
-// so smooth indirect light wants a wide disc and sharp caustics a small one.
 struct PhotonMaps {
-  MapState global{PhotonKind::global, global_photon_stream, "global", 350};
+  MapState global{PhotonKind::global, global_photon_stream, "global", 700};
   MapState caustic{PhotonKind::caustic, caustic_photon_stream, "caustic", 8};
 
-  /// Those that the plan wants, their totals and radii; where the settings leave a radius open, a pilot run of photons
-  /// says it.
+  /// Those that the plan wants, how many photons they get and their first radii; where the settings leave a radius
+  /// open, a pilot run of photons says it.
   PhotonMaps(const RenderPlan& plan, const PhotonSource& source, RenderStats& stats);
 
   /// In the order in which their light is added.
@@ -73,9 +96,14 @@ struct PhotonMaps {
   void store_counts(double scale, std::int64_t passes, RenderStats& stats) const;
 };
 
-/// Replaces the map's photons by those of the pass that takes samples [first, last) of a pixel's `spp`. Throws
-/// InputError when they would not fit in memory.
-void refill(MapState& map, const PhotonSource& source, std::int64_t first, std::int64_t last, std::int64_t spp,
-            RenderStats& stats);
+/// Replaces the map's photons by those of the pass that takes samples [first, last) of a pixel; returns how many were
+/// emitted. Throws InputError when they would not fit in memory.
+std::uint64_t refill(MapState& map, const PhotonSource& source, std::int64_t first, std::int64_t last,
+                     RenderStats& stats);
+
+/// Decides the map's radius for the next pass, that ends at sample `all_samples` of a pixel, from what the passes so
+/// far showed.
+void choose_next_radius(MapState& map, const PhotonSettings& settings, const LookUpBias::Evidence& evidence,
+                        const PassHalves& halves, double all_samples);
 
 }  // namespace photonproof

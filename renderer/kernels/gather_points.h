@@ -52,10 +52,12 @@ struct GatherPoint {
 
 class GatherQueue {
  public:
-  explicit GatherQueue(std::size_t capacity) {
+  explicit GatherQueue(std::size_t capacity) { reserve(capacity); }
+
+  /// Makes room for so many in all; views of before are of no use after it.
+  void reserve(std::size_t capacity) {
     zip_gather_points([&](auto& column) { column.resize(capacity + slack); }, columns_);
   }
-
   std::size_t size() const { return count_; }
   /// After a kernel has left so many.
   void set_size(std::size_t count) { count_ = count; }

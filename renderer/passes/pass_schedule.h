@@ -13,9 +13,10 @@ namespace photonproof {
 class PassSchedule {
  public:
   /// Ends after `total_samples` a pixel, or when `seconds` are used up; at least one pass is always made. No pass takes
-  /// more than `longest` samples a pixel.
-  PassSchedule(std::int64_t total_samples, std::optional<double> seconds, std::int64_t longest = 64)
-      : total_(total_samples), seconds_(seconds), longest_(longest) {}
+  /// more than `longest` samples a pixel, nor more than a part, one of `parts`, of all before it.
+  PassSchedule(std::int64_t total_samples, std::optional<double> seconds, std::int64_t longest = 64,
+               std::int64_t parts = 1)
+      : total_(total_samples), seconds_(seconds), longest_(longest), parts_(parts) {}
 
   /// Goes on where another run stopped that had taken `seconds`: the next pass takes `samples` from sample `first` on;
   /// of 0 samples, it is the one that follows.
@@ -31,7 +32,7 @@ class PassSchedule {
     if (!seconds_ || done_ == 0) return started(length_from(done_));
     const double per_sample = seconds_spent() / static_cast<double>(done_);
     const auto affordable = static_cast<std::int64_t>((*seconds_ - seconds_spent()) / per_sample);
-    return started(std::clamp<std::int64_t>(affordable, 0, std::min(done_, longest_)));
+    return started(std::clamp<std::int64_t>(affordable, 0, length_from(done_)));
   }
 
   /// Whether a render of this number of samples makes, from its start, a pass of `samples` from sample `first` on; with
@@ -52,9 +53,10 @@ class PassSchedule {
   }
 
  private:
-  /// Of the pass from sample `done` on, where samples are the budget: a pass is as long as all before it.
+  /// Of the pass from sample `done` on, where nothing but samples ends it.
   std::int64_t length_from(std::int64_t done) const {
-    return done == 0 ? 1 : std::min<std::int64_t>({total_ - done, done, longest_});
+    const std::int64_t wanted = std::min(std::max<std::int64_t>(1, done / parts_), longest_);
+    return seconds_ ? wanted : std::min(total_ - done, wanted);
   }
   std::int64_t started(std::int64_t samples) {
     done_ += samples;
@@ -63,7 +65,7 @@ class PassSchedule {
 
   std::int64_t total_;
   std::optional<double> seconds_;
-  std::int64_t longest_;
+  std::int64_t longest_, parts_;
   std::int64_t done_ = 0;
   std::int64_t begun_ = 0;
   double seconds_before_ = 0;

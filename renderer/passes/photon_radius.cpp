@@ -51,9 +51,9 @@ float median_pixel_footprint(const Scene& scene) {
   return footprints.empty() ? 0 : median(footprints);
 }
 
-float choose_radius(const Scene& scene, PhotonRun pilot, std::uint64_t total, double photons_in_disc,
-                    const PhotonMethod& method, const Threads& threads, RayTotals& totals) {
-  constexpr std::size_t probes = 256;
+float guess_radius(const Scene& scene, PhotonRun pilot, std::uint64_t total, double photons_in_disc,
+                   const PhotonMethod& method, const Threads& threads, RayTotals& totals) {
+  constexpr std::size_t probes = 64;
   constexpr std::size_t neighbour = 16;  // its distance measures the density around a probe
   pilot.stream = pilot_stream;
   const Photons photons = trace_photons(scene, pilot, method, threads, totals);
@@ -70,7 +70,7 @@ float choose_radius(const Scene& scene, PhotonRun pilot, std::uint64_t total, do
       photons_in_disc / static_cast<double>(neighbour) * static_cast<double>(pilot.count) / static_cast<double>(total);
   const auto radius = static_cast<float>(median(distances) * std::sqrt(scale));
   const float footprint = median_pixel_footprint(scene);
-  return footprint > 0 ? std::clamp(radius, 1.5f * footprint, 20 * footprint) : radius;
+  return footprint > 0 ? std::clamp(radius, 0.35f * footprint, 20 * footprint) : radius;
 }
 
 }  // namespace photonproof

@@ -1,4 +1,4 @@
-// Chooses the look-up radius of a photon map from a small pilot run.
+// Guesses the look-up radius of a photon map from a small pilot run.
 #pragma once
 
 #include "renderer/passes/photon_tracing.h"
@@ -6,9 +6,9 @@
 namespace photonproof {
 
 /// The radius whose disc holds `photons_in_disc` photons at the median photon of a run of `total` emitted paths, kept
-/// between 1.5 and 20 pixel footprints. 0 when the pilot stores nothing to measure.
-float choose_radius(const Scene& scene, PhotonRun pilot, std::uint64_t total, double photons_in_disc,
-                    const PhotonMethod& method, const Threads& threads, RayTotals& totals);
+/// between 0.35 and 20 pixel footprints. 0 when the pilot stores nothing to measure.
+float guess_radius(const Scene& scene, PhotonRun pilot, std::uint64_t total, double photons_in_disc,
+                   const PhotonMethod& method, const Threads& threads, RayTotals& totals);
 
 /// World size of a pixel at the median first hit of a lattice of camera rays; 0 when nothing is hit.
 float median_pixel_footprint(const Scene& scene);

@@ -72,7 +72,10 @@ Photons trace_photons(const Scene& scene, const PhotonRun& run, const PhotonMeth
   std::size_t total = 0;
   for (const Photons& part : stored) total += part.size();
   all.reserve(total);
-  for (const Photons& part : stored) all.append(part);
+  for (Photons& part : stored) {
+    all.append(part);
+    part = {};
+  }
   return all;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <cstring>
 
 #include "scenes/text/input_error.h"
@@ -32,7 +33,7 @@ RenderLoop::RenderLoop(const RenderJob& job, const Threads& threads, Film& film,
       film_(film),
       stats_(stats),
       plan_(std::move(plan)),
-      schedule_(total_samples(job), job.budget.seconds, plan_.longest) {
+      schedule_(total_samples(job), job.budget.seconds, plan_.longest, plan_.parts) {
   keep(film);
 }
 
@@ -67,8 +68,18 @@ bool RenderLoop::next() {
 
 bool RenderLoop::reached_target() {
   if (!job_.budget.target_error || schedule_.samples_done() < least_samples_for_error) return false;
-  error_ = film_.relative_standard_error();
+  error_ = error();
   return error_ && *error_ <= *job_.budget.target_error;
+}
+
+std::optional<double> RenderLoop::error() {
+  const std::optional<double> standard_error = film_.relative_standard_error();
+  if (!standard_error) return std::nullopt;
+  stats_.counts["relative_standard_error"] = *standard_error;
+  if (!plan_.squared_bias) return standard_error;
+  const double squared_bias = plan_.squared_bias();
+  stats_.counts["relative_bias"] = std::sqrt(squared_bias);
+  return std::sqrt(*standard_error * *standard_error + squared_bias);
 }
 
 // An error falls with the root of the samples.
@@ -84,7 +95,7 @@ bool RenderLoop::ended(bool interrupted) {
   finish_write();
   if (job_.progress && !interrupted) job_.progress(1, plan_.phase);
   rays_.store(stats_);
-  if (error_) stats_.counts["relative_standard_error"] = *error_;
+  if (plan_.squared_bias) error();
   stats_.counts["samples_per_pixel"] = static_cast<double>(schedule_.samples_done());
   return false;
 }

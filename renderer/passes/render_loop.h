@@ -32,9 +32,12 @@ namespace photonproof {
 struct PassPlan {
   std::string phase;          ///< for the progress line
   std::int64_t longest = 64;  ///< samples a pixel of a pass, at most
+  std::int64_t parts = 1;     ///< of all samples before it a pass takes no more than one part of so many
   /// What else of the budget decides a pass's estimates; only a render of the same can be resumed. Without it a render
   /// may be resumed with more samples, where the passes made so far are those of the longer render.
   std::string budget = {};
+  /// What all passes have wrong alike, squared, as relmse counts it: beside the film's standard error. Empty: nothing.
+  std::function<double()> squared_bias = {};
 };
 
 class RenderLoop {
@@ -101,6 +104,8 @@ class RenderLoop {
   void finish_write();
   /// Whether the film is as good as the budget asks.
   bool reached_target();
+  /// Relative, of the image's pixels; empty where the film does not know it.
+  std::optional<double> error();
   double fraction(double part) const;
   bool writes() const { return job_.checkpoint && job_.checkpoint->interval_seconds > 0; }
   bool due() const { return writes() && since_write_.seconds() >= job_.checkpoint->interval_seconds; }

@@ -107,8 +107,8 @@ TEST_F(Resume, of_the_photon_mapper_wants_the_same_photons) {
   job.budget.photons = 30'000;
   EXPECT_EQ(
       problem(scene, "photonmapper", job),
-      "its budget is 20000 global and 20000 caustic photons over 8 samples a pixel, this render's is 30000 global "
-      "and 30000 caustic photons over 8 samples a pixel");
+      "its budget is 2500 global and 2500 caustic photons a sample, this render's is 3750 global and 3750 caustic "
+      "photons a sample");
 }
 
 // Two estimates, 1 and 3: mean 2, variance of the mean ((1 - 2)^2 + (3 - 2)^2) / (1 * 2) = 1, relative to 2^2 + 0.01.

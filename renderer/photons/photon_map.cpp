@@ -32,6 +32,9 @@ PhotonGrid grid_for(const Bounds& bounds, float radius) {
   return grid;
 }
 
+/// Of more, the sort's memory is given back: it would be more than a gigabyte.
+constexpr std::size_t most_to_keep_staged = 30'000'000;
+
 void put(Photons& photons, std::size_t slot, const StagedPhoton& p) {
   zip_photons([slot](auto& array, const auto& value) { array[slot] = value; }, photons, p);
 }
@@ -53,6 +56,7 @@ void PhotonMap::build(Photons photons, float radius, const Threads& threads) {
     sort_into_dense_cells(staged_, threads);
   else
     sort_into_occupied_cells(staged_, threads);
+  if (count_ > most_to_keep_staged) staged_ = {};
 }
 
 PhotonView PhotonMap::view() const {

@@ -26,8 +26,8 @@ class PhotonMap {
   /// and are fastest near that one. The same map at any number of threads. Fewer than 2^31 photons, whose arrays the
   /// map keeps.
   PhotonMap(Photons photons, float radius, const Threads& threads) { build(std::move(photons), radius, threads); }
-  /// Makes this map of other photons. It keeps its memory, the sort's included (34 bytes a photon), so that a render of
-  /// many passes touches new pages in the first only.
+  /// Makes this map of other photons. It keeps its memory, the sort's included (34 bytes a photon) up to a gigabyte of
+  /// it, so that a render of many passes touches new pages in the first only.
   void build(Photons photons, float radius, const Threads& threads);
 
   std::size_t size() const { return count_; }

@@ -52,6 +52,11 @@ class Film {
   /// noise alone would give, as estimated from the samples, which are taken as independent (those of a Sobol sequence
   /// are better than that). Empty where a pixel has fewer than two estimates.
   std::optional<double> relative_standard_error() const;
+  /// Of the estimates so far; 0 where there is none.
+  RgbD mean(int x, int y) const {
+    const Pixel& p = pixels_[index(x, y)];
+    return p.weight > 0 ? p.sum / p.weight : RgbD(0.0);
+  }
   /// Pixels no estimate reached (an interrupted first pass).
   std::size_t unsampled_pixels() const;
   /// Of memory, for each pixel.

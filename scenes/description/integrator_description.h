@@ -96,12 +96,12 @@ void describe(P& p, WhittedDescription& d) {
   describe_limits(p, d);
 }
 
-/// Fixed-radius photon mapping with a global and a caustic map. A radius of 0 asks for the automatic choice.
+/// Photon mapping with a global and a caustic map. 0 asks for the automatic choice.
 struct PhotonMapperDescription : PathLimits {
-  std::int64_t global_photons = 1'000'000;   ///< emitted for the global map, over the whole render
-  std::int64_t caustic_photons = 1'000'000;  ///< emitted for the caustic map, over the whole render
-  double global_radius = 0;                  ///< scene units
-  double caustic_radius = 0;                 ///< scene units
+  std::int64_t global_photons = 0;   ///< emitted for the global map, over the whole render; 0: automatic
+  std::int64_t caustic_photons = 0;  ///< emitted for the caustic map, over the whole render; 0: automatic
+  double global_radius = 0;          ///< scene units
+  double caustic_radius = 0;         ///< scene units
   friend bool operator==(const PhotonMapperDescription&, const PhotonMapperDescription&) = default;
 };
 
@@ -111,16 +111,34 @@ void describe(P& p, PhotonMapperDescription& d) {
   constexpr scene_xml::Range radius{0, scene_xml::kUnbounded, "a positive length, or 0 for the automatic choice"};
   p.plugin("photonmapper", "extension: photon mapping with a global and a caustic map");
   describe_limits(p, d);
-  p.integer("global_photons", d.global_photons, 0, most, "emitted for the global map");
-  p.integer("caustic_photons", d.caustic_photons, 0, most, "emitted for the caustic map");
+  p.integer("global_photons", d.global_photons, 0, most, "emitted for the global map; 0: a quarter of the samples");
+  p.integer("caustic_photons", d.caustic_photons, 0, most, "emitted for the caustic map; 0: a quarter of the samples");
   p.number("global_radius", d.global_radius, radius, "of a look-up, scene units");
   p.number("caustic_radius", d.caustic_radius, radius, "of a look-up, scene units");
+}
+
+/// Stochastic progressive photon mapping (Hachisuka and Jensen 2009; Knaus and Zwicker 2011).
+struct SppmDescription : PathLimits {
+  std::int64_t photons = 250'000;  ///< of a pass, for each map
+  double radius = 0;               ///< of the first pass, scene units; 0: automatic
+  double alpha = 2.0 / 3;          ///< r^2 of pass i + 1 is (i + alpha) / (i + 1) of that of pass i
+  friend bool operator==(const SppmDescription&, const SppmDescription&) = default;
+};
+
+template <class P>
+void describe(P& p, SppmDescription& d) {
+  p.plugin("sppm", "extension: stochastic progressive photon mapping");
+  describe_limits(p, d);
+  p.integer("photons", d.photons, 1, 1'000'000'000, "emitted in every pass, for each map");
+  p.number("radius", d.radius, {0, scene_xml::kUnbounded, "a positive length, or 0 for the automatic choice"},
+           "of the first pass, scene units");
+  p.number("alpha", d.alpha, {0, 1, nullptr, true, true}, "of a disc, what passes keep: 1 is all");
 }
 
 struct IntegratorDescription {
   SourceLoc loc;
   std::variant<PathDescription, PhotonMapperDescription, VolPathDescription, BdptDescription, ParticleTracerDescription,
-               DirectDescription, WhittedDescription>
+               DirectDescription, WhittedDescription, SppmDescription>
       method;
 
   const PathLimits& limits() const {

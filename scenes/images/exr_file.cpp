@@ -170,7 +170,8 @@ std::unique_ptr<ImageFile> open_exr(const std::string& path) { return std::make_
 
 void write_exr_file(const std::string& path, const std::string& target, const Rendering& rendering, ExrColour colour) {
   Imf::Header header(rendering.mean.width, rendering.mean.height);
-  header.compression() = Imf::ZIP_COMPRESSION;
+  // Deflating 32-bit noise takes as long as a short render and saves 2 %.
+  header.compression() = colour == ExrColour::half ? Imf::ZIP_COMPRESSION : Imf::RLE_COMPRESSION;
   for (const auto& [name, value] : rendering.metadata) header.insert(name, Imf::StringAttribute(value));
 
   const std::vector<half> short_colour = colour == ExrColour::half ? halves(rendering.mean.rgb) : std::vector<half>();

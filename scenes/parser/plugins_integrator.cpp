@@ -1,4 +1,5 @@
-// Mitsuba 3's integrators path, volpath, ptracer, direct and moment, and the extensions bdpt, whitted and photonmapper.
+// Mitsuba 3's integrators path, volpath, ptracer, direct and moment, and the extensions bdpt, whitted, photonmapper and
+// sppm.
 #include "scenes/description/description.h"
 #include "scenes/parser/plugin_reader.h"
 
@@ -42,7 +43,7 @@ std::vector<Plugin<Method>> integrator_plugins() {
 }  // namespace
 
 IntegratorDescription read_integrator(SceneObjects& objects, const Element& element) {
-  if (const Attribute* type = element.find("type"); type && (type->value == "sppm" || type->value == "vcm"))
+  if (const Attribute* type = element.find("type"); type && type->value == "vcm")
     fail_at(objects.sources(), *type,
             "integrator " + in_quotes(type->value) +
                 " is not built yet, expected bdpt or photonmapper, which see the "

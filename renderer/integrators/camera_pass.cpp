@@ -1,0 +1,186 @@
+#include "renderer/integrators/camera_pass.h"
+
+#include <algorithm>
+#include <limits>
+#include <numbers>
+#include <numeric>
+
+#include "renderer/passes/photon_radius.h"
+#include "renderer/passes/shared_look_ups.h"
+#include "renderer/passes/tile_film.h"
+#include "renderer/photons/query_order.h"
+#include "scenes/text/faults.h"
+
+namespace photonproof {
+namespace {
+
+/// Irradiance that a look-up found.
+Rgb irradiance(const GatherPoints& points, std::size_t i) {
+  if (!(points.area[i] > 0)) return Rgb(0.0f);
+  return Rgb{points.flux_red[i], points.flux_green[i], points.flux_blue[i]} * (1 / points.area[i]);
+}
+
+}  // namespace
+
+/// Of all paths of a tile in a pass.
+struct CameraPass::TilePaths {
+  Tile tile;
+  std::int64_t pass;
+  double samples;                         ///< that the pass takes of every pixel
+  std::vector<float> radiance{};          ///< 3 a path
+  std::vector<std::uint32_t> pixel_of{};  ///< of each path; pixels of the tile row by row
+  GatherQueue queue{0};
+  std::vector<std::uint32_t> count;  ///< paths of each pixel
+  std::vector<Rgb> sum;              ///< of each pixel
+
+  TilePaths(const Tile& of, std::int64_t number, double samples_a_pixel)
+      : tile(of),
+        pass(number),
+        samples(samples_a_pixel),
+        count(static_cast<std::size_t>(of.width()) * static_cast<std::size_t>(of.height())),
+        sum(count.size(), Rgb(0.0f)) {}
+  int x(std::size_t pixel) const { return tile.x0 + static_cast<int>(pixel) % tile.width(); }
+  int y(std::size_t pixel) const { return tile.y0 + static_cast<int>(pixel) / tile.width(); }
+};
+
+CameraPass::CameraPass(const Scene& scene, const PhotonSettings& settings, const RenderPlan& plan, const RenderJob& job,
+                       std::vector<MapState*> maps, const LookUpAreas* areas, LookUpBias& bias, PixelEffort& effort)
+    : scene_(scene),
+      job_(job),
+      shares_(!settings.textbook),
+      maps_(std::move(maps)),
+      areas_(areas),
+      bias_(bias),
+      effort_(effort),
+      footprint_(std::max(median_pixel_footprint(scene), 1e-30f)),
+      scratch_(job.kernels().path.scratch) {
+  const PathLimits& limits = settings.limits;
+  settings_ = {limits.max_depth, limits.rr_depth, limits.hide_emitters,
+               plan.skips(Skip::mis) ? DirectLight::unweighted : DirectLight::weighted};
+}
+
+void CameraPass::trace(const CameraTask& camera, TilePaths& paths, RenderLoop& loop) {
+  const Tile& tile = paths.tile;
+  const std::size_t first = paths.pixel_of.size(), first_point = paths.queue.size();
+  for (int y = camera.y0; y < camera.y1; ++y)
+    for (int x = camera.x0; x < camera.x1; ++x) {
+      const auto pixel = static_cast<std::uint32_t>((y - tile.y0) * tile.width() + x - tile.x0);
+      paths.pixel_of.insert(paths.pixel_of.end(), camera.samples, pixel);
+      paths.count[pixel] += camera.samples;
+    }
+  paths.radiance.resize(3 * paths.pixel_of.size());
+  paths.queue.reserve(paths.pixel_of.size());
+  PathTask task{.scene = &scene_.view(),
+                .camera = camera,
+                .settings = settings_,
+                .at_diffuse = AtDiffuse::leave_gather_point,
+                .radiance = paths.radiance.data() + 3 * first,
+                .points = paths.queue.view()};
+  scratch_.lend([&](std::uint32_t* words) {
+    task.scratch = words;
+    job_.kernels().path.trace(task);
+  });
+  for (std::size_t i = first_point; i < task.points.count; ++i)
+    task.points.path[i] += static_cast<std::uint32_t>(first);
+  paths.queue.set_size(task.points.count);
+  loop.rays().add(task.counts);
+}
+
+void CameraPass::trace_extra(TilePaths& paths, RenderLoop& loop) {
+  const Tile& tile = paths.tile;
+  if (job_.grid > 0) return;
+  for (int y = tile.y0; y < tile.y1; ++y) {
+    for (int x = tile.x0, end = x; x < tile.x1; x = end) {
+      const std::uint32_t extra = effort_.extra(x, y);
+      for (end = x + 1; end < tile.x1 && effort_.extra(end, y) == extra; ++end) {
+      }
+      if (extra == 0) continue;
+      CameraTask camera =
+          camera_task(job_, {x, y, end, y + 1}, loop.first() * PixelEffort::most, loop.samples() * extra);
+      camera.seed = stream_seed(job_.seed, extra_sample_stream);
+      trace(camera, paths, loop);
+    }
+  }
+}
+
+void CameraPass::render(const Tile& tile, std::int64_t pass, RenderLoop& loop, Film& film) {
+  TilePaths paths(tile, pass, static_cast<double>(loop.samples()));
+  trace(camera_task(job_, tile, loop.first(), loop.samples()), paths, loop);
+  trace_extra(paths, loop);
+  for (std::size_t path = 0; path < paths.pixel_of.size(); ++path) {
+    const float* sample = &paths.radiance[3 * path];
+    paths.sum[paths.pixel_of[path]] += Rgb(sample[0], sample[1], sample[2]);
+  }
+  if (!maps_.empty()) add_photons(paths);
+  for (std::size_t pixel = 0; pixel < paths.sum.size(); ++pixel) {
+    const auto count = static_cast<double>(paths.count[pixel]);
+    const RgbD mean = RgbD(paths.sum[pixel]) / count;
+    film.add(paths.x(pixel), paths.y(pixel), mean, paths.samples);
+    effort_.add(paths.x(pixel), paths.y(pixel), mean, count);
+  }
+}
+
+void CameraPass::add_photons(TilePaths& paths) {
+  const std::uint32_t key = stream_seed(job_.seed, shared_look_up_stream, static_cast<std::uint64_t>(paths.pass));
+  constexpr std::uint32_t none_shared = std::numeric_limits<std::uint32_t>::max();
+  std::uint32_t parts = shares_ ? 1 : none_shared;
+  for (const MapState* map : maps_) parts = std::max(parts, parts_of_pixel(pixels_a_radius(*map)));
+  const std::vector<PixelPoint> points = points_of_pixels(paths.queue, paths.pixel_of, parts, key);
+  for (MapState* map : maps_) {
+    if (map->map.empty()) continue;
+    if (has_fault(Fault::missing_caustic) && map->kind == PhotonKind::caustic) continue;
+    const BlockGrid blocks = shares_ ? block_grid(pixels_a_radius(*map), key) : BlockGrid{};
+    SharedLookUps shared(points, paths.tile, blocks, map->radii.radius, key);
+    look_up(*map, map->radii.radius, shared.queue);
+    const GatherPoints looked_up = shared.queue.view();
+    for (std::size_t i = 0; i < points.size(); ++i)
+      paths.sum[points[i].pixel] += points[i].point.weight * irradiance(looked_up, shared.look_up_of[i]);
+    map->found += std::accumulate(looked_up.found, looked_up.found + looked_up.count, std::uint64_t{0});
+    map->looked_up += looked_up.count;
+    look_twice(*map, points, shared, paths);
+  }
+}
+
+/// Finds the photons within `radius` of every point, and the area they are to be divided by.
+void CameraPass::look_up(const MapState& map, float radius, GatherQueue& queue) const {
+  const GatherPoints points = queue.view();
+  std::fill_n(points.radius, points.count, radius);
+  const std::vector<std::uint32_t> order = cell_order(map.map, queue);
+  const int max_edges = settings_.max_depth >= 0 ? settings_.max_depth : std::numeric_limits<int>::max();
+  job_.kernels().gather.gather({map.map.view(), max_edges, points, order.data(), map.tests.data()});
+  areas_->fill(queue);
+  if (has_fault(Fault::dim_caustic) && map.kind == PhotonKind::caustic)
+    for (std::size_t i = 0; i < points.count; ++i) points.area[i] /= 0.95f;
+}
+
+/// What the pixels of the bias's lattice lose by their radius.
+void CameraPass::look_twice(const MapState& map, const std::vector<PixelPoint>& points, SharedLookUps& shared,
+                            TilePaths& paths) {
+  constexpr std::uint32_t none = 0xFFFFFFFF;
+  std::vector<std::uint32_t> again_of(shared.queue.size(), none);
+  GatherQueue again(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    std::uint32_t& number = again_of[shared.look_up_of[i]];
+    if (number != none || !bias_.looks_twice(paths.x(points[i].pixel), paths.y(points[i].pixel))) continue;
+    number = static_cast<std::uint32_t>(again.size());
+    again.push_back(shared.queue[shared.look_up_of[i]]);
+  }
+  look_up(map, map.radii.radius * static_cast<float>(std::numbers::sqrt2 / 2), again);
+  const GatherPoints wide = shared.queue.view(), narrow = again.view();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::uint32_t pixel = points[i].pixel, look_up = shared.look_up_of[i];
+    if (!bias_.looks_twice(paths.x(pixel), paths.y(pixel))) continue;
+    const Rgb lost = irradiance(wide, look_up) - irradiance(narrow, again_of[look_up]);
+    bias_.add(paths.x(pixel), paths.y(pixel), static_cast<int>(map.kind), paths.pass,
+              RgbD(points[i].point.weight * lost) / static_cast<double>(paths.count[pixel]), paths.samples);
+  }
+}
+
+void CameraPass::end_pass() {
+  for (MapState* map : maps_) {
+    map->counts.look_ups += map->looked_up.exchange(0);
+    map->counts.found += map->found.exchange(0);
+  }
+}
+
+}  // namespace photonproof

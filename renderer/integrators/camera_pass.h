@@ -1,0 +1,53 @@
+// The camera's half of a pass of the photon mapper: paths to their first diffuse surfaces, and what the maps' photons
+// bring to where they end.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "renderer/integrators/photon_maps.h"
+#include "renderer/passes/look_up_area.h"
+#include "renderer/passes/look_up_bias.h"
+#include "renderer/passes/pixel_effort.h"
+#include "renderer/passes/render_loop.h"
+#include "renderer/passes/scratch_pool.h"
+#include "renderer/passes/shared_look_ups.h"
+#include "renderer/planning/plan.h"
+
+namespace photonproof {
+
+class CameraPass {
+ public:
+  /// `areas` is null without maps. Everything must outlive this.
+  CameraPass(const Scene& scene, const PhotonSettings& settings, const RenderPlan& plan, const RenderJob& job,
+             std::vector<MapState*> maps, const LookUpAreas* areas, LookUpBias& bias, PixelEffort& effort);
+
+  /// Adds the tile's estimate of pass number `pass` to the film, to the bias and to the effort.
+  void render(const Tile& tile, std::int64_t pass, RenderLoop& loop, Film& film);
+  /// Hands the pass's counts to the maps.
+  void end_pass();
+
+ private:
+  struct TilePaths;
+  void trace(const CameraTask& camera, TilePaths& paths, RenderLoop& loop);
+  void trace_extra(TilePaths& paths, RenderLoop& loop);
+  void add_photons(TilePaths& paths);
+  double pixels_a_radius(const MapState& map) const {
+    return static_cast<double>(map.radii.radius) / static_cast<double>(footprint_);
+  }
+  void look_up(const MapState& map, float radius, GatherQueue& queue) const;
+  void look_twice(const MapState& map, const std::vector<PixelPoint>& points, SharedLookUps& shared, TilePaths& paths);
+
+  const Scene& scene_;
+  const RenderJob& job_;
+  const bool shares_;  ///< look-ups
+  const std::vector<MapState*> maps_;
+  const LookUpAreas* const areas_;
+  LookUpBias& bias_;
+  PixelEffort& effort_;
+  PathSettings settings_;
+  const float footprint_;  ///< of a pixel, at the median of what is seen
+  ScratchPool scratch_;
+};
+
+}  // namespace photonproof

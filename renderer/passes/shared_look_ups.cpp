@@ -1,0 +1,134 @@
+#include "renderer/passes/shared_look_ups.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+
+#include "renderer/lanes/sampler.h"
+#include "renderer/photons/photon_sheet.h"
+
+namespace photonproof {
+namespace {
+
+constexpr int largest_block = 8;
+constexpr double radius_in_blocks = 4;
+constexpr int most_parts = 64;
+
+/// The points' numbers, pixel after pixel and within a pixel in the order of their paths (counting sort).
+struct PointsByPixel {
+  std::vector<std::uint32_t> begin;  ///< of each pixel, and one past the last
+  std::vector<std::uint32_t> order;
+
+  PointsByPixel(const GatherPoints& points, const std::vector<std::uint32_t>& pixel_of) {
+    constexpr std::uint32_t none = 0xFFFFFFFF;
+    std::vector<std::uint32_t> point_of(pixel_of.size(), none);
+    begin.assign(pixel_of.empty() ? 1 : *std::ranges::max_element(pixel_of) + 2, 0);
+    for (std::size_t i = 0; i < points.count; ++i) {
+      point_of[points.path[i]] = static_cast<std::uint32_t>(i);
+      ++begin[pixel_of[points.path[i]] + 1];
+    }
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
+    std::vector<std::uint32_t> slot(begin);
+    order.resize(points.count);
+    for (std::size_t path = 0; path < pixel_of.size(); ++path)
+      if (point_of[path] != none) order[slot[pixel_of[path]]++] = point_of[path];
+  }
+};
+
+float size_of(const Rgb& weight) { return std::max({weight.x, weight.y, weight.z}); }
+
+/// Side and rough direction of the normal: the three highest bits of its two coordinates.
+std::uint32_t side_of(std::uint32_t sheet) { return sheet & (PhotonSheet::from_behind | 0b1110000000'1110000000u); }
+
+bool end_alike(const GatherPoint& a, const GatherPoint& b) {
+  return a.surface == b.surface && a.edges == b.edges && side_of(a.sheet) == side_of(b.sheet);
+}
+
+}  // namespace
+
+std::vector<PixelPoint> points_of_pixels(GatherQueue& queue, const std::vector<std::uint32_t>& pixel_of,
+                                         std::uint32_t parts, std::uint32_t key) {
+  const GatherPoints points = queue.view();
+  const PointsByPixel by_pixel(points, pixel_of);
+  std::vector<PixelPoint> found;
+  found.reserve(by_pixel.begin.size() * 2);
+  for (std::size_t pixel = 0; pixel + 1 < by_pixel.begin.size(); ++pixel) {
+    const auto first = static_cast<std::ptrdiff_t>(found.size());
+    for (std::uint32_t k = by_pixel.begin[pixel]; k < by_pixel.begin[pixel + 1]; ++k) {
+      const GatherPoint point = queue[by_pixel.order[k]];
+      const float size = size_of(point.weight);
+      const std::uint32_t part = (k - by_pixel.begin[pixel]) % parts;
+      const auto alike = std::find_if(found.begin() + first, found.end(), [&](const PixelPoint& other) {
+        return other.part == part && end_alike(other.point, point);
+      });
+      if (alike == found.end()) {
+        found.push_back({static_cast<std::uint32_t>(pixel), part, point, size});
+        continue;
+      }
+      alike->size += size;
+      if (draw_independent<float>(key, point.path, 0u) * alike->size < size) alike->point = point;
+    }
+    for (auto p = found.begin() + first; p != found.end(); ++p) p->point.weight *= p->size / size_of(p->point.weight);
+  }
+  return found;
+}
+
+std::uint32_t parts_of_pixel(double pixels_a_radius) {
+  // Discs of r overlap little where they are 1.5 r apart.
+  const double discs = 1 / (2.25 * pixels_a_radius * pixels_a_radius);
+  return static_cast<std::uint32_t>(std::clamp(std::ceil(discs), 1.0, double{most_parts}));
+}
+
+BlockGrid block_grid(double pixels_a_radius, std::uint32_t key) {
+  const double wanted = std::clamp(pixels_a_radius / radius_in_blocks, 1.0, double{largest_block});
+  const auto size = std::bit_floor(static_cast<std::uint32_t>(wanted));
+  const std::uint32_t bits = mix_bits(key);
+  return {static_cast<int>(size), static_cast<int>(bits % size), static_cast<int>(bits / size % size)};
+}
+
+SharedLookUps::SharedLookUps(const std::vector<PixelPoint>& points, const Tile& tile, const BlockGrid& grid,
+                             float radius, std::uint32_t key) {
+  look_up_of.resize(points.size());
+  queue.reserve(points.size());
+  if (grid.size == 1) {
+    for (const PixelPoint& p : points) queue.push_back(p.point);
+    std::iota(look_up_of.begin(), look_up_of.end(), 0u);
+    return;
+  }
+  struct Group {
+    std::uint32_t next;   ///< of the block; `none` ends
+    std::uint32_t drawn;  ///< number in `points`
+    float size;
+    Vec3f p;  ///< of its first point
+  };
+  constexpr std::uint32_t none = 0xFFFFFFFF;
+  std::vector<Group> groups;
+  const int across = (tile.width() - 1 + grid.size - 1) / grid.size + 1;
+  const int down = (tile.height() - 1 + grid.size - 1) / grid.size + 1;
+  std::vector<std::uint32_t> first(static_cast<std::size_t>(across) * static_cast<std::size_t>(down), none);
+  const float most_apart = 0.5f * radius;
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    const PixelPoint& p = points[i];
+    const int x = static_cast<int>(p.pixel) % tile.width(), y = static_cast<int>(p.pixel) / tile.width();
+    const auto block = static_cast<std::size_t>((y + grid.y) / grid.size) * static_cast<std::size_t>(across) +
+                       static_cast<std::size_t>((x + grid.x) / grid.size);
+    std::uint32_t g = first[block];
+    while (g != none && !(end_alike(points[groups[g].drawn].point, p.point) &&
+                          length_squared(groups[g].p - p.point.p) <= most_apart * most_apart))
+      g = groups[g].next;
+    if (g == none) {
+      g = static_cast<std::uint32_t>(groups.size());
+      groups.push_back({first[block], i, p.size, p.point.p});
+      first[block] = g;
+    } else {
+      groups[g].size += p.size;
+      if (draw_independent<float>(key, p.point.path, 1u) * groups[g].size < p.size) groups[g].drawn = i;
+    }
+    look_up_of[i] = g;
+  }
+  for (const Group& group : groups) queue.push_back(points[group.drawn].point);
+}
+
+}  // namespace photonproof
