@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <numbers>
 #include <numeric>
 
 #include "renderer/passes/photon_radius.h"
@@ -73,7 +72,8 @@ void CameraPass::trace(const CameraTask& camera, TilePaths& paths, RenderLoop& l
   PathTask task{.scene = &scene_.view(),
                 .camera = camera,
                 .settings = settings_,
-                .at_diffuse = AtDiffuse::leave_gather_point,
+                .at_diffuse = scene_.view().environment != no_index ? AtDiffuse::leave_gather_point_and_look
+                                                                    : AtDiffuse::leave_gather_point,
                 .radiance = paths.radiance.data() + 3 * first,
                 .points = paths.queue.view()};
   scratch_.lend([&](std::uint32_t* words) {
@@ -122,16 +122,16 @@ void CameraPass::render(const Tile& tile, std::int64_t pass, RenderLoop& loop, F
 
 void CameraPass::add_photons(TilePaths& paths) {
   const std::uint32_t key = stream_seed(job_.seed, shared_look_up_stream, static_cast<std::uint64_t>(paths.pass));
-  constexpr std::uint32_t none_shared = std::numeric_limits<std::uint32_t>::max();
-  std::uint32_t parts = shares_ ? 1 : none_shared;
-  for (const MapState* map : maps_) parts = std::max(parts, parts_of_pixel(pixels_a_radius(*map)));
-  const std::vector<PixelPoint> points = points_of_pixels(paths.queue, paths.pixel_of, parts, key);
+  float most_apart = std::numeric_limits<float>::max();
+  for (const MapState* map : maps_) most_apart = std::min(most_apart, map->radii.radius);
+  const std::vector<PixelPoint> points =
+      points_of_pixels(paths.queue, paths.pixel_of, shares_ ? most_apart : 0.0f, key);
   for (MapState* map : maps_) {
     if (map->map.empty()) continue;
     if (has_fault(Fault::missing_caustic) && map->kind == PhotonKind::caustic) continue;
     const BlockGrid blocks = shares_ ? block_grid(pixels_a_radius(*map), key) : BlockGrid{};
-    SharedLookUps shared(points, paths.tile, blocks, map->radii.radius, key);
-    look_up(*map, map->radii.radius, shared.queue);
+    SharedLookUps shared(points, radii_of(*map, points, paths), paths.tile, blocks, key);
+    look_up(*map, shared.queue);
     const GatherPoints looked_up = shared.queue.view();
     for (std::size_t i = 0; i < points.size(); ++i)
       paths.sum[points[i].pixel] += points[i].point.weight * irradiance(looked_up, shared.look_up_of[i]);
@@ -141,10 +141,19 @@ void CameraPass::add_photons(TilePaths& paths) {
   }
 }
 
-/// Finds the photons within `radius` of every point, and the area they are to be divided by.
-void CameraPass::look_up(const MapState& map, float radius, GatherQueue& queue) const {
+/// Radii of the points' look-ups.
+std::vector<float> CameraPass::radii_of(const MapState& map, const std::vector<PixelPoint>& points,
+                                        const TilePaths& paths) const {
+  std::vector<float> radii(points.size(), map.radii.radius);
+  if (!narrows(map)) return radii;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    radii[i] *= bias_.narrowing(paths.x(points[i].pixel), paths.y(points[i].pixel), static_cast<int>(map.kind));
+  return radii;
+}
+
+/// Finds the photons within the radius of every point, and the area they are to be divided by.
+void CameraPass::look_up(const MapState& map, GatherQueue& queue) const {
   const GatherPoints points = queue.view();
-  std::fill_n(points.radius, points.count, radius);
   const std::vector<std::uint32_t> order = cell_order(map.map, queue);
   const int max_edges = settings_.max_depth >= 0 ? settings_.max_depth : std::numeric_limits<int>::max();
   job_.kernels().gather.gather({map.map.view(), max_edges, points, order.data(), map.tests.data()});
@@ -159,14 +168,15 @@ void CameraPass::look_twice(const MapState& map, const std::vector<PixelPoint>& 
   constexpr std::uint32_t none = 0xFFFFFFFF;
   std::vector<std::uint32_t> again_of(shared.queue.size(), none);
   GatherQueue again(points.size());
+  const GatherPoints wide = shared.queue.view(), narrow = again.view();
   for (std::size_t i = 0; i < points.size(); ++i) {
     std::uint32_t& number = again_of[shared.look_up_of[i]];
     if (number != none || !bias_.looks_twice(paths.x(points[i].pixel), paths.y(points[i].pixel))) continue;
     number = static_cast<std::uint32_t>(again.size());
     again.push_back(shared.queue[shared.look_up_of[i]]);
+    narrow.radius[number] = wide.radius[shared.look_up_of[i]] * LookUpBias::narrow_part;
   }
-  look_up(map, map.radii.radius * static_cast<float>(std::numbers::sqrt2 / 2), again);
-  const GatherPoints wide = shared.queue.view(), narrow = again.view();
+  look_up(map, again);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const std::uint32_t pixel = points[i].pixel, look_up = shared.look_up_of[i];
     if (!bias_.looks_twice(paths.x(pixel), paths.y(pixel))) continue;

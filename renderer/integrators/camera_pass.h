@@ -35,7 +35,10 @@ class CameraPass {
   double pixels_a_radius(const MapState& map) const {
     return static_cast<double>(map.radii.radius) / static_cast<double>(footprint_);
   }
-  void look_up(const MapState& map, float radius, GatherQueue& queue) const;
+  /// Whether radii differ from place to place.
+  bool narrows(const MapState& map) const { return shares_ && !map.fixed_radius; }
+  std::vector<float> radii_of(const MapState& map, const std::vector<PixelPoint>& points, const TilePaths& paths) const;
+  void look_up(const MapState& map, GatherQueue& queue) const;
   void look_twice(const MapState& map, const std::vector<PixelPoint>& points, SharedLookUps& shared, TilePaths& paths);
 
   const Scene& scene_;

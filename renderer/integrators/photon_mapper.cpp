@@ -87,6 +87,8 @@ void plan_photon_mapper(const IntegratorDescription& description, Planner& plann
                                   depth_words(max_depth));
   if (!settings.textbook)
     planner.run("more camera paths", "up to 64 times as many in pixels whose earlier passes disagree");
+  if (facts.any_environment)
+    planner.run("one more ray", "from where photons are looked up to the environment, which light samples find, too");
   planner.batches();
   planner.direct_light(true);
   if (planner.plan().skips(Skip::global_map) && planner.plan().skips(Skip::caustic_map)) planner.no_light_paths();
@@ -121,6 +123,7 @@ void render_photon_mapper(const Scene& scene, const RenderPlan& plan, const Rend
     loop.keep_between_passes(map->radii);
   }
   loop.keep(bias.pixels());
+  loop.keep(bias.narrowings());
   loop.keep(effort.pixels());
   loop.keep(effort.decided());
   CameraPass camera(scene, settings, plan, job, wanted, areas ? &*areas : nullptr, bias, effort);
@@ -137,6 +140,7 @@ void render_photon_mapper(const Scene& scene, const RenderPlan& plan, const Rend
     film.end_shared_pass(samples);
     if (!settings.textbook) effort.choose();
     halves.add_pass(samples);
+    bias.narrow(film, halves);
     const double after_next = halves.all_samples() * (1 + 1.0 / parts_of_samples);
     for (MapState* map : wanted) {
       map->radii.add_pass(samples, map->pass_photons);

@@ -82,6 +82,8 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, TransportMode::r
       if (task_.settings.hide_emitters) shines = shines && !first;
       if (any(shines)) add_emission(s, hit, select(shines, light, U(0u)), shines);
     }
+    if (task_.at_diffuse == AtDiffuse::leave_gather_point_and_look)
+      alive = alive && as_mask<F>(s.vertex < U(only_looks));
     if (task_.settings.max_depth >= 0)
       alive = alive && as_mask<F>(s.vertex + 1u < U(static_cast<std::uint32_t>(task_.settings.max_depth)));
     if (scene_.environment != no_index) {
@@ -103,11 +105,12 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, TransportMode::r
     const Frame<F>& frame = bsdf.at.frame;
     const Vec3<F> wo_local = frame.to_local(Vec3<F>(-s.direction));
     const U dimension = s.vertex * Dimension::a_vertex + Dimension::first_vertex;
-    const bool gathers = Kind<F>::is_lambertian && task_.at_diffuse == AtDiffuse::leave_gather_point;
+    const bool gathers = Kind<F>::is_lambertian && task_.at_diffuse != AtDiffuse::go_on;
+    const bool looks = task_.at_diffuse == AtDiffuse::leave_gather_point_and_look;
     if constexpr (Kind<F>::has_smooth) {
       if (scene_.light_count > 0 && light_from_ != DirectLight::hits_only) {
         if constexpr (Kind<F>::is_lambertian)
-          add_direct_light(at, bsdf, frame, wo_local, dimension, !gathers, active);
+          add_direct_light(at, bsdf, frame, wo_local, dimension, !gathers || looks, active);
         else
           add_direct_light_once_compiled(at, any_bsdf<F>(bsdf), frame, wo_local, dimension, active);
       }
@@ -115,8 +118,10 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, TransportMode::r
     if constexpr (Kind<F>::is_lambertian) {
       if (gathers) {
         leave_gather_points(at, frame.n, bsdf.bsdf.eval(wo_local, Vec3<F>(F(0.0f), F(0.0f), F(1.0f))), active);
-        retire(s, active);
-        return;
+        if (!looks) {
+          retire(s, active);
+          return;
+        }
       }
     }
     Vec2<F> u_direction{F(0.0f), F(0.0f)};
@@ -126,19 +131,21 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, TransportMode::r
     s.throughput *= next.weight;
     s.refraction_scale *= next.eta * next.eta;
     Mask<F> alive = active && next.valid && max_component(s.throughput) > 0;
-    alive = survive_roulette(s, dimension, alive);
+    if (!(gathers && looks)) alive = survive_roulette(s, dimension, alive);
     retire(s, active && !alive);
 
     s.bsdf_pdf = select(next.delta, F(0.0f), next.pdf);
     s.direction = normalize(frame.to_world(next.wi_local));
     s.origin = offset_from(at.p, at.normal, s.direction, scene_.coordinate_floor);
-    s.vertex += 1u;
+    s.vertex = gathers && looks ? U(only_looks) : U(s.vertex + 1u);
     task_.counts.bounce += count_lanes(alive);
     Base::go_on(s, alive);
   }
 
  private:
   using Base::scene_;
+  /// Number of the vertex after a gather point: the path only sees what light is there.
+  static constexpr std::uint32_t only_looks = 1u << 31;
 
   void add_emission(PathState<F>& s, const SurfaceHit<F>& hit, const U& light, const Mask<F>& shines) {
     const Vec3<F> emitted = emitted_radiance<F>(scene_, hit, light, shines, Vec3<F>(-s.direction));

@@ -43,7 +43,8 @@ struct PathSettings {
 /// What a camera path does at a Lambertian surface.
 enum class AtDiffuse {
   go_on,
-  leave_gather_point  ///< and end
+  leave_gather_point,          ///< and end
+  leave_gather_point_and_look  ///< for light that next-event estimation finds, too, with one more ray, and end
 };
 
 struct PathTask {

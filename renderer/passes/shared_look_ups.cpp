@@ -14,7 +14,6 @@ namespace {
 
 constexpr int largest_block = 8;
 constexpr double radius_in_blocks = 4;
-constexpr int most_parts = 64;
 
 /// The points' numbers, pixel after pixel and within a pixel in the order of their paths (counting sort).
 struct PointsByPixel {
@@ -46,10 +45,12 @@ bool end_alike(const GatherPoint& a, const GatherPoint& b) {
   return a.surface == b.surface && a.edges == b.edges && side_of(a.sheet) == side_of(b.sheet);
 }
 
+bool are_within(float distance, const Vec3f& a, const Vec3f& b) { return length_squared(a - b) <= distance * distance; }
+
 }  // namespace
 
 std::vector<PixelPoint> points_of_pixels(GatherQueue& queue, const std::vector<std::uint32_t>& pixel_of,
-                                         std::uint32_t parts, std::uint32_t key) {
+                                         float most_apart, std::uint32_t key) {
   const GatherPoints points = queue.view();
   const PointsByPixel by_pixel(points, pixel_of);
   std::vector<PixelPoint> found;
@@ -59,12 +60,11 @@ std::vector<PixelPoint> points_of_pixels(GatherQueue& queue, const std::vector<s
     for (std::uint32_t k = by_pixel.begin[pixel]; k < by_pixel.begin[pixel + 1]; ++k) {
       const GatherPoint point = queue[by_pixel.order[k]];
       const float size = size_of(point.weight);
-      const std::uint32_t part = (k - by_pixel.begin[pixel]) % parts;
       const auto alike = std::find_if(found.begin() + first, found.end(), [&](const PixelPoint& other) {
-        return other.part == part && end_alike(other.point, point);
+        return end_alike(other.point, point) && are_within(most_apart, other.point.p, point.p);
       });
       if (alike == found.end()) {
-        found.push_back({static_cast<std::uint32_t>(pixel), part, point, size});
+        found.push_back({static_cast<std::uint32_t>(pixel), point, size});
         continue;
       }
       alike->size += size;
@@ -75,12 +75,6 @@ std::vector<PixelPoint> points_of_pixels(GatherQueue& queue, const std::vector<s
   return found;
 }
 
-std::uint32_t parts_of_pixel(double pixels_a_radius) {
-  // Discs of r overlap little where they are 1.5 r apart.
-  const double discs = 1 / (2.25 * pixels_a_radius * pixels_a_radius);
-  return static_cast<std::uint32_t>(std::clamp(std::ceil(discs), 1.0, double{most_parts}));
-}
-
 BlockGrid block_grid(double pixels_a_radius, std::uint32_t key) {
   const double wanted = std::clamp(pixels_a_radius / radius_in_blocks, 1.0, double{largest_block});
   const auto size = std::bit_floor(static_cast<std::uint32_t>(wanted));
@@ -88,12 +82,13 @@ BlockGrid block_grid(double pixels_a_radius, std::uint32_t key) {
   return {static_cast<int>(size), static_cast<int>(bits % size), static_cast<int>(bits / size % size)};
 }
 
-SharedLookUps::SharedLookUps(const std::vector<PixelPoint>& points, const Tile& tile, const BlockGrid& grid,
-                             float radius, std::uint32_t key) {
+SharedLookUps::SharedLookUps(const std::vector<PixelPoint>& points, const std::vector<float>& radius, const Tile& tile,
+                             const BlockGrid& grid, std::uint32_t key) {
   look_up_of.resize(points.size());
   queue.reserve(points.size());
   if (grid.size == 1) {
     for (const PixelPoint& p : points) queue.push_back(p.point);
+    std::ranges::copy(radius, queue.view().radius);
     std::iota(look_up_of.begin(), look_up_of.end(), 0u);
     return;
   }
@@ -102,13 +97,13 @@ SharedLookUps::SharedLookUps(const std::vector<PixelPoint>& points, const Tile& 
     std::uint32_t drawn;  ///< number in `points`
     float size;
     Vec3f p;  ///< of its first point
+    float radius;
   };
   constexpr std::uint32_t none = 0xFFFFFFFF;
   std::vector<Group> groups;
   const int across = (tile.width() - 1 + grid.size - 1) / grid.size + 1;
   const int down = (tile.height() - 1 + grid.size - 1) / grid.size + 1;
   std::vector<std::uint32_t> first(static_cast<std::size_t>(across) * static_cast<std::size_t>(down), none);
-  const float most_apart = 0.5f * radius;
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     const PixelPoint& p = points[i];
     const int x = static_cast<int>(p.pixel) % tile.width(), y = static_cast<int>(p.pixel) / tile.width();
@@ -116,11 +111,11 @@ SharedLookUps::SharedLookUps(const std::vector<PixelPoint>& points, const Tile& 
                        static_cast<std::size_t>((x + grid.x) / grid.size);
     std::uint32_t g = first[block];
     while (g != none && !(end_alike(points[groups[g].drawn].point, p.point) &&
-                          length_squared(groups[g].p - p.point.p) <= most_apart * most_apart))
+                          are_within(0.5f * std::min(radius[i], groups[g].radius), groups[g].p, p.point.p)))
       g = groups[g].next;
     if (g == none) {
       g = static_cast<std::uint32_t>(groups.size());
-      groups.push_back({first[block], i, p.size, p.point.p});
+      groups.push_back({first[block], i, p.size, p.point.p, radius[i]});
       first[block] = g;
     } else {
       groups[g].size += p.size;
@@ -129,6 +124,8 @@ SharedLookUps::SharedLookUps(const std::vector<PixelPoint>& points, const Tile& 
     look_up_of[i] = g;
   }
   for (const Group& group : groups) queue.push_back(points[group.drawn].point);
+  const GatherPoints looked_up = queue.view();
+  for (std::size_t g = 0; g < groups.size(); ++g) looked_up.radius[g] = radius[groups[g].drawn];
 }
 
 }  // namespace photonproof

@@ -1,8 +1,8 @@
 // One look-up for many samples. The discs of neighbouring samples hold nearly the same photons, so that looking up each
 // of them brings little.
-//   In a pixel, if a disc covers it: of k points with weights w_i at which the photons bring E_i, one is drawn with
+//   In a pixel: of k points with weights w_i at which the photons bring E_i, one is drawn with
 //   probability p_i in proportion to w_i's largest channel and stands for all with the weight w_i / p_i: in expectation
-//   sum w_i E_i, whatever the weights and the irradiances are. Of a pixel that takes m discs to cover, every m-th point
+//   sum w_i E_i, whatever the weights and the irradiances are. a pixel that takes m discs to cover, every m-th point
 //   shares. In a block of pixels that is small beside the radius: one of the pixels' points is drawn by the same rule,
 //   and what is found there counts for all. That blurs E by half a block, evenly since blocks lie elsewhere in every
 //   pass: with blocks of r/4 by a 24th of what the look-up itself blurs it, r^2/8 times the Laplacian. Points of a
@@ -21,18 +21,15 @@ namespace photonproof {
 /// What stands for the points of a pixel that end alike.
 struct PixelPoint {
   std::uint32_t pixel;  ///< of the tile, row by row
-  std::uint32_t part;   ///< of the pixel
   GatherPoint point;    ///< its weight: the sum of all weights
   float size;           ///< of the weights' largest channels, summed
 };
 
 /// By pixel, in the order of the points' paths. `pixel_of` a path says its pixel; each path has left one point at most.
-/// The draws are functions of `key` and the points' paths. Points that end alike are `parts` in a pixel.
+/// The draws are functions of `key` and the points' paths. Points that are further apart than `most_apart` do not
+/// share.
 std::vector<PixelPoint> points_of_pixels(GatherQueue& queue, const std::vector<std::uint32_t>& pixel_of,
-                                         std::uint32_t parts, std::uint32_t key);
-
-/// Parts of a pixel for look-ups of a radius that spans so many pixels.
-std::uint32_t parts_of_pixel(double pixels_a_radius);
+                                         float most_apart, std::uint32_t key);
 
 /// How pixels share.
 struct BlockGrid {
@@ -43,13 +40,14 @@ struct BlockGrid {
 /// Blocks for look-ups of a radius that spans so many pixels, put elsewhere by `key`.
 BlockGrid block_grid(double pixels_a_radius, std::uint32_t key);
 
-/// The look-ups that a tile's points share.
+/// The look-ups that a tile's points share; the queue's radii are those of the points that were drawn.
 struct SharedLookUps {
   GatherQueue queue{0};
   std::vector<std::uint32_t> look_up_of;  ///< for each of the points: number in the queue
 
-  SharedLookUps(const std::vector<PixelPoint>& points, const Tile& tile, const BlockGrid& grid, float radius,
-                std::uint32_t key);
+  /// `radius`: of each of the points' look-ups.
+  SharedLookUps(const std::vector<PixelPoint>& points, const std::vector<float>& radius, const Tile& tile,
+                const BlockGrid& grid, std::uint32_t key);
 };
 
 }  // namespace photonproof
