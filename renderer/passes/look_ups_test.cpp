@@ -168,7 +168,7 @@ TEST(look_up_bias, says_nothing_before_both_halves_have_a_pass) {
 TEST(radius_history, finds_the_radius_that_makes_bias_and_variance_least) {
   // v/(n r^2) + b^2 r^4 over a fine row of radii, whatever radius the evidence is from.
   for (const double radius : {0.05, 0.1, 0.2}) {
-    const double b = 3, c = 0.01;
+    const double b = 3, c = 0.001;
     const MadeRender made(b, c, radius);
     const double n = 100;
     double best = 0, least = 1e300;
