@@ -4,6 +4,8 @@
 #include <bit>
 #include <chrono>
 #include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "reference/process/process.h"
 #include "reference/store/reference_store.h"
@@ -34,10 +36,14 @@ class Batches {
     return *run_.seconds - spent.count();
   }
 
-  /// The image of one batch. Where there is none, `end` says why; the batch can then be resumed.
-  std::optional<Image> render(int batch, int samples, End& end) const {
+  struct Batch {
+    Image image;
+    double squared_bias = 0;  ///< as its stats say
+  };
+  /// Of one batch. Where there is none, `end` says why; the batch can then be resumed.
+  std::optional<Batch> render(int batch, int samples, End& end) const {
     const fs::path image = file(batch, ".exr"), whole = file(batch, ".whole.exr");
-    if (fs::exists(whole)) return read_image(whole.string());
+    if (fs::exists(whole)) return finished(batch);
     const fs::path checkpoint = image.string() + ".checkpoint";
     std::vector<std::string> argv{run_.program.string(),
                                   "render",
@@ -70,7 +76,7 @@ class Batches {
       throw InputError(run_.scene.front(), "batch " + std::to_string(batch) + " by " + run_.integrator + " " +
                                                outcome.sentence() + ": " + last_line(outcome.standard_error));
     fs::rename(image, whole);  // an interrupted render leaves an image, too
-    return read_image(whole.string());
+    return finished(batch);
   }
 
   void remove(int batch) const {
@@ -83,6 +89,15 @@ class Batches {
   std::string where(int batch) const { return "batch " + std::to_string(batch) + " of " + run_.scene.front(); }
 
  private:
+  Batch finished(int batch) const {
+    const fs::path stats = file(batch, ".stats.json");
+    const auto json = nlohmann::json::parse(read_file(stats), nullptr, false);
+    if (!json.is_object() || !json.contains("counts"))
+      throw InputError(stats.string(), "is damaged: delete its folder to begin this reference anew");
+    const double bias = json["counts"].value("relative_bias", 0.0);
+    return {read_image(file(batch, ".whole.exr").string()), bias * bias};
+  }
+
   fs::path file(int batch, const char* extension) const {
     return run_.folder / ("batch" + std::to_string(batch) + extension);
   }
@@ -91,17 +106,20 @@ class Batches {
   std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
 };
 
-/// The samples a batch needs for `least_batches` of them to reach the standard error, were its square as 1/samples.
-/// Empty where a batch has no image.
+/// The samples a batch needs for `least_batches` of them to reach the standard error, were its square as 1/samples; and
+/// where the estimator has a bias, for that to reach half of the squared error, as it falls with samples^(-1/3). Empty
+/// where a batch has no image.
 std::optional<int> samples_for(const ReferenceRun& run, const Batches& batches, End& end) {
   BatchMeans trial(run.width, run.height, trial_samples);
   for (int i = first_trial_seed; i < 0; ++i) {
-    const std::optional<Image> image = batches.render(i, trial_samples, end);
-    if (!image) return std::nullopt;
-    trial.add(*image, batches.where(i));
+    const std::optional<Batches::Batch> batch = batches.render(i, trial_samples, end);
+    if (!batch) return std::nullopt;
+    trial.add(batch->image, batches.where(i), batch->squared_bias);
   }
   const double ratio = relative_standard_error(trial.rendering()) / run.standard_error;
-  const double samples = trial_batches * trial_samples * ratio * ratio / least_batches;
+  const double bias_ratio = std::numbers::sqrt2 * trial.relative_bias() / run.standard_error;
+  const double samples = std::max(trial_batches * trial_samples * ratio * ratio / least_batches,
+                                  trial_samples * bias_ratio * bias_ratio * bias_ratio);
   constexpr double least = 16, most = 1 << 20;
   return static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::clamp(samples, least, most))));
 }
@@ -136,9 +154,9 @@ ReferenceProgress run_reference(const ReferenceRun& run) {
     const int batch = means.batches();
     if (batch >= least_batches && *error <= run.standard_error) return {means, error, End::reached};
     if (const auto left = batches.seconds_left(); left && *left <= 0) return {means, error, End::out_of_time};
-    const std::optional<Image> image = batches.render(batch, means.samples_per_batch(), end);
-    if (!image) return {means, error, end};
-    means.add(*image, batches.where(batch));
+    const std::optional<Batches::Batch> next = batches.render(batch, means.samples_per_batch(), end);
+    if (!next) return {means, error, end};
+    means.add(next->image, batches.where(batch), next->squared_bias);
     means.save(state);
     batches.remove(batch);
   }

@@ -10,11 +10,12 @@
 namespace photonproof {
 namespace {
 
-constexpr char magic[] = "photonproof batches 1\n";
+constexpr char magic[] = "photonproof batches 2\n";
 constexpr std::size_t magic_bytes = sizeof magic - 1;
 
 struct Header {
   std::int32_t width, height, samples_per_batch, batches;
+  double squared_biases;
 };
 
 std::uint64_t checksum_of(const char* bytes, std::size_t count) {
@@ -36,17 +37,20 @@ BatchMeans::BatchMeans(int width, int height, int samples_per_batch)
       mean_(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height)),
       squares_(mean_.size()) {}
 
-void BatchMeans::add(const Image& batch, const std::string& where) {
+void BatchMeans::add(const Image& batch, const std::string& where, double squared_bias) {
   if (batch.width != width_ || batch.height != height_) throw InputError(where, "is of another size than its batch");
   for (const float v : batch.rgb)
     if (!std::isfinite(v)) throw InputError(where, "has a value that is not finite: no reference can be made of it");
   ++batches_;
+  squared_biases_ += squared_bias;
   for (std::size_t i = 0; i < mean_.size(); ++i) {
     const double before = batch.rgb[i] - mean_[i];
     mean_[i] += before / batches_;
     squares_[i] += before * (batch.rgb[i] - mean_[i]);
   }
 }
+
+double BatchMeans::relative_bias() const { return batches_ > 0 ? std::sqrt(squared_biases_ / batches_) : 0; }
 
 Rendering BatchMeans::rendering() const {
   Rendering rendering{Image(width_, height_), Image(width_, height_), {}};
@@ -59,7 +63,7 @@ Rendering BatchMeans::rendering() const {
 }
 
 void BatchMeans::save(const std::filesystem::path& file) const {
-  const Header header{width_, height_, samples_per_batch_, batches_};
+  const Header header{width_, height_, samples_per_batch_, batches_, squared_biases_};
   std::string bytes(magic, magic_bytes);
   append(bytes, &header, sizeof header);
   for (const std::vector<double>* sums : {&mean_, &squares_})
@@ -81,6 +85,7 @@ BatchMeans BatchMeans::load(const std::filesystem::path& file) {
   std::memcpy(&header, bytes.data() + magic_bytes, sizeof header);
   BatchMeans means(header.width, header.height, header.samples_per_batch);
   means.batches_ = header.batches;
+  means.squared_biases_ = header.squared_biases;
   const std::size_t sum_bytes = means.mean_.size() * sizeof(double);
   if (bytes.size() != least + 2 * sum_bytes) damaged();
   std::memcpy(means.mean_.data(), bytes.data() + magic_bytes + sizeof header, sum_bytes);

@@ -19,13 +19,16 @@ class BatchMeans {
  public:
   BatchMeans(int width, int height, int samples_per_batch);
 
-  /// Throws InputError, naming `where`, when the batch has another size or a value that is not finite.
-  void add(const Image& batch, const std::string& where);
+  /// Throws InputError, naming `where`, when the batch has another size or a value that is not finite. `squared_bias`:
+  /// what its estimator says of itself, relative, of the pixels.
+  void add(const Image& batch, const std::string& where, double squared_bias = 0);
 
   int width() const { return width_; }
   int height() const { return height_; }
   int samples_per_batch() const { return samples_per_batch_; }
   int batches() const { return batches_; }
+  /// Root of the mean square of what the batches say, which more batches do not lessen; 0 of an unbiased estimator.
+  double relative_bias() const;
   /// Mean and variance of the mean. Precondition: two batches at least.
   Rendering rendering() const;
 
@@ -36,6 +39,7 @@ class BatchMeans {
 
  private:
   int width_, height_, samples_per_batch_, batches_ = 0;
+  double squared_biases_ = 0;           ///< of the batches, summed
   std::vector<double> mean_, squares_;  ///< sum of squared distances from the mean
 };
 

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -106,6 +107,7 @@ Provenance provenance_of(const Job& job, const std::string& integrator, const Ba
   p.definitions = job.arguments.scene.defines;
   std::sort(p.definitions.begin(), p.definitions.end());
   p.estimator = integrator;
+  p.bias = means.relative_bias();
   p.samples = static_cast<std::uint64_t>(means.batches()) * static_cast<std::uint64_t>(means.samples_per_batch());
   for (int batch = 0; batch < means.batches(); ++batch) p.seeds.push_back(batch_seed(batch));
   p.versions = program_versions();
@@ -155,9 +157,11 @@ void print(const Job& job, const Provenance& p, const std::vector<fs::path>& fil
     std::printf("%s\n", json_text(json).c_str());
     return;
   }
-  std::printf("%s: %s, %dx%d, %zu batches of %llu samples, standard error %s\n", job.arguments.scene.path.c_str(),
+  const std::string bias = p.bias > 0 ? ", bias " + percent_text(p.bias) : "";
+  std::printf("%s: %s, %dx%d, %zu batches of %llu samples, standard error %s%s\n", job.arguments.scene.path.c_str(),
               p.estimator.c_str(), p.width, p.height, p.seeds.size(),
-              static_cast<unsigned long long>(p.samples / p.seeds.size()), percent_text(p.standard_error).c_str());
+              static_cast<unsigned long long>(p.samples / p.seeds.size()), percent_text(p.standard_error).c_str(),
+              bias.c_str());
   for (const fs::path& file : files) std::printf("reference: %s\n", file.c_str());
 }
 
@@ -175,6 +179,11 @@ int write_out(const Job& job, const fs::path& kept, const Rendering& rendering, 
     files.push_back(committed_reference_path(arguments.scene.path, job.width, job.height));
   }
   print(job, provenance, files, reached);
+  if (std::hypot(provenance.standard_error, provenance.bias) > 1.5 * arguments.standard_error && reached) {
+    std::fprintf(stderr, "more batches do not lessen a bias of %s; a smaller --standard-error makes them longer\n",
+                 percent_text(provenance.bias).c_str());
+    return 1;
+  }
   if (reached) return 0;
   std::fprintf(stderr, "the time is over before a standard error of %s; the same command goes on from here\n",
                percent_text(arguments.standard_error).c_str());
@@ -265,8 +274,10 @@ void add_reference_verb(CLI::App& program, int& exit_code) {
       ->check(CLI::Range(1e-6, 1.0))
       ->check(is_finite_number)
       ->capture_default_str();
-  verb->add_option("--integrator", arguments->integrator, "an unbiased one; auto: by what the scene holds")
-      ->check(CLI::IsMember({"auto", "path", "bdpt", "volpath", "ptracer"}))
+  verb->add_option("--integrator", arguments->integrator,
+                   "an unbiased one, auto: by what the scene holds; or photonmapper, whose bias is stated, too, where "
+                   "unbiased ones do not find the light")
+      ->check(CLI::IsMember({"auto", "path", "bdpt", "volpath", "ptracer", "photonmapper"}))
       ->capture_default_str();
   verb->add_option("--seconds", arguments->seconds, "wall time after which it stops; the same command goes on")
       ->check(CLI::Range(1e-3, 1e7))

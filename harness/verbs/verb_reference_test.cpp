@@ -113,6 +113,31 @@ TEST_F(ReferenceVerb, standard_error_that_it_states_is_the_error_it_has) {
   EXPECT_LE(relative_standard_error(r), 0.01);
 }
 
+// Of a progressive photon mapper both parts of the error are stated, and the truth is within three times of both. A
+// bias that is not looked for, or one that is given where there is none, would be seen.
+TEST_F(ReferenceVerb, of_the_photon_mapper_states_its_bias_beside_its_standard_error) {
+  const ProcessOutcome made = reference(
+      {"--size", "24x24", "--standard-error", "0.03", "--integrator", "photonmapper", "-o", path("photons.exr")});
+  ASSERT_TRUE(made.ok()) << made.standard_error;
+  const Provenance stated = parse_provenance(get("photons.json"), "photons.json");
+  EXPECT_EQ(stated.estimator, "photonmapper");
+  EXPECT_GT(stated.bias, 0.001);
+  EXPECT_LT(stated.bias, 0.045);
+  ASSERT_TRUE(
+      reference({"--size", "24x24", "--standard-error", "0.01", "--integrator", "path", "-o", path("path.exr")}).ok());
+  EXPECT_EQ(parse_provenance(get("path.json"), "path.json").bias, 0);
+  const Image truth = read_image(path("path.exr")), image = read_image(path("photons.exr"));
+  double sum = 0;
+  for (std::size_t i = 0; i < truth.rgb.size(); ++i) {
+    const double difference = double{image.rgb[i]} - double{truth.rgb[i]};
+    sum += difference * difference / (double{truth.rgb[i]} * double{truth.rgb[i]} + 0.01);
+  }
+  const double error = std::sqrt(sum / static_cast<double>(truth.rgb.size()));
+  std::printf("stated: bias %.4f, standard error %.4f; from path tracing %.4f\n", stated.bias, stated.standard_error,
+              error);
+  EXPECT_LT(error, 3 * std::hypot(stated.bias, stated.standard_error, 0.01));
+}
+
 TEST_F(ReferenceVerb, what_the_cache_has_is_not_rendered_again_and_serves_the_committed_one) {
   const ProcessOutcome first = reference({"--size", "8x8", "--standard-error", "0.05"});
   ASSERT_TRUE(first.ok()) << first.standard_error;

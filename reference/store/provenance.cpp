@@ -79,6 +79,7 @@ Facts facts(const Provenance& p) {
                 {"date", p.date},
                 {"host", p.host},
                 {"version", version == p.versions.end() ? "unknown" : version->second}};
+  if (p.bias > 0) told["bias"] = percent_text(p.bias);
   for (const std::string& definition : p.definitions) {
     std::string& all = told["definitions"];
     all += (all.empty() ? "" : ", ") + definition;
@@ -103,6 +104,7 @@ std::string provenance_text(const Provenance& p) {
                        {"pixels", p.pixels},
                        {"history", history},
                        {"seeds", p.seeds}};
+  if (p.bias > 0) json["bias"] = p.bias;
   if (!p.definitions.empty()) json["definitions"] = p.definitions;
   return json_text(json) + "\n";
 }
@@ -124,6 +126,7 @@ Provenance parse_provenance(const std::string& text, const std::string& file) {
   p.versions = reader.get<Facts>("versions");
   p.pixels = reader.get<std::string>("pixels");
   p.seeds = reader.get<std::vector<std::uint64_t>>("seeds");
+  if (reader.has("bias")) p.bias = reader.get<double>("bias");
   if (reader.has("definitions")) p.definitions = reader.get<std::vector<std::string>>("definitions");
   for (const ordered_json& entry : reader.list("history")) {
     Reader acceptance(entry, file, "an entry of the provenance's history");

@@ -24,7 +24,10 @@ struct Provenance {
   std::uint64_t samples = 0;         ///< a pixel, in all batches
   std::vector<std::uint64_t> seeds;  ///< one an independent batch; the variance has one degree of freedom less
   double standard_error = 0;         ///< relative, of the pixels as stored (reference_store.h)
-  std::string pixels;                ///< checksum of the stored mean and variance
+  /// Relative, of the pixels, as the estimator knows it itself: of progressive photon mapping, whose radius is never 0.
+  /// The truth is within both of them together. 0: unbiased.
+  double bias = 0;
+  std::string pixels;  ///< checksum of the stored mean and variance
   std::map<std::string, std::string> versions;
   std::string host;
   std::string date;                 ///< UTC, ISO 8601

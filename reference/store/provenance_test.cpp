@@ -37,6 +37,15 @@ TEST(Provenance, has_the_definitions_of_a_scene_that_was_given_some) {
   EXPECT_EQ(facts(p).at("definitions"), "albedo=0.5, size=3");
 }
 
+TEST(Provenance, has_the_bias_of_an_estimator_that_has_some) {
+  EXPECT_EQ(provenance_text(sample()).find("bias"), std::string::npos);
+  EXPECT_EQ(facts(sample()).count("bias"), 0u);
+  Provenance p = sample();
+  p.bias = 0.0025;
+  EXPECT_EQ(parse_provenance(provenance_text(p), "p.json"), p);
+  EXPECT_EQ(facts(p).at("bias"), "0.25 %");
+}
+
 TEST(Provenance, is_told_in_words) {
   // 0.3 is 30 %; two seeds are two batches.
   const auto told = facts(sample());

@@ -36,7 +36,7 @@ class CameraPass {
     return static_cast<double>(map.radii.radius) / static_cast<double>(footprint_);
   }
   /// Whether radii differ from place to place.
-  bool narrows(const MapState& map) const { return shares_ && !map.fixed_radius; }
+  bool narrows(const MapState& map) const { return shares_ && !map.fixed_radius && bias_.narrows_anywhere(); }
   std::vector<float> radii_of(const MapState& map, const std::vector<PixelPoint>& points, const TilePaths& paths) const;
   void look_up(const MapState& map, GatherQueue& queue) const;
   void look_twice(const MapState& map, const std::vector<PixelPoint>& points, SharedLookUps& shared, TilePaths& paths);

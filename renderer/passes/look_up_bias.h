@@ -58,7 +58,7 @@ class LookUpBias {
     double difference = 0;  ///< the square of what is expected of D
     double variance = 0;    ///< of D
     /// Of the image by the radius, as relmse counts it.
-    double squared_bias() const { return 2.6 * std::max(0.0, difference); }
+    double squared_bias() const { return 3.5 * std::max(0.0, difference); }
     /// (V / 2B^2) for the variance V and the smooth bias B of L(r): 1 where the radius is right, and the sixth power of
     /// what it should be multiplied by.
     double balance() const { return variance / 3 / (2 * square(4.0 / 3) * difference); }
@@ -68,6 +68,9 @@ class LookUpBias {
 
   /// Part of the map's radius that look-ups of the pixel take: 1, or less where the radius is plainly too wide.
   float narrowing(int x, int y, int map) const;
+  bool narrows_anywhere() const {
+    return std::ranges::any_of(narrowings_, [](float part) { return part < 1; });
+  }
   /// Decides that for the next pass: in blocks of the lattice whose bias stands out from their noise radii shrink,
   /// until it does not.
   void narrow(const Film& film, const PassHalves& halves);

@@ -58,7 +58,7 @@ struct Shared {
       const auto key = static_cast<std::uint32_t>(draw);
       const std::vector<PixelPoint> points = points_of_pixels(queue, pixel_of, most_apart, key);
       BlockGrid grid = wanted;
-      if (grid.size > 1) grid = block_grid(4.0 * grid.size, key);
+      if (grid.size > 1) grid = block_grid(3.0 * grid.size, key);
       const SharedLookUps shared(points, std::vector<float>(points.size(), radius), {0, 0, 4, 4}, grid, key);
       std::vector<double> of_draw(16);
       for (std::size_t i = 0; i < points.size(); ++i)
@@ -151,9 +151,9 @@ TEST(look_up_bias, is_seen_through_noise) {
   const LookUpBias::Evidence evidence = made.bias.evidence(made.film, 1, made.halves);
   EXPECT_NEAR(evidence.variance / (3 * 0.01 / made.halves.all_samples() / 0.01), 1, 0.05);
   const MadeRender clear(1, 1e-3, 0.1);
-  EXPECT_NEAR(clear.bias.evidence(clear.film, 1, clear.halves).squared_bias() / 1e-4, 2.6 * 9 / 16, 0.03);
+  EXPECT_NEAR(clear.bias.evidence(clear.film, 1, clear.halves).squared_bias() / 1e-4, 3.5 * 9 / 16, 0.03);
   EXPECT_EQ(clear.bias.evidence(clear.film, 0, clear.halves).squared_bias(), 0);  // the other map's
-  EXPECT_NEAR(clear.bias.evidence(clear.film, LookUpBias::all_maps, clear.halves).squared_bias() / 1e-4, 2.6 * 9 / 16,
+  EXPECT_NEAR(clear.bias.evidence(clear.film, LookUpBias::all_maps, clear.halves).squared_bias() / 1e-4, 3.5 * 9 / 16,
               0.03);
 }
 

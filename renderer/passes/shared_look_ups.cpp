@@ -13,7 +13,7 @@ namespace photonproof {
 namespace {
 
 constexpr int largest_block = 8;
-constexpr double radius_in_blocks = 4;
+constexpr double radius_in_blocks = 3;
 
 /// The points' numbers, pixel after pixel and within a pixel in the order of their paths (counting sort).
 struct PointsByPixel {

@@ -5,7 +5,7 @@
 //   sum w_i E_i, whatever the weights and the irradiances are. a pixel that takes m discs to cover, every m-th point
 //   shares. In a block of pixels that is small beside the radius: one of the pixels' points is drawn by the same rule,
 //   and what is found there counts for all. That blurs E by half a block, evenly since blocks lie elsewhere in every
-//   pass: with blocks of r/4 by a 24th of what the look-up itself blurs it, r^2/8 times the Laplacian. Points of a
+//   pass: with blocks of r/3 by a 14th of what the look-up itself blurs it, r^2/8 times the Laplacian. Points of a
 //   block that are further apart than half a radius, on other surfaces or sides of them, or reached by other paths do
 //   not share.
 #pragma once
