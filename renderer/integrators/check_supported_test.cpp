@@ -104,6 +104,23 @@ TEST(check_job, refuses_options_that_would_do_nothing) {
             "--photons: error: does nothing with --seconds, which decides how many there are");
 }
 
+TEST(check_job, refuses_views_of_integrators_without_photon_maps) {
+  RenderJob job;
+  job.view = View::caustics;
+  for (const Integrator& row : integrators()) {
+    const bool has_maps = row.name == std::string("photonmapper") || row.name == std::string("sppm");
+    EXPECT_EQ(said([&] { check_job(job, with_integrator({}, row.name)); }),
+              has_maps ? ""
+                       : "--view: error: does nothing with integrator '" + std::string(row.name) +
+                             "', which makes no photon maps");
+  }
+  job.grid = 2;
+  EXPECT_EQ(said([&] { check_job(job, with_integrator({}, "photonmapper")); }), "");
+  job.view = View::photons;
+  EXPECT_EQ(said([&] { check_job(job, with_integrator({}, "photonmapper")); }),
+            "--grid: error: does nothing with --view photons, which takes no camera samples");
+}
+
 TEST(check_job, refuses_a_target_error_where_the_error_is_not_known_until_the_end) {
   RenderJob job;
   job.budget.target_error = 0.1;
