@@ -169,7 +169,7 @@ void CameraPass::add_photons(TilePaths& paths) {
     for (std::size_t i = 0; i < points.size(); ++i)
       paths.sum[points[i].pixel] += points[i].point.weight * irradiance(looked_up, shared.look_up_of[i]);
     map->found += std::accumulate(looked_up.found, looked_up.found + looked_up.count, std::uint64_t{0});
-    map->looked_up += looked_up.count;
+    map->look_ups += looked_up.count;
     look_twice(*map, points, shared, paths);
   }
 }
@@ -220,13 +220,6 @@ void CameraPass::look_twice(const MapState& map, const std::vector<PixelPoint>& 
     const Rgb lost = irradiance(wide, look_up) - irradiance(narrow, again_of[look_up]);
     bias_.add(paths.x(pixel), paths.y(pixel), static_cast<int>(map.kind), paths.pass,
               RgbD(points[i].point.weight * lost) / static_cast<double>(paths.count[pixel]), paths.samples);
-  }
-}
-
-void CameraPass::end_pass() {
-  for (MapState* map : maps_) {
-    map->counts.look_ups += map->looked_up.exchange(0);
-    map->counts.found += map->found.exchange(0);
   }
 }
 

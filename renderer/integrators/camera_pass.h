@@ -26,8 +26,6 @@ class CameraPass {
   /// Adds the tile's estimate of pass number `pass` to the image, to the bias and to the effort, and where the view is
   /// a number that one to `numbers`.
   void render(const Tile& tile, std::int64_t pass, RenderLoop& loop, Film& image, Film* numbers);
-  /// Hands the pass's counts to the maps.
-  void end_pass();
 
  private:
   struct TilePaths;

@@ -108,7 +108,7 @@ void render_photon_dots(const PhotonSource& source, PhotonMaps& maps, const Pass
     };
     const PhaseTimer phase(stats.phases["render"]);
     loop.for_each_in_order(units, work_on, commit);
-    ++pass_count;
+    if (!loop.broken_off()) ++pass_count;
   }
   maps.store_counts(source.scene.scale(), pass_count, stats);
   stats.counts["passes"] = static_cast<double>(pass_count);

@@ -91,6 +91,15 @@ std::vector<MapState*> shown_by(const ViewRow& view, std::vector<MapState*> maps
   return maps;
 }
 
+void keep(RenderLoop& loop, PhotonMaps& maps) {
+  for (MapState* map : {&maps.global, &maps.caustic}) {
+    loop.keep_between_passes(map->counts);
+    loop.keep_between_passes(map->radii);
+    loop.keep(map->look_ups);
+    loop.keep(map->found);
+  }
+}
+
 }  // namespace
 
 void plan_photon_mapper(const IntegratorDescription& description, Planner& planner) {
@@ -151,10 +160,7 @@ void render_photon_mapper(const Scene& scene, const RenderPlan& plan, const Rend
   RenderLoop loop(job, threads, image, stats, passes);
   if (unseen) loop.keep(film);
   loop.keep_between_passes(halves);
-  for (MapState* map : {&maps.global, &maps.caustic}) {
-    loop.keep_between_passes(map->counts);
-    loop.keep_between_passes(map->radii);
-  }
+  keep(loop, maps);
   loop.keep(bias.pixels());
   loop.keep(bias.narrowings());
   loop.keep(effort.pixels());
@@ -169,7 +175,7 @@ void render_photon_mapper(const Scene& scene, const RenderPlan& plan, const Rend
     const PhaseTimer phase(stats.phases["render"]);
     loop.for_each_tile(
         [&](const Tile& tile) { camera.render(tile, halves.pass_count(), loop, image, unseen ? &film : nullptr); });
-    camera.end_pass();
+    if (loop.broken_off()) continue;
     const auto samples = static_cast<double>(loop.samples());
     image.end_shared_pass(samples);
     if (unseen) film.end_shared_pass(samples);

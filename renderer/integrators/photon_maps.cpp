@@ -74,13 +74,13 @@ void store_counts_of(const MapState& state, double scale, std::int64_t passes, R
   stats.counts["rays_photon"] += static_cast<double>(state.counts.rays);
   if (state.radii.radius <= 0) return;  // nothing was looked up
   stats.counts["radius_" + name] = static_cast<double>(state.radii.radius) / scale;
-  stats.counts["photons_in_disc_" + name] = state.counts.in_disc(passes);
+  stats.counts["photons_in_disc_" + name] = state.in_disc(passes);
 }
 
 /// Of the map that holds the light of every surface; caustics are nowhere but in places.
 void say_if_few_arrive(const MapState& global, std::int64_t passes, RenderStats& stats) {
-  const double in_disc = global.counts.in_disc(passes);
-  if (!global.wanted || global.counts.look_ups == 0 || global.counts.stored < few_photons_in_map ||
+  const double in_disc = global.in_disc(passes);
+  if (!global.wanted || global.look_ups == 0 || global.counts.stored < few_photons_in_map ||
       in_disc >= few_photons_in_disc)
     return;
   char text[160];

@@ -29,14 +29,6 @@ struct PhotonCounts {
   std::uint64_t emitted = 0;
   std::uint64_t stored = 0;
   std::uint64_t rays = 0;
-  std::uint64_t look_ups = 0;
-  std::uint64_t found = 0;  ///< by all of them
-
-  /// In the disc of a look-up, over the whole render: each pass has a part of the photons.
-  double in_disc(std::int64_t passes) const {
-    return static_cast<double>(found) / static_cast<double>(std::max<std::uint64_t>(1, look_ups)) *
-           static_cast<double>(passes);
-  }
 };
 
 /// How photons are emitted and looked up, whichever integrator asks.
@@ -69,9 +61,15 @@ struct MapState {
   RadiusHistory radii{};
   std::vector<SheetTest> tests{};  ///< by surface
   PhotonCounts counts{};
-  double pass_photons = 0;                            ///< emitted in this pass
-  std::atomic<std::uint64_t> looked_up{0}, found{0};  ///< in this pass
+  double pass_photons = 0;                           ///< emitted in this pass
+  std::atomic<std::uint64_t> look_ups{0}, found{0};  ///< photons, by all look-ups of all passes
   PhotonMap map{};
+
+  /// In the disc of a look-up, over the whole render: each pass has a part of the photons.
+  double in_disc(std::int64_t passes) const {
+    return static_cast<double>(found) / static_cast<double>(std::max<std::uint64_t>(1, look_ups)) *
+           static_cast<double>(passes);
+  }
 };
 
 /// What fills maps.
