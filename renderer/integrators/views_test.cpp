@@ -47,8 +47,7 @@ void expect_sum(const Rendered& image, const std::vector<const Rendered*>& parts
   }
 }
 
-void expect_parts_add_up(const char* integrator, const RenderJob& job) {
-  const SceneDescription scene = test::room(32, true);
+void expect_parts_add_up(const SceneDescription& scene, const char* integrator, const RenderJob& job) {
   const auto view = [&](View v) { return seen(scene, v, job, integrator); };
   const Rendered whole = view(View::whole), direct = view(View::direct), caustics = view(View::caustics),
                  global = view(View::global), indirect = view(View::indirect);
@@ -63,10 +62,15 @@ void expect_parts_add_up(const char* integrator, const RenderJob& job) {
 TEST(views, parts_of_the_light_add_up_to_the_image) {
   // A pixel has one sample in each of two passes: nothing is drawn for several, and no pass follows from another's
   // image.
-  expect_parts_add_up("photonmapper", free_job(2));
+  SceneDescription scene = test::room(32, true);
+  expect_parts_add_up(scene, "photonmapper", free_job(2));
+  scene.emitters.push_back({{}, "", ConstantLightDescription{RgbD(0.5)}});  // the room is open towards the camera
+  expect_parts_add_up(scene, "photonmapper", free_job(2));
 }
 
-TEST(views, parts_of_textbook_settings_add_up_at_any_number_of_samples) { expect_parts_add_up("sppm", free_job(9)); }
+TEST(views, parts_of_textbook_settings_add_up_at_any_number_of_samples) {
+  expect_parts_add_up(test::room(32, true), "sppm", free_job(9));
+}
 
 // With all that adapts itself, of seeds of their own: means of the image and of the floor, where the caustics are,
 // agree within 4 standard errors of their difference, which are small.
