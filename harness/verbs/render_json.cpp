@@ -1,6 +1,7 @@
 #include "harness/verbs/render_json.h"
 
 #include "renderer/core/version.h"
+#include "renderer/passes/view.h"
 
 namespace photonproof {
 
@@ -9,7 +10,12 @@ nlohmann::ordered_json plan_json(const RenderPlan& plan) {
   for (const PlanStep& step : plan.runs) runs[step.what] = step.how;
   for (const RenderPlan::Decision& d : plan.decisions)
     skips[skip_row(d.skip).name] = {{"skipped", d.skipped}, {"why", d.why}};
-  return {{"integrator", plan.integrator}, {"isa", plan.isa}, {"lanes", plan.lanes}, {"runs", runs}, {"skips", skips}};
+  return {{"integrator", plan.integrator},
+          {"view", view_row(plan.view).name},
+          {"isa", plan.isa},
+          {"lanes", plan.lanes},
+          {"runs", runs},
+          {"skips", skips}};
 }
 
 nlohmann::ordered_json stats_json(const RenderArguments& arguments, const RenderPlan& plan, const RenderStats& stats,

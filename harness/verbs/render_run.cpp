@@ -17,6 +17,7 @@
 #include "renderer/core/version.h"
 #include "renderer/integrators/check_supported.h"
 #include "renderer/integrators/integrator.h"
+#include "renderer/passes/view.h"
 #include "renderer/scene/scene_notes.h"
 #include "scenes/description/output_files.h"
 #include "scenes/description/scene_hash.h"
@@ -75,6 +76,7 @@ RenderIdentity render_identity(const RenderArguments& arguments, const SceneDesc
       {"image", size_text(film.width, film.height) + ", of which " + size_text(window.width(), window.height()) +
                     " from " + std::to_string(window.x0) + "," + std::to_string(window.y0)},
       {"integrator", plan.integrator},
+      {"view", view_row(plan.view).name},
       {"seed", std::to_string(arguments.seed)},
       {"sampler", arguments.sampler},
       {"grid", std::to_string(arguments.grid)},
@@ -112,6 +114,7 @@ RenderJob render_job(const RenderArguments& arguments, const SceneDescription& d
   job.grid = arguments.grid;
   job.sampler = arguments.sampler == "sobol" ? SamplerKind::sobol : SamplerKind::independent;
   job.isa = arguments.isa;
+  job.view = view_named(arguments.view);
   job.skips = SkipSwitches(arguments.no_skip);
   job.sample_count = description.sensor.sample_count;
   job.integrator_place = description.where(description.integrator.loc);
@@ -155,6 +158,11 @@ int print_plan(const RenderArguments& arguments) {
   return 0;
 }
 
+/// With `before`, where it is not the whole image.
+std::string view_words(const RenderPlan& plan, const char* before) {
+  return plan.view == View::whole ? "" : before + std::string(view_row(plan.view).name);
+}
+
 Rendering developed(const RenderArguments& arguments, const RenderPlan& plan, const RenderStats& stats,
                     const Film& film) {
   Rendering rendering = film.develop();
@@ -162,15 +170,17 @@ Rendering developed(const RenderArguments& arguments, const RenderPlan& plan, co
   rendering.metadata["photonproof:sampler"] = arguments.sampler;
   rendering.metadata["photonproof:isa"] = plan.isa;
   rendering.metadata["photonproof:command"] =
-      arguments.scene.path + " --integrator " + plan.integrator + " --seed " + std::to_string(arguments.seed) +
-      " --spp " + std::to_string(static_cast<std::int64_t>(stats.counts.at("samples_per_pixel")));
+      arguments.scene.path + " --integrator " + plan.integrator + view_words(plan, " --view ") + " --seed " +
+      std::to_string(arguments.seed) + " --spp " +
+      std::to_string(static_cast<std::int64_t>(stats.counts.at("samples_per_pixel")));
   return rendering;
 }
 
 void print_summary(const RenderArguments& arguments, const RenderPlan& plan, const RenderStats& stats,
                    const Tile& window, double seconds) {
-  std::printf("%s: %s, %dx%d, %.0f samples a pixel, %.2f s\n", arguments.output.c_str(), plan.integrator.c_str(),
-              window.width(), window.height(), stats.counts.at("samples_per_pixel"), seconds);
+  std::printf("%s: %s, %dx%d, %.0f samples a pixel, %.2f s\n", arguments.output.c_str(),
+              (plan.integrator + view_words(plan, ", view ")).c_str(), window.width(), window.height(),
+              stats.counts.at("samples_per_pixel"), seconds);
   std::string left_out;
   for (const RenderPlan::Decision& d : plan.decisions)
     if (d.skipped) left_out += (left_out.empty() ? "" : ", ") + std::string(skip_row(d.skip).name);

@@ -21,6 +21,7 @@ struct RenderArguments {
   int threads = 0;
   int grid = 0;
   std::string sampler = "sobol";
+  std::string view = "whole";
   std::string isa;
   std::vector<std::string> no_skip;
   std::vector<int> crop;  ///< x, y, width, height; empty: the scene's

@@ -242,7 +242,7 @@ TEST_F(ReferenceVerb, time_that_is_over_is_said_and_never_passes_for_done) {
 }
 
 TEST_F(ReferenceVerb, bad_options_are_refused) {
-  EXPECT_EQ(reference({"--integrator", "photonmapper"}).exit_code, 2);
+  EXPECT_EQ(reference({"--integrator", "sppm"}).exit_code, 2);
   EXPECT_EQ(reference({"--standard-error", "nan"}).exit_code, 2);
   EXPECT_EQ(reference({"--reason", "why"}).standard_error, "--reason: error: is for --commit\n");
   EXPECT_EQ(reference({"-o", "a.png"}).standard_error,

@@ -7,6 +7,7 @@
 #include "harness/verbs/render_run.h"
 #include "harness/verbs/verbs.h"
 #include "renderer/integrators/integrator.h"
+#include "renderer/passes/view.h"
 
 namespace photonproof {
 namespace {
@@ -21,6 +22,11 @@ void add_method_options(CLI::App& verb, RenderArguments& arguments) {
       ->check(CLI::Range(0, 1024));
   verb.add_option("--sampler", arguments.sampler, "sobol (Owen-scrambled) or independent, to check the other against")
       ->check(CLI::IsMember({"sobol", "independent"}));
+  std::vector<std::string> views;
+  for (const ViewRow& row : view_table()) views.emplace_back(row.name);
+  verb.add_option("--view", arguments.view,
+                  "of photonmapper and sppm, for teaching: a part of the light, or how it was found")
+      ->check(CLI::IsMember(views));
   std::vector<std::string> isas;
   for (const Kernels& kernels : available_kernels()) isas.emplace_back(kernels.isa);
   verb.add_option("--isa", arguments.isa, "instruction set of the kernels (default: the best this processor has)")

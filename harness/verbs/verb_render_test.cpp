@@ -125,8 +125,10 @@ TEST_F(RenderVerb, damaged_checkpoint_is_refused_and_left_alone) {
 
 // The photon mapper's own radii follow from what its passes show, of a crop from the crop; sppm's from photons alone.
 TEST_F(RenderVerb, crop_has_the_bits_of_the_whole_image) {
-  for (const char* integrator : {"path", "sppm"}) {
-    const std::vector<std::string> options{"--size", "50x40", "--spp", "4", "--integrator", integrator};
+  for (const std::vector<std::string>& method :
+       {std::vector<std::string>{"path"}, {"sppm"}, {"photonmapper", "--view", "photons"}}) {
+    std::vector<std::string> options{"--size", "50x40", "--spp", "4", "--integrator"};
+    options.insert(options.end(), method.begin(), method.end());
     ASSERT_TRUE(render("whole.exr", options).ok());
     std::vector<std::string> cropped = options;
     cropped.insert(cropped.end(), {"--crop", "13", "5", "30", "20"});
@@ -138,7 +140,7 @@ TEST_F(RenderVerb, crop_has_the_bits_of_the_whole_image) {
     for (int y = 0; y < 20; ++y)
       for (int x = 0; x < 30; ++x)
         for (int c = 0; c < 3; ++c)
-          ASSERT_EQ(part.pixel(x, y)[c], whole.pixel(x + 13, y + 5)[c]) << integrator << " " << x << " " << y;
+          ASSERT_EQ(part.pixel(x, y)[c], whole.pixel(x + 13, y + 5)[c]) << method[0] << " " << x << " " << y;
   }
 }
 
@@ -205,6 +207,31 @@ TEST_F(RenderVerb, options_that_make_no_sense_are_refused) {
   EXPECT_FALSE(has("a.exr"));
   const std::string help = run_process({PHOTONPROOF_BINARY, "render", "--help"}).standard_output;
   EXPECT_NE(help.find("sobol,independent"), std::string::npos) << help;
+}
+
+TEST_F(RenderVerb, view_is_named_in_image_stats_and_plan_and_resumed_as_itself) {
+  const std::vector<std::string> options{"--integrator", "photonmapper", "--size", "96x96", "--spp", "600"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.end(), options.begin(), options.end());
+    return more;
+  };
+  const int status = signalled(SIGINT, 1, 0, "a.exr", with({"--view", "caustics", "--checkpoint", "0.03"}));
+  ASSERT_TRUE(WIFEXITED(status));
+  ASSERT_EQ(WEXITSTATUS(status), 130) << get("stderr");
+  EXPECT_NE(get("a.exr").find(" --integrator photonmapper --view caustics --seed 0"), std::string::npos);
+  EXPECT_NE(get("a.stats.json").find("\"view\": \"caustics\""), std::string::npos) << get("a.stats.json");
+  EXPECT_EQ(render("a.exr", with({"--resume"})).standard_error,
+            path("a.exr.checkpoint") +
+                ": error: the checkpoint is not one of this render: its view is caustics, this render's is whole\n");
+
+  const std::string plan = render("b.exr", with({"--plan", "--view", "caustics"})).standard_output;
+  EXPECT_NE(plan.find("global-map          the global photon map: the view does not show it"), std::string::npos)
+      << plan;
+  EXPECT_NE(render("b.exr", with({"--plan", "--json"})).standard_output.find("\"view\": \"whole\""), std::string::npos);
+  EXPECT_EQ(render("b.exr", {"--integrator", "path", "--view", "caustics"}).standard_error,
+            "--view: error: does nothing with integrator 'path', which makes no photon maps\n");
+  EXPECT_EQ(render("b.exr", with({"--view", "caustic"})).exit_code, 2);
+  EXPECT_FALSE(has("b.exr"));
 }
 
 TEST_F(RenderVerb, scene_whose_name_is_no_utf8_has_its_stats) {

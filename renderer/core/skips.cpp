@@ -10,6 +10,7 @@ const std::vector<SkipRow>& skip_table() {
       {Skip::mis, "mis", "weights against lights that rays meet by themselves"},
       {Skip::light_choice, "light-choice", "the random choice among lights"},
       {Skip::far_lights, "far-lights", "choosing lights that give a point little as often as others"},
+      {Skip::direct_light, "direct-light", "direct light"},
       {Skip::bsdf_groups, "bsdf-groups", "sorting lanes by the kind of their BSDF"},
       {Skip::shadow_rays, "shadow-rays", "shadow rays to lights that a cosine of 0 hides"},
       {Skip::global_map, "global-map", "the global photon map"},

@@ -13,6 +13,7 @@ enum class Skip : std::uint32_t {
   mis,
   light_choice,
   far_lights,
+  direct_light,
   bsdf_groups,
   shadow_rays,
   global_map,

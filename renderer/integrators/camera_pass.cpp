@@ -8,7 +8,9 @@
 #include "renderer/passes/shared_look_ups.h"
 #include "renderer/passes/tile_film.h"
 #include "renderer/photons/query_order.h"
+#include "renderer/sensor/camera.h"
 #include "scenes/text/faults.h"
+#include "scenes/text/timer.h"
 
 namespace photonproof {
 namespace {
@@ -43,11 +45,13 @@ struct CameraPass::TilePaths {
 };
 
 CameraPass::CameraPass(const Scene& scene, const PhotonSettings& settings, const RenderPlan& plan, const RenderJob& job,
-                       std::vector<MapState*> maps, const LookUpAreas* areas, LookUpBias& bias, PixelEffort& effort)
+                       std::vector<MapState*> maps_shown, const LookUpAreas* areas, LookUpBias& bias,
+                       PixelEffort& effort)
     : scene_(scene),
       job_(job),
+      view_(view_row(plan.view)),
       shares_(!settings.textbook),
-      maps_(std::move(maps)),
+      maps_(std::move(maps_shown)),
       areas_(areas),
       bias_(bias),
       effort_(effort),
@@ -55,7 +59,9 @@ CameraPass::CameraPass(const Scene& scene, const PhotonSettings& settings, const
       scratch_(job.kernels().path.scratch) {
   const PathLimits& limits = settings.limits;
   settings_ = {limits.max_depth, limits.rr_depth, limits.hide_emitters,
-               plan.skips(Skip::mis) ? DirectLight::unweighted : DirectLight::weighted};
+               plan.skips(Skip::direct_light) ? DirectLight::hits_only
+               : plan.skips(Skip::mis)        ? DirectLight::unweighted
+                                              : DirectLight::weighted};
 }
 
 void CameraPass::trace(const CameraTask& camera, TilePaths& paths, RenderLoop& loop) {
@@ -69,11 +75,11 @@ void CameraPass::trace(const CameraTask& camera, TilePaths& paths, RenderLoop& l
     }
   paths.radiance.resize(3 * paths.pixel_of.size());
   paths.queue.reserve(paths.pixel_of.size());
+  const bool looks = scene_.view().environment != no_index && settings_.direct_light != DirectLight::hits_only;
   PathTask task{.scene = &scene_.view(),
                 .camera = camera,
                 .settings = settings_,
-                .at_diffuse = scene_.view().environment != no_index ? AtDiffuse::leave_gather_point_and_look
-                                                                    : AtDiffuse::leave_gather_point,
+                .at_diffuse = looks ? AtDiffuse::leave_gather_point_and_look : AtDiffuse::leave_gather_point,
                 .radiance = paths.radiance.data() + 3 * first,
                 .points = paths.queue.view()};
   scratch_.lend([&](std::uint32_t* words) {
@@ -103,11 +109,12 @@ void CameraPass::trace_extra(TilePaths& paths, RenderLoop& loop) {
   }
 }
 
-void CameraPass::render(const Tile& tile, std::int64_t pass, RenderLoop& loop, Film& film) {
+void CameraPass::render(const Tile& tile, std::int64_t pass, RenderLoop& loop, Film& image, Film* numbers) {
+  const Timer timer;
   TilePaths paths(tile, pass, static_cast<double>(loop.samples()));
   trace(camera_task(job_, tile, loop.first(), loop.samples()), paths, loop);
   trace_extra(paths, loop);
-  for (std::size_t path = 0; path < paths.pixel_of.size(); ++path) {
+  for (std::size_t path = 0; view_.direct_light && path < paths.pixel_of.size(); ++path) {
     const float* sample = &paths.radiance[3 * path];
     paths.sum[paths.pixel_of[path]] += Rgb(sample[0], sample[1], sample[2]);
   }
@@ -115,9 +122,35 @@ void CameraPass::render(const Tile& tile, std::int64_t pass, RenderLoop& loop, F
   for (std::size_t pixel = 0; pixel < paths.sum.size(); ++pixel) {
     const auto count = static_cast<double>(paths.count[pixel]);
     const RgbD mean = RgbD(paths.sum[pixel]) / count;
-    film.add(paths.x(pixel), paths.y(pixel), mean, paths.samples);
+    image.add(paths.x(pixel), paths.y(pixel), mean, paths.samples);
     effort_.add(paths.x(pixel), paths.y(pixel), mean, count);
   }
+  if (numbers != nullptr) add_numbers(paths, timer.seconds(), *numbers);
+}
+
+void CameraPass::add_numbers(TilePaths& paths, double seconds, Film& numbers) const {
+  std::vector<Rgb> radii;
+  if (view_.view == View::radius) radii = radii_in_pixels(paths);
+  for (std::size_t pixel = 0; pixel < paths.count.size(); ++pixel) {
+    RgbD number(1e6 * seconds / (static_cast<double>(paths.count.size()) * paths.samples));
+    if (view_.view == View::radius) number = RgbD(radii[pixel]) / static_cast<double>(paths.count[pixel]);
+    if (view_.view == View::samples) number = RgbD(static_cast<double>(paths.count[pixel]) / paths.samples);
+    numbers.add(paths.x(pixel), paths.y(pixel), number, paths.samples);
+  }
+}
+
+/// At the points where a pixel's samples end, summed: the caustic map's red, the global map's green.
+std::vector<Rgb> CameraPass::radii_in_pixels(TilePaths& paths) const {
+  std::vector<Rgb> sums(paths.count.size(), Rgb(0.0f));
+  for (std::size_t i = 0; i < paths.queue.size(); ++i) {
+    const GatherPoint point = paths.queue[i];
+    const std::uint32_t pixel = paths.pixel_of[point.path];
+    const float footprint = pixel_footprint(scene_.view().camera, point.p);
+    for (const MapState* map : maps_)
+      if (!map->map.empty())
+        (map->kind == PhotonKind::caustic ? sums[pixel].x : sums[pixel].y) += radius_at(*map, pixel, paths) / footprint;
+  }
+  return sums;
 }
 
 void CameraPass::add_photons(TilePaths& paths) {
@@ -136,7 +169,7 @@ void CameraPass::add_photons(TilePaths& paths) {
     for (std::size_t i = 0; i < points.size(); ++i)
       paths.sum[points[i].pixel] += points[i].point.weight * irradiance(looked_up, shared.look_up_of[i]);
     map->found += std::accumulate(looked_up.found, looked_up.found + looked_up.count, std::uint64_t{0});
-    map->looked_up += looked_up.count;
+    map->look_ups += looked_up.count;
     look_twice(*map, points, shared, paths);
   }
 }
@@ -144,11 +177,15 @@ void CameraPass::add_photons(TilePaths& paths) {
 /// Radii of the points' look-ups.
 std::vector<float> CameraPass::radii_of(const MapState& map, const std::vector<PixelPoint>& points,
                                         const TilePaths& paths) const {
-  std::vector<float> radii(points.size(), map.radii.radius);
-  if (!narrows(map)) return radii;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    radii[i] *= bias_.narrowing(paths.x(points[i].pixel), paths.y(points[i].pixel), static_cast<int>(map.kind));
+  std::vector<float> radii;
+  radii.reserve(points.size());
+  for (const PixelPoint& p : points) radii.push_back(radius_at(map, p.pixel, paths));
   return radii;
+}
+
+float CameraPass::radius_at(const MapState& map, std::size_t pixel, const TilePaths& paths) const {
+  if (!narrows(map)) return map.radii.radius;
+  return map.radii.radius * bias_.narrowing(paths.x(pixel), paths.y(pixel), static_cast<int>(map.kind));
 }
 
 /// Finds the photons within the radius of every point, and the area they are to be divided by.
@@ -183,13 +220,6 @@ void CameraPass::look_twice(const MapState& map, const std::vector<PixelPoint>& 
     const Rgb lost = irradiance(wide, look_up) - irradiance(narrow, again_of[look_up]);
     bias_.add(paths.x(pixel), paths.y(pixel), static_cast<int>(map.kind), paths.pass,
               RgbD(points[i].point.weight * lost) / static_cast<double>(paths.count[pixel]), paths.samples);
-  }
-}
-
-void CameraPass::end_pass() {
-  for (MapState* map : maps_) {
-    map->counts.look_ups += map->looked_up.exchange(0);
-    map->counts.found += map->found.exchange(0);
   }
 }
 

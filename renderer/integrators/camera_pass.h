@@ -12,6 +12,7 @@
 #include "renderer/passes/render_loop.h"
 #include "renderer/passes/scratch_pool.h"
 #include "renderer/passes/shared_look_ups.h"
+#include "renderer/passes/view.h"
 #include "renderer/planning/plan.h"
 
 namespace photonproof {
@@ -20,29 +21,32 @@ class CameraPass {
  public:
   /// `areas` is null without maps. Everything must outlive this.
   CameraPass(const Scene& scene, const PhotonSettings& settings, const RenderPlan& plan, const RenderJob& job,
-             std::vector<MapState*> maps, const LookUpAreas* areas, LookUpBias& bias, PixelEffort& effort);
+             std::vector<MapState*> maps_shown, const LookUpAreas* areas, LookUpBias& bias, PixelEffort& effort);
 
-  /// Adds the tile's estimate of pass number `pass` to the film, to the bias and to the effort.
-  void render(const Tile& tile, std::int64_t pass, RenderLoop& loop, Film& film);
-  /// Hands the pass's counts to the maps.
-  void end_pass();
+  /// Adds the tile's estimate of pass number `pass` to the image, to the bias and to the effort, and where the view is
+  /// a number that one to `numbers`.
+  void render(const Tile& tile, std::int64_t pass, RenderLoop& loop, Film& image, Film* numbers);
 
  private:
   struct TilePaths;
   void trace(const CameraTask& camera, TilePaths& paths, RenderLoop& loop);
   void trace_extra(TilePaths& paths, RenderLoop& loop);
   void add_photons(TilePaths& paths);
+  void add_numbers(TilePaths& paths, double seconds, Film& numbers) const;
+  std::vector<Rgb> radii_in_pixels(TilePaths& paths) const;
   double pixels_a_radius(const MapState& map) const {
     return static_cast<double>(map.radii.radius) / static_cast<double>(footprint_);
   }
   /// Whether radii differ from place to place.
-  bool narrows(const MapState& map) const { return shares_ && !map.fixed_radius && bias_.narrows_anywhere(); }
+  bool narrows(const MapState& map) const { return shares_ && !map.fixed_radius; }
+  float radius_at(const MapState& map, std::size_t pixel, const TilePaths& paths) const;
   std::vector<float> radii_of(const MapState& map, const std::vector<PixelPoint>& points, const TilePaths& paths) const;
   void look_up(const MapState& map, GatherQueue& queue) const;
   void look_twice(const MapState& map, const std::vector<PixelPoint>& points, SharedLookUps& shared, TilePaths& paths);
 
   const Scene& scene_;
   const RenderJob& job_;
+  const ViewRow& view_;
   const bool shares_;  ///< look-ups
   const std::vector<MapState*> maps_;
   const LookUpAreas* const areas_;

@@ -82,6 +82,9 @@ void check_job(const RenderJob& job, const IntegratorDescription& method) {
     throw InputError("--target-error", "integrator '" + std::string(row.name) +
                                            "' cannot tell its own error: give it another budget and compare its image");
   if (job.grid > 0 && !row.heeds.grid) refuse("--grid", "does not choose where in a pixel its samples are");
+  if (job.view != View::whole && !row.heeds.view) refuse("--view", "makes no photon maps");
+  if (job.grid > 0 && job.view == View::photons)
+    throw InputError("--grid", "does nothing with --view photons, which takes no camera samples");
   if (!job.isa.empty() && !row.heeds.isa) refuse("--isa", "has no kernels");
 }
 

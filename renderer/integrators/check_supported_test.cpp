@@ -104,18 +104,36 @@ TEST(check_job, refuses_options_that_would_do_nothing) {
             "--photons: error: does nothing with --seconds, which decides how many there are");
 }
 
+TEST(check_job, refuses_views_of_integrators_without_photon_maps) {
+  RenderJob job;
+  job.view = View::caustics;
+  for (const Integrator& row : integrators()) {
+    const bool has_maps = row.name == std::string("photonmapper") || row.name == std::string("sppm");
+    EXPECT_EQ(said([&] { check_job(job, with_integrator({}, row.name)); }),
+              has_maps ? ""
+                       : "--view: error: does nothing with integrator '" + std::string(row.name) +
+                             "', which makes no photon maps");
+  }
+  job.grid = 2;
+  EXPECT_EQ(said([&] { check_job(job, with_integrator({}, "photonmapper")); }), "");
+  job.view = View::photons;
+  EXPECT_EQ(said([&] { check_job(job, with_integrator({}, "photonmapper")); }),
+            "--grid: error: does nothing with --view photons, which takes no camera samples");
+}
+
 TEST(check_job, refuses_a_target_error_where_the_error_is_not_known_until_the_end) {
   RenderJob job;
   job.budget.target_error = 0.1;
-  EXPECT_EQ(said([&] { check_job(job, with_integrator({}, "path")); }), "");
-  EXPECT_EQ(said([&] { check_job(job, with_integrator({}, "photonmapper")); }),
-            "--target-error: error: integrator 'photonmapper' cannot tell its own error: give it another budget and "
+  for (const char* name : {"path", "photonmapper", "sppm"})
+    EXPECT_EQ(said([&] { check_job(job, with_integrator({}, name)); }), "") << name;
+  EXPECT_EQ(said([&] { check_job(job, with_integrator({}, "bdpt")); }),
+            "--target-error: error: integrator 'bdpt' cannot tell its own error: give it another budget and "
             "compare its image");
 }
 
 TEST(with_integrator, keeps_what_all_integrators_know) {
   const IntegratorDescription asked{{0, 3, 4}, PathDescription{{7, 3, true}}};
-  for (const char* name : {"path", "photonmapper", "volpath", "bdpt", "ptracer", "direct", "whitted"}) {
+  for (const char* name : {"path", "photonmapper", "volpath", "bdpt", "ptracer", "direct", "whitted", "sppm"}) {
     const IntegratorDescription other = with_integrator(asked, name);
     EXPECT_EQ(integrator_name(other), name);
     EXPECT_EQ(other.limits(), (PathLimits{7, 3, true})) << name;

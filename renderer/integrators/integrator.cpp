@@ -28,7 +28,7 @@ std::vector<Integrator> integrators_in_batches() {
        .parts = {part::direct, part::specular, "photon paths", "densities of photons"},
        .plan = plan_photon_mapper,
        .render = render_photon_mapper,
-       .heeds = {.photons = true, .target_error = true},
+       .heeds = {.photons = true, .target_error = true, .view = true},
        .stream = camera_stream,
        .sampling = "path"},
       {.name = "sppm",
@@ -36,9 +36,9 @@ std::vector<Integrator> integrators_in_batches() {
        .parts = {part::direct, part::specular, "photon paths", "densities of photons"},
        .plan = plan_photon_mapper,
        .render = render_photon_mapper,
-       .heeds = {.target_error = true},
+       .heeds = {.target_error = true, .view = true},
        .stream = camera_stream,
-       .sampling = "photonmapper"},
+       .sampling = "path"},
       {.name = "direct",
        .summary = "emission and light reflected once: next-event estimation and BSDF sampling, MIS",
        .parts = {part::direct, part::weights},
@@ -113,6 +113,7 @@ RenderPlan plan_render(const SceneFacts& facts, const IntegratorDescription& met
   RenderPlan plan = planner.plan();
   plan.method = method;
   plan.integrator = name;
+  plan.view = job.view;
   const Kernels& kernels = job.kernels();
   plan.isa = kernels.isa;
   plan.lanes = kernels.path.lanes;

@@ -36,6 +36,7 @@ struct Integrator {
     bool grid = true;
     bool isa = true;
     bool target_error = false;  ///< its film tells its error after every pass
+    bool view = false;          ///< shows other than all light
   } heeds{};
   /// What of a scene it can do.
   enum class Media { none, absorbing, all } media = Media::none;

@@ -3,7 +3,7 @@
 // where A is the area of that part of the surface whose photons the look-up counts (photon_sheet.h, look_up_area.h).
 // The render is cut into passes, each with photons and camera samples of its own: the mean is the same, look-ups are
 // cheaper, and the passes' spread gives an honest variance that includes the photons' noise (not the bias of the
-// radius).
+// radius). A view (view.h) shows a part of that light, or how it was found.
 
 #include "renderer/integrators/photon_mapper.h"
 
@@ -14,11 +14,13 @@
 #include <vector>
 
 #include "renderer/integrators/camera_pass.h"
+#include "renderer/integrators/photon_dots.h"
 #include "renderer/integrators/photon_maps.h"
 #include "renderer/passes/look_up_area.h"
 #include "renderer/passes/look_up_bias.h"
 #include "renderer/passes/pixel_effort.h"
 #include "renderer/passes/render_loop.h"
+#include "renderer/passes/view.h"
 #include "renderer/scene/aim_targets.h"
 
 namespace photonproof {
@@ -29,12 +31,15 @@ namespace {
 /// 600x600: a quarter takes 1.3 times as long to the same error.
 constexpr std::int64_t parts_of_samples = 2;
 
+constexpr const char* not_shown = "the view does not show it";
+
 /// Decides on a map; `needed` by the scene, where paths are long enough for one.
-void plan_map(Planner& planner, Skip skip, const char* name, const std::string& photons, int max_depth, bool needed,
-              const char* why_not_needed, const char* why_needed) {
+void plan_map(Planner& planner, Skip skip, const char* name, const std::string& photons, bool shown, int max_depth,
+              bool needed, const char* why_not_needed, const char* why_needed) {
   // The shortest path through a map has two edges of the light's and one of the camera's.
   const bool deep_enough = max_depth < 0 || max_depth >= 3;
-  const char* why = !deep_enough                  ? "paths of max_depth edges are too short for it"
+  const char* why = !shown                        ? not_shown
+                    : !deep_enough                ? "paths of max_depth edges are too short for it"
                     : !needed                     ? why_not_needed
                     : planner.facts().lights == 0 ? "no light"
                                                   : nullptr;
@@ -42,13 +47,13 @@ void plan_map(Planner& planner, Skip skip, const char* name, const std::string& 
 }
 
 /// How many a map gets, and within which radius they are looked up.
-std::string photons_words(const PhotonSettings& settings, const RenderBudget& budget, std::int64_t by_scene,
-                          double radius) {
+std::string photons_words(const PhotonSettings& settings, const RenderJob& job, std::int64_t by_scene, double radius) {
   const auto of = [](std::int64_t n) { return counted(static_cast<std::size_t>(n), "photon", "photons"); };
-  const std::int64_t total = budget.photons.value_or(by_scene);
+  const std::int64_t total = job.budget.photons.value_or(by_scene);
   std::string words = settings.textbook ? of(settings.textbook->photons_a_pass) + " in every pass"
                       : total > 0       ? of(total) + " emitted"
                                         : "a photon for five camera samples";
+  if (job.view == View::photons) return words;
   char number[32];
   std::snprintf(number, sizeof number, "%g", radius);
   if (settings.textbook) {
@@ -60,21 +65,59 @@ std::string photons_words(const PhotonSettings& settings, const RenderBudget& bu
   return words + ", looked up within the radius whose bias and noise are least together, as earlier passes show them";
 }
 
+void plan_camera_paths(Planner& planner, const PhotonSettings& settings, const ViewRow& view) {
+  planner.run("camera paths", std::string("to their first diffuse surface, where photons are looked up") +
+                                  (settings.textbook ? "; " : ", once for all samples of a pixel that end alike; ") +
+                                  depth_words(settings.limits.max_depth));
+  if (!settings.textbook && view.made_from_all())
+    planner.run("more camera paths", "up to 64 times as many in pixels whose earlier passes disagree");
+  if (planner.facts().any_environment && view.direct_light)
+    planner.run("one more ray", "from where photons are looked up to the environment, which light samples find, too");
+  planner.batches();
+  if (view.direct_light || !planner.decide(Skip::direct_light, true, not_shown, "")) planner.direct_light(true);
+}
+
+PassPlan plan_passes(const PhotonSettings& settings, const PhotonMaps& maps) {
+  return {.phase = "photon mapping",
+          .longest = settings.textbook ? 1 : 64,
+          .parts = parts_of_samples,
+          .budget = maps.totals()};  // every pass's photons follow from them
+}
+
+/// Those of the maps whose light is shown: the plan may want others, too (--no-skip).
+std::vector<MapState*> shown_by(const ViewRow& view, std::vector<MapState*> maps) {
+  std::erase_if(maps, [&](const MapState* map) {
+    return map->kind == PhotonKind::caustic ? !view.caustic_map : !view.global_map;
+  });
+  return maps;
+}
+
+void keep(RenderLoop& loop, PhotonMaps& maps) {
+  for (MapState* map : {&maps.global, &maps.caustic}) {
+    loop.keep_between_passes(map->counts);
+    loop.keep_between_passes(map->radii);
+    loop.keep(map->look_ups);
+    loop.keep(map->found);
+  }
+}
+
 }  // namespace
 
 void plan_photon_mapper(const IntegratorDescription& description, Planner& planner) {
   const PhotonSettings settings(description);
-  const RenderBudget& budget = planner.job().budget;
+  const RenderJob& job = planner.job();
   const int max_depth = settings.limits.max_depth;
   const SceneFacts& facts = planner.facts();
   const bool any_specular = facts.specular_surfaces > 0;
+  const ViewRow& view = view_row(job.view);
+  if (view.view != View::whole) planner.run("view", std::string(view.name) + ": " + view.shows);
   plan_map(planner, Skip::global_map, "global photon map",
-           photons_words(settings, budget, settings.global_photons, settings.global_radius), max_depth,
+           photons_words(settings, job, settings.global_photons, settings.global_radius), view.global_map, max_depth,
            facts.diffuse_interreflection,
            facts.any_diffuse ? "no two diffuse surfaces see each other" : "no diffuse surface reflects",
            "light goes from diffuse surface to diffuse surface");
   plan_map(planner, Skip::caustic_map, "caustic photon map",
-           photons_words(settings, budget, settings.caustic_photons, settings.caustic_radius), max_depth,
+           photons_words(settings, job, settings.caustic_photons, settings.caustic_radius), view.caustic_map, max_depth,
            any_specular && facts.any_diffuse, any_specular ? "no diffuse surface reflects" : "no specular surface",
            "specular surfaces throw light on diffuse ones");
   if (!planner.plan().skips(Skip::caustic_map)) {
@@ -83,24 +126,24 @@ void plan_photon_mapper(const IntegratorDescription& description, Planner& plann
                    surfaces + " to aim at",
                    surfaces + ", at most " + std::to_string(most_aim_targets) + " can be aimed at");
   }
-  planner.run("camera paths", std::string("to their first diffuse surface, where photons are looked up") +
-                                  (settings.textbook ? "; " : ", once for all samples of a pixel that end alike; ") +
-                                  depth_words(max_depth));
-  if (!settings.textbook)
-    planner.run("more camera paths", "up to 64 times as many in pixels whose earlier passes disagree");
-  if (facts.any_environment)
-    planner.run("one more ray", "from where photons are looked up to the environment, which light samples find, too");
-  planner.batches();
-  planner.direct_light(true);
+  if (view.view == View::photons) {
+    planner.run("dots", "a shadow ray from every stored photon to the camera, no camera paths");
+    planner.batches();
+  } else {
+    plan_camera_paths(planner, settings, view);
+  }
   if (planner.plan().skips(Skip::global_map) && planner.plan().skips(Skip::caustic_map)) planner.no_light_paths();
 }
 
 void render_photon_mapper(const Scene& scene, const RenderPlan& plan, const RenderJob& job, Film& film,
                           RenderStats& stats) {
   const PhotonSettings settings(plan.method);
+  const ViewRow& view = view_row(plan.view);
   const Threads threads(job.threads);
   const PhotonSource source{scene, settings, job, threads};
   PhotonMaps maps(plan, source, stats);
+  PassPlan passes = plan_passes(settings, maps);
+  if (plan.view == View::photons) return render_photon_dots(source, maps, passes, film, stats);
   const std::vector<MapState*> wanted = maps.wanted();
   std::optional<LookUpAreas> areas;
   if (!wanted.empty()) {
@@ -108,26 +151,22 @@ void render_photon_mapper(const Scene& scene, const RenderPlan& plan, const Rend
     areas.emplace(scene, threads);
   }
 
+  std::optional<Film> unseen;  // the image whose making is shown
+  if (view.is_number()) unseen.emplace(film.window());
+  Film& image = unseen ? *unseen : film;
   LookUpBias bias(film.window());
   PixelEffort effort(film.window());
   PassHalves halves;
-  const auto squared_bias = [&] { return bias.evidence(film, LookUpBias::all_maps, halves).squared_bias(); };
-  RenderLoop loop(job, threads, film, stats,
-                  {.phase = "photon mapping",
-                   .longest = settings.textbook ? 1 : 64,
-                   .parts = parts_of_samples,
-                   .budget = maps.totals(),  // every pass's photons follow from them
-                   .squared_bias = squared_bias});
+  passes.squared_bias = [&] { return bias.evidence(image, LookUpBias::all_maps, halves).squared_bias(); };
+  RenderLoop loop(job, threads, image, stats, passes);
+  if (unseen) loop.keep(film);
   loop.keep_between_passes(halves);
-  for (MapState* map : {&maps.global, &maps.caustic}) {
-    loop.keep_between_passes(map->counts);
-    loop.keep_between_passes(map->radii);
-  }
+  keep(loop, maps);
   loop.keep(bias.pixels());
   loop.keep(bias.narrowings());
   loop.keep(effort.pixels());
   loop.keep(effort.decided());
-  CameraPass camera(scene, settings, plan, job, wanted, areas ? &*areas : nullptr, bias, effort);
+  CameraPass camera(scene, settings, plan, job, shown_by(view, wanted), areas ? &*areas : nullptr, bias, effort);
   while (loop.next()) {
     for (MapState* map : wanted) {
       map->tests = areas->tests(map->radii.radius);
@@ -135,17 +174,19 @@ void render_photon_mapper(const Scene& scene, const RenderPlan& plan, const Rend
       map->pass_photons = static_cast<double>(photons);
     }
     const PhaseTimer phase(stats.phases["render"]);
-    loop.for_each_tile([&](const Tile& tile) { camera.render(tile, halves.pass_count(), loop, film); });
-    camera.end_pass();
+    loop.for_each_tile(
+        [&](const Tile& tile) { camera.render(tile, halves.pass_count(), loop, image, unseen ? &film : nullptr); });
+    if (loop.broken_off()) continue;
     const auto samples = static_cast<double>(loop.samples());
-    film.end_shared_pass(samples);
-    if (!settings.textbook) effort.choose();
+    image.end_shared_pass(samples);
+    if (unseen) film.end_shared_pass(samples);
+    if (!settings.textbook && view.made_from_all()) effort.choose();
     halves.add_pass(samples);
-    bias.narrow(film, halves);
+    bias.narrow(image, halves);
     const double after_next = halves.all_samples() * (1 + 1.0 / double{parts_of_samples});
     for (MapState* map : wanted) {
       map->radii.add_pass(samples, map->pass_photons);
-      const LookUpBias::Evidence evidence = bias.evidence(film, static_cast<int>(map->kind), halves);
+      const LookUpBias::Evidence evidence = bias.evidence(image, static_cast<int>(map->kind), halves);
       choose_next_radius(*map, settings, evidence, halves, after_next);
     }
   }

@@ -21,7 +21,7 @@ constexpr double guessed_for = 1e6;  // photons, of MapState::photons_in_disc
 /// Of fewer passes than this in either half the evidence is too little.
 constexpr std::int64_t least_evidence = 2;
 /// From pass to pass a radius changes no more than this.
-constexpr double most_shrinking = 0.75, most_growing = 1.1;
+constexpr double most_shrinking = 0.75, most_growing = 1.25;
 /// Of the guess, that a radius never leaves.
 constexpr double widest = 4, narrowest = 1.0 / 16;
 
@@ -71,15 +71,16 @@ void store_counts_of(const MapState& state, double scale, std::int64_t passes, R
   const std::string name = state.name;
   stats.counts["photons_emitted_" + name] = static_cast<double>(state.counts.emitted);
   stats.counts["photons_stored_" + name] = static_cast<double>(state.counts.stored);
-  stats.counts["radius_" + name] = static_cast<double>(state.radii.radius) / scale;
   stats.counts["rays_photon"] += static_cast<double>(state.counts.rays);
-  stats.counts["photons_in_disc_" + name] = state.counts.in_disc(passes);
+  if (state.radii.radius <= 0) return;  // nothing was looked up
+  stats.counts["radius_" + name] = static_cast<double>(state.radii.radius) / scale;
+  stats.counts["photons_in_disc_" + name] = state.in_disc(passes);
 }
 
 /// Of the map that holds the light of every surface; caustics are nowhere but in places.
 void say_if_few_arrive(const MapState& global, std::int64_t passes, RenderStats& stats) {
-  const double in_disc = global.counts.in_disc(passes);
-  if (!global.wanted || global.counts.look_ups == 0 || global.counts.stored < few_photons_in_map ||
+  const double in_disc = global.in_disc(passes);
+  if (!global.wanted || global.look_ups == 0 || global.counts.stored < few_photons_in_map ||
       in_disc >= few_photons_in_disc)
     return;
   char text[160];
@@ -111,20 +112,6 @@ std::uint64_t photons_for_pass(const MapState& state, const RenderJob& job, std:
                          std::to_string(most_photons_in_a_pass()) +
                          ", what this machine's memory holds; more samples a pixel make more passes");
   return count;
-}
-
-/// Emits the photons that follow those emitted before.
-Photons emit(MapState& map, const PhotonSource& source, std::uint64_t count, RenderStats& stats) {
-  const PhaseTimer phase(stats.phases[std::string("photons_") + map.name]);
-  const int max_edges = source.settings.limits.max_depth >= 0 ? source.settings.limits.max_depth - 1 : -1;
-  const std::uint64_t traced = has_fault(Fault::half_photons) ? (count + 1) / 2 : count;
-  const std::uint64_t seed = has_fault(Fault::same_photons) ? 1 : source.job.seed;
-  RayTotals rays;
-  Photons photons =
-      trace_photons(source.scene, {map.kind, map.stream, seed, map.counts.emitted, traced, max_edges, map.aimed},
-                    {source.job.kernels(), source.job.sampler}, source.threads, rays);
-  map.counts.rays += rays.counts().photon;
-  return photons;
 }
 
 }  // namespace
@@ -169,6 +156,7 @@ PhotonMaps::PhotonMaps(const RenderPlan& plan, const PhotonSource& source, Rende
   caustic.aimed = plan.skips(Skip::stray_photons);
   choose_photons(caustic, source.settings.caustic_photons, source);
 
+  if (plan.view == View::photons) return;
   const PhaseTimer phase(stats.phases["pilot"]);
   RayTotals pilot_rays;
   choose_first_radius(global, source.settings.global_radius, source, pilot_rays);
@@ -195,15 +183,30 @@ void PhotonMaps::store_counts(double scale, std::int64_t passes, RenderStats& st
   say_if_few_arrive(global, passes, stats);
 }
 
-std::uint64_t refill(MapState& map, const PhotonSource& source, std::int64_t first, std::int64_t last,
+Photons emit_photons(MapState& map, const PhotonSource& source, std::int64_t first, std::int64_t last,
                      RenderStats& stats) {
   const std::uint64_t count = photons_for_pass(map, source.job, first, last);
-  Photons photons = emit(map, source, count, stats);
+  const PhaseTimer phase(stats.phases[std::string("photons_") + map.name]);
+  const int max_edges = source.settings.limits.max_depth >= 0 ? source.settings.limits.max_depth - 1 : -1;
+  const std::uint64_t traced = has_fault(Fault::half_photons) ? (count + 1) / 2 : count;
+  const std::uint64_t seed = has_fault(Fault::same_photons) ? 1 : source.job.seed;
+  RayTotals rays;
+  Photons photons =
+      trace_photons(source.scene, {map.kind, map.stream, seed, map.counts.emitted, traced, max_edges, map.aimed},
+                    {source.job.kernels(), source.job.sampler}, source.threads, rays);
+  map.counts.rays += rays.counts().photon;
+  map.counts.emitted += count;
+  map.counts.stored += photons.size();
+  return photons;
+}
+
+std::uint64_t refill(MapState& map, const PhotonSource& source, std::int64_t first, std::int64_t last,
+                     RenderStats& stats) {
+  const std::uint64_t emitted_before = map.counts.emitted;
+  Photons photons = emit_photons(map, source, first, last, stats);
   const PhaseTimer phase(stats.phases["build"]);
   map.map.build(std::move(photons), map.radii.radius, source.threads);
-  map.counts.emitted += count;
-  map.counts.stored += map.map.size();
-  return count;
+  return map.counts.emitted - emitted_before;
 }
 
 }  // namespace photonproof

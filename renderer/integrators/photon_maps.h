@@ -17,6 +17,7 @@
 #include "renderer/passes/photon_tracing.h"
 #include "renderer/passes/render_job.h"
 #include "renderer/photons/photon_map.h"
+#include "renderer/photons/photons.h"
 #include "renderer/planning/plan.h"
 #include "renderer/scene/scene.h"
 #include "scenes/description/integrator_description.h"
@@ -28,14 +29,6 @@ struct PhotonCounts {
   std::uint64_t emitted = 0;
   std::uint64_t stored = 0;
   std::uint64_t rays = 0;
-  std::uint64_t look_ups = 0;
-  std::uint64_t found = 0;  ///< by all of them
-
-  /// In the disc of a look-up, over the whole render: each pass has a part of the photons.
-  double in_disc(std::int64_t passes) const {
-    return static_cast<double>(found) / static_cast<double>(std::max<std::uint64_t>(1, look_ups)) *
-           static_cast<double>(passes);
-  }
 };
 
 /// How photons are emitted and looked up, whichever integrator asks.
@@ -68,9 +61,15 @@ struct MapState {
   RadiusHistory radii{};
   std::vector<SheetTest> tests{};  ///< by surface
   PhotonCounts counts{};
-  double pass_photons = 0;                            ///< emitted in this pass
-  std::atomic<std::uint64_t> looked_up{0}, found{0};  ///< in this pass
+  double pass_photons = 0;                           ///< emitted in this pass
+  std::atomic<std::uint64_t> look_ups{0}, found{0};  ///< photons, by all look-ups of all passes
   PhotonMap map{};
+
+  /// In the disc of a look-up, over the whole render: each pass has a part of the photons.
+  double in_disc(std::int64_t passes) const {
+    return static_cast<double>(found) / static_cast<double>(std::max<std::uint64_t>(1, look_ups)) *
+           static_cast<double>(passes);
+  }
 };
 
 /// What fills maps.
@@ -86,7 +85,7 @@ struct PhotonMaps {
   MapState caustic{PhotonKind::caustic, caustic_photon_stream, "caustic", 8};
 
   /// Those that the plan wants, how many photons they get and their first radii; where the settings leave a radius
-  /// open, a pilot run of photons says it.
+  /// open, a pilot run of photons says it, if the plan's view looks them up.
   PhotonMaps(const RenderPlan& plan, const PhotonSource& source, RenderStats& stats);
 
   /// In the order in which their light is added.
@@ -96,8 +95,12 @@ struct PhotonMaps {
   void store_counts(double scale, std::int64_t passes, RenderStats& stats) const;
 };
 
-/// Replaces the map's photons by those of the pass that takes samples [first, last) of a pixel; returns how many were
-/// emitted. Throws InputError when they would not fit in memory.
+/// The photons that a map stores in the pass that takes samples [first, last) of a pixel. Throws InputError when they
+/// would not fit in memory.
+Photons emit_photons(MapState& map, const PhotonSource& source, std::int64_t first, std::int64_t last,
+                     RenderStats& stats);
+
+/// Replaces the map's photons by those; returns how many were emitted.
 std::uint64_t refill(MapState& map, const PhotonSource& source, std::int64_t first, std::int64_t last,
                      RenderStats& stats);
 

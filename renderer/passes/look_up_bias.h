@@ -68,9 +68,6 @@ class LookUpBias {
 
   /// Part of the map's radius that look-ups of the pixel take: 1, or less where the radius is plainly too wide.
   float narrowing(int x, int y, int map) const;
-  bool narrows_anywhere() const {
-    return std::ranges::any_of(narrowings_, [](float part) { return part < 1; });
-  }
   /// Decides that for the next pass: in blocks of the lattice whose bias stands out from their noise radii shrink,
   /// until it does not.
   void narrow(const Film& film, const PassHalves& halves);

@@ -12,6 +12,7 @@
 // indices, and so ends with the bits of one that was never stopped.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <future>
@@ -56,6 +57,11 @@ class RenderLoop {
         {[&value](StateWriter& out) { out.value(value); }, [&value](StateReader& in) { value = in.value<T>(); }});
   }
   template <class T>
+  void keep(std::atomic<T>& value) {
+    kept_.push_back({[&value](StateWriter& out) { out.value(value.load()); },
+                     [&value](StateReader& in) { value = in.value<T>(); }});
+  }
+  template <class T>
   void keep(std::vector<T>& values) {
     kept_.push_back(
         {[&values](StateWriter& out) { out.vector(values); }, [&values](StateReader& in) { in.vector(values); }});
@@ -86,6 +92,8 @@ class RenderLoop {
   void for_each_in_order(std::size_t units, const std::function<void(std::size_t unit, std::size_t slot)>& body,
                          const std::function<void(std::size_t unit, std::size_t slot)>& commit);
   std::size_t slots() const { return threads_.in_flight(); }
+  /// After the units: some were not done, since the render is being stopped. What is kept must stay as they left it.
+  bool broken_off() const { return pass_is_open(); }
 
   /// Of the units, over the whole render. Rays traced between passes are the integrator's to keep.
   RayTotals& rays() { return rays_; }

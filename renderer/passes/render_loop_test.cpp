@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <filesystem>
+#include <thread>
 
 #include "renderer/integrators/test_scenes.h"
 #include "renderer/planning/test_compiled.h"
@@ -29,14 +31,18 @@ class Resume : public FolderTest {
     Rendering image;
     RenderStats stats;
   };
-  /// Renders until `progress` was called `calls` times, then interrupts; -1: to the end.
+  /// Renders until `progress` was called `calls` times, then interrupts; -1: to the end. `after_each_unit`: by waiting
+  /// for so long in every call that the next unit calls again.
   Outcome part(const SceneDescription& description, const std::string& integrator, RenderJob job, bool resume,
-               int calls) const {
+               int calls, bool after_each_unit = false) const {
     const Scene scene = test::compiled(description, description.sensor.film.width, description.sensor.film.height);
     std::atomic<bool> stop{false};
     job.interrupt = &stop;
     job.checkpoint = policy(resume);
-    job.progress = [&](double, const std::string&) { stop = stop || --calls == 0; };
+    job.progress = [&](double, const std::string&) {
+      if (after_each_unit) std::this_thread::sleep_for(std::chrono::milliseconds(110));
+      stop = stop || --calls == 0;
+    };
     Film film = film_of(description);
     Outcome out;
     test::render(scene, with_integrator(description.integrator, integrator), job, film, out.stats);
@@ -75,6 +81,47 @@ TEST_F(Resume, gives_the_bits_and_the_counts_of_a_render_never_stopped) {
     EXPECT_EQ(last.image.metadata, whole.image.metadata) << row.name;  // the MeanError
     for (const auto& [name, count] : whole.stats.counts)
       EXPECT_EQ(last.stats.counts.at(name), count) << row.name << " " << name;
+  }
+}
+
+TEST_F(Resume, of_a_view_gives_the_bits_of_a_render_never_stopped) {
+  const SceneDescription scene = test::room(48, true);
+  for (const View view : {View::caustics, View::photons, View::radius, View::samples}) {
+    RenderJob job = test::job_with(24, 300'000);
+    job.view = view;
+    const test::Rendered whole = test::render(scene, "photonmapper", job);
+    int stops = 0;
+    Outcome last = part(scene, "photonmapper", job, false, 2);
+    for (; last.stats.interrupted; ++stops) {
+      ASSERT_LT(stops, 100);
+      job.threads = 1 + stops % 7;
+      last = part(scene, "photonmapper", job, true, 2);
+    }
+    EXPECT_GE(stops, 3) << view_row(view).name;
+    EXPECT_EQ(last.image.mean.rgb, whole.image.mean.rgb) << view_row(view).name;
+    EXPECT_EQ(last.image.variance->rgb, whole.image.variance->rgb) << view_row(view).name;
+    for (const auto& [name, count] : whole.stats.counts)
+      EXPECT_EQ(last.stats.counts.at(name), count) << view_row(view).name << " " << name;
+  }
+}
+
+TEST_F(Resume, of_the_photon_mapper_goes_on_inside_a_pass) {
+  const SceneDescription scene = test::room(32, true);
+  for (const View view : {View::whole, View::photons}) {
+    RenderJob job = test::job_with(3, 24'000);
+    job.view = view;
+    job.threads = 1;
+    const test::Rendered whole = test::render(scene, "photonmapper", job);
+    int stops = 0;
+    Outcome last = part(scene, "photonmapper", job, false, 2, true);
+    for (; last.stats.interrupted; ++stops) {
+      ASSERT_LT(stops, 100);
+      last = part(scene, "photonmapper", job, true, 2, true);
+    }
+    EXPECT_GE(stops, 6) << "passes are not cut";
+    EXPECT_EQ(last.image.mean.rgb, whole.image.mean.rgb);
+    EXPECT_EQ(last.image.variance->rgb, whole.image.variance->rgb);
+    for (const auto& [name, count] : whole.stats.counts) EXPECT_EQ(last.stats.counts.at(name), count) << name;
   }
 }
 

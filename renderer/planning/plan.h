@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "renderer/core/skips.h"
+#include "renderer/passes/view.h"
 #include "renderer/scene/scene_choices.h"
 #include "scenes/description/description.h"
 
@@ -23,6 +24,7 @@ struct PlanStep {
 struct RenderPlan {
   IntegratorDescription method;
   std::string integrator;
+  View view = View::whole;
   std::string isa;
   unsigned lanes = 1;
   SceneChoices scene;  ///< of what the scene has to be built

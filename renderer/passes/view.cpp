@@ -1,0 +1,36 @@
+#include "renderer/passes/view.h"
+
+#include "scenes/text/input_error.h"
+
+namespace photonproof {
+
+const std::vector<ViewRow>& view_table() {
+  static const std::vector<ViewRow> table{
+      {View::whole, "whole", "all light", true, true, true},
+      {View::direct, "direct", "what camera paths bring without photons: lamps, mirrors, glass, direct light", true,
+       false, false},
+      {View::caustics, "caustics", "what the caustic photon map brings", false, true, false},
+      {View::global, "global", "what the global photon map brings", false, false, true},
+      {View::indirect, "indirect", "what both photon maps bring", false, true, true},
+      {View::photons, "photons",
+       "the stored photons that the camera sees as dots, a mean one's being 1, for each sample of the pass", false,
+       true, true},
+      {View::radius, "radius", "radius of look-ups in pixels: caustic map red, global map green", true, true, true},
+      {View::samples, "samples", "camera samples of the pixel for each sample of the pass", true, true, true},
+      {View::time, "time",
+       "microseconds of the pixel's tile, for each of its pixels and samples of the pass; not the same twice", true,
+       true, true},
+  };
+  return table;
+}
+
+View view_named(const std::string& name) {
+  std::string names;
+  for (const ViewRow& row : view_table()) {
+    if (name == row.name) return row.view;
+    names += (names.empty() ? "" : ", ") + std::string(row.name);
+  }
+  throw InputError("--view", "there is no view '" + name + "', expected one of " + names);
+}
+
+}  // namespace photonproof
