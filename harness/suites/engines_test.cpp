@@ -37,7 +37,7 @@ constexpr const char* good_row =
 
 TEST(Engines, builtin_rows_are_our_integrators_povray_and_kept_references) {
   const std::vector<Engine> engines = builtin_engines();
-  ASSERT_EQ(engines.size(), 7u);
+  ASSERT_EQ(engines.size(), 8u);
   for (const char* name : {"path", "bdpt", "ptracer", "volpath"}) {
     EXPECT_EQ(builtin(engines, name).trust, Trust::unbiased) << name;
     EXPECT_TRUE(builtin(engines, name).accepts("spp")) << name;
@@ -45,6 +45,7 @@ TEST(Engines, builtin_rows_are_our_integrators_povray_and_kept_references) {
     EXPECT_FALSE(builtin(engines, name).accepts("photons")) << name;
   }
   EXPECT_EQ(builtin(engines, "photonmapper").trust, Trust::biased);
+  EXPECT_EQ(builtin(engines, "sppm").trust, Trust::biased);
   EXPECT_EQ(builtin(engines, "povray").trust, Trust::biased);
   EXPECT_TRUE(builtin(engines, "photonmapper").accepts("photons"));
   EXPECT_TRUE(builtin(engines, "povray").accepts("quality"));

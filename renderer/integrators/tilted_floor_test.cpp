@@ -68,7 +68,7 @@ double photons_of_radius(SceneDescription scene, double radius, std::int64_t pho
   static_cast<PathLimits&>(method) = scene.integrator.limits();
   method.global_radius = method.caustic_radius = radius;
   scene.integrator.method = method;
-  return mean_by(scene, "photonmapper", 64, photons);
+  return mean_by(scene, "photonmapper", 256, 4 * photons);  // of discs this small every sample counts
 }
 /// As the radius goes to 0, from two radii: edges lose in proportion to it.
 double photons_at_radius_zero(const SceneDescription& scene, double radius, std::int64_t photons) {
