@@ -31,7 +31,10 @@ class CameraPass {
   struct TilePaths;
   void trace(const CameraTask& camera, TilePaths& paths, RenderLoop& loop);
   void trace_extra(TilePaths& paths, RenderLoop& loop);
+  AtDiffuse at_diffuse() const;
   void add_photons(TilePaths& paths);
+  void add_photons_of(MapState& map, const std::vector<PixelPoint>& points, const BlockGrid& blocks, std::uint32_t key,
+                      TilePaths& paths);
   double pixels_a_radius(const MapState& map) const {
     return static_cast<double>(map.radii.radius) / static_cast<double>(footprint_);
   }
@@ -43,7 +46,8 @@ class CameraPass {
 
   const Scene& scene_;
   const RenderJob& job_;
-  const bool shares_;  ///< look-ups
+  const bool shares_;               ///< look-ups
+  const MapState* const gathered_;  ///< the global map, one bounce further (final_gather.h); null: none
   const std::vector<MapState*> maps_;
   const LookUpAreas* const areas_;
   LookUpBias& bias_;

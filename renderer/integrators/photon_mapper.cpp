@@ -59,6 +59,15 @@ std::string photons_words(const PhotonSettings& settings, const RenderBudget& bu
   return words + ", looked up within the radius whose bias and noise are least together, as earlier passes show them";
 }
 
+/// How far they go.
+std::string camera_paths_words(const PhotonSettings& settings, bool any_global_map) {
+  if (settings.indirect == IndirectLight::gather && any_global_map)
+    return "one bounce further than their first diffuse surface (final gather), or two where that ends nearer than "
+           "photons are looked up; there photons of both maps are looked up, at the surfaces before caustic ones";
+  return std::string("to their first diffuse surface, where photons are looked up") +
+         (settings.textbook ? "" : ", once for all samples of a pixel that end alike");
+}
+
 }  // namespace
 
 void plan_photon_mapper(const IntegratorDescription& description, Planner& planner) {
@@ -82,9 +91,8 @@ void plan_photon_mapper(const IntegratorDescription& description, Planner& plann
                    surfaces + " to aim at",
                    surfaces + ", at most " + std::to_string(most_aim_targets) + " can be aimed at");
   }
-  planner.run("camera paths", std::string("to their first diffuse surface, where photons are looked up") +
-                                  (settings.textbook ? "; " : ", once for all samples of a pixel that end alike; ") +
-                                  depth_words(max_depth));
+  planner.run("camera paths",
+              camera_paths_words(settings, !planner.plan().skips(Skip::global_map)) + "; " + depth_words(max_depth));
   if (!settings.textbook)
     planner.run("more camera paths", "up to 64 times as many in pixels whose earlier passes disagree");
   if (facts.any_environment)

@@ -43,8 +43,10 @@ struct PathSettings {
 /// What a camera path does at a Lambertian surface.
 enum class AtDiffuse {
   go_on,
-  leave_gather_point,          ///< and end
-  leave_gather_point_and_look  ///< for light that next-event estimation finds, too, with one more ray, and end
+  leave_gather_point,           ///< and end
+  leave_gather_point_and_look,  ///< for light that next-event estimation finds, too, with one more ray, and end
+  final_gather,                 ///< final_gather.h
+  final_gather_and_look         ///< for light that next-event estimation finds, too, with every bounce
 };
 
 struct PathTask {
@@ -55,6 +57,8 @@ struct PathTask {
   float* radiance = nullptr;         ///< 3 a path, in the task's order of paths
   std::uint32_t* scratch = nullptr;  ///< PathKernelEntry::scratch words
   GatherPoints points{};             ///< of a GatherQueue with room for one a path, where paths leave them
+  GatherPoints caustic_points{};     ///< of a final gather, for caustic photons alone: room for two a path, or none
+  float near_hit = 0;                ///< of a final gather: hits nearer than this are traced on
   RayCounts counts{};
 };
 

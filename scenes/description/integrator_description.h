@@ -96,12 +96,19 @@ void describe(P& p, WhittedDescription& d) {
   describe_limits(p, d);
 }
 
+/// Where light that diffuse surfaces have thrown on each other is had from.
+enum class IndirectLight {
+  map,    ///< photons around where the camera path first meets a diffuse surface
+  gather  ///< photons around where one more bounce from there leads
+};
+
 /// Photon mapping with a global and a caustic map. 0 asks for the automatic choice.
 struct PhotonMapperDescription : PathLimits {
   std::int64_t global_photons = 0;   ///< emitted for the global map, over the whole render; 0: automatic
   std::int64_t caustic_photons = 0;  ///< emitted for the caustic map, over the whole render; 0: automatic
   double global_radius = 0;          ///< scene units
   double caustic_radius = 0;         ///< scene units
+  IndirectLight indirect = IndirectLight::map;
   friend bool operator==(const PhotonMapperDescription&, const PhotonMapperDescription&) = default;
 };
 
@@ -115,6 +122,8 @@ void describe(P& p, PhotonMapperDescription& d) {
   p.integer("caustic_photons", d.caustic_photons, 0, most, "emitted for the caustic map; 0: a quarter of the samples");
   p.number("global_radius", d.global_radius, radius, "of a look-up, scene units");
   p.number("caustic_radius", d.caustic_radius, radius, "of a look-up, scene units");
+  p.choice("indirect", d.indirect, {{"map", IndirectLight::map}, {"gather", IndirectLight::gather}},
+           "photons of the global map are looked up at the first diffuse surface, or one bounce further");
 }
 
 /// Stochastic progressive photon mapping (Hachisuka and Jensen 2009; Knaus and Zwicker 2011).

@@ -414,6 +414,7 @@ class RandomScene {
         photons.global_photons = static_cast<std::int64_t>(pick(1u << 30)) << 9;
         photons.caustic_photons = 0;
         photons.global_radius = positive();
+        photons.indirect = pick(2) == 0 ? IndirectLight::map : IndirectLight::gather;
         return photons;
       }
     }
