@@ -7,6 +7,7 @@
 #include "renderer/passes/photon_radius.h"
 #include "renderer/passes/shared_look_ups.h"
 #include "renderer/passes/tile_film.h"
+#include "renderer/passes/irradiance_record.h"
 #include "renderer/photons/query_order.h"
 #include "scenes/text/faults.h"
 
@@ -137,7 +138,7 @@ void CameraPass::render(const Tile& tile, std::int64_t pass, RenderLoop& loop, F
     const float* sample = &paths.radiance[3 * path];
     paths.sum[paths.pixel_of[path]] += Rgb(sample[0], sample[1], sample[2]);
   }
-  if (!maps_.empty()) add_photons(paths);
+  if (!maps_.empty() || cache_ != nullptr) add_photons(paths);
   for (std::size_t pixel = 0; pixel < paths.sum.size(); ++pixel) {
     const auto count = static_cast<double>(paths.count[pixel]);
     const RgbD mean = RgbD(paths.sum[pixel]) / count;
@@ -155,6 +156,9 @@ void CameraPass::add_photons(TilePaths& paths) {
   };
   const std::vector<PixelPoint> points = points_of_pixels(gathered_ != nullptr ? paths.caustic_queue : paths.queue,
                                                           paths.pixel_of, shares_ ? most_apart : 0.0f, key);
+  if (cache_ != nullptr)
+    for (const PixelPoint& at : points)
+      paths.sum[at.pixel] += at.point.weight * cache_->interpolate(at.point.p, facing_normal(at.point.sheet));
   std::vector<PixelPoint> further;
   if (gathered_ != nullptr) further = points_by_themselves(paths.queue, paths.pixel_of);
   for (MapState* map : maps_) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "renderer/integrators/photon_maps.h"
+#include "renderer/passes/irradiance_cache.h"
 #include "renderer/passes/look_up_area.h"
 #include "renderer/passes/look_up_bias.h"
 #include "renderer/passes/pixel_effort.h"
@@ -21,6 +22,8 @@ class CameraPass {
   /// `areas` is null without maps. Everything must outlive this.
   CameraPass(const Scene& scene, const PhotonSettings& settings, const RenderPlan& plan, const RenderJob& job,
              std::vector<MapState*> maps, const LookUpAreas* areas, LookUpBias& bias, PixelEffort& effort);
+  /// From here on takes the light of the global map from it.
+  void use(const IrradianceCache& cache) { cache_ = &cache; }
 
   /// Adds the tile's estimate of pass number `pass` to the film, to the bias and to the effort.
   void render(const Tile& tile, std::int64_t pass, RenderLoop& loop, Film& film);
@@ -46,7 +49,8 @@ class CameraPass {
 
   const Scene& scene_;
   const RenderJob& job_;
-  const bool shares_;               ///< look-ups
+  const bool shares_;  ///< look-ups
+  const IrradianceCache* cache_ = nullptr;
   const MapState* const gathered_;  ///< the global map, one bounce further (final_gather.h); null: none
   const std::vector<MapState*> maps_;
   const LookUpAreas* const areas_;

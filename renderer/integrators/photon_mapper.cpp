@@ -13,8 +13,10 @@
 #include <string>
 #include <vector>
 
+#include "renderer/integrators/cache_prepass.h"
 #include "renderer/integrators/camera_pass.h"
 #include "renderer/integrators/photon_maps.h"
+#include "renderer/passes/irradiance_cache.h"
 #include "renderer/passes/look_up_area.h"
 #include "renderer/passes/look_up_bias.h"
 #include "renderer/passes/pixel_effort.h"
@@ -64,6 +66,13 @@ std::string camera_paths_words(const PhotonSettings& settings, bool any_global_m
   if (settings.indirect == IndirectLight::gather && any_global_map)
     return "one bounce further than their first diffuse surface (final gather), or two where that ends nearer than "
            "photons are looked up; there photons of both maps are looked up, at the surfaces before caustic ones";
+  if (settings.indirect == IndirectLight::cache && any_global_map) {
+    char number[32];
+    std::snprintf(number, sizeof number, "%g", settings.cache_error);
+    return "to their first diffuse surface, between points of an irradiance cache that is made beforehand (" +
+           counted(static_cast<std::size_t>(settings.gather_rays), "ray", "rays") + " a point, error up to " + number +
+           "): what it has wrong does not fall with more samples";
+  }
   return std::string("to their first diffuse surface, where photons are looked up") +
          (settings.textbook ? "" : ", once for all samples of a pixel that end alike");
 }
@@ -108,9 +117,11 @@ void render_photon_mapper(const Scene& scene, const RenderPlan& plan, const Rend
   const Threads threads(job.threads);
   const PhotonSource source{scene, settings, job, threads};
   PhotonMaps maps(plan, source, stats);
+  const bool caches = settings.indirect == IndirectLight::cache && maps.global.wanted;
+  if (caches) maps.global.wanted = false;  // the cache has photons of its own
   const std::vector<MapState*> wanted = maps.wanted();
   std::optional<LookUpAreas> areas;
-  if (!wanted.empty()) {
+  if (!wanted.empty() || caches) {
     const PhaseTimer phase(stats.phases["build"]);
     areas.emplace(scene, threads);
   }
@@ -135,11 +146,12 @@ void render_photon_mapper(const Scene& scene, const RenderPlan& plan, const Rend
   loop.keep(effort.pixels());
   loop.keep(effort.decided());
   CameraPass camera(scene, settings, plan, job, wanted, areas ? &*areas : nullptr, bias, effort);
+  std::optional<IrradianceCache> cache;
+  if (caches) camera.use(cache.emplace(make_irradiance_cache(plan, source, *areas, film.window(), stats)));
   while (loop.next()) {
     for (MapState* map : wanted) {
       map->tests = areas->tests(map->radii.radius);
-      const std::uint64_t photons = refill(*map, source, loop.first(), loop.first() + loop.samples(), stats);
-      map->pass_photons = static_cast<double>(photons);
+      map->pass_photons = static_cast<double>(refill(*map, source, loop.first(), loop.first() + loop.samples(), stats));
     }
     const PhaseTimer phase(stats.phases["render"]);
     loop.for_each_tile([&](const Tile& tile) { camera.render(tile, halves.pass_count(), loop, film); });

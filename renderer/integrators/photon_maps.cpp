@@ -140,6 +140,8 @@ PhotonSettings::PhotonSettings(const IntegratorDescription& description) : limit
     global_radius = photons->global_radius;
     caustic_radius = photons->caustic_radius;
     indirect = photons->indirect;
+    cache_error = photons->cache_error;
+    gather_rays = photons->gather_rays;
   } else {
     const auto& sppm = std::get<SppmDescription>(description.method);
     textbook = Textbook{sppm.photons, sppm.alpha};
@@ -170,7 +172,7 @@ void choose_next_radius(MapState& map, const PhotonSettings& settings, const Loo
 
 PhotonMaps::PhotonMaps(const RenderPlan& plan, const PhotonSource& source, RenderStats& stats) {
   global.wanted = !plan.skips(Skip::global_map);
-  if (source.settings.indirect == IndirectLight::gather) global.photons_in_disc = gathered_photons_in_disc;
+  if (source.settings.indirect != IndirectLight::map) global.photons_in_disc = gathered_photons_in_disc;
   choose_photons(global, source.settings.global_photons, source);
   caustic.wanted = !plan.skips(Skip::caustic_map);
   caustic.aimed = plan.skips(Skip::stray_photons);

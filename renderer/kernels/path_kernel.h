@@ -62,6 +62,7 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, TransportMode::r
                          task.at_diffuse == AtDiffuse::final_gather_and_look) {}
 
   [[gnu::flatten]] Mask<F> refill(PathState<F>& s, std::uint32_t first, const Mask<F>& lanes) {
+    if (task_.bounces.count > 0) return refill_bounces(s, first, lanes);
     const CameraRay<F> ray = camera_rays<F>(scene_, task_.camera, first);
     s.origin = ray.origin;
     s.direction = ray.direction;
@@ -86,6 +87,7 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, TransportMode::r
     const SurfaceHit<F> hit = closest_hit(scene_, s.origin, s.direction, s.from, active, all(first || !active));
     Mask<F> met = hit.valid;  // behind the far plane the camera sees the environment
     if (any(first)) met = met && !(first && beyond_far_plane(scene_.camera, hit.p));
+    if (task_.bounces.count > 0) note_distances(s, hit.p, met && equal<F>(s.vertex, U(1u)));
     Mask<F> alive = met;
     if (scene_.lights_can_be_hit) {
       const U light = Base::surface_word(hit.surface, &SurfaceWords::light);
@@ -160,6 +162,33 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, TransportMode::r
 
  private:
   using Base::scene_;
+
+  /// The first edge is the camera's: its surface is taken as seen directly.
+  Mask<F> refill_bounces(PathState<F>& s, std::uint32_t first, const Mask<F>& lanes) {
+    const BouncesView& from = task_.bounces;
+    load_into(s.origin.x, from.x + first), load_into(s.origin.y, from.y + first), load_into(s.origin.z, from.z + first);
+    load_into(s.direction.x, from.to_x + first), load_into(s.direction.y, from.to_y + first);
+    load_into(s.direction.z, from.to_z + first);
+    load_into(s.key, from.key + first), load_into(s.index, from.index + first);
+    s.throughput = Vec3<F>(F(1.0f));
+    s.radiance = Vec3<F>(F(0.0f));
+    s.bsdf_pdf = F(1.0f);
+    s.refraction_scale = F(1.0f);
+    s.from = U(no_index);
+    s.vertex = U(1u);
+    s.path = lane_index<F>() + first;
+    s.gathering = U(final_gather::left_first);
+    task_.counts.bounce += count_lanes(lanes);
+    return lanes;
+  }
+
+  void note_distances(const PathState<F>& s, const Vec3<F>& p, const Mask<F>& lanes) {
+    if (!any(lanes)) return;
+    float distance[lane_count<F>];
+    store_from(F(lane_sqrt(length_squared(p - s.origin))), distance);
+    for_each_path(s, lanes, [&](std::size_t lane, std::size_t path) { task_.bounces.distance[path] = distance[lane]; });
+  }
+
   /// Number of the vertex after a gather point: the path only sees what light is there.
   static constexpr std::uint32_t only_looks = 1u << 31;
 
