@@ -4,10 +4,10 @@
 #include <limits>
 #include <numeric>
 
+#include "renderer/passes/irradiance_record.h"
 #include "renderer/passes/photon_radius.h"
 #include "renderer/passes/shared_look_ups.h"
 #include "renderer/passes/tile_film.h"
-#include "renderer/passes/irradiance_record.h"
 #include "renderer/photons/query_order.h"
 #include "scenes/text/faults.h"
 

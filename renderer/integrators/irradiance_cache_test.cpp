@@ -85,7 +85,7 @@ TEST(irradiance_record, gradients_are_those_of_a_rectangle) {
       const double moved =
           (irradiance_of_lamp(along * step, normal) - irradiance_of_lamp(along * -step, normal)) / (2 * step);
       expect_change(moved, dot(axis, record.moved[0]), "moved");
-      expect_change(3 * moved / 3, dot(axis, record.moved[2]) / 3, "moved, blue");
+      expect_change(moved, dot(axis, record.moved[2]) / 3, "moved, blue");
       // Turned towards the axis: about n x axis.
       const auto tilted = [&](double by) { return irradiance_of_lamp({0, 0, 0}, normalize(normal + along * by)); };
       const double turned = (tilted(step) - tilted(-step)) / (2 * step);
@@ -144,7 +144,7 @@ TEST(irradiance_cache, rooms_have_the_path_tracers_mean_and_blocks) {
     scene.integrator.method = PathDescription{-1, 5, true};
     const Image path = render(scene, "path", job_with(1024)).image.mean;
     const Image photons = render(cached(scene), "photonmapper", job_with(128, 1'000'000)).image.mean;
-    EXPECT_NEAR(test::image_mean(photons), test::image_mean(path), 0.02 * test::image_mean(path));
+    EXPECT_NEAR(test::image_mean(photons), test::image_mean(path), 0.01 * test::image_mean(path));
     double worst = 0;
     for (int y = 0; y < 32; y += 8)
       for (int x = 0; x < 32; x += 8)

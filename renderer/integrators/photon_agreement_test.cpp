@@ -307,8 +307,8 @@ TEST_P(FinalGatherAgreement, shows_what_path_tracing_shows) {
         GetParam().c_str());
 }
 
-INSTANTIATE_TEST_SUITE_P(library, FinalGatherAgreement,
-                         testing::Values("cornell", "cornell-spheres", "roughness"), [](const auto& test) {
+INSTANTIATE_TEST_SUITE_P(library, FinalGatherAgreement, testing::Values("cornell", "cornell-spheres", "roughness"),
+                         [](const auto& test) {
                            std::string name = test.param;
                            std::replace(name.begin(), name.end(), '-', '_');
                            return name;
