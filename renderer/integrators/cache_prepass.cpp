@@ -20,7 +20,7 @@
 namespace photonproof {
 namespace {
 
-inline constexpr Stream cache_stream{11}, cache_global_stream{12}, cache_caustic_stream{13};
+constexpr Stream cache_stream{12}, cache_global_stream{13}, cache_caustic_stream{14};
 
 constexpr double photons_of_cache = 250'000;  // where the budget says nothing
 constexpr int coarsest_lattice = 32;          // pixels
