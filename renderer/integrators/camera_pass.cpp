@@ -4,6 +4,7 @@
 #include <limits>
 #include <numeric>
 
+#include "renderer/passes/irradiance_record.h"
 #include "renderer/passes/photon_radius.h"
 #include "renderer/passes/shared_look_ups.h"
 #include "renderer/passes/tile_film.h"
@@ -21,6 +22,17 @@ Rgb irradiance(const GatherPoints& points, std::size_t i) {
   return Rgb{points.flux_red[i], points.flux_green[i], points.flux_blue[i]} * (1 / points.area[i]);
 }
 
+/// Points that a path leaves for caustic photons alone, at most.
+constexpr std::size_t caustic_points_a_path = 2;
+
+/// The map that a final gather looks up; null where there is none.
+const MapState* map_to_gather(const PhotonSettings& settings, const std::vector<MapState*>& maps) {
+  if (settings.indirect == IndirectLight::gather)
+    for (const MapState* map : maps)
+      if (map->kind == PhotonKind::global) return map;
+  return nullptr;
+}
+
 }  // namespace
 
 /// Of all paths of a tile in a pass.
@@ -31,6 +43,7 @@ struct CameraPass::TilePaths {
   std::vector<float> radiance{};          ///< 3 a path
   std::vector<std::uint32_t> pixel_of{};  ///< of each path; pixels of the tile row by row
   GatherQueue queue{0};
+  GatherQueue caustic_queue{0};      ///< of a final gather
   std::vector<std::uint32_t> count;  ///< paths of each pixel
   std::vector<Rgb> sum;              ///< of each pixel
 
@@ -51,6 +64,7 @@ CameraPass::CameraPass(const Scene& scene, const PhotonSettings& settings, const
       job_(job),
       view_(view_row(plan.view)),
       shares_(!settings.textbook),
+      gathered_(map_to_gather(settings, maps_shown)),
       maps_(std::move(maps_shown)),
       areas_(areas),
       bias_(bias),
@@ -64,9 +78,15 @@ CameraPass::CameraPass(const Scene& scene, const PhotonSettings& settings, const
                                               : DirectLight::weighted};
 }
 
+AtDiffuse CameraPass::at_diffuse() const {
+  const bool looks = scene_.view().environment != no_index && settings_.direct_light != DirectLight::hits_only;
+  if (gathered_ != nullptr) return looks ? AtDiffuse::final_gather_and_look : AtDiffuse::final_gather;
+  return looks ? AtDiffuse::leave_gather_point_and_look : AtDiffuse::leave_gather_point;
+}
+
 void CameraPass::trace(const CameraTask& camera, TilePaths& paths, RenderLoop& loop) {
   const Tile& tile = paths.tile;
-  const std::size_t first = paths.pixel_of.size(), first_point = paths.queue.size();
+  const std::size_t first = paths.pixel_of.size();
   for (int y = camera.y0; y < camera.y1; ++y)
     for (int x = camera.x0; x < camera.x1; ++x) {
       const auto pixel = static_cast<std::uint32_t>((y - tile.y0) * tile.width() + x - tile.x0);
@@ -75,20 +95,27 @@ void CameraPass::trace(const CameraTask& camera, TilePaths& paths, RenderLoop& l
     }
   paths.radiance.resize(3 * paths.pixel_of.size());
   paths.queue.reserve(paths.pixel_of.size());
-  const bool looks = scene_.view().environment != no_index && settings_.direct_light != DirectLight::hits_only;
   PathTask task{.scene = &scene_.view(),
                 .camera = camera,
                 .settings = settings_,
-                .at_diffuse = looks ? AtDiffuse::leave_gather_point_and_look : AtDiffuse::leave_gather_point,
+                .at_diffuse = at_diffuse(),
                 .radiance = paths.radiance.data() + 3 * first,
                 .points = paths.queue.view()};
+  if (gathered_ != nullptr) {
+    task.near_hit = gathered_->radii.radius;
+    paths.caustic_queue.reserve(caustic_points_a_path * paths.pixel_of.size());
+    if (maps_.size() > 1) task.caustic_points = paths.caustic_queue.view();
+  }
   scratch_.lend([&](std::uint32_t* words) {
     task.scratch = words;
     job_.kernels().path.trace(task);
   });
-  for (std::size_t i = first_point; i < task.points.count; ++i)
-    task.points.path[i] += static_cast<std::uint32_t>(first);
-  paths.queue.set_size(task.points.count);
+  const auto take = [&](const GatherPoints& points, GatherQueue& queue) {
+    for (std::size_t i = queue.size(); i < points.count; ++i) points.path[i] += static_cast<std::uint32_t>(first);
+    queue.set_size(points.count);
+  };
+  take(task.points, paths.queue);
+  take(task.caustic_points, paths.caustic_queue);
   loop.rays().add(task.counts);
 }
 
@@ -118,7 +145,7 @@ void CameraPass::render(const Tile& tile, std::int64_t pass, RenderLoop& loop, F
     const float* sample = &paths.radiance[3 * path];
     paths.sum[paths.pixel_of[path]] += Rgb(sample[0], sample[1], sample[2]);
   }
-  if (!maps_.empty()) add_photons(paths);
+  if (!maps_.empty() || cache_ != nullptr) add_photons(paths);
   for (std::size_t pixel = 0; pixel < paths.sum.size(); ++pixel) {
     const auto count = static_cast<double>(paths.count[pixel]);
     const RgbD mean = RgbD(paths.sum[pixel]) / count;
@@ -157,21 +184,34 @@ void CameraPass::add_photons(TilePaths& paths) {
   const std::uint32_t key = stream_seed(job_.seed, shared_look_up_stream, static_cast<std::uint64_t>(paths.pass));
   float most_apart = std::numeric_limits<float>::max();
   for (const MapState* map : maps_) most_apart = std::min(most_apart, map->radii.radius);
-  const std::vector<PixelPoint> points =
-      points_of_pixels(paths.queue, paths.pixel_of, shares_ ? most_apart : 0.0f, key);
+  const auto add_shared = [&](MapState& map, const std::vector<PixelPoint>& points) {
+    add_photons_of(map, points, shares_ ? block_grid(pixels_a_radius(map), key) : BlockGrid{}, key, paths);
+  };
+  const std::vector<PixelPoint> points = points_of_pixels(gathered_ != nullptr ? paths.caustic_queue : paths.queue,
+                                                          paths.pixel_of, shares_ ? most_apart : 0.0f, key);
+  if (cache_ != nullptr)
+    for (const PixelPoint& at : points)
+      paths.sum[at.pixel] += at.point.weight * cache_->interpolate(at.point.p, facing_normal(at.point.sheet));
+  std::vector<PixelPoint> further;
+  if (gathered_ != nullptr) further = points_by_themselves(paths.queue, paths.pixel_of);
   for (MapState* map : maps_) {
     if (map->map.empty()) continue;
     if (has_fault(Fault::missing_caustic) && map->kind == PhotonKind::caustic) continue;
-    const BlockGrid blocks = shares_ ? block_grid(pixels_a_radius(*map), key) : BlockGrid{};
-    SharedLookUps shared(points, radii_of(*map, points, paths), paths.tile, blocks, key);
-    look_up(*map, shared.queue);
-    const GatherPoints looked_up = shared.queue.view();
-    for (std::size_t i = 0; i < points.size(); ++i)
-      paths.sum[points[i].pixel] += points[i].point.weight * irradiance(looked_up, shared.look_up_of[i]);
-    map->found += std::accumulate(looked_up.found, looked_up.found + looked_up.count, std::uint64_t{0});
-    map->look_ups += looked_up.count;
-    look_twice(*map, points, shared, paths);
+    if (map != gathered_) add_shared(*map, points);
+    if (gathered_ != nullptr) add_photons_of(*map, further, BlockGrid{}, key, paths);
   }
+}
+
+void CameraPass::add_photons_of(MapState& map, const std::vector<PixelPoint>& points, const BlockGrid& blocks,
+                                std::uint32_t key, TilePaths& paths) {
+  SharedLookUps shared(points, radii_of(map, points, paths), paths.tile, blocks, key);
+  look_up(map, shared.queue);
+  const GatherPoints looked_up = shared.queue.view();
+  for (std::size_t i = 0; i < points.size(); ++i)
+    paths.sum[points[i].pixel] += points[i].point.weight * irradiance(looked_up, shared.look_up_of[i]);
+  map.found += std::accumulate(looked_up.found, looked_up.found + looked_up.count, std::uint64_t{0});
+  map.look_ups += looked_up.count;
+  look_twice(map, points, shared, paths);
 }
 
 /// Radii of the points' look-ups.

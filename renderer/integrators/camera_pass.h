@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "renderer/integrators/photon_maps.h"
+#include "renderer/passes/irradiance_cache.h"
 #include "renderer/passes/look_up_area.h"
 #include "renderer/passes/look_up_bias.h"
 #include "renderer/passes/pixel_effort.h"
@@ -22,6 +23,8 @@ class CameraPass {
   /// `areas` is null without maps. Everything must outlive this.
   CameraPass(const Scene& scene, const PhotonSettings& settings, const RenderPlan& plan, const RenderJob& job,
              std::vector<MapState*> maps_shown, const LookUpAreas* areas, LookUpBias& bias, PixelEffort& effort);
+  /// From here on takes the light of the global map from it.
+  void use(const IrradianceCache& cache) { cache_ = &cache; }
 
   /// Adds the tile's estimate of pass number `pass` to the image, to the bias and to the effort, and where the view is
   /// a number that one to `numbers`.
@@ -31,9 +34,12 @@ class CameraPass {
   struct TilePaths;
   void trace(const CameraTask& camera, TilePaths& paths, RenderLoop& loop);
   void trace_extra(TilePaths& paths, RenderLoop& loop);
+  AtDiffuse at_diffuse() const;
   void add_photons(TilePaths& paths);
   void add_numbers(TilePaths& paths, double seconds, Film& numbers) const;
   std::vector<Rgb> radii_in_pixels(TilePaths& paths) const;
+  void add_photons_of(MapState& map, const std::vector<PixelPoint>& points, const BlockGrid& blocks, std::uint32_t key,
+                      TilePaths& paths);
   double pixels_a_radius(const MapState& map) const {
     return static_cast<double>(map.radii.radius) / static_cast<double>(footprint_);
   }
@@ -48,6 +54,8 @@ class CameraPass {
   const RenderJob& job_;
   const ViewRow& view_;
   const bool shares_;  ///< look-ups
+  const IrradianceCache* cache_ = nullptr;
+  const MapState* const gathered_;  ///< the global map, one bounce further (final_gather.h); null: none
   const std::vector<MapState*> maps_;
   const LookUpAreas* const areas_;
   LookUpBias& bias_;

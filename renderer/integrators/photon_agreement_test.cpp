@@ -43,6 +43,7 @@ struct Effort {
   std::int64_t path_spp = 6, photon_spp = 2, photons = 16'000;  // of a seed
   const char* reference = "path";
   bool diffuse_alone = false;  ///< only pixels of Lambertian surfaces count
+  IndirectLight indirect = IndirectLight::map;
 };
 
 /// Pixels at whose corners the camera sees anything that is not Lambertian.
@@ -134,6 +135,7 @@ Comparison compare(const SceneDescription& description, const Effort& effort) {
   render(photons, job, stats);
   const auto radius = [&](const char* name) { return stats.counts.contains(name) ? stats.counts.at(name) : 0; };
   auto& settings = std::get<PhotonMapperDescription>(photons.method);
+  settings.indirect = effort.indirect;
   settings.global_radius = radius("radius_global");
   settings.caustic_radius = radius("radius_caustic");
   IntegratorDescription at_half = photons;
@@ -295,6 +297,22 @@ INSTANTIATE_TEST_SUITE_P(
                     MeshCase{"cylinder_and_disk", test::cylinder_and_disk}, MeshCase{"bumped", test::bumped_mesh},
                     MeshCase{"normal_mapped", test::normal_mapped_mesh}),
     [](const auto& test) { return test.param.name; });
+
+// A bounce further, where rooms are closed, open under a sky, or hold glass, mirrors and rough metal.
+class FinalGatherAgreement : public testing::TestWithParam<std::string> {};
+
+TEST_P(FinalGatherAgreement, shows_what_path_tracing_shows) {
+  Effort effort{.path_spp = 96, .photon_spp = 32, .photons = 64'000, .indirect = IndirectLight::gather};
+  judge(compare(parse_scene_file(PHOTONPROOF_SOURCE_DIR "/scenes/library/" + GetParam() + "/scene.xml"), effort),
+        GetParam().c_str());
+}
+
+INSTANTIATE_TEST_SUITE_P(library, FinalGatherAgreement, testing::Values("cornell", "cornell-spheres", "roughness"),
+                         [](const auto& test) {
+                           std::string name = test.param;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
 
 // The slab from below against path as the radius goes to 0. At 0.01, half of the slab's thickness, a disc could not
 // reach its lit side if it tested nothing; at 0.2 it reaches it ten times over. At 0.01 a look-up finds two photons of

@@ -13,9 +13,11 @@
 #include <string>
 #include <vector>
 
+#include "renderer/integrators/cache_prepass.h"
 #include "renderer/integrators/camera_pass.h"
 #include "renderer/integrators/photon_dots.h"
 #include "renderer/integrators/photon_maps.h"
+#include "renderer/passes/irradiance_cache.h"
 #include "renderer/passes/look_up_area.h"
 #include "renderer/passes/look_up_bias.h"
 #include "renderer/passes/pixel_effort.h"
@@ -65,9 +67,24 @@ std::string photons_words(const PhotonSettings& settings, const RenderJob& job, 
   return words + ", looked up within the radius whose bias and noise are least together, as earlier passes show them";
 }
 
+/// How far they go.
+std::string camera_paths_words(const PhotonSettings& settings, bool any_global_map) {
+  if (settings.indirect == IndirectLight::gather && any_global_map)
+    return "one bounce further than their first diffuse surface (final gather), or two where that ends nearer than "
+           "photons are looked up; there photons of both maps are looked up, at the surfaces before caustic ones";
+  if (settings.indirect == IndirectLight::cache && any_global_map) {
+    char number[32];
+    std::snprintf(number, sizeof number, "%g", settings.cache_error);
+    return "to their first diffuse surface, between points of an irradiance cache that is made beforehand (" +
+           counted(static_cast<std::size_t>(settings.gather_rays), "ray", "rays") + " a point, error up to " + number +
+           "): what it has wrong does not fall with more samples";
+  }
+  return std::string("to their first diffuse surface, where photons are looked up") +
+         (settings.textbook ? "" : ", once for all samples of a pixel that end alike");
+}
+
 void plan_camera_paths(Planner& planner, const PhotonSettings& settings, const ViewRow& view) {
-  planner.run("camera paths", std::string("to their first diffuse surface, where photons are looked up") +
-                                  (settings.textbook ? "; " : ", once for all samples of a pixel that end alike; ") +
+  planner.run("camera paths", camera_paths_words(settings, !planner.plan().skips(Skip::global_map)) + "; " +
                                   depth_words(settings.limits.max_depth));
   if (!settings.textbook && view.made_from_all())
     planner.run("more camera paths", "up to 64 times as many in pixels whose earlier passes disagree");
@@ -144,9 +161,11 @@ void render_photon_mapper(const Scene& scene, const RenderPlan& plan, const Rend
   PhotonMaps maps(plan, source, stats);
   PassPlan passes = plan_passes(settings, maps);
   if (plan.view == View::photons) return render_photon_dots(source, maps, passes, film, stats);
+  const bool caches = settings.indirect == IndirectLight::cache && maps.global.wanted;
+  if (caches) maps.global.wanted = false;  // the cache has photons of its own
   const std::vector<MapState*> wanted = maps.wanted();
   std::optional<LookUpAreas> areas;
-  if (!wanted.empty()) {
+  if (!wanted.empty() || caches) {
     const PhaseTimer phase(stats.phases["build"]);
     areas.emplace(scene, threads);
   }
@@ -167,11 +186,12 @@ void render_photon_mapper(const Scene& scene, const RenderPlan& plan, const Rend
   loop.keep(effort.pixels());
   loop.keep(effort.decided());
   CameraPass camera(scene, settings, plan, job, shown_by(view, wanted), areas ? &*areas : nullptr, bias, effort);
+  std::optional<IrradianceCache> cache;
+  if (caches) camera.use(cache.emplace(make_irradiance_cache(plan, source, *areas, film.window(), stats)));
   while (loop.next()) {
     for (MapState* map : wanted) {
       map->tests = areas->tests(map->radii.radius);
-      const std::uint64_t photons = refill(*map, source, loop.first(), loop.first() + loop.samples(), stats);
-      map->pass_photons = static_cast<double>(photons);
+      map->pass_photons = static_cast<double>(refill(*map, source, loop.first(), loop.first() + loop.samples(), stats));
     }
     const PhaseTimer phase(stats.phases["render"]);
     loop.for_each_tile(

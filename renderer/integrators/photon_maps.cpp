@@ -18,6 +18,10 @@ constexpr std::int64_t fewest_photons_a_pass = 16'384;  // small images want the
 constexpr std::uint64_t pilot_photons = 20'000;
 constexpr double guessed_for = 1e6;  // photons, of MapState::photons_in_disc
 
+/// Of look-ups one bounce further, whose noise is averaged over many directions and whose bias is not. Of the radius
+/// that is best for them the passes' evidence says little: directions are most of its noise.
+constexpr double gathered_photons_in_disc = 100;
+
 /// Of fewer passes than this in either half the evidence is too little.
 constexpr std::int64_t least_evidence = 2;
 /// From pass to pass a radius changes no more than this.
@@ -122,6 +126,9 @@ PhotonSettings::PhotonSettings(const IntegratorDescription& description) : limit
     caustic_photons = photons->caustic_photons;
     global_radius = photons->global_radius;
     caustic_radius = photons->caustic_radius;
+    indirect = photons->indirect;
+    cache_error = photons->cache_error;
+    gather_rays = photons->gather_rays;
   } else {
     const auto& sppm = std::get<SppmDescription>(description.method);
     textbook = Textbook{sppm.photons, sppm.alpha};
@@ -141,7 +148,8 @@ void choose_next_radius(MapState& map, const PhotonSettings& settings, const Loo
     const double photons = radii.worth() * all_samples / halves.all_samples();
     const double guess = radii.first_radius * shrunk(photons / radii.first_photons);
     next = guess;
-    if (halves.passes[1] >= least_evidence) {
+    const bool gathered = settings.indirect == IndirectLight::gather && map.kind == PhotonKind::global;
+    if (halves.passes[1] >= least_evidence && !gathered) {
       next = std::clamp(radii.best(evidence, all_samples), most_shrinking * now, most_growing * now);
       next = std::clamp(next, narrowest * guess, widest * guess);
     }
@@ -151,6 +159,7 @@ void choose_next_radius(MapState& map, const PhotonSettings& settings, const Loo
 
 PhotonMaps::PhotonMaps(const RenderPlan& plan, const PhotonSource& source, RenderStats& stats) {
   global.wanted = !plan.skips(Skip::global_map);
+  if (source.settings.indirect != IndirectLight::map) global.photons_in_disc = gathered_photons_in_disc;
   choose_photons(global, source.settings.global_photons, source);
   caustic.wanted = !plan.skips(Skip::caustic_map);
   caustic.aimed = plan.skips(Skip::stray_photons);

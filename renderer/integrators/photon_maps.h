@@ -36,6 +36,9 @@ struct PhotonSettings {
   PathLimits limits;
   std::int64_t global_photons = 0, caustic_photons = 0;  ///< over the whole render; 0: automatic
   double global_radius = 0, caustic_radius = 0;          ///< scene units; 0: automatic
+  IndirectLight indirect = IndirectLight::map;
+  double cache_error = 0;
+  std::int64_t gather_rays = 0;
   /// As textbooks have it: every pass takes one sample a pixel and so many photons, each sample has its own look-ups,
   /// and the radius shrinks by alpha, from the one that is given or the pilot's.
   struct Textbook {

@@ -4,7 +4,9 @@
 
 namespace photonproof::PHOTONPROOF_KERNELS {
 
-static void trace_paths(PathTask& task) { PathKernel<Lanes>(task).run(task.camera.paths()); }
+static void trace_paths(PathTask& task) {
+  PathKernel<Lanes>(task).run(task.bounces.count > 0 ? task.bounces.count : task.camera.paths());
+}
 
 const PathKernelEntry path{lane_count<Lanes>, PathKernel<Lanes>::scratch_words, trace_paths};
 

@@ -2,13 +2,15 @@
 // over a batch of lanes.
 //   L = sum over vertices of throughput x (w_bsdf Le(hit) + w_light f Le(light sample) cos / pdf)
 // A lane that ends leaves its radiance in the slot of its path, so that nothing depends on when it ended. The photon
-// mapper's camera paths are the same up to their first Lambertian surface, where they leave a gather point instead.
+// mapper's camera paths are the same up to their first Lambertian surface, where they leave a gather point instead, or
+// go on as final_gather.h says.
 #pragma once
 
 #include "renderer/kernels/any_bsdf.h"
 #include "renderer/kernels/batch_kernel.h"
 #include "renderer/kernels/camera_rays.h"
 #include "renderer/kernels/direct_light.h"
+#include "renderer/kernels/final_gather.h"
 #include "renderer/kernels/tasks.h"
 #include "renderer/lanes/roulette.h"
 #include "scenes/text/faults.h"
@@ -25,14 +27,16 @@ struct PathState {
   UInt<F> vertex;      ///< edges before the next ray
   UInt<F> key, index;  ///< of the sampler
   UInt<F> path;
+  UInt<F> gathering;  ///< final_gather's bits
 
-  static constexpr std::size_t column_count = 19;
+  static constexpr std::size_t column_count = 20;
   template <class Self, class Visit>
   static void columns(Self& s, Visit&& visit) {
     const auto visit3 = [&](auto& v) { visit(v.x), visit(v.y), visit(v.z); };
     visit3(s.origin), visit3(s.direction), visit3(s.throughput), visit3(s.radiance);
     visit(s.bsdf_pdf), visit(s.refraction_scale);
     visit(s.from), visit(s.vertex), visit(s.key), visit(s.index), visit(s.path);
+    visit(s.gathering);
   }
 };
 
@@ -49,9 +53,16 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, TransportMode::r
 
  public:
   explicit PathKernel(PathTask& task)
-      : Base(*task.scene, task.scratch), task_(task), light_from_(task.settings.direct_light) {}
+      : Base(*task.scene, task.scratch),
+        task_(task),
+        light_from_(task.settings.direct_light),
+        looks_(task.at_diffuse == AtDiffuse::leave_gather_point_and_look ||
+               task.at_diffuse == AtDiffuse::final_gather_and_look),
+        gathers_finally_(task.at_diffuse == AtDiffuse::final_gather ||
+                         task.at_diffuse == AtDiffuse::final_gather_and_look) {}
 
   [[gnu::flatten]] Mask<F> refill(PathState<F>& s, std::uint32_t first, const Mask<F>& lanes) {
+    if (task_.bounces.count > 0) return refill_bounces(s, first, lanes);
     const CameraRay<F> ray = camera_rays<F>(scene_, task_.camera, first);
     s.origin = ray.origin;
     s.direction = ray.direction;
@@ -64,6 +75,7 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, TransportMode::r
     s.key = ray.key;
     s.index = ray.index;
     s.path = lane_index<F>() + first;
+    s.gathering = U(0u);
     const Mask<F> begins = lanes && ray.valid;  // the others' radiance stays 0
     task_.counts.camera += count_lanes(begins);
     return begins;
@@ -75,20 +87,22 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, TransportMode::r
     const SurfaceHit<F> hit = closest_hit(scene_, s.origin, s.direction, s.from, active, all(first || !active));
     Mask<F> met = hit.valid;  // behind the far plane the camera sees the environment
     if (any(first)) met = met && !(first && beyond_far_plane(scene_.camera, hit.p));
+    if (task_.bounces.count > 0) note_distances(s, hit.p, met && equal<F>(s.vertex, U(1u)));
     Mask<F> alive = met;
     if (scene_.lights_can_be_hit) {
       const U light = Base::surface_word(hit.surface, &SurfaceWords::light);
       Mask<F> shines = alive && !equal<F>(light, U(no_index));
       if (task_.settings.hide_emitters) shines = shines && !first;
+      if (gathers_finally_) shines = shines && final_gather::counts_light<F>(s.gathering, looks_);
       if (any(shines)) add_emission(s, hit, select(shines, light, U(0u)), shines);
     }
-    if (task_.at_diffuse == AtDiffuse::leave_gather_point_and_look)
-      alive = alive && as_mask<F>(s.vertex < U(only_looks));
+    if (looks_) alive = alive && as_mask<F>(s.vertex < U(only_looks));
     if (task_.settings.max_depth >= 0)
       alive = alive && as_mask<F>(s.vertex + 1u < U(static_cast<std::uint32_t>(task_.settings.max_depth)));
     if (scene_.environment != no_index) {
       Mask<F> leaves = active && !met;
       if (task_.settings.hide_emitters) leaves = leaves && !first;
+      if (gathers_finally_) leaves = leaves && final_gather::counts_light<F>(s.gathering, looks_);
       if (any(leaves)) add_environment(s, leaves);
     }
     retire(s, active && !alive);
@@ -106,44 +120,75 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, TransportMode::r
     const Vec3<F> wo_local = frame.to_local(Vec3<F>(-s.direction));
     const U dimension = s.vertex * Dimension::a_vertex + Dimension::first_vertex;
     const bool gathers = Kind<F>::is_lambertian && task_.at_diffuse != AtDiffuse::go_on;
-    const bool looks = task_.at_diffuse == AtDiffuse::leave_gather_point_and_look;
     if constexpr (Kind<F>::has_smooth) {
       if (scene_.light_count > 0 && light_from_ != DirectLight::hits_only) {
         if constexpr (Kind<F>::is_lambertian)
-          add_direct_light(at, bsdf, frame, wo_local, dimension, !gathers || looks, active);
-        else
-          add_direct_light_once_compiled(at, any_bsdf<F>(bsdf), frame, wo_local, dimension, active);
+          add_direct_light(at, bsdf, frame, wo_local, dimension, !gathers || looks_, active);
+        else if (const Mask<F> takes = active && equal<F>(s.gathering, U(0u)); any(takes))
+          add_direct_light_once_compiled(at, any_bsdf<F>(bsdf), frame, wo_local, dimension, takes);
       }
     }
+    Mask<F> ends(false);  // at a gather point
     if constexpr (Kind<F>::is_lambertian) {
       if (gathers) {
-        leave_gather_points(at, frame.n, bsdf.bsdf.eval(wo_local, Vec3<F>(F(0.0f), F(0.0f), F(1.0f))), active);
-        if (!looks) {
-          retire(s, active);
-          return;
-        }
+        const Vec3<F> f = bsdf.bsdf.eval(wo_local, Vec3<F>(F(0.0f), F(0.0f), F(1.0f)));
+        ends = leave_points(at, frame.n, f, active);
+        if (!looks_) retire(s, ends);
+        if (!looks_ && !any(active && !ends)) return;
       }
     }
+    const Mask<F> looking = ends && Mask<F>(looks_);
+    const Mask<F> going = active && (!ends || looking);
     Vec2<F> u_direction{F(0.0f), F(0.0f)};
     if constexpr (Kind<F>::has_smooth) u_direction = draw(s, dimension + Dimension::direction);
     const F u_lobe = draw(s, dimension + Dimension::lobe).x;
     const BsdfSample<F> next = bsdf.at.sample(bsdf.bsdf, wo_local, u_lobe, u_direction, TransportMode::radiance);
     s.throughput *= next.weight;
     s.refraction_scale *= next.eta * next.eta;
-    Mask<F> alive = active && next.valid && max_component(s.throughput) > 0;
-    if (!(gathers && looks)) alive = survive_roulette(s, dimension, alive);
-    retire(s, active && !alive);
+    Mask<F> alive = going && next.valid && max_component(s.throughput) > 0;
+    alive = (alive && looking) || survive_roulette(s, dimension, alive && !looking);
+    retire(s, going && !alive);
 
     s.bsdf_pdf = select(next.delta, F(0.0f), next.pdf);
     s.direction = normalize(frame.to_world(next.wi_local));
     s.origin = offset_from(at.p, at.normal, s.direction, scene_.coordinate_floor);
-    s.vertex = gathers && looks ? U(only_looks) : U(s.vertex + 1u);
+    s.vertex = select(looking, U(only_looks), U(s.vertex + 1u));
+    if (gathers_finally_)
+      s.gathering = Kind<F>::is_lambertian ? final_gather::leave_lambertian<F>(s.gathering)
+                                           : final_gather::leave_other<F>(s.gathering);
     task_.counts.bounce += count_lanes(alive);
     Base::go_on(s, alive);
   }
 
  private:
   using Base::scene_;
+
+  /// The first edge is the camera's: its surface is taken as seen directly.
+  Mask<F> refill_bounces(PathState<F>& s, std::uint32_t first, const Mask<F>& lanes) {
+    const BouncesView& from = task_.bounces;
+    load_into(s.origin.x, from.x + first), load_into(s.origin.y, from.y + first), load_into(s.origin.z, from.z + first);
+    load_into(s.direction.x, from.to_x + first), load_into(s.direction.y, from.to_y + first);
+    load_into(s.direction.z, from.to_z + first);
+    load_into(s.key, from.key + first), load_into(s.index, from.index + first);
+    s.throughput = Vec3<F>(F(1.0f));
+    s.radiance = Vec3<F>(F(0.0f));
+    s.bsdf_pdf = F(1.0f);
+    s.refraction_scale = F(1.0f);
+    s.from = U(no_index);
+    s.vertex = U(1u);
+    s.path = lane_index<F>() + first;
+    s.gathering = U(final_gather::left_first);
+    task_.counts.bounce += count_lanes(lanes);
+    return lanes;
+  }
+
+  void note_distances(const PathState<F>& s, const Vec3<F>& p, const Mask<F>& lanes) {
+    if (!any(lanes)) return;
+    float distance[lane_count<F>];
+    store_from(F(lane_sqrt(length_squared(p - s.origin))), distance);
+    for_each_path(s, lanes, [&](std::size_t lane, std::size_t path) { task_.bounces.distance[path] = distance[lane]; });
+  }
+
   /// Number of the vertex after a gather point: the path only sees what light is there.
   static constexpr std::uint32_t only_looks = 1u << 31;
 
@@ -231,13 +276,26 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, TransportMode::r
     });
   }
 
+  /// At Lambertian surfaces; returns which paths end there.
+  Mask<F> leave_points(const AtSurface<PathState, F>& at, const Vec3<F>& shading_normal, const Vec3<F>& f,
+                       const Mask<F>& active) {
+    Mask<F> ends = active;
+    if (gathers_finally_) {
+      const PathState<F>& s = at.history;
+      ends = active && final_gather::ends<F>(s.gathering, length_squared(at.p - s.origin), task_.near_hit);
+      if (task_.caustic_points.x != nullptr)
+        leave_gather_points(at, shading_normal, f, active && !ends, task_.caustic_points);
+    }
+    leave_gather_points(at, shading_normal, f, ends, task_.points);
+    return ends;
+  }
+
   /// A gather point has no direction: its weight is for any photon.
   void leave_gather_points(const AtSurface<PathState, F>& at, const Vec3<F>& shading_normal, const Vec3<F>& f,
-                           const Mask<F>& active) {
+                           const Mask<F>& active, GatherPoints& points) {
     const Vec3<F> weight = at.history.throughput * f;
     const std::uint32_t bits = to_bits(Mask<F>(active && max_component(weight) > 0));
     if (bits == 0) return;
-    GatherPoints& points = task_.points;
     const auto put = [&](auto* column, const auto& value) {
       compress_store(value, bits, reinterpret_cast<std::uint32_t*>(column + points.count));
     };
@@ -256,6 +314,8 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, TransportMode::r
 
   PathTask& task_;
   const DirectLight light_from_;
+  const bool looks_;            ///< for light from gather points
+  const bool gathers_finally_;  ///< final_gather.h
 };
 
 }  // namespace photonproof

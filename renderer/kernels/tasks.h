@@ -43,18 +43,33 @@ struct PathSettings {
 /// What a camera path does at a Lambertian surface.
 enum class AtDiffuse {
   go_on,
-  leave_gather_point,          ///< and end
-  leave_gather_point_and_look  ///< for light that next-event estimation finds, too, with one more ray, and end
+  leave_gather_point,           ///< and end
+  leave_gather_point_and_look,  ///< for light that next-event estimation finds, too, with one more ray, and end
+  final_gather,                 ///< final_gather.h
+  final_gather_and_look         ///< for light that next-event estimation finds, too, with every bounce
+};
+
+/// Paths that begin at Lambertian surfaces as final gathers' bounces do, in columns; arrays may be read a pack past
+/// their ends. A path's radiance is of what it meets, for a throughput of 1.
+struct BouncesView {
+  std::uint32_t count = 0;
+  const float *x = nullptr, *y = nullptr, *z = nullptr;  ///< origin, off the surface
+  const float *to_x = nullptr, *to_y = nullptr, *to_z = nullptr;
+  const std::uint32_t *key = nullptr, *index = nullptr;  ///< of the sampler
+  float* distance = nullptr;                             ///< filled with the ray's, where it meets anything
 };
 
 struct PathTask {
   const SceneView* scene = nullptr;
-  CameraTask camera;
+  CameraTask camera;  ///< without `bounces`
+  BouncesView bounces{};
   PathSettings settings;
   AtDiffuse at_diffuse = AtDiffuse::go_on;
   float* radiance = nullptr;         ///< 3 a path, in the task's order of paths
   std::uint32_t* scratch = nullptr;  ///< PathKernelEntry::scratch words
   GatherPoints points{};             ///< of a GatherQueue with room for one a path, where paths leave them
+  GatherPoints caustic_points{};     ///< of a final gather, for caustic photons alone: room for two a path, or none
+  float near_hit = 0;                ///< of a final gather: hits nearer than this are traced on
   RayCounts counts{};
 };
 

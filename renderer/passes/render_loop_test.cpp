@@ -125,6 +125,27 @@ TEST_F(Resume, of_the_photon_mapper_goes_on_inside_a_pass) {
   }
 }
 
+TEST_F(Resume, of_a_final_gather_or_cache_gives_the_bits_of_a_render_never_stopped) {
+  for (const IndirectLight indirect : {IndirectLight::gather, IndirectLight::cache}) {
+    SceneDescription scene = test::room(48, true);
+    PhotonMapperDescription settings;
+    settings.indirect = indirect;
+    scene.integrator.method = settings;
+    RenderJob job = test::job_with(12, 30'000);
+    const test::Rendered whole = test::render(scene, "photonmapper", job);
+    int stops = 0;
+    Outcome last = part(scene, "photonmapper", job, false, 3);
+    for (; last.stats.interrupted; ++stops) {
+      ASSERT_LT(stops, 100);
+      job.threads = 1 + stops % 7;
+      last = part(scene, "photonmapper", job, true, 3);
+    }
+    EXPECT_GE(stops, 3);
+    EXPECT_EQ(last.image.mean.rgb, whole.image.mean.rgb);
+    EXPECT_EQ(last.image.variance->rgb, whole.image.variance->rgb);
+  }
+}
+
 TEST_F(Resume, of_fewer_or_more_samples_is_for_passes_that_the_whole_render_makes) {
   const SceneDescription scene = test::room(32, false);
   // Passes of 1, 1, 2, 4 and 8 samples and so on: the third progress call, at the start of the third pass, stops it.

@@ -15,24 +15,26 @@ namespace {
 constexpr int largest_block = 8;
 constexpr double radius_in_blocks = 3;
 
-/// The points' numbers, pixel after pixel and within a pixel in the order of their paths (counting sort).
+/// The points' numbers, pixel after pixel, within a pixel in the order of their paths, and of a path as it left them
+/// (counting sorts).
 struct PointsByPixel {
   std::vector<std::uint32_t> begin;  ///< of each pixel, and one past the last
   std::vector<std::uint32_t> order;
 
   PointsByPixel(const GatherPoints& points, const std::vector<std::uint32_t>& pixel_of) {
-    constexpr std::uint32_t none = 0xFFFFFFFF;
-    std::vector<std::uint32_t> point_of(pixel_of.size(), none);
+    std::vector<std::uint32_t> begin_of_path(pixel_of.size() + 1, 0);
     begin.assign(pixel_of.empty() ? 1 : *std::ranges::max_element(pixel_of) + 2, 0);
     for (std::size_t i = 0; i < points.count; ++i) {
-      point_of[points.path[i]] = static_cast<std::uint32_t>(i);
+      ++begin_of_path[points.path[i] + 1];
       ++begin[pixel_of[points.path[i]] + 1];
     }
+    std::partial_sum(begin_of_path.begin(), begin_of_path.end(), begin_of_path.begin());
     std::partial_sum(begin.begin(), begin.end(), begin.begin());
-    std::vector<std::uint32_t> slot(begin);
+    std::vector<std::uint32_t> by_path(points.count), slot(begin_of_path);
+    for (std::uint32_t i = 0; i < points.count; ++i) by_path[slot[points.path[i]]++] = i;
+    slot = begin;
     order.resize(points.count);
-    for (std::size_t path = 0; path < pixel_of.size(); ++path)
-      if (point_of[path] != none) order[slot[pixel_of[path]]++] = point_of[path];
+    for (const std::uint32_t i : by_path) order[slot[pixel_of[points.path[i]]]++] = i;
   }
 };
 
@@ -73,6 +75,15 @@ std::vector<PixelPoint> points_of_pixels(GatherQueue& queue, const std::vector<s
     for (auto p = found.begin() + first; p != found.end(); ++p) p->point.weight *= p->size / size_of(p->point.weight);
   }
   return found;
+}
+
+std::vector<PixelPoint> points_by_themselves(const GatherQueue& queue, const std::vector<std::uint32_t>& pixel_of) {
+  std::vector<PixelPoint> points(queue.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const GatherPoint point = queue[i];
+    points[i] = {pixel_of[point.path], point, size_of(point.weight)};
+  }
+  return points;
 }
 
 BlockGrid block_grid(double pixels_a_radius, std::uint32_t key) {

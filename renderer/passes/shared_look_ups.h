@@ -25,11 +25,14 @@ struct PixelPoint {
   float size;           ///< of the weights' largest channels, summed
 };
 
-/// By pixel, in the order of the points' paths. `pixel_of` a path says its pixel; each path has left one point at most.
-/// The draws are functions of `key` and the points' paths. Points that are further apart than `most_apart` do not
-/// share.
+/// By pixel, in the order of the points' paths. `pixel_of` a path says its pixel; points of one path differ in their
+/// edges and never share. The draws are functions of `key` and the points' paths. Points that are further apart than
+/// `most_apart` do not share.
 std::vector<PixelPoint> points_of_pixels(GatherQueue& queue, const std::vector<std::uint32_t>& pixel_of,
                                          float most_apart, std::uint32_t key);
+
+/// Where they are too far apart to share.
+std::vector<PixelPoint> points_by_themselves(const GatherQueue& queue, const std::vector<std::uint32_t>& pixel_of);
 
 /// How pixels share.
 struct BlockGrid {

@@ -96,12 +96,22 @@ void describe(P& p, WhittedDescription& d) {
   describe_limits(p, d);
 }
 
+/// Where light that diffuse surfaces have thrown on each other is had from.
+enum class IndirectLight {
+  map,     ///< photons around where the camera path first meets a diffuse surface
+  gather,  ///< photons around where one more bounce from there leads
+  cache    ///< interpolation between few points, each of which gathers
+};
+
 /// Photon mapping with a global and a caustic map. 0 asks for the automatic choice.
 struct PhotonMapperDescription : PathLimits {
   std::int64_t global_photons = 0;   ///< emitted for the global map, over the whole render; 0: automatic
   std::int64_t caustic_photons = 0;  ///< emitted for the caustic map, over the whole render; 0: automatic
   double global_radius = 0;          ///< scene units
   double caustic_radius = 0;         ///< scene units
+  IndirectLight indirect = IndirectLight::map;
+  double cache_error = 0.15;       ///< least weight's: a record is used up to this part of the distance it sees
+  std::int64_t gather_rays = 256;  ///< of a record
   friend bool operator==(const PhotonMapperDescription&, const PhotonMapperDescription&) = default;
 };
 
@@ -115,6 +125,12 @@ void describe(P& p, PhotonMapperDescription& d) {
   p.integer("caustic_photons", d.caustic_photons, 0, most, "emitted for the caustic map; 0: a fifth of the samples");
   p.number("global_radius", d.global_radius, radius, "of a look-up, scene units");
   p.number("caustic_radius", d.caustic_radius, radius, "of a look-up, scene units");
+  p.choice("indirect", d.indirect,
+           {{"map", IndirectLight::map}, {"gather", IndirectLight::gather}, {"cache", IndirectLight::cache}},
+           "photons of the global map are looked up at the first diffuse surface, one bounce further, or that at few "
+           "points, between which is interpolated");
+  p.number("cache_error", d.cache_error, {0, 1, nullptr, true}, "of interpolation, at most, as Ward reckons it");
+  p.integer("gather_rays", d.gather_rays, 4, 1 << 20, "of each point that is interpolated between");
 }
 
 /// Stochastic progressive photon mapping (Hachisuka and Jensen 2009; Knaus and Zwicker 2011).

@@ -197,8 +197,8 @@ TEST(parser, reads_integrators) {
   EXPECT_EQ(integrator<PhotonMapperDescription>(
                 "photonmapper",
                 "<integer name='global_photons' value='1000'/><integer name='caustic_photons' value='10000'/><float "
-                "name='global_radius' value='30'/>"),
-            (PhotonMapperDescription{-1, 5, false, 1000, 10000, 30, 0}));
+                "name='global_radius' value='30'/><string name='indirect' value='gather'/>"),
+            (PhotonMapperDescription{-1, 5, false, 1000, 10000, 30, 0, IndirectLight::gather}));
   EXPECT_EQ(integrator<PhotonMapperDescription>("photonmapper", ""), PhotonMapperDescription{});
 }
 

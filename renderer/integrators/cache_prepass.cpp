@@ -1,0 +1,258 @@
+#include "renderer/integrators/cache_prepass.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "renderer/core/large_array.h"
+#include "renderer/lanes/sampler.h"
+#include "renderer/passes/ray_totals.h"
+#include "renderer/passes/scratch_pool.h"
+#include "renderer/passes/tile_film.h"
+#include "renderer/photons/query_order.h"
+#include "renderer/rays/surface_hit.h"
+#include "renderer/sensor/camera.h"
+#include "scenes/text/timer.h"
+
+namespace photonproof {
+namespace {
+
+constexpr Stream cache_stream{12}, cache_global_stream{13}, cache_caustic_stream{14};
+
+constexpr double photons_of_cache = 250'000;  // where the budget says nothing
+constexpr int coarsest_lattice = 32;          // pixels
+constexpr std::size_t records_a_round = 64;
+/// Pixels that a record reaches at least and at most.
+constexpr float least_reach = 1.5f, most_reach = 24;
+
+/// Of the distance to the nearest thing that a record sees, how many its radius is at most: kappa times as many are
+/// less than one, so that a record beside a slot does not stand for what lies in it.
+constexpr float most_of_nearest = 4;
+
+struct CachePoint {
+  Vec3f p, n;
+  std::uint32_t number;  ///< of its pixel
+};
+
+class CacheMaker {
+ public:
+  CacheMaker(const RenderPlan& plan, const PhotonSource& source, const LookUpAreas& areas, PhotonMaps& maps)
+      : source_(source),
+        areas_(areas),
+        maps_(maps.wanted()),
+        near_hit_(maps.global.radii.radius),
+        grid_(hemisphere_grid(static_cast<std::size_t>(source.settings.gather_rays))),
+        kappa_(static_cast<float>(source.settings.cache_error)),
+        scratch_(source.job.kernels().path.scratch) {
+    const PathLimits& limits = source.settings.limits;
+    settings_ = {limits.max_depth, limits.rr_depth, limits.hide_emitters,
+                 plan.skips(Skip::mis) ? DirectLight::unweighted : DirectLight::weighted};
+  }
+
+  std::vector<CachePoint> candidates(const Tile& window);
+  IrradianceCache make(const std::vector<CachePoint>& points);
+  const RayTotals& rays() const { return rays_; }
+
+ private:
+  std::vector<CachePoint> of_tile(const Tile& tile, std::uint32_t first_number);
+  IrradianceRecord record_at(const CachePoint& point);
+  HemisphereRays gather(const CachePoint& point);
+  void add_photons(const MapState& map, GatherQueue& queue, std::vector<float>& radiance) const;
+  void run(PathTask& task) {
+    scratch_.lend([&](std::uint32_t* words) {
+      task.scratch = words;
+      source_.job.kernels().path.trace(task);
+    });
+    rays_.add(task.counts);
+  }
+  float footprint(const Vec3f& p) const { return pixel_footprint(source_.scene.view().camera, p); }
+
+  const PhotonSource& source_;
+  const LookUpAreas& areas_;
+  const std::vector<MapState*> maps_;
+  const float near_hit_;
+  const HemisphereGrid grid_;
+  const float kappa_;
+  PathSettings settings_;
+  ScratchPool scratch_;
+  RayTotals rays_;
+};
+
+/// Where the tile's paths first meet a Lambertian surface.
+std::vector<CachePoint> CacheMaker::of_tile(const Tile& tile, std::uint32_t first_number) {
+  PathTask task{.scene = &source_.scene.view(), .camera = camera_task(source_.job, tile, 0, 1), .settings = settings_};
+  task.camera.seed = stream_seed(source_.job.seed, cache_stream);
+  task.settings.direct_light = DirectLight::hits_only;
+  task.at_diffuse = AtDiffuse::leave_gather_point;
+  std::vector<float> radiance(3 * std::size_t{task.camera.paths()});
+  GatherQueue queue(task.camera.paths());
+  task.radiance = radiance.data();
+  task.points = queue.view();
+  run(task);
+  queue.set_size(task.points.count);
+  std::vector<CachePoint> points;
+  for (std::size_t i = 0; i < queue.size(); ++i) {
+    const GatherPoint at = queue[i];
+    points.push_back({at.p, facing_normal(at.sheet), first_number + at.path});
+  }
+  return points;
+}
+
+/// Coarse to fine, and in each lattice in a scrambled order, so that those of a round are far apart.
+std::vector<CachePoint> CacheMaker::candidates(const Tile& window) {
+  struct Ordered {
+    int lattice;
+    std::uint32_t scrambled;
+    CachePoint point;
+  };
+  const Tiles tiles(window);
+  std::vector<std::vector<CachePoint>> of_tiles(tiles.count());
+  std::vector<std::uint32_t> first(tiles.count() + 1, 0);
+  for (std::size_t i = 0; i < tiles.count(); ++i)
+    first[i + 1] = first[i] + static_cast<std::uint32_t>(tiles.at(i).width() * tiles.at(i).height());
+  source_.threads.for_each(tiles.count(), [&](std::size_t i) { of_tiles[i] = of_tile(tiles.at(i), first[i]); });
+  std::vector<Ordered> ordered;
+  for (std::size_t i = 0; i < tiles.count(); ++i)
+    for (const CachePoint& point : of_tiles[i]) {
+      const Tile tile = tiles.at(i);
+      const int pixel = static_cast<int>(point.number - first[i]);
+      const int x = tile.x0 + pixel % tile.width(), y = tile.y0 + pixel / tile.width();
+      int lattice = coarsest_lattice;
+      while (x % lattice != 0 || y % lattice != 0) lattice /= 2;
+      ordered.push_back({lattice, mix_bits(point.number), point});
+    }
+  std::ranges::stable_sort(ordered, [](const Ordered& a, const Ordered& b) {
+    return a.lattice != b.lattice ? a.lattice > b.lattice : a.scrambled < b.scrambled;
+  });
+  std::vector<CachePoint> points;
+  points.reserve(ordered.size());
+  for (const Ordered& o : ordered) points.push_back(o.point);
+  return points;
+}
+
+/// Adds what the map's photons bring.
+void CacheMaker::add_photons(const MapState& map, GatherQueue& queue, std::vector<float>& radiance) const {
+  if (map.map.empty() || queue.size() == 0) return;
+  const GatherPoints points = queue.view();
+  std::fill_n(points.radius, points.count, map.radii.radius);
+  const std::vector<std::uint32_t> order = cell_order(map.map, queue);
+  const int max_edges = settings_.max_depth >= 0 ? settings_.max_depth : std::numeric_limits<int>::max();
+  const GatherKernelEntry& kernels = source_.job.kernels().gather;
+  kernels.gather({map.map.view(), max_edges, points, order.data(), map.tests.data()});
+  areas_.fill(queue);
+  kernels.add(points, radiance.data());
+}
+
+/// A ray through every cell of the hemisphere.
+HemisphereRays CacheMaker::gather(const CachePoint& point) {
+  constexpr std::size_t slack = 16;  // of a pack
+  const std::size_t cells = grid_.cells();
+  const std::array<Vec3f, 2> axes = record_axes(point.n);
+  std::array<std::vector<float>, 6> columns;
+  for (std::vector<float>& column : columns) column.resize(cells + slack);
+  const std::uint32_t key = stream_seed(source_.job.seed, cache_stream, point.number + 1);
+  std::vector<std::uint32_t> keys(cells + slack, key), indices(cells + slack);
+  for (std::uint32_t cell = 0; cell < cells; ++cell) {
+    const Vec2<float> u = draw2<float>(SamplerKind::independent, key, cell, 0u);
+    const Vec3f local = grid_.direction(cell, u.x, u.y);
+    const Vec3f to = normalize(axes[0] * local.x + axes[1] * local.y + point.n * local.z);
+    const Vec3f from = offset_from(point.p, point.n, to, source_.scene.view().coordinate_floor);
+    const float row[] = {from.x, from.y, from.z, to.x, to.y, to.z};
+    for (std::size_t c = 0; c < columns.size(); ++c) columns[c][cell] = row[c];
+    indices[cell] = cell;
+  }
+  HemisphereRays rays{std::vector<Rgb>(cells), std::vector<float>(cells, std::numeric_limits<float>::infinity())};
+  std::vector<float> radiance(3 * cells);
+  GatherQueue queue(cells), caustic_queue(cells);
+  PathTask task{.scene = &source_.scene.view(), .camera = {}, .settings = settings_};
+  task.camera.sampler = source_.job.sampler;
+  task.bounces = {static_cast<std::uint32_t>(cells),
+                  columns[0].data(),
+                  columns[1].data(),
+                  columns[2].data(),
+                  columns[3].data(),
+                  columns[4].data(),
+                  columns[5].data(),
+                  keys.data(),
+                  indices.data(),
+                  rays.distance.data()};
+  task.at_diffuse = AtDiffuse::final_gather;
+  task.radiance = radiance.data();
+  task.points = queue.view();
+  task.caustic_points = caustic_queue.view();
+  task.near_hit = near_hit_;
+  run(task);
+  queue.set_size(task.points.count);
+  caustic_queue.set_size(task.caustic_points.count);
+  for (const MapState* map : maps_) {
+    add_photons(*map, queue, radiance);
+    if (map->kind == PhotonKind::caustic) add_photons(*map, caustic_queue, radiance);
+  }
+  for (std::size_t i = 0; i < cells; ++i)
+    rays.radiance[i] = {radiance[3 * i], radiance[3 * i + 1], radiance[3 * i + 2]};
+  return rays;
+}
+
+/// Its radius: no further than its light would have changed altogether, bounded by the nearest thing it sees, and a few
+/// pixels at least.
+IrradianceRecord CacheMaker::record_at(const CachePoint& point) {
+  const float pixel = footprint(point.p);
+  const HemisphereRays rays = gather(point);
+  IrradianceRecord record = make_record(point.p, point.n, grid_, rays, pixel);
+  record.radius = std::min(record.radius, most_of_nearest * *std::ranges::min_element(rays.distance));
+  const Rgb& e = record.irradiance;
+  const float change = length(record.moved[0] + record.moved[1] + record.moved[2]);
+  const float sum = e.x + e.y + e.z;
+  if (change * record.radius > sum) record.radius = sum / change;
+  record.radius = std::min(record.radius, most_reach * pixel / kappa_);
+  return record;
+}
+
+IrradianceCache CacheMaker::make(const std::vector<CachePoint>& points) {
+  IrradianceCache cache(kappa_);
+  for (std::size_t next = 0; next < points.size();) {
+    std::vector<CachePoint> round;
+    for (; next < points.size() && round.size() < records_a_round; ++next)
+      if (!cache.covers(points[next].p, points[next].n)) round.push_back(points[next]);
+    std::vector<IrradianceRecord> records(round.size());
+    source_.threads.for_each(round.size(), [&](std::size_t i) { records[i] = record_at(round[i]); });
+    for (const IrradianceRecord& record : records)
+      if (!cache.covers(record.p, record.n)) cache.insert(record, least_reach * footprint(record.p) / kappa_);
+  }
+  return cache;
+}
+
+/// Fills a map with the cache's own photons.
+void fill_for_cache(MapState& map, Stream stream, std::int64_t by_scene, const PhotonSource& source,
+                    const LookUpAreas& areas, RenderStats& stats) {
+  const std::int64_t asked = source.job.budget.photons.value_or(by_scene);
+  const double count = asked > 0 ? static_cast<double>(asked) : photons_of_cache;
+  map.stream = stream;
+  if (!map.fixed_radius) map.radii.radius *= static_cast<float>(std::pow(count / map.radii.first_photons, -1.0 / 6));
+  map.a_sample = count;
+  map.least = 1;
+  map.tests = areas.tests(map.radii.radius);
+  refill(map, source, 0, 1, stats);
+}
+
+}  // namespace
+
+IrradianceCache make_irradiance_cache(const RenderPlan& plan, const PhotonSource& source, const LookUpAreas& areas,
+                                      const Tile& window, RenderStats& stats) {
+  PhotonMaps maps(plan, source, stats);
+  fill_for_cache(maps.global, cache_global_stream, source.settings.global_photons, source, areas, stats);
+  if (maps.caustic.wanted)
+    fill_for_cache(maps.caustic, cache_caustic_stream, source.settings.caustic_photons, source, areas, stats);
+  const PhaseTimer phase(stats.phases["cache"]);
+  CacheMaker maker(plan, source, areas, maps);
+  IrradianceCache cache = maker.make(maker.candidates(window));
+  maker.rays().store(stats);
+  stats.counts["rays_photon"] += static_cast<double>(maps.global.counts.rays + maps.caustic.counts.rays);
+  stats.counts["cache_records"] = static_cast<double>(cache.records().size());
+  return cache;
+}
+
+}  // namespace photonproof

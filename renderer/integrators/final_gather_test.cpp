@@ -1,0 +1,114 @@
+// The photon mapper with final gathering against closed forms and the path tracer. That paths are counted once and none
+// is forgotten also shows in photon_agreement_test.cpp, a block at a time.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <string>
+
+#include "renderer/integrators/test_scenes.h"
+#include "renderer/kernels/isa.h"
+
+namespace photonproof {
+namespace {
+
+using test::job_with;
+using test::render;
+
+/// The scene with its limits, and this integrator with final gathering.
+SceneDescription gathered(SceneDescription scene, double radius = 0) {
+  PhotonMapperDescription settings;
+  static_cast<PathLimits&>(settings) = scene.integrator.limits();
+  settings.indirect = IndirectLight::gather;
+  settings.global_radius = settings.caustic_radius = radius;
+  scene.integrator.method = settings;
+  return scene;
+}
+
+/// The room with the lamp unseen: its few bright pixels would carry most of the mean's noise.
+SceneDescription room_to_gather(bool with_balls) {
+  SceneDescription scene = test::room(32, with_balls);
+  scene.integrator.method = PathDescription{-1, 5, true};
+  return scene;
+}
+
+TEST(final_gather, furnace_mean_and_blocks_are_two) {
+  const auto out = render(gathered(test::furnace(0.5, 1, 32)), "photonmapper", job_with(64, 1'000'000));
+  EXPECT_NEAR(test::image_mean(out.image.mean), 2.0, 0.003 * 2);
+  for (int y = 0; y < 32; y += 8)
+    for (int x = 0; x < 32; x += 8)
+      EXPECT_NEAR(test::block_mean(out.image.mean, x, y, 8, 8), 2.0, 0.01 * 2) << x << ", " << y;
+}
+
+TEST(final_gather, depth_counts_the_bounce_and_light_edges_together) {
+  // Emission and k - 1 bounces of albedo 1/2: 1, 1.5, 1.75, 1.875. To depth 2 there is no map; to depth 3 the second
+  // hit has direct light alone, from depth 4 on photons, too.
+  const double expected[] = {1, 1.5, 1.75, 1.875};
+  for (int depth = 1; depth <= 4; ++depth) {
+    SceneDescription scene = test::furnace(0.5, 1, 16);
+    scene.integrator.method = PathDescription{depth, 24, false};
+    const auto out = render(gathered(scene), "photonmapper", job_with(64, 500'000));
+    EXPECT_NEAR(test::image_mean(out.image.mean), expected[depth - 1], 0.004 * expected[depth - 1]) << depth;
+  }
+}
+
+TEST(final_gather, near_hits_that_are_traced_on_have_the_same_depth) {
+  // A look-up within 2 R of a sphere reaches all of it: every second hit is a near one, and the third looks up.
+  SceneDescription scene = test::furnace(0.5, 1, 16);
+  scene.integrator.method = PathDescription{4, 24, false};
+  const auto out = render(gathered(scene, 2.01), "photonmapper", job_with(64, 500'000));
+  EXPECT_NEAR(test::image_mean(out.image.mean), 1.875, 0.004 * 1.875);
+}
+
+TEST(final_gather, rooms_have_the_path_tracers_mean) {
+  for (const bool with_balls : {false, true}) {
+    const SceneDescription scene = room_to_gather(with_balls);
+    const double path = test::image_mean(render(scene, "path", job_with(with_balls ? 1024 : 256)).image.mean);
+    const double photons =
+        test::image_mean(render(gathered(scene), "photonmapper", job_with(128, 1'000'000)).image.mean);
+    EXPECT_NEAR(photons, path, (with_balls ? 0.015 : 0.005) * path) << with_balls;
+  }
+}
+
+TEST(final_gather, open_scenes_under_a_sky_have_the_path_tracers_mean) {
+  // The bounce meets the sky, which light samples find, too: both are weighted. The mirror shows it unweighted.
+  SceneDescription scene = room_to_gather(true);
+  scene.shapes.erase(scene.shapes.begin() + 2);  // the ceiling
+  scene.emitters.push_back({{}, "", ConstantLightDescription{RgbD{0.5, 0.7, 1}}});
+  const double path = test::image_mean(render(scene, "path", job_with(512)).image.mean);
+  const double photons = test::image_mean(render(gathered(scene), "photonmapper", job_with(128, 1'000'000)).image.mean);
+  EXPECT_NEAR(photons, path, 0.01 * path);
+}
+
+TEST(final_gather, same_seed_gives_the_same_bits_at_1_2_and_7_threads) {
+  const SceneDescription scene = gathered(test::room(40, true));
+  RenderJob job = job_with(8, 30'000);
+  job.threads = 1;
+  const auto one = render(scene, "photonmapper", job);
+  for (const int threads : {2, 7}) {
+    job.threads = threads;
+    const auto many = render(scene, "photonmapper", job);
+    EXPECT_EQ(one.image.mean.rgb, many.image.mean.rgb) << threads;
+    EXPECT_EQ(one.image.variance->rgb, many.image.variance->rgb) << threads;
+  }
+}
+
+TEST(final_gather, instruction_sets_agree) {
+  const SceneDescription scene = gathered(test::room(24, true));
+  std::map<std::string, Image> images;
+  for (const Kernels& kernels : available_kernels()) {
+    RenderJob job = job_with(8, 30'000);
+    job.isa = kernels.isa;
+    images[kernels.isa] = render(scene, "photonmapper", job).image.mean;
+  }
+  const double scalar = test::image_mean(images.at("scalar"));
+  for (const auto& [isa, image] : images) EXPECT_NEAR(test::image_mean(image), scalar, 1e-3 * scalar) << isa;
+  // v3 and v4 differ in width alone.
+  if (images.contains("v3") && images.contains("v4")) {
+    EXPECT_EQ(images.at("v3").rgb, images.at("v4").rgb);
+  }
+}
+
+}  // namespace
+}  // namespace photonproof

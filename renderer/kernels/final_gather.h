@@ -1,0 +1,57 @@
+// Final gathering (Jensen 1996; 2001, chapter 8): photons of the global map are not looked up where the camera path
+// first meets a Lambertian surface, but one bounce further, where the error of a look-up is averaged over many paths.
+//
+// Classes of paths, in Heckbert's notation from the light to the eye; S is every surface that is not Lambertian, smooth
+// or rough, x the first Lambertian vertex from the eye and y the next one:
+//   L S* E                        rays that meet lights, and light samples where S is rough
+//   L D(x) S* E                   light samples at x; with an environment also the ray that leaves x, weighted
+//   L S+ D(x) S* E                the caustic map at x
+//   L D(y) S* D(x) S* E           light samples at y; with an environment also one more ray, weighted
+//   L S+ D(y) S* D(x) S* E        the caustic map at y
+//   L (S|D)* D S* D(y) S* D(x) S* E   the global map at y
+// These are all paths, each once. So between x and y neither a light that is met counts, other than at the end of the
+// ray that leaves x, nor do light samples at S: both are of L S+ D(x) S* E.
+// Where y is nearer to x than a look-up reaches, in corners, its disc would hold x's own surroundings. There y stands
+// between x and a third vertex z: the classes of y are as those of x, and those of z as those of y above:
+//   L D(z) S* D(y) S* D(x) S* E and so on.
+#pragma once
+
+#include <cstdint>
+
+#include "renderer/lanes/lane.h"
+
+namespace photonproof::final_gather {
+
+/// Bits of PathState::gathering: which of the Lambertian vertices the path has left, none at first, and whether
+/// anything else has scattered it since.
+constexpr std::uint32_t left_first = 1, left_near = 2, not_lambertian_since = 4;
+
+/// Whether light that the path's ray meets counts. `weighted`: light samples leave their share to such rays.
+template <class F>
+Mask<F> counts_light(const UInt<F>& gathering, bool weighted) {
+  const Mask<F> from_camera = equal<F>(gathering, UInt<F>(0u));
+  if (!weighted) return from_camera;
+  return from_camera || equal<F>(UInt<F>(gathering & not_lambertian_since), UInt<F>(0u));
+}
+
+/// Whether a path that meets a Lambertian surface looks photons of both maps up there and ends. `squared_distance`:
+/// that its last ray went.
+template <class F>
+Mask<F> ends(const UInt<F>& gathering, const F& squared_distance, float near_hit) {
+  const Mask<F> near = equal<F>(gathering, UInt<F>(left_first)) && squared_distance < F(near_hit * near_hit);
+  return !equal<F>(gathering, UInt<F>(0u)) && !near;
+}
+
+/// After a Lambertian vertex.
+template <class F>
+UInt<F> leave_lambertian(const UInt<F>& gathering) {
+  return select(equal<F>(gathering, UInt<F>(0u)), UInt<F>(left_first), UInt<F>(left_near));
+}
+
+/// After any other.
+template <class F>
+UInt<F> leave_other(const UInt<F>& gathering) {
+  return select(equal<F>(gathering, UInt<F>(0u)), gathering, UInt<F>(gathering | not_lambertian_since));
+}
+
+}  // namespace photonproof::final_gather
