@@ -211,7 +211,6 @@ void render_photon_mapper(const Scene& scene, const RenderPlan& plan, const Rend
     }
   }
   maps.store_counts(scene.scale(), halves.pass_count(), stats);
-  stats.counts["passes"] = static_cast<double>(halves.pass_count());
 }
 
 }  // namespace photonproof

@@ -187,6 +187,7 @@ std::string PhotonMaps::totals() const {
 }
 
 void PhotonMaps::store_counts(double scale, std::int64_t passes, RenderStats& stats) const {
+  stats.counts["passes"] = static_cast<double>(passes);
   store_counts_of(global, scale, passes, stats);
   store_counts_of(caustic, scale, passes, stats);
   say_if_few_arrive(global, passes, stats);
