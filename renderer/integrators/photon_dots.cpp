@@ -111,7 +111,6 @@ void render_photon_dots(const PhotonSource& source, PhotonMaps& maps, const Pass
     if (!loop.broken_off()) ++pass_count;
   }
   maps.store_counts(source.scene.scale(), pass_count, stats);
-  stats.counts["passes"] = static_cast<double>(pass_count);
 }
 
 }  // namespace photonproof
