@@ -129,7 +129,7 @@ TEST_F(SuiteFile, mistakes_are_named_with_their_place) {
             "s.toml:9:40: error: a budget is written \"kind=amount\" with a positive amount, not 'spp=0'");
   EXPECT_EQ(with("name = 'b'", "name = 'a'"), "s.toml:11:8: error: there is a scene 'a' already");
   EXPECT_EQ(with("engine = 'path'\nbudgets", "engine = 'pth'\nbudgets"),
-            "s.toml:17:10: error: unknown engine 'pth' (did you mean 'path'?); known: path, photonmapper, bdpt, "
+            "s.toml:17:10: error: unknown engine 'pth' (did you mean 'path'?); known: path, photonmapper, sppm, bdpt, "
             "ptracer, volpath, povray, "
             "reference");
   EXPECT_EQ(with("['spp=1']", "['spp=1', 'photons=2']"),
