@@ -8,6 +8,10 @@
 namespace photonproof {
 namespace {
 
+/// Samples for one of other pixels, where a part of the image up to so much is seen by mirrors or through glass.
+constexpr float least_by_specular = 4;
+constexpr double most_by_specular = 0.2;
+
 /// Relative deviation of one camera sample.
 float deviation(const PixelEffort::Pixel& p) {
   if (p.passes < 2) return 0;
@@ -42,9 +46,12 @@ void PixelEffort::choose() {
       std::accumulate(deviations.begin(), deviations.end(), 0.0) / static_cast<double>(deviations.size());
   if (!(mean > 0)) return;
   const auto inverse = static_cast<float>(1 / mean);
-  std::ranges::transform(deviations, extra_.begin(), [&](float deviation) {
+  const auto by_specular = std::ranges::count_if(pixels_, [](const Pixel& p) { return p.by_specular > 0; });
+  const bool few = static_cast<double>(by_specular) < most_by_specular * static_cast<double>(pixels_.size());
+  std::ranges::transform(deviations, pixels_, extra_.begin(), [&](float deviation, const Pixel& p) {
+    const float least = few && p.by_specular > 0 ? least_by_specular : 1;
     // In all, a power of two, so that neighbours often agree and are traced together.
-    const auto samples = static_cast<std::uint32_t>(std::clamp(deviation * inverse, 1.0f, float{most + 1}));
+    const auto samples = static_cast<std::uint32_t>(std::clamp(deviation * inverse, least, float{most + 1}));
     return static_cast<std::uint8_t>(std::bit_floor(samples) - 1);
   });
 }
