@@ -1,7 +1,6 @@
 #include "renderer/integrators/cache_prepass.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -12,7 +11,6 @@
 #include "renderer/passes/ray_totals.h"
 #include "renderer/passes/scratch_pool.h"
 #include "renderer/passes/tile_film.h"
-#include "renderer/photons/query_order.h"
 #include "renderer/rays/surface_hit.h"
 #include "renderer/sensor/camera.h"
 #include "scenes/text/timer.h"
@@ -46,11 +44,8 @@ class CacheMaker {
         near_hit_(maps.global.radii.radius),
         grid_(hemisphere_grid(static_cast<std::size_t>(source.settings.gather_rays))),
         kappa_(static_cast<float>(source.settings.cache_error)),
-        scratch_(source.job.kernels().path.scratch) {
-    const PathLimits& limits = source.settings.limits;
-    settings_ = {limits.max_depth, limits.rr_depth, limits.hide_emitters,
-                 plan.skips(Skip::mis) ? DirectLight::unweighted : DirectLight::weighted};
-  }
+        settings_(camera_path_settings(source.settings, plan)),
+        scratch_(source.job.kernels().path.scratch) {}
 
   std::vector<CachePoint> candidates(const Tile& window);
   IrradianceCache make(const std::vector<CachePoint>& points);
@@ -76,7 +71,7 @@ class CacheMaker {
   const float near_hit_;
   const HemisphereGrid grid_;
   const float kappa_;
-  PathSettings settings_;
+  const PathSettings settings_;
   ScratchPool scratch_;
   RayTotals rays_;
 };
@@ -96,7 +91,7 @@ std::vector<CachePoint> CacheMaker::of_tile(const Tile& tile, std::uint32_t firs
   std::vector<CachePoint> points;
   for (std::size_t i = 0; i < queue.size(); ++i) {
     const GatherPoint at = queue[i];
-    points.push_back({at.p, facing_normal(at.sheet), first_number + at.path});
+    points.push_back({at.p, facing_sheet_normal(at.sheet), first_number + at.path});
   }
   return points;
 }
@@ -138,11 +133,8 @@ void CacheMaker::add_photons(const MapState& map, GatherQueue& queue, std::vecto
   if (map.map.empty() || queue.size() == 0) return;
   const GatherPoints points = queue.view();
   std::fill_n(points.radius, points.count, map.radii.radius);
-  const std::vector<std::uint32_t> order = cell_order(map.map, queue);
-  const int max_edges = settings_.max_depth >= 0 ? settings_.max_depth : std::numeric_limits<int>::max();
   const GatherKernelEntry& kernels = source_.job.kernels().gather;
-  kernels.gather({map.map.view(), max_edges, points, order.data(), map.tests.data()});
-  areas_.fill(queue);
+  look_up(map, source_.settings, areas_, kernels, queue);
   kernels.add(points, radiance.data());
 }
 
@@ -231,7 +223,7 @@ void fill_for_cache(MapState& map, Stream stream, std::int64_t by_scene, const P
   const std::int64_t asked = source.job.budget.photons.value_or(by_scene);
   const double count = asked > 0 ? static_cast<double>(asked) : photons_of_cache;
   map.stream = stream;
-  if (!map.fixed_radius) map.radii.radius *= static_cast<float>(std::pow(count / map.radii.first_photons, -1.0 / 6));
+  if (!map.fixed_radius) map.radii.radius *= static_cast<float>(shrunk(count / map.radii.first_photons));
   map.a_sample = count;
   map.least = 1;
   map.tests = areas.tests(map.radii.radius);

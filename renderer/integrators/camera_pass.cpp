@@ -8,7 +8,6 @@
 #include "renderer/passes/photon_radius.h"
 #include "renderer/passes/shared_look_ups.h"
 #include "renderer/passes/tile_film.h"
-#include "renderer/photons/query_order.h"
 #include "renderer/sensor/camera.h"
 #include "scenes/text/faults.h"
 #include "scenes/text/timer.h"
@@ -71,17 +70,13 @@ CameraPass::CameraPass(const Scene& scene, const PhotonSettings& settings, const
       areas_(areas),
       bias_(bias),
       effort_(effort),
+      settings_(settings),
+      path_settings_(camera_path_settings(settings, plan)),
       footprint_(std::max(median_pixel_footprint(scene), 1e-30f)),
-      scratch_(job.kernels().path.scratch) {
-  const PathLimits& limits = settings.limits;
-  settings_ = {limits.max_depth, limits.rr_depth, limits.hide_emitters,
-               plan.skips(Skip::direct_light) ? DirectLight::hits_only
-               : plan.skips(Skip::mis)        ? DirectLight::unweighted
-                                              : DirectLight::weighted};
-}
+      scratch_(job.kernels().path.scratch) {}
 
 AtDiffuse CameraPass::at_diffuse() const {
-  const bool looks = scene_.view().environment != no_index && settings_.direct_light != DirectLight::hits_only;
+  const bool looks = scene_.view().environment != no_index && path_settings_.direct_light != DirectLight::hits_only;
   if (gathered_ != nullptr) return looks ? AtDiffuse::final_gather_and_look : AtDiffuse::final_gather;
   return looks ? AtDiffuse::leave_gather_point_and_look : AtDiffuse::leave_gather_point;
 }
@@ -99,7 +94,7 @@ void CameraPass::trace(const CameraTask& camera, TilePaths& paths, RenderLoop& l
   paths.queue.reserve(paths.pixel_of.size());
   PathTask task{.scene = &scene_.view(),
                 .camera = camera,
-                .settings = settings_,
+                .settings = path_settings_,
                 .at_diffuse = at_diffuse(),
                 .radiance = paths.radiance.data() + 3 * first,
                 .points = paths.queue.view()};
@@ -196,7 +191,7 @@ void CameraPass::add_photons(TilePaths& paths) {
                                                           paths.pixel_of, shares_ ? most_apart : 0.0f, key);
   if (cache_ != nullptr)
     for (const PixelPoint& at : points)
-      paths.sum[at.pixel] += at.point.weight * cache_->interpolate(at.point.p, facing_normal(at.point.sheet));
+      paths.sum[at.pixel] += at.point.weight * cache_->interpolate(at.point.p, facing_sheet_normal(at.point.sheet));
   std::vector<PixelPoint> further;
   if (gathered_ != nullptr) further = points_by_themselves(paths.queue, paths.pixel_of);
   for (MapState* map : maps_) {
@@ -210,7 +205,7 @@ void CameraPass::add_photons(TilePaths& paths) {
 void CameraPass::add_photons_of(MapState& map, const std::vector<PixelPoint>& points, const BlockGrid& blocks,
                                 std::uint32_t key, TilePaths& paths) {
   SharedLookUps shared(points, radii_of(map, points, paths), paths.tile, blocks, key);
-  look_up(map, shared.queue);
+  look_up_in(map, shared.queue);
   const GatherPoints looked_up = shared.queue.view();
   for (std::size_t i = 0; i < points.size(); ++i)
     paths.sum[points[i].pixel] += points[i].point.weight * irradiance(looked_up, shared.look_up_of[i]);
@@ -233,13 +228,9 @@ float CameraPass::radius_at(const MapState& map, std::size_t pixel, const TilePa
   return map.radii.radius * bias_.narrowing(paths.x(pixel), paths.y(pixel), static_cast<int>(map.kind));
 }
 
-/// Finds the photons within the radius of every point, and the area they are to be divided by.
-void CameraPass::look_up(const MapState& map, GatherQueue& queue) const {
+void CameraPass::look_up_in(const MapState& map, GatherQueue& queue) const {
+  look_up(map, settings_, *areas_, job_.kernels().gather, queue);
   const GatherPoints points = queue.view();
-  const std::vector<std::uint32_t> order = cell_order(map.map, queue);
-  const int max_edges = settings_.max_depth >= 0 ? settings_.max_depth : std::numeric_limits<int>::max();
-  job_.kernels().gather.gather({map.map.view(), max_edges, points, order.data(), map.tests.data()});
-  areas_->fill(queue);
   if (has_fault(Fault::dim_caustic) && map.kind == PhotonKind::caustic)
     for (std::size_t i = 0; i < points.count; ++i) points.area[i] /= 0.95f;
 }
@@ -258,7 +249,7 @@ void CameraPass::look_twice(const MapState& map, const std::vector<PixelPoint>& 
     again.push_back(shared.queue[shared.look_up_of[i]]);
     narrow.radius[number] = wide.radius[shared.look_up_of[i]] * LookUpBias::narrow_part;
   }
-  look_up(map, again);
+  look_up_in(map, again);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const std::uint32_t pixel = points[i].pixel, look_up = shared.look_up_of[i];
     if (!bias_.looks_twice(paths.x(pixel), paths.y(pixel))) continue;

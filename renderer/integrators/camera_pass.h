@@ -47,7 +47,7 @@ class CameraPass {
   bool narrows(const MapState& map) const { return shares_ && !map.fixed_radius; }
   float radius_at(const MapState& map, std::size_t pixel, const TilePaths& paths) const;
   std::vector<float> radii_of(const MapState& map, const std::vector<PixelPoint>& points, const TilePaths& paths) const;
-  void look_up(const MapState& map, GatherQueue& queue) const;
+  void look_up_in(const MapState& map, GatherQueue& queue) const;
   void look_twice(const MapState& map, const std::vector<PixelPoint>& points, SharedLookUps& shared, TilePaths& paths);
 
   const Scene& scene_;
@@ -60,7 +60,8 @@ class CameraPass {
   const LookUpAreas* const areas_;
   LookUpBias& bias_;
   PixelEffort& effort_;
-  PathSettings settings_;
+  const PhotonSettings& settings_;
+  const PathSettings path_settings_;
   const float footprint_;  ///< of a pixel, at the median of what is seen
   ScratchPool scratch_;
 };

@@ -47,8 +47,7 @@ class PhotonEye {
   void look_at(const Photon& photon, float scale, const Draws& draws, SeenPhotons& seen) const {
     const std::optional<CameraSeen> camera = camera_.connect(photon.p_world, draws.two(lens_dimension));
     if (!camera) return;
-    const Vec3f front = unit_sheet_normal(photon.sheet);
-    const Vec3f side = (photon.sheet & PhotonSheet::from_behind) != 0 ? -front : front;
+    const Vec3f side = facing_sheet_normal(photon.sheet);
     if (!(dot(side, camera->wi) > 0)) return;
     ++seen.rays.shadow;
     const SegmentEnd landed{photon.p_world, side, no_index, photon.surface};

@@ -54,7 +54,7 @@ std::string photons_words(const PhotonSettings& settings, const RenderJob& job, 
   const std::int64_t total = job.budget.photons.value_or(by_scene);
   std::string words = settings.textbook ? of(settings.textbook->photons_a_pass) + " in every pass"
                       : total > 0       ? of(total) + " emitted"
-                                        : "a photon for five camera samples";
+                                        : "a photon for four camera samples";
   if (job.view == View::photons) return words;
   char number[32];
   std::snprintf(number, sizeof number, "%g", radius);

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 #include "renderer/passes/photon_radius.h"
+#include "renderer/photons/query_order.h"
 #include "scenes/text/faults.h"
 #include "scenes/text/timer.h"
 
@@ -33,9 +35,6 @@ constexpr double widest = 4, narrowest = 1.0 / 16;
 constexpr double few_photons_in_disc = 10;
 /// A map of fewer says that hardly any light goes that way, not that it goes elsewhere.
 constexpr std::uint64_t few_photons_in_map = 1000;
-
-/// What a radius shrinks to as there are so many times more photons.
-double shrunk(double times) { return std::pow(times, -1.0 / 6); }
 
 void choose_first_radius(MapState& map, double asked, const PhotonSource& source, RayTotals& totals) {
   float& radius = map.radii.radius;
@@ -155,6 +154,26 @@ void choose_next_radius(MapState& map, const PhotonSettings& settings, const Loo
     }
   }
   radii.radius = static_cast<float>(next);
+}
+
+double shrunk(double times) { return std::pow(times, -1.0 / 6); }
+
+void look_up(const MapState& map, const PhotonSettings& settings, const LookUpAreas& areas,
+             const GatherKernelEntry& kernels, GatherQueue& queue) {
+  const GatherPoints points = queue.view();
+  const std::vector<std::uint32_t> order = cell_order(map.map, queue);
+  const int max_depth = settings.limits.max_depth;
+  const int max_edges = max_depth >= 0 ? max_depth : std::numeric_limits<int>::max();
+  kernels.gather({map.map.view(), max_edges, points, order.data(), map.tests.data()});
+  areas.fill(queue);
+}
+
+PathSettings camera_path_settings(const PhotonSettings& settings, const RenderPlan& plan) {
+  const PathLimits& limits = settings.limits;
+  return {limits.max_depth, limits.rr_depth, limits.hide_emitters,
+          plan.skips(Skip::direct_light) ? DirectLight::hits_only
+          : plan.skips(Skip::mis)        ? DirectLight::unweighted
+                                         : DirectLight::weighted};
 }
 
 PhotonMaps::PhotonMaps(const RenderPlan& plan, const PhotonSource& source, RenderStats& stats) {

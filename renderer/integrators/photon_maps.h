@@ -13,6 +13,8 @@
 #include <string>
 #include <vector>
 
+#include "renderer/kernels/tasks.h"
+#include "renderer/passes/look_up_area.h"
 #include "renderer/passes/look_up_bias.h"
 #include "renderer/passes/photon_tracing.h"
 #include "renderer/passes/render_job.h"
@@ -106,6 +108,16 @@ Photons emit_photons(MapState& map, const PhotonSource& source, std::int64_t fir
 /// Replaces the map's photons by those; returns how many were emitted.
 std::uint64_t refill(MapState& map, const PhotonSource& source, std::int64_t first, std::int64_t last,
                      RenderStats& stats);
+
+/// Finds the photons within the radius of every point, and the area they are to be divided by.
+void look_up(const MapState& map, const PhotonSettings& settings, const LookUpAreas& areas,
+             const GatherKernelEntry& kernels, GatherQueue& queue);
+
+/// Of camera paths to where photons are looked up.
+PathSettings camera_path_settings(const PhotonSettings& settings, const RenderPlan& plan);
+
+/// What a radius shrinks to as there are so many times more photons.
+double shrunk(double times);
 
 /// Decides the map's radius for the next pass, that ends at sample `all_samples` of a pixel, from what the passes so
 /// far showed.

@@ -91,11 +91,6 @@ HemisphereGrid hemisphere_grid(std::size_t cells) {
   return {static_cast<int>(polar), static_cast<int>(std::max(3.0, std::round(static_cast<double>(cells) / polar)))};
 }
 
-Vec3f facing_normal(std::uint32_t sheet) {
-  const Vec3f n = unit_sheet_normal(sheet);
-  return (sheet & PhotonSheet::from_behind) != 0 ? Vec3f(-n) : n;
-}
-
 std::array<Vec3f, 2> record_axes(const Vec3f& n) {
   const Frame<float> frame(n);
   return {frame.s, frame.t};

@@ -43,9 +43,6 @@ struct IrradianceRecord {
 IrradianceRecord make_record(const Vec3f& p, const Vec3f& n, const HemisphereGrid& grid, const HemisphereRays& rays,
                              float least_distance);
 
-/// The normal of a gather point's sheet, on the side that is seen.
-Vec3f facing_normal(std::uint32_t sheet);
-
 /// The frame that `direction`s of the grid are in for records of this normal: x and y of it.
 std::array<Vec3f, 2> record_axes(const Vec3f& n);
 

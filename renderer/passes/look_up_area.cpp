@@ -79,7 +79,7 @@ Vec2<float> LookUpAreas::uv_at(const GatherPoint& point) const {
   std::uint32_t primitive = 0;
   if (mesh_of(scene_.surfaces[surface_number(point.surface)].geometry) !=
       nullptr) {  // a ray from just above finds the triangle
-    const Vec3f up = (point.sheet & PhotonSheet::from_behind) != 0 ? -front : front;
+    const Vec3f up = facing_sheet_normal(point.sheet);
     const Vec3f above = offset_from(point.p, up, up, scene_.view().coordinate_floor);
     primitive = closest_hit<float>(scene_.view(), above, -up, no_index, true, false).primitive;
   }

@@ -16,8 +16,7 @@ int stride_for(const Tile& window) {
 int cells(int begin, int end, int stride) { return (end - 1) / stride - begin / stride + 1; }
 
 RgbD inverse_scale(const RgbD& mean) {
-  constexpr double epsilon = 0.01;  // as relmse has it
-  const auto of = [](double v) { return 1 / (v * v + epsilon); };
+  const auto of = [](double v) { return 1 / (v * v + Film::relative_epsilon); };
   return {of(mean.x), of(mean.y), of(mean.z)};
 }
 

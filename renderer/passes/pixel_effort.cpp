@@ -15,10 +15,9 @@ constexpr double most_by_specular = 0.2;
 /// Relative deviation of one camera sample.
 float deviation(const PixelEffort::Pixel& p) {
   if (p.passes < 2) return 0;
-  constexpr double epsilon = 0.01;  // as relmse has it
   const double mean = p.sum / p.samples;
   const double variance = std::max(0.0, (p.squares - p.sum * mean) / (p.passes - 1));
-  return static_cast<float>(std::sqrt(variance / (mean * mean + epsilon)));
+  return static_cast<float>(std::sqrt(variance / (mean * mean + Film::relative_epsilon)));
 }
 
 /// The largest of every value and its two neighbours at `step`, for `count` values from `begin` on.

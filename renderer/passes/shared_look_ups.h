@@ -1,13 +1,13 @@
 // One look-up for many samples. The discs of neighbouring samples hold nearly the same photons, so that looking up each
 // of them brings little.
-//   In a pixel: of k points with weights w_i at which the photons bring E_i, one is drawn with
-//   probability p_i in proportion to w_i's largest channel and stands for all with the weight w_i / p_i: in expectation
-//   sum w_i E_i, whatever the weights and the irradiances are. a pixel that takes m discs to cover, every m-th point
-//   shares. In a block of pixels that is small beside the radius: one of the pixels' points is drawn by the same rule,
-//   and what is found there counts for all. That blurs E by half a block, evenly since blocks lie elsewhere in every
-//   pass: with blocks of r/3 by a 14th of what the look-up itself blurs it, r^2/8 times the Laplacian. Points of a
-//   block that are further apart than half a radius, on other surfaces or sides of them, or reached by other paths do
-//   not share.
+//   In a pixel: of k points with weights w_i at which the photons bring E_i, one is drawn with a probability p_i in
+//   proportion to w_i's largest channel and stands for all with the weight w_i / p_i. In expectation that is
+//   sum w_i E_i, whatever the weights and the irradiances are. Where it takes m discs to cover the pixel, every m-th
+//   point shares.
+//   In a block of pixels that is small beside the radius: one of the pixels' points is drawn by the same rule, and what
+//   is found there counts for all. That blurs E by half a block, evenly since blocks lie elsewhere in every pass: with
+//   blocks of r/3 by a 14th of what the look-up itself blurs it, r^2/8 times the Laplacian. Points of a block that are
+//   further apart than half a radius, on other surfaces or sides of them, or reached by other paths do not share.
 #pragma once
 
 #include <cstdint>

@@ -78,5 +78,10 @@ PHOTONPROOF_ALWAYS_INLINE Vec3f unit_sheet_normal(std::uint32_t word) {
   const Vec3f n = sheet_normal(word);
   return n * (1 / lane_sqrt(n.x * n.x + n.y * n.y + n.z * n.z));
 }
+/// Of the side that was hit.
+inline Vec3f facing_sheet_normal(std::uint32_t word) {
+  const Vec3f n = unit_sheet_normal(word);
+  return (word & PhotonSheet::from_behind) != 0 ? -n : n;
+}
 
 }  // namespace photonproof

@@ -71,13 +71,12 @@ Rendering Film::develop() const {
 }
 
 std::optional<double> Film::relative_standard_error() const {
-  constexpr double epsilon = 0.01;  // as relmse has it
   RgbD sum(0.0);
   for (const Pixel& p : pixels_) {
     if (p.estimates < 2) return std::nullopt;
     const RgbD mean = p.sum / p.weight;
     const RgbD variance = variance_of_mean(p.sum_of_squares / p.weight - mean * mean, p.estimates);
-    const RgbD scale = mean * mean + RgbD(epsilon);
+    const RgbD scale = mean * mean + RgbD(relative_epsilon);
     sum += RgbD(variance.x / scale.x, variance.y / scale.y, variance.z / scale.z);
   }
   return std::sqrt((sum.x + sum.y + sum.z) / (3 * static_cast<double>(pixels_.size())));

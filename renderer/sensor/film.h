@@ -48,6 +48,8 @@ class Film {
   /// formula, after two shared passes, the MeanError of the image's mean.
   /// The image is of the window's size.
   Rendering develop() const;
+  /// Errors are relative to mean^2 + this, as relmse has it.
+  static constexpr double relative_epsilon = 0.01;
   /// Root of the mean, over channel values, of the mean's variance over mean^2 + 0.01: the root of the relmse that
   /// noise alone would give, as estimated from the samples, which are taken as independent (those of a Sobol sequence
   /// are better than that). Empty where a pixel has fewer than two estimates.

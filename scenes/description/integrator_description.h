@@ -121,8 +121,8 @@ void describe(P& p, PhotonMapperDescription& d) {
   constexpr scene_xml::Range radius{0, scene_xml::kUnbounded, "a positive length, or 0 for the automatic choice"};
   p.plugin("photonmapper", "extension: photon mapping with a global and a caustic map");
   describe_limits(p, d);
-  p.integer("global_photons", d.global_photons, 0, most, "emitted for the global map; 0: a fifth of the samples");
-  p.integer("caustic_photons", d.caustic_photons, 0, most, "emitted for the caustic map; 0: a fifth of the samples");
+  p.integer("global_photons", d.global_photons, 0, most, "emitted for the global map; 0: a quarter of the samples");
+  p.integer("caustic_photons", d.caustic_photons, 0, most, "emitted for the caustic map; 0: a quarter of the samples");
   p.number("global_radius", d.global_radius, radius, "of a look-up, scene units");
   p.number("caustic_radius", d.caustic_radius, radius, "of a look-up, scene units");
   p.choice("indirect", d.indirect,
