@@ -4,6 +4,7 @@
 #include <limits>
 #include <numeric>
 
+#include "renderer/integrators/cache_picture.h"
 #include "renderer/passes/irradiance_record.h"
 #include "renderer/passes/photon_radius.h"
 #include "renderer/passes/shared_look_ups.h"
@@ -156,11 +157,14 @@ void CameraPass::render(const Tile& tile, std::int64_t pass, RenderLoop& loop, F
 }
 
 void CameraPass::add_numbers(TilePaths& paths, double seconds, Film& numbers) const {
-  std::vector<Rgb> radii;
+  std::vector<Rgb> radii, dots;
   if (view_.view == View::radius) radii = radii_in_pixels(paths);
+  if (view_.view == View::cache_records && cache_ != nullptr)
+    dots = cache_picture(*cache_, scene_.view().camera, {paths.queue, paths.pixel_of, paths.count, paths.sum});
   for (std::size_t pixel = 0; pixel < paths.count.size(); ++pixel) {
     RgbD number(1e6 * seconds / (static_cast<double>(paths.count.size()) * paths.samples));
     if (view_.view == View::radius) number = RgbD(radii[pixel]) / static_cast<double>(paths.count[pixel]);
+    if (view_.view == View::cache_records) number = RgbD(dots[pixel]);
     if (view_.view == View::samples) number = RgbD(static_cast<double>(paths.count[pixel]) / paths.samples);
     numbers.add(paths.x(pixel), paths.y(pixel), number, paths.samples);
   }

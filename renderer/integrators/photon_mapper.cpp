@@ -24,6 +24,7 @@
 #include "renderer/passes/render_loop.h"
 #include "renderer/passes/view.h"
 #include "renderer/scene/aim_targets.h"
+#include "scenes/text/input_error.h"
 
 namespace photonproof {
 namespace {
@@ -46,6 +47,13 @@ void plan_map(Planner& planner, Skip skip, const char* name, const std::string& 
                     : planner.facts().lights == 0 ? "no light"
                                                   : nullptr;
   if (!planner.decide(skip, why != nullptr, why != nullptr ? why : "", why_needed)) planner.run(name, photons);
+}
+
+/// For the view of its records.
+void check_cache_is_there(const Planner& planner) {
+  for (const RenderPlan::Decision& d : planner.plan().decisions)
+    if (d.skip == Skip::global_map && d.skipped)
+      throw InputError("--view", "there are no cache-records to show, since there is no global photon map: " + d.why);
 }
 
 /// How many a map gets, and within which radius they are looked up.
@@ -121,8 +129,8 @@ void keep(RenderLoop& loop, PhotonMaps& maps) {
 }  // namespace
 
 void plan_photon_mapper(const IntegratorDescription& description, Planner& planner) {
-  const PhotonSettings settings(description);
   const RenderJob& job = planner.job();
+  const PhotonSettings settings(description, job.view);
   const int max_depth = settings.limits.max_depth;
   const SceneFacts& facts = planner.facts();
   const bool any_specular = facts.specular_surfaces > 0;
@@ -133,6 +141,7 @@ void plan_photon_mapper(const IntegratorDescription& description, Planner& plann
            facts.diffuse_interreflection,
            facts.any_diffuse ? "no two diffuse surfaces see each other" : "no diffuse surface reflects",
            "light goes from diffuse surface to diffuse surface");
+  if (view.view == View::cache_records) check_cache_is_there(planner);
   plan_map(planner, Skip::caustic_map, "caustic photon map",
            photons_words(settings, job, settings.caustic_photons, settings.caustic_radius), view.caustic_map, max_depth,
            any_specular && facts.any_diffuse, any_specular ? "no diffuse surface reflects" : "no specular surface",
@@ -154,7 +163,7 @@ void plan_photon_mapper(const IntegratorDescription& description, Planner& plann
 
 void render_photon_mapper(const Scene& scene, const RenderPlan& plan, const RenderJob& job, Film& film,
                           RenderStats& stats) {
-  const PhotonSettings settings(plan.method);
+  const PhotonSettings settings(plan.method, plan.view);
   const ViewRow& view = view_row(plan.view);
   const Threads threads(job.threads);
   const PhotonSource source{scene, settings, job, threads};

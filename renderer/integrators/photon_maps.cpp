@@ -119,13 +119,13 @@ std::uint64_t photons_for_pass(const MapState& state, const RenderJob& job, std:
 
 }  // namespace
 
-PhotonSettings::PhotonSettings(const IntegratorDescription& description) : limits(description.limits()) {
+PhotonSettings::PhotonSettings(const IntegratorDescription& description, View view) : limits(description.limits()) {
   if (const auto* photons = std::get_if<PhotonMapperDescription>(&description.method)) {
     global_photons = photons->global_photons;
     caustic_photons = photons->caustic_photons;
     global_radius = photons->global_radius;
     caustic_radius = photons->caustic_radius;
-    indirect = photons->indirect;
+    indirect = view == View::cache_records ? IndirectLight::cache : photons->indirect;
     cache_error = photons->cache_error;
     gather_rays = photons->gather_rays;
   } else {

@@ -18,6 +18,7 @@
 #include "renderer/passes/look_up_bias.h"
 #include "renderer/passes/photon_tracing.h"
 #include "renderer/passes/render_job.h"
+#include "renderer/passes/view.h"
 #include "renderer/photons/photon_map.h"
 #include "renderer/photons/photons.h"
 #include "renderer/planning/plan.h"
@@ -49,7 +50,8 @@ struct PhotonSettings {
   };
   std::optional<Textbook> textbook{};
 
-  explicit PhotonSettings(const IntegratorDescription& description);
+  /// Some views are of one way to have indirect light.
+  explicit PhotonSettings(const IntegratorDescription& description, View view = View::whole);
 };
 
 /// One of the two maps, with what it takes to refill it every pass.

@@ -269,9 +269,20 @@ TEST(views, radius_of_several_passes_is_their_mean) {
         EXPECT_NEAR(double{radius.pixel(x, y)[map]}, expected, 1e-5 * expected) << x << " " << y;
 }
 
+TEST(views, records_of_a_cache_are_refused_where_there_is_none) {
+  try {
+    seen(test::floor_under_point_light(8), View::cache_records, free_job(1));
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.summary(),
+              "--view: error: there are no cache-records to show, since there is no global photon map: no two diffuse "
+              "surfaces see each other");
+  }
+}
+
 TEST(views, have_the_same_bits_at_1_2_and_7_threads) {
   const SceneDescription scene = test::room(40, true);
-  for (const View view : {View::caustics, View::photons, View::radius, View::samples}) {
+  for (const View view : {View::caustics, View::photons, View::radius, View::samples, View::cache_records}) {
     RenderJob job = free_job(8);
     job.threads = 1;
     const Rendered one = seen(scene, view, job);
@@ -295,7 +306,7 @@ TEST(views, are_found_by_their_names) {
   } catch (const InputError& error) {
     EXPECT_EQ(error.summary(),
               "--view: error: there is no view 'caustic', expected one of whole, direct, caustics, global, indirect, "
-              "photons, radius, samples, time");
+              "photons, radius, samples, cache-records, time");
   }
 }
 

@@ -93,6 +93,17 @@ std::optional<Rgb> IrradianceCache::find(const Vec3f& p, const Vec3f& n) const {
   return sum * (1 / weights);
 }
 
+const IrradianceRecord* IrradianceCache::nearest(const Vec3f& p, const Vec3f& n) const {
+  const IrradianceRecord* best = nullptr;
+  float least = std::numeric_limits<float>::infinity();
+  for_each_near(p, [&](std::uint32_t i) {
+    const IrradianceRecord& record = records_[i];
+    const float apart = length(p - record.p);
+    if (apart < std::min(least, reach(record)) && dot(record.n, n) > 0.5f) best = &record, least = apart;
+  });
+  return best;
+}
+
 Rgb IrradianceCache::interpolate(const Vec3f& p, const Vec3f& n) const {
   if (const std::optional<Rgb> found = find(p, n)) return *found;
   const IrradianceRecord* best = nullptr;
