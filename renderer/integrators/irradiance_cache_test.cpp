@@ -181,7 +181,7 @@ IrradianceCache records_of(const SceneDescription& room, const RenderJob& job, i
   const Threads threads(2);
   const LookUpAreas areas(scene, threads);
   RenderStats stats;
-  return make_irradiance_cache(plan, {scene, settings, job, threads}, areas, {0, 0, size, size}, stats);
+  return make_irradiance_cache(plan, {scene, settings, job, threads}, areas, {0, 0, size, size}, stats).cache;
 }
 
 TEST(irradiance_cache, has_more_records_at_edges_than_in_the_middle_of_walls) {

@@ -7,6 +7,7 @@
 
 #include "renderer/integrators/photon_mapper.h"
 
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <optional>
@@ -185,7 +186,19 @@ void render_photon_mapper(const Scene& scene, const RenderPlan& plan, const Rend
   LookUpBias bias(film.window());
   PixelEffort effort(film.window());
   PassHalves halves;
-  passes.squared_bias = [&] { return bias.evidence(image, LookUpBias::all_maps, halves).squared_bias(); };
+  std::optional<CheckedCache> checked;
+  const auto bias_of_cache = [&] { return checked ? checked->error.squared_bias(image) : 0; };
+  passes.squared_bias = [&] {
+    return bias.evidence(image, LookUpBias::all_maps, halves).squared_bias() + bias_of_cache();
+  };
+  passes.lasting_bias = [&] {
+    double sum = bias_of_cache();
+    for (const MapState* map : wanted)
+      if (map->fixed_radius && !settings.textbook)
+        sum += bias.evidence(image, static_cast<int>(map->kind), halves).squared_bias();
+    return sum;
+  };
+  passes.lasting_bias_of = caches ? "the irradiance cache has wrong" : "radii that the scene fixes have wrong";
   RenderLoop loop(job, threads, image, stats, passes);
   if (unseen) loop.keep(film);
   loop.keep_between_passes(halves);
@@ -195,8 +208,10 @@ void render_photon_mapper(const Scene& scene, const RenderPlan& plan, const Rend
   loop.keep(effort.pixels());
   loop.keep(effort.decided());
   CameraPass camera(scene, settings, plan, job, shown_by(view, wanted), areas ? &*areas : nullptr, bias, effort);
-  std::optional<IrradianceCache> cache;
-  if (caches) camera.use(cache.emplace(make_irradiance_cache(plan, source, *areas, film.window(), stats)));
+  if (caches) {
+    checked.emplace(make_irradiance_cache(plan, source, *areas, film.window(), stats));
+    camera.use(checked->cache);
+  }
   while (loop.next()) {
     for (MapState* map : wanted) {
       map->tests = areas->tests(map->radii.radius);
@@ -220,6 +235,7 @@ void render_photon_mapper(const Scene& scene, const RenderPlan& plan, const Rend
     }
   }
   maps.store_counts(scene.scale(), halves.pass_count(), stats);
+  if (checked) stats.counts["relative_bias_cache"] = std::sqrt(bias_of_cache());
 }
 
 }  // namespace photonproof
