@@ -1,6 +1,7 @@
-// What an irradiance cache has wrong, learned before the first pass: at some pixels, drawn from the seed, two camera
-// paths end at points of their own, where light is gathered once more, by rays and photons that neither the records nor
-// the other path have. With D the interpolated light less the gathered one, times what the path carries to its pixel,
+// What an irradiance cache has wrong, learned before the first pass: at some pixels, drawn from the seed and
+// weighted by how likely they were, two camera paths end at points of their own, where light is gathered once more, by
+// rays and photons that neither the records nor the other path have. With D the interpolated light less the gathered
+// one, times what the path carries to its pixel,
 //   mean over pixels of D_1 D_2 / (image^2 + 0.01)
 // is the square of the image's bias by the cache as relmse counts it, since what is gathered is independent: its noise
 // adds nothing in expectation. What records and gathered light have wrong alike it does not see.
