@@ -35,10 +35,10 @@ constexpr float least_reach = 1.5f, most_reach = 24;
 /// less than one, so that a record beside a slot does not stand for what lies in it.
 constexpr float most_of_nearest = 4;
 
-/// Pixels where the cache is checked: one for so many records, but so many.
-constexpr std::size_t records_a_check = 8, fewest_checks = 128, most_checks = 256;
-/// Rays of what is gathered there, for each of a record: noise falls faster with them than with pixels.
-constexpr std::int64_t rays_a_check = 2;
+/// Pixels where the cache is checked, and rays of what is gathered there for each of a record: noise falls faster with
+/// rays than with pixels. Both take as long as 1800 records.
+constexpr std::size_t checked_pixel_count = 225;
+constexpr std::int64_t rays_a_check = 4;
 
 struct CachePoint {
   Vec3f p, n;
@@ -242,20 +242,26 @@ IrradianceCache CacheMaker::make(const std::vector<CachePoint>& points) {
   return cache;
 }
 
-/// Half of them evenly over the image, half as far as records disagree: some pixels have most of the error, at edges of
-/// lamps and in corners.
+/// Half of them evenly over the image, half as the cache is in doubt in them or beside them: some pixels have most of
+/// the error, at edges of lamps and in corners.
 std::vector<CacheError::Pixel> CacheMaker::checked_pixels(const IrradianceCache& cache, const Tile& window,
                                                           const std::vector<CachePoint>& points) const {
   const auto width = static_cast<std::size_t>(window.width()),
              pixels = width * static_cast<std::size_t>(window.height());
   std::vector<double> density(pixels, 0.0);
-  for (const CachePoint& at : points)
-    density[static_cast<std::size_t>(at.y - window.y0) * width + static_cast<std::size_t>(at.x - window.x0)] =
-        std::sqrt(double{cache.disagreement(at.p, at.n)});
+  for (const CachePoint& at : points) {
+    const double doubt = double{cache.doubt(at.p, at.n)};
+    for (int y = std::max(at.y - 1, window.y0); y < std::min(at.y + 2, window.y1); ++y)
+      for (int x = std::max(at.x - 1, window.x0); x < std::min(at.x + 2, window.x1); ++x) {
+        double& there =
+            density[static_cast<std::size_t>(y - window.y0) * width + static_cast<std::size_t>(x - window.x0)];
+        there = std::max(there, doubt);
+      }
+  }
   const double all = std::accumulate(density.begin(), density.end(), 0.0);
   for (double& d : density)
     d = all > 0 ? 0.5 / static_cast<double>(pixels) + 0.5 * d / all : 1 / static_cast<double>(pixels);
-  const std::size_t checks = std::clamp(cache.records().size() / records_a_check, fewest_checks, most_checks);
+  constexpr std::size_t checks = checked_pixel_count;
   const std::uint32_t key = stream_seed(source_.job.seed, check_stream);
   std::vector<CacheError::Pixel> drawn;
   double before = 0;

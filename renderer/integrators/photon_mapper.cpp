@@ -137,6 +137,35 @@ void keep(RenderLoop& loop, PhotonMaps& maps) {
   }
 }
 
+/// What the image has wrong in the mean, squared, as relmse counts it: by the radii of look-ups and by a cache.
+struct ImageBias {
+  const Film& image;
+  const LookUpBias& radii;
+  const PassHalves& halves;
+  const std::optional<CheckedCache>& cache;
+  const PhotonSettings& settings;
+  const std::vector<MapState*>& maps;
+
+  double of_cache() const { return cache ? cache->error.squared_bias(image) : 0; }
+  double of_radii(int map) const { return radii.evidence(image, map, halves).squared_bias(); }
+  double of_fixed_radii() const {
+    double sum = 0;
+    for (const MapState* map : maps)
+      if (map->fixed_radius && !settings.textbook) sum += of_radii(static_cast<int>(map->kind));
+    return sum;
+  }
+  /// The passes are told of this, which must outlive them.
+  void tell(PassPlan& passes) const {
+    passes.squared_bias = [this] { return of_radii(LookUpBias::all_maps) + of_cache(); };
+    passes.lasting_bias = [this] { return of_fixed_radii() + of_cache(); };
+    passes.lasting_bias_of = [this] {
+      const std::string fixed = "the radii that the scene fixes";
+      return cache ? "the irradiance cache" + (of_fixed_radii() > 0 ? " and " + fixed + " have" : std::string(" has"))
+                   : fixed + " have";
+    };
+  }
+};
+
 /// Of the automatic settings.
 void choose_way(const PhotonSource& source, PhotonMaps& maps, const RenderPlan& plan, const Tile& window,
                 PhotonSettings& settings, RenderStats& stats) {
@@ -225,18 +254,8 @@ void render_photon_mapper(const Scene& scene, const RenderPlan& plan, const Rend
   PixelEffort effort(film.window());
   PassHalves halves;
   std::optional<CheckedCache> checked;
-  const auto bias_of_cache = [&] { return checked ? checked->error.squared_bias(image) : 0; };
-  passes.squared_bias = [&] {
-    return bias.evidence(image, LookUpBias::all_maps, halves).squared_bias() + bias_of_cache();
-  };
-  passes.lasting_bias = [&] {
-    double sum = bias_of_cache();
-    for (const MapState* map : wanted)
-      if (map->fixed_radius && !settings.textbook)
-        sum += bias.evidence(image, static_cast<int>(map->kind), halves).squared_bias();
-    return sum;
-  };
-  passes.lasting_bias_of = caches ? "the irradiance cache has wrong" : "radii that the scene fixes have wrong";
+  const ImageBias image_bias{image, bias, halves, checked, settings, wanted};
+  image_bias.tell(passes);
   RenderLoop loop(job, threads, image, stats, passes);
   if (unseen) loop.keep(film);
   loop.keep_between_passes(halves);
@@ -268,7 +287,7 @@ void render_photon_mapper(const Scene& scene, const RenderPlan& plan, const Rend
     choose_next_radii(wanted, settings, image, halves, samples, bias);
   }
   maps.store_counts(scene.scale(), halves.pass_count(), stats);
-  if (checked) stats.counts["relative_bias_cache"] = std::sqrt(bias_of_cache());
+  if (checked) stats.counts["relative_bias_cache"] = std::sqrt(image_bias.of_cache());
 }
 
 }  // namespace photonproof

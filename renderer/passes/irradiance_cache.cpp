@@ -93,21 +93,21 @@ std::optional<Rgb> IrradianceCache::find(const Vec3f& p, const Vec3f& n) const {
   return sum * (1 / weights);
 }
 
-float IrradianceCache::disagreement(const Vec3f& p, const Vec3f& n) const {
-  float weights = 0, sum = 0, squares = 0;
-  int standing = 0;
+float IrradianceCache::doubt(const Vec3f& p, const Vec3f& n) const {
+  float weights = 0, sum = 0, squares = 0, steepness = 0;
   for_each_near(p, [&](std::uint32_t i) {
-    const float weight = 1 - error(records_[i], p, n) / kappa_;
+    const IrradianceRecord& record = records_[i];
+    const float weight = 1 - error(record, p, n) / kappa_;
     if (!(weight > 0)) return;
-    const Rgb said = records_[i].at(p, n);
+    const Rgb said = record.at(p, n);
     const float brightness = said.x + said.y + said.z;
-    ++standing;
     weights += weight;
     sum += weight * brightness;
     squares += weight * brightness * brightness;
+    steepness += weight * length(record.moved[0] + record.moved[1] + record.moved[2]) * reach(record);
   });
-  if (standing < 2 || !(sum > 0)) return 1;
-  return std::max(0.0f, squares * weights / (sum * sum) - 1);
+  if (!(sum > 0)) return 1;
+  return std::min(1.0f, (steepness + std::sqrt(std::max(0.0f, squares * weights - sum * sum))) / sum);
 }
 
 const IrradianceRecord* IrradianceCache::nearest(const Vec3f& p, const Vec3f& n) const {

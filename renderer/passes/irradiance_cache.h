@@ -25,9 +25,9 @@ class IrradianceCache {
   bool covers(const Vec3f& p, const Vec3f& n) const;
   /// Weighted mean of what records say; nothing where none stands for the point.
   std::optional<Rgb> find(const Vec3f& p, const Vec3f& n) const;
-  /// How far records disagree at the point: the variance of what they say, weighted as they are, over the square of
-  /// its mean, of the channels' sum; 1 where fewer than two stand for it, since there nothing is known.
-  float disagreement(const Vec3f& p, const Vec3f& n) const;
+  /// A guess of how wrong the cache is at the point, as a part of its irradiance, 1 at most: how far records disagree,
+  /// and how much they say changes within their reach, which is never less than some pixels.
+  float doubt(const Vec3f& p, const Vec3f& n) const;
   /// As `find`, or where no record stands for the point what the one of least error says; 0 without records.
   Rgb interpolate(const Vec3f& p, const Vec3f& n) const;
   /// Of those whose reach includes the point and that face as it does, the nearest one; null: none.

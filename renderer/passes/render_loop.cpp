@@ -80,10 +80,11 @@ bool RenderLoop::reached_target() {
 void RenderLoop::say_if_missed() {
   if (!job_.budget.target_error || !error_ || *error_ <= *job_.budget.target_error) return;
   char text[320];
-  std::snprintf(text, sizeof text,
-                "--target-error %.3g is not reached, the error is %.3g: %.3g of it is what %s, and does not fall with "
-                "more samples",
-                *job_.budget.target_error, *error_, std::sqrt(plan_.lasting_bias()), plan_.lasting_bias_of.c_str());
+  std::snprintf(
+      text, sizeof text,
+      "--target-error %.3g is not reached, the error is %.3g: %.3g of it is what %s wrong, and does not fall with "
+      "more samples",
+      *job_.budget.target_error, *error_, std::sqrt(plan_.lasting_bias()), plan_.lasting_bias_of().c_str());
   stats_.losses.emplace_back(text);
 }
 

@@ -42,7 +42,7 @@ struct PassPlan {
   /// The part of that which no number of passes changes, and whose it is. Empty: nothing. A render that is to go on
   /// until its error is as asked ends where the rest of its error is small beside this.
   std::function<double()> lasting_bias = {};
-  std::string lasting_bias_of = {};
+  std::function<std::string()> lasting_bias_of = {};
 };
 
 class RenderLoop {
