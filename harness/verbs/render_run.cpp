@@ -13,6 +13,7 @@
 #include "harness/verbs/engine_output.h"
 #include "harness/verbs/interrupt.h"
 #include "harness/verbs/render_json.h"
+#include "harness/verbs/render_presets.h"
 #include "renderer/core/parallel.h"
 #include "renderer/core/version.h"
 #include "renderer/integrators/check_supported.h"
@@ -76,6 +77,7 @@ RenderIdentity render_identity(const RenderArguments& arguments, const SceneDesc
       {"image", size_text(film.width, film.height) + ", of which " + size_text(window.width(), window.height()) +
                     " from " + std::to_string(window.x0) + "," + std::to_string(window.y0)},
       {"integrator", plan.integrator},
+      {"preset", arguments.preset.empty() ? "none" : arguments.preset},
       {"view", view_row(plan.view).name},
       {"seed", std::to_string(arguments.seed)},
       {"sampler", arguments.sampler},
@@ -133,6 +135,7 @@ RenderJob render_job(const RenderArguments& arguments, const SceneDescription& d
 
 /// What is asked for, as far as it can be known before the scene is compiled.
 struct Request {
+  std::string preset;  ///< what it does; empty: there is none
   SceneDescription description;
   IntegratorDescription method;
   RenderJob job;
@@ -144,8 +147,17 @@ Request request_of(const RenderArguments& arguments, const std::vector<fs::path>
   Request request;
   request.description = load_scene(arguments.scene);
   if (!outputs.empty()) check_outputs(outputs, scene_inputs(request.description));
+  if (const RenderPreset* preset = preset_named(arguments.preset)) {
+    request.preset = preset->apply(request.description, !arguments.scene.size.empty());
+    if (!arguments.integrator.empty() && arguments.integrator != integrator_name(request.description.integrator))
+      throw InputError("--preset", "'" + arguments.preset + "' is of integrator '" +
+                                       integrator_name(request.description.integrator) + "', not of '" +
+                                       arguments.integrator + "'");
+  }
   request.method = method_of(arguments, request.description);
   request.job = render_job(arguments, request.description);
+  if (!request.preset.empty() && request.job.grid == 0 && request.job.view != View::photons)
+    request.job.grid = preset_named(arguments.preset)->grid;
   check_supported(request.description, request.method);
   check_job(request.job, request.method);
   request.window = film_window(request.description.sensor.film, arguments.crop);
@@ -156,11 +168,17 @@ SceneParts parts_of(const SceneDescription& description) {
   return {description, description.sensor.film.width, description.sensor.film.height};
 }
 
+RenderPlan plan_of(const Request& request, const SceneParts& parts) {
+  RenderPlan plan = plan_render(analyse(parts), request.method, request.job);
+  if (!request.preset.empty()) plan.runs.insert(plan.runs.begin(), {"preset", request.preset});
+  return plan;
+}
+
 int print_plan(const RenderArguments& arguments) {
   if (arguments.resume) throw InputError("--resume", "does nothing with --plan, which renders nothing");
   const Request request = request_of(arguments, {});
   const SceneParts parts = parts_of(request.description);
-  const RenderPlan plan = plan_render(analyse(parts), request.method, request.job);
+  const RenderPlan plan = plan_of(request, parts);
   say_notes(request.description, parts);
   std::printf("%s", arguments.json ? (json_text(plan_json(plan)) + "\n").c_str() : plan_text(plan).c_str());
   return 0;
@@ -245,7 +263,7 @@ int render_to_files(const RenderArguments& arguments) {
   const Timer compile_timer;
   check_memory(request.description, request.window, arguments.checkpoint_seconds);
   SceneParts parts = parts_of(request.description);
-  const RenderPlan plan = plan_render(analyse(parts), request.method, request.job);
+  const RenderPlan plan = plan_of(request, parts);
   const std::unique_ptr<const Scene> scene = built(request, std::move(parts), plan, stats);
   stats.phases["compile"] = compile_timer.seconds();
 

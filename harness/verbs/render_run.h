@@ -14,6 +14,7 @@ struct RenderArguments {
   SceneOptions scene;
   std::string output;
   std::string stats_path;
+  std::string preset;  ///< of render_presets; empty: none
   std::string integrator;
   std::string indirect;  ///< of indirect_words; empty: the scene's
   std::optional<std::int64_t> spp, photons;

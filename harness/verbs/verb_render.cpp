@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "harness/verbs/render_presets.h"
 #include "harness/verbs/render_run.h"
 #include "harness/verbs/verbs.h"
 #include "renderer/integrators/integrator.h"
@@ -16,6 +17,13 @@ namespace {
 void add_method_options(CLI::App& verb, RenderArguments& arguments) {
   std::vector<std::string> names;
   for (const Integrator& row : integrators()) names.emplace_back(row.name);
+  std::vector<std::string> presets;
+  std::string meanings = "settings under one name, which other options override. ";
+  for (const RenderPreset& preset : render_presets()) {
+    presets.emplace_back(preset.name);
+    meanings += preset.meaning;
+  }
+  verb.add_option("--preset", arguments.preset, meanings)->check(CLI::IsMember(presets));
   verb.add_option("--integrator", arguments.integrator, "instead of the scene's own")->check(CLI::IsMember(names));
   verb.add_option("--seed", arguments.seed, "of the random numbers: same seed, same bits")->check(is_seed);
   std::vector<std::string> indirect;

@@ -102,7 +102,7 @@ std::string camera_paths_words(const PhotonSettings& settings, bool any_global_m
 void plan_camera_paths(Planner& planner, const PhotonSettings& settings, const ViewRow& view) {
   planner.run("camera paths", camera_paths_words(settings, !planner.plan().skips(Skip::global_map)) + "; " +
                                   depth_words(settings.limits.max_depth));
-  if (!settings.textbook && view.made_from_all())
+  if (!settings.textbook && view.made_from_all() && planner.job().grid == 0)
     planner.run("more camera paths", "up to 64 times as many in pixels whose earlier passes disagree");
   if (planner.facts().any_environment && view.direct_light)
     planner.run("one more ray", "from where photons are looked up to the environment, which light samples find, too");
