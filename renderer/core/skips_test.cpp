@@ -173,7 +173,7 @@ TEST(skips, an_unknown_name_is_refused_with_the_known_ones) {
     EXPECT_STREQ(
         e.what(),
         "--no-skip: error: there is no skip 'bhv', expected one of bvh, mis, light-choice, far-lights, direct-light, "
-        "bsdf-groups, shadow-rays, global-map, caustic-map, stray-photons, surface-detail, all");
+        "bsdf-groups, shadow-rays, global-map, caustic-map, stray-photons, camera-pilot, surface-detail, all");
   }
 }
 

@@ -15,6 +15,7 @@
 
 #include "renderer/integrators/cache_prepass.h"
 #include "renderer/integrators/camera_pass.h"
+#include "renderer/integrators/camera_pilot.h"
 #include "renderer/integrators/photon_dots.h"
 #include "renderer/integrators/photon_maps.h"
 #include "renderer/passes/irradiance_cache.h"
@@ -83,11 +84,30 @@ std::string camera_paths_words(const PhotonSettings& settings, bool any_global_m
          (settings.textbook ? "" : ", once for all samples of a pixel that end alike");
 }
 
+/// Whether pixels get numbers of samples of their own.
+bool steers_samples(const PhotonSettings& settings, const ViewRow& view) {
+  return !settings.textbook && view.made_from_all();
+}
+
+void plan_camera_pilot(Planner& planner) {
+  const SceneFacts& facts = planner.facts();
+  const char* why = !facts.any_delta_bsdf                                ? "no mirror and no smooth glass"
+                    : !facts.lights_can_be_hit && !facts.any_environment ? "rays meet no light"
+                                                                         : nullptr;
+  if (!planner.decide(Skip::camera_pilot, why != nullptr, why != nullptr ? why : "",
+                      "mirrors or smooth glass may show lamps"))
+    planner.run(
+        "camera pilot",
+        "samples beforehand, of no image, find the pixels where a lamp is rarely met by mirrors or through glass");
+}
+
 void plan_camera_paths(Planner& planner, const PhotonSettings& settings, const ViewRow& view) {
   planner.run("camera paths", camera_paths_words(settings, !planner.plan().skips(Skip::global_map)) + "; " +
                                   depth_words(settings.limits.max_depth));
-  if (!settings.textbook && view.made_from_all())
+  if (steers_samples(settings, view)) {
     planner.run("more camera paths", "up to 64 times as many in pixels whose earlier passes disagree");
+    plan_camera_pilot(planner);
+  }
   if (planner.facts().any_environment && view.direct_light)
     planner.run("one more ray", "from where photons are looked up to the environment, which light samples find, too");
   planner.batches();
@@ -186,6 +206,10 @@ void render_photon_mapper(const Scene& scene, const RenderPlan& plan, const Rend
   loop.keep(effort.pixels());
   loop.keep(effort.decided());
   CameraPass camera(scene, settings, plan, job, shown_by(view, wanted), areas ? &*areas : nullptr, bias, effort);
+  if (steers_samples(settings, view) && !plan.skips(Skip::camera_pilot)) {
+    run_camera_pilot(scene, camera_path_settings(settings, plan), job, threads, image.window(), effort, stats);
+    effort.choose();
+  }
   std::optional<IrradianceCache> cache;
   if (caches) camera.use(cache.emplace(make_irradiance_cache(plan, source, *areas, film.window(), stats)));
   while (loop.next()) {
@@ -200,7 +224,7 @@ void render_photon_mapper(const Scene& scene, const RenderPlan& plan, const Rend
     const auto samples = static_cast<double>(loop.samples());
     image.end_shared_pass(samples);
     if (unseen) film.end_shared_pass(samples);
-    if (!settings.textbook && view.made_from_all()) effort.choose();
+    if (steers_samples(settings, view)) effort.choose();
     halves.add_pass(samples);
     bias.narrow(image, halves);
     const double after_next = halves.all_samples() * (1 + 1.0 / double{parts_of_samples});
