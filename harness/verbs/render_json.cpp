@@ -33,6 +33,7 @@ nlohmann::ordered_json stats_json(const RenderArguments& arguments, const Render
           {"phases", stats.phases},
           {"counts", stats.counts},
           {"skipped", stats.skipped},
+          {"choices", stats.choices},
           {"losses", stats.losses},
           {"plan", plan_json(plan)}};
 }

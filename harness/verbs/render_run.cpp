@@ -102,8 +102,16 @@ std::vector<std::string> say_notes(const SceneDescription& description, const Sc
 }
 
 IntegratorDescription method_of(const RenderArguments& arguments, const SceneDescription& description) {
-  if (arguments.integrator.empty()) return description.integrator;
-  return with_integrator(description.integrator, arguments.integrator);
+  IntegratorDescription method = description.integrator;
+  if (!arguments.integrator.empty()) method = with_integrator(method, arguments.integrator);
+  if (!arguments.indirect.empty()) {
+    auto* photons = std::get_if<PhotonMapperDescription>(&method.method);
+    if (photons == nullptr)
+      throw InputError("--indirect", "does nothing with integrator '" + integrator_name(method) + "'");
+    for (const auto& word : indirect_words)
+      if (arguments.indirect == word.text) photons->indirect = word.value;
+  }
+  return method;
 }
 
 RenderJob render_job(const RenderArguments& arguments, const SceneDescription& description) {
@@ -181,6 +189,7 @@ void print_summary(const RenderArguments& arguments, const RenderPlan& plan, con
   std::printf("%s: %s, %dx%d, %.0f samples a pixel, %.2f s\n", arguments.output.c_str(),
               (plan.integrator + view_words(plan, ", view ")).c_str(), window.width(), window.height(),
               stats.counts.at("samples_per_pixel"), seconds);
+  for (const std::string& choice : stats.choices) std::printf("%s\n", choice.c_str());
   std::string left_out;
   for (const RenderPlan::Decision& d : plan.decisions)
     if (d.skipped) left_out += (left_out.empty() ? "" : ", ") + std::string(skip_row(d.skip).name);

@@ -15,6 +15,7 @@ struct RenderArguments {
   std::string output;
   std::string stats_path;
   std::string integrator;
+  std::string indirect;  ///< of indirect_words; empty: the scene's
   std::optional<std::int64_t> spp, photons;
   std::optional<double> seconds, target_error;
   std::uint64_t seed = 0;

@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <string>
 
 #include "harness/verbs/render_run.h"
 #include "harness/verbs/verbs.h"
@@ -17,6 +18,11 @@ void add_method_options(CLI::App& verb, RenderArguments& arguments) {
   for (const Integrator& row : integrators()) names.emplace_back(row.name);
   verb.add_option("--integrator", arguments.integrator, "instead of the scene's own")->check(CLI::IsMember(names));
   verb.add_option("--seed", arguments.seed, "of the random numbers: same seed, same bits")->check(is_seed);
+  std::vector<std::string> indirect;
+  for (const auto& word : indirect_words) indirect.emplace_back(word.text);
+  verb.add_option("--indirect", arguments.indirect,
+                  "of photonmapper, instead of the scene's: how light between diffuse surfaces is found")
+      ->check(CLI::IsMember(indirect));
   verb.add_option("--threads", arguments.threads, "worker threads (default: every core)")->check(CLI::Range(0, 1024));
   verb.add_option("--grid", arguments.grid, "samples on the centres of a KxK grid in each pixel")
       ->check(CLI::Range(0, 1024));

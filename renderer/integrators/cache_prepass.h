@@ -12,13 +12,19 @@
 
 #include "renderer/core/parallel.h"
 #include "renderer/integrators/photon_maps.h"
+#include "renderer/passes/cache_error.h"
 #include "renderer/passes/irradiance_cache.h"
 #include "renderer/passes/look_up_area.h"
 #include "renderer/planning/plan.h"
 
 namespace photonproof {
 
-IrradianceCache make_irradiance_cache(const RenderPlan& plan, const PhotonSource& source, const LookUpAreas& areas,
+struct CheckedCache {
+  IrradianceCache cache;
+  CacheError error;
+};
+
+CheckedCache make_irradiance_cache(const RenderPlan& plan, const PhotonSource& source, const LookUpAreas& areas,
                                       const Tile& window, RenderStats& stats);
 
 }  // namespace photonproof

@@ -4,6 +4,7 @@
 #include <limits>
 #include <numeric>
 
+#include "renderer/integrators/cache_picture.h"
 #include "renderer/passes/irradiance_record.h"
 #include "renderer/passes/photon_radius.h"
 #include "renderer/passes/shared_look_ups.h"
@@ -30,6 +31,12 @@ const MapState* map_to_gather(const PhotonSettings& settings, const std::vector<
     for (const MapState* map : maps)
       if (map->kind == PhotonKind::global) return map;
   return nullptr;
+}
+
+/// Where a view shows no direct light, paths that go on keep what they find further on.
+PathSettings settings_of_view(PathSettings settings, const ViewRow& view, bool goes_on) {
+  settings.indirect_only = goes_on && !view.direct_light;
+  return settings;
 }
 
 }  // namespace
@@ -63,44 +70,52 @@ CameraPass::CameraPass(const Scene& scene, const PhotonSettings& settings, const
       job_(job),
       view_(view_row(plan.view)),
       shares_(!settings.textbook),
-      gathered_(map_to_gather(settings, maps_shown)),
       maps_(std::move(maps_shown)),
+      gathered_(map_to_gather(settings, maps_)),
+      traces_paths_(settings.indirect == IndirectLight::path),
+      goes_on_(traces_paths_ || gathered_ != nullptr),
       areas_(areas),
       bias_(bias),
       effort_(effort),
       settings_(settings),
-      path_settings_(camera_path_settings(settings, plan)),
+      path_settings_(settings_of_view(camera_path_settings(settings, plan), view_, goes_on_)),
       footprint_(std::max(median_pixel_footprint(scene), 1e-30f)),
       scratch_(job.kernels().path.scratch) {}
 
-AtDiffuse CameraPass::at_diffuse() const {
-  const bool looks = scene_.view().environment != no_index && path_settings_.direct_light != DirectLight::hits_only;
-  if (gathered_ != nullptr) return looks ? AtDiffuse::final_gather_and_look : AtDiffuse::final_gather;
-  return looks ? AtDiffuse::leave_gather_point_and_look : AtDiffuse::leave_gather_point;
+/// What paths do beyond the first diffuse surface, and where they leave points.
+void CameraPass::leave_points(PathTask& task, TilePaths& paths) const {
+  const std::size_t count = paths.pixel_of.size();
+  const auto room = [](GatherQueue& queue, std::size_t points) {
+    queue.reserve(points);
+    return queue.view();
+  };
+  task.at_diffuse = at_diffuse_of_maps(scene_, task.settings);
+  if (gathered_ != nullptr) {
+    task.at_diffuse = task.at_diffuse == AtDiffuse::leave_gather_point_and_look ? AtDiffuse::final_gather_and_look
+                                                                                : AtDiffuse::final_gather;
+    task.near_hit = gathered_->radii.radius;
+  }
+  const bool caustics = std::ranges::any_of(maps_, [](const MapState* m) { return m->kind == PhotonKind::caustic; });
+  if (traces_paths_)
+    task.at_diffuse = caustics || task.settings.indirect_only ? AtDiffuse::go_on_beside_caustic_map : AtDiffuse::go_on;
+  if (caustics || !traces_paths_) task.points = room(paths.queue, count);
+  if (!goes_on_ || !caustics) return;
+  task.caustic_points = room(paths.caustic_queue, caustic_points_a_path * count);
+  task.caustics_at_first = view_.caustic_map;
 }
 
 void CameraPass::trace(const CameraTask& camera, TilePaths& paths, RenderLoop& loop) {
-  const Tile& tile = paths.tile;
   const std::size_t first = paths.pixel_of.size();
-  for (int y = camera.y0; y < camera.y1; ++y)
-    for (int x = camera.x0; x < camera.x1; ++x) {
-      const auto pixel = static_cast<std::uint32_t>((y - tile.y0) * tile.width() + x - tile.x0);
-      paths.pixel_of.insert(paths.pixel_of.end(), camera.samples, pixel);
-      paths.count[pixel] += camera.samples;
-    }
+  for (std::uint32_t i = 0; i < camera.pixels(); ++i) {
+    paths.pixel_of.insert(paths.pixel_of.end(), camera.samples, camera.pixel(i));
+    paths.count[camera.pixel(i)] += camera.samples;
+  }
   paths.radiance.resize(3 * paths.pixel_of.size());
-  paths.queue.reserve(paths.pixel_of.size());
   PathTask task{.scene = &scene_.view(),
                 .camera = camera,
                 .settings = path_settings_,
-                .at_diffuse = at_diffuse(),
-                .radiance = paths.radiance.data() + 3 * first,
-                .points = paths.queue.view()};
-  if (gathered_ != nullptr) {
-    task.near_hit = gathered_->radii.radius;
-    paths.caustic_queue.reserve(caustic_points_a_path * paths.pixel_of.size());
-    if (maps_.size() > 1) task.caustic_points = paths.caustic_queue.view();
-  }
+                .radiance = paths.radiance.data() + 3 * first};
+  leave_points(task, paths);
   scratch_.lend([&](std::uint32_t* words) {
     task.scratch = words;
     job_.kernels().path.trace(task);
@@ -115,19 +130,21 @@ void CameraPass::trace(const CameraTask& camera, TilePaths& paths, RenderLoop& l
 }
 
 void CameraPass::trace_extra(TilePaths& paths, RenderLoop& loop) {
-  const Tile& tile = paths.tile;
   if (job_.grid > 0) return;
-  for (int y = tile.y0; y < tile.y1; ++y) {
-    for (int x = tile.x0, end = x; x < tile.x1; x = end) {
-      const std::uint32_t extra = effort_.extra(x, y);
-      for (end = x + 1; end < tile.x1 && effort_.extra(end, y) == extra; ++end) {
-      }
-      if (extra == 0) continue;
-      CameraTask camera =
-          camera_task(job_, {x, y, end, y + 1}, loop.first() * PixelEffort::most, loop.samples() * extra);
-      camera.seed = stream_seed(job_.seed, extra_sample_stream);
-      trace(camera, paths, loop);
-    }
+  std::vector<std::uint32_t> alike;
+  std::uint32_t most = 0;
+  for (std::size_t pixel = 0; pixel < paths.count.size(); ++pixel)
+    most = std::max(most, effort_.extra(paths.x(pixel), paths.y(pixel)));
+  for (std::uint32_t extra = 1; extra <= most; extra = 2 * extra + 1) {  // as PixelEffort chooses them
+    alike.clear();
+    for (std::size_t pixel = 0; pixel < paths.count.size(); ++pixel)
+      if (effort_.extra(paths.x(pixel), paths.y(pixel)) == extra) alike.push_back(static_cast<std::uint32_t>(pixel));
+    if (alike.empty()) continue;
+    CameraTask camera = camera_task(job_, paths.tile, loop.first() * PixelEffort::most, loop.samples() * extra);
+    camera.seed = stream_seed(job_.seed, extra_sample_stream);
+    camera.some_pixels = alike.data();
+    camera.some_count = static_cast<std::uint32_t>(alike.size());
+    trace(camera, paths, loop);
   }
 }
 
@@ -136,7 +153,8 @@ void CameraPass::render(const Tile& tile, std::int64_t pass, RenderLoop& loop, F
   TilePaths paths(tile, pass, static_cast<double>(loop.samples()));
   trace(camera_task(job_, tile, loop.first(), loop.samples()), paths, loop);
   trace_extra(paths, loop);
-  for (std::size_t path = 0; view_.direct_light && path < paths.pixel_of.size(); ++path) {
+  const bool adds_radiance = view_.direct_light || goes_on_;
+  for (std::size_t path = 0; adds_radiance && path < paths.pixel_of.size(); ++path) {
     const float* sample = &paths.radiance[3 * path];
     paths.sum[paths.pixel_of[path]] += Rgb(sample[0], sample[1], sample[2]);
   }
@@ -151,11 +169,14 @@ void CameraPass::render(const Tile& tile, std::int64_t pass, RenderLoop& loop, F
 }
 
 void CameraPass::add_numbers(TilePaths& paths, double seconds, Film& numbers) const {
-  std::vector<Rgb> radii;
+  std::vector<Rgb> radii, dots;
   if (view_.view == View::radius) radii = radii_in_pixels(paths);
+  if (view_.view == View::cache_records && cache_ != nullptr)
+    dots = cache_picture(*cache_, scene_.view().camera, {paths.queue, paths.pixel_of, paths.count, paths.sum});
   for (std::size_t pixel = 0; pixel < paths.count.size(); ++pixel) {
     RgbD number(1e6 * seconds / (static_cast<double>(paths.count.size()) * paths.samples));
     if (view_.view == View::radius) number = RgbD(radii[pixel]) / static_cast<double>(paths.count[pixel]);
+    if (view_.view == View::cache_records) number = RgbD(dots[pixel]);
     if (view_.view == View::samples) number = RgbD(static_cast<double>(paths.count[pixel]) / paths.samples);
     numbers.add(paths.x(pixel), paths.y(pixel), number, paths.samples);
   }
@@ -182,18 +203,18 @@ void CameraPass::add_photons(TilePaths& paths) {
   const auto add_shared = [&](MapState& map, const std::vector<PixelPoint>& points) {
     add_photons_of(map, points, shares_ ? block_grid(pixels_a_radius(map), key) : BlockGrid{}, key, paths);
   };
-  const std::vector<PixelPoint> points = points_of_pixels(gathered_ != nullptr ? paths.caustic_queue : paths.queue,
-                                                          paths.pixel_of, shares_ ? most_apart : 0.0f, key);
+  const std::vector<PixelPoint> points =
+      points_of_pixels(goes_on_ ? paths.caustic_queue : paths.queue, paths.pixel_of, shares_ ? most_apart : 0.0f, key);
   if (cache_ != nullptr)
     for (const PixelPoint& at : points)
       paths.sum[at.pixel] += at.point.weight * cache_->interpolate(at.point.p, facing_sheet_normal(at.point.sheet));
   std::vector<PixelPoint> further;
-  if (gathered_ != nullptr) further = points_by_themselves(paths.queue, paths.pixel_of);
+  if (goes_on_) further = points_by_themselves(paths.queue, paths.pixel_of);
   for (MapState* map : maps_) {
     if (map->map.empty()) continue;
     if (has_fault(Fault::missing_caustic) && map->kind == PhotonKind::caustic) continue;
     if (map != gathered_) add_shared(*map, points);
-    if (gathered_ != nullptr) add_photons_of(*map, further, BlockGrid{}, key, paths);
+    if (goes_on_) add_photons_of(*map, further, BlockGrid{}, key, paths);
   }
 }
 

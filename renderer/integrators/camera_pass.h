@@ -34,7 +34,7 @@ class CameraPass {
   struct TilePaths;
   void trace(const CameraTask& camera, TilePaths& paths, RenderLoop& loop);
   void trace_extra(TilePaths& paths, RenderLoop& loop);
-  AtDiffuse at_diffuse() const;
+  void leave_points(PathTask& task, TilePaths& paths) const;
   void add_photons(TilePaths& paths);
   void add_numbers(TilePaths& paths, double seconds, Film& numbers) const;
   std::vector<Rgb> radii_in_pixels(TilePaths& paths) const;
@@ -55,8 +55,10 @@ class CameraPass {
   const ViewRow& view_;
   const bool shares_;  ///< look-ups
   const IrradianceCache* cache_ = nullptr;
-  const MapState* const gathered_;  ///< the global map, one bounce further (final_gather.h); null: none
   const std::vector<MapState*> maps_;
+  const MapState* const gathered_;  ///< the global map, one bounce further (final_gather.h); null: none
+  const bool traces_paths_;         ///< beyond the first diffuse surface, in place of a global map
+  const bool goes_on_;              ///< beyond the first diffuse surface, one way or the other
   const LookUpAreas* const areas_;
   LookUpBias& bias_;
   PixelEffort& effort_;

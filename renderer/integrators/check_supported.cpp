@@ -78,11 +78,9 @@ void check_job(const RenderJob& job, const IntegratorDescription& method) {
   if (job.budget.photons && !row.heeds.photons) refuse("--photons", "stores no photons");
   if (job.budget.photons && job.budget.seconds)
     throw InputError("--photons", "does nothing with --seconds, which decides how many there are");
-  const auto* photons = std::get_if<PhotonMapperDescription>(&method.method);
-  if (job.view != View::whole && job.view != View::photons && photons != nullptr &&
-      photons->indirect != IndirectLight::map)
-    throw InputError("--view",
-                     "shows what direct look-ups are made of: the scene asks for another 'indirect' than map");
+  if (job.view == View::cache_records && row.heeds.view &&
+      !std::holds_alternative<PhotonMapperDescription>(method.method))
+    refuse("--view cache-records", "has no irradiance cache");
   if (job.budget.target_error && !row.heeds.target_error)
     throw InputError("--target-error", "integrator '" + std::string(row.name) +
                                            "' cannot tell its own error: give it another budget and compare its image");

@@ -116,6 +116,10 @@ TEST(check_job, refuses_views_of_integrators_without_photon_maps) {
   }
   job.grid = 2;
   EXPECT_EQ(said([&] { check_job(job, with_integrator({}, "photonmapper")); }), "");
+  job.view = View::cache_records;
+  EXPECT_EQ(said([&] { check_job(job, with_integrator({}, "photonmapper")); }), "");
+  EXPECT_EQ(said([&] { check_job(job, with_integrator({}, "sppm")); }),
+            "--view cache-records: error: does nothing with integrator 'sppm', which has no irradiance cache");
   job.view = View::photons;
   EXPECT_EQ(said([&] { check_job(job, with_integrator({}, "photonmapper")); }),
             "--grid: error: does nothing with --view photons, which takes no camera samples");

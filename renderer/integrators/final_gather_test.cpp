@@ -16,14 +16,8 @@ namespace {
 using test::job_with;
 using test::render;
 
-/// The scene with its limits, and this integrator with final gathering.
-SceneDescription gathered(SceneDescription scene, double radius = 0) {
-  PhotonMapperDescription settings;
-  static_cast<PathLimits&>(settings) = scene.integrator.limits();
-  settings.indirect = IndirectLight::gather;
-  settings.global_radius = settings.caustic_radius = radius;
-  scene.integrator.method = settings;
-  return scene;
+SceneDescription gathered(const SceneDescription& scene, double radius = 0) {
+  return test::with_indirect(scene, IndirectLight::gather, radius);
 }
 
 /// The room with the lamp unseen: its few bright pixels would carry most of the mean's noise.
@@ -82,16 +76,7 @@ TEST(final_gather, open_scenes_under_a_sky_have_the_path_tracers_mean) {
 }
 
 TEST(final_gather, same_seed_gives_the_same_bits_at_1_2_and_7_threads) {
-  const SceneDescription scene = gathered(test::room(40, true));
-  RenderJob job = job_with(8, 30'000);
-  job.threads = 1;
-  const auto one = render(scene, "photonmapper", job);
-  for (const int threads : {2, 7}) {
-    job.threads = threads;
-    const auto many = render(scene, "photonmapper", job);
-    EXPECT_EQ(one.image.mean.rgb, many.image.mean.rgb) << threads;
-    EXPECT_EQ(one.image.variance->rgb, many.image.variance->rgb) << threads;
-  }
+  test::expect_same_bits_at_any_threads(gathered(test::room(40, true)), "photonmapper", job_with(8, 30'000));
 }
 
 TEST(final_gather, instruction_sets_agree) {

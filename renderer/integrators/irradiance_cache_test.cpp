@@ -12,6 +12,7 @@
 #include <numbers>
 
 #include "renderer/core/parallel.h"
+#include "renderer/integrators/cache_picture.h"
 #include "renderer/integrators/cache_prepass.h"
 #include "renderer/integrators/test_scenes.h"
 #include "renderer/passes/irradiance_record.h"
@@ -159,33 +160,30 @@ TEST(irradiance_cache, rooms_have_the_path_tracers_mean_and_blocks) {
 }
 
 TEST(irradiance_cache, same_seed_gives_the_same_bits_at_1_2_and_7_threads) {
-  const SceneDescription scene = cached(test::room(40, true));
-  RenderJob job = job_with(4, 30'000);
-  job.threads = 1;
-  const auto one = render(scene, "photonmapper", job);
+  const auto one =
+      test::expect_same_bits_at_any_threads(cached(test::room(40, true)), "photonmapper", job_with(4, 30'000));
   EXPECT_GT(one.stats.counts.at("cache_records"), 100);
-  for (const int threads : {2, 7}) {
-    job.threads = threads;
-    const auto many = render(scene, "photonmapper", job);
-    EXPECT_EQ(one.image.mean.rgb, many.image.mean.rgb) << threads;
-    EXPECT_EQ(one.stats.counts.at("cache_records"), many.stats.counts.at("cache_records")) << threads;
-  }
+}
+
+/// Of the render of a room in so many pixels a side.
+IrradianceCache records_of(const SceneDescription& room, const RenderJob& job, int size) {
+  const Scene scene = test::compiled(room, size, size);
+  const RenderPlan plan = plan_render(analyse(SceneParts(room, size, size)), room.integrator, job);
+  const PhotonSettings settings(room.integrator, job);
+  const Threads threads(2);
+  const LookUpAreas areas(scene, threads);
+  RenderStats stats;
+  return make_irradiance_cache(plan, {scene, settings, job, threads}, areas, {0, 0, size, size}, stats).cache;
 }
 
 TEST(irradiance_cache, has_more_records_at_edges_than_in_the_middle_of_walls) {
   const SceneDescription room = cached(test::room(128, false));
   const RenderJob job = job_with(1, 100'000);
-  const Scene scene = test::compiled(room, 128, 128);
-  const RenderPlan plan = plan_render(analyse(SceneParts(room, 128, 128)), room.integrator, job);
-  const PhotonSettings settings(room.integrator);
-  const Threads threads(2);
-  const LookUpAreas areas(scene, threads);
-  RenderStats stats;
-  const IrradianceCache cache =
-      make_irradiance_cache(plan, {scene, settings, job, threads}, areas, {0, 0, 128, 128}, stats);
+  const IrradianceCache cache = records_of(room, job, 128);
+  const double scale = test::compiled(room, 128, 128).scale();
   int at_edges = 0, in_middles = 0;
   for (const IrradianceRecord& record : cache.records()) {
-    const Vec3d p = Vec3d(record.p) / scene.scale();
+    const Vec3d p = Vec3d(record.p) / scale;
     std::array<double, 3> from_middle{std::abs(p.x), std::abs(p.y), std::abs(p.z)};
     std::ranges::sort(from_middle);
     const double from_edge = 1 - from_middle[1];
@@ -196,6 +194,59 @@ TEST(irradiance_cache, has_more_records_at_edges_than_in_the_middle_of_walls) {
   std::printf("%zu records: %d a unit of area at edges, %d in middles\n", cache.records().size(),
               static_cast<int>(at_edges / 1.11), static_cast<int>(in_middles / 1.44));
   EXPECT_GT(at_edges / 1.11, 2 * in_middles / 1.44);
+}
+
+// The camera of the room looks from (0, 0, 3.9) along -z, 64 pixels from the middle of its image to an edge at 18
+// degrees. Nothing in the room hides anything but the lamp, below the ceiling.
+TEST(irradiance_cache, its_picture_has_a_coloured_dot_at_every_record_and_is_grey_elsewhere) {
+  SceneDescription room = test::room(128, false);
+  room.integrator.method = PhotonMapperDescription{};  // with direct look-ups: the view asks for the cache itself
+  RenderJob job = job_with(8, 100'000);
+  job.view = View::cache_records;
+  const IrradianceCache cache = records_of(room, job, 128);
+  const Image picture = render(room, "photonmapper", job).image.mean;
+  const double scale = test::compiled(room, 128, 128).scale();
+  const auto coloured = [&](int x, int y) {
+    const float* p = picture.pixel(x, y);
+    return p[0] != p[1] || p[1] != p[2];
+  };
+  std::vector<bool> near_record(std::size_t{128} * 128);
+  int dots = 0;
+  for (const IrradianceRecord& record : cache.records()) {
+    const Vec3d p = Vec3d(record.p) / scale;
+    const double pixels = 64 / ((3.9 - p.z) * std::tan(pi / 10));
+    const int x = static_cast<int>(std::floor(64 + pixels * p.x)), y = static_cast<int>(std::floor(64 - pixels * p.y));
+    for (int v = std::max(0, y - 2); v <= std::min(127, y + 2); ++v)
+      for (int u = std::max(0, x - 2); u <= std::min(127, x + 2); ++u)
+        near_record[static_cast<std::size_t>(128 * v + u)] = true;
+    ++dots;
+    // Dots are painted on the walls, of which the camera sees some from the side.
+    bool dot = false;
+    for (int v = std::max(0, y - 1); v <= std::min(127, y + 1); ++v)
+      for (int u = std::max(0, x - 1); u <= std::min(127, x + 1); ++u) dot = dot || coloured(u, v);
+    EXPECT_TRUE(dot) << x << ", " << y;
+  }
+  EXPECT_GT(dots, 500);
+  int grey = 0;
+  for (int y = 0; y < 128; ++y)
+    for (int x = 0; x < 128; ++x) {
+      if (near_record[static_cast<std::size_t>(128 * y + x)]) continue;
+      ++grey;
+      EXPECT_FALSE(coloured(x, y)) << x << ", " << y;
+      EXPECT_LT(picture.pixel(x, y)[0], 0.3f);
+    }
+  EXPECT_GT(grey, 200);
+}
+
+TEST(irradiance_cache, colours_of_its_picture_go_from_red_to_blue_as_records_reach_further) {
+  // Equal steps of the logarithm: 1.5 times 16^(i/3).
+  const auto expect = [](float reach, const Rgb& colour) { EXPECT_LT(length(colour_of_reach(reach) - colour), 1e-4f); };
+  expect(1.5f, {1, 0.05f, 0.05f});
+  expect(0.1f, {1, 0.05f, 0.05f});
+  expect(1.5f * 2.5198421f, {1, 0.85f, 0});
+  expect(6, {0.55f, 0.875f, 0.1f});
+  expect(24, {0.15f, 0.4f, 1});
+  expect(1000, {0.15f, 0.4f, 1});
 }
 
 }  // namespace

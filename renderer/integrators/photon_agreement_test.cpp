@@ -298,16 +298,20 @@ INSTANTIATE_TEST_SUITE_P(
                     MeshCase{"normal_mapped", test::normal_mapped_mesh}),
     [](const auto& test) { return test.param.name; });
 
-// A bounce further, where rooms are closed, open under a sky, or hold glass, mirrors and rough metal.
-class FinalGatherAgreement : public testing::TestWithParam<std::string> {};
+// A bounce further or many, where rooms are closed, open under a sky, or hold glass, mirrors and rough metal.
+class FurtherAgreement : public testing::TestWithParam<std::string> {
+ protected:
+  static void expect_agreement(IndirectLight indirect) {
+    Effort effort{.path_spp = 96, .photon_spp = 32, .photons = 64'000, .indirect = indirect};
+    judge(compare(parse_scene_file(PHOTONPROOF_SOURCE_DIR "/scenes/library/" + GetParam() + "/scene.xml"), effort),
+          GetParam().c_str());
+  }
+};
 
-TEST_P(FinalGatherAgreement, shows_what_path_tracing_shows) {
-  Effort effort{.path_spp = 96, .photon_spp = 32, .photons = 64'000, .indirect = IndirectLight::gather};
-  judge(compare(parse_scene_file(PHOTONPROOF_SOURCE_DIR "/scenes/library/" + GetParam() + "/scene.xml"), effort),
-        GetParam().c_str());
-}
+TEST_P(FurtherAgreement, of_final_gather_and_path_tracing) { expect_agreement(IndirectLight::gather); }
+TEST_P(FurtherAgreement, of_paths_beside_a_caustic_map_and_path_tracing) { expect_agreement(IndirectLight::path); }
 
-INSTANTIATE_TEST_SUITE_P(library, FinalGatherAgreement, testing::Values("cornell", "cornell-spheres", "roughness"),
+INSTANTIATE_TEST_SUITE_P(library, FurtherAgreement, testing::Values("cornell", "cornell-spheres", "roughness"),
                          [](const auto& test) {
                            std::string name = test.param;
                            std::replace(name.begin(), name.end(), '-', '_');

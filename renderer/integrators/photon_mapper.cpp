@@ -7,6 +7,7 @@
 
 #include "renderer/integrators/photon_mapper.h"
 
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <optional>
@@ -16,6 +17,7 @@
 #include "renderer/integrators/cache_prepass.h"
 #include "renderer/integrators/camera_pass.h"
 #include "renderer/integrators/camera_pilot.h"
+#include "renderer/integrators/indirect_choice.h"
 #include "renderer/integrators/photon_dots.h"
 #include "renderer/integrators/photon_maps.h"
 #include "renderer/passes/irradiance_cache.h"
@@ -25,6 +27,7 @@
 #include "renderer/passes/render_loop.h"
 #include "renderer/passes/view.h"
 #include "renderer/scene/aim_targets.h"
+#include "scenes/text/input_error.h"
 
 namespace photonproof {
 namespace {
@@ -47,6 +50,13 @@ void plan_map(Planner& planner, Skip skip, const char* name, const std::string& 
                     : planner.facts().lights == 0 ? "no light"
                                                   : nullptr;
   if (!planner.decide(skip, why != nullptr, why != nullptr ? why : "", why_needed)) planner.run(name, photons);
+}
+
+/// For the view of its records.
+void check_cache_is_there(const Planner& planner) {
+  for (const RenderPlan::Decision& d : planner.plan().decisions)
+    if (d.skip == Skip::global_map && d.skipped)
+      throw InputError("--view", "there are no cache-records to show, since there is no global photon map: " + d.why);
 }
 
 /// How many a map gets, and within which radius they are looked up.
@@ -80,8 +90,14 @@ std::string camera_paths_words(const PhotonSettings& settings, bool any_global_m
            counted(static_cast<std::size_t>(settings.gather_rays), "ray", "rays") + " a point, error up to " + number +
            "): what it has wrong does not fall with more samples";
   }
-  return std::string("to their first diffuse surface, where photons are looked up") +
-         (settings.textbook ? "" : ", once for all samples of a pixel that end alike");
+  if (settings.indirect == IndirectLight::path)
+    return "on by path tracing; caustic photons are looked up at their first two diffuse surfaces";
+  std::string words = "to their first diffuse surface, where photons are looked up";
+  if (!settings.textbook) words += ", once for all samples of a pixel that end alike";
+  if (settings.indirect == IndirectLight::automatic && any_global_map)
+    words += "; or on by path tracing without a global map, if a pilot of " + std::to_string(pilot_camera_paths) +
+             " of them says that it is sooner as near to the image";
+  return words;
 }
 
 /// Whether pixels get numbers of samples of their own.
@@ -111,20 +127,23 @@ void plan_camera_paths(Planner& planner, const PhotonSettings& settings, const V
   if (planner.facts().any_environment && view.direct_light)
     planner.run("one more ray", "from where photons are looked up to the environment, which light samples find, too");
   planner.batches();
-  if (view.direct_light || !planner.decide(Skip::direct_light, true, not_shown, "")) planner.direct_light(true);
+  const bool lit = view.direct_light || (view.global_map && settings.looks_further());
+  if (lit || !planner.decide(Skip::direct_light, true, not_shown, "")) planner.direct_light(true);
 }
 
 PassPlan plan_passes(const PhotonSettings& settings, const PhotonMaps& maps) {
   return {.phase = "photon mapping",
           .longest = settings.textbook ? 1 : 64,
           .parts = parts_of_samples,
-          .budget = maps.totals()};  // every pass's photons follow from them
+          .budget = maps.totals() + ", indirect light by " + word_of(settings.indirect)};  // all passes follow from it
 }
 
-/// Those of the maps whose light is shown: the plan may want others, too (--no-skip).
-std::vector<MapState*> shown_by(const ViewRow& view, std::vector<MapState*> maps) {
+/// Those of the maps whose light is shown, where camera paths go on also that of caustics that diffuse surfaces throw
+/// back: the plan may want others, too (--no-skip).
+std::vector<MapState*> shown_by(const ViewRow& view, IndirectLight indirect, std::vector<MapState*> maps) {
+  const bool later_caustics = indirect == IndirectLight::gather || indirect == IndirectLight::path;
   std::erase_if(maps, [&](const MapState* map) {
-    return map->kind == PhotonKind::caustic ? !view.caustic_map : !view.global_map;
+    return map->kind == PhotonKind::caustic ? !view.caustic_map && !later_caustics : !view.global_map;
   });
   return maps;
 }
@@ -138,23 +157,50 @@ void keep(RenderLoop& loop, PhotonMaps& maps) {
   }
 }
 
+/// Of the automatic settings.
+void choose_way(const PhotonSource& source, PhotonMaps& maps, const RenderPlan& plan, const Tile& window,
+                PhotonSettings& settings, RenderStats& stats) {
+  settings.indirect = IndirectLight::map;
+  if (!maps.global.wanted) return;
+  const IndirectChoice choice = choose_indirect(source, maps, plan, window, stats);
+  settings.indirect = choice.indirect;
+  maps.caustic.wanted = maps.caustic.wanted && choice.caustic_map;
+  stats.choices.push_back(choice.why);
+}
+
+/// After a pass of `samples`.
+void choose_next_radii(const std::vector<MapState*>& maps, const PhotonSettings& settings, const Film& image,
+                       const PassHalves& halves, double samples, LookUpBias& bias) {
+  bias.narrow(image, halves);
+  const double after_next = halves.all_samples() * (1 + 1.0 / double{parts_of_samples});
+  for (MapState* map : maps) {
+    map->radii.add_pass(samples, map->pass_photons);
+    const LookUpBias::Evidence evidence = bias.evidence(image, static_cast<int>(map->kind), halves);
+    choose_next_radius(*map, settings, evidence, halves, after_next);
+  }
+}
+
 }  // namespace
 
 void plan_photon_mapper(const IntegratorDescription& description, Planner& planner) {
-  const PhotonSettings settings(description);
   const RenderJob& job = planner.job();
+  const ViewRow& view = view_row(job.view);
+  const PhotonSettings settings(description, job);
   const int max_depth = settings.limits.max_depth;
   const SceneFacts& facts = planner.facts();
   const bool any_specular = facts.specular_surfaces > 0;
-  const ViewRow& view = view_row(job.view);
   if (view.view != View::whole) planner.run("view", std::string(view.name) + ": " + view.shows);
   plan_map(planner, Skip::global_map, "global photon map",
            photons_words(settings, job, settings.global_photons, settings.global_radius), view.global_map, max_depth,
-           facts.diffuse_interreflection,
-           facts.any_diffuse ? "no two diffuse surfaces see each other" : "no diffuse surface reflects",
+           facts.diffuse_interreflection && settings.indirect != IndirectLight::path,
+           !facts.any_diffuse              ? "no diffuse surface reflects"
+           : facts.diffuse_interreflection ? "path tracing finds its light, as asked for"
+                                           : "no two diffuse surfaces see each other",
            "light goes from diffuse surface to diffuse surface");
+  if (view.view == View::cache_records) check_cache_is_there(planner);
+  const bool caustics_shown = view.caustic_map || (view.global_map && settings.looks_further());
   plan_map(planner, Skip::caustic_map, "caustic photon map",
-           photons_words(settings, job, settings.caustic_photons, settings.caustic_radius), view.caustic_map, max_depth,
+           photons_words(settings, job, settings.caustic_photons, settings.caustic_radius), caustics_shown, max_depth,
            any_specular && facts.any_diffuse, any_specular ? "no diffuse surface reflects" : "no specular surface",
            "specular surfaces throw light on diffuse ones");
   if (!planner.plan().skips(Skip::caustic_map)) {
@@ -174,15 +220,17 @@ void plan_photon_mapper(const IntegratorDescription& description, Planner& plann
 
 void render_photon_mapper(const Scene& scene, const RenderPlan& plan, const RenderJob& job, Film& film,
                           RenderStats& stats) {
-  const PhotonSettings settings(plan.method);
   const ViewRow& view = view_row(plan.view);
+  PhotonSettings settings(plan.method, job);
   const Threads threads(job.threads);
   const PhotonSource source{scene, settings, job, threads};
   PhotonMaps maps(plan, source, stats);
+  if (settings.indirect == IndirectLight::automatic) choose_way(source, maps, plan, film.window(), settings, stats);
   PassPlan passes = plan_passes(settings, maps);
   if (plan.view == View::photons) return render_photon_dots(source, maps, passes, film, stats);
   const bool caches = settings.indirect == IndirectLight::cache && maps.global.wanted;
-  if (caches) maps.global.wanted = false;  // the cache has photons of its own
+  // A cache has photons of its own.
+  if (caches || settings.indirect == IndirectLight::path) maps.global.wanted = false;
   const std::vector<MapState*> wanted = maps.wanted();
   std::optional<LookUpAreas> areas;
   if (!wanted.empty() || caches) {
@@ -196,7 +244,19 @@ void render_photon_mapper(const Scene& scene, const RenderPlan& plan, const Rend
   LookUpBias bias(film.window());
   PixelEffort effort(film.window());
   PassHalves halves;
-  passes.squared_bias = [&] { return bias.evidence(image, LookUpBias::all_maps, halves).squared_bias(); };
+  std::optional<CheckedCache> checked;
+  const auto bias_of_cache = [&] { return checked ? checked->error.squared_bias(image) : 0; };
+  passes.squared_bias = [&] {
+    return bias.evidence(image, LookUpBias::all_maps, halves).squared_bias() + bias_of_cache();
+  };
+  passes.lasting_bias = [&] {
+    double sum = bias_of_cache();
+    for (const MapState* map : wanted)
+      if (map->fixed_radius && !settings.textbook)
+        sum += bias.evidence(image, static_cast<int>(map->kind), halves).squared_bias();
+    return sum;
+  };
+  passes.lasting_bias_of = caches ? "the irradiance cache has wrong" : "radii that the scene fixes have wrong";
   RenderLoop loop(job, threads, image, stats, passes);
   if (unseen) loop.keep(film);
   loop.keep_between_passes(halves);
@@ -205,13 +265,16 @@ void render_photon_mapper(const Scene& scene, const RenderPlan& plan, const Rend
   loop.keep(bias.narrowings());
   loop.keep(effort.pixels());
   loop.keep(effort.decided());
-  CameraPass camera(scene, settings, plan, job, shown_by(view, wanted), areas ? &*areas : nullptr, bias, effort);
+  CameraPass camera(scene, settings, plan, job, shown_by(view, settings.indirect, wanted), areas ? &*areas : nullptr,
+                    bias, effort);
   if (steers_samples(settings, view) && !plan.skips(Skip::camera_pilot)) {
     run_camera_pilot(scene, camera_path_settings(settings, plan), job, threads, image.window(), effort, stats);
     effort.choose();
   }
-  std::optional<IrradianceCache> cache;
-  if (caches) camera.use(cache.emplace(make_irradiance_cache(plan, source, *areas, film.window(), stats)));
+  if (caches) {
+    checked.emplace(make_irradiance_cache(plan, source, *areas, film.window(), stats));
+    camera.use(checked->cache);
+  }
   while (loop.next()) {
     for (MapState* map : wanted) {
       map->tests = areas->tests(map->radii.radius);
@@ -226,15 +289,10 @@ void render_photon_mapper(const Scene& scene, const RenderPlan& plan, const Rend
     if (unseen) film.end_shared_pass(samples);
     if (steers_samples(settings, view)) effort.choose();
     halves.add_pass(samples);
-    bias.narrow(image, halves);
-    const double after_next = halves.all_samples() * (1 + 1.0 / double{parts_of_samples});
-    for (MapState* map : wanted) {
-      map->radii.add_pass(samples, map->pass_photons);
-      const LookUpBias::Evidence evidence = bias.evidence(image, static_cast<int>(map->kind), halves);
-      choose_next_radius(*map, settings, evidence, halves, after_next);
-    }
+    choose_next_radii(wanted, settings, image, halves, samples, bias);
   }
   maps.store_counts(scene.scale(), halves.pass_count(), stats);
+  if (checked) stats.counts["relative_bias_cache"] = std::sqrt(bias_of_cache());
 }
 
 }  // namespace photonproof

@@ -132,16 +132,7 @@ TEST(photon_mapper, images_of_other_seeds_differ_as_much_as_the_claimed_variance
 }
 
 TEST(photon_mapper, same_seed_gives_the_same_bits_at_1_2_and_7_threads) {
-  const SceneDescription scene = test::room(40, true);
-  RenderJob job = job_with(8, 30'000);
-  job.threads = 1;
-  const auto one = render(scene, "photonmapper", job);
-  for (const int threads : {2, 7}) {
-    job.threads = threads;
-    const auto many = render(scene, "photonmapper", job);
-    EXPECT_EQ(one.image.mean.rgb, many.image.mean.rgb) << threads;
-    EXPECT_EQ(one.image.variance->rgb, many.image.variance->rgb) << threads;
-  }
+  test::expect_same_bits_at_any_threads(test::room(40, true), "photonmapper", job_with(8, 30'000));
 }
 
 TEST(photon_mapper, emits_the_photons_asked_for) {

@@ -119,13 +119,19 @@ std::uint64_t photons_for_pass(const MapState& state, const RenderJob& job, std:
 
 }  // namespace
 
-PhotonSettings::PhotonSettings(const IntegratorDescription& description) : limits(description.limits()) {
+PhotonSettings::PhotonSettings(const IntegratorDescription& description, const RenderJob& job)
+    : limits(description.limits()) {
   if (const auto* photons = std::get_if<PhotonMapperDescription>(&description.method)) {
     global_photons = photons->global_photons;
     caustic_photons = photons->caustic_photons;
     global_radius = photons->global_radius;
     caustic_radius = photons->caustic_radius;
-    indirect = photons->indirect;
+    const ViewRow& view = view_row(job.view);
+    const bool asks_for_maps = job.budget.photons || global_photons > 0 || caustic_photons > 0 || global_radius > 0 ||
+                               caustic_radius > 0 || !view.made_from_all();
+    if (view.global_map && view.view != View::photons) indirect = photons->indirect;
+    if (indirect == IndirectLight::automatic && asks_for_maps) indirect = IndirectLight::map;
+    if (view.view == View::cache_records) indirect = IndirectLight::cache;
     cache_error = photons->cache_error;
     gather_rays = photons->gather_rays;
   } else {
@@ -176,9 +182,18 @@ PathSettings camera_path_settings(const PhotonSettings& settings, const RenderPl
                                          : DirectLight::weighted};
 }
 
+bool looks_at_environment(const Scene& scene, const PathSettings& settings) {
+  return scene.view().environment != no_index && settings.direct_light != DirectLight::hits_only;
+}
+
+AtDiffuse at_diffuse_of_maps(const Scene& scene, const PathSettings& settings) {
+  return looks_at_environment(scene, settings) ? AtDiffuse::leave_gather_point_and_look : AtDiffuse::leave_gather_point;
+}
+
 PhotonMaps::PhotonMaps(const RenderPlan& plan, const PhotonSource& source, RenderStats& stats) {
   global.wanted = !plan.skips(Skip::global_map);
-  if (source.settings.indirect != IndirectLight::map) global.photons_in_disc = gathered_photons_in_disc;
+  if (source.settings.indirect == IndirectLight::gather || source.settings.indirect == IndirectLight::cache)
+    global.photons_in_disc = gathered_photons_in_disc;
   choose_photons(global, source.settings.global_photons, source);
   caustic.wanted = !plan.skips(Skip::caustic_map);
   caustic.aimed = plan.skips(Skip::stray_photons);
@@ -190,6 +205,8 @@ PhotonMaps::PhotonMaps(const RenderPlan& plan, const PhotonSource& source, Rende
   choose_first_radius(global, source.settings.global_radius, source, pilot_rays);
   choose_first_radius(caustic, source.settings.caustic_radius, source, pilot_rays);
   pilot_rays.store(stats);
+  const auto piloted = (global.radii.first_radius > 0 ? 1 : 0) + (caustic.radii.first_radius > 0 ? 1 : 0);
+  if (piloted > 0) rays_a_photon = static_cast<double>(pilot_rays.counts().photon) / (piloted * double{pilot_photons});
 }
 
 std::vector<MapState*> PhotonMaps::wanted() {

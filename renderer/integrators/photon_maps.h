@@ -49,7 +49,13 @@ struct PhotonSettings {
   };
   std::optional<Textbook> textbook{};
 
-  explicit PhotonSettings(const IntegratorDescription& description);
+  /// What is automatic stays so where nothing else is asked for: numbers of photons, radii and views of a part of the
+  /// light ask for maps, the view of a cache's records for a cache.
+  PhotonSettings(const IntegratorDescription& description, const RenderJob& job);
+
+  /// Whether light is looked for beyond the first diffuse surface, so that direct light and caustics there are needed
+  /// even if a view shows only what comes of them.
+  bool looks_further() const { return indirect != IndirectLight::map; }
 };
 
 /// One of the two maps, with what it takes to refill it every pass.
@@ -95,6 +101,7 @@ struct PhotonMaps {
 
   /// In the order in which their light is added.
   std::vector<MapState*> wanted();
+  double rays_a_photon = 3;  ///< as the pilot found them
   /// What decides the estimates besides the samples, for checkpoints.
   std::string totals() const;
   void store_counts(double scale, std::int64_t passes, RenderStats& stats) const;
@@ -115,6 +122,11 @@ void look_up(const MapState& map, const PhotonSettings& settings, const LookUpAr
 
 /// Of camera paths to where photons are looked up.
 PathSettings camera_path_settings(const PhotonSettings& settings, const RenderPlan& plan);
+
+/// What they do at diffuse surfaces where photons are looked up there.
+AtDiffuse at_diffuse_of_maps(const Scene& scene, const PathSettings& settings);
+/// Whether paths that end where photons are looked up trace one more ray.
+bool looks_at_environment(const Scene& scene, const PathSettings& settings);
 
 /// What a radius shrinks to as there are so many times more photons.
 double shrunk(double times);

@@ -1,6 +1,8 @@
 // Small scenes built by hand for the tests, so that they need no file and no parser.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <memory>
 
 #include "renderer/integrators/integrator.h"
@@ -113,6 +115,31 @@ inline Rendered render(const SceneDescription& description, const char* integrat
   render(scene, with_integrator(description.integrator, integrator), job, film, out.stats);
   out.image = film.develop();
   return out;
+}
+
+/// Renders with 1, 2 and 7 threads and returns the first.
+inline Rendered expect_same_bits_at_any_threads(const SceneDescription& scene, const char* integrator, RenderJob job) {
+  job.threads = 1;
+  Rendered one = render(scene, integrator, job);
+  for (const int threads : {2, 7}) {
+    job.threads = threads;
+    const Rendered many = render(scene, integrator, job);
+    EXPECT_EQ(one.image.mean.rgb, many.image.mean.rgb) << threads;
+    EXPECT_EQ(one.image.variance->rgb, many.image.variance->rgb) << threads;
+    for (const auto& [name, count] : one.stats.counts) EXPECT_EQ(many.stats.counts.at(name), count) << name;
+    EXPECT_EQ(one.stats.choices, many.stats.choices);
+  }
+  return one;
+}
+
+/// The scene with its limits, and the photon mapper with such indirect light, within `radius` of both maps if positive.
+inline SceneDescription with_indirect(SceneDescription scene, IndirectLight indirect, double radius = 0) {
+  PhotonMapperDescription settings;
+  static_cast<PathLimits&>(settings) = scene.integrator.limits();
+  settings.indirect = indirect;
+  settings.global_radius = settings.caustic_radius = radius;
+  scene.integrator.method = settings;
+  return scene;
 }
 
 inline RenderJob job_with(std::int64_t spp, std::int64_t photons = 100'000, std::uint64_t seed = 1) {

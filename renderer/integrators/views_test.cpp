@@ -62,10 +62,19 @@ void expect_parts_add_up(const SceneDescription& scene, const char* integrator, 
 TEST(views, parts_of_the_light_add_up_to_the_image) {
   // A pixel has one sample in each of two passes: nothing is drawn for several, and no pass follows from another's
   // image.
-  SceneDescription scene = test::room(32, true);
+  SceneDescription scene = test::with_indirect(test::room(32, true), IndirectLight::map);
   expect_parts_add_up(scene, "photonmapper", free_job(2));
   scene.emitters.push_back({{}, "", ConstantLightDescription{RgbD(0.5)}});  // the room is open towards the camera
   expect_parts_add_up(scene, "photonmapper", free_job(2));
+}
+
+TEST(views, parts_of_every_kind_of_indirect_light_add_up) {
+  SceneDescription scene = test::room(32, true);
+  scene.emitters.push_back({{}, "", ConstantLightDescription{RgbD(0.5)}});
+  for (const IndirectLight indirect : {IndirectLight::gather, IndirectLight::cache, IndirectLight::path}) {
+    SCOPED_TRACE(word_of(indirect));
+    expect_parts_add_up(test::with_indirect(scene, indirect), "photonmapper", free_job(2));
+  }
 }
 
 TEST(views, parts_of_textbook_settings_add_up_at_any_number_of_samples) {
@@ -75,7 +84,7 @@ TEST(views, parts_of_textbook_settings_add_up_at_any_number_of_samples) {
 // With all that adapts itself, of seeds of their own: means of the image and of the floor, where the caustics are,
 // agree within 4 standard errors of their difference, which are small.
 TEST(views, parts_of_an_adaptive_render_add_up_in_the_mean) {
-  const SceneDescription scene = test::room(24, true);
+  const SceneDescription scene = test::with_indirect(test::room(24, true), IndirectLight::map);
   constexpr int seeds = 16;
   const auto of_seed = [&](View view, int seed) {
     const Image image = seen(scene, view, free_job(64, static_cast<std::uint64_t>(seed))).image.mean;
@@ -269,9 +278,20 @@ TEST(views, radius_of_several_passes_is_their_mean) {
         EXPECT_NEAR(double{radius.pixel(x, y)[map]}, expected, 1e-5 * expected) << x << " " << y;
 }
 
+TEST(views, records_of_a_cache_are_refused_where_there_is_none) {
+  try {
+    seen(test::floor_under_point_light(8), View::cache_records, free_job(1));
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.summary(),
+              "--view: error: there are no cache-records to show, since there is no global photon map: no two diffuse "
+              "surfaces see each other");
+  }
+}
+
 TEST(views, have_the_same_bits_at_1_2_and_7_threads) {
   const SceneDescription scene = test::room(40, true);
-  for (const View view : {View::caustics, View::photons, View::radius, View::samples}) {
+  for (const View view : {View::caustics, View::photons, View::radius, View::samples, View::cache_records}) {
     RenderJob job = free_job(8);
     job.threads = 1;
     const Rendered one = seen(scene, view, job);
@@ -295,7 +315,7 @@ TEST(views, are_found_by_their_names) {
   } catch (const InputError& error) {
     EXPECT_EQ(error.summary(),
               "--view: error: there is no view 'caustic', expected one of whole, direct, caustics, global, indirect, "
-              "photons, radius, samples, time");
+              "photons, radius, samples, cache-records, time");
   }
 }
 

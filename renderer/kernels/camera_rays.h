@@ -1,4 +1,4 @@
-// Camera samples of a tile: path p of a task is sample p mod samples of pixel p / samples.
+// Camera samples of a tile: path p of a task is sample p mod samples of the pixel number p / samples.
 #pragma once
 
 #include "renderer/kernels/tasks.h"
@@ -12,12 +12,17 @@ CameraRay<F> camera_rays(const SceneView& scene, const CameraTask& task, std::ui
   using U = UInt<F>;
   const U path = lane_index<F>() + first;
   // Exact for the at most 2^20 paths of a task: the quotient is at least half a sample away from an integer.
-  const U pixel = to_uint(F((to_float(path) + 0.5f) * (1.0f / static_cast<float>(task.samples))));
+  const U nth = to_uint(F((to_float(path) + 0.5f) * (1.0f / static_cast<float>(task.samples))));
+  U pixel = nth;
+  if (task.some_pixels != nullptr) {
+    const U last(task.some_count - 1);
+    pixel = gather(task.some_pixels, select(as_mask<F>(nth < last), nth, last));
+  }
   const U row = to_uint(F((to_float(pixel) + 0.5f) * (1.0f / static_cast<float>(task.tile_width()))));
   const U x = pixel - row * task.tile_width() + static_cast<std::uint32_t>(task.x0);
   const U y = row + static_cast<std::uint32_t>(task.y0);
   CameraRay<F> ray;
-  ray.index = path - pixel * task.samples + task.first_sample;
+  ray.index = path - nth * task.samples + task.first_sample;
   ray.key = pixel_key<F>(x, y, task.seed);
 
   Vec2<F> in_pixel;

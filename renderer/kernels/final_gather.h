@@ -14,6 +14,13 @@
 // Where y is nearer to x than a look-up reaches, in corners, its disc would hold x's own surroundings. There y stands
 // between x and a third vertex z: the classes of y are as those of x, and those of z as those of y above:
 //   L D(z) S* D(y) S* D(x) S* E and so on.
+//
+// Path tracing beside a caustic map goes on from y instead of looking the global map up. Its classes are
+//   L S* E, L D(x) S* E           as above
+//   L D(y) S* D(x) S* E           light samples at y and the rays that leave it, weighted
+//   L S+ D(x) S* E, L S+ D(y) S* D(x) S* E   the caustic map at x and at y
+//   L (S|D)* D(z) S* D(y) S* D(x) S* E       path tracing from z on, the next Lambertian vertex, with all that meets
+// light: what it finds by rare reflections has gone through two diffuse bounces by then.
 #pragma once
 
 #include <cstdint>
@@ -24,14 +31,26 @@ namespace photonproof::final_gather {
 
 /// Bits of PathState::gathering: which of the Lambertian vertices the path has left, none at first, and whether
 /// anything else has scattered it since.
-constexpr std::uint32_t left_first = 1, left_near = 2, not_lambertian_since = 4;
+constexpr std::uint32_t left_first = 1, left_near = 2, not_lambertian_since = 4, path_tracing = 8;
+
+/// Whether all light counts that the path finds, as without maps.
+template <class F>
+Mask<F> without_maps(const UInt<F>& gathering) {
+  return equal<F>(UInt<F>(gathering & ~path_tracing), UInt<F>(0u));
+}
+
+/// Whether light that the path's ray meets goes straight to the camera or to the first Lambertian vertex, but for
+/// mirrors and glass.
+template <class F>
+Mask<F> is_direct(const UInt<F>& gathering) {
+  return equal<F>(UInt<F>(gathering & ~(left_first | not_lambertian_since)), UInt<F>(0u));
+}
 
 /// Whether light that the path's ray meets counts. `weighted`: light samples leave their share to such rays.
 template <class F>
 Mask<F> counts_light(const UInt<F>& gathering, bool weighted) {
-  const Mask<F> from_camera = equal<F>(gathering, UInt<F>(0u));
-  if (!weighted) return from_camera;
-  return from_camera || equal<F>(UInt<F>(gathering & not_lambertian_since), UInt<F>(0u));
+  if (!weighted) return without_maps<F>(gathering);
+  return without_maps<F>(gathering) || equal<F>(UInt<F>(gathering & not_lambertian_since), UInt<F>(0u));
 }
 
 /// Whether a path that meets a Lambertian surface looks photons of both maps up there and ends. `squared_distance`:
@@ -40,6 +59,19 @@ template <class F>
 Mask<F> ends(const UInt<F>& gathering, const F& squared_distance, float near_hit) {
   const Mask<F> near = equal<F>(gathering, UInt<F>(left_first)) && squared_distance < F(near_hit * near_hit);
   return !equal<F>(gathering, UInt<F>(0u)) && !near;
+}
+
+/// Beside a caustic map: whether a path that meets a Lambertian surface looks caustic photons up there.
+template <class F>
+Mask<F> looks_caustics_up(const UInt<F>& gathering) {
+  return equal<F>(UInt<F>(gathering & (left_near | path_tracing)), UInt<F>(0u));
+}
+
+/// Beside a caustic map: after a Lambertian vertex.
+template <class F>
+UInt<F> go_on_from_lambertian(const UInt<F>& gathering) {
+  const UInt<F> first_or_second = select(equal<F>(gathering, UInt<F>(0u)), UInt<F>(left_first), UInt<F>(left_near));
+  return select(looks_caustics_up<F>(gathering), first_or_second, UInt<F>(path_tracing));
 }
 
 /// After a Lambertian vertex.
@@ -51,7 +83,7 @@ UInt<F> leave_lambertian(const UInt<F>& gathering) {
 /// After any other.
 template <class F>
 UInt<F> leave_other(const UInt<F>& gathering) {
-  return select(equal<F>(gathering, UInt<F>(0u)), gathering, UInt<F>(gathering | not_lambertian_since));
+  return select(without_maps<F>(gathering), gathering, UInt<F>(gathering | not_lambertian_since));
 }
 
 }  // namespace photonproof::final_gather

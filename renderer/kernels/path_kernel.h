@@ -59,8 +59,10 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, TransportMode::r
         light_from_(task.settings.direct_light),
         looks_(task.at_diffuse == AtDiffuse::leave_gather_point_and_look ||
                task.at_diffuse == AtDiffuse::final_gather_and_look),
-        gathers_finally_(task.at_diffuse == AtDiffuse::final_gather ||
-                         task.at_diffuse == AtDiffuse::final_gather_and_look) {}
+        beside_caustics_(task.at_diffuse == AtDiffuse::go_on_beside_caustic_map),
+        weighs_hits_(looks_ || beside_caustics_),
+        bears_bits_(beside_caustics_ || task.at_diffuse == AtDiffuse::final_gather ||
+                    task.at_diffuse == AtDiffuse::final_gather_and_look) {}
 
   [[gnu::flatten]] Mask<F> refill(PathState<F>& s, std::uint32_t first, const Mask<F>& lanes) {
     if (task_.bounces.count > 0) return refill_bounces(s, first, lanes);
@@ -95,7 +97,7 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, TransportMode::r
       const U light = Base::surface_word(hit.surface, &SurfaceWords::light);
       Mask<F> shines = alive && !equal<F>(light, U(no_index));
       if (task_.settings.hide_emitters) shines = shines && !first;
-      if (gathers_finally_) shines = shines && final_gather::counts_light<F>(s.gathering, looks_);
+      if (bears_bits_) shines = shines && counts_hits(s);
       if (any(shines) && task_.search.count == 0) add_emission(s, hit, select(shines, light, U(0u)), shines);
     }
     if (task_.search.count > 0) find_lamps(task_.search, s, hit, active && !first && !(s.bsdf_pdf > 0));
@@ -105,7 +107,7 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, TransportMode::r
     if (scene_.environment != no_index) {
       Mask<F> leaves = active && !met;
       if (task_.settings.hide_emitters) leaves = leaves && !first;
-      if (gathers_finally_) leaves = leaves && final_gather::counts_light<F>(s.gathering, looks_);
+      if (bears_bits_) leaves = leaves && counts_hits(s);
       if (any(leaves)) add_environment(s, leaves);
     }
     retire(s, active && !alive);
@@ -123,11 +125,12 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, TransportMode::r
     const Vec3<F> wo_local = frame.to_local(Vec3<F>(-s.direction));
     const U dimension = s.vertex * Dimension::a_vertex + Dimension::first_vertex;
     const bool gathers = Kind<F>::is_lambertian && task_.at_diffuse != AtDiffuse::go_on;
+    const Mask<F> lit = task_.settings.indirect_only ? active && !equal<F>(s.gathering, U(0u)) : active;
     if constexpr (Kind<F>::has_smooth) {
       if (scene_.light_count > 0 && takes_light_samples(light_from_)) {
         if constexpr (Kind<F>::is_lambertian)
-          add_direct_light(at, bsdf, frame, wo_local, dimension, !gathers || looks_, active);
-        else if (const Mask<F> takes = active && equal<F>(s.gathering, U(0u)); any(takes))
+          add_direct_light(at, bsdf, frame, wo_local, dimension, !gathers || weighs_hits_, lit);
+        else if (const Mask<F> takes = lit && final_gather::without_maps<F>(s.gathering); any(takes))
           add_direct_light_once_compiled(at, any_bsdf<F>(bsdf), frame, wo_local, dimension, takes);
       }
     }
@@ -159,9 +162,7 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, TransportMode::r
     s.direction = normalize(frame.to_world(next.wi_local));
     s.origin = offset_from(at.p, at.normal, s.direction, scene_.coordinate_floor);
     s.vertex = select(looking, U(only_looks), U(s.vertex + 1u));
-    if (gathers_finally_)
-      s.gathering = Kind<F>::is_lambertian ? final_gather::leave_lambertian<F>(s.gathering)
-                                           : final_gather::leave_other<F>(s.gathering);
+    if (bears_bits_) s.gathering = bits_after<Kind<F>::is_lambertian>(s.gathering);
     task_.counts.bounce += count_lanes(alive);
     Base::go_on(s, alive);
   }
@@ -193,6 +194,19 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, TransportMode::r
     float distance[lane_count<F>];
     store_from(F(lane_sqrt(length_squared(p - s.origin))), distance);
     for_each_path(s, lanes, [&](std::size_t lane, std::size_t path) { task_.bounces.distance[path] = distance[lane]; });
+  }
+
+  /// Light that the path's ray meets.
+  Mask<F> counts_hits(const PathState<F>& s) const {
+    const Mask<F> counts = final_gather::counts_light<F>(s.gathering, weighs_hits_);
+    return task_.settings.indirect_only ? counts && !final_gather::is_direct<F>(s.gathering) : counts;
+  }
+
+  template <bool is_lambertian>
+  U bits_after(const U& gathering) const {
+    if constexpr (!is_lambertian) return final_gather::leave_other<F>(gathering);
+    return beside_caustics_ ? final_gather::go_on_from_lambertian<F>(gathering)
+                            : final_gather::leave_lambertian<F>(gathering);
   }
 
   /// Number of the vertex after a gather point: the path only sees what light is there.
@@ -286,14 +300,29 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, TransportMode::r
   Mask<F> leave_points(const AtSurface<PathState, F>& at, const Vec3<F>& shading_normal, const Vec3<F>& f,
                        const Mask<F>& active) {
     Mask<F> ends = active;
-    if (gathers_finally_) {
-      const PathState<F>& s = at.history;
+    const PathState<F>& s = at.history;
+    if (beside_caustics_) {
+      const Mask<F> first = equal<F>(s.gathering, U(0u));
+      const Mask<F> second = final_gather::looks_caustics_up<F>(s.gathering) && !first;
+      leave_caustic_points(at, shading_normal, f, active && first);
+      if (task_.points.x != nullptr) leave_gather_points(at, shading_normal, f, active && second, task_.points);
+      return Mask<F>(false);
+    }
+    if (bears_bits_) {
       ends = active && final_gather::ends<F>(s.gathering, length_squared(at.p - s.origin), task_.near_hit);
-      if (task_.caustic_points.x != nullptr)
-        leave_gather_points(at, shading_normal, f, active && !ends, task_.caustic_points);
+      leave_caustic_points(at, shading_normal, f, active && !ends);
     }
     leave_gather_points(at, shading_normal, f, ends, task_.points);
     return ends;
+  }
+
+  /// For caustic photons alone.
+  void leave_caustic_points(const AtSurface<PathState, F>& at, const Vec3<F>& shading_normal, const Vec3<F>& f,
+                            const Mask<F>& active) {
+    if (task_.caustic_points.x == nullptr) return;
+    const Mask<F> later = !equal<F>(at.history.gathering, U(0u));
+    leave_gather_points(at, shading_normal, f, task_.caustics_at_first ? active : active && later,
+                        task_.caustic_points);
   }
 
   /// A gather point has no direction: its weight is for any photon.
@@ -321,7 +350,9 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, TransportMode::r
   PathTask& task_;
   const DirectLight light_from_;
   const bool looks_;            ///< for light from gather points
-  const bool gathers_finally_;  ///< final_gather.h
+  const bool beside_caustics_;  ///< final_gather.h
+  const bool weighs_hits_;      ///< light samples at gather points leave their share to rays that meet lights
+  const bool bears_bits_;       ///< of final_gather.h
 };
 
 }  // namespace photonproof

@@ -12,16 +12,22 @@
 
 namespace photonproof {
 
-/// Camera samples [first_sample, first_sample + samples) of every pixel of a tile; at most 2^20 of them.
+/// Camera samples [first_sample, first_sample + samples) of every pixel of a tile, or of some; at most 2^20 of them.
 struct CameraTask {
   int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
   std::uint32_t first_sample = 0, samples = 0;
   std::uint32_t seed = 0;  ///< stream_seed of the camera
   SamplerKind sampler = SamplerKind::sobol;
-  int grid = 0;  ///< k > 0: samples on the centres of a k x k grid in the pixel
+  int grid = 0;                                ///< k > 0: samples on the centres of a k x k grid in the pixel
+  const std::uint32_t* some_pixels = nullptr;  ///< of the tile, row by row; null: all of them
+  std::uint32_t some_count = 0;
 
   std::uint32_t tile_width() const { return static_cast<std::uint32_t>(x1 - x0); }
-  std::uint32_t paths() const { return tile_width() * static_cast<std::uint32_t>(y1 - y0) * samples; }
+  std::uint32_t pixels() const {
+    return some_pixels != nullptr ? some_count : tile_width() * static_cast<std::uint32_t>(y1 - y0);
+  }
+  std::uint32_t pixel(std::uint32_t nth) const { return some_pixels != nullptr ? some_pixels[nth] : nth; }
+  std::uint32_t paths() const { return pixels() * samples; }
 };
 
 /// How light comes to the vertices of a path.
@@ -46,6 +52,7 @@ struct PathSettings {
   int rr_depth = 5;
   bool hide_emitters = false;
   DirectLight direct_light = DirectLight::weighted;
+  bool indirect_only = false;  ///< beside maps: no light up to the first Lambertian vertex
 };
 
 /// What a camera path does at a Lambertian surface.
@@ -54,7 +61,8 @@ enum class AtDiffuse {
   leave_gather_point,           ///< and end
   leave_gather_point_and_look,  ///< for light that next-event estimation finds, too, with one more ray, and end
   final_gather,                 ///< final_gather.h
-  final_gather_and_look         ///< for light that next-event estimation finds, too, with every bounce
+  final_gather_and_look,        ///< for light that next-event estimation finds, too, with every bounce
+  go_on_beside_caustic_map      ///< final_gather.h: the first vertex leaves a caustic point, the second a gather point
 };
 
 /// Paths that begin at Lambertian surfaces as final gathers' bounces do, in columns; arrays may be read a pack past
@@ -91,7 +99,8 @@ struct PathTask {
   float* radiance = nullptr;         ///< 3 a path, in the task's order of paths
   std::uint32_t* scratch = nullptr;  ///< PathKernelEntry::scratch words
   GatherPoints points{};             ///< of a GatherQueue with room for one a path, where paths leave them
-  GatherPoints caustic_points{};     ///< of a final gather, for caustic photons alone: room for two a path, or none
+  GatherPoints caustic_points{};     ///< of final_gather.h, for caustic photons alone: room for two a path, or none
+  bool caustics_at_first = true;     ///< whether the first Lambertian vertex leaves one of those
   float near_hit = 0;                ///< of a final gather: hits nearer than this are traced on
   RayCounts counts{};
 };

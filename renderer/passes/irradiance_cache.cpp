@@ -93,6 +93,34 @@ std::optional<Rgb> IrradianceCache::find(const Vec3f& p, const Vec3f& n) const {
   return sum * (1 / weights);
 }
 
+float IrradianceCache::disagreement(const Vec3f& p, const Vec3f& n) const {
+  float weights = 0, sum = 0, squares = 0;
+  int standing = 0;
+  for_each_near(p, [&](std::uint32_t i) {
+    const float weight = 1 - error(records_[i], p, n) / kappa_;
+    if (!(weight > 0)) return;
+    const Rgb said = records_[i].at(p, n);
+    const float brightness = said.x + said.y + said.z;
+    ++standing;
+    weights += weight;
+    sum += weight * brightness;
+    squares += weight * brightness * brightness;
+  });
+  if (standing < 2 || !(sum > 0)) return 1;
+  return std::max(0.0f, squares * weights / (sum * sum) - 1);
+}
+
+const IrradianceRecord* IrradianceCache::nearest(const Vec3f& p, const Vec3f& n) const {
+  const IrradianceRecord* best = nullptr;
+  float least = std::numeric_limits<float>::infinity();
+  for_each_near(p, [&](std::uint32_t i) {
+    const IrradianceRecord& record = records_[i];
+    const float apart = length(p - record.p);
+    if (apart < std::min(least, reach(record)) && dot(record.n, n) > 0.5f) best = &record, least = apart;
+  });
+  return best;
+}
+
 Rgb IrradianceCache::interpolate(const Vec3f& p, const Vec3f& n) const {
   if (const std::optional<Rgb> found = find(p, n)) return *found;
   const IrradianceRecord* best = nullptr;

@@ -25,8 +25,15 @@ class IrradianceCache {
   bool covers(const Vec3f& p, const Vec3f& n) const;
   /// Weighted mean of what records say; nothing where none stands for the point.
   std::optional<Rgb> find(const Vec3f& p, const Vec3f& n) const;
-  /// As that, or where no record stands for the point what the one of least error says; 0 without records.
+  /// How far records disagree at the point: the variance of what they say, weighted as they are, over the square of
+  /// its mean, of the channels' sum; 1 where fewer than two stand for it, since there nothing is known.
+  float disagreement(const Vec3f& p, const Vec3f& n) const;
+  /// As `find`, or where no record stands for the point what the one of least error says; 0 without records.
   Rgb interpolate(const Vec3f& p, const Vec3f& n) const;
+  /// Of those whose reach includes the point and that face as it does, the nearest one; null: none.
+  const IrradianceRecord* nearest(const Vec3f& p, const Vec3f& n) const;
+  /// How far from it a record is used where surfaces are flat.
+  float reach(const IrradianceRecord& record) const { return kappa_ * record.radius; }
   const std::vector<IrradianceRecord>& records() const { return records_; }
 
  private:

@@ -49,6 +49,7 @@ struct RenderStats {
   std::map<std::string, double> phases;  ///< seconds of wall time by phase
   std::map<std::string, double> counts;  ///< rays by kind, photons emitted and stored, passes, samples a pixel, radii
   std::vector<std::string> skipped;      ///< "what: why"
+  std::vector<std::string> choices;      ///< what the render decided by itself, and why: sentences
   std::vector<std::string> losses;       ///< what the picture may lack, or its variance not know: sentences
   bool interrupted = false;
   std::string checkpoint_problem;  ///< why the last checkpoint that was due could not be written; empty: it was

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 
 #include "scenes/text/input_error.h"
@@ -16,6 +17,8 @@ constexpr double seconds_between_progress = 0.1;
 constexpr std::int64_t most_samples = std::int64_t{1} << 32;
 // Fewer estimates of a rare event's variance are mostly 0.
 constexpr std::int64_t least_samples_for_error = 16;
+// Of the squared bias that lasts, the squared error that is not worth more passes: these could take a tenth off it.
+constexpr double enough_of_lasting = 1.25;
 
 std::int64_t total_samples(const RenderJob& job) {
   return job.budget.target_error ? most_samples : job.budget.spp.value_or(job.sample_count);
@@ -69,7 +72,19 @@ bool RenderLoop::next() {
 bool RenderLoop::reached_target() {
   if (!job_.budget.target_error || schedule_.samples_done() < least_samples_for_error) return false;
   error_ = error();
-  return error_ && *error_ <= *job_.budget.target_error;
+  if (!error_) return false;
+  const double lasting = plan_.lasting_bias ? plan_.lasting_bias() : 0;
+  return *error_ <= *job_.budget.target_error || *error_ * *error_ <= enough_of_lasting * lasting;
+}
+
+void RenderLoop::say_if_missed() {
+  if (!job_.budget.target_error || !error_ || *error_ <= *job_.budget.target_error) return;
+  char text[320];
+  std::snprintf(text, sizeof text,
+                "--target-error %.3g is not reached, the error is %.3g: %.3g of it is what %s, and does not fall with "
+                "more samples",
+                *job_.budget.target_error, *error_, std::sqrt(plan_.lasting_bias()), plan_.lasting_bias_of.c_str());
+  stats_.losses.emplace_back(text);
 }
 
 std::optional<double> RenderLoop::error() {
@@ -96,6 +111,7 @@ bool RenderLoop::ended(bool interrupted) {
   if (job_.progress && !interrupted) job_.progress(1, plan_.phase);
   rays_.store(stats_);
   if (plan_.squared_bias) error();
+  if (!interrupted) say_if_missed();
   stats_.counts["samples_per_pixel"] = static_cast<double>(schedule_.samples_done());
   return false;
 }

@@ -39,6 +39,10 @@ struct PassPlan {
   std::string budget = {};
   /// What all passes have wrong alike, squared, as relmse counts it: beside the film's standard error. Empty: nothing.
   std::function<double()> squared_bias = {};
+  /// The part of that which no number of passes changes, and whose it is. Empty: nothing. A render that is to go on
+  /// until its error is as asked ends where the rest of its error is small beside this.
+  std::function<double()> lasting_bias = {};
+  std::string lasting_bias_of = {};
 };
 
 class RenderLoop {
@@ -114,6 +118,8 @@ class RenderLoop {
   bool reached_target();
   /// Relative, of the image's pixels; empty where the film does not know it.
   std::optional<double> error();
+  /// Says why the target was not reached.
+  void say_if_missed();
   double fraction(double part) const;
   bool writes() const { return job_.checkpoint && job_.checkpoint->interval_seconds > 0; }
   bool due() const { return writes() && since_write_.seconds() >= job_.checkpoint->interval_seconds; }

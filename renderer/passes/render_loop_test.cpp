@@ -125,12 +125,9 @@ TEST_F(Resume, of_the_photon_mapper_goes_on_inside_a_pass) {
   }
 }
 
-TEST_F(Resume, of_a_final_gather_or_cache_gives_the_bits_of_a_render_never_stopped) {
-  for (const IndirectLight indirect : {IndirectLight::gather, IndirectLight::cache}) {
-    SceneDescription scene = test::room(48, true);
-    PhotonMapperDescription settings;
-    settings.indirect = indirect;
-    scene.integrator.method = settings;
+TEST_F(Resume, of_every_kind_of_indirect_light_gives_the_bits_of_a_render_never_stopped) {
+  for (const IndirectLight indirect : {IndirectLight::gather, IndirectLight::cache, IndirectLight::path}) {
+    const SceneDescription scene = test::with_indirect(test::room(48, true), indirect);
     RenderJob job = test::job_with(12, 30'000);
     const test::Rendered whole = test::render(scene, "photonmapper", job);
     int stops = 0;
@@ -173,10 +170,9 @@ TEST_F(Resume, of_the_photon_mapper_wants_the_same_photons) {
   RenderJob job = test::job_with(8, 20'000);
   ASSERT_TRUE(part(scene, "photonmapper", job, false, 3).stats.interrupted);
   job.budget.photons = 30'000;
-  EXPECT_EQ(
-      problem(scene, "photonmapper", job),
-      "its budget is 2500 global and 2500 caustic photons a sample, this render's is 3750 global and 3750 caustic "
-      "photons a sample");
+  EXPECT_EQ(problem(scene, "photonmapper", job),
+            "its budget is 2500 global and 2500 caustic photons a sample, indirect light by map, this render's is 3750 "
+            "global and 3750 caustic photons a sample, indirect light by map");
 }
 
 // Two estimates, 1 and 3: mean 2, variance of the mean ((1 - 2)^2 + (3 - 2)^2) / (1 * 2) = 1, relative to 2^2 + 0.01.

@@ -17,6 +17,10 @@ const std::vector<ViewRow>& view_table() {
        true, true},
       {View::radius, "radius", "radius of look-ups in pixels: caustic map red, global map green", true, true, true},
       {View::samples, "samples", "camera samples of the pixel for each sample of the pass", true, true, true},
+      {View::cache_records, "cache-records",
+       "the points of an irradiance cache, by which light is interpolated whatever `indirect` says, as dots on the "
+       "dimmed image: red ones stand for 1.5 pixels around them, yellow, green and blue ones for 4, 9 and 24",
+       true, true, true},
       {View::time, "time",
        "microseconds of the pixel's tile, for each of its pixels and samples of the pass; not the same twice", true,
        true, true},

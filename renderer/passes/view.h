@@ -8,7 +8,18 @@
 
 namespace photonproof {
 
-enum class View : std::uint8_t { whole, direct, caustics, global, indirect, photons, radius, samples, time };
+enum class View : std::uint8_t {
+  whole,
+  direct,
+  caustics,
+  global,
+  indirect,
+  photons,
+  radius,
+  samples,
+  cache_records,
+  time
+};
 
 struct ViewRow {
   View view;

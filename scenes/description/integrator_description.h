@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <initializer_list>
 #include <variant>
 
 #include "scenes/description/param_type.h"
@@ -98,10 +99,20 @@ void describe(P& p, WhittedDescription& d) {
 
 /// Where light that diffuse surfaces have thrown on each other is had from.
 enum class IndirectLight {
-  map,     ///< photons around where the camera path first meets a diffuse surface
-  gather,  ///< photons around where one more bounce from there leads
-  cache    ///< interpolation between few points, each of which gathers
+  automatic,  ///< by photons or by paths, whichever comes nearer to the image in the same time
+  map,        ///< photons around where the camera path first meets a diffuse surface
+  gather,     ///< photons around where one more bounce from there leads
+  cache,      ///< interpolation between few points, each of which gathers
+  path        ///< path tracing, without photons but those of caustics
 };
+
+/// In the order of the enumeration.
+inline constexpr std::initializer_list<scene_xml::Word<IndirectLight>> indirect_words{
+    {"automatic", IndirectLight::automatic}, {"map", IndirectLight::map},   {"gather", IndirectLight::gather},
+    {"cache", IndirectLight::cache},         {"path", IndirectLight::path},
+};
+
+inline const char* word_of(IndirectLight indirect) { return indirect_words.begin()[static_cast<int>(indirect)].text; }
 
 /// Photon mapping with a global and a caustic map. 0 asks for the automatic choice.
 struct PhotonMapperDescription : PathLimits {
@@ -109,7 +120,7 @@ struct PhotonMapperDescription : PathLimits {
   std::int64_t caustic_photons = 0;  ///< emitted for the caustic map, over the whole render; 0: automatic
   double global_radius = 0;          ///< scene units
   double caustic_radius = 0;         ///< scene units
-  IndirectLight indirect = IndirectLight::map;
+  IndirectLight indirect = IndirectLight::automatic;
   double cache_error = 0.15;       ///< least weight's: a record is used up to this part of the distance it sees
   std::int64_t gather_rays = 256;  ///< of a record
   friend bool operator==(const PhotonMapperDescription&, const PhotonMapperDescription&) = default;
@@ -125,10 +136,9 @@ void describe(P& p, PhotonMapperDescription& d) {
   p.integer("caustic_photons", d.caustic_photons, 0, most, "emitted for the caustic map; 0: a quarter of the samples");
   p.number("global_radius", d.global_radius, radius, "of a look-up, scene units");
   p.number("caustic_radius", d.caustic_radius, radius, "of a look-up, scene units");
-  p.choice("indirect", d.indirect,
-           {{"map", IndirectLight::map}, {"gather", IndirectLight::gather}, {"cache", IndirectLight::cache}},
-           "photons of the global map are looked up at the first diffuse surface, one bounce further, or that at few "
-           "points, between which is interpolated");
+  p.choice("indirect", d.indirect, indirect_words,
+           "light between diffuse surfaces: photons of the global map looked up at the first of them, one bounce "
+           "further, or that at few points, between which is interpolated; path tracing; map or path as a pilot says");
   p.number("cache_error", d.cache_error, {0, 1, nullptr, true}, "of interpolation, at most, as Ward reckons it");
   p.integer("gather_rays", d.gather_rays, 4, 1 << 20, "of each point that is interpolated between");
 }

@@ -414,7 +414,7 @@ class RandomScene {
         photons.global_photons = static_cast<std::int64_t>(pick(1u << 30)) << 9;
         photons.caustic_photons = 0;
         photons.global_radius = positive();
-        photons.indirect = static_cast<IndirectLight>(pick(3));
+        photons.indirect = static_cast<IndirectLight>(pick(5));
         photons.gather_rays = 4 + pick(1000);
         return photons;
       }
