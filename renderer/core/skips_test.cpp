@@ -130,6 +130,7 @@ TEST(skips, the_plan_says_what_the_scene_does_not_need_and_why) {
       "skips\n"
       "  global-map          the global photon map: no two diffuse surfaces see each other\n"
       "  caustic-map         the caustic photon map: no specular surface\n"
+      "  camera-pilot        samples beforehand that find where lamps are rarely seen: no mirror and no smooth glass\n"
       "  bvh                 Embree and its hierarchy: 1 primitive, tested one after the other\n"
       "  bsdf-groups         sorting lanes by the kind of their BSDF: all BSDFs are of one kind\n"
       "  surface-detail      texture coordinates, shading normals and nested BSDFs of every hit: no textures, shading "

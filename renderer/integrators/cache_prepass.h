@@ -25,6 +25,6 @@ struct CheckedCache {
 };
 
 CheckedCache make_irradiance_cache(const RenderPlan& plan, const PhotonSource& source, const LookUpAreas& areas,
-                                      const Tile& window, RenderStats& stats);
+                                   const Tile& window, RenderStats& stats);
 
 }  // namespace photonproof

@@ -117,7 +117,6 @@ class Pilot {
   Marks nearest_to_lamps();
   void tell(PixelEffort& effort, Marks& by_many);
   const RayTotals& rays() const { return rays_; }
-  double taken() const { return taken_; }
 
  private:
   struct Traced {
@@ -134,7 +133,6 @@ class Pilot {
   ScratchPool scratch_;
   RayTotals rays_;
   Plane<Found> found_;
-  double taken_ = 0;  ///< samples
 };
 
 void Pilot::trace(CameraTask camera, Stream stream, float within, Traced& traced) {
@@ -199,7 +197,6 @@ void Pilot::sample(Marks& pixels, std::int64_t first, double samples, float with
       }
     }
   });
-  taken_ += marked * count;
 }
 
 Marks Pilot::nearest_to_lamps() {
@@ -238,7 +235,7 @@ void run_camera_pilot(const Scene& scene, const PathSettings& settings, const Re
   pilot.sample(nearest, static_cast<std::int64_t>(few_samples), many_samples, near_of_many);
   pilot.tell(effort, nearest);
   pilot.rays().store(stats);
-  stats.counts["pilot_camera_samples"] += pilot.taken();
+  stats.counts["pilot_camera_samples"] += static_cast<double>(pilot.rays().counts().camera);
 }
 
 }  // namespace photonproof

@@ -168,17 +168,51 @@ void choose_way(const PhotonSource& source, PhotonMaps& maps, const RenderPlan& 
   stats.choices.push_back(choice.why);
 }
 
-/// After a pass of `samples`.
-void choose_next_radii(const std::vector<MapState*>& maps, const PhotonSettings& settings, const Film& image,
-                       const PassHalves& halves, double samples, LookUpBias& bias) {
-  bias.narrow(image, halves);
-  const double after_next = halves.all_samples() * (1 + 1.0 / double{parts_of_samples});
-  for (MapState* map : maps) {
-    map->radii.add_pass(samples, map->pass_photons);
-    const LookUpBias::Evidence evidence = bias.evidence(image, static_cast<int>(map->kind), halves);
-    choose_next_radius(*map, settings, evidence, halves, after_next);
+/// What passes learn of the image.
+struct Lessons {
+  const Film& image;
+  const std::vector<MapState*> maps;  ///< looked up
+  LookUpBias bias;
+  PixelEffort effort;
+  PassHalves halves{};
+  std::optional<CheckedCache> checked{};
+
+  Lessons(const Film& of, const std::vector<MapState*>& looked_up)
+      : image(of), maps(looked_up), bias(of.window()), effort(of.window()) {}
+
+  double bias_of_cache() const { return checked ? checked->error.squared_bias(image) : 0; }
+  double squared_bias() const {
+    return bias.evidence(image, LookUpBias::all_maps, halves).squared_bias() + bias_of_cache();
   }
-}
+  /// What no more samples cure.
+  double lasting_bias(const PhotonSettings& settings) const {
+    double sum = bias_of_cache();
+    for (const MapState* map : maps)
+      if (map->fixed_radius && !settings.textbook)
+        sum += bias.evidence(image, static_cast<int>(map->kind), halves).squared_bias();
+    return sum;
+  }
+
+  void keep(RenderLoop& loop) {
+    loop.keep_between_passes(halves);
+    loop.keep(bias.pixels());
+    loop.keep(bias.narrowings());
+    loop.keep(effort.pixels());
+    loop.keep(effort.decided());
+  }
+
+  /// Of a pass of `samples` decides the radii of the next one.
+  void choose_radii(const PhotonSettings& settings, double samples) {
+    halves.add_pass(samples);
+    bias.narrow(image, halves);
+    const double after_next = halves.all_samples() * (1 + 1.0 / double{parts_of_samples});
+    for (MapState* map : maps) {
+      map->radii.add_pass(samples, map->pass_photons);
+      const LookUpBias::Evidence evidence = bias.evidence(image, static_cast<int>(map->kind), halves);
+      choose_next_radius(*map, settings, evidence, halves, after_next);
+    }
+  }
+};
 
 }  // namespace
 
@@ -241,39 +275,23 @@ void render_photon_mapper(const Scene& scene, const RenderPlan& plan, const Rend
   std::optional<Film> unseen;  // the image whose making is shown
   if (view.is_number()) unseen.emplace(film.window());
   Film& image = unseen ? *unseen : film;
-  LookUpBias bias(film.window());
-  PixelEffort effort(film.window());
-  PassHalves halves;
-  std::optional<CheckedCache> checked;
-  const auto bias_of_cache = [&] { return checked ? checked->error.squared_bias(image) : 0; };
-  passes.squared_bias = [&] {
-    return bias.evidence(image, LookUpBias::all_maps, halves).squared_bias() + bias_of_cache();
-  };
-  passes.lasting_bias = [&] {
-    double sum = bias_of_cache();
-    for (const MapState* map : wanted)
-      if (map->fixed_radius && !settings.textbook)
-        sum += bias.evidence(image, static_cast<int>(map->kind), halves).squared_bias();
-    return sum;
-  };
+  Lessons lessons(image, wanted);
+  passes.squared_bias = [&] { return lessons.squared_bias(); };
+  passes.lasting_bias = [&] { return lessons.lasting_bias(settings); };
   passes.lasting_bias_of = caches ? "the irradiance cache has wrong" : "radii that the scene fixes have wrong";
   RenderLoop loop(job, threads, image, stats, passes);
   if (unseen) loop.keep(film);
-  loop.keep_between_passes(halves);
   keep(loop, maps);
-  loop.keep(bias.pixels());
-  loop.keep(bias.narrowings());
-  loop.keep(effort.pixels());
-  loop.keep(effort.decided());
+  lessons.keep(loop);
   CameraPass camera(scene, settings, plan, job, shown_by(view, settings.indirect, wanted), areas ? &*areas : nullptr,
-                    bias, effort);
+                    lessons.bias, lessons.effort);
   if (steers_samples(settings, view) && !plan.skips(Skip::camera_pilot)) {
-    run_camera_pilot(scene, camera_path_settings(settings, plan), job, threads, image.window(), effort, stats);
-    effort.choose();
+    run_camera_pilot(scene, camera_path_settings(settings, plan), job, threads, image.window(), lessons.effort, stats);
+    lessons.effort.choose();
   }
   if (caches) {
-    checked.emplace(make_irradiance_cache(plan, source, *areas, film.window(), stats));
-    camera.use(checked->cache);
+    lessons.checked.emplace(make_irradiance_cache(plan, source, *areas, film.window(), stats));
+    camera.use(lessons.checked->cache);
   }
   while (loop.next()) {
     for (MapState* map : wanted) {
@@ -281,18 +299,18 @@ void render_photon_mapper(const Scene& scene, const RenderPlan& plan, const Rend
       map->pass_photons = static_cast<double>(refill(*map, source, loop.first(), loop.first() + loop.samples(), stats));
     }
     const PhaseTimer phase(stats.phases["render"]);
-    loop.for_each_tile(
-        [&](const Tile& tile) { camera.render(tile, halves.pass_count(), loop, image, unseen ? &film : nullptr); });
+    loop.for_each_tile([&](const Tile& tile) {
+      camera.render(tile, lessons.halves.pass_count(), loop, image, unseen ? &film : nullptr);
+    });
     if (loop.broken_off()) continue;
     const auto samples = static_cast<double>(loop.samples());
     image.end_shared_pass(samples);
     if (unseen) film.end_shared_pass(samples);
-    if (steers_samples(settings, view)) effort.choose();
-    halves.add_pass(samples);
-    choose_next_radii(wanted, settings, image, halves, samples, bias);
+    if (steers_samples(settings, view)) lessons.effort.choose();
+    lessons.choose_radii(settings, samples);
   }
-  maps.store_counts(scene.scale(), halves.pass_count(), stats);
-  if (checked) stats.counts["relative_bias_cache"] = std::sqrt(bias_of_cache());
+  maps.store_counts(scene.scale(), lessons.halves.pass_count(), stats);
+  if (lessons.checked) stats.counts["relative_bias_cache"] = std::sqrt(lessons.bias_of_cache());
 }
 
 }  // namespace photonproof
