@@ -34,6 +34,11 @@ struct DielectricBsdf {
             as_mask<F>(true),
             wo.z != 0};
   }
+
+  /// The probability of reflection: where u < it.
+  F reflected_share(const Vec3<F>& wo) const {
+    return fresnel_dielectric(lane_abs(wo.z), select(wo.z > 0, eta, F(1 / eta))).reflectance;
+  }
 };
 
 }  // namespace photonproof

@@ -30,8 +30,7 @@ struct ThinDielectricBsdf {
   }
   /// Of light that travels along -wo: as in Mitsuba, a pane does not end the straight way of light behind it.
   Vec3<F> straight_through(const Vec3<F>& wo) const { return transmittance * F(1 - reflected_share(wo)); }
-
- private:
+  /// The probability of reflection: where u < it.
   F reflected_share(const Vec3<F>& wo) const {
     const F once = fresnel_dielectric(lane_abs(wo.z), eta).reflectance;
     return has_fault(Fault::single_reflection) ? once : F(2 * once / (1 + once));

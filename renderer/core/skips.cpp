@@ -16,6 +16,7 @@ const std::vector<SkipRow>& skip_table() {
       {Skip::global_map, "global-map", "the global photon map"},
       {Skip::caustic_map, "caustic-map", "the caustic photon map"},
       {Skip::stray_photons, "stray-photons", "caustic photons that set out towards nothing specular"},
+      {Skip::camera_pilot, "camera-pilot", "samples beforehand that find where lamps are rarely seen"},
       {Skip::surface_detail, "surface-detail", "texture coordinates, shading normals and nested BSDFs of every hit"},
   };
   return table;

@@ -19,6 +19,7 @@ enum class Skip : std::uint32_t {
   global_map,
   caustic_map,
   stray_photons,
+  camera_pilot,
   surface_detail
 };
 

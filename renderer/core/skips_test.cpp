@@ -130,6 +130,7 @@ TEST(skips, the_plan_says_what_the_scene_does_not_need_and_why) {
       "skips\n"
       "  global-map          the global photon map: no two diffuse surfaces see each other\n"
       "  caustic-map         the caustic photon map: no specular surface\n"
+      "  camera-pilot        samples beforehand that find where lamps are rarely seen: no mirror and no smooth glass\n"
       "  bvh                 Embree and its hierarchy: 1 primitive, tested one after the other\n"
       "  bsdf-groups         sorting lanes by the kind of their BSDF: all BSDFs are of one kind\n"
       "  surface-detail      texture coordinates, shading normals and nested BSDFs of every hit: no textures, shading "
@@ -173,7 +174,7 @@ TEST(skips, an_unknown_name_is_refused_with_the_known_ones) {
     EXPECT_STREQ(
         e.what(),
         "--no-skip: error: there is no skip 'bhv', expected one of bvh, mis, light-choice, far-lights, direct-light, "
-        "bsdf-groups, shadow-rays, global-map, caustic-map, stray-photons, surface-detail, all");
+        "bsdf-groups, shadow-rays, global-map, caustic-map, stray-photons, camera-pilot, surface-detail, all");
   }
 }
 

@@ -52,15 +52,13 @@ struct CameraPass::TilePaths {
   GatherQueue caustic_queue{0};      ///< of a final gather
   std::vector<std::uint32_t> count;  ///< paths of each pixel
   std::vector<Rgb> sum;              ///< of each pixel
-  std::vector<bool> by_specular;     ///< of each pixel: a path of it went on from its first surface
 
   TilePaths(const Tile& of, std::int64_t number, double samples_a_pixel)
       : tile(of),
         pass(number),
         samples(samples_a_pixel),
         count(static_cast<std::size_t>(of.width()) * static_cast<std::size_t>(of.height())),
-        sum(count.size(), Rgb(0.0f)),
-        by_specular(count.size()) {}
+        sum(count.size(), Rgb(0.0f)) {}
   int x(std::size_t pixel) const { return tile.x0 + static_cast<int>(pixel) % tile.width(); }
   int y(std::size_t pixel) const { return tile.y0 + static_cast<int>(pixel) / tile.width(); }
 };
@@ -123,10 +121,7 @@ void CameraPass::trace(const CameraTask& camera, TilePaths& paths, RenderLoop& l
     job_.kernels().path.trace(task);
   });
   const auto take = [&](const GatherPoints& points, GatherQueue& queue) {
-    for (std::size_t i = queue.size(); i < points.count; ++i) {
-      points.path[i] += static_cast<std::uint32_t>(first);
-      if (points.edges[i] > 1) paths.by_specular[paths.pixel_of[points.path[i]]] = true;
-    }
+    for (std::size_t i = queue.size(); i < points.count; ++i) points.path[i] += static_cast<std::uint32_t>(first);
     queue.set_size(points.count);
   };
   take(task.points, paths.queue);
@@ -168,7 +163,7 @@ void CameraPass::render(const Tile& tile, std::int64_t pass, RenderLoop& loop, F
     const auto count = static_cast<double>(paths.count[pixel]);
     const RgbD mean = RgbD(paths.sum[pixel]) / count;
     image.add(paths.x(pixel), paths.y(pixel), mean, paths.samples);
-    effort_.add(paths.x(pixel), paths.y(pixel), mean, count, paths.by_specular[pixel]);
+    effort_.add(paths.x(pixel), paths.y(pixel), mean, count);
   }
   if (numbers != nullptr) add_numbers(paths, timer.seconds(), *numbers);
 }

@@ -16,6 +16,7 @@
 
 #include "renderer/integrators/cache_prepass.h"
 #include "renderer/integrators/camera_pass.h"
+#include "renderer/integrators/camera_pilot.h"
 #include "renderer/integrators/indirect_choice.h"
 #include "renderer/integrators/photon_dots.h"
 #include "renderer/integrators/photon_maps.h"
@@ -99,11 +100,30 @@ std::string camera_paths_words(const PhotonSettings& settings, bool any_global_m
   return words;
 }
 
+/// Whether pixels get numbers of samples of their own.
+bool steers_samples(const PhotonSettings& settings, const ViewRow& view, const RenderJob& job) {
+  return !settings.textbook && view.made_from_all() && job.grid == 0;
+}
+
+void plan_camera_pilot(Planner& planner) {
+  const SceneFacts& facts = planner.facts();
+  const char* why = !facts.any_delta_bsdf                                ? "no mirror and no smooth glass"
+                    : !facts.lights_can_be_hit && !facts.any_environment ? "rays meet no light"
+                                                                         : nullptr;
+  if (!planner.decide(Skip::camera_pilot, why != nullptr, why != nullptr ? why : "",
+                      "mirrors or smooth glass may show lamps"))
+    planner.run(
+        "camera pilot",
+        "samples beforehand, of no image, find the pixels where a lamp is rarely met by mirrors or through glass");
+}
+
 void plan_camera_paths(Planner& planner, const PhotonSettings& settings, const ViewRow& view) {
   planner.run("camera paths", camera_paths_words(settings, !planner.plan().skips(Skip::global_map)) + "; " +
                                   depth_words(settings.limits.max_depth));
-  if (!settings.textbook && view.made_from_all() && planner.job().grid == 0)
+  if (steers_samples(settings, view, planner.job())) {
     planner.run("more camera paths", "up to 64 times as many in pixels whose earlier passes disagree");
+    plan_camera_pilot(planner);
+  }
   if (planner.facts().any_environment && view.direct_light)
     planner.run("one more ray", "from where photons are looked up to the environment, which light samples find, too");
   planner.batches();
@@ -137,35 +157,6 @@ void keep(RenderLoop& loop, PhotonMaps& maps) {
   }
 }
 
-/// What the image has wrong in the mean, squared, as relmse counts it: by the radii of look-ups and by a cache.
-struct ImageBias {
-  const Film& image;
-  const LookUpBias& radii;
-  const PassHalves& halves;
-  const std::optional<CheckedCache>& cache;
-  const PhotonSettings& settings;
-  const std::vector<MapState*>& maps;
-
-  double of_cache() const { return cache ? cache->error.squared_bias(image) : 0; }
-  double of_radii(int map) const { return radii.evidence(image, map, halves).squared_bias(); }
-  double of_fixed_radii() const {
-    double sum = 0;
-    for (const MapState* map : maps)
-      if (map->fixed_radius && !settings.textbook) sum += of_radii(static_cast<int>(map->kind));
-    return sum;
-  }
-  /// The passes are told of this, which must outlive them.
-  void tell(PassPlan& passes) const {
-    passes.squared_bias = [this] { return of_radii(LookUpBias::all_maps) + of_cache(); };
-    passes.lasting_bias = [this] { return of_fixed_radii() + of_cache(); };
-    passes.lasting_bias_of = [this] {
-      const std::string fixed = "the radii that the scene fixes";
-      return cache ? "the irradiance cache" + (of_fixed_radii() > 0 ? " and " + fixed + " have" : std::string(" has"))
-                   : fixed + " have";
-    };
-  }
-};
-
 /// Of the automatic settings.
 void choose_way(const PhotonSource& source, PhotonMaps& maps, const RenderPlan& plan, const Tile& window,
                 PhotonSettings& settings, RenderStats& stats) {
@@ -177,17 +168,57 @@ void choose_way(const PhotonSource& source, PhotonMaps& maps, const RenderPlan& 
   stats.choices.push_back(choice.why);
 }
 
-/// After a pass of `samples`.
-void choose_next_radii(const std::vector<MapState*>& maps, const PhotonSettings& settings, const Film& image,
-                       const PassHalves& halves, double samples, LookUpBias& bias) {
-  bias.narrow(image, halves);
-  const double after_next = halves.all_samples() * (1 + 1.0 / double{parts_of_samples});
-  for (MapState* map : maps) {
-    map->radii.add_pass(samples, map->pass_photons);
-    const LookUpBias::Evidence evidence = bias.evidence(image, static_cast<int>(map->kind), halves);
-    choose_next_radius(*map, settings, evidence, halves, after_next);
+/// What passes learn of the image.
+struct Lessons {
+  const Film& image;
+  const std::vector<MapState*> maps;  ///< looked up
+  LookUpBias bias;
+  PixelEffort effort;
+  PassHalves halves{};
+  std::optional<CheckedCache> checked{};
+
+  Lessons(const Film& of, const std::vector<MapState*>& looked_up)
+      : image(of), maps(looked_up), bias(of.window()), effort(of.window()) {}
+
+  double bias_of_cache() const { return checked ? checked->error.squared_bias(image) : 0; }
+  double squared_bias() const {
+    return bias.evidence(image, LookUpBias::all_maps, halves).squared_bias() + bias_of_cache();
   }
-}
+  /// What no more samples cure.
+  double lasting_bias(const PhotonSettings& settings) const { return bias_of_cache() + bias_of_fixed_radii(settings); }
+  double bias_of_fixed_radii(const PhotonSettings& settings) const {
+    double sum = 0;
+    for (const MapState* map : maps)
+      if (map->fixed_radius && !settings.textbook)
+        sum += bias.evidence(image, static_cast<int>(map->kind), halves).squared_bias();
+    return sum;
+  }
+  std::string lasting_bias_of(const PhotonSettings& settings) const {
+    const std::string fixed = "the radii that the scene fixes have";
+    if (!checked) return fixed;
+    return bias_of_fixed_radii(settings) > 0 ? "the irradiance cache and " + fixed : "the irradiance cache has";
+  }
+
+  void keep(RenderLoop& loop) {
+    loop.keep_between_passes(halves);
+    loop.keep(bias.pixels());
+    loop.keep(bias.narrowings());
+    loop.keep(effort.pixels());
+    loop.keep(effort.decided());
+  }
+
+  /// Of a pass of `samples` decides the radii of the next one.
+  void choose_radii(const PhotonSettings& settings, double samples) {
+    halves.add_pass(samples);
+    bias.narrow(image, halves);
+    const double after_next = halves.all_samples() * (1 + 1.0 / double{parts_of_samples});
+    for (MapState* map : maps) {
+      map->radii.add_pass(samples, map->pass_photons);
+      const LookUpBias::Evidence evidence = bias.evidence(image, static_cast<int>(map->kind), halves);
+      choose_next_radius(*map, settings, evidence, halves, after_next);
+    }
+  }
+};
 
 }  // namespace
 
@@ -250,25 +281,23 @@ void render_photon_mapper(const Scene& scene, const RenderPlan& plan, const Rend
   std::optional<Film> unseen;  // the image whose making is shown
   if (view.is_number()) unseen.emplace(film.window());
   Film& image = unseen ? *unseen : film;
-  LookUpBias bias(film.window());
-  PixelEffort effort(film.window());
-  PassHalves halves;
-  std::optional<CheckedCache> checked;
-  const ImageBias image_bias{image, bias, halves, checked, settings, wanted};
-  image_bias.tell(passes);
+  Lessons lessons(image, wanted);
+  passes.squared_bias = [&] { return lessons.squared_bias(); };
+  passes.lasting_bias = [&] { return lessons.lasting_bias(settings); };
+  passes.lasting_bias_of = [&] { return lessons.lasting_bias_of(settings); };
   RenderLoop loop(job, threads, image, stats, passes);
   if (unseen) loop.keep(film);
-  loop.keep_between_passes(halves);
   keep(loop, maps);
-  loop.keep(bias.pixels());
-  loop.keep(bias.narrowings());
-  loop.keep(effort.pixels());
-  loop.keep(effort.decided());
+  lessons.keep(loop);
   CameraPass camera(scene, settings, plan, job, shown_by(view, settings.indirect, wanted), areas ? &*areas : nullptr,
-                    bias, effort);
+                    lessons.bias, lessons.effort);
+  if (steers_samples(settings, view, job) && !plan.skips(Skip::camera_pilot)) {
+    run_camera_pilot(scene, camera_path_settings(settings, plan), job, threads, image.window(), lessons.effort, stats);
+    lessons.effort.choose();
+  }
   if (caches) {
-    checked.emplace(make_irradiance_cache(plan, source, *areas, film.window(), stats));
-    camera.use(checked->cache);
+    lessons.checked.emplace(make_irradiance_cache(plan, source, *areas, film.window(), stats));
+    camera.use(lessons.checked->cache);
   }
   while (loop.next()) {
     for (MapState* map : wanted) {
@@ -276,18 +305,18 @@ void render_photon_mapper(const Scene& scene, const RenderPlan& plan, const Rend
       map->pass_photons = static_cast<double>(refill(*map, source, loop.first(), loop.first() + loop.samples(), stats));
     }
     const PhaseTimer phase(stats.phases["render"]);
-    loop.for_each_tile(
-        [&](const Tile& tile) { camera.render(tile, halves.pass_count(), loop, image, unseen ? &film : nullptr); });
+    loop.for_each_tile([&](const Tile& tile) {
+      camera.render(tile, lessons.halves.pass_count(), loop, image, unseen ? &film : nullptr);
+    });
     if (loop.broken_off()) continue;
     const auto samples = static_cast<double>(loop.samples());
     image.end_shared_pass(samples);
     if (unseen) film.end_shared_pass(samples);
-    if (!settings.textbook && view.made_from_all()) effort.choose();
-    halves.add_pass(samples);
-    choose_next_radii(wanted, settings, image, halves, samples, bias);
+    if (steers_samples(settings, view, job)) lessons.effort.choose();
+    lessons.choose_radii(settings, samples);
   }
-  maps.store_counts(scene.scale(), halves.pass_count(), stats);
-  if (checked) stats.counts["relative_bias_cache"] = std::sqrt(image_bias.of_cache());
+  maps.store_counts(scene.scale(), lessons.halves.pass_count(), stats);
+  if (lessons.checked) stats.counts["relative_bias_cache"] = std::sqrt(lessons.bias_of_cache());
 }
 
 }  // namespace photonproof

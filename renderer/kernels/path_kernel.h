@@ -11,6 +11,7 @@
 #include "renderer/kernels/camera_rays.h"
 #include "renderer/kernels/direct_light.h"
 #include "renderer/kernels/final_gather.h"
+#include "renderer/kernels/lamp_search.h"
 #include "renderer/kernels/tasks.h"
 #include "renderer/lanes/roulette.h"
 #include "scenes/text/faults.h"
@@ -78,6 +79,7 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, TransportMode::r
     s.index = ray.index;
     s.path = lane_index<F>() + first;
     s.gathering = U(0u);
+    if (task_.is_pilot) s.throughput.z = F(0.0f);
     const Mask<F> begins = lanes && ray.valid;  // the others' radiance stays 0
     task_.counts.camera += count_lanes(begins);
     return begins;
@@ -96,8 +98,9 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, TransportMode::r
       Mask<F> shines = alive && !equal<F>(light, U(no_index));
       if (task_.settings.hide_emitters) shines = shines && !first;
       if (bears_bits_) shines = shines && counts_hits(s);
-      if (any(shines)) add_emission(s, hit, select(shines, light, U(0u)), shines);
+      if (any(shines) && task_.search.count == 0) add_emission(s, hit, select(shines, light, U(0u)), shines);
     }
+    if (task_.search.count > 0) find_lamps(task_.search, s, hit, active && !first && !(s.bsdf_pdf > 0));
     if (looks_) alive = alive && as_mask<F>(s.vertex < U(only_looks));
     if (task_.settings.max_depth >= 0)
       alive = alive && as_mask<F>(s.vertex + 1u < U(static_cast<std::uint32_t>(task_.settings.max_depth)));
@@ -124,7 +127,7 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, TransportMode::r
     const bool gathers = Kind<F>::is_lambertian && task_.at_diffuse != AtDiffuse::go_on;
     const Mask<F> lit = task_.settings.indirect_only ? active && !equal<F>(s.gathering, U(0u)) : active;
     if constexpr (Kind<F>::has_smooth) {
-      if (scene_.light_count > 0 && light_from_ != DirectLight::hits_only) {
+      if (scene_.light_count > 0 && takes_light_samples(light_from_)) {
         if constexpr (Kind<F>::is_lambertian)
           add_direct_light(at, bsdf, frame, wo_local, dimension, !gathers || weighs_hits_, lit);
         else if (const Mask<F> takes = lit && final_gather::without_maps<F>(s.gathering); any(takes))
@@ -144,11 +147,14 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, TransportMode::r
     const Mask<F> going = active && (!ends || looking);
     Vec2<F> u_direction{F(0.0f), F(0.0f)};
     if constexpr (Kind<F>::has_smooth) u_direction = draw(s, dimension + Dimension::direction);
-    const F u_lobe = draw(s, dimension + Dimension::lobe).x;
+    F u_lobe = draw(s, dimension + Dimension::lobe).x;
+    if constexpr (requires { bsdf.bsdf.reflected_share(wo_local); })
+      if (task_.is_pilot) s.throughput *= even_lobes(bsdf.bsdf.reflected_share(wo_local), u_lobe);
     const BsdfSample<F> next = bsdf.at.sample(bsdf.bsdf, wo_local, u_lobe, u_direction, TransportMode::radiance);
     s.throughput *= next.weight;
     s.refraction_scale *= next.eta * next.eta;
     Mask<F> alive = going && next.valid && max_component(s.throughput) > 0;
+    if (task_.is_pilot) alive = alive && next.delta;
     alive = (alive && looking) || survive_roulette(s, dimension, alive && !looking);
     retire(s, going && !alive);
 
@@ -210,7 +216,7 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, TransportMode::r
     const Vec3<F> emitted = emitted_radiance<F>(scene_, hit, light, shines, Vec3<F>(-s.direction));
     F weight(1.0f);
     const Mask<F> shared = shines && s.bsdf_pdf > 0;  // next-event estimation could have found it too
-    if (light_from_ == DirectLight::samples_only)
+    if (leaves_shared_hits_out(light_from_))
       weight = select(shared, F(0.0f), F(1.0f));
     else if (light_from_ == DirectLight::weighted && any(shared) && !has_fault(Fault::unweighted_hits))
       weight =
@@ -226,7 +232,7 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, TransportMode::r
     const EnvironmentLook<F> sky = look_at_environment(scene_, s.origin, s.direction, leaves);
     const Mask<F> shared = s.bsdf_pdf > 0;
     F weight(1.0f);
-    if (light_from_ == DirectLight::samples_only)
+    if (leaves_shared_hits_out(light_from_))
       weight = select(shared, F(0.0f), F(1.0f));
     else if (light_from_ == DirectLight::weighted)
       weight = select(shared, mis_weight(s.bsdf_pdf, sky.pdf), F(1.0f));

@@ -32,11 +32,19 @@ struct CameraTask {
 
 /// How light comes to the vertices of a path.
 enum class DirectLight {
-  weighted,      ///< samples of lights and rays that meet them, by multiple importance sampling
-  unweighted,    ///< both, where no light can be had both ways
-  samples_only,  ///< rays see only lights that samples cannot have found
-  hits_only      ///< rays that meet lights, without samples
+  weighted,       ///< samples of lights and rays that meet them, by multiple importance sampling
+  unweighted,     ///< both, where no light can be had both ways
+  samples_only,   ///< rays see only lights that samples cannot have found
+  hits_only,      ///< rays that meet lights, without samples
+  rare_hits_only  ///< rays see only lights that samples could not have found; no samples either
 };
+constexpr bool takes_light_samples(DirectLight from) {
+  return from != DirectLight::hits_only && from != DirectLight::rare_hits_only;
+}
+/// Where rays meet lights that samples could have found.
+constexpr bool leaves_shared_hits_out(DirectLight from) {
+  return from == DirectLight::samples_only || from == DirectLight::rare_hits_only;
+}
 
 /// `max_depth` counts path edges, -1 is unlimited.
 struct PathSettings {
@@ -67,12 +75,27 @@ struct BouncesView {
   float* distance = nullptr;                             ///< filled with the ray's, where it meets anything
 };
 
+/// A lamp as a ball: of the same flux to all sides, per area of its disc.
+struct LampBall {
+  Vec3f center;
+  float radius = 0, radiance = 0;
+};
+
+/// Lamps to search, and within how many of their radii; without them those that rays meet are what is found.
+struct LampSearch {
+  const LampBall* lamps = nullptr;
+  std::size_t count = 0;
+  float within = 1;
+};
+
 struct PathTask {
   const SceneView* scene = nullptr;
   CameraTask camera;  ///< without `bounces`
   BouncesView bounces{};
   PathSettings settings;
   AtDiffuse at_diffuse = AtDiffuse::go_on;
+  bool is_pilot = false;             ///< lamp_search.h, where `radiance` has another meaning
+  LampSearch search{};               ///< of a pilot
   float* radiance = nullptr;         ///< 3 a path, in the task's order of paths
   std::uint32_t* scratch = nullptr;  ///< PathKernelEntry::scratch words
   GatherPoints points{};             ///< of a GatherQueue with room for one a path, where paths leave them

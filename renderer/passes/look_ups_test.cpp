@@ -187,8 +187,7 @@ TEST(pixel_effort, goes_where_passes_disagree_and_around_it) {
   std::normal_distribution<double> normal;
   for (int pass = 0; pass < 8; ++pass)
     for (int y = 0; y < 16; ++y)
-      for (int x = 0; x < 16; ++x)
-        effort.add(x, y, RgbD(1 + (x == 5 && y == 9 ? 1.0 : 0.01) * normal(random)), 1, false);
+      for (int x = 0; x < 16; ++x) effort.add(x, y, RgbD(1 + (x == 5 && y == 9 ? 1.0 : 0.01) * normal(random)), 1);
   effort.choose();
   // Of 256 pixels 9 count as some 70 times as uncertain as the others: 1 / (9/256 + 1/70) = 20 times as the mean.
   for (int y = 0; y < 16; ++y)
@@ -204,7 +203,7 @@ TEST(pixel_effort, goes_where_passes_disagree_and_around_it) {
 TEST(pixel_effort, leaves_a_render_without_noise_alone) {
   PixelEffort effort(Tile{0, 0, 4, 4});
   for (int pass = 0; pass < 4; ++pass)
-    for (int i = 0; i < 16; ++i) effort.add(i % 4, i / 4, RgbD(2.0), 1, false);
+    for (int i = 0; i < 16; ++i) effort.add(i % 4, i / 4, RgbD(2.0), 1);
   effort.choose();
   for (int i = 0; i < 16; ++i) EXPECT_EQ(effort.extra(i % 4, i / 4), 0u);
 }
@@ -231,7 +230,7 @@ TEST(pixel_effort, does_not_bias_what_it_steers) {
           samples += count, hits += mean * count;
         }
         film.add(i % 4, i / 4, RgbD(mean), 1);
-        effort.add(i % 4, i / 4, RgbD(mean), count, false);
+        effort.add(i % 4, i / 4, RgbD(mean), count);
       }
       effort.choose();
     }

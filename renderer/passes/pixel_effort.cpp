@@ -8,16 +8,11 @@
 namespace photonproof {
 namespace {
 
-/// Samples for one of other pixels, where a part of the image up to so much is seen by mirrors or through glass.
-constexpr float least_by_specular = 4;
-constexpr double most_by_specular = 0.2;
-
-/// Relative deviation of one camera sample.
+/// Relative deviation of one camera sample; 1 where neither passes nor a pilot know it.
 float deviation(const PixelEffort::Pixel& p) {
-  if (p.passes < 2) return 0;
-  const double mean = p.sum / p.samples;
-  const double variance = std::max(0.0, (p.squares - p.sum * mean) / (p.passes - 1));
-  return static_cast<float>(std::sqrt(variance / (mean * mean + Film::relative_epsilon)));
+  const double mean = p.passes > 0 ? p.sum / p.samples : 0, square = mean * mean + Film::relative_epsilon;
+  const double seen = p.passes < 2 ? square : std::max(0.0, (p.squares - p.sum * mean) / (p.passes - 1));
+  return static_cast<float>(std::sqrt(std::max(seen, p.pilot_variance) / square));
 }
 
 /// The largest of every value and its two neighbours at `step`, for `count` values from `begin` on.
@@ -45,12 +40,9 @@ void PixelEffort::choose() {
       std::accumulate(deviations.begin(), deviations.end(), 0.0) / static_cast<double>(deviations.size());
   if (!(mean > 0)) return;
   const auto inverse = static_cast<float>(1 / mean);
-  const auto by_specular = std::ranges::count_if(pixels_, [](const Pixel& p) { return p.by_specular > 0; });
-  const bool few = static_cast<double>(by_specular) < most_by_specular * static_cast<double>(pixels_.size());
-  std::ranges::transform(deviations, pixels_, extra_.begin(), [&](float deviation, const Pixel& p) {
-    const float least = few && p.by_specular > 0 ? least_by_specular : 1;
+  std::ranges::transform(deviations, extra_.begin(), [&](float deviation) {
     // In all, a power of two, so that neighbours often agree and are traced together.
-    const auto samples = static_cast<std::uint32_t>(std::clamp(deviation * inverse, least, float{most + 1}));
+    const auto samples = static_cast<std::uint32_t>(std::clamp(deviation * inverse, 1.0f, float{most + 1}));
     return static_cast<std::uint8_t>(std::bit_floor(samples) - 1);
   });
 }

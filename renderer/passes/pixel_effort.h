@@ -3,8 +3,8 @@
 // with s_p. The numbers of a pass follow from the passes before it, and a pass weighs in its pixel by its own length
 // whatever the number was: so the mean of a pixel is that of estimates each of which is unbiased given the past, and
 // stays unbiased (as with the halves of cross-fitting, but without dividing the evidence).
-// What mirrors and glass show now and then, a lamp after some reflections inside, no pass may have met yet: where their
-// pixels are few, they get some more samples beforehand, so that a lone one does not outshine the image.
+// What mirrors and glass show now and then, a lamp after some reflections inside, no pass may have met yet: a pilot may
+// say the variance that it brings (camera_pilot.h).
 #pragma once
 
 #include <cstddef>
@@ -27,22 +27,22 @@ class PixelEffort {
 
   /// Samples that the pixel gets in the next pass beyond each of the pass's own.
   std::uint32_t extra(int x, int y) const { return extra_[index(x, y)]; }
-  /// A pass's estimate of the pixel, of so many camera samples, and whether any of these came by a mirror or through
-  /// glass. One writer a pixel.
-  void add(int x, int y, const RgbD& mean, double samples, bool by_specular) {
+  /// A pass's estimate of the pixel, of so many camera samples. One writer a pixel.
+  void add(int x, int y, const RgbD& mean, double samples) {
     Pixel& p = pixels_[index(x, y)];
-    if (by_specular) p.by_specular = 1;
     const double value = (mean.x + mean.y + mean.z) / 3;
     p.samples += samples;
     p.sum += samples * value;
     p.squares += samples * value * value;
     p.passes += 1;
   }
+  /// At least so much is the variance of one camera sample, whatever passes see of it. One writer a pixel.
+  void set_pilot(int x, int y, double variance) { pixels_[index(x, y)].pilot_variance = variance; }
   /// Decides for the next pass.
   void choose();
 
   struct Pixel {
-    double samples = 0, sum = 0, squares = 0, passes = 0, by_specular = 0;
+    double samples = 0, sum = 0, squares = 0, passes = 0, pilot_variance = 0;
   };
   /// For checkpoints: sums of whole tiles.
   std::vector<Pixel>& pixels() { return pixels_; }
