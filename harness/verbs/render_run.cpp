@@ -147,7 +147,8 @@ Request request_of(const RenderArguments& arguments, const std::vector<fs::path>
   Request request;
   request.description = load_scene(arguments.scene);
   if (!outputs.empty()) check_outputs(outputs, scene_inputs(request.description));
-  if (const RenderPreset* preset = preset_named(arguments.preset)) {
+  const RenderPreset* preset = preset_named(arguments.preset);
+  if (preset != nullptr) {
     request.preset = preset->apply(request.description, !arguments.scene.size.empty());
     if (!arguments.integrator.empty() && arguments.integrator != integrator_name(request.description.integrator))
       throw InputError("--preset", "'" + arguments.preset + "' is of integrator '" +
@@ -156,8 +157,7 @@ Request request_of(const RenderArguments& arguments, const std::vector<fs::path>
   }
   request.method = method_of(arguments, request.description);
   request.job = render_job(arguments, request.description);
-  if (!request.preset.empty() && request.job.grid == 0 && request.job.view != View::photons)
-    request.job.grid = preset_named(arguments.preset)->grid;
+  if (preset != nullptr && request.job.grid == 0 && request.job.view != View::photons) request.job.grid = preset->grid;
   check_supported(request.description, request.method);
   check_job(request.job, request.method);
   request.window = film_window(request.description.sensor.film, arguments.crop);

@@ -57,7 +57,7 @@ class CacheMaker {
         check_grid_(hemisphere_grid(static_cast<std::size_t>(rays_a_check * source.settings.gather_rays))),
         kappa_(static_cast<float>(source.settings.cache_error)),
         settings_(camera_path_settings(source.settings, plan)),
-        scratch_(source.job.kernels().path.scratch) {}
+        scratch_(source.job.kernels().path) {}
 
   std::vector<CachePoint> candidates(const Tile& window);
   IrradianceCache make(const std::vector<CachePoint>& points);
@@ -76,10 +76,7 @@ class CacheMaker {
   HemisphereRays gather(const HemisphereGrid& grid, const Vec3f& p, const Vec3f& n, std::uint32_t key);
   void add_photons(const MapState& map, GatherQueue& queue, std::vector<float>& radiance) const;
   void run(PathTask& task) {
-    scratch_.lend([&](std::uint32_t* words) {
-      task.scratch = words;
-      source_.job.kernels().path.trace(task);
-    });
+    scratch_.trace(task);
     rays_.add(task.counts);
   }
   float footprint(const Vec3f& p) const { return pixel_footprint(source_.scene.view().camera, p); }

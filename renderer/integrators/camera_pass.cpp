@@ -5,7 +5,6 @@
 #include <numeric>
 
 #include "renderer/integrators/cache_picture.h"
-#include "renderer/passes/irradiance_record.h"
 #include "renderer/passes/photon_radius.h"
 #include "renderer/passes/shared_look_ups.h"
 #include "renderer/passes/tile_film.h"
@@ -49,7 +48,7 @@ struct CameraPass::TilePaths {
   std::vector<float> radiance{};          ///< 3 a path
   std::vector<std::uint32_t> pixel_of{};  ///< of each path; pixels of the tile row by row
   GatherQueue queue{0};
-  GatherQueue caustic_queue{0};      ///< of a final gather
+  GatherQueue caustic_queue{0};      ///< of paths that go on
   std::vector<std::uint32_t> count;  ///< paths of each pixel
   std::vector<Rgb> sum;              ///< of each pixel
 
@@ -80,7 +79,7 @@ CameraPass::CameraPass(const Scene& scene, const PhotonSettings& settings, const
       settings_(settings),
       path_settings_(settings_of_view(camera_path_settings(settings, plan), view_, goes_on_)),
       footprint_(std::max(median_pixel_footprint(scene), 1e-30f)),
-      scratch_(job.kernels().path.scratch) {}
+      scratch_(job.kernels().path) {}
 
 /// What paths do beyond the first diffuse surface, and where they leave points.
 void CameraPass::leave_points(PathTask& task, TilePaths& paths) const {
@@ -116,10 +115,7 @@ void CameraPass::trace(const CameraTask& camera, TilePaths& paths, RenderLoop& l
                 .settings = path_settings_,
                 .radiance = paths.radiance.data() + 3 * first};
   leave_points(task, paths);
-  scratch_.lend([&](std::uint32_t* words) {
-    task.scratch = words;
-    job_.kernels().path.trace(task);
-  });
+  scratch_.trace(task);
   const auto take = [&](const GatherPoints& points, GatherQueue& queue) {
     for (std::size_t i = queue.size(); i < points.count; ++i) points.path[i] += static_cast<std::uint32_t>(first);
     queue.set_size(points.count);

@@ -103,7 +103,7 @@ class Pilot {
         threads_(threads),
         settings_(settings),
         lamps_(lamp_balls(scene)),
-        scratch_(job.kernels().path.scratch),
+        scratch_(job.kernels().path),
         found_(window) {
     settings_.direct_light = DirectLight::rare_hits_only;
     if (settings_.max_depth < 0 || settings_.max_depth > longest) settings_.max_depth = longest;
@@ -149,10 +149,7 @@ void Pilot::trace(CameraTask camera, Stream stream, float within, Traced& traced
                 .search = {lamps_.data(), lamps_.size(), within},
                 .radiance = traced.radiance.data(),
                 .points = traced.points.view()};
-  scratch_.lend([&](std::uint32_t* words) {
-    task.scratch = words;
-    job_.kernels().path.trace(task);
-  });
+  scratch_.trace(task);
   traced.points.set_size(task.points.count);
   rays_.add(task.counts);
 }

@@ -4,11 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <map>
 #include <string>
 
 #include "renderer/integrators/test_scenes.h"
-#include "renderer/kernels/isa.h"
 
 namespace photonproof {
 namespace {
@@ -81,18 +79,7 @@ TEST(final_gather, same_seed_gives_the_same_bits_at_1_2_and_7_threads) {
 
 TEST(final_gather, instruction_sets_agree) {
   const SceneDescription scene = gathered(test::room(24, true));
-  std::map<std::string, Image> images;
-  for (const Kernels& kernels : available_kernels()) {
-    RenderJob job = job_with(8, 30'000);
-    job.isa = kernels.isa;
-    images[kernels.isa] = render(scene, "photonmapper", job).image.mean;
-  }
-  const double scalar = test::image_mean(images.at("scalar"));
-  for (const auto& [isa, image] : images) EXPECT_NEAR(test::image_mean(image), scalar, 1e-3 * scalar) << isa;
-  // v3 and v4 differ in width alone.
-  if (images.contains("v3") && images.contains("v4")) {
-    EXPECT_EQ(images.at("v3").rgb, images.at("v4").rgb);
-  }
+  test::expect_instruction_sets_agree(gathered(test::room(24, true)), "photonmapper", job_with(8, 30'000));
 }
 
 }  // namespace

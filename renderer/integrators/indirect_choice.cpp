@@ -11,6 +11,7 @@
 
 #include "renderer/lanes/draws.h"
 #include "renderer/light_choice/scene_lights.h"
+#include "renderer/passes/scratch_pool.h"
 #include "renderer/passes/tile_film.h"
 #include "renderer/sensor/film.h"
 #include "scenes/text/timer.h"
@@ -53,11 +54,6 @@ RgbD block_mean(const PilotImage& image, std::size_t pixel) {
   return sum / (static_cast<double>(end - first) * samples_a_pixel);
 }
 
-RgbD relative_scale(const RgbD& mean) {
-  const auto of = [](double v) { return 1 / (v * v + Film::relative_epsilon); };
-  return {of(mean.x), of(mean.y), of(mean.z)};
-}
-
 double mean_of(const RgbD& v) { return (v.x + v.y + v.z) / 3; }
 
 /// Of a camera sample, relative to the whole image.
@@ -66,7 +62,7 @@ double variance_of(const PilotImage& image, const PilotImage& whole) {
   for (std::size_t i = 0; i < image.pixels.size(); ++i) {
     const Sample& s = image.pixels[i];
     const RgbD variance = (s.squares - s.sum * s.sum / double{samples_a_pixel}) / (samples_a_pixel - 1);
-    sum += mean_of(variance * relative_scale(block_mean(whole, i)));
+    sum += mean_of(variance * Film::relative_scale(block_mean(whole, i)));
   }
   return sum / static_cast<double>(image.pixels.size());
 }
@@ -75,7 +71,7 @@ double mean_square_between(const PilotImage& part, const PilotImage& whole) {
   double sum = 0;
   for (std::size_t i = 0; i < whole.pixels.size(); ++i) {
     const RgbD mean = block_mean(whole, i), missing = mean - block_mean(part, i);
-    sum += mean_of(missing * missing * relative_scale(mean));
+    sum += mean_of(missing * missing * Film::relative_scale(mean));
   }
   return sum / static_cast<double>(whole.pixels.size());
 }
@@ -108,10 +104,11 @@ class PilotTracer {
       : source_(source),
         settings_(settings),
         window_(window),
-        rows_(std::clamp((pilot_pixels + window.width() - 1) / window.width(), 1, window.height())) {}
+        rows_(std::clamp((pilot_pixels + window.width() - 1) / window.width(), 1, window.height())),
+        scratch_(source.job.kernels().path) {}
 
   /// The same samples whatever is done at diffuse surfaces.
-  PilotImage trace(AtDiffuse at_diffuse) const {
+  PilotImage trace(AtDiffuse at_diffuse) {
     const auto width = static_cast<std::size_t>(window_.width()), rows = static_cast<std::size_t>(rows_);
     PilotImage image;
     image.pixels.resize(width * rows);
@@ -126,7 +123,7 @@ class PilotTracer {
   }
 
  private:
-  void trace_row(int row, AtDiffuse at_diffuse, Sample* pixels, RayTotals& totals) const {
+  void trace_row(int row, AtDiffuse at_diffuse, Sample* pixels, RayTotals& totals) {
     const int y = window_.y0 + (2 * row + 1) * window_.height() / (2 * rows_);
     PathTask task{.scene = &source_.scene.view(),
                   .camera = camera_task(source_.job, {window_.x0, y, window_.x1, y + 1}, 0, samples_a_pixel),
@@ -135,12 +132,10 @@ class PilotTracer {
     task.camera.seed = stream_seed(source_.job.seed, indirect_pilot_stream);
     task.camera.grid = 0;
     std::vector<float> radiance(3 * std::size_t{task.camera.paths()});
-    std::vector<std::uint32_t> scratch(source_.job.kernels().path.scratch);
     GatherQueue left(task.camera.paths());
     task.radiance = radiance.data();
-    task.scratch = scratch.data();
     if (at_diffuse != AtDiffuse::go_on_beside_caustic_map) task.points = left.view();
-    source_.job.kernels().path.trace(task);
+    scratch_.trace(task);
     totals.add(task.counts);
     for (std::size_t i = 0; i < task.camera.paths(); ++i) {
       const RgbD value(radiance[3 * i], radiance[3 * i + 1], radiance[3 * i + 2]);
@@ -153,6 +148,7 @@ class PilotTracer {
   const PathSettings& settings_;
   const Tile window_;
   const int rows_;
+  ScratchPool scratch_;
 };
 
 double relmse_of_maps(double samples, const IndirectPilot& pilot) {
@@ -204,7 +200,7 @@ IndirectChoice choose_indirect(const PhotonSource& source, const PhotonMaps& map
                                const Tile& window, RenderStats& stats) {
   const PhaseTimer phase(stats.phases["pilot"]);
   const PathSettings settings = camera_path_settings(source.settings, plan);
-  const PilotTracer tracer(source, settings, window);
+  PilotTracer tracer(source, settings, window);
   const bool caustics = maps.caustic.wanted;
   const PilotImage direct = tracer.trace(at_diffuse_of_maps(source.scene, settings));
   const PilotImage beside = tracer.trace(caustics ? AtDiffuse::go_on_beside_caustic_map : AtDiffuse::go_on);

@@ -119,14 +119,7 @@ TEST(irradiance_cache, neighbours_bound_each_others_radius) {
   EXPECT_NEAR(cache.records()[2].radius, 1.5f, 1e-6f);
 }
 
-/// The scene with its limits, and this integrator with an irradiance cache.
-SceneDescription cached(SceneDescription scene) {
-  PhotonMapperDescription settings;
-  static_cast<PathLimits&>(settings) = scene.integrator.limits();
-  settings.indirect = IndirectLight::cache;
-  scene.integrator.method = settings;
-  return scene;
-}
+SceneDescription cached(const SceneDescription& scene) { return test::with_indirect(scene, IndirectLight::cache); }
 
 TEST(irradiance_cache, furnace_is_two_and_its_depth_counts) {
   const auto out = render(cached(test::furnace(0.5, 1, 32)), "photonmapper", job_with(16, 1'000'000));

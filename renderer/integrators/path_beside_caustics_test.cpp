@@ -6,12 +6,10 @@
 
 #include <cmath>
 #include <cstdio>
-#include <map>
 #include <string>
 #include <vector>
 
 #include "renderer/integrators/test_scenes.h"
-#include "renderer/kernels/isa.h"
 
 namespace photonproof {
 namespace {
@@ -99,17 +97,7 @@ TEST(path_beside_caustics, same_seed_gives_the_same_bits_at_1_2_and_7_threads) {
 }
 
 TEST(path_beside_caustics, v3_and_v4_give_the_same_bits) {
-  std::map<std::string, Image> images;
-  for (const Kernels& kernels : available_kernels()) {
-    RenderJob job = job_with(8, 30'000);
-    job.isa = kernels.isa;
-    images[kernels.isa] = render(traced_on(test::room(24, true)), "photonmapper", job).image.mean;
-  }
-  const double scalar = test::image_mean(images.at("scalar"));
-  for (const auto& [isa, image] : images) EXPECT_NEAR(test::image_mean(image), scalar, 1e-3 * scalar) << isa;
-  if (images.contains("v3") && images.contains("v4")) {
-    EXPECT_EQ(images.at("v3").rgb, images.at("v4").rgb);
-  }
+  test::expect_instruction_sets_agree(traced_on(test::room(24, true)), "photonmapper", job_with(8, 30'000));
 }
 
 }  // namespace

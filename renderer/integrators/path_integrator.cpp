@@ -15,16 +15,13 @@ void trace_path_passes(const Scene& scene, const PathSettings& settings, const R
   const PhaseTimer timer(stats.phases["render"]);
   const Threads threads(job.threads);
   RenderLoop loop(job, threads, film, stats, {.phase = phase});
-  ScratchPool scratch(job.kernels().path.scratch);
+  ScratchPool scratch(job.kernels().path);
   while (loop.next()) {
     loop.for_each_tile([&](const Tile& tile) {
       const CameraTask camera = camera_task(job, tile, loop.first(), loop.samples());
       std::vector<float> radiance(3 * std::size_t{camera.paths()});
       PathTask task{.scene = &scene.view(), .camera = camera, .settings = settings, .radiance = radiance.data()};
-      scratch.lend([&](std::uint32_t* words) {
-        task.scratch = words;
-        job.kernels().path.trace(task);
-      });
+      scratch.trace(task);
       add_samples(film, camera, radiance);
       loop.rays().add(task.counts);
     });

@@ -3,10 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <memory>
+#include <string>
 
 #include "renderer/integrators/integrator.h"
 #include "renderer/kernels/camera_rays.h"
+#include "renderer/kernels/isa.h"
 #include "renderer/planning/test_compiled.h"
 
 namespace photonproof::test {
@@ -159,5 +162,19 @@ inline double block_mean(const Image& image, int x0, int y0, int width, int heig
   return sum / (3.0 * width * height);
 }
 inline double image_mean(const Image& image) { return block_mean(image, 0, 0, image.width, image.height); }
+
+/// Means of all instruction sets agree; v3 and v4, which differ in width alone, to the bit.
+inline void expect_instruction_sets_agree(const SceneDescription& scene, const char* integrator, RenderJob job) {
+  std::map<std::string, Image> images;
+  for (const Kernels& kernels : available_kernels()) {
+    job.isa = kernels.isa;
+    images[kernels.isa] = render(scene, integrator, job).image.mean;
+  }
+  const double scalar = image_mean(images.at("scalar"));
+  for (const auto& [isa, image] : images) EXPECT_NEAR(image_mean(image), scalar, 1e-3 * scalar) << isa;
+  if (images.contains("v3") && images.contains("v4")) {
+    EXPECT_EQ(images.at("v3").rgb, images.at("v4").rgb);
+  }
+}
 
 }  // namespace photonproof::test

@@ -69,16 +69,12 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, TransportMode::r
     const CameraRay<F> ray = camera_rays<F>(scene_, task_.camera, first);
     s.origin = ray.origin;
     s.direction = ray.direction;
-    s.throughput = Vec3<F>(F(1.0f));
-    s.radiance = Vec3<F>(F(0.0f));
-    s.bsdf_pdf = F(0.0f);
-    s.refraction_scale = F(1.0f);
-    s.from = U(no_index);
-    s.vertex = U(0u);
     s.key = ray.key;
     s.index = ray.index;
-    s.path = lane_index<F>() + first;
+    s.bsdf_pdf = F(0.0f);
+    s.vertex = U(0u);
     s.gathering = U(0u);
+    begin(s, first);
     if (task_.is_pilot) s.throughput.z = F(0.0f);
     const Mask<F> begins = lanes && ray.valid;  // the others' radiance stays 0
     task_.counts.camera += count_lanes(begins);
@@ -170,6 +166,15 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, TransportMode::r
  private:
   using Base::scene_;
 
+  /// However a path starts.
+  static void begin(PathState<F>& s, std::uint32_t first) {
+    s.throughput = Vec3<F>(F(1.0f));
+    s.radiance = Vec3<F>(F(0.0f));
+    s.refraction_scale = F(1.0f);
+    s.from = U(no_index);
+    s.path = lane_index<F>() + first;
+  }
+
   /// The first edge is the camera's: its surface is taken as seen directly.
   Mask<F> refill_bounces(PathState<F>& s, std::uint32_t first, const Mask<F>& lanes) {
     const BouncesView& from = task_.bounces;
@@ -177,14 +182,10 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, TransportMode::r
     load_into(s.direction.x, from.to_x + first), load_into(s.direction.y, from.to_y + first);
     load_into(s.direction.z, from.to_z + first);
     load_into(s.key, from.key + first), load_into(s.index, from.index + first);
-    s.throughput = Vec3<F>(F(1.0f));
-    s.radiance = Vec3<F>(F(0.0f));
     s.bsdf_pdf = F(1.0f);
-    s.refraction_scale = F(1.0f);
-    s.from = U(no_index);
     s.vertex = U(1u);
-    s.path = lane_index<F>() + first;
     s.gathering = U(final_gather::left_first);
+    begin(s, first);
     task_.counts.bounce += count_lanes(lanes);
     return lanes;
   }

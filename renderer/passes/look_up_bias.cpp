@@ -15,11 +15,6 @@ int stride_for(const Tile& window) {
 
 int cells(int begin, int end, int stride) { return (end - 1) / stride - begin / stride + 1; }
 
-RgbD inverse_scale(const RgbD& mean) {
-  const auto of = [](double v) { return 1 / (v * v + Film::relative_epsilon); };
-  return {of(mean.x), of(mean.y), of(mean.z)};
-}
-
 double dot3(const RgbD& a, const RgbD& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
 }  // namespace
@@ -44,7 +39,7 @@ LookUpBias::Evidence LookUpBias::of_pixel(const Film& film, int x, int y, int ma
     const RgbD total = map < 0 ? pixel.sum[0][h] + pixel.sum[1][h] : pixel.sum[static_cast<std::size_t>(map)][h];
     half[h] = total / halves.samples[h];
   }
-  const RgbD scale = inverse_scale(film.mean(x, y));
+  const RgbD scale = Film::relative_scale(film.mean(x, y));
   const RgbD apart = half[0] - half[1];
   const double all = halves.all_samples();
   return {dot3(half[0] * half[1], scale),

@@ -49,6 +49,19 @@ class Resume : public FolderTest {
     out.image = film.develop();
     return out;
   }
+  /// Stopped at its progress call of that number, and resumed with another number of threads, until it is complete: at
+  /// least three times.
+  Outcome in_parts(const SceneDescription& description, const std::string& integrator, RenderJob job, int calls) const {
+    int stops = 0;
+    Outcome last = part(description, integrator, job, false, calls);
+    for (; last.stats.interrupted && stops < 100; ++stops) {
+      job.threads = 1 + stops % 7;
+      last = part(description, integrator, job, true, calls);
+    }
+    EXPECT_LT(stops, 100) << integrator;
+    EXPECT_GE(stops, 3) << integrator;
+    return last;
+  }
   std::string problem(const SceneDescription& description, const std::string& integrator, const RenderJob& job) const {
     try {
       part(description, integrator, job, true, -1);
@@ -68,14 +81,7 @@ TEST_F(Resume, gives_the_bits_and_the_counts_of_a_render_never_stopped) {
     if (!row.heeds.photons) job.budget.photons.reset();
     job.threads = 2;
     const test::Rendered whole = test::render(scene, row.name, job);
-    int stops = 0;
-    Outcome last = part(scene, row.name, job, false, 2);
-    for (; last.stats.interrupted; ++stops) {
-      ASSERT_LT(stops, 100);
-      job.threads = 1 + stops % 7;
-      last = part(scene, row.name, job, true, 2);
-    }
-    EXPECT_GE(stops, 3) << row.name;
+    const Outcome last = in_parts(scene, row.name, job, 2);
     EXPECT_EQ(last.image.mean.rgb, whole.image.mean.rgb) << row.name;
     EXPECT_EQ(last.image.variance->rgb, whole.image.variance->rgb) << row.name;
     EXPECT_EQ(last.image.metadata, whole.image.metadata) << row.name;  // the MeanError
@@ -90,14 +96,7 @@ TEST_F(Resume, of_a_view_gives_the_bits_of_a_render_never_stopped) {
     RenderJob job = test::job_with(24, 300'000);
     job.view = view;
     const test::Rendered whole = test::render(scene, "photonmapper", job);
-    int stops = 0;
-    Outcome last = part(scene, "photonmapper", job, false, 2);
-    for (; last.stats.interrupted; ++stops) {
-      ASSERT_LT(stops, 100);
-      job.threads = 1 + stops % 7;
-      last = part(scene, "photonmapper", job, true, 2);
-    }
-    EXPECT_GE(stops, 3) << view_row(view).name;
+    const Outcome last = in_parts(scene, "photonmapper", job, 2);
     EXPECT_EQ(last.image.mean.rgb, whole.image.mean.rgb) << view_row(view).name;
     EXPECT_EQ(last.image.variance->rgb, whole.image.variance->rgb) << view_row(view).name;
     for (const auto& [name, count] : whole.stats.counts)
@@ -130,14 +129,7 @@ TEST_F(Resume, of_every_kind_of_indirect_light_gives_the_bits_of_a_render_never_
     const SceneDescription scene = test::with_indirect(test::room(48, true), indirect);
     RenderJob job = test::job_with(12, 30'000);
     const test::Rendered whole = test::render(scene, "photonmapper", job);
-    int stops = 0;
-    Outcome last = part(scene, "photonmapper", job, false, 3);
-    for (; last.stats.interrupted; ++stops) {
-      ASSERT_LT(stops, 100);
-      job.threads = 1 + stops % 7;
-      last = part(scene, "photonmapper", job, true, 3);
-    }
-    EXPECT_GE(stops, 3);
+    const Outcome last = in_parts(scene, "photonmapper", job, 3);
     EXPECT_EQ(last.image.mean.rgb, whole.image.mean.rgb);
     EXPECT_EQ(last.image.variance->rgb, whole.image.variance->rgb);
   }

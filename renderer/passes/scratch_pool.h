@@ -1,4 +1,4 @@
-// Scratch memory of kernels, kept from tile to tile: clearing it anew would be a good part of a short tile.
+// Scratch memory of the path kernel, kept from tile to tile: clearing it anew would be a good part of a short tile.
 #pragma once
 
 #include <cstdint>
@@ -7,18 +7,20 @@
 #include <utility>
 #include <vector>
 
+#include "renderer/kernels/tasks.h"
+
 namespace photonproof {
 
 class ScratchPool {
  public:
-  explicit ScratchPool(std::size_t words) : words_(words) {}
+  explicit ScratchPool(const PathKernelEntry& kernel) : kernel_(kernel) {}
 
-  /// Calls body(scratch) with memory that nobody else uses meanwhile. It is zero at first, later what the one before
-  /// left, whose lanes are as harmless to load as zeros: indices in them are of the same scene.
-  template <class Body>
-  void lend(Body&& body) {
+  /// Traces the paths with memory that nobody else uses meanwhile. It is zero at first, later what the one before left,
+  /// whose lanes are as harmless to load as zeros: indices in them are of the same scene.
+  void trace(PathTask& task) {
     std::unique_ptr<std::uint32_t[]> scratch = take();
-    body(scratch.get());
+    task.scratch = scratch.get();
+    kernel_.trace(task);
     const std::lock_guard lock(mutex_);
     free_.push_back(std::move(scratch));
   }
@@ -33,10 +35,10 @@ class ScratchPool {
         return scratch;
       }
     }
-    return std::make_unique<std::uint32_t[]>(words_);
+    return std::make_unique<std::uint32_t[]>(kernel_.scratch);
   }
 
-  std::size_t words_;
+  const PathKernelEntry& kernel_;
   std::mutex mutex_;
   std::vector<std::unique_ptr<std::uint32_t[]>> free_;
 };

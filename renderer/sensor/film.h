@@ -50,6 +50,11 @@ class Film {
   Rendering develop() const;
   /// Errors are relative to mean^2 + this, as relmse has it.
   static constexpr double relative_epsilon = 0.01;
+  /// What squares of errors of pixels of such a mean are multiplied by.
+  static RgbD relative_scale(const RgbD& mean) {
+    const auto of = [](double v) { return 1 / (v * v + relative_epsilon); };
+    return {of(mean.x), of(mean.y), of(mean.z)};
+  }
   /// Root of the mean, over channel values, of the mean's variance over mean^2 + 0.01: the root of the relmse that
   /// noise alone would give, as estimated from the samples, which are taken as independent (those of a Sobol sequence
   /// are better than that). Empty where a pixel has fewer than two estimates.
