@@ -32,10 +32,11 @@ RenderBudget target(double error) {
 TEST(indirect_choice, falls_on_the_maps_early_and_on_paths_late) {
   // With few photons noise is 0.1 / S for the maps: paths take eight times as long. With many, what is left of the
   // maps' error is 1.5 x 0.2 / M: it falls to e^2 after M = 0.3 / e^2 photons in a disc, so after 1e6 (M / 700)^(3/2)
-  // in all, for e = 1e-4 after 2.8e11 = 8.6e6 samples of 100 ns; paths need 0.4 / 1e-8 = 4e7 of 200 ns. For e = 1e-6
-  // the maps need 8.6e12 and paths 4e11.
+  // in all, 30.5 (M / 700)^(3/2) samples: for e = 1e-3 after 2.7e5 and some for the noise, of 100 ns; paths need 0.4 /
+  // 1e-6 = 4e5 of 200 ns. For e = 1e-4 the maps need 2.7e8 and paths 4e7.
   EXPECT_EQ(choose_indirect(pilot_of_a_room(), target(1e-2), 4).indirect, IndirectLight::map);
-  EXPECT_EQ(choose_indirect(pilot_of_a_room(), target(1e-4), 4).indirect, IndirectLight::map);
+  EXPECT_EQ(choose_indirect(pilot_of_a_room(), target(1e-3), 4).indirect, IndirectLight::map);
+  EXPECT_EQ(choose_indirect(pilot_of_a_room(), target(1e-4), 4).indirect, IndirectLight::path);
   EXPECT_EQ(choose_indirect(pilot_of_a_room(), target(1e-6), 4).indirect, IndirectLight::path);
 }
 
