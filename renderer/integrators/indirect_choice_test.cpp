@@ -101,6 +101,30 @@ TEST(indirect_choice, is_the_maps_where_photons_radii_or_parts_of_the_light_are_
   EXPECT_TRUE(test::render(furnace, "photonmapper", part).stats.choices.empty());
 }
 
+// A wall of 1 x 1 on a plane without end of albedo 0.8 under a sky of radiance 1, seen from ahead of its middle: the
+// plane lights it from below as far as it goes. Of what comes from beyond the ball around the wall, of radius 1/sqrt 2,
+// maps have nothing.
+TEST(indirect_choice, is_path_tracing_where_a_plane_without_end_lies_under_a_sky) {
+  SceneDescription d;
+  const BsdfIndex grey = test::add_bsdf(d, DiffuseDescription{RgbD(0.8)});
+  test::add_shape(d, PlaneDescription{}, Transform::rotate({1, 0, 0}, -90), grey);
+  test::add_shape(d, RectangleDescription{}, Transform::translate({0, 0.5, 0}) * Transform::scale(Vec3d(0.5)), grey);
+  d.emitters.push_back({{}, "", ConstantLightDescription{RgbD(1)}});
+  test::set_camera(d, Transform::look_at({0, 0.5, 3}, {0, 0.5, 0}, {0, 1, 0}), 15, 16);
+  const double path = test::image_mean(test::render(d, "path", test::job_with(1024)).image.mean);
+  RenderJob job = test::job_with(256);
+  job.budget.photons.reset();
+  const auto chosen = test::render(d, "photonmapper", job);
+  EXPECT_THAT(chosen.stats.choices, testing::ElementsAre(testing::StartsWith("indirect light by path tracing: ")));
+  EXPECT_THAT(chosen.stats.losses, testing::IsEmpty());
+  EXPECT_NEAR(test::image_mean(chosen.image.mean) / path, 1, 2e-3);
+  const auto maps = test::render(test::with_indirect(d, IndirectLight::map), "photonmapper", job);
+  EXPECT_THAT(maps.stats.losses, testing::ElementsAre(light_that_maps_miss));
+  const double missed = 1 - test::image_mean(maps.image.mean) / path;
+  std::printf("a wall on a plane without end: maps miss %.1f %%\n", 100 * missed);
+  EXPECT_GT(missed, 0.05);
+}
+
 TEST(indirect_choice, is_the_same_at_1_2_and_7_threads) {
   test::expect_same_bits_at_any_threads(test::room(40, true), "photonmapper", free_job());
   test::expect_same_bits_at_any_threads(test::furnace(0.5, 1, 24), "photonmapper", free_job());

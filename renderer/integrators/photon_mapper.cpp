@@ -268,6 +268,8 @@ void render_photon_mapper(const Scene& scene, const RenderPlan& plan, const Rend
   if (settings.indirect == IndirectLight::automatic) choose_way(source, maps, plan, film.window(), settings, stats);
   PassPlan passes = plan_passes(settings, maps);
   if (plan.view == View::photons) return render_photon_dots(source, maps, passes, film, stats);
+  if (maps.global.wanted && settings.indirect != IndirectLight::path && maps_miss_light(scene))
+    stats.losses.emplace_back(light_that_maps_miss);
   const bool caches = settings.indirect == IndirectLight::cache && maps.global.wanted;
   // A cache has photons of its own.
   if (caches || settings.indirect == IndirectLight::path) maps.global.wanted = false;
