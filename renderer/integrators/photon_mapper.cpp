@@ -241,8 +241,10 @@ void plan_photon_mapper(const IntegratorDescription& description, Planner& plann
   const bool caustics_shown = view.caustic_map || (view.global_map && settings.looks_further());
   plan_map(planner, Skip::caustic_map, "caustic photon map",
            photons_words(settings, job, settings.caustic_photons, settings.caustic_radius), caustics_shown, max_depth,
-           any_specular && facts.any_diffuse, any_specular ? "no diffuse surface reflects" : "no specular surface",
-           "specular surfaces throw light on diffuse ones");
+           (any_specular && facts.any_diffuse) || (facts.any_sharp && facts.any_rough),
+           any_specular ? "no diffuse or rough surface reflects" : "no specular surface",
+           facts.any_diffuse ? "specular surfaces throw light on diffuse ones"
+                             : "mirrors, glass or sharp highlights throw light on rough surfaces");
   if (!planner.plan().skips(Skip::caustic_map)) {
     const std::string surfaces = counted(facts.specular_surfaces, "specular surface", "specular surfaces");
     planner.decide(Skip::stray_photons, any_specular && facts.specular_surfaces <= most_aim_targets,
