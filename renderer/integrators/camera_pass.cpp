@@ -152,6 +152,7 @@ void CameraPass::trace(const CameraTask& camera, TilePaths& paths, RenderLoop& l
                 .settings = path_settings_,
                 .radiance = paths.radiance.data() + 3 * first};
   leave_points(task, paths);
+  const std::size_t rough_points = paths.rough.size();
   task.rough.by_photons = splits_rough_parts(scene_, task.at_diffuse);
   if (task.rough.by_photons) {
     paths.radius_of_path.clear();
@@ -161,14 +162,14 @@ void CameraPass::trace(const CameraTask& camera, TilePaths& paths, RenderLoop& l
     look_up_on_rough(task.rough, paths);
   }
   scratch_.trace(task);
-  const auto take = [&](const GatherPoints& points, GatherQueue& queue) {
-    for (std::size_t i = queue.size(); i < points.count; ++i) points.path[i] += static_cast<std::uint32_t>(first);
+  const auto take = [&](const GatherPoints& points, std::size_t taken, GatherQueue& queue) {
+    for (std::size_t i = taken; i < points.count; ++i) points.path[i] += static_cast<std::uint32_t>(first);
     queue.set_size(points.count);
   };
-  take(task.points, paths.queue);
-  take(task.caustic_points, paths.caustic_queue);
-  take(task.rough.points, paths.rough);
-  take(task.rough.narrow, paths.rough_narrow);
+  take(task.points, paths.queue.size(), paths.queue);
+  take(task.caustic_points, paths.caustic_queue.size(), paths.caustic_queue);
+  take(task.rough.points, rough_points, paths.rough);
+  take(task.rough.narrow, rough_points, paths.rough_narrow);
   loop.rays().add(task.counts);
 }
 
