@@ -46,11 +46,11 @@ inline bool can_be_rough(const Bsdf& bsdf) {
   return std::visit([](const auto& b) { return CanBeRough<std::remove_cvref_t<decltype(b)>, float>; }, bsdf);
 }
 /// Whether nothing of it is a mirror, a sharp highlight or lets light through.
-inline bool is_all_rough(const Bsdf& bsdf) {
+inline bool is_all_rough(const Bsdf& bsdf, const RoughLimit& limit) {
   return std::visit(
-      [](const auto& b) {
-        if constexpr (requires { b.is_all_rough(); })
-          return b.is_all_rough();
+      [&](const auto& b) {
+        if constexpr (requires { b.is_all_rough(limit); })
+          return b.is_all_rough(limit);
         else
           return b.is_lambertian;
       },

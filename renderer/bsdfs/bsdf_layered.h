@@ -17,6 +17,7 @@
 #include "renderer/bsdfs/bsdf_diffuse.h"
 #include "renderer/bsdfs/bsdf_phong.h"
 #include "renderer/bsdfs/bsdf_roughconductor.h"
+#include "renderer/bsdfs/rough_part.h"
 
 namespace photonproof {
 
@@ -42,7 +43,9 @@ template <class F>
 struct LayeredBase<RoughConductorBsdf<F>> {
   static constexpr bool has_diffuse = false, has_mirror = false, has_glossy = true;
   static const RoughConductorBsdf<F>& glossy(const RoughConductorBsdf<F>& base) { return base; }
-  static Mask<F> glossy_is_rough(const RoughConductorBsdf<F>& base) { return base.is_all_rough(); }
+  static Mask<F> glossy_is_rough(const RoughConductorBsdf<F>& base, const RoughLimit& limit) {
+    return base.is_all_rough(limit);
+  }
   static Vec3<F> glossy_reflectance(const RoughConductorBsdf<F>& base, const Vec3<F>& wo, const Vec3<F>& wi) {
     return base.facet_reflectance(clamp_to_unit(dot(wo, half_vector(wo, wi))));
   }
@@ -54,7 +57,7 @@ struct LayeredBase<PhongBsdf<F>> {
   static PhongBsdf<F> glossy(const PhongBsdf<F>& base) {
     return {base.raw_exponent, Vec3<F>(F(0.0f)), base.specular()};
   }
-  static Mask<F> glossy_is_rough(const PhongBsdf<F>& base) { return base.is_all_rough(); }
+  static Mask<F> glossy_is_rough(const PhongBsdf<F>& base, const RoughLimit& limit) { return base.is_all_rough(limit); }
   static Vec3<F> glossy_reflectance(const PhongBsdf<F>& base, const Vec3<F>&, const Vec3<F>&) {
     return base.specular();
   }
@@ -83,14 +86,14 @@ struct LayeredBsdf {
   }
 
   /// A diffuse base always.
-  Mask<F> is_rough() const requires has_smooth {
+  Mask<F> is_rough(const RoughLimit& limit) const requires has_smooth {
     if constexpr (Parts::has_diffuse) return as_mask<F>(true);
-    if constexpr (Parts::has_glossy) return Parts::glossy_is_rough(base);
+    if constexpr (Parts::has_glossy) return Parts::glossy_is_rough(base, limit);
   }
-  Vec3<F> rough_share(const Vec3<F>& wo, const Vec3<F>& wi) const requires has_smooth {
+  Vec3<F> rough_share(const RoughLimit& limit, const Vec3<F>& wo, const Vec3<F>& wi) const requires has_smooth {
     const Vec3<F> one(F(1.0f));
     if constexpr (Parts::has_glossy) {
-      const Mask<F> rough = Parts::glossy_is_rough(base);
+      const Mask<F> rough = Parts::glossy_is_rough(base, limit);
       if constexpr (!Parts::has_diffuse) return select(rough, one, Vec3<F>(F(0.0f)));
       if (all(rough)) return one;
       Vec3<F> diffuse_part(F(0.0f));

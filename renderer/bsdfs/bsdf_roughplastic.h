@@ -6,6 +6,7 @@
 
 #include "renderer/bsdfs/bsdf_plastic.h"
 #include "renderer/bsdfs/microfacet.h"
+#include "renderer/bsdfs/rough_part.h"
 
 namespace photonproof {
 
@@ -37,10 +38,10 @@ struct RoughPlasticBsdf {
     return select(wo.z > 0 && wi.z > 0, Vec3<F>(interface(wo, wi) + base(wo, wi)), Vec3<F>(F(0.0f)));
   }
   /// The base always.
-  Mask<F> is_rough() const { return as_mask<F>(true); }
-  Mask<F> is_all_rough() const { return facets.are_rough(); }
-  Vec3<F> rough_share(const Vec3<F>& wo, const Vec3<F>& wi) const {
-    const Mask<F> rough_facets = facets.are_rough();
+  Mask<F> is_rough(const RoughLimit&) const { return as_mask<F>(true); }
+  Mask<F> is_all_rough(const RoughLimit& limit) const { return facets.are_rough(limit); }
+  Vec3<F> rough_share(const RoughLimit& limit, const Vec3<F>& wo, const Vec3<F>& wi) const {
+    const Mask<F> rough_facets = facets.are_rough(limit);
     if (all(rough_facets)) return Vec3<F>(F(1.0f));
     const Vec3<F> below = base(wo, wi);
     return select(rough_facets, Vec3<F>(F(1.0f)), share_of<F>(below, Vec3<F>(below + interface(wo, wi))));

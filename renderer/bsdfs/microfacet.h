@@ -19,7 +19,7 @@ struct Microfacets {
   static F usable(const F& alpha) { return lane_min(lane_max(alpha, F(1e-4f)), F(1e4f)); }
   F alpha_u() const { return usable(raw_alpha_u); }
   F alpha_v() const { return usable(raw_alpha_v); }
-  Mask<F> are_rough() const { return lane_min(raw_alpha_u, raw_alpha_v) >= least_rough_alpha; }
+  Mask<F> are_rough(const RoughLimit& limit) const { return lane_min(raw_alpha_u, raw_alpha_v) >= limit.least_alpha; }
 
   /// Area of facets with normal m per solid angle and per area of the surface.
   F density(const Vec3<F>& m) const {

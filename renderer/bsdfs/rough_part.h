@@ -1,23 +1,26 @@
 // Which part of a BSDF photons are looked up for, since a ray would hit a small lamp by it too rarely: what is rough.
 // The rest, mirrors and sharp highlights, is traced. Kinds that can have a rough part say
-//   is_rough()           lanes where it is not 0
-//   rough_share(wo, wi)  its part of eval, a channel each, in [0,1]
-//   is_all_rough()       lanes without a mirror and without sharp highlights; not said by kinds that have always one
+//   is_rough(limit)             lanes where it is not 0
+//   rough_share(limit, wo, wi)  its part of eval, a channel each, in [0,1]
+//   is_all_rough(limit)         lanes without a mirror and sharp highlights; not said by kinds that have always one
 #pragma once
 
 #include "renderer/lanes/lane.h"
 
 namespace photonproof {
 
-/// Microfacets are rough from this alpha on, along the sharper direction.
-inline constexpr float least_rough_alpha = 0.2f;
-/// Phong's lobes down to this exponent: as wide as microfacets of alpha^2 = 2 / (exponent + 2) (Walter et al. 2007).
-inline constexpr float most_rough_exponent = 48;
+/// Where roughness begins: microfacets' alpha along the sharper direction, and the exponent of Phong's lobes that are
+/// as wide, alpha^2 = 2 / (exponent + 2) (Walter et al. 2007).
+struct RoughLimit {
+  float least_alpha = 0.2f, most_exponent = 48;
+};
+/// Of scenes with lights that no ray can meet: whatever photons do not bring there is lost.
+inline constexpr RoughLimit rough_limit_of_points{0.05f, 800};
 
 template <class Kind, class F>
-concept CanBeRough = requires(const Kind& bsdf, const Vec3<F>& w) {
-  bsdf.is_rough();
-  bsdf.rough_share(w, w);
+concept CanBeRough = requires(const Kind& bsdf, const RoughLimit& limit, const Vec3<F>& w) {
+  bsdf.is_rough(limit);
+  bsdf.rough_share(limit, w, w);
 };
 
 /// `some` over `all`, none where there is nothing.
@@ -32,11 +35,12 @@ template <class Record, class F>
 struct RoughPart {
   static constexpr bool is_lambertian = false;
   const Record& bsdf;
+  RoughLimit limit;
   Mask<F> whole;
 
   Vec3<F> eval(const Vec3<F>& wo, const Vec3<F>& wi) const {
     const Vec3<F> f = bsdf.eval(wo, wi);
-    return select(whole, f, Vec3<F>(f * bsdf.rough_share(wo, wi)));
+    return select(whole, f, Vec3<F>(f * bsdf.rough_share(limit, wo, wi)));
   }
   F pdf(const Vec3<F>& wo, const Vec3<F>& wi) const { return bsdf.pdf(wo, wi); }
 };

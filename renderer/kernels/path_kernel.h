@@ -273,7 +273,7 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, TransportMode::r
     if (!task_.rough.by_photons || !any(active && behind_rough)) {
       add_direct_light_once_compiled(at, any_bsdf<F>(bsdf), bsdf.at.frame, wo_local, dimension, active);
     } else if constexpr (CanBeRough<Record, F>) {
-      const ScatteringBsdf<RoughPart<Record, F>, F> part{{bsdf.bsdf, !behind_rough}, bsdf.at};
+      const ScatteringBsdf<RoughPart<Record, F>, F> part{{bsdf.bsdf, scene_.rough_limit, !behind_rough}, bsdf.at};
       add_direct_light_once_compiled(at, any_bsdf<F>(part), bsdf.at.frame, wo_local, dimension, active);
     } else {
       add_direct_light_once_compiled(at, any_bsdf<F>(bsdf), bsdf.at.frame, wo_local, dimension,
@@ -289,7 +289,8 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, TransportMode::r
       if (task_.rough.by_photons) {
         const Mask<F> smooth = next.valid && !next.delta && final_gather::has_left_none<F>(s.gathering);
         Vec3<F> weight(F(1.0f));
-        const Mask<F> rough = is_by_rough_part<F>(bsdf.rough_share(wo_local, next.wi_local), u, weight);
+        const Mask<F> rough =
+            is_by_rough_part<F>(bsdf.rough_share(scene_.rough_limit, wo_local, next.wi_local), u, weight);
         s.throughput = select(smooth, Vec3<F>(s.throughput * weight), s.throughput);
         return smooth && rough;
       }
@@ -303,13 +304,13 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, TransportMode::r
                                        const Vec3<F>& wo_local, const Mask<F>& active) {
     RoughLookUps& rough = task_.rough;
     const PathState<F>& s = at.history;
-    const Mask<F> looks = active && bsdf.bsdf.is_rough() && wo_local.z > 0 && max_component(s.throughput) > 0 &&
-                          final_gather::has_left_none<F>(s.gathering);
+    const Mask<F> looks = active && bsdf.bsdf.is_rough(scene_.rough_limit) && wo_local.z > 0 &&
+                          max_component(s.throughput) > 0 && final_gather::has_left_none<F>(s.gathering);
     const UInt<F> sheet = sheet_word<F>(at.normal, Vec3<F>(-s.direction));
     for (std::uint32_t bits = to_bits(looks); bits != 0; bits &= bits - 1) {
       const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
       if (rough.points.count == rough.room) rough.make_room(task_);
-      rough_look_up::Point<F, Record> point(bsdf, wo_local, lane);
+      rough_look_up::Point<F, Record> point(bsdf, scene_.rough_limit, wo_local, lane);
       point.look_up(rough, {lane_of(at.p, lane), lane_of(s.throughput, lane), lane_of(s.path, lane),
                             surface_number(lane_of(at.surface, lane)) | PhotonSurface::rough,
                             lane_of(s.vertex, lane) + 1, lane_of(sheet, lane)});

@@ -168,7 +168,7 @@ class PhotonKernel : public BatchKernel<PhotonKernel<F>, PhotonState, TransportM
   void store_on_rough(const AtSurface<PhotonState, F>& at, const Record& bsdf, const Mask<F>& lanes) {
     const PhotonState<F>& s = at.history;
     // In detailed scenes on whatever can be rough: how often a hit draws such a BSDF is known, how rough it is not.
-    const Mask<F> rough = scene_.detailed ? as_mask<F>(true) : bsdf.is_rough();
+    const Mask<F> rough = scene_.detailed ? as_mask<F>(true) : bsdf.is_rough(scene_.rough_limit);
     const Mask<F> by_mirrors = equal<F>(U(s.bounced & (specularly | roughly)), U(specularly));
     store(at, lanes && rough && by_mirrors && max_component(s.flux) > 0, [&](const Vec3<F>& flux) {
       const Vec3<F> to_light = -s.direction;
@@ -190,7 +190,7 @@ class PhotonKernel : public BatchKernel<PhotonKernel<F>, PhotonState, TransportM
     const F u = draw_independent<F>(U(task_.seed), U(s.path + task_.first), U(s.edges + part_dimensions));
     const Mask<F> smooth = next.valid && !next.delta;
     Vec3<F> weight(F(1.0f));
-    const Mask<F> rough = is_by_rough_part<F>(bsdf.rough_share(wo_local, next.wi_local), u, weight);
+    const Mask<F> rough = is_by_rough_part<F>(bsdf.rough_share(scene_.rough_limit, wo_local, next.wi_local), u, weight);
     s.flux = select(smooth, Vec3<F>(s.flux * weight), s.flux);
     s.bounced = select(smooth && rough, U(s.bounced | roughly), s.bounced);
   }

@@ -65,8 +65,9 @@ class Point {
   static constexpr std::size_t block = gathering::block, parts = block / lane_count<F>;
 
  public:
-  Point(const ScatteringBsdf<Record, F>& bsdf, const Vec3<F>& wo_local, std::size_t lane)
-      : bsdf_(in_all_lanes<F>(bsdf.bsdf, lane)),
+  Point(const ScatteringBsdf<Record, F>& bsdf, const RoughLimit& limit, const Vec3<F>& wo_local, std::size_t lane)
+      : limit_(limit),
+        bsdf_(in_all_lanes<F>(bsdf.bsdf, lane)),
         at_{in_all_lanes<F>(bsdf.at.frame, lane), bsdf.at.bent, bsdf.at.mapped, in_all_lanes<F>(bsdf.at.ng, lane),
             in_all_lanes<F>(bsdf.at.maps, lane)},
         wo_(in_all_lanes<F>(wo_local, lane)) {}
@@ -122,7 +123,7 @@ class Point {
     load_into(words.shares, map.green + at);
     load_into(words.direction, map.blue + at);
     const Vec3<F> to_light = at_.frame.to_local(direction_of_rough_photon<F>(words));
-    const RoughPart<Record, F> rough{bsdf_, as_mask<F>(false)};
+    const RoughPart<Record, F> rough{bsdf_, limit_, as_mask<F>(false)};
     Vec3<F> brought = at_.eval(rough, wo_, to_light) * flux_of_rough_photon<F>(words);
     if (at_.bent) {
       const F to_ng = lane_abs(dot(at_.ng, to_light));
@@ -145,6 +146,7 @@ class Point {
     return {gathering::sum(s[0], 0.0f), gathering::sum(s[1], 0.0f), gathering::sum(s[2], 0.0f)};
   }
 
+  const RoughLimit limit_;
   const Record bsdf_;
   const Scattering<F> at_;
   const Vec3<F> wo_;

@@ -76,8 +76,8 @@ SceneFacts analyse(const SceneParts& scene) {
     if (scene.bsdfs.is_specular(surface.bsdf)) ++facts.specular_surfaces;
     facts.any_rough = facts.any_rough ||
                       scene.bsdfs.any_leaf(surface.bsdf, [](const Bsdf& leaf, bool) { return can_be_rough(leaf); });
-    facts.any_sharp = facts.any_sharp || scene.bsdfs.any_leaf(surface.bsdf, [](const Bsdf& leaf, bool textured) {
-      return !is_lambertian(leaf) && (textured || !is_all_rough(leaf));
+    facts.any_sharp = facts.any_sharp || scene.bsdfs.any_leaf(surface.bsdf, [&](const Bsdf& leaf, bool textured) {
+      return !is_lambertian(leaf) && (textured || !is_all_rough(leaf, scene.rough_limit));
     });
     if (reflects_diffusely(scene, surface)) diffuse.push_back(&surface);
   }
