@@ -8,6 +8,7 @@
 #include <numbers>
 #include <string>
 
+#include "renderer/integrators/test_photon_scenes.h"
 #include "renderer/integrators/test_scenes.h"
 
 namespace photonproof {
@@ -56,6 +57,14 @@ TEST(rough_surfaces, phong_reflects_a_mirrored_beam_as_the_closed_form_says) {
     std::printf("Phong of exponent %g under a mirrored beam / closed form = %.4f\n", n, mean / expected);
     EXPECT_NEAR(mean / expected, 1, 0.006) << n;
   }
+}
+
+TEST(rough_surfaces, edges_of_both_paths_count) {
+  // Light, mirror, floor, camera: three edges.
+  SceneDescription scene = mirrored_beam(PhongDescription{20.0, RgbD(0.3), RgbD(0.5)});
+  test::set_camera(scene, Transform::look_at({0, 2, 1.25}, {0, 0, 0}, {0, 1, 0}), 14, 8);
+  scene.integrator.method = PathDescription{2, 8, false};
+  EXPECT_EQ(test::image_mean(render(scene, "photonmapper", job_with(4, 100'000)).image.mean), 0);
 }
 
 /// The room with balls of glass and mirror, its floor and its left wall of `model`.
@@ -142,6 +151,19 @@ TEST(rough_surfaces, inside_blends_and_twosided_have_the_path_tracers_means) {
   const BsdfIndex three = add_bsdf(scene, BlendDescription{0.4, both, white});
   scene.shapes[1].bsdf = add_bsdf(scene, TwoSidedDescription{three, three});
   expect_path_tracers_means(scene, IndirectLight::map, "blend");
+}
+
+// Flux over the true area, seen by the normals that maps show.
+TEST(rough_surfaces, under_maps_have_the_path_tracers_means) {
+  for (SceneDescription scene : {test::bumped_mesh(32), test::normal_mapped_mesh(32)}) {
+    const std::size_t map = scene.bsdfs.size() - 1;
+    const bool bumps = std::holds_alternative<BumpMapDescription>(scene.bsdfs[map].model);
+    scene.bsdfs[map - 1].model = PhongDescription{100.0, RgbD{0.2, 0.5, 0.3}, RgbD(0.4)};
+    DielectricDescription glass;
+    glass.int_ior = 1.5;
+    test::add_shape(scene, SphereDescription{{0.3, -0.3, -0.3}, 0.4}, {}, add_bsdf(scene, glass));
+    expect_path_tracers_means(scene, IndirectLight::map, bumps ? "bumps" : "normals that lean");
+  }
 }
 
 TEST(rough_surfaces, the_same_bits_by_any_number_of_threads_and_instruction_sets) {
