@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""Holds every source to its room: what it may include, and how large rooms and files may grow.
+"""Holds every source to its room: what it may include, and how large rooms and files may grow; and every test to a list.
 
   rooms.py ROOMS ROOT    ROOMS: as CMake writes it into the build folder, a line a room, "folder | may include"
 
 A room's files may include the rooms it links and those that they may. Tests, benches and what only they use (test_*) may
-include anything. Prints what is wrong as file:line: sentence and ends with 1.
+include anything; a CMakeLists.txt has to name them, or they would never run. Prints what is wrong as file:line: sentence and
+ends with 1.
 """
 import re
 import sys
@@ -36,6 +37,7 @@ def main(rooms_file, root):
     allowed = {room: reachable(may, room, set()) | {room} for room in may}
     problems = [f"{room}: may include itself through {', '.join(may[room])}" for room in may
                 if any(room in allowed[other] for other in may[room])]
+    built = " ".join(list_file.read_text() for list_file in root.glob("*/CMakeLists.txt"))
     count = dict.fromkeys(may, 0)
     for file in room_sources(root, ".h", ".cpp"):
         path, room = root / file, file.rpartition("/")[0]
@@ -47,6 +49,8 @@ def main(rooms_file, root):
         if len(lines) > most_lines:
             problems.append(f"{file}:{most_lines}: has {len(lines)} lines, more than {most_lines}")
         if re.search(r"_(test|bench|fuzz)\.cpp$|^test_", path.name) and path.name != "verb_bench.cpp":
+            if path.suffix == ".cpp" and path.name not in built:
+                problems.append(f"{file}:1: no CMakeLists.txt names it, so that it is never built")
             continue
         for number, line in enumerate(lines, 1):
             included = re.match(r'#include "([a-z_/0-9]+)/[^/"]+"', line)

@@ -161,15 +161,20 @@ void keep(RenderLoop& loop, PhotonMaps& maps) {
   }
 }
 
-/// Of the automatic settings.
+/// Where the settings leave it open; says what maps miss, where they are the way.
 void choose_way(const PhotonSource& source, PhotonMaps& maps, const RenderPlan& plan, const Tile& window,
                 PhotonSettings& settings, RenderStats& stats) {
-  settings.indirect = IndirectLight::map;
+  const bool automatic = settings.indirect == IndirectLight::automatic;
+  if (automatic) settings.indirect = IndirectLight::map;
   if (!maps.global.wanted) return;
-  const IndirectChoice choice = choose_indirect(source, maps, plan, window, stats);
-  settings.indirect = choice.indirect;
-  maps.caustic.wanted = maps.caustic.wanted && choice.caustic_map;
-  stats.choices.push_back(choice.why);
+  if (automatic) {
+    const IndirectChoice choice = choose_indirect(source, maps, plan, window, stats);
+    settings.indirect = choice.indirect;
+    maps.caustic.wanted = maps.caustic.wanted && choice.caustic_map;
+    stats.choices.push_back(choice.why);
+  }
+  if (settings.indirect != IndirectLight::path && maps_miss_light(source.scene))
+    stats.losses.emplace_back(light_that_maps_miss);
 }
 
 /// What passes learn of the image.
@@ -271,7 +276,7 @@ void render_photon_mapper(const Scene& scene, const RenderPlan& plan, const Rend
   const Threads threads(job.threads);
   const PhotonSource source{scene, settings, job, threads};
   PhotonMaps maps(plan, source, stats);
-  if (settings.indirect == IndirectLight::automatic) choose_way(source, maps, plan, film.window(), settings, stats);
+  choose_way(source, maps, plan, film.window(), settings, stats);
   PassPlan passes = plan_passes(settings, maps);
   if (plan.view == View::photons) return render_photon_dots(source, maps, passes, film, stats);
   const bool caches = settings.indirect == IndirectLight::cache && maps.global.wanted;

@@ -1,0 +1,1 @@
+// No list of sources names this.
