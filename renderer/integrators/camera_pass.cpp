@@ -35,8 +35,8 @@ const MapState* map_to_gather(const PhotonSettings& settings, const std::vector<
   return settings.indirect == IndirectLight::gather ? map_of(PhotonKind::global, maps) : nullptr;
 }
 
-/// What a look-up's flux is divided by is of light that a planted fault dims.
-float dimmed(const MapState& map) {
+/// Of a planted fault that dims the map's light: what areas are multiplied by.
+float fault_divisor(const MapState& map) {
   return has_fault(Fault::dim_caustic) && map.kind == PhotonKind::caustic ? 1 / 0.95f : 1.0f;
 }
 
@@ -270,11 +270,11 @@ void CameraPass::add_photons_on_rough(TilePaths& paths) {
   for (std::size_t i = 0; i < wide.count; ++i) {
     const GatherPoint point = paths.rough[i];
     const std::uint32_t pixel = paths.pixel_of[point.path];
-    wide.area[i] *= dimmed(*caustic_);
+    wide.area[i] *= fault_divisor(*caustic_);
     paths.sum[pixel] += point.weight * irradiance(wide, i);
     caustic_->found += wide.found[i];
     if (wide.found[i] == 0 || !bias_.looks_twice(paths.x(pixel), paths.y(pixel))) continue;
-    narrow.area[i] = areas_->divisor(point, narrow.radius[i]) * dimmed(*caustic_);
+    narrow.area[i] = areas_->divisor(point, narrow.radius[i]) * fault_divisor(*caustic_);
     const Rgb lost = irradiance(wide, i) - irradiance(narrow, i);
     bias_.add(paths.x(pixel), paths.y(pixel), static_cast<int>(caustic_->kind), paths.pass,
               RgbD(point.weight * lost) / static_cast<double>(paths.count[pixel]), paths.samples);
@@ -311,7 +311,7 @@ float CameraPass::radius_at(const MapState& map, std::size_t pixel, const TilePa
 void CameraPass::look_up_in(const MapState& map, GatherQueue& queue) const {
   look_up(map, settings_, *areas_, job_.kernels().gather, queue);
   const GatherPoints points = queue.view();
-  for (std::size_t i = 0; i < points.count && dimmed(map) != 1; ++i) points.area[i] *= dimmed(map);
+  for (std::size_t i = 0; i < points.count && fault_divisor(map) != 1; ++i) points.area[i] *= fault_divisor(map);
 }
 
 /// What the pixels of the bias's lattice lose by their radius.
