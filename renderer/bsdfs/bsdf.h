@@ -21,6 +21,7 @@
 #include "renderer/bsdfs/bsdf_roughplastic.h"
 #include "renderer/bsdfs/bsdf_sample.h"
 #include "renderer/bsdfs/bsdf_thindielectric.h"
+#include "renderer/bsdfs/rough_part.h"
 #include "renderer/lanes/kind_list.h"
 
 namespace photonproof {
@@ -40,5 +41,28 @@ inline bool has_smooth(const Bsdf& bsdf) {
 inline bool is_lambertian(const Bsdf& bsdf) {
   return std::visit([](const auto& b) { return b.is_lambertian; }, bsdf);
 }
+/// Whether photons may be looked up for a part of it by their directions (rough_part.h), textures or not.
+inline bool can_be_rough(const Bsdf& bsdf) {
+  return std::visit([](const auto& b) { return CanBeRough<std::remove_cvref_t<decltype(b)>, float>; }, bsdf);
+}
+/// Whether nothing of it is a mirror, a sharp highlight or lets light through.
+inline bool is_all_rough(const Bsdf& bsdf, const RoughLimit& limit) {
+  return std::visit(
+      [&](const auto& b) {
+        if constexpr (requires { b.is_all_rough(limit); })
+          return b.is_all_rough(limit);
+        else
+          return b.is_lambertian;
+      },
+      bsdf);
+}
+/// Bit k: photons may be looked up by their directions on kind k.
+inline constexpr std::uint32_t rough_kinds = [] {
+  std::uint32_t kinds = 0;
+  BsdfKinds::for_each([&]<template <class> class Kind>(std::uint32_t kind) {
+    if constexpr (CanBeRough<Kind<float>, float>) kinds |= 1u << kind;
+  });
+  return kinds;
+}();
 
 }  // namespace photonproof

@@ -107,6 +107,71 @@ TEST(bsdf_laws, nothing_makes_energy) {
     }
 }
 
+/// Of any kind: how its parts are told apart, where they are.
+template <class Kind>
+void expect_parts_of_eval(const Kind& bsdf, const RoughLimit& limit, const std::string& name) {
+  if constexpr (CanBeRough<Kind, float>) {
+    for (const Vec3f& wo : test::test_directions(false))
+      for (const Vec3f& wi : test::test_directions(false)) {
+        const Rgb share = bsdf.rough_share(limit, wo, wi);
+        const Rgb rough = RoughPart<Kind, float>{bsdf, limit, false}.eval(wo, wi), f = bsdf.eval(wo, wi);
+        for (const auto channel : {&Rgb::x, &Rgb::y, &Rgb::z}) {
+          EXPECT_TRUE(share.*channel >= 0 && share.*channel <= 1) << name << ' ' << share.*channel;
+          EXPECT_LE(rough.*channel, f.*channel) << name;
+        }
+        if (!bsdf.is_rough(limit)) {
+          EXPECT_EQ(max_component(share), 0) << name;
+        }
+        // What the decision leaves is each part in the mean, whatever the weights: f with probabilities q and 1 - q.
+        const double q = (double{share.x} + double{share.y} + double{share.z}) / 3;
+        Rgb of_rough(1.0f), of_rest(1.0f);
+        const bool first = is_by_rough_part<float>(share, 0.0f, of_rough);
+        const bool last = is_by_rough_part<float>(share, 1 - 0x1p-24f, of_rest);
+        EXPECT_EQ(first, q > 0) << name;
+        if (first) {
+          EXPECT_NEAR(q * double{of_rough.x}, double{share.x}, 1e-5) << name;
+        }
+        if (!last) {
+          EXPECT_NEAR((1 - q) * double{of_rest.x}, 1 - double{share.x}, 1e-5) << name;
+        }
+      }
+  }
+}
+
+TEST(bsdf_laws, rough_part_and_rest_are_all_of_it) {
+  for (const RoughLimit& limit : {RoughLimit{}, rough_limit_of_points})
+    for (const NamedBsdf& named : test::white_bsdfs({0.01, 0.1, 0.3, 1.0}))
+      std::visit([&](const auto& bsdf) { expect_parts_of_eval(bsdf, limit, named.name); }, named.bsdf);
+}
+
+// What is left of a coated base without its highlights has no narrow lobe: from no direction does it change by more
+// than a factor as the other one turns by a degree.
+TEST(bsdf_laws, rough_parts_are_wide) {
+  for (const NamedBsdf& named : test::white_bsdfs({0.01, 0.1, 0.3, 1.0})) {
+    if (named.name.find("eta 0.66") != std::string::npos) continue;  // nothing crosses it beyond the critical angle
+    std::visit(
+        [&](const auto& bsdf) {
+          using Kind = std::remove_cvref_t<decltype(bsdf)>;
+          if constexpr (CanBeRough<Kind, float>) {
+            const RoughPart<Kind, float> part{bsdf, RoughLimit{}, false};
+            for (double degrees = 5; degrees < 60; degrees += 1) {
+              const Vec3f wo = test::slanted(40), mirror(-wo.x, -wo.y, wo.z);
+              const auto at = [&](double angle) {
+                const Vec3f side = normalize(cross(mirror, Vec3f(0, 0, 1)));
+                const auto t = static_cast<float>(angle * std::numbers::pi / 180);
+                return normalize(mirror * std::cos(t) + cross(side, mirror) * std::sin(t));
+              };
+              const float here = max_component(part.eval(wo, at(degrees - 35)));
+              const float there = max_component(part.eval(wo, at(degrees - 34)));
+              EXPECT_LE(here, 1.6f * there + 1e-6f) << named.name << ' ' << degrees;
+              EXPECT_LE(there, 1.6f * here + 1e-6f) << named.name << ' ' << degrees;
+            }
+          }
+        },
+        named.bsdf);
+  }
+}
+
 TEST(bsdf_laws, weights_are_eval_times_cosine_over_density) {
   // Each sample's, where the density says enough digits: of facets 1e-4 wide single precision keeps few.
   for (const double alpha : {0.05, 0.3, 1.0})

@@ -17,6 +17,7 @@
 #include "renderer/bsdfs/bsdf_diffuse.h"
 #include "renderer/bsdfs/bsdf_phong.h"
 #include "renderer/bsdfs/bsdf_roughconductor.h"
+#include "renderer/bsdfs/rough_part.h"
 
 namespace photonproof {
 
@@ -42,6 +43,9 @@ template <class F>
 struct LayeredBase<RoughConductorBsdf<F>> {
   static constexpr bool has_diffuse = false, has_mirror = false, has_glossy = true;
   static const RoughConductorBsdf<F>& glossy(const RoughConductorBsdf<F>& base) { return base; }
+  static Mask<F> glossy_is_rough(const RoughConductorBsdf<F>& base, const RoughLimit& limit) {
+    return base.is_all_rough(limit);
+  }
   static Vec3<F> glossy_reflectance(const RoughConductorBsdf<F>& base, const Vec3<F>& wo, const Vec3<F>& wi) {
     return base.facet_reflectance(clamp_to_unit(dot(wo, half_vector(wo, wi))));
   }
@@ -53,6 +57,7 @@ struct LayeredBase<PhongBsdf<F>> {
   static PhongBsdf<F> glossy(const PhongBsdf<F>& base) {
     return {base.raw_exponent, Vec3<F>(F(0.0f)), base.specular()};
   }
+  static Mask<F> glossy_is_rough(const PhongBsdf<F>& base, const RoughLimit& limit) { return base.is_all_rough(limit); }
   static Vec3<F> glossy_reflectance(const PhongBsdf<F>& base, const Vec3<F>&, const Vec3<F>&) {
     return base.specular();
   }
@@ -75,13 +80,28 @@ struct LayeredBsdf {
     const Vec3<F> way = o.absorbed * i.absorbed;
     Vec3<F> f(F(0.0f));
     if constexpr (Parts::has_diffuse) f = diffuse_reflectance() * F(1 / pi);
-    if constexpr (Parts::has_glossy) {
-      const Vec3<F> rho = Parts::glossy_reflectance(base, o.inside, i.inside);
-      const F back = lane_min(F(1 - o.through), F(1 - i.through));
-      f += Parts::glossy(base).eval(o.inside, i.inside) / (Vec3<F>(F(1.0f)) - rho * way * back);
-    }
+    if constexpr (Parts::has_glossy) f += glossy_part(o, i);
     f = f * way * F(o.through * i.through / (eta * eta));
     return select(wo.z > 0 && wi.z > 0, f, Vec3<F>(F(0.0f)));
+  }
+
+  /// A diffuse base always.
+  Mask<F> is_rough(const RoughLimit& limit) const requires has_smooth {
+    if constexpr (Parts::has_diffuse) return as_mask<F>(true);
+    if constexpr (Parts::has_glossy) return Parts::glossy_is_rough(base, limit);
+  }
+  Vec3<F> rough_share(const RoughLimit& limit, const Vec3<F>& wo, const Vec3<F>& wi) const requires has_smooth {
+    const Vec3<F> one(F(1.0f));
+    if constexpr (Parts::has_glossy) {
+      const Mask<F> rough = Parts::glossy_is_rough(base, limit);
+      if constexpr (!Parts::has_diffuse) return select(rough, one, Vec3<F>(F(0.0f)));
+      if (all(rough)) return one;
+      Vec3<F> diffuse_part(F(0.0f));
+      if constexpr (Parts::has_diffuse) diffuse_part = diffuse_reflectance() * F(1 / pi);
+      return select(rough, one,
+                    share_of<F>(diffuse_part, Vec3<F>(diffuse_part + glossy_part(crossing(wo), crossing(wi)))));
+    }
+    return one;
   }
 
   F pdf(const Vec3<F>& wo, const Vec3<F>& wi) const {
@@ -126,6 +146,13 @@ struct LayeredBsdf {
     return {{v.x * to_inside, v.y * to_inside, fresnel.cos_transmit},
             1 - fresnel.reflectance,
             {lane_exp(F(depth.x * per_cos)), lane_exp(F(depth.y * per_cos)), lane_exp(F(depth.z * per_cos))}};
+  }
+
+  /// What the base's glossy part reflects, ways through the lacquer and crossings left out.
+  Vec3<F> glossy_part(const Crossing& o, const Crossing& i) const {
+    const Vec3<F> rho = Parts::glossy_reflectance(base, o.inside, i.inside);
+    const F back = lane_min(F(1 - o.through), F(1 - i.through));
+    return Parts::glossy(base).eval(o.inside, i.inside) / (Vec3<F>(F(1.0f)) - rho * (o.absorbed * i.absorbed) * back);
   }
 
   Vec3<F> diffuse_reflectance() const {

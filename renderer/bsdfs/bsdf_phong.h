@@ -5,6 +5,7 @@
 #pragma once
 
 #include "renderer/bsdfs/bsdf_plastic.h"
+#include "renderer/bsdfs/rough_part.h"
 #include "renderer/lanes/lane_exp.h"
 
 namespace photonproof {
@@ -30,6 +31,16 @@ struct PhongBsdf {
     const F n = exponent(), p = gloss_probability();
     const F lobe = (n + 1) * (0.5f / pi) * power_of_cos(wo, wi, n);
     return select(wo.z > 0 && wi.z > 0, F(p * lobe + (1 - p) * cosine_hemisphere_pdf(wi.z)), F(0.0f));
+  }
+  Mask<F> is_all_rough(const RoughLimit& limit) const { return exponent() <= limit.most_exponent; }
+  /// The diffuse part always.
+  Mask<F> is_rough(const RoughLimit&) const { return as_mask<F>(true); }
+  Vec3<F> rough_share(const RoughLimit& limit, const Vec3<F>& wo, const Vec3<F>& wi) const {
+    if (all(is_all_rough(limit))) return Vec3<F>(F(1.0f));
+    const F n = exponent();
+    const Vec3<F> diffuse_part = raw_diffuse * F(1 / pi);
+    const Vec3<F> lobe = raw_specular * F((n + 2) * (0.5f / pi) * power_of_cos(wo, wi, n));
+    return select(is_all_rough(limit), Vec3<F>(F(1.0f)), share_of<F>(diffuse_part, Vec3<F>(diffuse_part + lobe)));
   }
   BsdfSample<F> sample(const Vec3<F>& wo, const F& u_lobe, const Vec2<F>& u, TransportMode) const {
     const F n = exponent();

@@ -8,6 +8,7 @@
 
 #include "renderer/bsdfs/bsdf_sample.h"
 #include "renderer/bsdfs/fresnel.h"
+#include "renderer/bsdfs/rough_part.h"
 #include "renderer/lanes/warp.h"
 
 namespace photonproof {
@@ -48,6 +49,9 @@ struct PlasticBsdf {
   F pdf(const Vec3<F>& wo, const Vec3<F>& wi) const {
     return select(wo.z > 0, F((1 - mirror_probability(wo)) * cosine_hemisphere_pdf(wi.z)), F(0.0f));
   }
+  /// All but the mirror.
+  Mask<F> is_rough(const RoughLimit&) const { return as_mask<F>(true); }
+  Vec3<F> rough_share(const RoughLimit&, const Vec3<F>&, const Vec3<F>&) const { return Vec3<F>(F(1.0f)); }
   BsdfSample<F> sample(const Vec3<F>& wo, const F& u_lobe, const Vec2<F>& u, TransportMode) const {
     const F p = mirror_probability(wo);
     const Mask<F> mirrors = u_lobe < p;

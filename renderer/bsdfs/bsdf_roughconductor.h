@@ -5,6 +5,7 @@
 #include "renderer/bsdfs/bsdf_sample.h"
 #include "renderer/bsdfs/fresnel.h"
 #include "renderer/bsdfs/microfacet.h"
+#include "renderer/bsdfs/rough_part.h"
 
 namespace photonproof {
 
@@ -33,6 +34,11 @@ struct RoughConductorBsdf {
   F pdf(const Vec3<F>& wo, const Vec3<F>& wi) const {
     const Vec3<F> m = half_vector(wo, wi);
     return select(wo.z > 0 && wi.z > 0, F(facets.pdf(wo, m) / (4 * lane_abs(dot(wo, m)))), F(0.0f));
+  }
+  Mask<F> is_rough(const RoughLimit& limit) const { return facets.are_rough(limit); }
+  Mask<F> is_all_rough(const RoughLimit& limit) const { return is_rough(limit); }
+  Vec3<F> rough_share(const RoughLimit& limit, const Vec3<F>&, const Vec3<F>&) const {
+    return Vec3<F>(select(is_rough(limit), F(1.0f), F(0.0f)));
   }
   BsdfSample<F> sample(const Vec3<F>& wo, const F&, const Vec2<F>& u, TransportMode) const {
     const Vec3<F> m = facets.sample(wo, u);

@@ -6,6 +6,7 @@
 
 #include "renderer/bsdfs/bsdf_plastic.h"
 #include "renderer/bsdfs/microfacet.h"
+#include "renderer/bsdfs/rough_part.h"
 
 namespace photonproof {
 
@@ -34,12 +35,16 @@ struct RoughPlasticBsdf {
   }
 
   Vec3<F> eval(const Vec3<F>& wo, const Vec3<F>& wi) const {
-    const Vec3<F> m = half_vector(wo, wi);
-    const F fresnel = fresnel_dielectric(clamp_to_unit(dot(wo, m)), eta).reflectance;
-    const F shape = facets.density(m) * facets.shadowing_by_cos(wo) * facets.shadowing_by_cos(wi) * 0.25f;
-    const F crossing = transmittance(wo.z) * transmittance(wi.z) / (eta * eta) * (1 / pi);
-    const Vec3<F> f = specular * F(fresnel * shape) + saturated(diffuse, internal_reflectance, nonlinear) * crossing;
-    return select(wo.z > 0 && wi.z > 0, f, Vec3<F>(F(0.0f)));
+    return select(wo.z > 0 && wi.z > 0, Vec3<F>(interface(wo, wi) + base(wo, wi)), Vec3<F>(F(0.0f)));
+  }
+  /// The base always.
+  Mask<F> is_rough(const RoughLimit&) const { return as_mask<F>(true); }
+  Mask<F> is_all_rough(const RoughLimit& limit) const { return facets.are_rough(limit); }
+  Vec3<F> rough_share(const RoughLimit& limit, const Vec3<F>& wo, const Vec3<F>& wi) const {
+    const Mask<F> rough_facets = facets.are_rough(limit);
+    if (all(rough_facets)) return Vec3<F>(F(1.0f));
+    const Vec3<F> below = base(wo, wi);
+    return select(rough_facets, Vec3<F>(F(1.0f)), share_of<F>(below, Vec3<F>(below + interface(wo, wi))));
   }
   F pdf(const Vec3<F>& wo, const Vec3<F>& wi) const {
     const Vec3<F> m = half_vector(wo, wi);
@@ -55,6 +60,16 @@ struct RoughPlasticBsdf {
   }
 
  private:
+  Vec3<F> interface(const Vec3<F>& wo, const Vec3<F>& wi) const {
+    const Vec3<F> m = half_vector(wo, wi);
+    const F fresnel = fresnel_dielectric(clamp_to_unit(dot(wo, m)), eta).reflectance;
+    const F shape = facets.density(m) * facets.shadowing_by_cos(wo) * facets.shadowing_by_cos(wi) * 0.25f;
+    return specular * F(fresnel * shape);
+  }
+  Vec3<F> base(const Vec3<F>& wo, const Vec3<F>& wi) const {
+    const F crossing = transmittance(wo.z) * transmittance(wi.z) / (eta * eta) * (1 / pi);
+    return saturated(diffuse, internal_reflectance, nonlinear) * crossing;
+  }
   F gloss_probability(const Vec3<F>& wo) const {
     const F t = transmittance(wo.z);
     return lobe_probability(F((1 - t) * mean_channel(specular)), F(t * mean_channel(diffuse)));

@@ -3,6 +3,7 @@
 // Function"). Directions are local, z up; a facet's normal m has m.z > 0. Densities are per solid angle of m.
 #pragma once
 
+#include "renderer/bsdfs/rough_part.h"
 #include "renderer/lanes/lane_exp.h"
 #include "renderer/lanes/warp.h"
 
@@ -18,6 +19,7 @@ struct Microfacets {
   static F usable(const F& alpha) { return lane_min(lane_max(alpha, F(1e-4f)), F(1e4f)); }
   F alpha_u() const { return usable(raw_alpha_u); }
   F alpha_v() const { return usable(raw_alpha_v); }
+  Mask<F> are_rough(const RoughLimit& limit) const { return lane_min(raw_alpha_u, raw_alpha_v) >= limit.least_alpha; }
 
   /// Area of facets with normal m per solid angle and per area of the surface.
   F density(const Vec3<F>& m) const {

@@ -35,9 +35,8 @@ struct MappedNormals {
   static constexpr std::uint32_t flipped[2] = {1u << 1, 1u << 2};  ///< the map's normal is mirrored to face the viewer
   static constexpr std::uint32_t flips[2] = {1u << 3, 1u << 4};    ///< the map does that where needed
   static constexpr std::uint32_t faces[2] = {1u << 5, 1u << 6};    ///< its viewer is in front of the normal below it
-  /// What photons and look-ups must have in common, moved up beside the number of their surface.
+  /// What photons and look-ups must have in common, moved up beside the number of their surface (photon_columns.h).
   static constexpr std::uint32_t tag_bits = 3;
-  static constexpr std::uint32_t tag_shift = 32 - tag_bits;
 
   Vec3<F> below[2];  ///< the normals under the first and the second map; the shading normal where there is none
   F shadow[2];       ///< alpha^2 of bump_shadowing; 0 where the map has none

@@ -24,12 +24,20 @@ Rgb irradiance(const GatherPoints& points, std::size_t i) {
 /// Points that a path leaves for caustic photons alone, at most.
 constexpr std::size_t caustic_points_a_path = 2;
 
+/// Null where there is none.
+MapState* map_of(PhotonKind kind, const std::vector<MapState*>& maps) {
+  const auto found = std::ranges::find(maps, kind, &MapState::kind);
+  return found != maps.end() ? *found : nullptr;
+}
+
 /// The map that a final gather looks up; null where there is none.
 const MapState* map_to_gather(const PhotonSettings& settings, const std::vector<MapState*>& maps) {
-  if (settings.indirect == IndirectLight::gather)
-    for (const MapState* map : maps)
-      if (map->kind == PhotonKind::global) return map;
-  return nullptr;
+  return settings.indirect == IndirectLight::gather ? map_of(PhotonKind::global, maps) : nullptr;
+}
+
+/// Of a planted fault that dims the map's light: what areas are multiplied by.
+float fault_divisor(const MapState& map) {
+  return has_fault(Fault::dim_caustic) && map.kind == PhotonKind::caustic ? 1 / 0.95f : 1.0f;
 }
 
 /// Where a view shows no direct light, paths that go on keep what they find further on.
@@ -48,7 +56,10 @@ struct CameraPass::TilePaths {
   std::vector<float> radiance{};          ///< 3 a path
   std::vector<std::uint32_t> pixel_of{};  ///< of each path; pixels of the tile row by row
   GatherQueue queue{0};
-  GatherQueue caustic_queue{0};      ///< of paths that go on
+  GatherQueue caustic_queue{0};  ///< of paths that go on
+  /// At rough parts, photons looked up; and the same points within a part of their radii.
+  GatherQueue rough{0}, rough_narrow{0};
+  std::vector<float> radius_of_path{};
   std::vector<std::uint32_t> count;  ///< paths of each pixel
   std::vector<Rgb> sum;              ///< of each pixel
 
@@ -58,6 +69,16 @@ struct CameraPass::TilePaths {
         samples(samples_a_pixel),
         count(static_cast<std::size_t>(of.width()) * static_cast<std::size_t>(of.height())),
         sum(count.size(), Rgb(0.0f)) {}
+  void make_room_on_rough(RoughLookUps& look_ups) {
+    look_ups.room = std::max<std::size_t>(1024, 2 * look_ups.points.count);
+    const auto grow = [&](GatherQueue& points_of, GatherPoints& points) {
+      points_of.set_size(points.count);
+      points_of.reserve(look_ups.room);
+      points = points_of.view();
+    };
+    grow(rough, look_ups.points);
+    grow(rough_narrow, look_ups.narrow);
+  }
   int x(std::size_t pixel) const { return tile.x0 + static_cast<int>(pixel) % tile.width(); }
   int y(std::size_t pixel) const { return tile.y0 + static_cast<int>(pixel) / tile.width(); }
 };
@@ -70,6 +91,7 @@ CameraPass::CameraPass(const Scene& scene, const PhotonSettings& settings, const
       view_(view_row(plan.view)),
       shares_(!settings.textbook),
       maps_(std::move(maps_shown)),
+      caustic_(map_of(PhotonKind::caustic, maps_)),
       gathered_(map_to_gather(settings, maps_)),
       traces_paths_(settings.indirect == IndirectLight::path),
       goes_on_(traces_paths_ || gathered_ != nullptr),
@@ -94,13 +116,28 @@ void CameraPass::leave_points(PathTask& task, TilePaths& paths) const {
                                                                                 : AtDiffuse::final_gather;
     task.near_hit = gathered_->radii.radius;
   }
-  const bool caustics = std::ranges::any_of(maps_, [](const MapState* m) { return m->kind == PhotonKind::caustic; });
+  const bool caustics = caustic_ != nullptr;
   if (traces_paths_)
     task.at_diffuse = caustics || task.settings.indirect_only ? AtDiffuse::go_on_beside_caustic_map : AtDiffuse::go_on;
   if (caustics || !traces_paths_) task.points = room(paths.queue, count);
   if (!goes_on_ || !caustics) return;
   task.caustic_points = room(paths.caustic_queue, caustic_points_a_path * count);
   task.caustics_at_first = view_.caustic_map;
+}
+
+/// Of the last paths.
+void CameraPass::look_up_on_rough(RoughLookUps& rough, TilePaths& paths) const {
+  if (caustic_ == nullptr || !view_.caustic_map || has_fault(Fault::missing_caustic)) return;
+  rough.map = caustic_->map.view();
+  rough.max_edges = most_edges(settings_);
+  rough.tests = caustic_->tests.data();
+  rough.radius = paths.radius_of_path.data();
+  rough.narrow_part = LookUpBias::narrow_part;
+  rough.make_room = [](PathTask& task) { static_cast<TilePaths*>(task.rough.sink)->make_room_on_rough(task.rough); };
+  rough.sink = &paths;
+  rough.points = paths.rough.view();
+  rough.narrow = paths.rough_narrow.view();
+  rough.room = rough.points.count;
 }
 
 void CameraPass::trace(const CameraTask& camera, TilePaths& paths, RenderLoop& loop) {
@@ -115,13 +152,24 @@ void CameraPass::trace(const CameraTask& camera, TilePaths& paths, RenderLoop& l
                 .settings = path_settings_,
                 .radiance = paths.radiance.data() + 3 * first};
   leave_points(task, paths);
+  const std::size_t rough_points = paths.rough.size();
+  task.rough.by_photons = splits_rough_parts(scene_, task.at_diffuse);
+  if (task.rough.by_photons) {
+    paths.radius_of_path.clear();
+    if (caustic_ != nullptr)
+      for (std::size_t path = first; path < paths.pixel_of.size(); ++path)
+        paths.radius_of_path.push_back(radius_at(*caustic_, paths.pixel_of[path], paths));
+    look_up_on_rough(task.rough, paths);
+  }
   scratch_.trace(task);
-  const auto take = [&](const GatherPoints& points, GatherQueue& queue) {
-    for (std::size_t i = queue.size(); i < points.count; ++i) points.path[i] += static_cast<std::uint32_t>(first);
+  const auto take = [&](const GatherPoints& points, std::size_t taken, GatherQueue& queue) {
+    for (std::size_t i = taken; i < points.count; ++i) points.path[i] += static_cast<std::uint32_t>(first);
     queue.set_size(points.count);
   };
-  take(task.points, paths.queue);
-  take(task.caustic_points, paths.caustic_queue);
+  take(task.points, paths.queue.size(), paths.queue);
+  take(task.caustic_points, paths.caustic_queue.size(), paths.caustic_queue);
+  take(task.rough.points, rough_points, paths.rough);
+  take(task.rough.narrow, rough_points, paths.rough_narrow);
   loop.rays().add(task.counts);
 }
 
@@ -212,6 +260,26 @@ void CameraPass::add_photons(TilePaths& paths) {
     if (map != gathered_) add_shared(*map, points);
     if (goes_on_) add_photons_of(*map, further, BlockGrid{}, key, paths);
   }
+  if (paths.rough.size() > 0) add_photons_on_rough(paths);
+}
+
+/// What the kernel has looked up.
+void CameraPass::add_photons_on_rough(TilePaths& paths) {
+  areas_->fill(paths.rough);
+  const GatherPoints wide = paths.rough.view(), narrow = paths.rough_narrow.view();
+  for (std::size_t i = 0; i < wide.count; ++i) {
+    const GatherPoint point = paths.rough[i];
+    const std::uint32_t pixel = paths.pixel_of[point.path];
+    wide.area[i] *= fault_divisor(*caustic_);
+    paths.sum[pixel] += point.weight * irradiance(wide, i);
+    caustic_->found += wide.found[i];
+    if (wide.found[i] == 0 || !bias_.looks_twice(paths.x(pixel), paths.y(pixel))) continue;
+    narrow.area[i] = areas_->divisor(point, narrow.radius[i]) * fault_divisor(*caustic_);
+    const Rgb lost = irradiance(wide, i) - irradiance(narrow, i);
+    bias_.add(paths.x(pixel), paths.y(pixel), static_cast<int>(caustic_->kind), paths.pass,
+              RgbD(point.weight * lost) / static_cast<double>(paths.count[pixel]), paths.samples);
+  }
+  caustic_->look_ups += wide.count;
 }
 
 void CameraPass::add_photons_of(MapState& map, const std::vector<PixelPoint>& points, const BlockGrid& blocks,
@@ -243,8 +311,7 @@ float CameraPass::radius_at(const MapState& map, std::size_t pixel, const TilePa
 void CameraPass::look_up_in(const MapState& map, GatherQueue& queue) const {
   look_up(map, settings_, *areas_, job_.kernels().gather, queue);
   const GatherPoints points = queue.view();
-  if (has_fault(Fault::dim_caustic) && map.kind == PhotonKind::caustic)
-    for (std::size_t i = 0; i < points.count; ++i) points.area[i] /= 0.95f;
+  for (std::size_t i = 0; i < points.count && fault_divisor(map) != 1; ++i) points.area[i] *= fault_divisor(map);
 }
 
 /// What the pixels of the bias's lattice lose by their radius.

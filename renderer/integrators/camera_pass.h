@@ -35,7 +35,9 @@ class CameraPass {
   void trace(const CameraTask& camera, TilePaths& paths, RenderLoop& loop);
   void trace_extra(TilePaths& paths, RenderLoop& loop);
   void leave_points(PathTask& task, TilePaths& paths) const;
+  void look_up_on_rough(RoughLookUps& rough, TilePaths& paths) const;
   void add_photons(TilePaths& paths);
+  void add_photons_on_rough(TilePaths& paths);
   void add_numbers(TilePaths& paths, double seconds, Film& numbers) const;
   std::vector<Rgb> radii_in_pixels(TilePaths& paths) const;
   void add_photons_of(MapState& map, const std::vector<PixelPoint>& points, const BlockGrid& blocks, std::uint32_t key,
@@ -56,6 +58,7 @@ class CameraPass {
   const bool shares_;  ///< look-ups
   const IrradianceCache* cache_ = nullptr;
   const std::vector<MapState*> maps_;
+  MapState* const caustic_;         ///< null: none
   const MapState* const gathered_;  ///< the global map, one bounce further (final_gather.h); null: none
   const bool traces_paths_;         ///< beyond the first diffuse surface, in place of a global map
   const bool goes_on_;              ///< beyond the first diffuse surface, one way or the other

@@ -136,6 +136,7 @@ class PilotTracer {
     GatherQueue left(task.camera.paths());
     task.radiance = radiance.data();
     if (at_diffuse != AtDiffuse::go_on_beside_caustic_map) task.points = left.view();
+    task.rough.by_photons = splits_rough_parts(source_.scene, at_diffuse);
     scratch_.trace(task);
     totals.add(task.counts);
     for (std::size_t i = 0; i < task.camera.paths(); ++i) {

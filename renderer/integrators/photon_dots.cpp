@@ -50,7 +50,7 @@ class PhotonEye {
     const Vec3f side = facing_sheet_normal(photon.sheet);
     if (!(dot(side, camera->wi) > 0)) return;
     ++seen.rays.shadow;
-    const SegmentEnd landed{photon.p_world, side, no_index, photon.surface};
+    const SegmentEnd landed{photon.p_world, side, no_index, surface_number(photon.surface)};
     const Rgb arrives = transmittance(world_, landed, camera->end, {}, true, draws, layer_dimension);
     if (max_component(arrives) > 0) seen.dots.push_back({camera->raster, photon.flux * arrives * scale});
   }

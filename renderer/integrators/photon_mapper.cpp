@@ -1,6 +1,8 @@
 // Photon mapping (Jensen 1996, 2001) with fixed-radius density estimation at the first diffuse hit of a camera path:
 //   L = Le + direct (next-event estimation) + rho/pi (sum of caustic fluxes / A_c + sum of global fluxes / A_g)
-// where A is the area of that part of the surface whose photons the look-up counts (photon_sheet.h, look_up_area.h).
+// where A is the area of that part of the surface whose photons the look-up counts (photon_sheet.h, look_up_area.h). On
+// the way there, at rough parts of BSDFs, caustic photons are looked up by their directions (rough_look_up.h):
+//   L += sum of f(direction) x flux / A_c
 // The render is cut into passes, each with photons and camera samples of its own: the mean is the same, look-ups are
 // cheaper, and the passes' spread gives an honest variance that includes the photons' noise (not the bias of the
 // radius). A view (view.h) shows a part of that light, or how it was found.
@@ -124,6 +126,8 @@ void plan_camera_paths(Planner& planner, const PhotonSettings& settings, const V
     planner.run("more camera paths", "up to 64 times as many in pixels whose earlier passes disagree");
     plan_camera_pilot(planner);
   }
+  if (planner.facts().any_rough && !planner.plan().skips(Skip::caustic_map))
+    planner.run("on rough surfaces", "caustic photons are looked up by the directions they came from");
   if (planner.facts().any_environment && view.direct_light)
     planner.run("one more ray", "from where photons are looked up to the environment, which light samples find, too");
   planner.batches();
@@ -246,8 +250,10 @@ void plan_photon_mapper(const IntegratorDescription& description, Planner& plann
   const bool caustics_shown = view.caustic_map || (view.global_map && settings.looks_further());
   plan_map(planner, Skip::caustic_map, "caustic photon map",
            photons_words(settings, job, settings.caustic_photons, settings.caustic_radius), caustics_shown, max_depth,
-           any_specular && facts.any_diffuse, any_specular ? "no diffuse surface reflects" : "no specular surface",
-           "specular surfaces throw light on diffuse ones");
+           (any_specular && facts.any_diffuse) || (facts.any_sharp && facts.any_rough),
+           any_specular ? "no diffuse or rough surface reflects" : "no specular surface",
+           facts.any_diffuse ? "specular surfaces throw light on diffuse ones"
+                             : "mirrors, glass or sharp highlights throw light on rough surfaces");
   if (!planner.plan().skips(Skip::caustic_map)) {
     const std::string surfaces = counted(facts.specular_surfaces, "specular surface", "specular surfaces");
     planner.decide(Skip::stray_photons, any_specular && facts.specular_surfaces <= most_aim_targets,

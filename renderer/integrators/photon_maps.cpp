@@ -164,13 +164,15 @@ void choose_next_radius(MapState& map, const PhotonSettings& settings, const Loo
 
 double shrunk(double times) { return std::pow(times, -1.0 / 6); }
 
+int most_edges(const PhotonSettings& settings) {
+  return settings.limits.max_depth >= 0 ? settings.limits.max_depth : std::numeric_limits<int>::max();
+}
+
 void look_up(const MapState& map, const PhotonSettings& settings, const LookUpAreas& areas,
              const GatherKernelEntry& kernels, GatherQueue& queue) {
   const GatherPoints points = queue.view();
   const std::vector<std::uint32_t> order = cell_order(map.map, queue);
-  const int max_depth = settings.limits.max_depth;
-  const int max_edges = max_depth >= 0 ? max_depth : std::numeric_limits<int>::max();
-  kernels.gather({map.map.view(), max_edges, points, order.data(), map.tests.data()});
+  kernels.gather({map.map.view(), most_edges(settings), points, order.data(), map.tests.data()});
   areas.fill(queue);
 }
 
@@ -188,6 +190,10 @@ bool looks_at_environment(const Scene& scene, const PathSettings& settings) {
 
 AtDiffuse at_diffuse_of_maps(const Scene& scene, const PathSettings& settings) {
   return looks_at_environment(scene, settings) ? AtDiffuse::leave_gather_point_and_look : AtDiffuse::leave_gather_point;
+}
+
+bool splits_rough_parts(const Scene& scene, AtDiffuse at_diffuse) {
+  return at_diffuse != AtDiffuse::go_on && (scene.view().bsdf_kinds & rough_kinds) != 0;
 }
 
 PhotonMaps::PhotonMaps(const RenderPlan& plan, const PhotonSource& source, RenderStats& stats) {

@@ -116,6 +116,9 @@ Photons emit_photons(MapState& map, const PhotonSource& source, std::int64_t fir
 std::uint64_t refill(MapState& map, const PhotonSource& source, std::int64_t first, std::int64_t last,
                      RenderStats& stats);
 
+/// Of camera and light path together, for kernels.
+int most_edges(const PhotonSettings& settings);
+
 /// Finds the photons within the radius of every point, and the area they are to be divided by.
 void look_up(const MapState& map, const PhotonSettings& settings, const LookUpAreas& areas,
              const GatherKernelEntry& kernels, GatherQueue& queue);
@@ -125,6 +128,8 @@ PathSettings camera_path_settings(const PhotonSettings& settings, const RenderPl
 
 /// What they do at diffuse surfaces where photons are looked up there.
 AtDiffuse at_diffuse_of_maps(const Scene& scene, const PathSettings& settings);
+/// Whether rough parts of other surfaces see caustics by photons, too.
+bool splits_rough_parts(const Scene& scene, AtDiffuse at_diffuse);
 /// Whether paths that end where photons are looked up trace one more ray.
 bool looks_at_environment(const Scene& scene, const PathSettings& settings);
 

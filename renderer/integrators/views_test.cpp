@@ -90,6 +90,17 @@ TEST(views, parts_of_every_kind_of_indirect_light_add_up) {
   }
 }
 
+TEST(views, parts_of_the_light_on_rough_surfaces_add_up) {
+  SceneDescription scene = rough_room();
+  scene.shapes[1].bsdf = test::add_bsdf(scene, PhongDescription{100.0, RgbD{0.2, 0.5, 0.3}, RgbD(0.4)});
+  scene.shapes[3].bsdf = test::add_bsdf(scene, PlasticDescription{});
+  scene.emitters.push_back({{}, "", ConstantLightDescription{RgbD(0.5)}});  // every part looks for it by rays, too
+  for (const IndirectLight indirect : {IndirectLight::map, IndirectLight::gather, IndirectLight::path}) {
+    SCOPED_TRACE(word_of(indirect));
+    expect_parts_add_up(test::with_indirect(scene, indirect), "photonmapper", free_job(2));
+  }
+}
+
 TEST(views, parts_of_textbook_settings_add_up_at_any_number_of_samples) {
   expect_parts_add_up(test::room(32, true), "sppm", free_job(9));
 }

@@ -32,18 +32,26 @@ namespace photonproof::final_gather {
 /// Bits of PathState::gathering: which of the Lambertian vertices the path has left, none at first, and whether
 /// anything else has scattered it since.
 constexpr std::uint32_t left_first = 1, left_near = 2, not_lambertian_since = 4, path_tracing = 8;
+/// And until the first of them (rough_look_up.h): whether a rough part has scattered the path, and was the last to.
+constexpr std::uint32_t any_rough = 16, last_rough = 32;
+
+/// Whether the path has left no Lambertian vertex.
+template <class F>
+Mask<F> has_left_none(const UInt<F>& gathering) {
+  return equal<F>(UInt<F>(gathering & ~(any_rough | last_rough)), UInt<F>(0u));
+}
 
 /// Whether all light counts that the path finds, as without maps.
 template <class F>
 Mask<F> without_maps(const UInt<F>& gathering) {
-  return equal<F>(UInt<F>(gathering & ~path_tracing), UInt<F>(0u));
+  return has_left_none<F>(UInt<F>(gathering & ~path_tracing));
 }
 
 /// Whether light that the path's ray meets goes straight to the camera or to the first Lambertian vertex, but for
 /// mirrors and glass.
 template <class F>
 Mask<F> is_direct(const UInt<F>& gathering) {
-  return equal<F>(UInt<F>(gathering & ~(left_first | not_lambertian_since)), UInt<F>(0u));
+  return has_left_none<F>(UInt<F>(gathering & ~(left_first | not_lambertian_since)));
 }
 
 /// Whether light that the path's ray meets counts. `weighted`: light samples leave their share to such rays.
@@ -58,7 +66,7 @@ Mask<F> counts_light(const UInt<F>& gathering, bool weighted) {
 template <class F>
 Mask<F> ends(const UInt<F>& gathering, const F& squared_distance, float near_hit) {
   const Mask<F> near = equal<F>(gathering, UInt<F>(left_first)) && squared_distance < F(near_hit * near_hit);
-  return !equal<F>(gathering, UInt<F>(0u)) && !near;
+  return !has_left_none<F>(gathering) && !near;
 }
 
 /// Beside a caustic map: whether a path that meets a Lambertian surface looks caustic photons up there.
@@ -67,17 +75,16 @@ Mask<F> looks_caustics_up(const UInt<F>& gathering) {
   return equal<F>(UInt<F>(gathering & (left_near | path_tracing)), UInt<F>(0u));
 }
 
-/// Beside a caustic map: after a Lambertian vertex.
-template <class F>
-UInt<F> go_on_from_lambertian(const UInt<F>& gathering) {
-  const UInt<F> first_or_second = select(equal<F>(gathering, UInt<F>(0u)), UInt<F>(left_first), UInt<F>(left_near));
-  return select(looks_caustics_up<F>(gathering), first_or_second, UInt<F>(path_tracing));
-}
-
 /// After a Lambertian vertex.
 template <class F>
 UInt<F> leave_lambertian(const UInt<F>& gathering) {
-  return select(equal<F>(gathering, UInt<F>(0u)), UInt<F>(left_first), UInt<F>(left_near));
+  return select(has_left_none<F>(gathering), UInt<F>(left_first), UInt<F>(left_near));
+}
+
+/// Beside a caustic map: after a Lambertian vertex.
+template <class F>
+UInt<F> go_on_from_lambertian(const UInt<F>& gathering) {
+  return select(looks_caustics_up<F>(gathering), leave_lambertian<F>(gathering), UInt<F>(path_tracing));
 }
 
 /// After any other.

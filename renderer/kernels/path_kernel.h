@@ -12,6 +12,7 @@
 #include "renderer/kernels/direct_light.h"
 #include "renderer/kernels/final_gather.h"
 #include "renderer/kernels/lamp_search.h"
+#include "renderer/kernels/rough_look_up.h"
 #include "renderer/kernels/tasks.h"
 #include "renderer/lanes/roulette.h"
 #include "scenes/text/faults.h"
@@ -61,8 +62,9 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, TransportMode::r
                task.at_diffuse == AtDiffuse::final_gather_and_look),
         beside_caustics_(task.at_diffuse == AtDiffuse::go_on_beside_caustic_map),
         weighs_hits_(looks_ || beside_caustics_),
-        bears_bits_(beside_caustics_ || task.at_diffuse == AtDiffuse::final_gather ||
-                    task.at_diffuse == AtDiffuse::final_gather_and_look) {}
+        gathers_further_(task.at_diffuse == AtDiffuse::final_gather ||
+                         task.at_diffuse == AtDiffuse::final_gather_and_look),
+        bears_bits_(beside_caustics_ || gathers_further_ || task.rough.by_photons) {}
 
   [[gnu::flatten]] Mask<F> refill(PathState<F>& s, std::uint32_t first, const Mask<F>& lanes) {
     if (task_.bounces.count > 0) return refill_bounces(s, first, lanes);
@@ -121,15 +123,17 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, TransportMode::r
     const Vec3<F> wo_local = frame.to_local(Vec3<F>(-s.direction));
     const U dimension = s.vertex * Dimension::a_vertex + Dimension::first_vertex;
     const bool gathers = Kind<F>::is_lambertian && task_.at_diffuse != AtDiffuse::go_on;
-    const Mask<F> lit = task_.settings.indirect_only ? active && !equal<F>(s.gathering, U(0u)) : active;
+    const Mask<F> lit = task_.settings.indirect_only ? active && !final_gather::has_left_none<F>(s.gathering) : active;
     if constexpr (Kind<F>::has_smooth) {
       if (scene_.light_count > 0 && takes_light_samples(light_from_)) {
         if constexpr (Kind<F>::is_lambertian)
           add_direct_light(at, bsdf, frame, wo_local, dimension, !gathers || weighs_hits_, lit);
         else if (const Mask<F> takes = lit && final_gather::without_maps<F>(s.gathering); any(takes))
-          add_direct_light_once_compiled(at, any_bsdf<F>(bsdf), frame, wo_local, dimension, takes);
+          add_direct_light_if_counted(at, bsdf, wo_local, dimension, takes);
       }
     }
+    if constexpr (CanBeRough<Kind<F>, F>)
+      if (task_.rough.map.count > 0) look_up_rough(at, bsdf, wo_local, active);
     Mask<F> ends(false);  // at a gather point
     if constexpr (Kind<F>::is_lambertian) {
       if (gathers) {
@@ -143,11 +147,13 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, TransportMode::r
     const Mask<F> going = active && (!ends || looking);
     Vec2<F> u_direction{F(0.0f), F(0.0f)};
     if constexpr (Kind<F>::has_smooth) u_direction = draw(s, dimension + Dimension::direction);
-    F u_lobe = draw(s, dimension + Dimension::lobe).x;
+    const Vec2<F> u_lobes = draw(s, dimension + Dimension::lobe);
+    F u_lobe = u_lobes.x;
     if constexpr (requires { bsdf.bsdf.reflected_share(wo_local); })
       if (task_.is_pilot) s.throughput *= even_lobes(bsdf.bsdf.reflected_share(wo_local), u_lobe);
     const BsdfSample<F> next = bsdf.at.sample(bsdf.bsdf, wo_local, u_lobe, u_direction, TransportMode::radiance);
     s.throughput *= next.weight;
+    const Mask<F> by_rough_part = split(s, bsdf.bsdf, wo_local, next, u_lobes.y);
     s.refraction_scale *= next.eta * next.eta;
     Mask<F> alive = going && next.valid && max_component(s.throughput) > 0;
     if (task_.is_pilot) alive = alive && next.delta;
@@ -158,7 +164,7 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, TransportMode::r
     s.direction = normalize(frame.to_world(next.wi_local));
     s.origin = offset_from(at.p, at.normal, s.direction, scene_.coordinate_floor);
     s.vertex = select(looking, U(only_looks), U(s.vertex + 1u));
-    if (bears_bits_) s.gathering = bits_after<Kind<F>::is_lambertian>(s.gathering);
+    if (bears_bits_) s.gathering = bits_after<Kind<F>::is_lambertian>(s.gathering, by_rough_part);
     task_.counts.bounce += count_lanes(alive);
     Base::go_on(s, alive);
   }
@@ -199,13 +205,18 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, TransportMode::r
 
   /// Light that the path's ray meets.
   Mask<F> counts_hits(const PathState<F>& s) const {
-    const Mask<F> counts = final_gather::counts_light<F>(s.gathering, weighs_hits_);
+    const Mask<F> counts =
+        final_gather::counts_light<F>(s.gathering, weighs_hits_) && rough_look_up::counts_light<F>(s.gathering);
     return task_.settings.indirect_only ? counts && !final_gather::is_direct<F>(s.gathering) : counts;
   }
 
   template <bool is_lambertian>
-  U bits_after(const U& gathering) const {
-    if constexpr (!is_lambertian) return final_gather::leave_other<F>(gathering);
+  U bits_after(const U& gathering, const Mask<F>& by_rough_part) const {
+    if constexpr (!is_lambertian) {
+      if (!task_.rough.by_photons) return final_gather::leave_other<F>(gathering);
+      return select(final_gather::has_left_none<F>(gathering), rough_look_up::after<F>(gathering, by_rough_part),
+                    final_gather::leave_other<F>(gathering));
+    }
     return beside_caustics_ ? final_gather::go_on_from_lambertian<F>(gathering)
                             : final_gather::leave_lambertian<F>(gathering);
   }
@@ -252,6 +263,58 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, TransportMode::r
     s.radiance += s.throughput * estimate_direct<F>(scene_, hit, bsdf, frame, wo_local,
                                                     light_from_ == DirectLight::weighted && goes_on, u_choice, u_point,
                                                     active, task_.counts);
+  }
+
+  /// What other than photons brings at rough parts.
+  template <class Record>
+  void add_direct_light_if_counted(AtSurface<PathState, F>& at, const ScatteringBsdf<Record, F>& bsdf,
+                                   const Vec3<F>& wo_local, const U& dimension, const Mask<F>& active) {
+    const Mask<F> behind_rough = rough_look_up::is_behind_rough<F>(at.history.gathering);
+    if (!task_.rough.by_photons || !any(active && behind_rough)) {
+      add_direct_light_once_compiled(at, any_bsdf<F>(bsdf), bsdf.at.frame, wo_local, dimension, active);
+    } else if constexpr (CanBeRough<Record, F>) {
+      const ScatteringBsdf<RoughPart<Record, F>, F> part{{bsdf.bsdf, scene_.rough_limit, !behind_rough}, bsdf.at};
+      add_direct_light_once_compiled(at, any_bsdf<F>(part), bsdf.at.frame, wo_local, dimension, active);
+    } else {
+      add_direct_light_once_compiled(at, any_bsdf<F>(bsdf), bsdf.at.frame, wo_local, dimension,
+                                     active && !behind_rough);
+    }
+  }
+
+  /// Decides which paths a rough part has scattered.
+  template <class Record>
+  Mask<F> split(PathState<F>& s, const Record& bsdf, const Vec3<F>& wo_local, const BsdfSample<F>& next,
+                const F& u) const {
+    if constexpr (CanBeRough<Record, F>) {
+      if (task_.rough.by_photons) {
+        const Mask<F> smooth = next.valid && !next.delta && final_gather::has_left_none<F>(s.gathering);
+        Vec3<F> weight(F(1.0f));
+        const Mask<F> rough =
+            is_by_rough_part<F>(bsdf.rough_share(scene_.rough_limit, wo_local, next.wi_local), u, weight);
+        s.throughput = select(smooth, Vec3<F>(s.throughput * weight), s.throughput);
+        return smooth && rough;
+      }
+    }
+    return Mask<F>(false);
+  }
+
+  /// For caustic photons, at rough parts.
+  template <class Record>
+  [[gnu::noinline]] void look_up_rough(const AtSurface<PathState, F>& at, const ScatteringBsdf<Record, F>& bsdf,
+                                       const Vec3<F>& wo_local, const Mask<F>& active) {
+    RoughLookUps& rough = task_.rough;
+    const PathState<F>& s = at.history;
+    const Mask<F> looks = active && bsdf.bsdf.is_rough(scene_.rough_limit) && wo_local.z > 0 &&
+                          max_component(s.throughput) > 0 && final_gather::has_left_none<F>(s.gathering);
+    const UInt<F> sheet = sheet_word<F>(at.normal, Vec3<F>(-s.direction));
+    for (std::uint32_t bits = to_bits(looks); bits != 0; bits &= bits - 1) {
+      const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
+      if (rough.points.count == rough.room) rough.make_room(task_);
+      rough_look_up::Point<F, Record> point(bsdf, scene_.rough_limit, wo_local, lane);
+      point.look_up(rough, {lane_of(at.p, lane), lane_of(s.throughput, lane), lane_of(s.path, lane),
+                            surface_number(lane_of(at.surface, lane)) | PhotonSurface::rough,
+                            lane_of(s.vertex, lane) + 1, lane_of(sheet, lane)});
+    }
   }
 
   /// All kinds but the Lambertian share one copy of the code that chooses lights and traces shadow rays: a copy each
@@ -303,13 +366,13 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, TransportMode::r
     Mask<F> ends = active;
     const PathState<F>& s = at.history;
     if (beside_caustics_) {
-      const Mask<F> first = equal<F>(s.gathering, U(0u));
+      const Mask<F> first = final_gather::has_left_none<F>(s.gathering);
       const Mask<F> second = final_gather::looks_caustics_up<F>(s.gathering) && !first;
       leave_caustic_points(at, shading_normal, f, active && first);
       if (task_.points.x != nullptr) leave_gather_points(at, shading_normal, f, active && second, task_.points);
       return Mask<F>(false);
     }
-    if (bears_bits_) {
+    if (gathers_further_) {
       ends = active && final_gather::ends<F>(s.gathering, length_squared(at.p - s.origin), task_.near_hit);
       leave_caustic_points(at, shading_normal, f, active && !ends);
     }
@@ -321,7 +384,7 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, TransportMode::r
   void leave_caustic_points(const AtSurface<PathState, F>& at, const Vec3<F>& shading_normal, const Vec3<F>& f,
                             const Mask<F>& active) {
     if (task_.caustic_points.x == nullptr) return;
-    const Mask<F> later = !equal<F>(at.history.gathering, U(0u));
+    const Mask<F> later = !final_gather::has_left_none<F>(at.history.gathering);
     leave_gather_points(at, shading_normal, f, task_.caustics_at_first ? active : active && later,
                         task_.caustic_points);
   }
@@ -353,7 +416,8 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, TransportMode::r
   const bool looks_;            ///< for light from gather points
   const bool beside_caustics_;  ///< final_gather.h
   const bool weighs_hits_;      ///< light samples at gather points leave their share to rays that meet lights
-  const bool bears_bits_;       ///< of final_gather.h
+  const bool gathers_further_;  ///< final_gather.h
+  const bool bears_bits_;       ///< of final_gather.h and rough_look_up.h
 };
 
 }  // namespace photonproof

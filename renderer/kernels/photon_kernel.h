@@ -1,6 +1,7 @@
 // Photons from the lights through the scene (Jensen 2001, chapters 5 and 7.2), over a batch of lanes. They are stored
-// on Lambertian surfaces; every other surface, rough ones too, counts as specular: camera paths go on from there as
-// well.
+// on Lambertian surfaces. Every other one, rough ones too, counts as specular, since camera paths go on from there as
+// well; on their rough parts caustic photons that no rough part has scattered are stored with their directions
+// (rough_look_up.h).
 #pragma once
 
 #include "renderer/kernels/aim.h"
@@ -9,6 +10,7 @@
 #include "renderer/kernels/tasks.h"
 #include "renderer/lanes/roulette.h"
 #include "renderer/lanes/warp.h"
+#include "renderer/photons/rough_photon.h"
 #include "renderer/rays/rays.h"
 
 namespace photonproof {
@@ -37,14 +39,15 @@ template <class F>
 class PhotonKernel : public BatchKernel<PhotonKernel<F>, PhotonState, TransportMode::importance, F> {
   using Base = BatchKernel<PhotonKernel<F>, PhotonState, TransportMode::importance, F>;
   using U = UInt<F>;
-  static constexpr std::uint32_t diffusely = 1, specularly = 2;  // in PhotonState::bounced
-  static constexpr std::uint32_t emission_dimensions = 3;        // position, direction, light
-  static constexpr std::uint32_t dimensions_an_edge = 3;         // direction, lobe, roulette
-  static constexpr std::uint32_t surface_dimensions = 1u << 24;  // one an edge: which of a surface's BSDFs
+  static constexpr std::uint32_t diffusely = 1, specularly = 2, roughly = 4;  // in PhotonState::bounced
+  static constexpr std::uint32_t emission_dimensions = 3;                     // position, direction, light
+  static constexpr std::uint32_t dimensions_an_edge = 3;                      // direction, lobe, roulette
+  static constexpr std::uint32_t surface_dimensions = 1u << 24;               // one an edge: which of a surface's BSDFs
   /// From here on, photons are stored less and less often, and carry more: k edges leave about 32 (1 + log(k/32)) of
   /// them, so that maps of scenes that hardly absorb stay small.
   static constexpr float every_edge_until = 32;
   static constexpr std::uint32_t thinning_dimensions = 2u << 24;  // one an edge
+  static constexpr std::uint32_t part_dimensions = 3u << 24;      // one an edge: which part of a BSDF scatters
 
  public:
   explicit PhotonKernel(PhotonTask& task) : Base(*task.scene, task.scratch), task_(task) {}
@@ -94,13 +97,18 @@ class PhotonKernel : public BatchKernel<PhotonKernel<F>, PhotonState, TransportM
     const Frame<F>& frame = bsdf.at.frame;
     const Vec3<F> wo_local = frame.to_local(Vec3<F>(-s.direction));
     if constexpr (!Kind<F>::is_lambertian) {
+      if constexpr (CanBeRough<Kind<F>, F>)
+        if (task_.kind == PhotonKind::caustic) store_on_rough(at, bsdf.bsdf, active && wo_local.z > 0);
       s.bounced |= U(specularly);
     } else {
       const std::uint32_t wanted = task_.kind == PhotonKind::global ? diffusely : specularly;
       const Vec3<F> flux = s.flux;
       if (bsdf.at.bent) s.flux *= bsdf.at.landing(wo_local);
-      store(at, frame.n,
-            active && wo_local.z > 0 && max_component(s.flux) > 0 && !equal<F>(U(s.bounced & wanted), U(0u)));
+      store(at, active && wo_local.z > 0 && max_component(s.flux) > 0 && !equal<F>(U(s.bounced & wanted), U(0u)),
+            [&](const Vec3<F>& stored) {
+              return Landed{at.p.x,   at.p.y,   at.p.z,     stored.x,
+                            stored.y, stored.z, at.surface, sheet_word<F>(at.normal, frame.n)};
+            });
       s.flux = flux;
       if (task_.kind == PhotonKind::caustic) return;
       s.bounced |= U(diffusely);
@@ -118,6 +126,8 @@ class PhotonKernel : public BatchKernel<PhotonKernel<F>, PhotonState, TransportM
     const BsdfSample<F> next = bsdf.at.sample(bsdf.bsdf, wo_local, u_lobe, u_direction, TransportMode::importance);
     const F before = max_component(s.flux);
     s.flux *= next.weight;
+    if constexpr (CanBeRough<Kind<F>, F>)
+      if (task_.kind == PhotonKind::caustic) split(s, bsdf.bsdf, wo_local, next);
     s.weight *= max_component(s.flux) / before;
     // From the first surface on: photons of even flux make the best maps.
     const F q = survival_probability<F>(s.weight, s.edges, 0);
@@ -152,7 +162,42 @@ class PhotonKernel : public BatchKernel<PhotonKernel<F>, PhotonState, TransportM
     return draw2<F>(task_.sampler, U(task_.seed), U(s.path + task_.first), dimension);
   }
 
-  void store(const AtSurface<PhotonState, F>& at, const Vec3<F>& shading_normal, const Mask<F>& lanes) {
+  using Landed = PhotonColumns<LanesOf<F>::template Column>;
+
+  template <class Record>
+  void store_on_rough(const AtSurface<PhotonState, F>& at, const Record& bsdf, const Mask<F>& lanes) {
+    const PhotonState<F>& s = at.history;
+    // In detailed scenes on whatever can be rough: how often a hit draws such a BSDF is known, how rough it is not.
+    const Mask<F> rough = scene_.detailed ? as_mask<F>(true) : bsdf.is_rough(scene_.rough_limit);
+    const Mask<F> by_mirrors = equal<F>(U(s.bounced & (specularly | roughly)), U(specularly));
+    store(at, lanes && rough && by_mirrors && max_component(s.flux) > 0, [&](const Vec3<F>& flux) {
+      const Vec3<F> to_light = -s.direction;
+      const RoughPhotonWords<F> words = rough_photon_words<F>(flux, to_light);
+      return Landed{at.p.x,
+                    at.p.y,
+                    at.p.z,
+                    words.largest,
+                    from_word<F>(words.shares),
+                    from_word<F>(words.direction),
+                    surface_number(at.surface) | PhotonSurface::rough,
+                    sheet_word<F>(at.normal, to_light)};
+    });
+  }
+
+  /// Decides which photons a rough part has scattered.
+  template <class Record>
+  void split(PhotonState<F>& s, const Record& bsdf, const Vec3<F>& wo_local, const BsdfSample<F>& next) const {
+    const F u = draw_independent<F>(U(task_.seed), U(s.path + task_.first), U(s.edges + part_dimensions));
+    const Mask<F> smooth = next.valid && !next.delta;
+    Vec3<F> weight(F(1.0f));
+    const Mask<F> rough = is_by_rough_part<F>(bsdf.rough_share(scene_.rough_limit, wo_local, next.wi_local), u, weight);
+    s.flux = select(smooth, Vec3<F>(s.flux * weight), s.flux);
+    s.bounced = select(smooth && rough, U(s.bounced | roughly), s.bounced);
+  }
+
+  /// `make_landed` makes a photon of its flux; edges are still to be added to its sheet.
+  template <class MakeLanded>
+  void store(const AtSurface<PhotonState, F>& at, const Mask<F>& lanes, MakeLanded&& make_landed) {
     F stored_share(1.0f);
     Mask<F> stored = lanes;
     const F edges = to_float(at.history.edges);
@@ -168,10 +213,8 @@ class PhotonKernel : public BatchKernel<PhotonKernel<F>, PhotonState, TransportM
     const auto put = [&](auto& to, const auto& value) {
       compress_store(value, bits, reinterpret_cast<std::uint32_t*>(to + d.count));
     };
-    const Vec3<F> flux = at.history.flux * (1 / stored_share);
-    const UInt<F> sheet = with_edges<F>(sheet_word<F>(at.normal, shading_normal), at.history.edges);
-    const PhotonColumns<LanesOf<F>::template Column> landed{at.p.x, at.p.y, at.p.z,     flux.x,
-                                                            flux.y, flux.z, at.surface, sheet};
+    Landed landed = make_landed(Vec3<F>(at.history.flux * (1 / stored_share)));
+    landed.sheet = with_edges<F>(landed.sheet, at.history.edges);
     zip_photons(put, d.photons, landed);
     put(d.path, at.history.path);
     d.count += static_cast<std::size_t>(std::popcount(bits));

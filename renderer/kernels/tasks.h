@@ -88,6 +88,23 @@ struct LampSearch {
   float within = 1;
 };
 
+struct PathTask;
+
+/// What camera paths do at rough parts of BSDFs on their way to the first Lambertian surface (rough_look_up.h).
+struct RoughLookUps {
+  bool by_photons = false;  ///< light that only they bring is not counted otherwise
+  PhotonView map{};         ///< the caustic map; without photons none are looked up
+  std::int32_t max_edges = 0;
+  const SheetTest* tests = nullptr;  ///< of each surface
+  const float* radius = nullptr;     ///< of each path
+  float narrow_part = 1;
+  /// Points with what was found for them, `flux` times f, and the same within `narrow_part` of their radii.
+  GatherPoints points{}, narrow{};
+  std::size_t room = 0;  ///< for points
+  void (*make_room)(PathTask&) = nullptr;
+  void* sink = nullptr;  ///< of `make_room`
+};
+
 struct PathTask {
   const SceneView* scene = nullptr;
   CameraTask camera;  ///< without `bounces`
@@ -101,7 +118,8 @@ struct PathTask {
   GatherPoints points{};             ///< of a GatherQueue with room for one a path, where paths leave them
   GatherPoints caustic_points{};     ///< of final_gather.h, for caustic photons alone: room for two a path, or none
   bool caustics_at_first = true;     ///< whether the first Lambertian vertex leaves one of those
-  float near_hit = 0;                ///< of a final gather: hits nearer than this are traced on
+  RoughLookUps rough{};
+  float near_hit = 0;  ///< of a final gather: hits nearer than this are traced on
   RayCounts counts{};
 };
 

@@ -20,7 +20,7 @@ struct KindList {
 
   /// f.template operator()<Kind>(index) for every kind in order.
   template <class Fn>
-  static void for_each(Fn&& f) {
+  static constexpr void for_each(Fn&& f) {
     std::uint32_t index = 0;
     (f.template operator()<Kind>(index++), ...);
   }

@@ -21,14 +21,14 @@ bool is_one_sheet(const Geometry& geometry, float radius) {
 // of the normals' angle is r^2 / 2R^2: below the limits where r < 2 sheet_height R.
 static_assert(2 * sheet_height * sheet_height < 1 - least_sheet_cosine);
 
-/// How likely a hit of the BSDF draws a Lambertian leaf; `weight` gives the numbers of masks and blends.
-template <class Weight>
-float chance_of_diffuse(const Scene& scene, std::uint32_t bsdf, bool behind, const Weight& weight) {
+/// How likely a hit of the BSDF draws a leaf that `stores` photons; `weight` gives the numbers of masks and blends.
+template <class Stores, class Weight>
+float chance_of_leaf(const Scene& scene, std::uint32_t bsdf, bool behind, const Stores& stores, const Weight& weight) {
   const BsdfNode& node = scene.bsdfs.tree[bsdf];
-  const auto of = [&](std::uint32_t nested) { return chance_of_diffuse(scene, nested, behind, weight); };
+  const auto of = [&](std::uint32_t nested) { return chance_of_leaf(scene, nested, behind, stores, weight); };
   switch (node.kind) {
     case BsdfNode::Kind::leaf:
-      return is_lambertian(scene.bsdfs.records[bsdf]) ? 1.0f : 0.0f;
+      return stores(scene.bsdfs.records[bsdf]) ? 1.0f : 0.0f;
     case BsdfNode::Kind::two_sided:
       return of(behind ? node.second : node.first);
     case BsdfNode::Kind::mask:
@@ -47,9 +47,14 @@ float chance_of_diffuse(const Scene& scene, std::uint32_t bsdf, bool behind, con
 LookUpAreas::LookUpAreas(const Scene& scene, const Threads& threads)
     : scene_(scene), may_miss_(scene.surfaces.size()), mesh_of_(scene.surfaces.size()) {
   for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
-    may_miss_[i] = scene.bsdfs.is_specular(scene.surfaces[i].bsdf) ? 1 : 0;
+    bool any_stored = false;
+    scene.bsdfs.for_each_leaf(scene.surfaces[i].bsdf, [&](const Bsdf& leaf, bool) {
+      may_miss_[i].lambertian = may_miss_[i].lambertian || !is_lambertian(leaf);
+      may_miss_[i].rough = may_miss_[i].rough || !can_be_rough(leaf);
+      any_stored = any_stored || is_lambertian(leaf) || can_be_rough(leaf);
+    });
     const Mesh* mesh = mesh_of(scene.surfaces[i].geometry);
-    if (mesh == nullptr || !scene.bsdfs.any_lambertian(scene.surfaces[i].bsdf)) continue;
+    if (mesh == nullptr || !any_stored) continue;
     std::unique_ptr<const MeshArea>& made = meshes_[mesh];
     if (!made) made = std::make_unique<MeshArea>(*mesh, threads);
     mesh_of_[i] = made.get();
@@ -86,8 +91,10 @@ Vec2<float> LookUpAreas::uv_at(const GatherPoint& point) const {
   return scene_.view().detail->local(surface_number(point.surface), primitive, point.p, front).uv;
 }
 
-float LookUpAreas::diffuse_share(const GatherPoint& point) const {
-  if (may_miss_[surface_number(point.surface)] == 0) return 1;
+float LookUpAreas::stored_share(const GatherPoint& point) const {
+  const bool is_rough = (point.surface & PhotonSurface::rough) != 0;
+  const MayMiss& may_miss = may_miss_[surface_number(point.surface)];
+  if (!(is_rough ? may_miss.rough : may_miss.lambertian)) return 1;
   const Surface& surface = scene_.surfaces[surface_number(point.surface)];
   std::optional<Vec2<float>> uv;
   const auto weight = [&](const TexturedNumber& n) {
@@ -95,7 +102,8 @@ float LookUpAreas::diffuse_share(const GatherPoint& point) const {
     if (!uv) uv = uv_at(point);
     return std::clamp(scene_.textures->number(n.texture, *uv), 0.0f, 1.0f);
   };
-  const float share = chance_of_diffuse(scene_, surface.bsdf, (point.sheet & PhotonSheet::from_behind) != 0, weight);
+  const bool behind = (point.sheet & PhotonSheet::from_behind) != 0;
+  const float share = chance_of_leaf(scene_, surface.bsdf, behind, is_rough ? can_be_rough : is_lambertian, weight);
   return share > 0 ? share : 1;
 }
 

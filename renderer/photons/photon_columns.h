@@ -6,15 +6,23 @@
 
 #include "renderer/core/columns.h"
 #include "renderer/photons/photon_sheet.h"
+#include "renderer/photons/rough_photon.h"
 #include "scenes/meshes/vec.h"
 
 namespace photonproof {
+
+/// The number of a surface, below bits of what photons and look-ups must have in common: three of which normals maps
+/// show (MappedNormals), and whether they are of a rough part (rough_photon.h).
+struct PhotonSurface {
+  static constexpr int number_bits = 28;
+  static constexpr std::uint32_t number = (1u << number_bits) - 1, rough = 1u << 31;
+};
 
 template <template <class> class Column>
 struct PhotonColumns {
   Column<float> x, y, z;           ///< position, world
   Column<float> red, green, blue;  ///< flux, W
-  Column<std::uint32_t> surface;   ///< index into Scene::surfaces
+  Column<std::uint32_t> surface;   ///< PhotonSurface: index into Scene::surfaces
   Column<std::uint32_t> sheet;     ///< with the path's edges from the light to here (photon_sheet.h)
 };
 
@@ -32,14 +40,16 @@ static_assert(columns_visited<PhotonColumns<OneValue>>([](const auto& f, auto& r
 struct Photon {
   Vec3f p_world;
   Rgb flux;                   ///< W
-  std::uint32_t surface = 0;  ///< where it landed: index into Scene::surfaces
+  std::uint32_t surface = 0;  ///< where it landed: PhotonSurface
   std::int32_t edges = 0;     ///< path edges from the light to here; PhotonSheet::most_edges where there are more
   std::uint32_t sheet = 0;    ///< sheet_word
 };
 
 inline Photon photon_of(const PhotonColumns<OneValue>& row) {
+  const bool is_rough = (row.surface & PhotonSurface::rough) != 0;
   return {{row.x, row.y, row.z},
-          {row.red, row.green, row.blue},
+          is_rough ? flux_of_rough_photon<float>({row.red, to_word(row.green), to_word(row.blue)})
+                   : Rgb{row.red, row.green, row.blue},
           row.surface,
           static_cast<std::int32_t>(row.sheet >> PhotonSheet::edges_shift),
           row.sheet & PhotonSheet::mask};

@@ -20,7 +20,8 @@ struct PhotonSheet {
   static constexpr int edges_shift = 21;
   static constexpr std::uint32_t from_behind = 1u << 20;
   static constexpr std::uint32_t mask = (1u << edges_shift) - 1;  ///< all but the edges
-  static constexpr int normal_steps = 511;                        ///< along half an axis
+  static constexpr int normal_bits = 10;                          ///< along an axis
+  static constexpr int normal_steps = (1 << (normal_bits - 1)) - 1;
 };
 
 /// How much of the sheet a look-up compares; what is alike all over a surface need not be.
@@ -29,18 +30,23 @@ enum class SheetTest : std::uint8_t { none, side, side_and_normal };
 inline constexpr float least_sheet_cosine = 0.75f;  ///< of the angle between the normals
 inline constexpr float sheet_height = 0.25f;        ///< of the radius: the largest distance to the tangent plane
 
+/// A direction, octahedral, in 2 x `bits` bits.
+template <int bits, class F>
+PHOTONPROOF_ALWAYS_INLINE UInt<F> octahedral_word(const Vec3<F>& direction) {
+  constexpr float steps = (1 << (bits - 1)) - 1;
+  const F scale = F(steps) / (lane_abs(direction.x) + lane_abs(direction.y) + lane_abs(direction.z));
+  const F x = direction.x * scale, y = direction.y * scale;
+  const Mask<F> below = direction.z < 0;
+  const F u = select(below, lane_copysign(F(F(steps) - lane_abs(y)), x), x);
+  const F v = select(below, lane_copysign(F(F(steps) - lane_abs(x)), y), y);
+  return to_uint(F(u + (steps + 0.5f))) * (1u << bits) + to_uint(F(v + (steps + 0.5f)));
+}
+
 /// `front`: the surface's geometric normal, unit. `shading`: the normal of what was hit, behind where that was.
 template <class F>
 PHOTONPROOF_ALWAYS_INLINE UInt<F> sheet_word(const Vec3<F>& front, const Vec3<F>& shading) {
-  constexpr float steps = PhotonSheet::normal_steps;
-  const F scale = F(steps) / (lane_abs(front.x) + lane_abs(front.y) + lane_abs(front.z));
-  const F x = front.x * scale, y = front.y * scale;
-  const Mask<F> below = front.z < 0;
-  const F u = select(below, lane_copysign(F(F(steps) - lane_abs(y)), x), x);
-  const F v = select(below, lane_copysign(F(F(steps) - lane_abs(x)), y), y);
-  const UInt<F> normal = to_uint(F(u + (steps + 0.5f))) * 1024u + to_uint(F(v + (steps + 0.5f)));
   const UInt<F> behind = select(dot(front, shading) < 0, UInt<F>(PhotonSheet::from_behind), UInt<F>(0u));
-  return behind + normal;
+  return behind + octahedral_word<PhotonSheet::normal_bits>(front);
 }
 
 /// With the edges of the photon's path from the light.

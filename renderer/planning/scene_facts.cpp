@@ -74,6 +74,11 @@ SceneFacts analyse(const SceneParts& scene) {
     facts.any_delta_bsdf = facts.any_delta_bsdf ||
                            scene.bsdfs.any_leaf(surface.bsdf, [](const Bsdf& leaf, bool) { return !has_smooth(leaf); });
     if (scene.bsdfs.is_specular(surface.bsdf)) ++facts.specular_surfaces;
+    facts.any_rough = facts.any_rough ||
+                      scene.bsdfs.any_leaf(surface.bsdf, [](const Bsdf& leaf, bool) { return can_be_rough(leaf); });
+    facts.any_sharp = facts.any_sharp || scene.bsdfs.any_leaf(surface.bsdf, [&](const Bsdf& leaf, bool textured) {
+      return !is_lambertian(leaf) && (textured || !is_all_rough(leaf, scene.rough_limit));
+    });
     if (reflects_diffusely(scene, surface)) diffuse.push_back(&surface);
   }
   facts.all_plain = std::ranges::all_of(scene.plain, [](char plain) { return plain != 0; });

@@ -61,6 +61,8 @@ SceneParts::SceneParts(const SceneDescription& in_its_unit, int width_, int heig
   for (const EmitterDescription& e : description.emitters)
     lights.push_back(compile_light(e, frame.moved, ball, texture_lookup(textures), description.where(e.loc)));
   lights_can_be_hit = std::ranges::any_of(lights, [](const Light& light) { return !is_delta(light); });
+  if (std::ranges::any_of(lights, [](const Light& light) { return is_delta(light); }))
+    rough_limit = rough_limit_of_points;
   for (const Surface& surface : surfaces) {
     plain.push_back(is_plain(bsdfs, surface) ? 1 : 0);
     bsdfs.for_each_leaf(surface.bsdf, [&](const Bsdf& leaf, bool) { bsdf_kinds |= 1u << leaf.index(); });

@@ -38,6 +38,7 @@ struct SceneParts {
   std::vector<char> plain;         ///< by surface: hits need no more than its BSDF record and geometric normal
   std::uint32_t bsdf_kinds = 0;    ///< bit k: a surface has a BSDF of kind k
   bool lights_can_be_hit = false;  ///< by a ray
+  RoughLimit rough_limit{};        ///< from where on photons are looked up by direction
 
   /// A length of the description times this is one of the scene: 1, or a power of two where that would be all too small
   /// or large.

@@ -206,7 +206,7 @@ void detail_at(const SceneView& scene, std::uint32_t surface, std::uint32_t prim
   }
   detail.state = descent.state;
   detail.chance = descent.chance;
-  detail.surface |= (descent.state & ((1u << MappedNormals<float>::tag_bits) - 1)) << MappedNormals<float>::tag_shift;
+  detail.surface |= (descent.state & ((1u << MappedNormals<float>::tag_bits) - 1)) << PhotonSurface::number_bits;
   copy_record(scene, detail.bsdf, detail.record);
   const BsdfNode& leaf = tables.bsdfs.tree[detail.bsdf];
   detail.tangent = leaf.has_directions ? perpendicular(at.dp_du, detail.normal) : Vec3f(0.0f);

@@ -6,6 +6,7 @@
 #include "renderer/bsdfs/bsdf.h"
 #include "renderer/bsdfs/bsdf_table.h"
 #include "renderer/bsdfs/scattering.h"
+#include "renderer/photons/photon_columns.h"
 #include "renderer/scene/scene_view.h"
 #include "renderer/shapes/local_geometry.h"
 #include "renderer/textures/texture.h"
@@ -44,9 +45,10 @@ struct DetailTables {
   LocalGeometry local(std::uint32_t surface, std::uint32_t primitive, const Vec3f& p, const Vec3f& normal) const;
 };
 
-/// The number of a surface without what SurfaceDetail::surface has above it.
-inline std::uint32_t surface_number(std::uint32_t tagged) {
-  return tagged << MappedNormals<float>::tag_bits >> MappedNormals<float>::tag_bits;
+/// The number of a surface without what PhotonSurface has above it.
+template <class U>
+U surface_number(const U& tagged) {
+  return tagged & PhotonSurface::number;
 }
 
 /// `primitive`, `p`, `normal` (geometric) of the hit; `direction` of the ray, which comes from the camera or

@@ -1,0 +1,179 @@
+// Caustics on surfaces that are rough but not Lambertian, where the photon mapper looks photons up by their directions:
+// against closed forms and the path tracer, with every kind of indirect light.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <string>
+
+#include "renderer/integrators/test_photon_scenes.h"
+#include "renderer/integrators/test_scenes.h"
+
+namespace photonproof {
+namespace {
+
+using test::add_bsdf;
+using test::job_with;
+using test::render;
+
+/// A beam of irradiance 3 along x meets a mirror at 45 degrees and goes straight down on a floor of `model`.
+SceneDescription mirrored_beam(const decltype(BsdfDescription::model)& model) {
+  SceneDescription scene;
+  const Transform face_up = Transform::rotate({1, 0, 0}, -90);
+  test::add_shape(scene, RectangleDescription{}, face_up * Transform::scale(Vec3d(1.2)), add_bsdf(scene, model));
+  test::add_shape(scene, RectangleDescription{},
+                  Transform::translate({0, 6, 0}) * Transform::rotate({0, 0, 1}, 135) * face_up,
+                  add_bsdf(scene, ConductorDescription{}));
+  DirectionalLightDescription beam;
+  beam.direction = {1, 0, 0};
+  beam.irradiance = RgbD(3);
+  scene.emitters.push_back({{}, "", beam});
+  scene.integrator.method = PathDescription{3, 8, false};
+  return scene;
+}
+
+// All of the light is caustic, and paths of three edges leave out what the floor sends to itself by the mirror. With
+// the angle a between the direction to the camera and the mirror direction, straight up, the radiance is
+//   3 (d/pi + s (n+2)/(2 pi) cos^n a)
+// An exponent of 300 is rough, too, since no ray meets the sun. Of 1e6 photons 6e4 land in view; photons with 1 % of
+// their energy missing would be seen.
+TEST(rough_surfaces, phong_reflects_a_mirrored_beam_as_the_closed_form_says) {
+  constexpr int size = 16;
+  for (const double n : {2.0, 20.0, 300.0}) {
+    SceneDescription scene = mirrored_beam(PhongDescription{n, RgbD(0.3), RgbD(0.5)});
+    const double beside = n < 100 ? 1.25 : 0.2;
+    test::set_camera(scene, Transform::look_at({0, 2, beside}, {0, 0, 0}, {0, 1, 0}), 14, size);
+    const Scene seen = test::compiled(scene, size, size);
+    double expected = 0;
+    for (int y = 0; y < size; ++y)
+      for (int x = 0; x < size; ++x) {
+        const double cosine = -double{test::ray_through_pixel(seen.view(), x, y).direction.y};
+        const double lobe = 0.5 * (n + 2) / 2 * std::pow(cosine, n);
+        expected += 3 * (0.3 + lobe) / std::numbers::pi / (size * size);
+      }
+    const double mean = test::image_mean(render(scene, "photonmapper", job_with(64, 1'000'000)).image.mean);
+    std::printf("Phong of exponent %g under a mirrored beam / closed form = %.4f\n", n, mean / expected);
+    EXPECT_NEAR(mean / expected, 1, 0.006) << n;
+  }
+}
+
+TEST(rough_surfaces, edges_of_both_paths_count) {
+  // Light, mirror, floor, camera: three edges.
+  SceneDescription scene = mirrored_beam(PhongDescription{20.0, RgbD(0.3), RgbD(0.5)});
+  test::set_camera(scene, Transform::look_at({0, 2, 1.25}, {0, 0, 0}, {0, 1, 0}), 14, 8);
+  scene.integrator.method = PathDescription{2, 8, false};
+  EXPECT_EQ(test::image_mean(render(scene, "photonmapper", job_with(4, 100'000)).image.mean), 0);
+}
+
+/// The room with balls of glass and mirror, its floor and its left wall of `model`.
+SceneDescription rough_room(const decltype(BsdfDescription::model)& model, int size = 32) {
+  SceneDescription scene = test::room(size, true);
+  const BsdfIndex rough = add_bsdf(scene, model);
+  scene.shapes[1].bsdf = scene.shapes[3].bsdf = rough;
+  scene.integrator.method = PathDescription{-1, 5, true};
+  return scene;
+}
+
+struct Material {
+  const char* name;
+  decltype(BsdfDescription::model) model;
+};
+std::vector<Material> materials() {
+  PlasticDescription plastic;
+  plastic.diffuse_reflectance = RgbD{0.7, 0.5, 0.2};
+  RoughConductorDescription metal;
+  metal.alpha_u = metal.alpha_v = 0.3;
+  RoughConductorDescription brushed = metal;
+  brushed.alpha_u = 0.6;
+  RoughPlasticDescription glossy;  // a sharp coat over a base
+  glossy.diffuse_reflectance = RgbD{0.6, 0.6, 0.3};
+  RoughPlasticDescription matt = glossy;
+  matt.alpha = 0.4;
+  return {{"plastic", plastic},
+          {"metal", metal},
+          {"brushed metal", brushed},
+          {"rough plastic of sharp highlights", glossy},
+          {"rough plastic of wide ones", matt},
+          {"Phong of exponent 10", PhongDescription{10.0, RgbD{0.2, 0.5, 0.3}, RgbD(0.4)}},
+          {"Phong of exponent 100", PhongDescription{100.0, RgbD{0.2, 0.5, 0.3}, RgbD(0.4)}}};
+}
+
+/// The means of image and floor, from independent seeds: within four standard errors, which are small.
+void expect_path_tracers_means(const SceneDescription& scene, IndirectLight indirect, const std::string& name) {
+  constexpr int seeds = 6;
+  double sums[2][2] = {}, squares[2][2] = {};  // by integrator and part
+  for (int seed = 1; seed <= seeds; ++seed) {
+    const auto path = render(scene, "path", job_with(384, 0, static_cast<std::uint64_t>(seed)));
+    RenderJob job = job_with(64, 0, static_cast<std::uint64_t>(seed));
+    job.budget.photons.reset();
+    const auto photons = render(test::with_indirect(scene, indirect), "photonmapper", job);
+    const int size = path.image.mean.width;
+    int k = 0;
+    for (const Image* image : {&path.image.mean, &photons.image.mean}) {
+      const double means[] = {test::image_mean(*image), test::block_mean(*image, 0, 3 * size / 4, size, size / 4)};
+      for (int part = 0; part < 2; ++part) sums[k][part] += means[part], squares[k][part] += means[part] * means[part];
+      ++k;
+    }
+  }
+  for (int part = 0; part < 2; ++part) {
+    const double path = sums[0][part] / seeds, photons = sums[1][part] / seeds;
+    double variance = 0;
+    for (int k = 0; k < 2; ++k)
+      variance += (squares[k][part] / seeds - std::pow(sums[k][part] / seeds, 2)) / (seeds - 1);
+    const double error = std::sqrt(variance);
+    std::printf("%s, %s: photon mapper / path = %.4f +- %.4f\n", name.c_str(), part == 0 ? "image" : "floor",
+                photons / path, error / path);
+    EXPECT_LE(error, 0.012 * path) << "too little is seen: " << name;
+    // Half a percent more is what a caustic's blur moves over the border of the floor.
+    EXPECT_NEAR(photons, path, 4.5 * error + 0.005 * path) << name;
+  }
+}
+
+TEST(rough_surfaces, have_the_path_tracers_means) {
+  for (const Material& material : materials())
+    expect_path_tracers_means(rough_room(material.model), IndirectLight::map, material.name);
+}
+
+TEST(rough_surfaces, have_the_path_tracers_means_with_every_kind_of_indirect_light) {
+  const Material phong = materials().back();
+  for (const IndirectLight indirect : {IndirectLight::gather, IndirectLight::cache, IndirectLight::path})
+    expect_path_tracers_means(rough_room(phong.model), indirect, word_of(indirect));
+}
+
+// A blend stores photons by chance, and a look-up divides by it; the back of a twosided one has photons of its own.
+TEST(rough_surfaces, inside_blends_and_twosided_have_the_path_tracers_means) {
+  SceneDescription scene = rough_room(materials()[5].model);
+  const BsdfIndex phong = scene.shapes[1].bsdf;
+  const BsdfIndex metal = add_bsdf(scene, materials()[1].model), white = add_bsdf(scene, DiffuseDescription{RgbD(0.7)});
+  const BsdfIndex both = add_bsdf(scene, BlendDescription{0.3, phong, metal});
+  const BsdfIndex three = add_bsdf(scene, BlendDescription{0.4, both, white});
+  scene.shapes[1].bsdf = add_bsdf(scene, TwoSidedDescription{three, three});
+  expect_path_tracers_means(scene, IndirectLight::map, "blend");
+}
+
+// Flux over the true area, seen by the normals that maps show.
+TEST(rough_surfaces, under_maps_have_the_path_tracers_means) {
+  for (SceneDescription scene : {test::bumped_mesh(32), test::normal_mapped_mesh(32)}) {
+    const std::size_t map = scene.bsdfs.size() - 1;
+    const bool bumps = std::holds_alternative<BumpMapDescription>(scene.bsdfs[map].model);
+    scene.bsdfs[map - 1].model = PhongDescription{100.0, RgbD{0.2, 0.5, 0.3}, RgbD(0.4)};
+    DielectricDescription glass;
+    glass.int_ior = 1.5;
+    test::add_shape(scene, SphereDescription{{0.3, -0.3, -0.3}, 0.4}, {}, add_bsdf(scene, glass));
+    expect_path_tracers_means(scene, IndirectLight::map, bumps ? "bumps" : "normals that lean");
+  }
+}
+
+TEST(rough_surfaces, the_same_bits_by_any_number_of_threads_and_instruction_sets) {
+  for (const Material& material : {materials()[3], materials()[1]}) {
+    const SceneDescription scene = test::with_indirect(rough_room(material.model, 24), IndirectLight::map);
+    const auto out = test::expect_same_bits_at_any_threads(scene, "photonmapper", job_with(8, 20'000));
+    EXPECT_GT(out.stats.counts.at("photons_stored_caustic"), 0);
+    test::expect_instruction_sets_agree(scene, "photonmapper", job_with(8, 20'000));
+  }
+}
+
+}  // namespace
+}  // namespace photonproof
