@@ -40,6 +40,7 @@ int main(int argc, char** argv) {
   add_compare_verb(program, exit_code);
   add_bench_verb(program, exit_code);
   add_gate_verb(program, exit_code);
+  add_grade_verb(program, exit_code);
   add_reference_verb(program, exit_code);
   add_report_verb(program, exit_code);
 
