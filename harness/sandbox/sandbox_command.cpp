@@ -34,6 +34,12 @@ int own_uid() {
   return first_own_uid + (static_cast<int>(getpid()) * 7 + taken++) % own_uids;
 }
 
+// bwrap makes what leads to a mount for its own user alone.
+void make_parents(std::vector<std::string>& bwrap, const fs::path& inside) {
+  for (const fs::path& parent : {inside.parent_path().parent_path(), inside.parent_path()})
+    if (parent.has_relative_path()) append(bwrap, {"--perms", "0755", "--dir", parent.string()});
+}
+
 // bwrap's options for the part of the system that programs and compilers need.
 void show_system(std::vector<std::string>& bwrap) {
   append(bwrap, {"--ro-bind", "/usr", "/usr"});
@@ -44,6 +50,7 @@ void show_system(std::vector<std::string>& bwrap) {
     else if (fs::is_directory(folder, missing))
       append(bwrap, {"--ro-bind", folder, folder});
   }
+  make_parents(bwrap, "/etc/passwd");
   for (const char* path : {"/etc/ld.so.cache", "/etc/ld.so.conf", "/etc/ld.so.conf.d", "/etc/alternatives"})
     append(bwrap, {"--ro-bind-try", path, path});
   // What interpreters keep outside of /usr by Debian's policy.
@@ -77,9 +84,12 @@ std::vector<std::string> bwrap_command(const SandboxJob& job, int uid) {
   show_system(bwrap);
   append(bwrap, {"--ro-bind", ours("passwd"), "/etc/passwd", "--ro-bind", ours("group"), "/etc/group"});
   append(bwrap, {"--proc", "/proc", "--dev", "/dev"});
-  for (const SandboxMount& mount : options.mounts)
+  for (const SandboxMount& mount : options.mounts) {
+    make_parents(bwrap, mount.inside);
     append(bwrap, {"--ro-bind", mount.outside.string(), mount.inside.string()});
+  }
   const std::string work = options.working_folder.string();
+  make_parents(bwrap, options.working_folder);
   append(bwrap, {"--bind", ours("disk/shm"), "/dev/shm", "--bind", ours("disk/tmp"), "/tmp"});
   append(bwrap, {"--bind", ours("disk/work"), work, "--chdir", work});
   // The two of bwrap's own have no size.
