@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "harness/metrics/metric_bounds.h"
+#include "reports/grades/grade_record.h"
 #include "reports/record/results.h"
 
 namespace photonproof {
@@ -66,21 +67,13 @@ struct CorrectnessRule {
   int runs = 4;  ///< images of a scene, at most, while noise leaves it open
 };
 
-/// Points for a speed-up of `ratio` and more.
-struct SpeedTier {
-  double ratio = 0, points = 0;
-};
-/// No points at 1, `points` at `best` and beyond, in between by the logarithm.
-struct SpeedCurve {
-  double best = 0, points = 0;
-};
-
 struct PerformanceRule {
   std::vector<std::string> timed;  ///< names of public scenes
+  bool needs_all = true;           ///< who is wrong on any scene is not timed; false: on any timed one
   std::vector<SpeedTier> tiers;    ///< ascending; empty where there is a curve
-  std::optional<SpeedCurve> curve;
-  int rounds = 12;       ///< most rounds
-  double seconds = 600;  ///< for all rounds, of all submissions
+  std::optional<SpeedTier> curve;  ///< no points at 1, its points at its ratio, in between by the logarithm
+  int rounds = 12;                 ///< most rounds
+  double seconds = 600;            ///< for all rounds, of all submissions
   double points() const { return curve ? curve->points : tiers.empty() ? 0 : tiers.back().points; }
 };
 

@@ -62,8 +62,11 @@ void read_params(const TomlTable& table, const Assignment& assignment, Assignmen
 
 // What the program cannot know of the scene without.
 void check_needs(const TomlTable& table, const Assignment& assignment, const AssignmentScene& scene) {
+  const bool has_file = !scene.params.empty() || !scene.params_template.empty();
   if (mentions(assignment.run_command, "{scene}") && scene.path.empty())
     throw table.error("the run's command has {scene}: 'path' is missing");
+  if (mentions(assignment.run_command, "{scene}") && has_file)
+    throw table.error("the run's command has {scene}, so that the scene's file is ours: it needs no other");
   if (mentions(assignment.run_command, "{scene_option}") && scene.option.empty())
     throw table.error("the run's command has {scene_option}: 'scene_option' is missing");
   const bool has_params = mentions(assignment.run_command, "{params}") || mentions(scene.option, "{params}");
@@ -140,11 +143,12 @@ PerformanceRule performance_rule(const TomlTable& table, const Assignment& assig
   rule.tiers = tiers_of(table);
   if (table.has("curve")) {
     const TomlTable curve = table.table("curve");
-    rule.curve = {positive_number(curve, "best"), positive_number(curve, "points")};
-    if (rule.curve->best <= 1) throw curve.error("best", "'best' is a speed-up: above 1");
+    rule.curve = SpeedTier{positive_number(curve, "best"), positive_number(curve, "points")};
+    if (rule.curve->ratio <= 1) throw curve.error("best", "'best' is a speed-up: above 1");
     curve.expect_no_other_keys();
   }
   if (rule.tiers.empty() == !rule.curve) throw table.error("needs 'tiers' or 'curve', and not both");
+  if (table.has("needs")) rule.needs_all = one_of(table, "needs", {"all", "timed"}) == "all";
   if (table.has("rounds")) rule.rounds = bounded_integer(table, "rounds", 3, 1000);
   if (table.has("seconds")) rule.seconds = positive_number(table, "seconds");
   table.expect_no_other_keys();

@@ -64,12 +64,16 @@ class Timing {
  private:
   bool is_to_be_timed(SubmissionWork& work) const {
     SpeedGrade& speed = work.grade.speed;
-    for (const std::size_t s : timed_)
+    for (std::size_t s = 0; s < timing_.scenes.size(); ++s) {
+      const bool is_needed = timing_.assignment.performance->needs_all || std::ranges::find(timed_, s) != timed_.end();
+      if (!is_needed || !timing_.references[s]) continue;
       if (!work.scenes[s] || !work.scenes[s]->grade.counts_as_right()) {
         speed.state = SpeedGrade::State::not_right;
-        speed.sentence = "not timed: scene " + timing_.scenes[s].row.name + " is not right";
+        speed.sentence = "not timed: " + std::string(timing_.scenes[s].row.hidden ? "hidden " : "") + "scene " +
+                         timing_.scenes[s].row.name + " is not right";
         return false;
       }
+    }
     return work.grade.built;
   }
 

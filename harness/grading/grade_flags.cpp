@@ -48,14 +48,8 @@ class SubmissionFlags {
   // A program that heeds its seed cannot hit what was made with another one.
   void copy_of_given(std::size_t s) {
     const WorkScene& scene = context_.scenes[s];
-    if (scene.row.given.empty() || !context_.assignment.seeds || !context_.references[s]) return;
-    Image given;
-    try {
-      given = read_image(scene.row.given.string());
-    } catch (const InputError&) {
-      return;
-    }
-    if (given.width != image(s).width || given.height != image(s).height) return;
+    if (!scene.given || !context_.assignment.seeds || !context_.references[s]) return;
+    const Image& given = *scene.given;
     const bool is_same = given.rgb == image(s).rgb;
     const bool is_alike =
         has_noise_of(image(s), given, variance_of_one(*context_.references[s]), step_of(context_.assignment.image));

@@ -41,7 +41,7 @@ void refuse_bad_image(const WorkScene& scene, GradeCells::Cell& cell) {
     problem = defects.front().sentence;
   }
   if (problem.empty()) return;
-  cell.run.end = "bad-image";
+  cell.run.end = "bad image";
   cell.run.sentence = problem;
   cell.image.reset();
 }

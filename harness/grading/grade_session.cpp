@@ -61,7 +61,7 @@ class Session {
   Grades grade() {
     start_record();
     name_submissions();
-    scenes_ = make_work_scenes(assignment_, options_.folder / "scenes", own_engine(), options_.progress);
+    scenes_ = make_work_scenes(assignment_, door_, own_engine(), options_.progress);
     for (WorkScene& scene : scenes_)
       if (!options_.scene.empty() && scene.row.name != options_.scene) scene.unused = "--scene leaves it out";
     if (prepare_all() && make_references() && grade_all()) {
@@ -96,6 +96,8 @@ class Session {
     if (assignment_.performance) {
       grades_.speed_points = assignment_.performance->points();
       grades_.speed_rule = rule_text(*assignment_.performance);
+      grades_.speed_tiers = assignment_.performance->tiers;
+      grades_.speed_curve = assignment_.performance->curve;
     }
     if (!options_.contained) grades_.caveats.push_back("submissions ran without a sandbox (--no-sandbox)");
     if (!options_.scene.empty() && find_scene(options_.scene) == nullptr)
@@ -122,7 +124,7 @@ class Session {
 
   PreparedSubmission prepare(const std::string& name, const fs::path& source, const std::string& folder) {
     options_.progress("building " + name);
-    const fs::path place = options_.folder / folder / "built";
+    const fs::path place = options_.folder / folder / "program";
     fs::remove_all(place);
     return door_.prepare(name, source, place);
   }

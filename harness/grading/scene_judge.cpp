@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "harness/metrics/metrics.h"
@@ -82,9 +83,10 @@ GradedCheck check_blocks(const BlockBound& bound, const SceneReference& referenc
   check.bound = bound.relative;
   check.parameters = fmt::format("alpha={:.3g}", bound.alpha);
   // One image alone stands for a program without noise, until there is a second one.
-  std::vector<const Image*> pair(images.begin(), images.end());
-  if (pair.size() == 1) pair.push_back(pair.front());
-  const Deviations deviations = measure_deviations(reference.rendering, pair, {.reference_freedom = reference.freedom});
+  const std::array<const Image*, 2> pair{images.front(), images.front()};
+  if (images.size() == 1) images = pair;
+  const Deviations deviations =
+      measure_deviations(reference.rendering, images, {.reference_freedom = reference.freedom});
   const Judgement judgement = judge_bias(deviations, true, bound.relative, bound.alpha);
   check.value = judgement.observed;
   check.side = !judgement.verdict                        ? Side::undecided

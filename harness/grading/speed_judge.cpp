@@ -92,7 +92,7 @@ void fill_scenes(const std::vector<std::string>& scenes, const std::vector<Speed
 }  // namespace
 
 double points_for(const PerformanceRule& rule, double speedup) {
-  if (rule.curve) return rule.curve->points * std::clamp(std::log(speedup) / std::log(rule.curve->best), 0.0, 1.0);
+  if (rule.curve) return rule.curve->points * std::clamp(std::log(speedup) / std::log(rule.curve->ratio), 0.0, 1.0);
   double points = 0;
   for (const SpeedTier& tier : rule.tiers)
     if (speedup >= tier.ratio) points = tier.points;
@@ -101,7 +101,7 @@ double points_for(const PerformanceRule& rule, double speedup) {
 
 std::string rule_text(const PerformanceRule& rule) {
   if (rule.curve)
-    return fmt::format("{:.4g} points at {:.4g}x, by the logarithm below", rule.curve->points, rule.curve->best);
+    return fmt::format("{:.4g} points at {:.4g}x, by the logarithm below", rule.curve->points, rule.curve->ratio);
   std::string text;
   for (const SpeedTier& tier : rule.tiers)
     text += fmt::format("{}{:.4g}{} from {:.4g}x", text.empty() ? "" : ", ", tier.points, text.empty() ? " points" : "",

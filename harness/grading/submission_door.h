@@ -25,21 +25,16 @@ struct PreparedSubmission {
   double seconds = 0;
 };
 
-/// A file that a run finds in its folder.
-struct PlacedFile {
-  std::filesystem::path outside, inside;
-};
-
-/// One run's arguments. {output}, {scene} and {params} are left to the door, which knows their paths on its other side.
+/// One run: the command with all placeholders filled but {output} and {params}, which the sandbox knows, and the
+/// scene's own file, if there is one.
 struct DoorRequest {
   std::vector<std::string> command;
-  std::vector<PlacedFile> files;
-  std::filesystem::path scene;  ///< of `files`, inside; empty: none
-  std::filesystem::path params;
+  std::string params, params_place;  ///< text, and where it is put in the run's folder
+  int width = 0, height = 0;         ///< pixels that the image must have
 };
 
 struct DoorAnswer {
-  std::string end = "ok";  ///< "crash", "timeout", "memory", "no-image", "bad-image", "interrupted" ...
+  std::string end = "ok";  ///< "crash", "timeout", "memory", "no image", "bad image", "interrupted" ...
   std::string sentence;
   double wall_seconds = 0, cpu_seconds = 0;
   std::uint64_t peak_bytes = 0;
@@ -60,10 +55,15 @@ class SubmissionDoor {
   /// Throws InputError where no sandbox can be had and one is asked for.
   SubmissionDoor(const Assignment& assignment, const DoorOptions& options);
 
-  /// Never throws for what a submission holds or does. `folder` is new or empty.
+  /// Never throws for what a submission holds or does. `folder` must not exist; it receives source/ and built/.
   PreparedSubmission prepare(const std::string& name, const std::filesystem::path& source,
                              const std::filesystem::path& folder) const;
+  /// Throws InputError for the grader's own troubles.
   DoorAnswer run(const PreparedSubmission& submission, const DoorRequest& request) const;
+
+  /// A picture that staff name in the assignment's format, as a submission's image is read. Throws InputError where it
+  /// is none.
+  Image read_given(const std::filesystem::path& file, int width, int height) const;
 
   /// How programs are kept apart from this machine, for the record.
   std::string containment() const;

@@ -43,32 +43,27 @@ void make_description(WorkScene& work, const OwnEngine& engine) {
   if (!why.empty()) work.unused = "our own engine does not confirm what follows from the variant: " + why;
 }
 
-void put_files(const Assignment& assignment, const fs::path& folder, WorkScene& work) {
+constexpr const char* own_scene_name = "photonproof-scene.xml";
+
+void write_params(const Assignment& assignment, WorkScene& work) {
   const AssignmentScene& row = work.row;
-  const fs::path place = folder / row.name;
-  fs::create_directories(place);
-  const auto put = [&](const fs::path& inside, const std::string& text) {
-    const fs::path outside = place / inside.filename();
-    write_file_atomically(outside, text);
-    work.files.push_back({outside, inside});
-    work.content += length_prefixed({inside.string(), text});
-  };
+  work.params_place = row.params_place;
   if (!row.params_template.empty()) {
     const std::string text = read_file(row.params_template, max_params_bytes);
-    put(row.params_place,
-        scene_file_text(*work.description, work.width, work.height, text, row.params_template.string()));
+    work.params = scene_file_text(*work.description, work.width, work.height, text, row.params_template.string());
   } else if (!row.params.empty()) {
-    put(row.params_place, read_file(row.params, max_params_bytes));
+    work.params = read_file(row.params, max_params_bytes);
+  } else if (mentions(assignment.run_command, "{scene}")) {
+    work.params_place = own_scene_name;
+    work.params = write_scene(*work.description);
   }
-  if (mentions(assignment.run_command, "{scene}")) {
-    work.scene_file = "photonproof-scene.xml";
-    put(work.scene_file, write_scene(*work.description));
-  }
+  work.content = length_prefixed({work.params_place, work.params});
 }
 
 }  // namespace
 
-std::vector<WorkScene> make_work_scenes(const Assignment& assignment, const fs::path& folder, const OwnEngine& engine,
+std::vector<WorkScene> make_work_scenes(const Assignment& assignment, const SubmissionDoor& door,
+                                        const OwnEngine& engine,
                                         const std::function<void(const std::string&)>& progress) {
   std::vector<WorkScene> scenes;
   for (const AssignmentScene& row : assignment.scenes) {
@@ -80,7 +75,8 @@ std::vector<WorkScene> make_work_scenes(const Assignment& assignment, const fs::
       if (!row.variant.empty()) progress("scene " + row.name + ": checking what follows from '" + row.variant + "'");
       make_description(work, engine);
     }
-    put_files(assignment, folder, work);
+    write_params(assignment, work);
+    if (!row.given.empty()) work.given = door.read_given(row.given, work.width, work.height);
     std::vector<std::string> parts{std::to_string(work.width), std::to_string(work.height)};
     parts.insert(parts.end(), row.option.begin(), row.option.end());
     work.content += length_prefixed(parts);
@@ -104,10 +100,12 @@ DoorRequest request_of(const Assignment& assignment, const WorkScene& scene, std
     replace_all(word, "{height}", std::to_string(scene.height));
     replace_all(word, "{threads}", std::to_string(threads));
     replace_all(word, "{seed}", std::to_string(seed));
+    replace_all(word, "{scene}", own_scene_name);
   }
-  request.files = scene.files;
-  request.scene = scene.scene_file;
-  request.params = scene.row.params_place;
+  request.params = scene.params;
+  request.params_place = scene.params_place;
+  request.width = scene.width;
+  request.height = scene.height;
   return request;
 }
 

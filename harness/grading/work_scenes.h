@@ -12,6 +12,7 @@
 #include "harness/grading/submission_door.h"
 #include "harness/variants/variant.h"
 #include "scenes/description/description.h"
+#include "scenes/images/image.h"
 
 namespace photonproof {
 
@@ -20,20 +21,19 @@ struct WorkScene {
   std::optional<SceneDescription> description;  ///< of the variant where it is one
   std::optional<Variant> variant;
   int width = 0, height = 0;
-  std::string says;    ///< of a variant
-  std::string unused;  ///< why it must not be graded on; empty: it counts
-  std::vector<PlacedFile> files;
-  std::filesystem::path scene_file;  ///< our description, where the command asks for it
+  std::string says;                  ///< of a variant
+  std::string unused;                ///< why it must not be graded on; empty: it counts
+  std::string params, params_place;  ///< the file that the program is given of it: text and place; empty: none
+  std::optional<Image> given;        ///< what students have of it
   std::string content;               ///< all that decides its image but the program and the seed
 };
 
-/// `folder` receives the files. Throws InputError for a scene that cannot be made: of this kind, or not in the course's
-/// format.
-std::vector<WorkScene> make_work_scenes(const Assignment& assignment, const std::filesystem::path& folder,
+/// Throws InputError for a scene that cannot be made: of this kind, or not in the course's format.
+std::vector<WorkScene> make_work_scenes(const Assignment& assignment, const SubmissionDoor& door,
                                         const OwnEngine& engine,
                                         const std::function<void(const std::string&)>& progress);
 
-/// What a run on the scene is asked for; {output}, {scene} and {params} are left open.
+/// What a run on the scene is asked for; {output} and {params} are left open.
 DoorRequest request_of(const Assignment& assignment, const WorkScene& scene, std::uint64_t seed, int threads);
 
 }  // namespace photonproof

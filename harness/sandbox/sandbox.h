@@ -29,7 +29,7 @@ struct SandboxLimits {
   int processes = 64;                                   ///< at one time, threads counted
 };
 
-/// What the command sees at `inside`, read-only. Not in a run that is not contained.
+/// What the command sees at `inside`, two folders deep at most, read-only. Not in a run that is not contained.
 struct SandboxMount {
   std::filesystem::path outside, inside;
 };

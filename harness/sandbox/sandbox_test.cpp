@@ -47,7 +47,7 @@ TEST_F(Sandbox, command_that_is_not_there_could_not_be_started) {
 
 TEST_F(Sandbox, command_is_nobody_and_sees_no_one) {
   EXPECT_NE(output("id -u"), "0\n");
-  EXPECT_EQ(output("grep -c . /proc/self/cgroup; ls -d /proc/[0-9]* | wc -l").substr(2), "4\n");
+  EXPECT_LE(std::stoi(output("ls -d /proc/[0-9]* | wc -l")), 4);  // bwrap, the shell, ls and wc
   EXPECT_EQ(output("grep CapEff /proc/self/status"), "CapEff:\t0000000000000000\n");
   EXPECT_EQ(output("grep NoNewPrivs /proc/self/status"), "NoNewPrivs:\t1\n");
   EXPECT_EQ(output("cat /proc/net/dev | grep -c :"), "1\n");

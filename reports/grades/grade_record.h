@@ -116,6 +116,11 @@ struct SubmissionGrade {
   const SceneGrade* scene(const std::string& scene_name) const;
 };
 
+/// Points for a speed-up of `ratio` and more.
+struct SpeedTier {
+  double ratio = 0, points = 0;
+};
+
 struct Grades {
   std::string assignment, title, created, command;
   Host host;
@@ -124,7 +129,9 @@ struct Grades {
   bool contained = true;    ///< in the sandbox
   std::string containment;  ///< how, or why not
   double correctness_points = 0, speed_points = 0;
-  std::string speed_rule;  ///< "20 points from 2x, 40 from 5x"
+  std::string speed_rule;                ///< "20 points from 2x, 40 from 5x"
+  std::vector<SpeedTier> speed_tiers;    ///< ascending; empty where there is a curve
+  std::optional<SpeedTier> speed_curve;  ///< no points at 1, its points at its ratio, in between by the logarithm
   std::vector<GradedScene> scenes;
   std::vector<SubmissionGrade> submissions;
   std::vector<std::string> caveats;

@@ -192,6 +192,10 @@ GradedScene graded_scene_of(const Json& json) {
   return scene;
 }
 
+Json tier_json(const SpeedTier& tier) { return {{"ratio", number_of(tier.ratio)}, {"points", number_of(tier.points)}}; }
+
+SpeedTier tier_of(const Json& json) { return {json.at("ratio"), json.at("points")}; }
+
 Json host_json(const Host& host) {
   return {{"cpu", host.cpu},
           {"os", host.os},
@@ -233,10 +237,14 @@ Json grades_to_json(const Grades& grades) {
                {"correctness_points", number_of(grades.correctness_points)},
                {"speed_points", number_of(grades.speed_points)},
                {"speed_rule", grades.speed_rule},
+               {"speed_tiers", Json::array()},
+               {"speed_curve", nullptr},
                {"interrupted", grades.interrupted},
                {"caveats", grades.caveats},
                {"scenes", Json::array()},
                {"submissions", Json::array()}};
+  for (const SpeedTier& tier : grades.speed_tiers) json["speed_tiers"].push_back(tier_json(tier));
+  if (grades.speed_curve) json["speed_curve"] = tier_json(*grades.speed_curve);
   for (const GradedScene& scene : grades.scenes) json["scenes"].push_back(scene_json(scene));
   for (const SubmissionGrade& submission : grades.submissions)
     json["submissions"].push_back(submission_json(submission));
@@ -260,6 +268,8 @@ Grades grades_from_json(const Json& json, const std::string& file) try {
   grades.correctness_points = json.at("correctness_points");
   grades.speed_points = json.at("speed_points");
   grades.speed_rule = json.at("speed_rule");
+  for (const Json& tier : json.at("speed_tiers")) grades.speed_tiers.push_back(tier_of(tier));
+  if (const Json& curve = json.at("speed_curve"); !curve.is_null()) grades.speed_curve = tier_of(curve);
   grades.interrupted = json.at("interrupted");
   grades.caveats = json.at("caveats").get<std::vector<std::string>>();
   for (const Json& scene : json.at("scenes")) grades.scenes.push_back(graded_scene_of(scene));
