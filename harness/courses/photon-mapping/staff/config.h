@@ -2,11 +2,11 @@
 // scene 1 at 64x64 in about two seconds and scene 2 in about four, with little enough noise to see what is wrong.
 #pragma once
 
-#define GLOBAL_PHOTONS 4000
+#define GLOBAL_PHOTONS 5000
 #define CAUSTIC_PHOTONS 40000
 #define CAUSTIC_PHOTONS_WATER 40000
 
-#define GLOBAL_LOOKUP_PHOTONS 15
+#define GLOBAL_LOOKUP_PHOTONS 20
 #define GLOBAL_LOOKUP_RADIUS 5.0
 #define CAUSTIC_LOOKUP_PHOTONS 60
 #define CAUSTIC_LOOKUP_RADIUS 4.0
