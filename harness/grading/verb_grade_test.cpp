@@ -2,12 +2,14 @@
 
 #include <csignal>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 #include "harness/cells/test_program.h"
 #include "harness/grading/test_course.h"
 #include "reference/process/process.h"
 #include "reports/grades/grades_json.h"
 #include "reports/grades/gradescope.h"
+#include "scenes/images/image.h"
 
 namespace photonproof {
 namespace {
