@@ -54,6 +54,9 @@ std::vector<int> black_lines(const Lines& lines) {
     const bool first = line < 2, last = line >= lines.count() - 2;
     if ((before < 0.6 || first) && (after < 0.6 || last) && std::min(before, after) < 0.6) found.push_back(line);
   }
+  // What lies about a scene may be black: at the image's edge alone it is no seam.
+  if (std::all_of(found.begin(), found.end(), [&](int line) { return line < 2 || line >= lines.count() - 2; }))
+    found.clear();
   return found;
 }
 
@@ -66,7 +69,7 @@ std::vector<int> seams(const Lines& lines, const Lines& expected) {
   for (const double step : steps) sizes.push_back(std::abs(step));
   std::nth_element(sizes.begin(), sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2), sizes.end());
   const double usual = std::max(0.002, sizes[sizes.size() / 2]);
-  for (int line = 1; line + 1 < lines.count(); ++line) {
+  for (int line = 2; line + 2 < lines.count(); ++line) {
     const double step = steps[static_cast<std::size_t>(line - 1)];
     if (std::abs(step) > 0.04 && std::abs(step) > 8 * usual && std::abs(step_of(expected, line)) < std::abs(step) / 3)
       found.push_back(line);
@@ -83,11 +86,11 @@ std::vector<int> seams(const Lines& lines, const Lines& expected) {
 }
 
 /// The one distance between lines, 0 where there is none; neighbours count as one line.
-int period_of(const std::vector<int>& lines) {
+int period_of(const std::vector<int>& lines, std::size_t least = 2) {
   std::vector<int> starts;
   for (const int line : lines)
     if (starts.empty() || line > starts.back() + 2) starts.push_back(line);
-  if (starts.size() < 2) return 0;
+  if (starts.size() < least) return 0;
   const int period = starts[1] - starts[0];
   for (std::size_t i = 1; i + 1 < starts.size(); ++i)
     if (starts[i + 1] - starts[i] != period) return 0;
@@ -132,8 +135,8 @@ std::optional<Finding> find_lines(const Image& submitted, const Image& reference
   if (odd_rows.empty() && odd_columns.empty()) {
     odd_rows = seams(rows, {reference, true});
     odd_columns = seams(columns, {reference, false});
-    if (period_of(odd_rows) == 0) odd_rows.clear();
-    if (period_of(odd_columns) == 0) odd_columns.clear();
+    if (period_of(odd_rows, 3) == 0) odd_rows.clear();
+    if (period_of(odd_columns, 3) == 0) odd_columns.clear();
     kind = "seams";
     what = "off from its neighbours";
   }
