@@ -32,13 +32,6 @@ struct ErrorPlot {
 
 ErrorPlot error_plot(const View& view, const SceneView& scene);
 
-struct LogAxis {
-  double low = 1, high = 10;  ///< both positive
-  std::vector<double> ticks;  ///< inside [low, high], one significant digit each
-};
-/// A logarithmic axis with a margin around [smallest, largest], at least a factor of 4 long, and 2 to 10 round ticks.
-LogAxis log_axis(double smallest, double largest);
-
 /// The drawing as an <svg> element of the page; texts of the record are escaped. Precondition: at least one series.
 std::string error_plot_svg(const ErrorPlot& plot, const std::string& label);
 
