@@ -112,6 +112,12 @@ std::int64_t TomlTable::integer(const std::string& key) const { return view_->in
 
 double TomlTable::number(const std::string& key) const { return view_->number(key, view_->node(key)); }
 
+bool TomlTable::boolean(const std::string& key) const {
+  const toml::node& value = view_->node(key);
+  if (!value.is_boolean()) throw view_->wrong_type(key, value, "true or false");
+  return value.as_boolean()->get();
+}
+
 std::vector<double> TomlTable::numbers(const std::string& key) const {
   std::vector<double> list;
   for (const toml::node& element : view_->array(key, view_->node(key), "numbers"))
@@ -144,6 +150,8 @@ TomlTable TomlTable::table(const std::string& key) const {
 }
 
 bool TomlTable::is_array(const std::string& key) const { return view_->node(key).is_array(); }
+
+bool TomlTable::is_string(const std::string& key) const { return view_->node(key).is_string(); }
 
 std::vector<std::string> TomlTable::keys() const {
   std::vector<std::string> names;

@@ -24,6 +24,7 @@ class TomlTable {
   std::string string(const std::string& key) const;  ///< not empty
   std::int64_t integer(const std::string& key) const;
   double number(const std::string& key) const;  ///< integer or float, finite
+  bool boolean(const std::string& key) const;
   std::vector<std::string> strings(const std::string& key) const;
   std::vector<std::int64_t> integers(const std::string& key) const;
   std::vector<double> numbers(const std::string& key) const;  ///< integers or floats, finite
@@ -32,6 +33,7 @@ class TomlTable {
 
   bool has(const std::string& key) const;
   bool is_array(const std::string& key) const;
+  bool is_string(const std::string& key) const;
   std::vector<std::string> keys() const;  ///< all there are
   /// An array of tables; empty when the key is absent.
   std::vector<TomlTable> tables(const std::string& key) const;

@@ -9,7 +9,7 @@ TomlTable parse(const std::string& text) { return TomlTable::parse(text, "t.toml
 
 TEST(TomlTable, values_of_every_kind_are_read) {
   const TomlTable table =
-      parse("s = 'x'\ni = -3\nf = 0.5\na = ['p', 'q']\nn = [1, 2]\nd = [0.5, -2]\nl = [['a', 'b'], []]\n[t]\ni = 1");
+      parse("s = 'x'\ni = -3\nf = 0.5\na = ['p', 'q']\nn = [1, 2]\nd = [0.5, -2]\nl = [['a', 'b'], []]\ny = true\n[t]\ni = 1");
   EXPECT_EQ(table.string("s"), "x");
   EXPECT_EQ(table.integer("i"), -3);
   EXPECT_EQ(table.number("f"), 0.5);
@@ -18,6 +18,7 @@ TEST(TomlTable, values_of_every_kind_are_read) {
   EXPECT_EQ(table.numbers("d"), (std::vector<double>{0.5, -2}));
   EXPECT_EQ(table.integers("n"), (std::vector<std::int64_t>{1, 2}));
   EXPECT_EQ(table.string_lists("l"), (std::vector<std::vector<std::string>>{{"a", "b"}, {}}));
+  EXPECT_TRUE(table.boolean("y"));
   EXPECT_EQ(table.table("t").integer("i"), 1);
   EXPECT_TRUE(table.has("s"));
   EXPECT_FALSE(table.has("nothing"));
@@ -51,6 +52,8 @@ TEST(TomlTable, wrong_types_are_named_at_the_value) {
             "t.toml:2:5: error: 's' must be a finite number, not a string\n  s = 'x'\n      ^");
   EXPECT_EQ(input_error_of([&] { table.number("inf"); }),
             "t.toml:5:7: error: 'inf' must be a finite number, not a float\n  inf = inf\n        ^");
+  EXPECT_EQ(input_error_of([&] { table.boolean("i"); }),
+            "t.toml:1:5: error: 'i' must be true or false, not an integer\n  i = 1\n      ^");
   EXPECT_EQ(input_error_of([&] { table.integers("a"); }),
             "t.toml:4:9: error: 'a' must be an integer, not a string\n  a = [1, 'x']\n          ^");
   EXPECT_EQ(input_error_of([&] { table.numbers("a"); }),

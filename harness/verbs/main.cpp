@@ -40,8 +40,10 @@ int main(int argc, char** argv) {
   add_compare_verb(program, exit_code);
   add_bench_verb(program, exit_code);
   add_gate_verb(program, exit_code);
+  add_grade_verb(program, exit_code);
   add_reference_verb(program, exit_code);
   add_report_verb(program, exit_code);
+  add_decode_image_verb(program, exit_code);
 
   try {
     program.parse(argc, argv);

@@ -48,7 +48,7 @@ std::string ending_of(const Result& result) {
 }
 
 // On standard error: one line a finished cell, or on a terminal a line that rewrites itself and stays for failures.
-class ProgressLines : public BenchObserver {
+class BenchProgressLines : public BenchObserver {
  public:
   void starts(std::size_t number, std::size_t total, const Cell& cell) override {
     if (!terminal_) return;
@@ -186,7 +186,7 @@ int run(const BenchArguments& arguments) {
   }
 
   check_bench_outputs(arguments, suite, options.results_folder);
-  ProgressLines progress;
+  BenchProgressLines progress;
   const BenchSummary summary = run_bench(suite, options, progress);
   progress.done();
   const Results results = read_results(summary.results_file.string());

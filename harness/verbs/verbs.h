@@ -15,7 +15,9 @@ void add_povray_verb(CLI::App& program, int& exit_code);
 void add_compare_verb(CLI::App& program, int& exit_code);
 void add_bench_verb(CLI::App& program, int& exit_code);
 void add_gate_verb(CLI::App& program, int& exit_code);
+void add_grade_verb(CLI::App& program, int& exit_code);
 void add_reference_verb(CLI::App& program, int& exit_code);
 void add_report_verb(CLI::App& program, int& exit_code);
+void add_decode_image_verb(CLI::App& program, int& exit_code);
 
 }  // namespace photonproof

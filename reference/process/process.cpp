@@ -8,6 +8,7 @@
 #include <sched.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -92,6 +93,7 @@ class Stream {
   }
   bool open() const { return descriptor_.get() >= 0; }
   int descriptor() const { return descriptor_.get(); }  // poll ignores a negative one
+  std::uint64_t bytes() const { return bytes_; }        // that came, kept or not
 
   // Takes what is there now, at most a tail's worth so that an endless writer cannot keep us from looking at the
   // limits, and closes at the end of file.
@@ -107,6 +109,7 @@ class Stream {
       }
       const std::string_view chunk(buffer.data(), static_cast<std::size_t>(length));
       taken += chunk.size();
+      bytes_ += chunk.size();
       tail_.append(chunk);
       if (tail_.size() > 2 * tail_bytes) trim();
       if (watcher) watcher(chunk);
@@ -119,6 +122,7 @@ class Stream {
  private:
   Descriptor descriptor_;
   std::string& tail_;
+  std::uint64_t bytes_ = 0;
 };
 
 // What the child's side of fork needs to know.
@@ -129,6 +133,16 @@ struct Orders {
   int input, out, err, failure;
   int go;  // becomes readable when the caller has done what must be done before exec
 };
+
+// Descriptors of the caller's that exec would hand on: an open file is a way around every limit set on paths.
+void keep_standard_descriptors_only() {
+#ifdef SYS_close_range
+  constexpr unsigned close_on_exec = 1U << 2;  // CLOSE_RANGE_CLOEXEC: what tells of a failed exec stays open till then
+  if (syscall(SYS_close_range, 3U, ~0U, close_on_exec) == 0) return;
+#endif
+  const long most = std::min(sysconf(_SC_OPEN_MAX), 65536L);
+  for (int descriptor = 3; descriptor < most; ++descriptor) fcntl(descriptor, F_SETFD, FD_CLOEXEC);
+}
 
 // The child's side of fork. Never returns; only async-signal-safe calls.
 [[noreturn]] void become(const Orders& orders, pid_t parent) {
@@ -156,6 +170,7 @@ struct Orders {
   char word = 0;
   while (read(go, &word, 1) < 0 && errno == EINTR) {
   }
+  keep_standard_descriptors_only();
   execvp(argv[0], argv);
   give_up();
   _exit(127);
@@ -243,7 +258,7 @@ class Watch {
   Watch(const Child& child, const ProcessOptions& options, const Timer& since_start)
       : child_(child), options_(options), since_start_(since_start) {}
 
-  void check(ProcessOutcome& outcome) {
+  void check(ProcessOutcome& outcome, std::uint64_t output_bytes) {
     if (killed_) return;
     const auto now = Clock::now();
     if (outcome.end == End::interrupted) {
@@ -257,6 +272,10 @@ class Watch {
     } else if (options_.wall_limit_seconds && since_start_.seconds() >= *options_.wall_limit_seconds) {
       outcome.end = End::timed_out;
       outcome.cause = number(*options_.wall_limit_seconds) + " s";
+      kill_all();
+    } else if (options_.output_limit_bytes && output_bytes > *options_.output_limit_bytes) {
+      outcome.end = End::too_much_output;
+      outcome.cause = mebibytes(*options_.output_limit_bytes);
       kill_all();
     } else if (now >= next_sample_) {
       check_memory(outcome);
@@ -342,7 +361,7 @@ ProcessOutcome run_process(const std::vector<std::string>& argv, const ProcessOp
     if (heard && waiting[0].revents != 0) break;
     out.drain({});
     err.drain(options.on_stderr);
-    watch.check(outcome);
+    watch.check(outcome, out.bytes() + err.bytes());
   }
   outcome.wall_seconds = since_start.seconds();
   KeeperEnd end;
@@ -381,6 +400,8 @@ std::string ProcessOutcome::sentence() const {
       return "killed after " + cause + " (limit)";
     case End::out_of_memory:
       return "used more than " + cause + " of memory (limit)";
+    case End::too_much_output:
+      return "wrote more than " + cause + " of output (limit)";
     case End::interrupted:
       return "interrupted";
     case End::not_started:

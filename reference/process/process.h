@@ -16,6 +16,7 @@ namespace photonproof {
 struct ProcessOptions {
   std::optional<double> wall_limit_seconds{};         ///< the child and all its descendants are killed past it
   std::optional<std::uint64_t> memory_limit_bytes{};  ///< resident set of the same, sampled; killed past it
+  std::optional<std::uint64_t> output_limit_bytes{};  ///< of standard output and error together; killed past it
   const std::atomic<bool>* interrupt = nullptr;       ///< when it turns true the group gets SIGINT, after 2 s SIGKILL
   std::filesystem::path working_folder{};             ///< empty: the caller's
   std::function<void(std::string_view)> on_stderr{};  ///< sees each chunk as it arrives (progress); may be empty
@@ -23,7 +24,15 @@ struct ProcessOptions {
 };
 
 struct ProcessOutcome {
-  enum class End { exited, signalled, timed_out, out_of_memory, interrupted, not_started } end = End::not_started;
+  enum class End {
+    exited,
+    signalled,
+    timed_out,
+    out_of_memory,
+    too_much_output,
+    interrupted,
+    not_started
+  } end = End::not_started;
   int exit_code = 0;  ///< when `exited`
   int signal = 0;     ///< when `signalled`
   double wall_seconds = 0;
@@ -38,7 +47,7 @@ struct ProcessOutcome {
   std::string sentence() const;  ///< "exited with 3", "killed by SIGSEGV", "killed after 10 s (limit)" ...
 };
 
-/// No shell: argv[0] is looked up on PATH. Standard input is /dev/null. The child leads a process group of its own.
+/// No shell: argv[0] is looked up on PATH. Standard input is /dev/null; no other descriptor of ours is the child's. The child leads a process group of its own.
 /// Whatever descends from it, in any group or session, is killed when the child ends or the caller dies.
 /// Limits and the interrupt are looked at every 20 ms. Never throws for what the child does; throws std::system_error
 /// when the system has no more processes or file descriptors. May be called on several threads at once. Precondition:

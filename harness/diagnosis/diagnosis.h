@@ -1,0 +1,69 @@
+// What is wrong with a picture, in sentences that whoever wrote the program understands: what, where, and the likely
+// cause. The picture is compared with the reference; hypotheses then compete for the difference by how much of its
+// square they account for. Each is a change of the expected picture: turned over, another gamma, a feature's light left
+// out, or the picture of a scene with the mistake built in (knowledge.h). The best is applied, and the search goes on
+// with what is left, so that several mistakes are found together.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "harness/pixels/pixel_region.h"
+#include "scenes/images/image.h"
+
+namespace photonproof {
+
+/// What one kind of light adds to the picture: "direct", "caustic", "indirect", "indirect after the first bounce" ...
+struct FeatureProbe {
+  std::string feature;
+  Image light;                ///< its share of the model's radiance
+  std::vector<float> weight;  ///< a pixel, 0 to 1: how much it is that light which is seen there
+};
+
+/// The picture of the scene with one mistake built in.
+struct WhatIf {
+  std::string kind;      ///< of the finding: "hard-shadows"
+  std::string sentence;  ///< "shadow edges hard"
+  std::string cause;
+  std::string landmark;  ///< where it shows, or empty: where it differs most
+  Image image;
+};
+
+struct Landmark {
+  std::string name;     ///< "glass sphere", "left wall"
+  double x = 0, y = 0;  ///< pixels: the middle of what is seen of it
+  double radius = 0;    ///< pixels: of a disc as large as what is seen
+};
+
+struct SceneKnowledge {
+  Image reference;                ///< linear; may be brighter than white
+  std::optional<Image> variance;  ///< of the reference
+  std::optional<float> white;     ///< where the submitted picture is clamped
+  Image model;                    ///< our engine's picture, which probes and what-ifs differ from; empty: reference
+  std::vector<FeatureProbe> probes;
+  std::vector<WhatIf> what_ifs;
+  std::vector<Landmark> landmarks;
+  /// A pixel: 1 + the index of the landmark that is seen there, 0 where none is. Empty: unknown.
+  std::vector<std::uint16_t> seen;
+  std::vector<std::pair<std::string, Image>> other_images;  ///< "scene 1": of the other scenes, in their own sizes
+  /// Two right programs may differ by this much of a block's radiance.
+  double tolerance = 0.08;
+};
+
+struct Finding {
+  std::string kind;      ///< "upside-down", "black-lines", "gamma-missing", "caustic-missing" ...
+  std::string sentence;  ///< "caustic missing below the glass sphere"
+  std::string cause;     ///< "no photons are shot at it, or none are looked up"; may be empty
+  PixelRegion where;
+  double explained = 0;  ///< share of the squared error that it accounts for
+};
+
+/// The most explaining first; empty where nothing stands out of the noise and the tolerance. The submitted picture is
+/// linear, top row first. Never throws for what a picture holds: another size and values that are not finite are
+/// findings, too.
+std::vector<Finding> diagnose(const Image& submitted, const SceneKnowledge& knowledge);
+
+}  // namespace photonproof

@@ -1,0 +1,1 @@
+#include "harness/diagnosis/diagnosis.h"

@@ -1,0 +1,161 @@
+#include "harness/grading/class_timing.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "harness/cells/cells.h"
+#include "scenes/text/atomic_file.h"
+#include "scenes/text/input_error.h"
+#include "scenes/text/json_text.h"
+
+namespace photonproof {
+namespace {
+
+namespace fs = std::filesystem;
+
+// As many images of a scene are timed in turn: with the seeds of the first correctness runs, whose images are known.
+constexpr std::size_t timed_seeds = 2;
+
+nlohmann::json round_json(const std::vector<std::optional<SpeedRound>>& round, const std::vector<std::string>& names) {
+  nlohmann::json json = nlohmann::json::object();
+  for (std::size_t i = 0; i < round.size(); ++i)
+    if (round[i])
+      json[names[i]] = {
+          {"baseline_seconds", round[i]->baseline_seconds}, {"seconds", round[i]->seconds}, {"busy", round[i]->busy}};
+  return json;
+}
+
+std::vector<std::optional<SpeedRound>> round_of_json(const nlohmann::json& json,
+                                                     const std::vector<std::string>& names) {
+  std::vector<std::optional<SpeedRound>> round(names.size());
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (const auto found = json.find(names[i]); found != json.end())
+      round[i] = SpeedRound{found->at("baseline_seconds"), found->at("seconds"), found->at("busy")};
+  return round;
+}
+
+class Timing {
+ public:
+  Timing(const ClassTiming& timing, const std::vector<PreparedSubmission>& prepared, std::vector<SubmissionWork>& works)
+      : timing_(timing), prepared_(prepared), works_(works) {
+    for (std::size_t s = 0; s < timing.scenes.size(); ++s)
+      if (timing.references[s] && timing.assignment.is_timed(timing.scenes[s].row.name)) timed_.push_back(s);
+    for (std::size_t i = 0; i < works.size(); ++i)
+      if (is_to_be_timed(works[i])) timed_works_.push_back(i);
+  }
+
+  void all() {
+    if (timed_.empty() || timed_works_.empty()) return;
+    SpeedSession session;
+    session.rule = *timing_.assignment.performance;
+    for (const std::size_t s : timed_) session.scenes.push_back(timing_.scenes[s].row.name);
+    session.submissions = timed_works_.size();
+    session.cores = timing_.cores;
+    session.run = [this](std::optional<std::size_t> submission, std::size_t scene, std::size_t number) {
+      return run(submission, scene, number);
+    };
+    session.keep = [this](const auto& round) { keep(round); };
+    session.progress = timing_.progress;
+    find_kept(session);
+    const std::vector<SpeedGrade> grades = time_submissions(session);
+    for (std::size_t i = 0; i < grades.size(); ++i) works_[timed_works_[i]].grade.speed = grades[i];
+  }
+
+ private:
+  bool is_to_be_timed(SubmissionWork& work) const {
+    SpeedGrade& speed = work.grade.speed;
+    for (std::size_t s = 0; s < timing_.scenes.size(); ++s) {
+      const bool is_needed = timing_.assignment.performance->needs_all || std::ranges::find(timed_, s) != timed_.end();
+      if (!is_needed || !timing_.references[s]) continue;
+      if (!work.scenes[s] || !work.scenes[s]->grade.counts_as_right()) {
+        speed.state = SpeedGrade::State::not_right;
+        speed.sentence = "not timed: " + std::string(timing_.scenes[s].row.hidden ? "hidden " : "") + "scene " +
+                         timing_.scenes[s].row.name + " is not right";
+        return false;
+      }
+    }
+    return work.grade.built;
+  }
+
+  TimedRun run(std::optional<std::size_t> submission, std::size_t scene, std::size_t number) {
+    const std::size_t s = timed_[scene];
+    const PreparedSubmission& program = submission ? prepared_[timed_works_[*submission]] : timing_.baseline;
+    const auto cell = timing_.runs.run_timed(program, timing_.scenes[s], number % timed_seeds);
+    TimedRun timed;
+    if (!cell) {
+      timed.interrupted = true;
+      return timed;
+    }
+    timed.seconds = cell->run.wall_seconds;
+    timed.cpu_seconds = cell->run.cpu_seconds;
+    if (!cell->image)
+      timed.problem = "failed: " + cell->run.sentence;
+    else if (submission)
+      timed.problem = image_problem_of(works_[timed_works_[*submission]], s, number % timed_seeds, *cell->image);
+    return timed;
+  }
+
+  // The same image as before needs no judging again.
+  std::string image_problem_of(const SubmissionWork& work, std::size_t s, std::size_t number,
+                               const Image& image) const {
+    const std::vector<Image>& before = work.scenes[s]->images;
+    if (number < before.size() && before[number].rgb == image.rgb) return {};
+    const Image* const only = &image;
+    const SceneJudgement judgement =
+        judge_scene(timing_.assignment.correctness, *timing_.references[s], {&only, 1}, true);
+    if (judgement.verdict != SceneVerdict::wrong || !judgement.decided) return {};
+    return "gave another image: " + judgement.sentence;
+  }
+
+  std::vector<std::string> names() const {
+    std::vector<std::string> all;
+    for (const std::size_t i : timed_works_) all.push_back(prepared_[i].checksum + " " + prepared_[i].name);
+    return all;
+  }
+
+  fs::path round_file(int number) const {
+    std::vector<std::string> parts{timing_.assignment.text, timing_.baseline.checksum, std::to_string(timing_.cores)};
+    for (const std::string& name : names()) parts.push_back(name);
+    return timing_.folder / "rounds" /
+           (content_key({{"rounds", length_prefixed(parts)}}) + "-" + std::to_string(number) + ".json");
+  }
+
+  void keep(const std::vector<std::optional<SpeedRound>>& round) {
+    fs::create_directories(timing_.folder / "rounds");
+    write_file_atomically(round_file(++kept_), json_text(round_json(round, names())));
+  }
+
+  // Rounds are whole or not there: a ratio of times of two sessions would say nothing.
+  void find_kept(SpeedSession& session) {
+    while (fs::exists(round_file(kept_ + 1))) {
+      ++kept_;
+      if (!timing_.resume) {
+        fs::remove(round_file(kept_));
+        continue;
+      }
+      try {
+        session.kept.push_back(round_of_json(nlohmann::json::parse(read_file(round_file(kept_))), names()));
+      } catch (const nlohmann::json::exception&) {
+        fs::remove(round_file(kept_--));
+        break;
+      }
+    }
+    if (!timing_.resume) kept_ = 0;
+  }
+
+  const ClassTiming& timing_;
+  const std::vector<PreparedSubmission>& prepared_;
+  std::vector<SubmissionWork>& works_;
+  std::vector<std::size_t> timed_;        // scenes
+  std::vector<std::size_t> timed_works_;  // submissions
+  int kept_ = 0;
+};
+
+}  // namespace
+
+void time_class(const ClassTiming& timing, const std::vector<PreparedSubmission>& prepared,
+                std::vector<SubmissionWork>& works) {
+  Timing(timing, prepared, works).all();
+}
+
+}  // namespace photonproof

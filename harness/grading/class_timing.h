@@ -1,0 +1,32 @@
+// The class is timed: which submissions, what of their images is looked at meanwhile, and what is kept of rounds.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "harness/grading/grade_flags.h"
+#include "harness/grading/speed_rounds.h"
+
+namespace photonproof {
+
+struct ClassTiming {
+  const Assignment& assignment;
+  const std::vector<WorkScene>& scenes;
+  const std::vector<std::optional<SceneReference>>& references;
+  const PreparedSubmission& baseline;
+  const SubmissionWork& baseline_work;
+  GradeRuns& runs;
+  std::filesystem::path folder;
+  int cores = 1;
+  bool resume = false;
+  std::function<void(const std::string&)> progress;
+};
+
+/// Sets grade.speed of all: those that are right on every timed scene are timed, the others are told why not.
+void time_class(const ClassTiming& timing, const std::vector<PreparedSubmission>& prepared,
+                std::vector<SubmissionWork>& works);
+
+}  // namespace photonproof

@@ -1,0 +1,58 @@
+#include "harness/grading/grade_points.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace photonproof {
+namespace {
+
+// These explain more than the scene at which they show first.
+bool is_telling(const GradeFlag& flag) {
+  return flag.kind == "copy-of-given" || flag.kind == "copy-of-reference" || flag.kind == "same-image" ||
+         flag.kind == "right-on-public-only";
+}
+
+}  // namespace
+
+double scene_points(const Assignment& assignment, const std::vector<WorkScene>& scenes, const WorkScene& scene) {
+  double weights = 0;
+  for (const WorkScene& other : scenes)
+    if (other.unused.empty()) weights += other.row.weight;
+  return scene.unused.empty() && weights > 0 ? assignment.correctness_points * scene.row.weight / weights : 0;
+}
+
+void give_points(const Assignment& assignment, const std::vector<WorkScene>& scenes, SubmissionGrade& grade) {
+  grade.correctness_points = 0;
+  for (SceneGrade& scene : grade.scenes) {
+    const auto work = std::ranges::find_if(scenes, [&](const WorkScene& one) { return one.row.name == scene.scene; });
+    scene.points = scene.counts_as_right() ? scene_points(assignment, scenes, *work) : 0;
+    grade.correctness_points += scene.points;
+  }
+  grade.sentence = first_sentence(grade);
+}
+
+std::string first_sentence(const SubmissionGrade& grade) {
+  if (!grade.built) return "does not build: " + grade.build_sentence;
+  std::size_t graded = 0, right = 0;
+  const SceneGrade* first_bad = nullptr;
+  for (const SceneGrade& scene : grade.scenes) {
+    if (scene.verdict == SceneVerdict::unused || scene.verdict == SceneVerdict::skipped) continue;
+    ++graded;
+    if (scene.counts_as_right())
+      ++right;
+    else if (first_bad == nullptr)
+      first_bad = &scene;
+  }
+  const auto flag = std::ranges::find_if(grade.flags, is_telling);
+  if (flag != grade.flags.end()) return flag->sentence;
+  if (first_bad != nullptr)
+    return "scene " + first_bad->scene + ": " +
+           (first_bad->findings.empty() ? first_bad->sentence : first_bad->findings.front().sentence);
+  if (grade.speed.state == SpeedGrade::State::changed) return grade.speed.sentence;
+  std::string text = fmt::format("right on all {} scenes", graded);
+  if (graded == 1) text = "right on the one scene";
+  return grade.speed.scenes.empty() ? text : text + "; " + grade.speed.sentence;
+}
+
+}  // namespace photonproof

@@ -1,0 +1,135 @@
+#include "harness/grading/grade_runs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include "harness/cells/cells.h"
+#include "harness/metrics/metrics.h"
+#include "scenes/text/size_text.h"
+#include "scenes/text/splitmix.h"
+
+namespace photonproof {
+namespace {
+
+// Runs of another version of this code are made again.
+constexpr const char* runs_version = "1";
+
+std::string limits_text(const AssignmentLimits& limits) {
+  return fmt::format("{} {} {} {} {} {}", limits.seconds, limits.memory_mb, limits.file_mb, limits.disk_mb,
+                     limits.log_mb, limits.processes);
+}
+
+std::string image_text(const AssignmentImage& image) {
+  return fmt::format("{} {} {} {}", image.format, image.gamma ? fmt::format("{}", *image.gamma) : "srgb",
+                     image.bottom_up, image.scale);
+}
+
+// A picture that no metric may be computed of.
+void refuse_bad_image(const WorkScene& scene, GradeCells::Cell& cell) {
+  if (!cell.image) return;
+  std::string problem;
+  if (cell.image->width != scene.width || cell.image->height != scene.height) {
+    problem = "wrote " + size_text(cell.image->width, cell.image->height) + " pixels instead of " +
+              size_text(scene.width, scene.height);
+  } else if (const auto defects = find_defects(Image(scene.width, scene.height), *cell.image); !defects.empty()) {
+    problem = defects.front().sentence;
+  }
+  if (problem.empty()) return;
+  cell.run.end = "bad image";
+  cell.run.sentence = problem;
+  cell.image.reset();
+}
+
+}  // namespace
+
+std::uint64_t GradeRuns::seed_of(const std::string& purpose, std::size_t number) const {
+  constexpr std::uint64_t most = 999'999'999;
+  constexpr std::uint64_t stream = std::uint64_t{1} << 32;
+  const std::uint64_t start = splitmix64(options_.seed, purpose == "reference" ? stream : 0);
+  return 1 + splitmix64(start, number) % most;
+}
+
+std::string GradeRuns::key_of(const PreparedSubmission& submission, const WorkScene& scene, std::uint64_t seed) const {
+  return content_key({{"version", runs_version},
+                      {"program", submission.checksum},
+                      {"command", length_prefixed(assignment_.run_command)},
+                      {"scene", scene.content},
+                      {"image", image_text(assignment_.image)},
+                      {"limits", limits_text(assignment_.limits)},
+                      {"threads", std::to_string(options_.threads)},
+                      {"containment", door_.containment()},
+                      {"seed", std::to_string(seed)}});
+}
+
+std::optional<GradeCells::Cell> GradeRuns::run_once(const PreparedSubmission& submission, const WorkScene& scene,
+                                                    std::uint64_t seed) const {
+  DoorAnswer answer = door_.run(submission, request_of(assignment_, scene, seed, options_.threads));
+  if (answer.end == "interrupted" || is_interrupted()) return std::nullopt;
+  GradeCells::Cell cell;
+  cell.run.seed = seed;
+  cell.run.end = answer.end;
+  cell.run.sentence = answer.sentence;
+  cell.run.wall_seconds = answer.wall_seconds;
+  cell.run.cpu_seconds = answer.cpu_seconds;
+  cell.run.peak_bytes = answer.peak_bytes;
+  cell.run.log_tail = answer.log_tail;
+  cell.image = std::move(answer.image);
+  refuse_bad_image(scene, cell);
+  return cell;
+}
+
+std::optional<GradeCells::Cell> GradeRuns::run(const PreparedSubmission& submission, const WorkScene& scene,
+                                               const std::string& purpose, std::size_t number, bool reuse) {
+  const std::uint64_t seed = seed_of(purpose, number);
+  const std::string key = key_of(submission, scene, seed);
+  if (reuse)
+    if (std::optional<GradeCells::Cell> found = cells_.find(key)) return found;
+  std::optional<GradeCells::Cell> cell;
+  {
+    const std::shared_lock in_company(company_);
+    if (!is_interrupted()) cell = run_once(submission, scene, seed);
+  }
+  if (cell && cell->run.end == "timeout") {
+    const std::unique_lock alone(company_);
+    cell = run_once(submission, scene, seed);
+  }
+  if (cell) cells_.keep(key, *cell);
+  return cell;
+}
+
+std::optional<GradeCells::Cell> GradeRuns::run_timed(const PreparedSubmission& submission, const WorkScene& scene,
+                                                     std::size_t number) {
+  return run_once(submission, scene, seed_of("correctness", number));
+}
+
+void side_by_side_work(std::size_t count, int threads, const std::function<bool(std::size_t)>& work) {
+  std::atomic<std::size_t> next{0};
+  std::atomic<bool> ended{false};
+  std::exception_ptr problem;
+  std::mutex telling;
+  const auto take = [&] {
+    for (std::size_t i = next++; i < count && !ended; i = next++) {
+      try {
+        if (!work(i)) ended = true;
+      } catch (...) {
+        const std::lock_guard lock(telling);
+        if (!problem) problem = std::current_exception();
+        ended = true;
+      }
+    }
+  };
+  {
+    std::vector<std::jthread> others;
+    for (int t = 1; t < threads; ++t) others.emplace_back(take);
+    take();
+  }
+  if (problem) std::rethrow_exception(problem);
+}
+
+}  // namespace photonproof

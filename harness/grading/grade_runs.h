@@ -1,0 +1,60 @@
+// One run of a program on a scene, kept by all it follows from, so that an interrupted grading goes on where it was and
+// references are made once.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <shared_mutex>
+#include <string>
+
+#include "harness/grading/grade_cells.h"
+#include "harness/grading/submission_door.h"
+#include "harness/grading/work_scenes.h"
+
+namespace photonproof {
+
+struct GradeRunsOptions {
+  std::uint64_t seed = 1;  ///< of the session
+  int threads = 1;         ///< what programs are told
+  const std::atomic<bool>* interrupt = nullptr;
+};
+
+class GradeRuns {
+ public:
+  GradeRuns(const Assignment& assignment, const SubmissionDoor& door, GradeCells& cells,
+            const GradeRunsOptions& options)
+      : assignment_(assignment), door_(door), cells_(cells), options_(options) {}
+
+  /// Run number `number` of a purpose ("correctness", "reference"), which decides its seed: from a cell where `reuse`
+  /// says so, else anew. Several may run side by side; one that meets its limit in company is repeated alone before
+  /// that is said of it. Empty when interrupted.
+  std::optional<GradeCells::Cell> run(const PreparedSubmission& submission, const WorkScene& scene,
+                                      const std::string& purpose, std::size_t number, bool reuse);
+
+  /// As `run`, always anew, alone and not kept: a timed one.
+  std::optional<GradeCells::Cell> run_timed(const PreparedSubmission& submission, const WorkScene& scene,
+                                            std::size_t number);
+
+  /// Of correctness and timed runs, and of references: never the same. A positive number of at most nine digits.
+  std::uint64_t seed_of(const std::string& purpose, std::size_t number) const;
+
+  bool is_interrupted() const { return options_.interrupt != nullptr && *options_.interrupt; }
+
+ private:
+  std::optional<GradeCells::Cell> run_once(const PreparedSubmission& submission, const WorkScene& scene,
+                                           std::uint64_t seed) const;
+  std::string key_of(const PreparedSubmission& submission, const WorkScene& scene, std::uint64_t seed) const;
+
+  const Assignment& assignment_;
+  const SubmissionDoor& door_;
+  GradeCells& cells_;
+  GradeRunsOptions options_;
+  std::shared_mutex company_;
+};
+
+/// work(0) ... work(count - 1) on so many threads; ends early when it returns false. Rethrows the first exception.
+void side_by_side_work(std::size_t count, int threads, const std::function<bool(std::size_t)>& work);
+
+}  // namespace photonproof

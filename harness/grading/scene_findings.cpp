@@ -1,0 +1,39 @@
+#include "harness/grading/scene_findings.h"
+
+#include "harness/diagnosis/knowledge.h"
+#include "scenes/text/input_error.h"
+
+namespace photonproof {
+
+const SceneKnowledge& SceneFindings::knowledge(std::size_t scene) {
+  if (const auto found = known_.find(scene); found != known_.end()) return found->second;
+  const WorkScene& work = scenes_[scene];
+  const SceneReference& reference = *references_[scene];
+  SceneKnowledge known;
+  const std::optional<float> white =
+      assignment_.image.is_clamped() ? std::optional(static_cast<float>(1 / assignment_.image.scale)) : std::nullopt;
+  if (work.description) {
+    progress_("scene " + work.row.name + ": what its light is made of");
+    try {
+      known = knowledge_of(*work.description, reference.rendering, engine_, {.white = white});
+    } catch (const InputError&) {  // sentences then go without features
+      known = {};
+    }
+  }
+  known.reference = reference.rendering.mean;
+  known.variance = reference.rendering.variance;
+  known.white = white;
+  for (std::size_t other = 0; other < scenes_.size(); ++other)
+    if (other != scene && references_[other])
+      known.other_images.emplace_back("scene " + scenes_[other].row.name, references_[other]->rendering.mean);
+  return known_.emplace(scene, std::move(known)).first->second;
+}
+
+void SceneFindings::add(std::size_t scene, SceneWorkGrade& work) {
+  if (work.grade.verdict != SceneVerdict::wrong || work.images.empty() || !references_[scene]) return;
+  for (const Finding& finding : diagnose(work.images.front(), knowledge(scene)))
+    work.grade.findings.push_back({finding.kind, finding.sentence, finding.cause, finding.where.x, finding.where.y,
+                                   finding.where.width, finding.where.height, finding.explained});
+}
+
+}  // namespace photonproof

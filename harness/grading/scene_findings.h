@@ -1,0 +1,42 @@
+// What is wrong with images that are not right, in sentences (harness/diagnosis).
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "harness/diagnosis/diagnosis.h"
+#include "harness/grading/scene_grading.h"
+#include "harness/variants/own_engine.h"
+
+namespace photonproof {
+
+class SceneFindings {
+ public:
+  SceneFindings(const Assignment& assignment, const std::vector<WorkScene>& scenes,
+                const std::vector<std::optional<SceneReference>>& references, OwnEngine engine,
+                std::function<void(const std::string&)> progress)
+      : assignment_(assignment),
+        scenes_(scenes),
+        references_(references),
+        engine_(std::move(engine)),
+        progress_(std::move(progress)) {}
+
+  /// Adds findings where the scene's verdict is wrong, and the first as the scene's sentence. What is known of a scene
+  /// is rendered when the first wrong image of it is met.
+  void add(std::size_t scene, SceneWorkGrade& work);
+
+ private:
+  const SceneKnowledge& knowledge(std::size_t scene);
+
+  const Assignment& assignment_;
+  const std::vector<WorkScene>& scenes_;
+  const std::vector<std::optional<SceneReference>>& references_;
+  OwnEngine engine_;
+  std::function<void(const std::string&)> progress_;
+  std::map<std::size_t, SceneKnowledge> known_;
+};
+
+}  // namespace photonproof

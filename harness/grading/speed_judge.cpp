@@ -1,0 +1,144 @@
+#include "harness/grading/speed_judge.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "harness/statistics/student.h"
+
+namespace photonproof {
+namespace {
+
+constexpr double speed_tail = 0.005;  // a side
+
+bool is_quiet(const SpeedRound& round, int cores) { return round.busy <= tolerated_busy_share * cores; }
+
+// Of the logarithms; no interval from one value.
+Estimate ratio_estimate(const std::vector<double>& logarithms) {
+  const auto n = static_cast<double>(logarithms.size());
+  double mean = 0, squares = 0;
+  for (const double value : logarithms) mean += value / n;
+  for (const double value : logarithms) squares += (value - mean) * (value - mean);
+  Estimate ratio{std::exp(mean), {}};
+  if (logarithms.size() < 2) return ratio;
+  const double margin = t_quantile(speed_tail, n - 1) * std::sqrt(squares / (n - 1) / n);
+  ratio.interval = {std::exp(mean - margin), std::exp(mean + margin)};
+  return ratio;
+}
+
+std::vector<double> logarithms_of(const std::vector<const SpeedRound*>& rounds, std::size_t scene) {
+  std::vector<double> values;
+  for (const SpeedRound* round : rounds)
+    values.push_back(std::log(round->baseline_seconds[scene] / round->seconds[scene]));
+  return values;
+}
+
+// The tier whose beginning the interval holds.
+const SpeedTier* open_tier(const PerformanceRule& rule, const Interval& interval) {
+  for (const SpeedTier& tier : rule.tiers)
+    if (interval.low < tier.ratio && tier.ratio <= interval.high) return &tier;
+  return nullptr;
+}
+
+double relative_width(const Interval& interval) { return interval.high / interval.low - 1; }
+
+std::string ratio_sentence(const Estimate& ratio) {
+  if (!ratio.interval) return fmt::format("{:.3g} times as fast as the baseline", ratio.value);
+  return fmt::format("{:.3g} times as fast as the baseline ({:.3g} to {:.3g})", ratio.value, ratio.interval->low,
+                     ratio.interval->high);
+}
+
+std::vector<const SpeedRound*> counted_rounds(const std::vector<SpeedRound>& rounds, int cores, bool& disturbed) {
+  std::vector<const SpeedRound*> quiet, all;
+  for (const SpeedRound& round : rounds) {
+    all.push_back(&round);
+    if (is_quiet(round, cores)) quiet.push_back(&round);
+  }
+  disturbed = quiet.size() < least_speed_rounds && quiet.size() < all.size();
+  return disturbed ? all : quiet;
+}
+
+std::string noise_reason(const PerformanceRule& rule, const SpeedGrade& grade,
+                         const std::vector<const SpeedRound*>& rounds, bool disturbed, int cores) {
+  if (disturbed) {
+    double busy = 0;
+    for (const SpeedRound* round : rounds) busy += round->busy / static_cast<double>(rounds.size());
+    return fmt::format("other work used {:.2g} of {} cores meanwhile", busy, cores);
+  }
+  if (rounds.size() < least_speed_rounds)
+    return fmt::format("{} of at least {} rounds", rounds.size(), least_speed_rounds);
+  if (const SpeedTier* tier = open_tier(rule, *grade.speedup.interval))
+    return fmt::format("{:.3g} times, where {:.3g} points begin, lies within the interval, and counts as reached",
+                       tier->ratio, tier->points);
+  return fmt::format("the interval is {:.2g} % wide", 100 * relative_width(*grade.speedup.interval));
+}
+
+void fill_scenes(const std::vector<std::string>& scenes, const std::vector<SpeedRound>& rounds,
+                 const std::vector<const SpeedRound*>& counted, SpeedGrade& grade) {
+  for (std::size_t s = 0; s < scenes.size(); ++s) {
+    SceneSpeed speed;
+    speed.scene = scenes[s];
+    speed.ratio = ratio_estimate(logarithms_of(counted, s));
+    for (const SpeedRound& round : rounds) {
+      speed.baseline_seconds.push_back(round.baseline_seconds[s]);
+      speed.seconds.push_back(round.seconds[s]);
+      speed.busy.push_back(round.busy);
+    }
+    grade.scenes.push_back(std::move(speed));
+  }
+}
+
+}  // namespace
+
+double points_for(const PerformanceRule& rule, double speedup) {
+  if (rule.curve) return rule.curve->points * std::clamp(std::log(speedup) / std::log(rule.curve->ratio), 0.0, 1.0);
+  double points = 0;
+  for (const SpeedTier& tier : rule.tiers)
+    if (speedup >= tier.ratio) points = tier.points;
+  return points;
+}
+
+std::string rule_text(const PerformanceRule& rule) {
+  if (rule.curve)
+    return fmt::format("{:.4g} points at {:.4g}x, by the logarithm below", rule.curve->points, rule.curve->ratio);
+  std::string text;
+  for (const SpeedTier& tier : rule.tiers)
+    text += fmt::format("{}{:.4g}{} from {:.4g}x", text.empty() ? "" : ", ", tier.points, text.empty() ? " points" : "",
+                        tier.ratio);
+  return text;
+}
+
+SpeedJudgement judge_speed(const PerformanceRule& rule, const std::vector<std::string>& scenes,
+                           const std::vector<SpeedRound>& rounds, int cores, bool last) {
+  SpeedJudgement judgement;
+  SpeedGrade& grade = judgement.grade;
+  if (rounds.empty()) {
+    grade.sentence = "not timed: the time for it was over";
+    return judgement;
+  }
+  bool disturbed = false;
+  const std::vector<const SpeedRound*> counted = counted_rounds(rounds, cores, disturbed);
+  grade.rounds = static_cast<int>(counted.size());
+  fill_scenes(scenes, rounds, counted, grade);
+  std::vector<double> together(counted.size(), 0.0);
+  for (std::size_t s = 0; s < scenes.size(); ++s) {
+    const std::vector<double> logarithms = logarithms_of(counted, s);
+    for (std::size_t r = 0; r < counted.size(); ++r) together[r] += logarithms[r] / static_cast<double>(scenes.size());
+  }
+  grade.speedup = ratio_estimate(together);
+  const bool enough = counted.size() >= least_speed_rounds && !disturbed;
+  const bool is_narrow = enough && relative_width(*grade.speedup.interval) <= narrow_width;
+  const bool is_in_one_tier = enough && !rule.curve && open_tier(rule, *grade.speedup.interval) == nullptr;
+  judgement.decided = is_in_one_tier || (is_narrow && rule.curve);
+  grade.state = judgement.decided ? SpeedGrade::State::measured : SpeedGrade::State::too_noisy;
+  grade.sentence = ratio_sentence(grade.speedup);
+  if (!judgement.decided && last)
+    grade.sentence += "; too noisy: " + noise_reason(rule, grade, counted, disturbed, cores);
+  const SpeedTier* open = enough && !rule.curve ? open_tier(rule, *grade.speedup.interval) : nullptr;
+  grade.points = points_for(rule, open != nullptr ? open->ratio : grade.speedup.value);
+  if (is_narrow) judgement.decided = true;  // more rounds would not help
+  return judgement;
+}
+
+}  // namespace photonproof

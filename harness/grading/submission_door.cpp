@@ -1,0 +1,165 @@
+#include "harness/grading/submission_door.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "harness/cells/cells.h"
+#include "harness/submissions/build_submission.h"
+#include "harness/submissions/run_submission.h"
+#include "harness/submissions/submitted_image.h"
+#include "scenes/text/file_checksum.h"
+#include "scenes/text/input_error.h"
+#include "scenes/text/scratch_folder.h"
+
+namespace photonproof {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Names and contents, in their order.
+void add_tree(const fs::path& tree, std::vector<std::pair<std::string, std::string>>& parts) {
+  std::vector<std::pair<std::string, std::string>> files;
+  for (const auto& entry : fs::recursive_directory_iterator(tree)) {
+    const std::string name = entry.path().lexically_relative(tree).string();
+    if (entry.is_symlink())
+      files.emplace_back(name, fs::read_symlink(entry.path()).string());
+    else if (entry.is_regular_file())
+      files.emplace_back(name, file_checksum(entry.path()));
+  }
+  std::ranges::sort(files);
+  parts.insert(parts.end(), files.begin(), files.end());
+}
+
+SandboxLimits sandbox_limits(const AssignmentLimits& limits) {
+  SandboxLimits sandbox;
+  sandbox.wall_seconds = limits.seconds;
+  sandbox.memory_bytes = limits.memory_mb << 20;
+  sandbox.file_bytes = limits.file_mb << 20;
+  sandbox.disk_bytes = limits.disk_mb << 20;
+  sandbox.log_bytes = limits.log_mb << 20;
+  sandbox.processes = limits.processes;
+  return sandbox;
+}
+
+const char* end_text(RunOutcome::Kind kind) {
+  using Kind = RunOutcome::Kind;
+  switch (kind) {
+    case Kind::ok:
+      return "ok";
+    case Kind::not_started:
+      return "not started";
+    case Kind::crash:
+      return "crash";
+    case Kind::timeout:
+      return "timeout";
+    case Kind::memory:
+      return "memory";
+    case Kind::disk:
+      return "disk";
+    case Kind::log:
+      return "log";
+    case Kind::file_size:
+      return "file size";
+    case Kind::no_image:
+      return "no image";
+    case Kind::bad_image:
+      return "bad image";
+    case Kind::interrupted:
+      break;
+  }
+  return "interrupted";
+}
+
+ImageDeclaration declaration_of(const AssignmentImage& image, int width, int height) {
+  ImageDeclaration declaration;
+  declaration.format = *submitted_format(image.format);
+  using Kind = Transfer::Kind;
+  if (!image.gamma)
+    declaration.transfer = {Kind::srgb, 1};
+  else if (*image.gamma != 1)
+    declaration.transfer = {Kind::gamma, *image.gamma};
+  declaration.bottom_up = image.bottom_up;
+  declaration.scale = image.scale;
+  declaration.width = width;
+  declaration.height = height;
+  return declaration;
+}
+
+}  // namespace
+
+SubmissionDoor::SubmissionDoor(const Assignment& assignment, const DoorOptions& options)
+    : assignment_(assignment), options_(options) {
+  if (!options.contained) return;
+  if (const auto why = why_no_sandbox())
+    throw InputError("sandbox", *why + "; --no-sandbox runs submissions without one, at your risk");
+  // What every submission can read holds no hidden scenes.
+  if (is_part_of_system(assignment.folder))
+    throw InputError(assignment.folder.string(),
+                     "is part of the system, which submissions can read: put the assignment elsewhere");
+}
+
+std::string SubmissionDoor::containment() const {
+  return options_.contained ? "bubblewrap: no network, no other process, read-only system"
+                            : "none (--no-sandbox): limits alone";
+}
+
+PreparedSubmission SubmissionDoor::prepare(const std::string& name, const fs::path& source,
+                                           const fs::path& folder) const {
+  PreparedSubmission prepared;
+  prepared.name = name;
+  prepared.source = source;
+  prepared.folder = folder / "built";
+  const Handling handling{options_.contained, options_.interrupt};
+  fs::create_directories(folder);
+  try {
+    take_in({name, source}, folder / "source", {}, handling);
+  } catch (const SubmissionError& error) {
+    prepared.sentence = error.what();
+    return prepared;
+  }
+  BuildRecipe recipe;
+  if (!assignment_.build_command.empty())
+    recipe.command = with_values(assignment_.build_command, {{"threads", std::to_string(options_.threads)}});
+  recipe.overwrite = assignment_.overwrite;
+  recipe.limits = sandbox_limits(assignment_.build_limits);
+  std::vector<std::pair<std::string, std::string>> parts{{"build", length_prefixed(recipe.command)}};
+  add_tree(folder / "source", parts);
+  if (!recipe.overwrite.empty()) add_tree(recipe.overwrite, parts);
+  prepared.checksum = content_key(parts);
+  const BuildOutcome outcome = build_submission(folder / "source", recipe, prepared.folder, handling);
+  prepared.built = outcome.ok;
+  prepared.sentence = outcome.sentence;
+  prepared.log_tail = outcome.log_tail;
+  prepared.seconds = outcome.seconds;
+  return prepared;
+}
+
+DoorAnswer SubmissionDoor::run(const PreparedSubmission& submission, const DoorRequest& request) const {
+  const ScratchFolder scratch("grade");
+  RunRecipe recipe;
+  recipe.command = request.command;
+  recipe.params = request.params;
+  recipe.params_place = request.params_place;
+  recipe.limits = sandbox_limits(assignment_.limits);
+  RunOutcome outcome =
+      run_submission(submission.folder, recipe, declaration_of(assignment_.image, request.width, request.height),
+                     scratch.path() / "image", options_.program, {options_.contained, options_.interrupt});
+  DoorAnswer answer;
+  answer.end = end_text(outcome.kind);
+  if (!answer.ok()) answer.sentence = outcome.sentence;
+  answer.wall_seconds = outcome.wall_seconds;
+  answer.cpu_seconds = outcome.cpu_seconds;
+  answer.peak_bytes = outcome.peak_bytes;
+  answer.log_tail = outcome.log_tail;
+  answer.image = std::move(outcome.image);
+  return answer;
+}
+
+Image SubmissionDoor::read_given(const fs::path& file, int width, int height) const {
+  SubmittedImage read = read_submitted_image(file, file.string(), declaration_of(assignment_.image, width, height),
+                                             options_.program, {options_.contained, options_.interrupt});
+  if (!read.image) throw InputError(file.string(), read.wrong);
+  return std::move(*read.image);
+}
+
+}  // namespace photonproof

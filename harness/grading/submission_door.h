@@ -1,0 +1,76 @@
+// The door between grading and untrusted programs: a submission is taken in and built once, then run as often as
+// verdicts and timings need. Everything that happens on its other side ends as a sentence.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "harness/grading/assignment.h"
+#include "scenes/images/image.h"
+
+namespace photonproof {
+
+/// A submission, or the baseline, after its build.
+struct PreparedSubmission {
+  std::string name;
+  std::filesystem::path source, folder;  ///< as given; where it was built
+  std::string checksum;                  ///< of what was handed in and how it is built
+  bool built = false;
+  std::string sentence;  ///< why not
+  std::string log_tail;
+  double seconds = 0;
+};
+
+/// One run: the command with all placeholders filled but {output} and {params}, which the sandbox knows, and the
+/// scene's own file, if there is one.
+struct DoorRequest {
+  std::vector<std::string> command;
+  std::string params, params_place;  ///< text, and where it is put in the run's folder
+  int width = 0, height = 0;         ///< pixels that the image must have
+};
+
+struct DoorAnswer {
+  std::string end = "ok";  ///< "crash", "timeout", "memory", "no image", "bad image", "interrupted" ...
+  std::string sentence;
+  double wall_seconds = 0, cpu_seconds = 0;
+  std::uint64_t peak_bytes = 0;
+  std::string log_tail;
+  std::optional<Image> image;  ///< linear, top row first; where `end` is "ok"
+  bool ok() const { return end == "ok"; }
+};
+
+struct DoorOptions {
+  bool contained = true;  ///< false: --no-sandbox
+  int threads = 1;
+  std::filesystem::path program;  ///< this one, which reads images in a process of its own
+  const std::atomic<bool>* interrupt = nullptr;
+};
+
+class SubmissionDoor {
+ public:
+  /// Throws InputError where no sandbox can be had and one is asked for.
+  SubmissionDoor(const Assignment& assignment, const DoorOptions& options);
+
+  /// Never throws for what a submission holds or does. `folder` must not exist; it receives source/ and built/.
+  PreparedSubmission prepare(const std::string& name, const std::filesystem::path& source,
+                             const std::filesystem::path& folder) const;
+  /// Throws InputError for the grader's own troubles.
+  DoorAnswer run(const PreparedSubmission& submission, const DoorRequest& request) const;
+
+  /// A picture that staff name in the assignment's format, as a submission's image is read. Throws InputError where it
+  /// is none.
+  Image read_given(const std::filesystem::path& file, int width, int height) const;
+
+  /// How programs are kept apart from this machine, for the record.
+  std::string containment() const;
+
+ private:
+  const Assignment& assignment_;
+  DoorOptions options_;
+};
+
+}  // namespace photonproof

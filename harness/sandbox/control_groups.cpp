@@ -1,0 +1,123 @@
+#include "harness/sandbox/control_groups.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <chrono>
+#include <cstdlib>
+#include <fstream>
+#include <optional>
+#include <sstream>
+#include <thread>
+
+namespace photonproof {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path groups_root = "/sys/fs/cgroup";
+
+// Whether the kernel took it; a stream would try again and again.
+bool write_setting(const fs::path& file, const std::string& value) {
+  const int descriptor = open(file.c_str(), O_WRONLY | O_CLOEXEC);
+  if (descriptor < 0) return false;
+  const bool taken = write(descriptor, value.data(), value.size()) == static_cast<ssize_t>(value.size());
+  close(descriptor);
+  return taken;
+}
+
+// The number behind `key` in a file of lines "key number".
+std::uint64_t counted(const fs::path& file, const std::string& key) {
+  std::ifstream in(file);
+  std::string word;
+  for (std::uint64_t number = 0; in >> word >> number;)
+    if (word == key) return number;
+  return 0;
+}
+
+// Our own group in the hierarchy of a controller, "" being version 2's; by lines "number:controllers:path".
+std::string own_group(const std::string& controller) {
+  std::ifstream in("/proc/self/cgroup");
+  for (std::string line; std::getline(in, line);) {
+    const auto first = line.find(':'), second = line.find(':', first + 1);
+    if (second == std::string::npos) continue;
+    std::istringstream controllers(line.substr(first + 1, second - first - 1));
+    bool ours = controller.empty() && second == first + 1;
+    for (std::string name; std::getline(controllers, name, ',');) ours = ours || name == controller;
+    if (ours) return line.substr(second + 1);
+  }
+  return "/";
+}
+
+std::string new_group_name() {
+  static std::atomic<int> made{0};
+  return "photonproof-" + std::to_string(getpid()) + "-" + std::to_string(made++);
+}
+
+// A new group below `group` or the nearest of those above it that takes one with all settings.
+template <class Settings>
+fs::path make_group(const fs::path& root, const std::string& group, const Settings& settings) {
+  const std::string name = new_group_name();
+  for (fs::path parent = (root / fs::path(group).relative_path()).lexically_normal();; parent = parent.parent_path()) {
+    std::error_code failure;
+    if (fs::create_directory(parent / name, failure)) {
+      if (settings(parent / name)) return parent / name;
+      fs::remove(parent / name, failure);
+    }
+    if (parent == root || !parent.has_relative_path()) return {};
+  }
+}
+
+std::optional<fs::path> version_two_root() {
+  for (const fs::path& root : {groups_root, groups_root / "unified"})
+    if (fs::exists(root / "cgroup.controllers")) return root;
+  return std::nullopt;
+}
+
+}  // namespace
+
+ControlGroups::ControlGroups(std::uint64_t memory_bytes, int processes) {
+  const std::string memory = std::to_string(memory_bytes), most = std::to_string(processes);
+  if (const auto root = version_two_root()) {
+    const fs::path both = make_group(*root, own_group(""), [&](const fs::path& group) {
+      if (!write_setting(group / "memory.max", memory) || !write_setting(group / "pids.max", most)) return false;
+      write_setting(group / "memory.swap.max", "0");
+      write_setting(group / "memory.oom.group", "1");
+      return true;
+    });
+    if (!both.empty()) {
+      memory_ = processes_ = both;
+      folders_ = {both};
+      return;
+    }
+  }
+  memory_ = make_group(groups_root / "memory", own_group("memory"), [&](const fs::path& group) {
+    if (!write_setting(group / "memory.limit_in_bytes", memory)) return false;
+    write_setting(group / "memory.memsw.limit_in_bytes", memory);
+    return true;
+  });
+  processes_ = make_group(groups_root / "pids", own_group("pids"),
+                          [&](const fs::path& group) { return write_setting(group / "pids.max", most); });
+  for (const fs::path& made : {memory_, processes_})
+    if (!made.empty()) folders_.push_back(made);
+}
+
+ControlGroups::~ControlGroups() {
+  for (const fs::path& group : folders_) {
+    // A process leaves its group a moment after it has been waited for.
+    for (int attempt = 0; rmdir(group.c_str()) != 0 && attempt < 200; ++attempt)
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+}
+
+bool ControlGroups::memory_ran_out() const {
+  if (memory_.empty()) return false;
+  return counted(memory_ / "memory.events", "oom_kill") > 0 || counted(memory_ / "memory.oom_control", "oom_kill") > 0;
+}
+
+bool ControlGroups::processes_ran_out() const {
+  return !processes_.empty() && counted(processes_ / "pids.events", "max") > 0;
+}
+
+}  // namespace photonproof

@@ -1,0 +1,34 @@
+// Control groups (cgroups(7)) for one contained command, of either version, where the system lets us make them: the
+// kernel then counts its memory and processes, instead of our samples and a limit that each process has for itself.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace photonproof {
+
+class ControlGroups {
+ public:
+  /// Below the caller's own groups, or above them where only there children are allowed; none where nothing can be
+  /// made.
+  ControlGroups(std::uint64_t memory_bytes, int processes);
+  ~ControlGroups();  ///< the command must have ended
+  ControlGroups(const ControlGroups&) = delete;
+  ControlGroups& operator=(const ControlGroups&) = delete;
+
+  /// A process that writes "0" to `cgroup.procs` in each is limited, and all that descend from it.
+  const std::vector<std::filesystem::path>& folders() const { return folders_; }
+  bool counts_memory() const { return !memory_.empty(); }
+  bool counts_processes() const { return !processes_.empty(); }
+  /// Whether the kernel has killed for memory, or refused another process.
+  bool memory_ran_out() const;
+  bool processes_ran_out() const;
+
+ private:
+  std::vector<std::filesystem::path> folders_;
+  std::filesystem::path memory_, processes_;
+};
+
+}  // namespace photonproof

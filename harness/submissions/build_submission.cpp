@@ -1,0 +1,89 @@
+#include "harness/submissions/build_submission.h"
+
+#include <cstdio>
+
+#include "harness/submissions/submission_tree.h"
+#include "scenes/text/input_error.h"
+#include "scenes/text/scratch_folder.h"
+#include "scenes/text/utf8.h"
+
+namespace photonproof {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kept_log = std::size_t{16} << 10;
+
+std::string last_part(const std::string& text, std::size_t bytes) {
+  return text.size() <= bytes ? text : text.substr(text.size() - bytes);
+}
+
+std::string build_sentence(const SandboxOutcome& outcome) {
+  const ProcessOutcome& process = outcome.process;
+  std::string said = last_line(process.standard_error);
+  if (said.empty()) said = last_line(process.standard_output);
+  std::string sentence = "the build " + outcome.sentence();
+  if (process.end == ProcessOutcome::End::exited && !said.empty()) sentence += ": " + printable(said);
+  return sentence;
+}
+
+}  // namespace
+
+std::string log_tail(const ProcessOutcome& process) {
+  return last_part(last_part(process.standard_output, kept_log / 2) + last_part(process.standard_error, kept_log / 2),
+                   kept_log);
+}
+
+BuildOutcome build_submission(const fs::path& submission, const BuildRecipe& recipe, const fs::path& built,
+                              const Handling& handling) {
+  // Overwriting comes before the sandbox, on a copy of our own.
+  const ScratchFolder scratch("build");
+  const fs::path copy = scratch.path() / "copy";
+  fs::copy(submission, copy, fs::copy_options::recursive | fs::copy_options::copy_symlinks);
+  if (!recipe.overwrite.empty()) overwrite_files(recipe.overwrite, copy);
+  fs::create_directories(built.parent_path());
+  if (!fs::create_directory(built)) throw InputError(built.string(), "is there already");
+  SandboxOptions options;
+  options.working_folder = submission_inside;
+  options.starts_with = copy;
+  options.collect = ".";
+  options.collect_to = fs::canonical(built);
+  options.environment = recipe.environment;
+  options.limits = recipe.limits;
+  options.interrupt = handling.interrupt;
+  options.contained = handling.contained;
+  const std::vector<std::string> nothing{"true"};
+  const SandboxOutcome outcome = run_sandboxed(recipe.command.empty() ? nothing : recipe.command, options);
+  BuildOutcome result;
+  result.ok = outcome.ok() && outcome.collected;
+  result.seconds = outcome.process.wall_seconds;
+  result.log_tail = log_tail(outcome.process);
+  char took[64];
+  std::snprintf(took, sizeof took, "built in %.1f s", result.seconds);
+  result.sentence = result.ok ? took : build_sentence(outcome);
+  if (!result.ok) fs::remove_all(built);
+  return result;
+}
+
+std::vector<std::string> with_values(const std::vector<std::string>& command,
+                                     const std::map<std::string, std::string>& values) {
+  std::vector<std::string> words;
+  for (const std::string& pattern : command) {
+    std::string word;
+    for (std::size_t at = 0; at < pattern.size();) {
+      const std::size_t end = pattern[at] == '{' ? pattern.find('}', at) : std::string::npos;
+      if (end == std::string::npos) {
+        word += pattern[at++];
+        continue;
+      }
+      const auto value = values.find(pattern.substr(at + 1, end - at - 1));
+      if (value == values.end()) throw InputError(pattern, "nothing is known by the name in braces");
+      word += value->second;
+      at = end + 1;
+    }
+    words.push_back(word);
+  }
+  return words;
+}
+
+}  // namespace photonproof

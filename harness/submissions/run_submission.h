@@ -1,0 +1,57 @@
+// Runs a built submission once, in the sandbox, and reads its image.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "harness/submissions/build_submission.h"
+#include "harness/submissions/image_declaration.h"
+#include "harness/submissions/submission.h"
+#include "scenes/images/image.h"
+
+namespace photonproof {
+
+struct RunRecipe {
+  /// With {names} of `values`, and {output} and {params}, which are relative to the folder the command starts in.
+  std::vector<std::string> command{};
+  std::map<std::string, std::string> values{};
+  std::string params{};        ///< text of the scene's own file; put at `params_place` if that is not empty
+  std::string params_place{};  ///< relative, within the run's folder
+  std::map<std::string, std::string> environment{};
+  SandboxLimits limits{};
+};
+
+struct RunOutcome {
+  enum class Kind {
+    ok,
+    not_started,
+    crash,  ///< a signal, or an exit code other than 0
+    timeout,
+    memory,
+    disk,
+    log,
+    file_size,
+    no_image,   ///< nothing, or no regular file
+    bad_image,  ///< empty, damaged, another format or size, or with pixels that are not finite
+    interrupted
+  } kind = Kind::not_started;
+  std::string sentence;  ///< "ran in 1.2 s", or what is wrong, for the author
+  double wall_seconds = 0, cpu_seconds = 0;
+  std::uint64_t peak_bytes = 0;  ///< of the process that had most
+  std::string log_tail;
+  std::optional<Image> image;  ///< linear, row 0 on top, without the declared scale
+};
+
+/// The command starts in a new folder of links to the built tree, which is read-only; it may add files and replace
+/// links. `output_file` is where the bytes of the image are kept. `program` is photonproof, which decodes
+/// (submitted_image.h). Throws InputError for the grader's own troubles: names that have no value, a params_place that
+/// leads outside.
+RunOutcome run_submission(const std::filesystem::path& built, const RunRecipe& recipe,
+                          const ImageDeclaration& declaration, const std::filesystem::path& output_file,
+                          const std::filesystem::path& program, const Handling& handling = {});
+
+}  // namespace photonproof

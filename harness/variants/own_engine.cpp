@@ -1,0 +1,94 @@
+#include "harness/variants/own_engine.h"
+
+#include <filesystem>
+#include <string>
+#include <system_error>
+#include <variant>
+#include <vector>
+
+#include "reference/process/process.h"
+#include "scenes/text/atomic_file.h"
+#include "scenes/text/checksum.h"
+#include "scenes/text/file_checksum.h"
+#include "scenes/text/scratch_folder.h"
+#include "scenes/xml/writer.h"
+
+namespace photonproof {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Files are named from the scene's folder, and the text that is rendered lies elsewhere.
+SceneDescription with_absolute_files(SceneDescription scene) {
+  const fs::path folder =
+      fs::absolute(scene.files.empty() ? fs::path(".") : fs::path(scene.files.front()).parent_path());
+  const auto place = [&](std::string& name) { name = (folder / name).lexically_normal().string(); };
+  const auto place_meshes = [&](std::vector<ShapeDescription>& shapes) {
+    for (ShapeDescription& shape : shapes)
+      if (auto* mesh = std::get_if<MeshDescription>(&shape.geometry)) place(mesh->filename);
+  };
+  place_meshes(scene.shapes);
+  for (ShapeGroupDescription& group : scene.groups) place_meshes(group.shapes);
+  for (TextureDescription& texture : scene.textures)
+    if (auto* bitmap = std::get_if<BitmapDescription>(&texture.pattern)) place(bitmap->filename);
+  for (EmitterDescription& emitter : scene.emitters) {
+    if (auto* map = std::get_if<EnvmapDescription>(&emitter.light)) place(map->filename);
+    if (auto* profile = std::get_if<IesLightDescription>(&emitter.light)) place(profile->filename);
+  }
+  return scene;
+}
+
+std::vector<std::string> command_of(const OwnEngine& engine, const OwnRender& render, const std::string& scene,
+                                    const std::string& out) {
+  std::vector<std::string> command{engine.program.string(),
+                                   "render",
+                                   scene,
+                                   "-o",
+                                   out,
+                                   "--integrator",
+                                   render.integrator,
+                                   "--size",
+                                   std::to_string(render.width) + "x" + std::to_string(render.height),
+                                   "--spp",
+                                   std::to_string(render.spp),
+                                   "--seed",
+                                   std::to_string(render.seed),
+                                   "--allow-outside",
+                                   "--quiet"};
+  command.insert(command.end(), render.more.begin(), render.more.end());
+  return command;
+}
+
+std::string cache_name(const OwnEngine& engine, const std::string& text, const OwnRender& render) {
+  Checksum sum;
+  for (const std::string& part : command_of(engine, render, text, "")) sum.add(part.c_str(), part.size() + 1);
+  const std::string program = file_checksum(engine.program);
+  sum.add(program.data(), program.size());
+  return sum.hex() + ".exr";
+}
+
+}  // namespace
+
+Rendering render_with(const OwnEngine& engine, const SceneDescription& scene, const OwnRender& render) {
+  const std::string text = write_scene(with_absolute_files(scene));
+  const fs::path kept = engine.cache.empty() ? fs::path() : engine.cache / cache_name(engine, text, render);
+  if (!kept.empty() && fs::exists(kept)) return read_rendering(kept.string());
+  const ScratchFolder scratch("grade");
+  const fs::path file = scratch.path() / "scene.xml", out = scratch.path() / "image.exr";
+  write_file_atomically(file, text);
+  ProcessOptions options;
+  options.wall_limit_seconds = engine.seconds;
+  options.interrupt = engine.interrupt;
+  const ProcessOutcome outcome = run_process(command_of(engine, render, file.string(), out.string()), options);
+  if (!outcome.ok())
+    throw InputError(engine.program.string(), "rendering what is compared with, it " + outcome.sentence() + ": " +
+                                                  last_line(outcome.standard_error));
+  Rendering rendering = read_rendering(out.string());
+  if (!kept.empty()) {
+    fs::create_directories(engine.cache);
+    write_exr(kept.string(), rendering);
+  }
+  return rendering;
+}
+
+}  // namespace photonproof

@@ -1,0 +1,183 @@
+#include "harness/variants/plain_objects.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "scenes/description/overloaded.h"
+#include "scenes/text/text_numbers.h"
+
+namespace photonproof {
+namespace {
+
+[[noreturn]] void cannot_say(const SceneDescription& scene, const SourceLoc& loc, const std::string& what) {
+  throw InputError(scene.where(loc), "the course's scene files cannot say " + what);
+}
+
+RgbD plain_colour(const SceneDescription& scene, const Colour& colour, const SourceLoc& loc, const char* of) {
+  const auto* rgb = std::get_if<RgbD>(&colour);
+  if (!rgb) cannot_say(scene, loc, std::string("a texture as ") + of);
+  return *rgb;
+}
+
+/// As short as the numbers it was made of: 29 where rotations made it 29.000000000000004.
+double rounded(double v, double scale) {
+  const double grid = scale * 1e-12;
+  for (double step = 1e-6; step > 1e-13; step /= 10) {
+    const double near = std::round(v / step) * step;
+    if (std::abs(near - v) <= grid) return parse_number(format_number(near)).value.value_or(near);
+  }
+  return v;
+}
+
+Vec3d rounded(const Vec3d& v) {
+  const double scale = std::max({1.0, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  return {rounded(v.x, scale), rounded(v.y, scale), rounded(v.z, scale)};
+}
+
+void set_material(const SceneDescription& scene, BsdfIndex index, PlainObject& object) {
+  const BsdfDescription& bsdf = scene.bsdfs.at(index.value);
+  const auto plain = [&](const Colour& colour) { return plain_colour(scene, colour, bsdf.loc, "a material's colour"); };
+  std::visit(Overloaded{[&](const DiffuseDescription& d) {
+                          object.material = PlainMaterial::diffuse;
+                          object.colour = plain(d.reflectance);
+                        },
+                        [&](const ConductorDescription& d) {
+                          if (d.ior) cannot_say(scene, bsdf.loc, "a metal's index of refraction");
+                          object.material = PlainMaterial::mirror;
+                          object.colour = plain(d.specular_reflectance);
+                        },
+                        [&](const DielectricDescription& d) {
+                          if (plain(d.specular_reflectance) != RgbD(1.0) || d.priority)
+                            cannot_say(scene, bsdf.loc, "a glass with specular_reflectance or priority");
+                          object.material = PlainMaterial::glass;
+                          object.colour = plain(d.specular_transmittance);
+                          object.ior = d.int_ior / d.ext_ior;
+                        },
+                        [&](const TwoSidedDescription& d) {
+                          if (d.front != d.back) cannot_say(scene, bsdf.loc, "a material with two different sides");
+                          set_material(scene, d.front, object);
+                        },
+                        [&](const auto&) {
+                          cannot_say(scene, bsdf.loc,
+                                     "this material" + (bsdf.id.empty() ? "" : " " + in_quotes(bsdf.id)) +
+                                         ", only diffuse, conductor without metal, dielectric");
+                        }},
+             bsdf.model);
+  if (object.name.empty()) object.name = bsdf.id;
+}
+
+void set_water(const SceneDescription& scene, const ShapeDescription& shape, const HeightfieldDescription& field,
+               PlainObject& object) {
+  const auto* noise = std::get_if<HeightfieldNoise>(&field.height);
+  if (!noise || noise->octaves != 1 || field.columns != field.rows)
+    cannot_say(scene, shape.loc, "a heightfield but of one octave of noise on a square grid");
+  const Vec3d x = shape.to_world.vector({1, 0, 0}), y = shape.to_world.vector({0, 1, 0}),
+              z = shape.to_world.vector({0, 0, 1});
+  const auto off = [](double v, double size) { return std::abs(v) > 1e-9 * size; };
+  if (off(x.y, length(x)) || off(x.z, length(x)) || x.x <= 0 || off(y.x, length(y)) || off(y.y, length(y)) ||
+      y.z >= 0 || z.y <= 0)
+    cannot_say(scene, shape.loc, "water that is turned: its x must lie along the world's, its y against z");
+  object.half_x = rounded(x.x, 1);
+  object.half_z = rounded(-y.z, 1);
+  object.amplitude = rounded(field.amplitude * z.y, 1);
+  object.cells = field.columns;
+  object.noise_seed = noise->seed;
+  object.scale_z = 1;
+  object.frequency = rounded(noise->frequency_y / object.half_z, 1);
+  object.scale_x = noise->frequency_x > 0 ? rounded(object.frequency * object.half_x / noise->frequency_x, 1) : 1;
+}
+
+void set_shape(const SceneDescription& scene, const ShapeDescription& shape, PlainObject& object) {
+  const Transform& t = shape.to_world;
+  object.middle = t.point({0, 0, 0});
+  std::visit(Overloaded{[&](const SphereDescription& sphere) {
+                          object.kind = PlainKind::sphere;
+                          object.middle = t.point(sphere.center);
+                          object.radius = rounded(sphere.radius * length(t.vector({1, 0, 0})), sphere.radius);
+                        },
+                        [&](const RectangleDescription&) {
+                          object.kind = PlainKind::rectangle;
+                          object.a = t.vector({1, 0, 0});
+                          object.b = t.vector({0, 1, 0});
+                          // A mirroring transform keeps the normal on local +z's side, which turns the cross product.
+                          const bool turned = dot(cross(object.a, object.b), t.vector({0, 0, 1})) < 0;
+                          if (turned != shape.flip_normals) std::swap(object.a, object.b);
+                        },
+                        [&](const CubeDescription&) {
+                          object.kind = PlainKind::box;
+                          object.a = t.vector({1, 0, 0});
+                          object.b = t.vector({0, 1, 0});
+                          object.c = t.vector({0, 0, 1});
+                        },
+                        [&](const HeightfieldDescription& field) {
+                          object.kind = PlainKind::water;
+                          set_water(scene, shape, field, object);
+                        },
+                        [&](const auto&) {
+                          cannot_say(scene, shape.loc, "this shape, only sphere, rectangle, cube, heightfield");
+                        }},
+             shape.geometry);
+  if (shape.flip_normals && object.kind != PlainKind::rectangle)
+    cannot_say(scene, shape.loc, "flip_normals but of a rectangle");
+  object.middle = rounded(object.middle);
+  object.a = rounded(object.a);
+  object.b = rounded(object.b);
+  object.c = rounded(object.c);
+}
+
+}  // namespace
+
+const char* word_of(PlainKind kind) {
+  static constexpr const char* words[] = {"sphere", "rectangle", "box", "water"};
+  return words[static_cast<int>(kind)];
+}
+
+const char* word_of(PlainMaterial material) {
+  static constexpr const char* words[] = {"diffuse", "mirror", "glass", "light"};
+  return words[static_cast<int>(material)];
+}
+
+std::vector<PlainObject> plain_objects(const SceneDescription& scene) {
+  if (!scene.emitters.empty()) cannot_say(scene, scene.emitters.front().loc, "a lamp but of a shape that shines");
+  std::vector<PlainObject> objects;
+  for (const ShapeDescription& shape : scene.shapes) {
+    if (shape.interior || shape.exterior) cannot_say(scene, shape.loc, "a medium");
+    PlainObject object;
+    object.name = shape.id;
+    set_shape(scene, shape, object);
+    set_material(scene, shape.bsdf, object);
+    if (shape.radiance) {
+      object.material = PlainMaterial::light;
+      object.radiance = plain_colour(scene, *shape.radiance, shape.loc, "a lamp's radiance");
+    }
+    objects.push_back(object);
+  }
+  return objects;
+}
+
+double vertical_tangent(const PerspectiveDescription& camera, int width, int height) {
+  const double w = width, h = height;
+  double across = w;
+  if (camera.fov_axis == FovAxis::y) across = h;
+  if (camera.fov_axis == FovAxis::smaller) across = std::min(w, h);
+  if (camera.fov_axis == FovAxis::larger) across = std::max(w, h);
+  if (camera.fov_axis == FovAxis::diagonal) across = std::hypot(w, h);
+  return std::tan(camera.fov_degrees * M_PI / 360) * h / across;
+}
+
+PlainCamera plain_camera(const SceneDescription& scene, int width, int height) {
+  const auto* camera = std::get_if<PerspectiveDescription>(&scene.sensor.camera);
+  if (!camera) cannot_say(scene, scene.sensor.loc, "a camera but a perspective one");
+  if (std::abs(camera->principal_x) > 1e-12 || std::abs(camera->principal_y) > 1e-12)
+    cannot_say(scene, scene.sensor.loc, "a shifted view (principal_point_offset)");
+  const Transform& t = scene.sensor.to_world;
+  const double degrees = std::atan(vertical_tangent(*camera, width, height)) * 360 / M_PI;
+  return {rounded(t.point({0, 0, 0})), rounded(normalize(t.vector({0, 0, 1}))), rounded(normalize(t.vector({0, 1, 0}))),
+          rounded(degrees, 1), camera->near_clip};
+}
+
+}  // namespace photonproof

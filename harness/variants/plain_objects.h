@@ -1,0 +1,46 @@
+// A scene in the words of a course's scene files (scene_file.h): spheres, rectangles, boxes and water of four
+// materials.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "scenes/description/description.h"
+
+namespace photonproof {
+
+enum class PlainKind { sphere, rectangle, box, water };
+enum class PlainMaterial { diffuse, mirror, glass, light };
+const char* word_of(PlainKind kind);
+const char* word_of(PlainMaterial material);
+
+/// Members mean what scene_file.h says of the names; what a kind has not is 0.
+struct PlainObject {
+  std::string name;
+  PlainKind kind = PlainKind::sphere;
+  PlainMaterial material = PlainMaterial::diffuse;
+  Vec3d middle{0, 0, 0};
+  double radius = 0;
+  Vec3d a{0, 0, 0}, b{0, 0, 0}, c{0, 0, 0};  ///< half edges
+  RgbD colour{0, 0, 0};
+  double ior = 1;
+  RgbD radiance{0, 0, 0};
+  double half_x = 0, half_z = 0, amplitude = 0, frequency = 0, scale_x = 1, scale_z = 1;
+  int cells = 0;
+  std::uint32_t noise_seed = 0;
+};
+
+struct PlainCamera {
+  Vec3d eye, direction, up;  ///< the last two of length 1
+  double vertical_fov_degrees, near;
+};
+
+/// Both throw InputError, which names what these words cannot say.
+std::vector<PlainObject> plain_objects(const SceneDescription& scene);
+PlainCamera plain_camera(const SceneDescription& scene, int width, int height);
+
+/// tan of half the vertical angle of view.
+double vertical_tangent(const PerspectiveDescription& camera, int width, int height);
+
+}  // namespace photonproof

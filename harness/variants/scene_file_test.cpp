@@ -1,0 +1,77 @@
+// A course's scene file from a template: the numbers of course-1 and course-2, and what cannot be said.
+
+#include "harness/variants/scene_file.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <variant>
+
+#include "harness/variants/variant.h"
+#include "scenes/parser/parser.h"
+#include "scenes/text/test_folder.h"
+
+namespace photonproof {
+namespace {
+
+const std::string course_template = R"(size {{width}} {{height}}
+camera {{camera.x}} {{camera.y}} {{camera.z}} {{camera.dx}} {{camera.dy}} {{camera.dz}} {{camera.ux}} {{camera.uy}} {{camera.uz}} {{camera.fov}}
+{{#objects}}
+{{#kind_sphere}}sphere {{x}} {{y}} {{z}} {{radius}}{{/kind_sphere}}{{#kind_rectangle}}rectangle {{x}} {{y}} {{z}}, {{ax}} {{ay}} {{az}}, {{bx}} {{by}} {{bz}}{{/kind_rectangle}}{{#kind_box}}box{{/kind_box}}{{#kind_water}}water {{y}} {{half_x}} {{half_z}} {{cells}} {{amplitude}} {{frequency}} {{scale_x}} {{scale_z}}{{/kind_water}} {{name}} {{#material_diffuse}}diffuse {{r}} {{g}} {{b}}{{/material_diffuse}}{{#material_mirror}}mirror {{r}}{{/material_mirror}}{{#material_glass}}glass {{r}} {{ior}}{{/material_glass}}{{#material_light}}light {{er}}{{/material_light}}
+{{/objects}}
+)";
+
+SceneDescription scene_of_library(const std::string& name) {
+  return parse_scene_file(PHOTONPROOF_SOURCE_DIR "/scenes/library/" + name + "/scene.xml");
+}
+
+TEST(SceneFile, has_the_numbers_of_the_scene) {
+  // Normals a x b: the floor's is +y, the ceiling's and the lamp's -y.
+  EXPECT_EQ(scene_file_text(scene_of_library("course-1"), 96, 64, course_template, "t"), R"(size 96 64
+camera 0 0 150 0 0 -1 0 1 0 52.62529698957768
+rectangle 0 -50 0, 50 0 0, 0 0 -50 grey diffuse 0.7 0.7 0.7
+rectangle 0 50 0, 50 0 0, 0 0 50 grey diffuse 0.7 0.7 0.7
+rectangle 0 0 -50, 50 0 0, 0 50 0 grey diffuse 0.7 0.7 0.7
+rectangle 0 0 50, -50 0 0, 0 50 0 grey diffuse 0.7 0.7 0.7
+rectangle -50 0 0, 0 0 -50, 0 50 0 left diffuse 0.92941176 0.52156863 0.14117647
+rectangle 50 0 0, 0 0 50, 0 50 0 right diffuse 0.14117647 0.52156863 0.92941176
+rectangle 0 49.99 0, 16 0 0, 0 0 16 black light 4.6627424733953715
+sphere -27 -30 -30 20 mirror mirror 0.7
+sphere 29 -30 -5 20 glass glass 0.89 1.8
+)");
+  const std::string water = scene_file_text(scene_of_library("course-2"), 96, 96, course_template, "t");
+  EXPECT_THAT(water, testing::HasSubstr("water 22 50 50 499 1 0.14 1.2 1 water glass 1 1.3\n"));
+}
+
+TEST(SceneFile, of_a_mirrored_scene_keeps_normals_inside) {
+  const Variant mirrored = make_variant("mirror", 1, scene_of_library("course-1"), 96, 96);
+  const std::string text = scene_file_text(mirrored.scene, 96, 96, course_template, "t");
+  // The left wall is the right one now, and its normal -x: (0, 0, 50) x (0, 50, 0) = (-2500, 0, 0).
+  EXPECT_THAT(text, testing::HasSubstr("sphere 27 -30 -30 20 mirror"));
+  EXPECT_THAT(text, testing::HasSubstr("rectangle 50 0 0, 0 0 50, 0 50 0 left diffuse 0.92941176"));
+}
+
+TEST(SceneFile, says_what_it_cannot_say) {
+  const auto error_of = [](const std::string& scene, const std::string& text) {
+    return input_error_of([&] { scene_file_text(scene_of_library(scene), 8, 8, text, "scene.mustache"); });
+  };
+  EXPECT_THAT(error_of("roughness", "{{width}}"), testing::HasSubstr("the course's scene files cannot say"));
+  EXPECT_THAT(error_of("light-point", "{{width}}"), testing::HasSubstr("cannot say a lamp but of a shape that shines"));
+  EXPECT_THAT(error_of("course-1", "{{#objects}}"), testing::StartsWith("scene.mustache: error: "));
+  EXPECT_EQ(error_of("course-1", "{{#objects}}{{shininess}}{{/objects}}"),
+            "scene.mustache: error: it names 'shininess', which no scene has");
+  EXPECT_EQ(input_error_of([&] {
+              scene_file_text(make_variant("mirror", 1, scene_of_library("course-2"), 8, 8).scene, 8, 8, "", "t");
+            }).find("turned") == std::string::npos,
+            false);
+}
+
+TEST(SceneFile, escapes_nothing_and_lets_no_name_out_of_its_word) {
+  SceneDescription scene = scene_of_library("course-1");
+  for (ShapeDescription& shape : scene.shapes) shape.id = "a&b <\"\n{{x}}";
+  const std::string text = scene_file_text(scene, 8, 8, "{{#objects}}<&>{{name}};{{/objects}}", "t");
+  EXPECT_THAT(text, testing::StartsWith("<&>a_b_______x__;<&>"));
+}
+
+}  // namespace
+}  // namespace photonproof

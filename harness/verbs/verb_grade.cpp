@@ -1,0 +1,143 @@
+// photonproof grade: builds and runs a class's submissions, judges their images and their speed, writes the gradebook.
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <nlohmann/json.hpp>
+
+#include "harness/grading/assignment.h"
+#include "harness/grading/grade_session.h"
+#include "harness/suites/engine_command.h"
+#include "harness/verbs/interrupt.h"
+#include "harness/verbs/verbs.h"
+#include "harness/verbs/versions.h"
+#include "reports/grades/gradebook.h"
+#include "reports/grades/grades_json.h"
+#include "scenes/text/atomic_file.h"
+#include "scenes/text/input_error.h"
+#include "scenes/text/json_text.h"
+#include "scenes/text/utf8.h"
+
+namespace photonproof {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct GradeArguments {
+  std::string assignment, output, only, scene, autograder;
+  std::vector<std::string> submissions;
+  std::uint64_t seed = 1;
+  int threads = 0;
+  bool resume = false, fresh = false, json = false, sandbox = true, timing = true;
+};
+
+// On standard error: what goes on, rewritten on a terminal; elsewhere only what ended.
+class GradeLines {
+ public:
+  void progress(const std::string& text) {
+    if (!terminal_) return;
+    const std::lock_guard lock(writing_);
+    std::fprintf(stderr, "\r\033[K%s", printable(text).c_str());
+    std::fflush(stderr);
+  }
+  void heard(const SubmissionGrade& grade) {
+    const std::lock_guard lock(writing_);
+    std::fprintf(stderr, "%s%s: %s scenes right; %s\n", terminal_ ? "\r\033[K" : "", printable(grade.name).c_str(),
+                 right_scenes_text(grade).c_str(), printable(grade.sentence).c_str());
+  }
+  void end() const {
+    if (terminal_) std::fprintf(stderr, "\r\033[K");
+  }
+
+ private:
+  bool terminal_ = isatty(STDERR_FILENO) != 0;
+  std::mutex writing_;
+};
+
+GradeOptions grade_options(const GradeArguments& arguments, const Assignment& assignment, GradeLines& lines) {
+  GradeOptions options;
+  options.folder = arguments.output.empty() ? fs::path("out") / assignment.name : fs::path(arguments.output);
+  options.program = fs::read_symlink("/proc/self/exe");
+  std::vector<std::string> command{"photonproof", "grade", arguments.assignment};
+  for (const std::string& submission : arguments.submissions) {
+    options.submissions.emplace_back(submission);
+    command.push_back(submission);
+  }
+  command.insert(command.end(), {"-o", options.folder.string(), "--seed", std::to_string(arguments.seed)});
+  for (const auto& [name, value] : {std::pair{"--only", &arguments.only}, {"--scene", &arguments.scene}})
+    if (!value->empty()) command.insert(command.end(), {name, *value});
+  if (!arguments.sandbox) command.emplace_back("--no-sandbox");
+  if (!arguments.timing) command.emplace_back("--no-timing");
+  options.command = shell_line(command);
+  options.versions = program_versions();
+  options.only = arguments.only;
+  options.scene = arguments.scene;
+  options.seed = arguments.seed;
+  options.threads = arguments.threads;
+  options.resume = arguments.resume;
+  options.fresh = arguments.fresh;
+  options.contained = arguments.sandbox;
+  options.timing = arguments.timing;
+  options.interrupt = &interrupt_flag();
+  options.progress = [&lines](const std::string& text) { lines.progress(text); };
+  options.heard = [&lines](const SubmissionGrade& grade) { lines.heard(grade); };
+  return options;
+}
+
+void write_grades(const Grades& grades, const fs::path& folder) {
+  write_file_atomically(folder / "gradebook.csv", gradebook_csv(grades));
+  write_file_atomically(folder / "grades.json", json_text(grades_to_json(grades)) + "\n");
+}
+
+int run_grade(const GradeArguments& arguments) {
+  const Assignment assignment = read_assignment(arguments.assignment);
+  GradeLines lines;
+  const GradeOptions options = grade_options(arguments, assignment, lines);
+  const Grades grades = grade_submissions(assignment, options);
+  lines.end();
+  write_grades(grades, options.folder);
+  if (arguments.json) {
+    std::printf("%s\n", json_text(grades_to_json(grades)).c_str());
+  } else {
+    std::printf("%s", grades_table(grades).c_str());
+    for (const std::string& caveat : grades.caveats) std::printf("note: %s\n", printable(caveat).c_str());
+    std::printf("gradebook: %s\nrecord: %s\n", (options.folder / "gradebook.csv").c_str(),
+                (options.folder / "grades.json").c_str());
+    if (grades.interrupted) std::printf("interrupted: --resume goes on from here\n");
+  }
+  return grades.interrupted ? 130 : 0;
+}
+
+}  // namespace
+
+void add_grade_verb(CLI::App& program, int& exit_code) {
+  auto arguments = std::make_shared<GradeArguments>();
+  CLI::App* verb = program.add_subcommand(
+      "grade",
+      "Grade a class: build and run submissions contained, judge their images on public and hidden scenes, time the "
+      "right ones against the baseline, write the gradebook.\n"
+      "Exit codes: 0 graded, whatever the grades, 2 bad input or a baseline that does not run, 130 interrupted");
+  verb->add_option("assignment", arguments->assignment, "what is to be graded, and how (TOML)")->required();
+  verb->add_option("submissions", arguments->submissions, "folders, zip or tar archives, git bundles")->required();
+  verb->add_option("-o,--output", arguments->output, "results folder (default: out/<name of the assignment>)");
+  verb->add_option("--only", arguments->only, "only submissions whose name contains this");
+  verb->add_option("--scene", arguments->scene, "only this scene");
+  verb->add_option("--seed", arguments->seed, "of the session: same submissions and seed, same verdicts (default 1)")
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000'000}));
+  verb->add_option("--threads", arguments->threads, "what {threads} is (default: all cores)")
+      ->check(CLI::Range(1, 1024));
+  verb->add_flag("--resume", arguments->resume, "use the runs that an interrupted grading left in the results folder");
+  verb->add_flag("--fresh", arguments->fresh, "make references anew, too (default: those in the results folder)");
+  verb->add_flag("--json", arguments->json, "print the record as JSON");
+  verb->add_flag("--sandbox,!--no-sandbox", arguments->sandbox,
+                 "run submissions contained (default); without, they can do what you can do");
+  verb->add_flag("--timing,!--no-timing", arguments->timing, "time right submissions (default)");
+  verb->callback([arguments, &exit_code] { exit_code = run_grade(*arguments); });
+}
+
+}  // namespace photonproof

@@ -1,0 +1,19 @@
+// The record of a grading as JSON: grades.json, field by field, and the parts that are kept while it goes on.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+
+#include "reports/grades/grade_record.h"
+
+namespace photonproof {
+
+nlohmann::ordered_json run_to_json(const GradedRun& run);
+GradedRun run_from_json(const nlohmann::ordered_json& json);
+
+/// Throws std::logic_error on a number that is not finite.
+nlohmann::ordered_json grades_to_json(const Grades& grades);
+/// Throws InputError, naming `file`, where it is no such document.
+Grades grades_from_json(const nlohmann::ordered_json& json, const std::string& file);
+
+}  // namespace photonproof
