@@ -31,7 +31,9 @@ std::string file_of_role(const SceneGrade& grade, const char* role) {
 
 /// A box over the picture, in percent of its sides.
 data mark_data(const GradedFinding& finding, const GradedScene& scene, std::size_t number) {
-  const auto percent = [](double part, int whole) { return fmt::format("{:.3f}", std::clamp(100 * part / whole, 0.0, 100.0)); };
+  const auto percent = [](double part, int whole) {
+    return fmt::format("{:.3f}", std::clamp(100 * part / whole, 0.0, 100.0));
+  };
   const double right = std::min(finding.x + finding.width, scene.width),
                bottom = std::min(finding.y + finding.height, scene.height);
   data mark;
@@ -88,8 +90,8 @@ data findings_data(const GradedScene& scene, const SceneGrade& grade) {
     item.set("found", printable(finding.sentence));
     item.set("cause", text_or_false(finding.cause));
     item.set("place", text_or_false(place_text(finding, scene)));
-    item.set("share", finding.explained > 0 ? data(fmt::format("{:.0f} % of the error", 100 * finding.explained))
-                                            : data(false));
+    item.set("share",
+             finding.explained > 0 ? data(fmt::format("{:.0f} % of the error", 100 * finding.explained)) : data(false));
     list.push_back(item);
   }
   return list;

@@ -1,5 +1,5 @@
-// Pieces of a grading as the values that its pages' templates name (reports/templates/grade_*.mustache). Every string of
-// the record goes through printable() here; the templates escape it.
+// Pieces of a grading as the values that its pages' templates name (reports/templates/grade_*.mustache). Every string
+// of the record goes through printable() here; the templates escape it.
 #pragma once
 
 #include <functional>

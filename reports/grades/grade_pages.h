@@ -7,8 +7,8 @@
 
 namespace photonproof {
 
-/// One file that needs no other: pictures of public scenes are inside. What it says of hidden scenes, and what not, is in
-/// grade_words.h. Nothing of other submissions, flags, the grading's seed or its command is in it. Pictures are read
+/// One file that needs no other: pictures of public scenes are inside. What it says of hidden scenes, and what not, is
+/// in grade_words.h. Nothing of other submissions, flags, the grading's seed or its command is in it. Pictures are read
 /// from `folder`, which holds grades.json; a missing one is said on the page. Throws InputError when `out` cannot be
 /// written.
 void write_student_page(const Grades& grades, const SubmissionGrade& submission, const std::filesystem::path& folder,

@@ -173,7 +173,8 @@ std::string rounds_plot_svg(const SceneSpeed& speed, const std::string& label) {
   const LogScale y{log_axis(range.low, range.high), rounds_bottom, rounds_top};
   double most_busy = 1;
   for (const double busy : speed.busy) most_busy = std::max(most_busy, busy);
-  return svg_begin(rounds_height, label) + rounds_frame(rounds, y, most_busy) + busy_bars(speed.busy, rounds, most_busy) +
+  return svg_begin(rounds_height, label) + rounds_frame(rounds, y, most_busy) +
+         busy_bars(speed.busy, rounds, most_busy) +
          round_series(speed.baseline_seconds, rounds, y, PlotRole::baseline, "the baseline") +
          round_series(speed.seconds, rounds, y, PlotRole::own, "the submission") + "</svg>";
 }
@@ -185,7 +186,7 @@ std::string tiers_plot_svg(const Grades& grades, const Estimate& speedup, const 
   const double y = (top + bottom) / 2;
   return svg_begin(height, label) + speed_frame(grades, x, top, bottom) +
          in_role(PlotRole::own, svg_interval(speedup.interval, x, y) +
-                                 svg_point(x(speedup.value), y, PlotRole::own, speed_text(speedup))) +
+                                    svg_point(x(speedup.value), y, PlotRole::own, speed_text(speedup))) +
          "</svg>";
 }
 
@@ -230,7 +231,8 @@ std::string class_points_svg(const Grades& grades) {
   const double width = (plot_right - 16) / bins;
   std::string bars, labels;
   for (std::size_t i = 0; i < bins; ++i) {
-    const double x = 16 + width * static_cast<double>(i), tall = (bottom - top) * static_cast<double>(count[i]) / highest;
+    const double x = 16 + width * static_cast<double>(i),
+                 tall = (bottom - top) * static_cast<double>(count[i]) / highest;
     const std::string from = points_text(most * static_cast<double>(i) / bins),
                       to = points_text(most * static_cast<double>(i + 1) / bins);
     bars += svg_bar(x + 2, bottom - tall, width - 4, tall, fmt::format("{} with {} to {} points", count[i], from, to));

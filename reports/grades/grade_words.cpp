@@ -98,9 +98,8 @@ std::string range_words(const char* what, int first, int count) {
   return count == 1 ? fmt::format("{} {}", what, first) : fmt::format("{}s {} to {}", what, first, first + count - 1);
 }
 
-std::string share_words(const char* what, std::size_t right, std::size_t all) {
-  return fmt::format("{} of {}{}", right, all, what);
-}
+// Tiers are round numbers.
+std::string tier_ratio(double ratio) { return points_text(ratio) + "×"; }
 
 }  // namespace
 
@@ -117,6 +116,12 @@ std::string speed_text(const Estimate& ratio) {
   if (!ratio.interval) return speed_text(ratio.value);
   return fmt::format("{} [{}, {}]", speed_text(ratio.value), significant(ratio.interval->low),
                      significant(ratio.interval->high));
+}
+
+std::string speed_words(const Estimate& ratio) {
+  const std::string text = significant(ratio.value) + " times as fast as the baseline";
+  if (!ratio.interval) return text;
+  return fmt::format("{} ({} to {})", text, significant(ratio.interval->low), significant(ratio.interval->high));
 }
 
 const char* verdict_class(SceneVerdict verdict) {
@@ -204,8 +209,9 @@ std::string correctness_words(const Grades& grades, const SubmissionGrade& submi
   }
   if (all[0] + all[1] == 0) return "no scene was graded";
   std::string text = "right on ";
-  if (all[0] > 0) text += share_words(" public scenes", right[0], all[0]);
-  if (all[1] > 0) text += (all[0] > 0 ? " and " : "") + share_words(" hidden ones", right[1], all[1]);
+  if (all[0] > 0) text += fmt::format("{} of {} public scenes", right[0], all[0]);
+  if (all[0] > 0 && all[1] > 0) text += " and ";
+  if (all[1] > 0) text += fmt::format("{} of {} hidden ones", right[1], all[1]);
   return text;
 }
 
@@ -214,7 +220,7 @@ std::string tier_words(const Grades& grades, const SpeedGrade& speed) {
   if (speed.scenes.empty()) return {};
   if (grades.speed_curve && speed.points < grades.speed_curve->points)
     return fmt::format("All {} points are given at {}.", points_text(grades.speed_curve->points),
-                       speed_text(grades.speed_curve->ratio));
+                       tier_ratio(grades.speed_curve->ratio));
   const SpeedTier *reached = nullptr, *next = nullptr;
   for (const SpeedTier& tier : grades.speed_tiers) {
     if (tier.points <= speed.points + 1e-9)
@@ -222,10 +228,11 @@ std::string tier_words(const Grades& grades, const SpeedGrade& speed) {
     else if (next == nullptr)
       next = &tier;
   }
-  std::string text = reached == nullptr ? "No tier is reached yet." : "The tier of " + speed_text(reached->ratio) + " is reached.";
   if (grades.speed_tiers.empty()) return {};
+  std::string text =
+      reached == nullptr ? "No tier is reached yet." : "The tier of " + tier_ratio(reached->ratio) + " is reached.";
   if (next == nullptr) return text + " There is none beyond.";
-  text += fmt::format(" The next, {} for {} points", speed_text(next->ratio), points_text(next->points));
+  text += fmt::format(" The next, {} for {} points", tier_ratio(next->ratio), points_text(next->points));
   const double missing = next->ratio / speed.speedup.value;
   return text + (missing > 1 ? fmt::format(", needs {} times this speed.", significant(missing)) : ".");
 }

@@ -1,8 +1,9 @@
 // What the pages of a grading say in words, and how much of it students may read.
 //
 // Of a hidden scene students are told its number in the assignment's order, the verdict, points, values of the metrics,
-// and of each finding its kind and likely cause. These are words of fixed lists. They never see its name, what the variant
-// changes, a place in the image, a sentence about it, what the program printed (it could print the scene), or a picture.
+// and of each finding its kind and likely cause. These are words of fixed lists. They never see its name, what the
+// variant changes, a place in the image, a sentence about it, what the program printed (it could print the scene), or a
+// picture.
 #pragma once
 
 #include <optional>
@@ -18,6 +19,8 @@ std::string points_text(double points);
 /// "12.3×"; with its interval, "12.3× [11.9, 12.7]".
 std::string speed_text(double ratio);
 std::string speed_text(const Estimate& ratio);
+/// "12.3 times as fast as the baseline (11.9 to 12.7)"
+std::string speed_words(const Estimate& ratio);
 
 /// What makes right green, and nothing else.
 const char* verdict_class(SceneVerdict verdict);

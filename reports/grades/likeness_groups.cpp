@@ -40,8 +40,8 @@ void add_equal_images(const Grades& grades, std::vector<LikenessGroup>& groups) 
   for (const auto& [members, scenes] : scenes_of) {
     std::string list;
     for (const std::string& scene : scenes) list += (list.empty() ? "" : ", ") + scene;
-    groups.push_back({names_of(grades, members), "the same image, bit for bit, of scene" +
-                                                     std::string(scenes.size() == 1 ? " " : "s ") + list});
+    groups.push_back({names_of(grades, members),
+                      "the same image, bit for bit, of scene" + std::string(scenes.size() == 1 ? " " : "s ") + list});
   }
 }
 

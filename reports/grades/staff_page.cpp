@@ -18,8 +18,7 @@
 #include "scenes/text/atomic_file.h"
 
 namespace photonproof {
-using namespace reports;
-
+namespace reports {
 namespace {
 
 using kainjow::mustache::data;
@@ -186,7 +185,8 @@ void set_head(data& page, const Grades& grades) {
 data scene_facts(const Grades& grades) {
   data list(data::type::list);
   for (const GradedScene& scene : grades.scenes) {
-    std::string text = fmt::format("{} × {} pixels, {} points", scene.width, scene.height, points_text(scene.max_points));
+    std::string text =
+        fmt::format("{} × {} pixels, {} points", scene.width, scene.height, points_text(scene.max_points));
     if (scene.timed) text += ", timed";
     if (!scene.variant.empty()) text += fmt::format("; {} of scene {}", scene.variant, scene.of);
     if (!scene.says.empty()) text += ": " + scene.says;
@@ -200,9 +200,7 @@ data scene_facts(const Grades& grades) {
   return list;
 }
 
-}  // namespace
-
-void write_staff_page(const Grades& grades, const fs::path& folder, const fs::path& out) {
+std::string staff_html(const Grades& grades, const fs::path& folder, const fs::path& out) {
   const std::vector<const SubmissionGrade*> order = leaderboard(grades);
   const LinkedPictures pictures(folder, out);
   data page, rows(data::type::list), columns(data::type::list);
@@ -218,7 +216,14 @@ void write_staff_page(const Grades& grades, const fs::path& folder, const fs::pa
   page.set("speeds_plot", speeds.empty() ? data(false) : data(speeds));
   set_likeness(page, grades, order);
   page.set("scene_facts", scene_facts(grades));
-  write_file_atomically(out, rendered_page(grade_templates::grade_staff, page));
+  return rendered_page(grade_templates::grade_staff, page);
+}
+
+}  // namespace
+}  // namespace reports
+
+void write_staff_page(const Grades& grades, const std::filesystem::path& folder, const std::filesystem::path& out) {
+  write_file_atomically(out, reports::staff_html(grades, folder, out));
 }
 
 }  // namespace photonproof

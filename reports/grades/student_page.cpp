@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <utility>
 
 #include "reports/grades/grade_data.h"
 #include "reports/grades/grade_pages.h"
@@ -16,8 +17,7 @@
 #include "scenes/text/atomic_file.h"
 
 namespace photonproof {
-using namespace reports;
-
+namespace reports {
 namespace {
 
 using kainjow::mustache::data;
@@ -54,25 +54,55 @@ bool is_bad(const SceneGrade& grade) {
   return grade.verdict == SceneVerdict::wrong || grade.verdict == SceneVerdict::failed;
 }
 
-/// What is wrong with a scene, in a sentence, with its cause.
-data problem_data(const Grades& grades, const SubmissionGrade& submission, const GradedScene& scene,
-                  const SceneGrade& grade, const std::string& id) {
-  data problem;
-  problem.set("chip", chip_data(grade));
-  problem.set("anchor", id);
-  problem.set("title", printable(student_title(grades, scene)));
+/// What is wrong, with its cause, and the scenes that have it.
+struct Problem {
+  const SceneGrade* first = nullptr;
+  std::string what, place;
+  std::vector<std::string> causes;
+  std::vector<std::pair<std::string, std::string>> scenes{};  ///< id, title
+};
+
+Problem problem_of(const Grades& grades, const SubmissionGrade& submission, const GradedScene& scene,
+                   const SceneGrade& grade) {
   if (scene.hidden) {
-    const HiddenWords words = hidden_words(grades, submission, grade);
-    problem.set("what", printable(words.sentence));
-    problem.set("place", data(false));
-    problem.set("causes", causes_data(words.causes));
-    return problem;
+    HiddenWords words = hidden_words(grades, submission, grade);
+    return {&grade, std::move(words.sentence), {}, std::move(words.causes)};
   }
-  const GradedFinding* finding = grade.findings.empty() ? nullptr : &grade.findings.front();
-  problem.set("what", printable(finding == nullptr ? grade.sentence : finding->sentence));
-  problem.set("place", finding == nullptr ? data(false) : text_or_false(place_text(*finding, scene)));
-  problem.set("causes", finding == nullptr || finding->cause.empty() ? causes_data({}) : causes_data({finding->cause}));
+  if (grade.findings.empty()) return {&grade, grade.sentence, {}, {}};
+  const GradedFinding& finding = grade.findings.front();
+  Problem problem{&grade, finding.sentence, place_text(finding, scene), {}};
+  if (!finding.cause.empty()) problem.causes.push_back(finding.cause);
   return problem;
+}
+
+void add_problem(std::vector<Problem>& problems, Problem problem, const std::string& id, const std::string& title) {
+  const auto same = std::ranges::find_if(problems, [&](const Problem& other) {
+    return other.what == problem.what && other.causes == problem.causes &&
+           other.first->verdict == problem.first->verdict;
+  });
+  Problem& shown = same == problems.end() ? problems.emplace_back(std::move(problem)) : *same;
+  shown.scenes.emplace_back(id, title);
+}
+
+data problems_data(const std::vector<Problem>& problems) {
+  data list(data::type::list);
+  for (const Problem& problem : problems) {
+    data item, links(data::type::list);
+    for (std::size_t i = 0; i < problem.scenes.size(); ++i) {
+      data link;
+      link.set("comma", i > 0);
+      link.set("anchor", problem.scenes[i].first);
+      link.set("title", printable(problem.scenes[i].second));
+      links.push_back(link);
+    }
+    item.set("chip", chip_data(*problem.first));
+    item.set("links", links);
+    item.set("what", printable(problem.what));
+    item.set("place", problem.scenes.size() == 1 ? text_or_false(problem.place) : data(false));
+    item.set("causes", causes_data(problem.causes));
+    list.push_back(item);
+  }
+  return list;
 }
 
 data hidden_block(const Grades& grades, const SubmissionGrade& submission, const GradedScene& scene,
@@ -108,8 +138,9 @@ void set_scenes(data& page, const Grades& grades, const SubmissionGrade& submiss
     const EmbeddedPicture found = embed_thumbnail(folder, relative, longest_embedded_side);
     return PagePicture{found.uri, found.problem, found.width, found.height, {}};
   };
-  data scenes(data::type::list), hidden(data::type::list), rows(data::type::list), problems(data::type::list);
-  bool has_hidden = false, has_problems = false;
+  data scenes(data::type::list), hidden(data::type::list), rows(data::type::list);
+  std::vector<Problem> problems;
+  bool has_hidden = false;
   for (std::size_t i = 0; i < grades.scenes.size(); ++i) {
     const GradedScene& scene = grades.scenes[i];
     const SceneGrade* grade = submission.scene(scene.name);
@@ -119,8 +150,7 @@ void set_scenes(data& page, const Grades& grades, const SubmissionGrade& submiss
     row.set("anchor", id);
     row.set("chip", chip_data(*grade));
     rows.push_back(row);
-    if (is_bad(*grade)) problems.push_back(problem_data(grades, submission, scene, *grade, id));
-    has_problems = has_problems || is_bad(*grade);
+    if (is_bad(*grade)) add_problem(problems, problem_of(grades, submission, scene, *grade), id, title);
     has_hidden = has_hidden || scene.hidden;
     if (scene.hidden)
       hidden.push_back(hidden_block(grades, submission, scene, *grade, id));
@@ -135,23 +165,19 @@ void set_scenes(data& page, const Grades& grades, const SubmissionGrade& submiss
   page.set("has_hidden", has_hidden);
   page.set("hidden_scenes", hidden);
   page.set("rows", rows);
-  page.set("has_problems", has_problems);
-  page.set("problems", problems);
+  page.set("has_problems", !problems.empty());
+  page.set("problems", problems_data(problems));
 }
 
 std::string student_summary(const Grades& grades, const SubmissionGrade& submission) {
   if (!submission.built) return "Does not build: " + printable(submission.build_sentence);
   std::string text = correctness_words(grades, submission);
   text.front() = static_cast<char>(std::toupper(text.front()));
-  if (!submission.speed.scenes.empty())
-    text += fmt::format("; {} as fast as the baseline", speed_text(submission.speed.speedup));
+  if (!submission.speed.scenes.empty()) text += "; " + speed_words(submission.speed.speedup);
   return text + ".";
 }
 
-}  // namespace
-
-void write_student_page(const Grades& grades, const SubmissionGrade& submission, const std::filesystem::path& folder,
-                        const std::filesystem::path& out) {
+std::string student_html(const Grades& grades, const SubmissionGrade& submission, const std::filesystem::path& folder) {
   data page;
   set_page_parts(page);
   page.set("name", printable(submission.name));
@@ -166,7 +192,15 @@ void write_student_page(const Grades& grades, const SubmissionGrade& submission,
   page.set("created", printable(time_text(grades.created)));
   page.set("host", printable(host_text(grades.host)));
   page.set("containment", printable(grades.containment));
-  write_file_atomically(out, rendered_page(grade_templates::grade_student, page));
+  return rendered_page(grade_templates::grade_student, page);
+}
+
+}  // namespace
+}  // namespace reports
+
+void write_student_page(const Grades& grades, const SubmissionGrade& submission, const std::filesystem::path& folder,
+                        const std::filesystem::path& out) {
+  write_file_atomically(out, reports::student_html(grades, submission, folder));
 }
 
 }  // namespace photonproof

@@ -45,9 +45,8 @@ inline Image black_lines(const Image& image) {
   });
 }
 inline Image gamma_twice(const Image& image) {
-  return changed_image(image, [](const Image& i, int x, int y, int c) {
-    return std::pow(std::max(0.0f, i.pixel(x, y)[c]), 1 / 2.2);
-  });
+  return changed_image(
+      image, [](const Image& i, int x, int y, int c) { return std::pow(std::max(0.0f, i.pixel(x, y)[c]), 1 / 2.2); });
 }
 inline Image dark_corner(const Image& image) {
   return changed_image(image, [](const Image& i, int x, int y, int c) {
@@ -77,6 +76,13 @@ inline Image difference_map(const Image& a, const Image& b) {
   return map;
 }
 
+inline GradedScene named_scene(const std::string& name, bool hidden = false) {
+  GradedScene scene;
+  scene.name = name;
+  scene.hidden = hidden;
+  return scene;
+}
+
 /// The class while it is made up: the record, and its pictures in a folder.
 class SampleClass {
  public:
@@ -95,9 +101,20 @@ class SampleClass {
     grades.speed_rule = "20 points from 2x, 40 from 5x, 60 from 20x";
     grades.speed_tiers = {{2, 20}, {5, 40}, {20, 60}};
     grades.caveats = {"scene 2 was timed on 2 cores"};
-    for (const char* name : {"1", "2", "3"}) add_scene({.name = name, .timed = std::string(name) != "3"});
-    add_scene({.name = "hidden-mirror", .hidden = true, .of = "1", .variant = "mirror", .says = "left and right change places"});
-    add_scene({.name = "secret-lamps", .hidden = true, .of = "2", .variant = "more-spheres", .says = "two lamps above the pool"});
+    for (const char* name : {"1", "2", "3"}) {
+      GradedScene scene = named_scene(name);
+      scene.timed = scene.name != "3";
+      add_scene(scene);
+    }
+    GradedScene mirror = named_scene("hidden-mirror", true), lamps = named_scene("secret-lamps", true);
+    mirror.of = "1";
+    mirror.variant = "mirror";
+    mirror.says = "left and right change places";
+    add_scene(mirror);
+    lamps.of = "2";
+    lamps.variant = "more-spheres";
+    lamps.says = "two lamps above the pool";
+    add_scene(lamps);
   }
 
   /// A submission that built, with right images and these times, a round: baseline and own.
@@ -141,7 +158,8 @@ class SampleClass {
     for (SceneGrade& grade : submission.scenes) {
       grade.pictures.clear();
       grade.checks.clear();
-      grade.runs = {{1, end, sentence, 60, 118, 812'000'000, "", "", "tracing photons\nscene of " + grade.scene + "\n"}};
+      grade.runs = {
+          {1, end, sentence, 60, 118, 812'000'000, "", "", "tracing photons\nscene of " + grade.scene + "\n"}};
       give(grade, SceneVerdict::failed, sentence);
     }
     without_speed(submission);
@@ -265,10 +283,12 @@ inline Grades sample_grades(const std::filesystem::path& folder, std::map<std::s
   noisy.scenes[1].verdict = SceneVerdict::borderline;
   noisy.scenes[1].sentence = "noise leaves it open, which counts as right: flip is 0.119, at most 0.12 is right";
   sample.finish(noisy, "right on all 5 scenes");
-  wrong("upside", 6, whole("upside-down", "the image is upside down", "rows are written from the bottom up"), upside_down);
+  wrong("upside", 6, whole("upside-down", "the image is upside down", "rows are written from the bottom up"),
+        upside_down);
   wrong("tiles", 14, whole("black-lines", "every 16th row and column is black", "seams between tiles are not rendered"),
         black_lines);
-  wrong("gamma", 9, whole("gamma-twice", "gamma applied twice", "the file and the image are both encoded"), gamma_twice);
+  wrong("gamma", 9, whole("gamma-twice", "gamma applied twice", "the file and the image are both encoded"),
+        gamma_twice);
   wrong("no-caustic", 11,
         {"caustic-missing", "caustic missing below the glass sphere", "no caustic photons are looked up", side / 2,
          side * 5 / 8, side * 3 / 8, side * 3 / 8, 0.91},
@@ -283,7 +303,8 @@ inline Grades sample_grades(const std::filesystem::path& folder, std::map<std::s
     cheat.scenes[3].runs[0].checksum = cheat.scenes[4].runs[0].checksum = "ffff";
     for (const std::string& scene : hidden)
       cheat.flags.push_back({"same-image", "hidden scene " + scene + ": same image as scene 1's", scene, "1"});
-    cheat.flags.push_back({"right-on-public-only", "right on the public scenes only: 2 of 2 hidden ones are not", hidden[1], ""});
+    cheat.flags.push_back(
+        {"right-on-public-only", "right on the public scenes only: 2 of 2 hidden ones are not", hidden[1], ""});
     sample.finish(cheat, cheat.flags[2].sentence);
   }
   SubmissionGrade& given = wrong("given", 900, whole("copy", "the image that was handed out, bit for bit", ""),

@@ -27,8 +27,8 @@ std::string grid(const LogScale& x, const LogScale& y) {
     labels += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"end\">{}</text>", frame_left - 8,
                           y(tick) + 4.5, significant(tick, 1));
   }
-  const std::string frame =
-      svg_line(frame_left, frame_top, frame_left, frame_bottom) + svg_line(frame_left, frame_bottom, frame_right, frame_bottom);
+  const std::string frame = svg_line(frame_left, frame_top, frame_left, frame_bottom) +
+                            svg_line(frame_left, frame_bottom, frame_right, frame_bottom);
   const double middle = (frame_top + frame_bottom) / 2;
   return "<g class=\"grid\">" + lines + "</g>\n<g class=\"frame\">" + frame + "</g>\n<g class=\"labels\">" + labels +
          fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">wall-clock seconds</text>",

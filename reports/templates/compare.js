@@ -13,10 +13,10 @@ function makeCompare(figures) {
   const submitted = figures.querySelector(".submitted img"), reference = figures.querySelector(".reference img");
   if (!submitted || !reference || figures.querySelector(".compare-tools")) return;
   const range = element("input", {type: "range", min: "0", max: "100", step: "1", value: "50"});
-  const label = element("label", {}, "reference", range, "submitted");
+  const label = element("label", {}, "Edge", range);
   const move = (percent) => {
     range.value = String(percent);
-    figures.style.setProperty("--split", `${100 - range.value}%`);
+    figures.style.setProperty("--split", `${range.value}%`);
   };
   range.addEventListener("input", () => move(range.value));
   const swap = element("button", {type: "button"}, "Swap");
@@ -34,7 +34,7 @@ function makeCompare(figures) {
   const drag = (event) => {
     if (!figures.classList.contains("over") || (event.type === "pointermove" && event.buttons === 0)) return;
     const box = frame.getBoundingClientRect();
-    move(Math.round(100 - Math.max(0, Math.min(100, 100 * (event.clientX - box.left) / box.width))));
+    move(Math.round(100 * (event.clientX - box.left) / box.width));
     event.preventDefault();
   };
   frame.addEventListener("pointerdown", drag);
