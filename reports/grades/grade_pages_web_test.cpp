@@ -122,10 +122,10 @@ TEST_F(GradePagesInBrowser, every_control_and_picture_has_a_name) {
     const auto seen = drive(page, 1280, R"js(
       page.querySelector("a.cell")?.click();
       const labels = (node) => [...(node.labels ?? [])].map((label) => label.textContent).join("");
-      const name = (node) => node.getAttribute("aria-label") || node.alt || labels(node) || node.textContent;
+      const name = (node) => node.getAttribute("aria-label") || node.alt || node.querySelector("img")?.alt || labels(node) || node.textContent;
       const nodes = [...page.querySelectorAll("button, input, [tabindex], a, dialog, summary, img:not(.cell img)")];
       const nameless = nodes.filter((node) => !name(node).trim());
-      return {count: nodes.length, nameless: nameless.map((node) => node.outerHTML)};)js");
+      return {count: nodes.length, nameless: nameless.slice(0, 3).map((node) => node.outerHTML)};)js");
     EXPECT_GT(seen["count"], 15);
     EXPECT_EQ(seen["nameless"], nlohmann::json::array());
   }

@@ -175,7 +175,7 @@ TEST_F(StudentPage, refers_to_nothing_outside_itself) {
 TEST_F(StudentPage, a_program_that_does_not_build_has_its_log_open) {
   const std::string page = html("does-not-build");
   EXPECT_EQ(count(page, "<details open>"), 1u);
-  EXPECT_EQ(count(page, "&#39;Scene&#39; was not declared"), 1u);
+  EXPECT_EQ(count(page, "&apos;Scene&apos; was not declared"), 1u);
   EXPECT_EQ(count(page, "Does not build: make ended with 2"), 1u);
 }
 
