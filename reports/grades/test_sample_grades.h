@@ -186,6 +186,7 @@ class SampleClass {
   }
 
   Grades grades;
+  const Image& image(const std::string& scene) const { return images_.at(scene); }
   int side() const { return images_.begin()->second.width; }
 
  private:
@@ -260,20 +261,16 @@ inline std::map<std::string, Image> sample_images(int side) {
   return images;
 }
 
-/// Honest ones, five wrong, five cheating, and three that make no image. Pictures are written into the folder.
-inline Grades sample_grades(const std::filesystem::path& folder, std::map<std::string, Image> images) {
-  SampleClass sample(folder, std::move(images));
-  const int side = sample.side();
-  const auto whole = [&](const char* kind, const char* sentence, const char* cause) {
-    return GradedFinding{kind, sentence, cause, 0, 0, side, side, 0.97};
-  };
-  const auto wrong = [&](const char* name, double speedup, const GradedFinding& finding, const ImageChange& change,
-                         const std::vector<std::string>& only = {}) -> SubmissionGrade& {
-    SubmissionGrade& submission = sample.add(name, speedup);
-    sample.make_wrong(submission, finding, change, only);
-    sample.finish(submission, "scene 1: " + finding.sentence);
-    return submission;
-  };
+/// Wrong on the named scenes, all where there are none; its first sentence is the finding's.
+inline SubmissionGrade& add_wrong(SampleClass& sample, const char* name, double speedup, const GradedFinding& finding,
+                                  const ImageChange& change, const std::vector<std::string>& only = {}) {
+  SubmissionGrade& submission = sample.add(name, speedup);
+  sample.make_wrong(submission, finding, change, only);
+  sample.finish(submission, "scene 1: " + finding.sentence);
+  return submission;
+}
+
+inline void add_honest(SampleClass& sample) {
   sample.finish(sample.add("honest", 6.3), "right on all 5 scenes; 6.3 times as fast as the baseline");
   sample.finish(sample.add("quick", 24.8), "right on all 5 scenes; 24.8 times as fast as the baseline");
   SubmissionGrade& noisy = sample.add("slightly-better", 1.9);
@@ -283,23 +280,33 @@ inline Grades sample_grades(const std::filesystem::path& folder, std::map<std::s
   noisy.scenes[1].verdict = SceneVerdict::borderline;
   noisy.scenes[1].sentence = "noise leaves it open, which counts as right: flip is 0.119, at most 0.12 is right";
   sample.finish(noisy, "right on all 5 scenes");
-  wrong("upside", 6, whole("upside-down", "the image is upside down", "rows are written from the bottom up"),
-        upside_down);
-  wrong("tiles", 14, whole("black-lines", "every 16th row and column is black", "seams between tiles are not rendered"),
-        black_lines);
-  wrong("gamma", 9, whole("gamma-twice", "gamma applied twice", "the file and the image are both encoded"),
-        gamma_twice);
-  wrong("no-caustic", 11,
-        {"caustic-missing", "caustic missing below the glass sphere", "no caustic photons are looked up", side / 2,
-         side * 5 / 8, side * 3 / 8, side * 3 / 8, 0.91},
-        dark_corner);
-  wrong("dim", 8, whole("energy", "0.6x energy after the second bounce", "photons are divided twice by their number"),
-        less_light);
+}
+
+inline void add_wrong_ones(SampleClass& sample) {
+  const int side = sample.side();
+  const auto whole = [&](const char* kind, const char* sentence, const char* cause) {
+    return GradedFinding{kind, sentence, cause, 0, 0, side, side, 0.97};
+  };
+  const char *every_16th = "every 16th row and column is black", *energy = "0.6x energy after the second bounce";
+  add_wrong(sample, "upside", 6,
+            whole("upside-down", "the image is upside down", "rows are written from the bottom up"), upside_down);
+  add_wrong(sample, "tiles", 14, whole("black-lines", every_16th, "seams between tiles are not rendered"), black_lines);
+  add_wrong(sample, "gamma", 9, whole("gamma-twice", "gamma applied twice", "file and image are both encoded"),
+            gamma_twice);
+  add_wrong(sample, "no-caustic", 11,
+            {"caustic-missing", "caustic missing below the glass sphere", "no caustic photons are looked up", side / 2,
+             side * 5 / 8, side * 3 / 8, side * 3 / 8, 0.91},
+            dark_corner);
+  add_wrong(sample, "dim", 8, whole("energy", energy, "photons are divided twice by their number"), less_light);
+}
+
+inline void add_cheating_ones(SampleClass& sample) {
+  const int side = sample.side();
   const std::vector<std::string> hidden = {"hidden-mirror", "secret-lamps"};
-  const Image first = sample_images(side).at("1");
-  const auto first_scene = [first](const Image&) { return first; };
+  const auto first_scene = [first = sample.image("1")](const Image&) { return first; };
   for (const char* name : {"hard-coded", "scene-switch"}) {
-    SubmissionGrade& cheat = wrong(name, 400, whole("same-image", "same image as scene 1's", ""), first_scene, hidden);
+    SubmissionGrade& cheat = add_wrong(
+        sample, name, 400, {"same-image", "same image as scene 1's", "", 0, 0, side, side, 0}, first_scene, hidden);
     cheat.scenes[3].runs[0].checksum = cheat.scenes[4].runs[0].checksum = "ffff";
     for (const std::string& scene : hidden)
       cheat.flags.push_back({"same-image", "hidden scene " + scene + ": same image as scene 1's", scene, "1"});
@@ -307,14 +314,19 @@ inline Grades sample_grades(const std::filesystem::path& folder, std::map<std::s
         {"right-on-public-only", "right on the public scenes only: 2 of 2 hidden ones are not", hidden[1], ""});
     sample.finish(cheat, cheat.flags[2].sentence);
   }
-  SubmissionGrade& given = wrong("given", 900, whole("copy", "the image that was handed out, bit for bit", ""),
-                                 [](const Image& image) { return image; }, {"1", "2", "3"});
+  SubmissionGrade& given =
+      add_wrong(sample, "given", 900, {"copy", "the image that was handed out, bit for bit", "", 0, 0, side, side, 0},
+                [](const Image& image) { return image; }, {"1", "2", "3"});
   given.flags.push_back({"copy-of-given", "scene 1: the image that was handed out, bit for bit", "1", ""});
-  wrong("fewer-photons", 31, whole("noise", "noisier than the baseline", "fewer photons than the parameters say"),
-        black_lines, {"2", "secret-lamps"});
+  add_wrong(sample, "fewer-photons", 31,
+            {"noise", "noisier than the baseline", "fewer photons than the parameters say", 0, 0, side, side, 0.8},
+            black_lines, {"2", "secret-lamps"});
   SubmissionGrade& twin = sample.add("twin-of-quick", 24.1);
   twin.flags.push_back({"same-as-other", "the same noise as quick's images, on 5 scenes", "1", "quick"});
   sample.finish(twin, "right on all 5 scenes; 24.1 times as fast as the baseline");
+}
+
+inline void add_ones_without_images(SampleClass& sample) {
   SubmissionGrade& unbuilt = sample.add("does-not-build", 1);
   sample.make_unbuilt(unbuilt, "make ended with 2",
                       "raytracer.cpp: In function 'int main()':\nraytracer.cpp:17:5: error: 'Scene' was not declared\n"
@@ -326,6 +338,15 @@ inline Grades sample_grades(const std::filesystem::path& folder, std::map<std::s
   SubmissionGrade& slow = sample.add("never-ends", 1);
   sample.make_failed(slow, "timeout", "not done after 60 s");
   sample.finish(slow, "scene 1: not done after 60 s");
+}
+
+/// Honest ones, five wrong, five cheating, and three that make no image. Pictures are written into the folder.
+inline Grades sample_grades(const std::filesystem::path& folder, std::map<std::string, Image> images) {
+  SampleClass sample(folder, std::move(images));
+  add_honest(sample);
+  add_wrong_ones(sample);
+  add_cheating_ones(sample);
+  add_ones_without_images(sample);
   return std::move(sample.grades);
 }
 
