@@ -55,16 +55,15 @@ std::uint64_t GradeRuns::seed_of(const std::string& purpose, std::size_t number)
   return 1 + splitmix64(start, number) % most;
 }
 
-std::string GradeRuns::key_of(const PreparedSubmission& submission, const WorkScene& scene, std::uint64_t seed) const {
+std::string GradeRuns::key_of(const PreparedSubmission& submission, const DoorRequest& request) const {
   return content_key({{"version", runs_version},
                       {"program", submission.checksum},
-                      {"command", length_prefixed(assignment_.run_command)},
-                      {"scene", scene.content},
+                      {"command", length_prefixed(request.command)},
+                      {"scene", length_prefixed({request.params_place, request.params})},
+                      {"size", size_text(request.width, request.height)},
                       {"image", image_text(assignment_.image)},
                       {"limits", limits_text(assignment_.limits)},
-                      {"threads", std::to_string(options_.threads)},
-                      {"containment", door_.containment()},
-                      {"seed", std::to_string(seed)}});
+                      {"containment", door_.containment()}});
 }
 
 std::optional<GradeCells::Cell> GradeRuns::run_once(const PreparedSubmission& submission, const WorkScene& scene,
@@ -87,7 +86,7 @@ std::optional<GradeCells::Cell> GradeRuns::run_once(const PreparedSubmission& su
 std::optional<GradeCells::Cell> GradeRuns::run(const PreparedSubmission& submission, const WorkScene& scene,
                                                const std::string& purpose, std::size_t number, bool reuse) {
   const std::uint64_t seed = seed_of(purpose, number);
-  const std::string key = key_of(submission, scene, seed);
+  const std::string key = key_of(submission, request_of(assignment_, scene, seed, options_.threads));
   if (reuse)
     if (std::optional<GradeCells::Cell> found = cells_.find(key)) return found;
   std::optional<GradeCells::Cell> cell;

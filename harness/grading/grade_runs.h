@@ -45,7 +45,7 @@ class GradeRuns {
  private:
   std::optional<GradeCells::Cell> run_once(const PreparedSubmission& submission, const WorkScene& scene,
                                            std::uint64_t seed) const;
-  std::string key_of(const PreparedSubmission& submission, const WorkScene& scene, std::uint64_t seed) const;
+  std::string key_of(const PreparedSubmission& submission, const DoorRequest& request) const;
 
   const Assignment& assignment_;
   const SubmissionDoor& door_;

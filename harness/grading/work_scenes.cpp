@@ -1,6 +1,5 @@
 #include "harness/grading/work_scenes.h"
 
-#include "harness/cells/cells.h"
 #include "harness/suites/engine_command.h"
 #include "harness/variants/scene_file.h"
 #include "scenes/parser/parser.h"
@@ -57,7 +56,6 @@ void write_params(const Assignment& assignment, WorkScene& work) {
     work.params_place = own_scene_name;
     work.params = write_scene(*work.description);
   }
-  work.content = length_prefixed({work.params_place, work.params});
 }
 
 }  // namespace
@@ -77,9 +75,6 @@ std::vector<WorkScene> make_work_scenes(const Assignment& assignment, const Subm
     }
     write_params(assignment, work);
     if (!row.given.empty()) work.given = door.read_given(row.given, work.width, work.height);
-    std::vector<std::string> parts{std::to_string(work.width), std::to_string(work.height)};
-    parts.insert(parts.end(), row.option.begin(), row.option.end());
-    work.content += length_prefixed(parts);
     scenes.push_back(std::move(work));
   }
   return scenes;

@@ -25,7 +25,6 @@ struct WorkScene {
   std::string unused;                ///< why it must not be graded on; empty: it counts
   std::string params, params_place;  ///< the file that the program is given of it: text and place; empty: none
   std::optional<Image> given;        ///< what students have of it
-  std::string content;               ///< all that decides its image but the program and the seed
 };
 
 /// Throws InputError for a scene that cannot be made: of this kind, or not in the course's format.

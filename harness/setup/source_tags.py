@@ -5,9 +5,9 @@ tops = ("scenes", "renderer", "reference", "reports", "harness")
 
 
 def room_sources(root, *ends):
-    """Paths below root, in their order, but for what the checks are tested with."""
+    """Paths below root, in their order, but for what the checks are tested with, and a course's programs: no room's."""
     paths = [p.relative_to(root).as_posix() for top in tops for end in ends for p in (root / top).rglob("*" + end)]
-    return sorted(path for path in paths if not path.startswith("harness/setup/"))
+    return sorted(path for path in paths if not path.startswith(("harness/setup/", "harness/courses/")))
 
 
 def tags(ctags, root, files, kinds, fields):

@@ -25,8 +25,12 @@ std::string check_prediction(const Variant& asked, const SceneDescription& base,
                              const VariantOptions& options, const PredictionCheck& check) {
   if (asked.needs_reference()) return "";
   const int width = base.sensor.film.width, height = base.sensor.film.height, longer = std::max(width, height);
-  const Variant variant = make_variant(asked.kind, asked.seed, base, small_side(width, longer, check.longer_side),
-                                       small_side(height, longer, check.longer_side), options);
+  // A large variant is made once more, small.
+  const bool is_small = std::max(asked.width, asked.height) <= check.longer_side;
+  const Variant variant = is_small
+                              ? asked
+                              : make_variant(asked.kind, asked.seed, base, small_side(width, longer, check.longer_side),
+                                             small_side(height, longer, check.longer_side), options);
   SceneDescription whole = base;
   whole.sensor.film.crop.reset();
   const auto render = [&](const SceneDescription& scene, int w, int h, std::uint64_t seed) {

@@ -45,8 +45,6 @@ std::vector<std::string> command_of(const OwnEngine& engine, const OwnRender& re
                                    scene,
                                    "-o",
                                    out,
-                                   "--integrator",
-                                   render.integrator,
                                    "--size",
                                    std::to_string(render.width) + "x" + std::to_string(render.height),
                                    "--spp",
@@ -55,6 +53,7 @@ std::vector<std::string> command_of(const OwnEngine& engine, const OwnRender& re
                                    std::to_string(render.seed),
                                    "--allow-outside",
                                    "--quiet"};
+  if (!render.integrator.empty()) command.insert(command.end(), {"--integrator", render.integrator});
   command.insert(command.end(), render.more.begin(), render.more.end());
   return command;
 }

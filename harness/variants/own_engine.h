@@ -17,14 +17,14 @@ struct OwnEngine {
   std::filesystem::path program;                 ///< photonproof
   const std::atomic<bool>* interrupt = nullptr;  ///< ends a render that runs
   double seconds = 300;                          ///< a render's limit
-  std::filesystem::path cache;                   ///< renderings are kept here, by all they follow from; empty: nowhere
+  std::filesystem::path cache = {};              ///< renderings are kept here, by all they follow from; empty: nowhere
 };
 
 struct OwnRender {
   int width = 64, height = 64;
   int spp = 64;
   std::uint64_t seed = 1;
-  std::string integrator = "path";
+  std::string integrator = "path";     ///< empty: the scene's own, with its parameters
   std::vector<std::string> more = {};  ///< arguments of `photonproof render`
 };
 

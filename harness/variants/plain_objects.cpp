@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <optional>
 #include <string>
 #include <variant>
@@ -25,12 +27,11 @@ RgbD plain_colour(const SceneDescription& scene, const Colour& colour, const Sou
 
 /// As short as the numbers it was made of: 29 where rotations made it 29.000000000000004.
 double rounded(double v, double scale) {
-  const double grid = scale * 1e-12;
-  for (double step = 1e-6; step > 1e-13; step /= 10) {
-    const double near = std::round(v / step) * step;
-    if (std::abs(near - v) <= grid) return parse_number(format_number(near)).value.value_or(near);
-  }
-  return v;
+  char text[40];
+  std::snprintf(text, sizeof(text), "%.12g", v);
+  const double near = std::strtod(text, nullptr);
+  if (std::abs(near) <= 1e-13 * scale) return 0;
+  return std::abs(near - v) <= 1e-13 * scale ? near : v;
 }
 
 Vec3d rounded(const Vec3d& v) {
@@ -159,14 +160,20 @@ std::vector<PlainObject> plain_objects(const SceneDescription& scene) {
   return objects;
 }
 
+namespace {
+
+/// The side of the image that the angle of view is along.
+double side_along_fov(const PerspectiveDescription& camera, double w, double h) {
+  if (camera.fov_axis == FovAxis::y) return h;
+  if (camera.fov_axis == FovAxis::smaller) return std::min(w, h);
+  if (camera.fov_axis == FovAxis::larger) return std::max(w, h);
+  return camera.fov_axis == FovAxis::diagonal ? std::hypot(w, h) : w;
+}
+
+}  // namespace
+
 double vertical_tangent(const PerspectiveDescription& camera, int width, int height) {
-  const double w = width, h = height;
-  double across = w;
-  if (camera.fov_axis == FovAxis::y) across = h;
-  if (camera.fov_axis == FovAxis::smaller) across = std::min(w, h);
-  if (camera.fov_axis == FovAxis::larger) across = std::max(w, h);
-  if (camera.fov_axis == FovAxis::diagonal) across = std::hypot(w, h);
-  return std::tan(camera.fov_degrees * M_PI / 360) * h / across;
+  return std::tan(camera.fov_degrees * M_PI / 360) * height / side_along_fov(camera, width, height);
 }
 
 PlainCamera plain_camera(const SceneDescription& scene, int width, int height) {
@@ -175,9 +182,11 @@ PlainCamera plain_camera(const SceneDescription& scene, int width, int height) {
   if (std::abs(camera->principal_x) > 1e-12 || std::abs(camera->principal_y) > 1e-12)
     cannot_say(scene, scene.sensor.loc, "a shifted view (principal_point_offset)");
   const Transform& t = scene.sensor.to_world;
-  const double degrees = std::atan(vertical_tangent(*camera, width, height)) * 360 / M_PI;
+  const bool is_vertical = side_along_fov(*camera, width, height) == height;
+  const double degrees =
+      is_vertical ? camera->fov_degrees : std::atan(vertical_tangent(*camera, width, height)) * 360 / M_PI;
   return {rounded(t.point({0, 0, 0})), rounded(normalize(t.vector({0, 0, 1}))), rounded(normalize(t.vector({0, 1, 0}))),
-          rounded(degrees, 1), camera->near_clip};
+          degrees, camera->near_clip};
 }
 
 }  // namespace photonproof

@@ -193,11 +193,11 @@ void make_crop(Variant& variant, const VariantOptions& options) {
     top = draws.below(2 * top + 1);
   }
   camera->fov_degrees = 2 * 180 / M_PI * std::atan(std::tan(camera->fov_degrees * M_PI / 360) / zoom);
-  // The offset moves the image's middle, in parts of the narrower view (scenes/description/view_description.h).
+  // Added to where a pixel is looked up, in parts of the narrower view.
   const double half_x = 0.5 * (variant.base_width - variant.width),
                half_y = 0.5 * (variant.base_height - variant.height);
-  camera->principal_x = camera->principal_x * zoom + (half_x - left) / variant.width;
-  camera->principal_y = camera->principal_y * zoom + (half_y - top) / variant.height;
+  camera->principal_x = camera->principal_x * zoom + (left - half_x) / variant.width;
+  camera->principal_y = camera->principal_y * zoom + (top - half_y) / variant.height;
   variant.says = "a part of the view " + format_number(zoom) +
                  " times as large: its image is that part of a base with " + format_number(zoom) +
                  " times the pixels a side";

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "harness/grading/assignment.h"
+#include "harness/grading/autograder.h"
 #include "harness/grading/grade_session.h"
 #include "harness/suites/engine_command.h"
 #include "harness/verbs/interrupt.h"
@@ -18,6 +19,7 @@
 #include "harness/verbs/versions.h"
 #include "reports/grades/gradebook.h"
 #include "reports/grades/grades_json.h"
+#include "reports/grades/gradescope.h"
 #include "scenes/text/atomic_file.h"
 #include "scenes/text/input_error.h"
 #include "scenes/text/json_text.h"
@@ -91,11 +93,22 @@ GradeOptions grade_options(const GradeArguments& arguments, const Assignment& as
 
 void write_grades(const Grades& grades, const fs::path& folder) {
   write_file_atomically(folder / "gradebook.csv", gradebook_csv(grades));
+  for (const SubmissionGrade& submission : grades.submissions) {
+    const fs::path file = folder / submission.folder / "results.json";
+    fs::create_directories(file.parent_path());
+    write_file_atomically(file, json_text(gradescope_results(grades, submission)) + "\n");
+  }
   write_file_atomically(folder / "grades.json", json_text(grades_to_json(grades)) + "\n");
 }
 
 int run_grade(const GradeArguments& arguments) {
   const Assignment assignment = read_assignment(arguments.assignment);
+  if (!arguments.autograder.empty()) {
+    write_autograder(assignment, {fs::read_symlink("/proc/self/exe"), arguments.sandbox}, arguments.autograder);
+    std::printf("autograder: %s\n", arguments.autograder.c_str());
+    return 0;
+  }
+  if (arguments.submissions.empty()) throw InputError("submissions", "there are none to grade");
   GradeLines lines;
   const GradeOptions options = grade_options(arguments, assignment, lines);
   const Grades grades = grade_submissions(assignment, options);
@@ -123,7 +136,7 @@ void add_grade_verb(CLI::App& program, int& exit_code) {
       "right ones against the baseline, write the gradebook.\n"
       "Exit codes: 0 graded, whatever the grades, 2 bad input or a baseline that does not run, 130 interrupted");
   verb->add_option("assignment", arguments->assignment, "what is to be graded, and how (TOML)")->required();
-  verb->add_option("submissions", arguments->submissions, "folders, zip or tar archives, git bundles")->required();
+  verb->add_option("submissions", arguments->submissions, "folders, zip or tar archives, git bundles");
   verb->add_option("-o,--output", arguments->output, "results folder (default: out/<name of the assignment>)");
   verb->add_option("--only", arguments->only, "only submissions whose name contains this");
   verb->add_option("--scene", arguments->scene, "only this scene");
@@ -137,6 +150,8 @@ void add_grade_verb(CLI::App& program, int& exit_code) {
   verb->add_flag("--sandbox,!--no-sandbox", arguments->sandbox,
                  "run submissions contained (default); without, they can do what you can do");
   verb->add_flag("--timing,!--no-timing", arguments->timing, "time right submissions (default)");
+  verb->add_option("--autograder", arguments->autograder,
+                   "instead: write Gradescope's autograder of the assignment (zip)");
   verb->callback([arguments, &exit_code] { exit_code = run_grade(*arguments); });
 }
 

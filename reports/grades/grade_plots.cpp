@@ -239,7 +239,7 @@ std::string class_points_svg(const Grades& grades) {
     if (count[i] > 0) labels += svg_text(x + width / 2, bottom - tall - 6, "middle", std::to_string(count[i]));
     labels += svg_text(x, bottom + 18, "middle", from);
   }
-  labels += svg_text(plot_right, bottom + 18, "middle", points_text(most)) +
+  labels += svg_text(plot_right + 10, bottom + 18, "end", points_text(most)) +
             svg_text((16 + plot_right) / 2, height - 4, "middle", "points");
   return svg_begin(height, "Points of the class") + in_role(PlotRole::baseline, bars) + "<g class=\"frame\">" +
          svg_line(16, bottom, plot_right, bottom) + "</g>\n<g class=\"labels\">" + labels + "</g></svg>";

@@ -1,0 +1,250 @@
+#include "harness/diagnosis/breakage.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <string>
+#include <utility>
+
+#include "harness/diagnosis/black_lines.h"
+#include "harness/diagnosis/places.h"
+#include "scenes/text/text_numbers.h"
+
+namespace photonproof {
+namespace {
+
+std::size_t pixel_index(int x, int y, int width) {
+  return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+}
+
+void find_not_finite(const Image& image, const SceneKnowledge& knowledge, Breakage& breakage) {
+  std::vector<double> weight(image.pixels());
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < image.pixels(); ++i)
+    for (std::size_t c = 0; c < 3; ++c)
+      if (!std::isfinite(image.rgb[3 * i + c])) weight[i] = 1;
+  for (std::size_t i = 0; i < weight.size(); ++i)
+    if (weight[i] > 0) {
+      breakage.ignored[i] = 1;
+      ++count;
+    }
+  if (count == 0) return;
+  const std::string place = place_of(weight, image.width, image.height, knowledge);
+  breakage.findings.push_back({"not-finite",
+                               std::to_string(count) + (count == 1 ? " pixel is" : " pixels are") +
+                                   " not a number (NaN or infinite)" + (place.empty() ? "" : " " + place),
+                               "a division by zero or the square root of a negative number",
+                               region_of(weight, image.width, image.height), 1});
+  breakage.hopeless = count > image.pixels() / 2;
+}
+
+std::string percent_text_of(double share) {
+  const int percent = static_cast<int>(share * 100 + 0.5);
+  return std::to_string(percent) + " %";
+}
+
+void find_one_colour(const Image& image, const Image& reference, Breakage& breakage) {
+  float low[3] = {1e30f, 1e30f, 1e30f}, high[3] = {-1e30f, -1e30f, -1e30f};
+  float span = 0, darkest = 1e30f, brightest = 0;
+  for (std::size_t i = 0; i < image.pixels(); ++i) {
+    if (breakage.ignored[i]) continue;
+    for (std::size_t c = 0; c < 3; ++c) {
+      low[c] = std::min(low[c], image.rgb[3 * i + c]);
+      high[c] = std::max(high[c], image.rgb[3 * i + c]);
+    }
+  }
+  for (std::size_t c = 0; c < 3; ++c) span = std::max(span, high[c] - low[c]);
+  for (const float v : reference.rgb) {
+    darkest = std::min(darkest, v);
+    brightest = std::max(brightest, v);
+  }
+  if (span > 0.003f || brightest - darkest < 0.05f) return;
+  const PixelRegion whole{0, 0, image.width, image.height};
+  if (high[0] < 0.003f && high[1] < 0.003f && high[2] < 0.003f)
+    breakage.findings.push_back(
+        {"black", "the image is black", "nothing was rendered, or values are written unscaled", whole, 1});
+  else
+    breakage.findings.push_back({"one-colour", "the whole image has one colour",
+                                 "nothing was rendered, or values are far above white", whole, 1});
+  breakage.hopeless = true;
+}
+
+bool is_black(const Image& image, std::size_t pixel) {
+  for (std::size_t c = 0; c < 3; ++c)
+    if (image.rgb[3 * pixel + c] > 1.5f / 255) return false;
+  return true;
+}
+
+struct Patch {
+  std::vector<std::size_t> pixels;
+  int x0 = 0, y0 = 0, x1 = 0, y1 = 0;  ///< inclusive
+  bool is_rectangle() const {
+    const double box = static_cast<double>(x1 - x0 + 1) * (y1 - y0 + 1);
+    return static_cast<double>(pixels.size()) > 0.92 * box && x1 - x0 >= 3 && y1 - y0 >= 3;
+  }
+};
+
+/// Connected pixels that are black, and not yet ignored.
+std::vector<Patch> black_patches(const Image& image, const Breakage& breakage) {
+  std::vector<std::uint8_t> done(image.pixels());
+  std::vector<Patch> patches;
+  for (std::size_t start = 0; start < image.pixels(); ++start) {
+    if (done[start] || breakage.ignored[start] || !is_black(image, start)) continue;
+    Patch patch{{}, image.width, image.height, 0, 0};
+    std::vector<std::size_t> open{start};
+    done[start] = 1;
+    while (!open.empty()) {
+      const std::size_t at = open.back();
+      open.pop_back();
+      patch.pixels.push_back(at);
+      const int x = static_cast<int>(at % static_cast<std::size_t>(image.width)),
+                y = static_cast<int>(at / static_cast<std::size_t>(image.width));
+      patch.x0 = std::min(patch.x0, x);
+      patch.x1 = std::max(patch.x1, x);
+      patch.y0 = std::min(patch.y0, y);
+      patch.y1 = std::max(patch.y1, y);
+      const int nexts[4][2] = {{x + 1, y}, {x - 1, y}, {x, y + 1}, {x, y - 1}};
+      for (const auto& [nx, ny] : nexts) {
+        if (nx < 0 || ny < 0 || nx >= image.width || ny >= image.height) continue;
+        const std::size_t next = pixel_index(nx, ny, image.width);
+        if (done[next] || breakage.ignored[next] || !is_black(image, next)) continue;
+        done[next] = 1;
+        open.push_back(next);
+      }
+    }
+    patches.push_back(std::move(patch));
+  }
+  return patches;
+}
+
+/// Whether it is just what is seen of one object, which then is black for a reason of its own.
+bool is_an_object(const Patch& patch, const SceneKnowledge& knowledge) {
+  if (knowledge.seen.empty()) return false;
+  std::vector<double> inside(knowledge.landmarks.size() + 1), all(knowledge.landmarks.size() + 1);
+  for (const std::size_t i : patch.pixels) inside[knowledge.seen[i]] += 1;
+  for (const std::uint16_t mark : knowledge.seen) all[mark] += 1;
+  for (std::size_t k = 1; k < all.size(); ++k)
+    if (inside[k] > 0.85 * static_cast<double>(patch.pixels.size()) && inside[k] > 0.85 * all[k]) return true;
+  return false;
+}
+
+std::string words_of(const Patch& patch, const Image& image) {
+  const int width = patch.x1 - patch.x0 + 1, height = patch.y1 - patch.y0 + 1;
+  if (width == image.width) {
+    const std::string rows = std::to_string(height) + " rows";
+    if (patch.y1 == image.height - 1) return "the lowest " + rows + " are black";
+    if (patch.y0 == 0) return "the uppermost " + rows + " are black";
+    return rows + " from the " + std::to_string(patch.y0 + 1) + "th on are black";
+  }
+  if (height == image.height) {
+    const std::string columns = std::to_string(width) + " columns";
+    if (patch.x1 == image.width - 1) return "the rightmost " + columns + " are black";
+    if (patch.x0 == 0) return "the leftmost " + columns + " are black";
+    return columns + " from the " + std::to_string(patch.x0 + 1) + "th on are black";
+  }
+  return "a tile of " + std::to_string(width) + " x " + std::to_string(height) + " pixels is black in the " +
+         part_of_image((patch.x0 + patch.x1 + 1) / 2.0, (patch.y0 + patch.y1 + 1) / 2.0, image.width, image.height);
+}
+
+void find_holes(const Image& image, const SceneKnowledge& knowledge, Breakage& breakage) {
+  std::vector<Patch> holes;
+  std::size_t pixels = 0;
+  for (Patch& patch : black_patches(image, breakage)) {
+    double expected = 0;
+    for (const std::size_t i : patch.pixels)
+      for (std::size_t c = 0; c < 3; ++c) expected += std::min(1.0f, knowledge.reference.rgb[3 * i + c]);
+    const bool stands_out = expected > 0.06 * static_cast<double>(patch.pixels.size());
+    if (!stands_out || !patch.is_rectangle() || is_an_object(patch, knowledge)) continue;
+    if (patch.pixels.size() < std::max<std::size_t>(16, image.pixels() / 1000)) continue;
+    pixels += patch.pixels.size();
+    holes.push_back(std::move(patch));
+  }
+  if (holes.empty()) return;
+  std::sort(holes.begin(), holes.end(),
+            [](const Patch& a, const Patch& b) { return a.pixels.size() > b.pixels.size(); });
+  const Patch& largest = holes.front();
+  std::string sentence = words_of(largest, image);
+  if (holes.size() > 1) sentence = std::to_string(holes.size()) + " parts are black; the largest: " + sentence;
+  for (const Patch& hole : holes)
+    for (const std::size_t i : hole.pixels) breakage.ignored[i] = 1;
+  const double share = static_cast<double>(pixels) / static_cast<double>(image.pixels());
+  breakage.findings.push_back({"unrendered",
+                               sentence + " (" + percent_text_of(share) + " of the image)",
+                               "they were never rendered: work was divided wrongly, or threads ended too early",
+                               {largest.x0, largest.y0, largest.x1 - largest.x0 + 1, largest.y1 - largest.y0 + 1},
+                               share});
+}
+
+float middle_of_neighbours(const Image& image, int x, int y) {
+  std::vector<float> around;
+  for (int dy = -1; dy <= 1; ++dy)
+    for (int dx = -1; dx <= 1; ++dx) {
+      const int nx = x + dx, ny = y + dy;
+      if ((dx == 0 && dy == 0) || nx < 0 || ny < 0 || nx >= image.width || ny >= image.height) continue;
+      const float* p = image.pixel(nx, ny);
+      around.push_back(std::min(1.0f, 0.2126f * p[0] + 0.7152f * p[1] + 0.0722f * p[2]));
+    }
+  std::nth_element(around.begin(), around.begin() + static_cast<std::ptrdiff_t>(around.size() / 2), around.end());
+  return around[around.size() / 2];
+}
+
+/// Single pixels that are far darker or brighter than those around them, where the reference's are not.
+void find_specks(const Image& image, const SceneKnowledge& knowledge, Breakage& breakage) {
+  std::vector<double> dark(image.pixels()), bright(image.pixels());
+  std::vector<float> spread;
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) {
+      const std::size_t i = pixel_index(x, y, image.width);
+      if (breakage.ignored[i]) continue;
+      const float* p = image.pixel(x, y);
+      const float* r = knowledge.reference.pixel(x, y);
+      const float value = std::min(1.0f, 0.2126f * p[0] + 0.7152f * p[1] + 0.0722f * p[2]);
+      const float around = middle_of_neighbours(image, x, y);
+      const float expected = std::min(1.0f, 0.2126f * r[0] + 0.7152f * r[1] + 0.0722f * r[2]);
+      const float expected_around = middle_of_neighbours(knowledge.reference, x, y);
+      if (around > 0.02f) spread.push_back(std::abs(value - around) / around);
+      if (value < 0.35f * around && expected > 0.6f * expected_around && around > 0.04f) dark[i] = 1;
+      if (value > 2 * around + 0.1f && expected < 1.4f * expected_around + 0.05f) bright[i] = 1;
+    }
+  if (spread.empty()) return;
+  std::nth_element(spread.begin(), spread.begin() + static_cast<std::ptrdiff_t>(spread.size() / 2), spread.end());
+  const double usual = spread[spread.size() / 2];  // half of all pixels differ less from their neighbours
+  const auto share_of_specks = [&](const std::vector<double>& specks) {
+    return static_cast<double>(std::count(specks.begin(), specks.end(), 1.0)) / static_cast<double>(specks.size());
+  };
+  const double darks = share_of_specks(dark), brights = share_of_specks(bright);
+  const auto at = [&](const std::vector<double>& specks) {
+    const std::string place = place_of(specks, image.width, image.height, knowledge);
+    return place.empty() ? "" : " " + place;
+  };
+  if (darks > 0.006 && darks > 3 * brights && usual < 0.1)
+    breakage.findings.push_back({"dark-specks",
+                                 "dark specks" + at(dark) + " on " + percent_text_of(darks) + " of the pixels",
+                                 "surfaces shadow themselves: rays start without an offset (epsilon)",
+                                 region_of(dark, image.width, image.height), darks});
+  if (brights > 0.004 && usual < 0.15)
+    breakage.findings.push_back({"fireflies", "single pixels far too bright" + at(bright) + " (fireflies)",
+                                 "rare paths with a huge weight: a density near zero, or caustics met by chance",
+                                 region_of(bright, image.width, image.height), brights});
+  for (std::size_t i = 0; i < dark.size(); ++i)
+    if (dark[i] + bright[i] > 0 && (darks > 0.006 || brights > 0.004) && usual < 0.15) breakage.ignored[i] = 1;
+}
+
+}  // namespace
+
+Breakage find_breakage(const Image& submitted, const SceneKnowledge& knowledge) {
+  Breakage breakage;
+  breakage.ignored.assign(submitted.pixels(), 0);
+  find_not_finite(submitted, knowledge, breakage);
+  if (breakage.hopeless) return breakage;
+  find_one_colour(submitted, knowledge.reference, breakage);
+  if (breakage.hopeless) return breakage;
+  if (std::optional<Finding> lines = find_lines(submitted, knowledge.reference, breakage.ignored))
+    breakage.findings.push_back(*lines);
+  find_holes(submitted, knowledge, breakage);
+  find_specks(submitted, knowledge, breakage);
+  return breakage;
+}
+
+}  // namespace photonproof

@@ -1,0 +1,111 @@
+#include "harness/diagnosis/comparison.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace photonproof {
+namespace {
+
+double median_of(std::vector<float>& values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+}  // namespace
+
+Comparison::Comparison(const Image& submitted, std::optional<float> white, double tolerance,
+                       std::vector<std::uint8_t> ignored)
+    : submitted_(submitted), tolerance_(tolerance), ignored_(std::move(ignored)) {
+  float most = 0;
+  for (const float v : submitted.rgb)
+    if (std::isfinite(v)) most = std::max(most, v);
+  white_ = white ? double{*white} : std::max(1.0, double{most});
+  shown_ = shown_of(submitted_);
+  pixel_variance_ = variances(shown_);
+  noise_ = noise_of(submitted_);
+}
+
+double Comparison::shown(double v) const { return std::sqrt(std::clamp(v, 0.0, white_) / white_); }
+
+std::vector<float> Comparison::shown_of(const Image& image) const {
+  std::vector<float> values(image.rgb.size());
+  for (std::size_t i = 0; i < values.size(); ++i)
+    values[i] =
+        std::isfinite(image.rgb[i]) ? static_cast<float>(shown(image.rgb[i])) : std::numeric_limits<float>::quiet_NaN();
+  return values;
+}
+
+/// Half the mean square of differences of neighbours is the variance of noise that neighbours do not share. Over the
+/// block and a pixel around it.
+std::vector<float> Comparison::variances(const std::vector<float>& values) const {
+  std::vector<float> result(static_cast<std::size_t>(across()) * static_cast<std::size_t>(down()) * 3);
+  const auto at = [&](int x, int y, int c) {
+    const std::size_t pixel =
+        static_cast<std::size_t>(y) * static_cast<std::size_t>(width()) + static_cast<std::size_t>(x);
+    return counts(pixel) ? values[3 * pixel + static_cast<std::size_t>(c)] : std::numeric_limits<float>::quiet_NaN();
+  };
+  std::size_t i = 0;
+  for (int by = 0; by < height(); by += side)
+    for (int bx = 0; bx < width(); bx += side)
+      for (int c = 0; c < 3; ++c, ++i) {
+        double sum = 0, count = 0;
+        for (int y = std::max(0, by - 1); y < std::min(height() - 1, by + side + 1); ++y)
+          for (int x = std::max(0, bx - 1); x < std::min(width() - 1, bx + side + 1); ++x)
+            for (const float next : {at(x + 1, y, c), at(x, y + 1, c)}) {
+              const double d = next - at(x, y, c);
+              if (!std::isfinite(d)) continue;
+              sum += d * d / 2;
+              count += 1;
+            }
+        result[i] = count > 0 ? static_cast<float>(sum / count) : 0;
+      }
+  return result;
+}
+
+Excess Comparison::excess(const Image& guess) const {
+  constexpr double deviations = 3, shared = 2.5;  // noise of photon maps is shared by neighbours
+  const std::vector<float> expected = shown_of(guess);
+  std::vector<float> difference(expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i) difference[i] = shown_[i] - expected[i];
+  const std::vector<float> apart = variances(difference);
+  Excess result;
+  result.block.resize(static_cast<std::size_t>(across()) * static_cast<std::size_t>(down()));
+  std::size_t block = 0, i = 0;
+  for (int by = 0; by < height(); by += side)
+    for (int bx = 0; bx < width(); bx += side, ++block)
+      for (int c = 0; c < 3; ++c, ++i) {
+        double sum = 0, level = 0, count = 0;
+        for (int y = by; y < std::min(by + side, height()); ++y)
+          for (int x = bx; x < std::min(bx + side, width()); ++x) {
+            const std::size_t pixel =
+                static_cast<std::size_t>(y) * static_cast<std::size_t>(width()) + static_cast<std::size_t>(x);
+            const std::size_t at = 3 * pixel + static_cast<std::size_t>(c);
+            if (!counts(pixel) || !std::isfinite(difference[at])) continue;
+            sum += difference[at];
+            level += expected[at];
+            count += 1;
+          }
+        if (count < 4) continue;
+        level /= count;
+        const double variance = std::min(pixel_variance_[i], apart[i]);
+        const double rounding = 0.5 / 255 / (2 * std::max(level, 0.06));
+        const double allowed =
+            deviations * std::sqrt(shared * variance / count) + tolerance_ / 2 * level + rounding + 0.004;
+        const double over = std::max(0.0, std::abs(sum / count) - allowed);
+        result.block[block] += over * over;
+        result.total += over * over;
+      }
+  return result;
+}
+
+double Comparison::noise_of(const Image& image) const {
+  const std::vector<float> values = shown_of(image);
+  std::vector<float> variance = variances(values);
+  return std::sqrt(median_of(variance));
+}
+
+}  // namespace photonproof

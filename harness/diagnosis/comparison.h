@@ -1,0 +1,61 @@
+// How far a picture is from a guess at how it came about, beyond noise and tolerance.
+//
+// Values are compared as square roots of what is left after clamping, which makes noise about as large in the dark as
+// in the light. Over blocks of 4 x 4 pixels the mean difference d counts by what it exceeds its allowance,
+// max(0, |d| - allowance)^2: noise as neighbouring pixels of the picture and of the difference show it (the lesser of
+// the two, since edges look like noise), tolerance, and the rounding to 8 bits.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "harness/diagnosis/diagnosis.h"
+#include "scenes/images/image.h"
+
+namespace photonproof {
+
+struct Excess {
+  double total = 0;           ///< summed over blocks and channels
+  std::vector<double> block;  ///< row by row
+};
+
+class Comparison {
+ public:
+  static constexpr int side = 4;  ///< of a block
+
+  /// `ignored`: a pixel, those that say nothing (already explained, or not finite); empty: none.
+  Comparison(const Image& submitted, std::optional<float> white, double tolerance, std::vector<std::uint8_t> ignored);
+
+  /// `guess` is linear, not clamped; pixels that it does not know are NaN, and ignored.
+  Excess excess(const Image& guess) const;
+  double total(const Image& guess) const { return excess(guess).total; }
+
+  int width() const { return submitted_.width; }
+  int height() const { return submitted_.height; }
+  int across() const { return (width() + side - 1) / side; }
+  int down() const { return (height() + side - 1) / side; }
+  const Image& submitted() const { return submitted_; }
+  const std::vector<std::uint8_t>& ignored() const { return ignored_; }
+  bool counts(std::size_t pixel) const { return ignored_.empty() || ignored_[pixel] == 0; }
+  double white() const { return white_; }
+
+  /// What is compared: sqrt(min(v, white) / white) of a linear value.
+  double shown(double v) const;
+  /// Median over pixels of the noise in units of shown(), from differences of neighbours.
+  double noise() const { return noise_; }
+  double noise_of(const Image& image) const;
+
+ private:
+  Image submitted_;
+  double white_, tolerance_;
+  std::vector<std::uint8_t> ignored_;
+  std::vector<float> shown_;           ///< of the submitted picture
+  std::vector<float> pixel_variance_;  ///< of its neighbours' differences, around each block and channel
+  double noise_ = 0;
+  std::vector<float> shown_of(const Image& image) const;
+  std::vector<float> variances(const std::vector<float>& values) const;
+};
+
+}  // namespace photonproof

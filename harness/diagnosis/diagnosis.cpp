@@ -1,0 +1,159 @@
+#include "harness/diagnosis/diagnosis.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <utility>
+
+#include "harness/diagnosis/breakage.h"
+#include "harness/diagnosis/comparison.h"
+#include "harness/diagnosis/guess.h"
+#include "harness/diagnosis/picture_changes.h"
+#include "harness/diagnosis/places.h"
+#include "harness/diagnosis/whole_picture.h"
+
+namespace photonproof {
+namespace {
+
+std::string size_text(const Image& image) { return std::to_string(image.width) + " x " + std::to_string(image.height); }
+
+bool as_expected_size(const Image& submitted, const SceneKnowledge& knowledge, std::vector<Finding>& findings) {
+  const Image& reference = knowledge.reference;
+  if (submitted.width == reference.width && submitted.height == reference.height && submitted.pixels() > 0) return true;
+  findings.push_back({"wrong-size",
+                      "the image has " + size_text(submitted) + " pixels, not " + size_text(reference),
+                      "the size asked for is not heeded",
+                      {0, 0, submitted.width, submitted.height},
+                      1});
+  return false;
+}
+
+/// Whether the picture is nearer to another scene's than to this one's, by far.
+std::optional<Finding> other_scene(const Comparison& comparison, const SceneKnowledge& knowledge, double own) {
+  for (const auto& [name, image] : knowledge.other_images) {
+    const double other = comparison.total(resized(image, comparison.width(), comparison.height()));
+    if (other < 0.15 * own)
+      return Finding{"other-scene",
+                     "same image as " + name + "'s",
+                     "the scene asked for is not heeded, or an image left from another run was taken",
+                     {0, 0, comparison.width(), comparison.height()},
+                     1 - other / own};
+  }
+  return std::nullopt;
+}
+
+class Search {
+ public:
+  Search(const Image& submitted, const SceneKnowledge& knowledge, const Comparison& comparison)
+      : submitted_(submitted), knowledge_(knowledge), comparison_(comparison) {
+    guess_.light = knowledge.reference;
+    before_ = left_ = comparison.total(predicted(guess_, comparison.white()));
+  }
+
+  double at_first() const { return before_; }
+  /// Below this nothing stands out of noise.
+  double least() const { return 0.03 + 1e-5 * static_cast<double>(comparison_.across() * comparison_.down()); }
+
+  std::vector<Finding> run() {
+    std::vector<Finding> findings;
+    constexpr int most = 6;
+    for (int round = 0; round < most && left_ > std::max(least(), 0.04 * before_); ++round) {
+      std::vector<Candidate> candidates = candidates_for(guess_, knowledge_, comparison_, round == 0);
+      const Candidate* best = nullptr;
+      for (const Candidate& candidate : candidates)
+        if (!best || score(candidate) < score(*best)) best = &candidate;
+      if (!best || best->left * best->handicap > 0.8 * left_) break;
+      accept(*best, findings);
+    }
+    if (left_ > std::max(2 * least(), 0.25 * before_)) findings.push_back(what_is_left());
+    return findings;
+  }
+
+ private:
+  double score(const Candidate& c) const { return (c.left + 0.01 * before_) * c.handicap; }
+
+  void accept(const Candidate& best, std::vector<Finding>& findings) {
+    // What several changes explain together is shared evenly.
+    const double share = (left_ - best.left) / before_ / static_cast<double>(best.said.size());
+    const std::vector<double> weight = difference(guess_.light, best.guess.light);
+    for (Finding finding : best.said) {
+      finding.explained = share;
+      finding.where = {0, 0, comparison_.width(), comparison_.height()};
+      if (best.placed) {
+        const std::string place =
+            best.place.empty() ? place_of(weight, comparison_.width(), comparison_.height(), knowledge_) : best.place;
+        if (!place.empty()) finding.sentence += " " + place;
+      }
+      if (best.local) finding.where = region_of(weight, comparison_.width(), comparison_.height());
+      findings.push_back(std::move(finding));
+    }
+    guess_ = best.guess;
+    left_ = best.left;
+  }
+
+  std::vector<double> difference(const Image& a, const Image& b) const {
+    std::vector<double> weight(a.pixels());
+    for (std::size_t i = 0; i < a.rgb.size(); ++i) {
+      const double d = comparison_.shown(a.rgb[i]) - comparison_.shown(b.rgb[i]);
+      weight[i / 3] += d * d;
+    }
+    return weight;
+  }
+
+  /// Nothing known explains it: where, and whether it is too dark or too bright.
+  Finding what_is_left() const {
+    const Image guess = predicted(guess_, comparison_.white());
+    const Excess excess = comparison_.excess(guess);
+    std::vector<double> weight(submitted_.pixels());
+    double brighter = 0, all = 0;
+    for (std::size_t i = 0; i < weight.size(); ++i) {
+      const int x = static_cast<int>(i % static_cast<std::size_t>(submitted_.width)),
+                y = static_cast<int>(i / static_cast<std::size_t>(submitted_.width));
+      const double block =
+          excess.block[static_cast<std::size_t>(y / Comparison::side * comparison_.across() + x / Comparison::side)];
+      if (block <= 0 || !comparison_.counts(i)) continue;
+      weight[i] = block;
+      for (std::size_t c = 0; c < 3; ++c) {
+        const double d = comparison_.shown(submitted_.rgb[3 * i + c]) - comparison_.shown(guess.rgb[3 * i + c]);
+        if (!std::isfinite(d)) continue;
+        brighter += d * block;
+        all += std::abs(d) * block;
+      }
+    }
+    std::string sentence = "the image differs";
+    if (brighter > 0.7 * all) sentence = "the image is too bright";
+    if (brighter < -0.7 * all) sentence = "the image is too dark";
+    const std::string place = place_of(weight, submitted_.width, submitted_.height, knowledge_);
+    if (!place.empty()) sentence += " " + place;
+    return {"differs", sentence, "", region_of(weight, submitted_.width, submitted_.height), left_ / before_};
+  }
+
+  const Image& submitted_;
+  const SceneKnowledge& knowledge_;
+  const Comparison& comparison_;
+  Guess guess_;
+  double before_ = 0, left_ = 0;
+};
+
+}  // namespace
+
+std::vector<Finding> diagnose(const Image& submitted, const SceneKnowledge& knowledge) {
+  std::vector<Finding> findings;
+  if (!as_expected_size(submitted, knowledge, findings)) return findings;
+  Breakage breakage = find_breakage(submitted, knowledge);
+  if (breakage.hopeless) return breakage.findings;
+  const Comparison comparison(submitted, knowledge.white, knowledge.tolerance, breakage.ignored);
+  Search search(submitted, knowledge, comparison);
+  if (search.at_first() > search.least()) {
+    if (std::optional<Finding> other = other_scene(comparison, knowledge, search.at_first())) return {*other};
+    findings = search.run();
+  }
+  if (std::optional<Finding> noise = find_noise(comparison, knowledge)) findings.push_back(*noise);
+  std::stable_sort(findings.begin(), findings.end(),
+                   [](const Finding& a, const Finding& b) { return a.explained > b.explained; });
+  findings.insert(findings.begin(), breakage.findings.begin(), breakage.findings.end());
+  return findings;
+}
+
+}  // namespace photonproof

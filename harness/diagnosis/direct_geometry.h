@@ -1,0 +1,22 @@
+// Direct light with a factor of its formula, E = L A cos(surface) cos(lamp) / r^2, left out or taken twice.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "harness/diagnosis/seen_objects.h"
+#include "scenes/description/description.h"
+#include "scenes/images/image.h"
+
+namespace photonproof {
+
+struct DirectMistake {
+  std::string kind, sentence, cause;
+  Image direct;  ///< as bright as the right one in the median of what is lit
+};
+
+/// Empty where lamps are not rectangles. `direct` is the right one, of the points' image.
+std::vector<DirectMistake> direct_mistakes(const SceneDescription& scene, const std::vector<SeenPoint>& points,
+                                           const Image& direct);
+
+}  // namespace photonproof

@@ -1,0 +1,39 @@
+#include "harness/diagnosis/guess.h"
+
+#include <cmath>
+#include <cstdio>
+
+#include "harness/diagnosis/picture_changes.h"
+
+namespace photonproof {
+
+Image predicted(const Guess& guess, double white) {
+  Image image = guess.light;
+  if (guess.shift_x != 0 || guess.shift_y != 0 || guess.zoom != 1)
+    image = viewed(image, guess.shift_x, guess.shift_y, guess.zoom);
+  if (guess.blur > 0) image = blurred(image, guess.blur);
+  if (guess.coarse > 1) image = coarse(image, guess.coarse);
+  if (guess.turn != 0) image = turned(image, turn_rows()[guess.turn]);
+  if (guess.scale != 1)
+    for (float& v : image.rgb) v *= static_cast<float>(guess.scale);
+  if (guess.channels != 0) image = with_channels(image, channel_rows()[guess.channels]);
+  if (guess.tone != 0) image = toned(image, tone_rows()[guess.tone], white);
+  return image;
+}
+
+std::string factor_text(double factor) {
+  char text[32];
+  std::snprintf(text, sizeof(text), factor < 10 ? "%.1f" : "%.0f", factor);
+  if (factor < 0.095) std::snprintf(text, sizeof(text), "%.2f", factor);
+  return text;
+}
+
+std::vector<Candidate> candidates_for(const Guess& guess, const SceneKnowledge& knowledge, const Comparison& comparison,
+                                      bool first_round) {
+  std::vector<Candidate> candidates;
+  add_picture_candidates(guess, knowledge, comparison, first_round, candidates);
+  add_light_candidates(guess, knowledge, comparison, candidates);
+  return candidates;
+}
+
+}  // namespace photonproof

@@ -1,0 +1,50 @@
+// A guess at how the picture came about, and what may be changed about it.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "harness/diagnosis/comparison.h"
+#include "harness/diagnosis/diagnosis.h"
+#include "scenes/images/image.h"
+
+namespace photonproof {
+
+/// From the light in the scene to the file: what is seen, then turned, its channels, its values.
+struct Guess {
+  Image light;                                   ///< linear
+  double shift_x = 0, shift_y = 0, zoom = 1;     ///< the view, in pixels
+  double blur = 0;                               ///< pixels
+  int coarse = 1;                                ///< pixels that share a value, a side
+  std::size_t turn = 0, channels = 0, tone = 0;  ///< rows of picture_changes.h
+  double scale = 1;
+  std::vector<std::string> used;  ///< probes and what-ifs that are in `light`
+};
+
+Image predicted(const Guess& guess, double white);
+
+struct Candidate {
+  Guess guess;
+  double left = 0;                 ///< what Comparison finds beyond noise
+  double handicap = 1;             ///< above 1 for what has numbers to fit
+  std::vector<Finding> said = {};  ///< kind, sentence and cause, for each change that it makes
+  bool placed = false;             ///< where it differs is to be said
+  std::string place = {};          ///< if not by what differs
+  bool local = false;              ///< it concerns the part of the picture that differs
+};
+
+/// All changes of one thing; in the first round also turned, channels and tone together.
+std::vector<Candidate> candidates_for(const Guess& guess, const SceneKnowledge& knowledge, const Comparison& comparison,
+                                      bool first_round);
+
+/// Of whole pictures (picture_changes.h), and of light in the scene: features, what-ifs, objects.
+void add_picture_candidates(const Guess& guess, const SceneKnowledge& knowledge, const Comparison& comparison,
+                            bool first_round, std::vector<Candidate>& candidates);
+void add_light_candidates(const Guess& guess, const SceneKnowledge& knowledge, const Comparison& comparison,
+                          std::vector<Candidate>& candidates);
+
+/// "0.6", "1.5", "12": a factor as people say it.
+std::string factor_text(double factor);
+
+}  // namespace photonproof

@@ -1,0 +1,229 @@
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <utility>
+
+#include "harness/diagnosis/guess.h"
+
+namespace photonproof {
+namespace {
+
+/// What is said of a feature's light that is there `factor` times.
+struct FeatureWords {
+  std::string kind, sentence, cause;
+};
+
+FeatureWords words_of_feature(const std::string& feature, double factor) {
+  const bool caustic = feature == "caustic", direct = feature == "direct", later = feature == "later bounces";
+  const std::string name = caustic  ? "caustic"
+                           : direct ? "direct light"
+                           : later  ? "light after the second bounce"
+                                    : "indirect light";
+  if (factor < 0.15) {
+    const char* why = caustic  ? "no caustic photons are shot or looked up"
+                      : direct ? "lamps are not sampled, or every shadow ray is blocked"
+                      : later  ? "light bounces once only: depth ends too early, or photons are not reflected on"
+                               : "no global photons are shot or gathered";
+    return {feature + "-missing", name + " missing", why};
+  }
+  if (later)
+    return {"bounce-energy", factor_text(factor) + "\u00d7 energy after the second bounce",
+            factor < 1 ? "photons or paths lose power at each bounce, or the cache blurs it away"
+                       : "power is not reduced by the surfaces' colours at each bounce"};
+  if (std::abs(factor - 2) < 0.2)
+    return {feature + "-twice", name + " counted twice",
+            caustic  ? "caustic photons are looked up in both maps"
+            : direct ? "lamps are added by sampling and by photons, too"
+                     : "direct light's photons are gathered, too"};
+  if (std::abs(std::log(factor * M_PI)) < 0.12 || std::abs(std::log(factor / M_PI)) < 0.12)
+    return {feature + "-energy", factor_text(factor) + "\u00d7 " + name,
+            factor > 1 ? "the 1/pi of the diffuse BRDF is missing" : "it is divided by pi twice"};
+  return {feature + "-energy", factor_text(factor) + "\u00d7 " + name,
+          caustic  ? "photons' power, their number or the look-up's area is wrong"
+          : direct ? "the lamp's power, area or sampling density is wrong"
+                   : "photons' power, their number or the gather's weight is wrong"};
+}
+
+class LightCandidates {
+ public:
+  LightCandidates(const Guess& guess, const SceneKnowledge& knowledge, const Comparison& comparison,
+                  std::vector<Candidate>& candidates)
+      : guess_(guess), knowledge_(knowledge), comparison_(comparison), candidates_(candidates) {}
+
+  void add_features() {
+    for (const FeatureProbe& probe : knowledge_.probes) {
+      if (used(probe.feature)) continue;
+      double most = 0;
+      for (const float v : probe.light.rgb) most = std::max(most, double{v});
+      if (most < 0.01) continue;
+      Candidate best;
+      double amount = 0;
+      best.left = 1e30;
+      const auto look = [&](double x) {
+        Guess other = with_light(probe.light, x);
+        const double left = left_of(other);
+        if (left >= best.left) return;
+        best.left = left;
+        best.guess = std::move(other);
+        amount = x;
+      };
+      for (const double x : {-1.0, -0.75, -0.5, -0.3, 0.5, 1.0, 2.0, M_PI - 1, 4.0}) look(x);
+      const double found = amount;
+      for (const double by : {-0.15, -0.08, 0.08, 0.15}) look(std::max(-1.0, found + by * (found > 1 ? 2 : 1)));
+      const FeatureWords words = words_of_feature(probe.feature, 1 + amount);
+      best.guess.used.push_back(probe.feature);
+      best.said = {{words.kind, words.sentence, words.cause, {}, 0}};
+      best.handicap = std::abs(amount + 1) < 0.1 || std::abs(amount - 1) < 0.1 ? 1.0 : 1.08;
+      if (probe.feature == "later bounces") best.handicap *= 1.03;
+      best.placed = probe.feature == "caustic";
+      best.local = true;
+      candidates_.push_back(std::move(best));
+    }
+    add_colourless_indirect();
+    add_ambient();
+  }
+
+  void add_what_ifs() {
+    const Image& model = knowledge_.model.rgb.empty() ? knowledge_.reference : knowledge_.model;
+    for (const WhatIf& what_if : knowledge_.what_ifs) {
+      if (used(what_if.kind + what_if.landmark) || what_if.image.rgb.size() != model.rgb.size()) continue;
+      Image difference = what_if.image;
+      for (std::size_t i = 0; i < difference.rgb.size(); ++i) difference.rgb[i] -= model.rgb[i];
+      for (const double amount : {1.0, 0.7}) {
+        Candidate candidate;
+        candidate.guess = with_light(difference, amount);
+        candidate.guess.used.push_back(what_if.kind + what_if.landmark);
+        candidate.left = left_of(candidate.guess);
+        candidate.handicap = amount == 1 ? 1 : 1.25;
+        candidate.said = {{what_if.kind, what_if.sentence, what_if.cause, {}, 0}};
+        candidate.local = true;
+        candidates_.push_back(std::move(candidate));
+      }
+    }
+  }
+
+  /// Each object's light times a factor of each channel, as the picture has it; only while the picture is not turned
+  /// and its values are linear.
+  void add_objects() {
+    if (knowledge_.seen.size() != guess_.light.pixels() || guess_.turn + guess_.channels + guess_.tone != 0) return;
+    const Image now = predicted(guess_, comparison_.white());
+    for (std::size_t mark = 0; mark < knowledge_.landmarks.size(); ++mark) {
+      const Landmark& landmark = knowledge_.landmarks[mark];
+      if (used("object " + landmark.name)) continue;
+      double submitted[3] = {}, expected[3] = {}, count = 0;
+      for (std::size_t i = 0; i < now.pixels(); ++i) {
+        if (knowledge_.seen[i] != mark + 1 || !comparison_.counts(i)) continue;
+        count += 1;
+        for (std::size_t c = 0; c < 3; ++c) {
+          submitted[c] += std::min(comparison_.white(), double{comparison_.submitted().rgb[3 * i + c]});
+          if (std::isfinite(now.rgb[3 * i + c]))
+            expected[c] += std::min(comparison_.white(), double{now.rgb[3 * i + c]});
+        }
+      }
+      if (count < 12) continue;
+      add_object(mark, submitted, expected, count);
+    }
+  }
+
+ private:
+  bool used(const std::string& name) const {
+    return std::find(guess_.used.begin(), guess_.used.end(), name) != guess_.used.end();
+  }
+  double left_of(const Guess& guess) const { return comparison_.total(predicted(guess, comparison_.white())); }
+
+  Guess with_light(const Image& light, double amount) const {
+    Guess other = guess_;
+    for (std::size_t i = 0; i < other.light.rgb.size(); ++i)
+      other.light.rgb[i] = std::max(0.0f, other.light.rgb[i] + static_cast<float>(amount * light.rgb[i]));
+    return other;
+  }
+
+  void add_colourless_indirect() {
+    for (const FeatureProbe& probe : knowledge_.probes) {
+      if (probe.feature != "indirect" || used("colourless")) continue;
+      Image change = probe.light;
+      for (std::size_t i = 0; i < change.pixels(); ++i) {
+        float* p = &change.rgb[3 * i];
+        const float grey = (p[0] + p[1] + p[2]) / 3;
+        for (std::size_t c = 0; c < 3; ++c) p[c] = grey - p[c];
+      }
+      Candidate candidate;
+      candidate.guess = with_light(change, 1);
+      candidate.guess.used.push_back("colourless");
+      candidate.left = left_of(candidate.guess);
+      candidate.handicap = 1.05;
+      candidate.said = {{"bleeding-missing",
+                         "indirect light has no colour: walls do not bleed",
+                         "photons keep the lamp's colour when they bounce",
+                         {},
+                         0}};
+      candidates_.push_back(std::move(candidate));
+    }
+  }
+
+  void add_ambient() {
+    if (used("ambient")) return;
+    for (const double level : {0.03, 0.06, 0.12, 0.25}) {
+      Candidate candidate;
+      candidate.guess = guess_;
+      for (float& v : candidate.guess.light.rgb) v += static_cast<float>(level * comparison_.white());
+      candidate.guess.used.push_back("ambient");
+      candidate.left = left_of(candidate.guess);
+      candidate.handicap = 1.1;
+      candidate.said = {
+          {"ambient", "everything is brighter by the same amount", "a constant ambient term is added", {}, 0}};
+      candidates_.push_back(std::move(candidate));
+    }
+  }
+
+  void add_object(std::size_t mark, const double (&submitted)[3], const double (&expected)[3], double count) {
+    double factor[3], least = 1e30, most = 0;
+    for (std::size_t c = 0; c < 3; ++c) {
+      factor[c] = submitted[c] / std::max(expected[c], 0.004 * count);
+      least = std::min(least, factor[c]);
+      most = std::max(most, factor[c]);
+    }
+    if (least > 0.88 && most < 1.14) return;
+    const Landmark& landmark = knowledge_.landmarks[mark];
+    Candidate candidate;
+    candidate.guess = guess_;
+    for (std::size_t i = 0; i < knowledge_.seen.size(); ++i)
+      if (knowledge_.seen[i] == mark + 1)
+        for (std::size_t c = 0; c < 3; ++c) candidate.guess.light.rgb[3 * i + c] *= static_cast<float>(factor[c]);
+    candidate.guess.used.push_back("object " + landmark.name);
+    candidate.left = left_of(candidate.guess);
+    candidate.handicap = 1.3;
+    candidate.local = true;
+    const std::string name = "the " + landmark.name;
+    Finding said{"object-brightness", "", "", {}, 0};
+    if (most < 0.05) {
+      said = {"object-black", name + " is black", "its normal points the wrong way, or nothing lights it", {}, 0};
+    } else if (most > 1.25 * least && most - least > 0.15) {
+      said = {"object-colour", name + " has the wrong colour", "its reflectance is not what the scene says", {}, 0};
+    } else {
+      const double mean = (factor[0] + factor[1] + factor[2]) / 3;
+      said.sentence = name + " is " + factor_text(mean) + " times as bright as it should be";
+      said.cause = "its reflectance, or the light that it gets, is wrong";
+    }
+    candidate.said = {said};
+    candidates_.push_back(std::move(candidate));
+  }
+
+  const Guess& guess_;
+  const SceneKnowledge& knowledge_;
+  const Comparison& comparison_;
+  std::vector<Candidate>& candidates_;
+};
+
+}  // namespace
+
+void add_light_candidates(const Guess& guess, const SceneKnowledge& knowledge, const Comparison& comparison,
+                          std::vector<Candidate>& candidates) {
+  LightCandidates add(guess, knowledge, comparison, candidates);
+  add.add_features();
+  add.add_what_ifs();
+  add.add_objects();
+}
+
+}  // namespace photonproof

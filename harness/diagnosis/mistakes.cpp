@@ -1,0 +1,182 @@
+#include "harness/diagnosis/mistakes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+#include <variant>
+
+#include "harness/diagnosis/seen_objects.h"
+
+namespace photonproof {
+namespace {
+
+using Bsdf = decltype(BsdfDescription::model);
+
+SceneDescription with_material(SceneDescription scene, std::size_t shape, Bsdf model) {
+  BsdfDescription bsdf;
+  bsdf.model = std::move(model);
+  scene.bsdfs.push_back(std::move(bsdf));
+  scene.shapes[shape].bsdf = {static_cast<std::uint32_t>(scene.bsdfs.size() - 1)};
+  return scene;
+}
+
+SceneDescription without(SceneDescription scene, std::size_t shape) {
+  scene.shapes.erase(scene.shapes.begin() + static_cast<std::ptrdiff_t>(shape));
+  return scene;
+}
+
+class Mistakes {
+ public:
+  Mistakes(const SceneDescription& scene, const std::vector<std::string>& names, const std::vector<bool>& visible)
+      : scene_(scene), names_(names), visible_(visible) {}
+
+  std::vector<Mistake> run() {
+    for (std::size_t i = 0; i < scene_.shapes.size(); ++i) {
+      const ShapeDescription& shape = scene_.shapes[i];
+      if (shape.radiance) add_lamp(i);
+      if (!visible_[i]) continue;
+      if (std::holds_alternative<HeightfieldDescription>(shape.geometry)) add_water(i);
+      if (!is_body(scene_, shape)) continue;
+      if (look_of(scene_, shape) == Look::mirror) add_mirror(i);
+      if (look_of(scene_, shape) == Look::glass) add_glass(i);
+      const std::string& name = names_[i];
+      add("object-missing", "the " + name + " is missing", "it is not in the scene, or no ray tests it", i,
+          without(scene_, i));
+    }
+    add_hard_shadows();
+    add_swapped_walls();
+    return std::move(mistakes_);
+  }
+
+ private:
+  void add(std::string kind, std::string sentence, std::string cause, std::size_t shape, SceneDescription scene) {
+    mistakes_.push_back({std::move(kind), std::move(sentence), std::move(cause), names_[shape], std::move(scene), {}});
+  }
+  void add_seen(std::string kind, std::string sentence, std::string cause, std::size_t shape, Bsdf model) {
+    add(std::move(kind), std::move(sentence), std::move(cause), shape, with_material(scene_, shape, std::move(model)));
+    mistakes_.back().only_where_seen = {shape};
+  }
+
+  void add_mirror(std::size_t i) {
+    const std::string name = "the " + names_[i];
+    add_seen("mirror-black", name + " is black: it reflects nothing",
+             "no reflected ray is traced, or depth ends before it", i, DiffuseDescription{RgbD(0.0)});
+    add_seen("mirror-diffuse", name + " is matt: it shows no reflection", "it is shaded as a diffuse surface", i,
+             DiffuseDescription{RgbD(0.7)});
+    add_seen("mirror-glass", name + " looks like glass", "materials are mixed up", i,
+             DielectricDescription{.int_ior = 1.5, .ext_ior = 1});
+  }
+
+  void add_glass(std::size_t i) {
+    const auto& glass = std::get<DielectricDescription>(scene_.bsdfs[scene_.shapes[i].bsdf.value].model);
+    const std::string name = "the " + names_[i];
+    add_seen("glass-black", name + " is black: no light comes through",
+             "no refracted ray is traced, or depth ends inside", i, DiffuseDescription{RgbD(0.0)});
+    add_seen("glass-opaque", name + " is opaque", "it is shaded as a diffuse surface", i,
+             DiffuseDescription{RgbD(0.7)});
+    DielectricDescription thin = glass;
+    thin.int_ior = glass.ext_ior * 1.0001;
+    add_seen("glass-unrefracted", name + " does not refract", "rays go straight through, or its index is 1", i, thin);
+    DielectricDescription swapped = glass;
+    std::swap(swapped.int_ior, swapped.ext_ior);
+    add_seen("glass-inside-out", name + " refracts the wrong way",
+             "the indices of inside and outside are exchanged: eta is inverted, or the normal is", i, swapped);
+    add_seen("glass-mirror", name + " only reflects, like a mirror", "the refracted ray is never taken", i,
+             ConductorDescription{});
+  }
+
+  void add_water(std::size_t i) {
+    const std::string name = "the " + names_[i];
+    SceneDescription flat = scene_;
+    std::get<HeightfieldDescription>(flat.shapes[i].geometry).amplitude *= 1e-4;
+    add("water-flat", name + " is flat: it has no waves",
+        "the surface is not displaced, or its normals are the plane's", i, flat);
+    add("water-missing", name + " is missing", "it is not in the scene, or no ray tests it", i, without(scene_, i));
+    for (const double factor : {0.5, 2.0}) {
+      SceneDescription other = scene_;
+      auto& field = std::get<HeightfieldDescription>(other.shapes[i].geometry);
+      if (!std::holds_alternative<HeightfieldNoise>(field.height)) continue;
+      auto& noise = std::get<HeightfieldNoise>(field.height);
+      noise.frequency_x *= factor;
+      noise.frequency_y *= factor;
+      add("water-waves", name + (factor > 1 ? "'s waves are too narrow" : "'s waves are too wide"),
+          "the noise has another frequency", i, other);
+    }
+  }
+
+  void add_lamp(std::size_t i) {
+    std::size_t lamps = scene_.emitters.size();
+    for (const ShapeDescription& shape : scene_.shapes) lamps += shape.radiance.has_value() ? 1 : 0;
+    if (lamps < 2) return;
+    SceneDescription dark = scene_;
+    dark.shapes[i].radiance.reset();
+    add("lamp-missing", "the " + names_[i] + " gives no light", "only some of the lamps are sampled", i, dark);
+  }
+
+  /// Lamps of a tenth of their size and the same power.
+  void add_hard_shadows() {
+    SceneDescription small = scene_;
+    bool any = false;
+    for (ShapeDescription& shape : small.shapes) {
+      if (!shape.radiance || !std::holds_alternative<RgbD>(*shape.radiance)) continue;
+      if (!std::holds_alternative<RectangleDescription>(shape.geometry)) continue;
+      constexpr double by = 0.1;
+      shape.to_world = shape.to_world * Transform::scale({by, by, 1});
+      shape.radiance = std::get<RgbD>(*shape.radiance) / (by * by);
+      any = true;
+    }
+    if (!any) return;
+    mistakes_.push_back({"hard-shadows",
+                         "shadow edges hard",
+                         "the lamp is sampled at one point: no soft shadows",
+                         "",
+                         small,
+                         {},
+                         true});
+  }
+
+  void add_swapped_walls() {
+    for (std::size_t a = 0; a < scene_.shapes.size(); ++a)
+      for (std::size_t b = a + 1; b < scene_.shapes.size(); ++b) {
+        const auto is_side = [&](std::size_t i) { return names_[i] == "left wall" || names_[i] == "right wall"; };
+        if (!is_side(a) || !is_side(b) || scene_.shapes[a].bsdf == scene_.shapes[b].bsdf) continue;
+        SceneDescription swapped = scene_;
+        std::swap(swapped.shapes[a].bsdf, swapped.shapes[b].bsdf);
+        mistakes_.push_back({"walls-swapped",
+                             "the colours of the left and the right wall are exchanged",
+                             "left and right are mixed up in the scene, or x points the wrong way",
+                             "",
+                             swapped,
+                             {}});
+      }
+  }
+
+  const SceneDescription& scene_;
+  const std::vector<std::string>& names_;
+  const std::vector<bool>& visible_;
+  std::vector<Mistake> mistakes_;
+};
+
+}  // namespace
+
+bool is_body(const SceneDescription& scene, const ShapeDescription& shape) {
+  if (shape.radiance) return false;
+  if (std::holds_alternative<HeightfieldDescription>(shape.geometry)) return false;
+  if (std::holds_alternative<RectangleDescription>(shape.geometry)) return look_of(scene, shape) != Look::diffuse;
+  return !std::holds_alternative<PlaneDescription>(shape.geometry) &&
+         !std::holds_alternative<InstanceDescription>(shape.geometry);
+}
+
+SceneDescription without_bodies(const SceneDescription& scene) {
+  SceneDescription empty = scene;
+  std::erase_if(empty.shapes, [&](const ShapeDescription& shape) { return is_body(scene, shape); });
+  return empty;
+}
+
+std::vector<Mistake> mistakes_of(const SceneDescription& scene, const std::vector<std::string>& names,
+                                 const std::vector<bool>& visible) {
+  return Mistakes(scene, names, visible).run();
+}
+
+}  // namespace photonproof

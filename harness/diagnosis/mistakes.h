@@ -1,0 +1,29 @@
+// Scenes with a common mistake built in: rendered, they are what a program with this mistake shows.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "scenes/description/description.h"
+
+namespace photonproof {
+
+struct Mistake {
+  std::string kind, sentence, cause;
+  std::string landmark;
+  SceneDescription scene;
+  /// Where the mistake shows: only where these shapes are seen (their indices); empty: everywhere.
+  std::vector<std::size_t> only_where_seen;
+  bool direct_only = false;  ///< only direct light is rendered and differs
+};
+
+/// `names` as object_names() gives them; `visible`: of each shape, whether the camera sees it.
+std::vector<Mistake> mistakes_of(const SceneDescription& scene, const std::vector<std::string>& names,
+                                 const std::vector<bool>& visible);
+
+/// The same without spheres, boxes and panes: what casts shadows in a room.
+SceneDescription without_bodies(const SceneDescription& scene);
+bool is_body(const SceneDescription& scene, const ShapeDescription& shape);
+
+}  // namespace photonproof

@@ -1,0 +1,206 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <utility>
+
+#include "harness/diagnosis/guess.h"
+#include "harness/diagnosis/picture_changes.h"
+
+namespace photonproof {
+namespace {
+
+class PictureCandidates {
+ public:
+  PictureCandidates(const Guess& guess, const SceneKnowledge& knowledge, const Comparison& comparison,
+                    std::vector<Candidate>& candidates)
+      : guess_(guess), knowledge_(knowledge), comparison_(comparison), candidates_(candidates) {}
+
+  /// Turned, with other channels, other values, and all of it at once.
+  void add_combinations(bool first_round) {
+    for (std::size_t turn = 0; turn < turn_rows().size(); ++turn) {
+      if (turn_rows()[turn].swaps_sides && comparison_.width() != comparison_.height()) continue;
+      if (!first_round && turn != guess_.turn && guess_.turn != 0) continue;
+      for (std::size_t channels = 0; channels < channel_rows().size(); ++channels)
+        for (std::size_t tone = 0; tone < tone_rows().size(); ++tone) {
+          const int changed = (turn != guess_.turn) + (channels != guess_.channels) + (tone != guess_.tone);
+          if (changed == 0 || (!first_round && changed > 1)) continue;
+          add_combination(turn, channels, tone, changed);
+        }
+    }
+  }
+
+  void add_scale() {
+    if (guess_.scale != 1) return;
+    Guess best = guess_;
+    double left = 1e30;
+    const auto look = [&](double scale) {
+      Guess other = guess_;
+      other.scale = scale;
+      const double now = comparison_.total(predicted(other, comparison_.white()));
+      if (now < left) {
+        left = now;
+        best = other;
+      }
+    };
+    for (double scale = 1.0 / 16; scale <= 16; scale *= 1.25) look(scale);
+    const double coarse_best = best.scale;
+    for (const double by : {0.85, 0.9, 0.95, 1.05, 1.1, 1.18}) look(coarse_best * by);
+    const double factor = best.scale;
+    if (std::abs(factor - 1) < 0.08) return;
+    Finding finding{"exposure",
+                    "the image is " + factor_text(factor) + " times as bright as it should be",
+                    cause_of_scale(factor),
+                    {},
+                    0};
+    candidates_.push_back({std::move(best), left, 1.1, {finding}});
+  }
+
+  void add_views() {
+    if (guess_.shift_x != 0 || guess_.shift_y != 0 || guess_.zoom != 1) return;
+    Guess best = guess_;
+    double left = 1e30;
+    const auto look = [&](double dx, double dy, double zoom) {
+      Guess other = guess_;
+      other.shift_x = dx;
+      other.shift_y = dy;
+      other.zoom = zoom;
+      const double now = comparison_.total(predicted(other, comparison_.white()));
+      if (now < left) {
+        left = now;
+        best = std::move(other);
+      }
+    };
+    const double step = comparison_.width() / 32.0;
+    for (int dy = -3; dy <= 3; ++dy)
+      for (int dx = -3; dx <= 3; ++dx) look(dx * step, dy * step, 1);
+    refine_shift(best, look);
+    for (const double pixel : {-1.0, -0.5, 0.5, 1.0}) {
+      look(pixel, 0, 1);
+      look(0, pixel, 1);
+      look(pixel, pixel, 1);
+    }
+    push_shift(best, left);
+    left = 1e30;
+    for (double zoom = 0.5; zoom <= 2; zoom *= 1.05) look(0, 0, zoom);
+    const double found = best.zoom;
+    for (const double by : {0.97, 0.985, 1.015, 1.03}) look(0, 0, found * by);
+    push_zoom(best, left);
+  }
+
+  void add_sharpness() {
+    if (guess_.blur > 0 || guess_.coarse > 1) return;
+    for (const double blur : {1.0, 2.0, 3.0, 5.0}) {
+      Guess other = guess_;
+      other.blur = blur;
+      push(other, 1.05,
+           {"blurred", "the image is blurred", "filtered too widely, or rendered smaller and enlarged", {}, 0});
+    }
+    for (const int side : {2, 3, 4, 8}) {
+      Guess other = guess_;
+      other.coarse = side;
+      push(other, 1.05,
+           {"coarse",
+            std::to_string(side) + " x " + std::to_string(side) + " pixels share one value",
+            "rendered at a lower resolution and enlarged",
+            {},
+            0});
+    }
+  }
+
+ private:
+  void push(const Guess& guess, double handicap, const Finding& finding) {
+    candidates_.push_back({guess, comparison_.total(predicted(guess, comparison_.white())), handicap, {finding}});
+  }
+
+  void add_combination(std::size_t turn, std::size_t channels, std::size_t tone, int changed) {
+    Candidate candidate;
+    candidate.guess = guess_;
+    candidate.guess.turn = turn;
+    candidate.guess.channels = channels;
+    candidate.guess.tone = tone;
+    candidate.handicap = std::pow(1.15, changed);
+    const auto say = [&](std::size_t now, std::size_t before, const auto& row) {
+      if (now != before && now != 0) candidate.said.push_back({row.kind, row.sentence, row.cause, {}, 0});
+    };
+    say(turn, guess_.turn, turn_rows()[turn]);
+    say(channels, guess_.channels, channel_rows()[channels]);
+    say(tone, guess_.tone, tone_rows()[tone]);
+    if (candidate.said.empty()) return;
+    candidate.left = comparison_.total(predicted(candidate.guess, comparison_.white()));
+    candidates_.push_back(std::move(candidate));
+  }
+
+  static std::string cause_of_scale(double factor) {
+    const std::array<std::pair<double, const char*>, 6> known{{
+        {M_PI, "the 1/pi of the diffuse BRDF is missing"},
+        {1 / M_PI, "light is divided by pi twice"},
+        {2, "light is counted twice"},
+        {0.5, "light is halved"},
+        {4, "the lamp's size or the photons' number enters wrongly"},
+        {0.25, "the lamp's size or the photons' number enters wrongly"},
+    }};
+    for (const auto& [value, words] : known)
+      if (std::abs(std::log(factor / value)) < 0.1) return words;
+    return "the lamp's power, the exposure or the samples' number enters wrongly";
+  }
+
+  template <class Look>
+  static void refine_shift(const Guess& best, const Look& look) {
+    const double x = best.shift_x, y = best.shift_y;
+    for (double dy = -2; dy <= 2; dy += 0.5)
+      for (double dx = -2; dx <= 2; dx += 0.5) look(x + dx, y + dy, 1);
+  }
+
+  void push_shift(const Guess& best, double left) {
+    if (best.shift_x == 0 && best.shift_y == 0) return;
+    std::string words;
+    const auto add = [&](double by, const char* more, const char* less) {
+      if (by == 0) return;
+      words += (words.empty() ? "" : " and ") + factor_text(std::abs(by)) + " pixels " + (by > 0 ? more : less);
+    };
+    add(best.shift_x, "right", "left");
+    add(best.shift_y, "down", "up");
+    candidates_.push_back({best,
+                           left,
+                           1.15,
+                           {{"shifted",
+                             "the image is shifted by " + words,
+                             "pixels' middles are taken half a pixel off, or the camera points elsewhere",
+                             {},
+                             0}}});
+  }
+
+  void push_zoom(const Guess& best, double left) {
+    if (std::abs(best.zoom - 1) < 0.015) return;
+    const std::string words = best.zoom > 1 ? "too narrow" : "too wide";
+    candidates_.push_back(
+        {best,
+         left,
+         1.15,
+         {{"field-of-view",
+           "the field of view is " + words,
+           "its angle is taken along the other side, as half or whole, or the camera stands elsewhere",
+           {},
+           0}}});
+  }
+
+  const Guess& guess_;
+  const SceneKnowledge& knowledge_;
+  const Comparison& comparison_;
+  std::vector<Candidate>& candidates_;
+};
+
+}  // namespace
+
+void add_picture_candidates(const Guess& guess, const SceneKnowledge& knowledge, const Comparison& comparison,
+                            bool first_round, std::vector<Candidate>& candidates) {
+  PictureCandidates add(guess, knowledge, comparison, candidates);
+  add.add_combinations(first_round);
+  add.add_scale();
+  add.add_views();
+  add.add_sharpness();
+}
+
+}  // namespace photonproof

@@ -1,0 +1,53 @@
+// What programs do to whole pictures: turn them, exchange channels, encode them. Each is a change of the expected
+// picture, with the sentence and the cause it stands for.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "scenes/images/image.h"
+
+namespace photonproof {
+
+struct TurnRow {
+  const char* kind;
+  const char* sentence;
+  const char* cause;
+  bool swaps_sides;           ///< for square pictures alone
+  std::array<int, 6> matrix;  ///< of the guess's pixel (x, y), from 0: x' = m0 x + m1 y + m2 (w-1), y' alike
+};
+/// The first changes nothing.
+std::span<const TurnRow> turn_rows();
+Image turned(const Image& image, const TurnRow& row);
+
+struct ChannelRow {
+  std::array<int, 3> order;  ///< -1: none, black; -2: luminance
+  const char* kind;
+  const char* sentence;
+  const char* cause;
+};
+std::span<const ChannelRow> channel_rows();
+Image with_channels(const Image& image, const ChannelRow& row);
+
+struct ToneRow {
+  const char* kind;
+  const char* sentence;
+  const char* cause;
+  double (*encode)(double value, double white);
+};
+std::span<const ToneRow> tone_rows();
+Image toned(const Image& image, const ToneRow& row, double white);
+
+/// Shifted by dx, dy pixels and enlarged about the middle; what comes from outside is NaN.
+Image viewed(const Image& image, double dx, double dy, double zoom);
+/// Gaussian of this deviation in pixels.
+Image blurred(const Image& image, double deviation);
+/// Every block of this many pixels a side is its mean.
+Image coarse(const Image& image, int side);
+/// To another size, by means over the area of each new pixel, or between pixels where it is enlarged.
+Image resized(const Image& image, int width, int height);
+
+}  // namespace photonproof

@@ -1,1 +1,0 @@
-#include "harness/diagnosis/diagnosis.h"

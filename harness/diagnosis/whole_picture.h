@@ -1,0 +1,14 @@
+// What concerns the picture as a whole and is no change of it: noise.
+#pragma once
+
+#include <optional>
+
+#include "harness/diagnosis/comparison.h"
+#include "harness/diagnosis/diagnosis.h"
+
+namespace photonproof {
+
+/// Where the picture's noise is large, and far above the reference's.
+std::optional<Finding> find_noise(const Comparison& comparison, const SceneKnowledge& knowledge);
+
+}  // namespace photonproof

@@ -1,0 +1,118 @@
+#include "harness/grading/autograder.h"
+
+#include <algorithm>
+#include <set>
+#include <sstream>
+#include <string>
+
+#include "reference/process/process.h"
+#include "reports/grades/zip_file.h"
+#include "scenes/text/atomic_file.h"
+#include "scenes/text/input_error.h"
+
+namespace photonproof {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t max_member_bytes = std::size_t{1} << 30;
+
+bool is_inside(const fs::path& folder, const fs::path& file) {
+  const fs::path relative = file.lexically_normal().lexically_relative(folder.lexically_normal());
+  return !relative.empty() && *relative.begin() != "..";
+}
+
+void refuse_outside(const Assignment& assignment, const fs::path& file) {
+  if (file.empty() || is_inside(assignment.folder, file)) return;
+  throw InputError(assignment.file.string(),
+                   "names '" + file.string() + "', which lies outside its folder and would be missing in the archive");
+}
+
+void check_inside(const Assignment& assignment) {
+  refuse_outside(assignment, assignment.overwrite);
+  refuse_outside(assignment, assignment.baseline);
+  for (const AssignmentScene& scene : assignment.scenes)
+    for (const fs::path& file : {scene.path, scene.params, scene.params_template, scene.reference, scene.given})
+      refuse_outside(assignment, file);
+}
+
+// Files that the program loads, as the dynamic linker says.
+std::vector<std::string> libraries_of(const fs::path& file) {
+  std::vector<std::string> libraries;
+  std::istringstream lines(run_process({"ldd", file.string()}).standard_output);
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t at = line.find("=> /");
+    if (at == std::string::npos) continue;
+    std::string library = line.substr(at + 3);
+    libraries.push_back(library.substr(0, library.find(" (")));
+  }
+  return libraries;
+}
+
+// The Debian packages that they belong to, without architectures.
+std::set<std::string> packages_of(const std::vector<fs::path>& programs) {
+  std::set<std::string> packages{"bubblewrap", "g++", "make"};
+  for (const fs::path& program : programs)
+    for (const std::string& library : libraries_of(program)) {
+      const fs::path real = fs::canonical(library);
+      for (const std::string& name : {real.string(), library, "*" + real.string()}) {
+        const std::string owner = run_process({"dpkg-query", "-S", name}).standard_output;
+        if (owner.empty()) continue;
+        packages.insert(owner.substr(0, owner.find(':')));
+        break;
+      }
+    }
+  return packages;
+}
+
+std::string setup_script(const std::set<std::string>& packages) {
+  std::string script =
+      "#!/bin/sh\n# Installs what the grader and builds need. For images of the distribution and release that the "
+      "archive "
+      "was made on.\nset -e\nexport DEBIAN_FRONTEND=noninteractive\napt-get update\napt-get install -y "
+      "--no-install-recommends";
+  for (const std::string& package : packages) script += " \\\n  " + package;
+  return script + "\n";
+}
+
+std::string run_script(const Assignment& assignment, bool contained) {
+  const std::string name = assignment.file.filename().string();
+  return std::string(
+             "#!/bin/sh\n# Grades /autograder/submission and leaves results.json where Gradescope looks for it.\n"
+             "set -e\nhere=${AUTOGRADER:-/autograder}\n"
+             "\"$here/source/bin/photonproof\" grade \"$here/source/assignment/") +
+         name + "\" \"$here/submission\" -o \"$here/grades\"" + (contained ? "" : " --no-sandbox") +
+         "\nmkdir -p \"$here/results\"\ncp \"$here/grades/submissions/submission/results.json\" "
+         "\"$here/results/results.json\"\n";
+}
+
+ZipMember member_of(const fs::path& file, const std::string& name) {
+  const bool executable = (fs::status(file).permissions() & fs::perms::owner_exec) != fs::perms::none;
+  return {name, read_file(file, max_member_bytes), executable};
+}
+
+}  // namespace
+
+void write_autograder(const Assignment& assignment, const AutograderOptions& options, const fs::path& archive) {
+  check_inside(assignment);
+  check_replaceable(archive);
+  std::vector<fs::path> programs{options.program};
+  std::vector<ZipMember> members{member_of(options.program, "bin/photonproof")};
+  const fs::path modules = options.program.parent_path().parent_path() / "lib";
+  std::error_code none;
+  for (const auto& entry : fs::directory_iterator(modules, none))
+    if (entry.is_regular_file() && entry.path().extension() == ".so") {
+      programs.push_back(entry.path());
+      members.push_back(member_of(entry.path(), "lib/" + entry.path().filename().string()));
+    }
+  members.push_back({"setup.sh", setup_script(packages_of(programs)), true});
+  members.push_back({"run_autograder", run_script(assignment, options.contained), true});
+  for (const auto& entry : fs::recursive_directory_iterator(assignment.folder))
+    if (entry.is_regular_file())
+      members.push_back(
+          member_of(entry.path(), "assignment/" + entry.path().lexically_relative(assignment.folder).string()));
+  std::ranges::sort(members, {}, &ZipMember::name);
+  write_file_atomically(archive, zip_bytes(members));
+}
+
+}  // namespace photonproof

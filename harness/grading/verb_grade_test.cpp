@@ -1,0 +1,220 @@
+// The program itself, with a class of shell scripts: grading goes on whatever they do, and after it was killed.
+
+#include <csignal>
+#include <nlohmann/json.hpp>
+
+#include "harness/cells/test_program.h"
+#include "harness/grading/test_course.h"
+#include "reference/process/process.h"
+#include "reports/grades/grades_json.h"
+#include "reports/grades/gradescope.h"
+
+namespace photonproof {
+namespace {
+
+namespace fs = std::filesystem;
+
+class GradeVerb : public CourseTest {
+ protected:
+  std::vector<std::string> command(const std::vector<std::string>& submissions,
+                                   const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> argv{PHOTONPROOF_BINARY, "grade",       folder_ / "course.toml", "-o",
+                                  folder_ / "out",    "--no-sandbox"};
+    for (const std::string& name : submissions) argv.push_back(folder_ / name);
+    argv.insert(argv.end(), more.begin(), more.end());
+    return argv;
+  }
+  ProcessOutcome grade(const std::vector<std::string>& submissions, const std::vector<std::string>& more = {}) const {
+    return run_process(command(submissions, more), {.wall_limit_seconds = 200});
+  }
+  Grades grades() const { return grades_from_json(nlohmann::ordered_json::parse(get("out/grades.json")), "grades"); }
+  const SubmissionGrade& of(const Grades& grades, const std::string& name) const {
+    for (const SubmissionGrade& submission : grades.submissions)
+      if (submission.name == name) return submission;
+    throw std::out_of_range(name);
+  }
+  std::size_t cells() const {
+    std::error_code none;
+    std::size_t count = 0;
+    for (const auto& entry : fs::directory_iterator(folder_ / "out" / "cells", none))
+      if (fs::exists(entry.path() / "cell.json")) ++count;
+    return count;
+  }
+};
+
+TEST_F(GradeVerb, a_right_and_quick_submission_has_its_points) {
+  put_program("honest", 1);
+  const ProcessOutcome outcome = grade({"honest"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.standard_error;
+  const Grades all = grades();
+  const SubmissionGrade& honest = all.submissions.at(0);
+  for (const SceneGrade& scene : honest.scenes) EXPECT_EQ(scene.verdict, SceneVerdict::right) << scene.sentence;
+  EXPECT_EQ(honest.correctness_points, 40);
+  // The baseline sleeps 0.3 s longer than it computes; on a busy machine the verdict is "too noisy" and the points are
+  // those of the same tier.
+  EXPECT_GT(honest.speed.speedup.value, 1.5) << honest.speed.sentence;
+  EXPECT_EQ(honest.speed.points, 20) << honest.speed.sentence;
+  EXPECT_TRUE(has("out/gradebook.csv"));
+  EXPECT_TRUE(has("out/" + honest.scenes[0].pictures.at("flip")));
+  validate_gradescope(nlohmann::ordered_json::parse(get("out/" + honest.folder + "/results.json")), "results.json");
+  EXPECT_NE(outcome.standard_output.find("honest"), std::string::npos);
+  ASSERT_EQ(all.caveats.size(), 1u);
+  EXPECT_EQ(all.caveats[0], "submissions ran without a sandbox (--no-sandbox)");
+}
+
+TEST_F(GradeVerb, whatever_a_submission_does_is_said_of_it_and_grading_goes_on) {
+  put_program("dim", 0.7);
+  put_program("crash", 1, "echo lost >&2; kill -SEGV $$");
+  put_program("hang", 1, "sleep 60");
+  put_program("silent", 1, "exit 0");
+  put_program("small", 1, "printf 'P3 2 2 255 1 1 1 1 1 1 1 1 1 1 1 1' > \"$3\"; exit 0");
+  put_program("public", 1, "[ \"$1\" = b ] && set a \"$2\" \"$3\"");
+  put_program("constant", 1, "set \"$1\" 5 \"$3\"");
+  put("broken/readme", "no program");
+  put_program("honest", 1);
+  const ProcessOutcome outcome =
+      grade({"dim", "crash", "hang", "silent", "small", "public", "constant", "broken", "honest"}, {"--no-timing"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.standard_error;
+  const Grades all = grades();
+  EXPECT_EQ(of(all, "dim").scenes[0].verdict, SceneVerdict::wrong);
+  EXPECT_EQ(of(all, "crash").scenes[0].verdict, SceneVerdict::failed);
+  EXPECT_NE(of(all, "crash").sentence.find("SIGSEGV"), std::string::npos) << of(all, "crash").sentence;
+  EXPECT_EQ(of(all, "hang").scenes[0].runs[0].end, "timeout");
+  EXPECT_EQ(of(all, "silent").scenes[0].runs[0].end, "no image");
+  EXPECT_EQ(of(all, "small").scenes[0].runs[0].end, "bad image") << of(all, "small").sentence;
+  EXPECT_EQ(of(all, "public").sentence, "right on the public scenes only: 1 of 1 hidden ones is not");
+  EXPECT_EQ(of(all, "public").correctness_points, 20);
+  ASSERT_FALSE(of(all, "constant").flags.empty());
+  EXPECT_EQ(of(all, "constant").flags[0].sentence, "scene a: the same image for two seeds");
+  EXPECT_FALSE(of(all, "broken").built);
+  EXPECT_EQ(of(all, "broken").points(), 0);
+  EXPECT_EQ(of(all, "honest").correctness_points, 40) << of(all, "honest").sentence;
+}
+
+TEST_F(GradeVerb, one_image_for_two_scenes_is_named) {
+  put_program("stuck", 1, "set a 5 \"$3\"");
+  ASSERT_EQ(grade({"stuck"}, {"--no-timing"}).exit_code, 0);
+  const Grades all = grades();
+  EXPECT_EQ(all.submissions[0].scenes[1].sentence, "same image as scene a's");
+  EXPECT_EQ(all.submissions[0].sentence, "hidden scene b: same image as scene a's");
+}
+
+TEST_F(GradeVerb, a_copied_reference_is_wrong_though_every_metric_likes_it) {
+  ASSERT_EQ(grade({"handout"}, {"--no-timing"}).exit_code, 0);
+  const Image reference = read_image((folder_ / "out" / "references" / "a.exr").string());
+  std::string ppm = "P3 32 24 255\n";
+  for (const float v : reference.rgb) ppm += std::to_string(static_cast<int>(v * 255 + 0.5f)) + "\n";
+  put_program("copy", 1, "[ \"$1\" = a ] && cp /submission/a.ppm \"$3\" 2>/dev/null || cp a.ppm \"$3\"; exit 0");
+  put("copy/a.ppm", ppm);
+  ASSERT_EQ(grade({"copy"}, {"--no-timing"}).exit_code, 0);
+  const Grades all = grades();
+  EXPECT_EQ(all.submissions[0].scenes[0].sentence, "a copy of the reference: it has the reference's own noise");
+  EXPECT_EQ(all.submissions[0].scenes[0].points, 0);
+}
+
+TEST_F(GradeVerb, two_teams_with_the_same_noise_are_flagged_and_keep_their_points) {
+  put_program("one", 1, "set \"$1\" $(($2 + 1)) \"$3\"");
+  put_program("two", 1, "set \"$1\" $(($2 + 1)) \"$3\"; true");
+  put_program("three", 1, "set \"$1\" $(($2 + 2)) \"$3\"");
+  ASSERT_EQ(grade({"one", "two", "three"}, {"--no-timing"}).exit_code, 0);
+  const Grades all = grades();
+  ASSERT_EQ(of(all, "one").flags.size(), 1u);
+  EXPECT_EQ(of(all, "one").flags[0].sentence, "the same noise as two's images, on 2 scenes");
+  EXPECT_EQ(of(all, "one").correctness_points, 40);
+  EXPECT_TRUE(of(all, "three").flags.empty());
+}
+
+TEST_F(GradeVerb, other_images_while_it_is_timed_cost_the_points_for_speed) {
+  // The counter lies outside of the run's folder, as only a program without a sandbox can have one.
+  put_program("sly", 1,
+              "n=$(cat " + (folder_ / "count").string() + " 2>/dev/null || echo 0); echo $((n + 1)) > " +
+                  (folder_ / "count").string() + "; [ $n -ge 3 ] && set b \"$2\" \"$3\"");
+  ASSERT_EQ(grade({"sly"}, {"--threads", "1"}).exit_code, 0);
+  const Grades all = grades();
+  EXPECT_EQ(all.submissions[0].speed.state, SpeedGrade::State::changed) << all.submissions[0].speed.sentence;
+  EXPECT_EQ(all.submissions[0].speed.points, 0);
+}
+
+TEST_F(GradeVerb, killed_it_has_lost_at_most_what_was_running_and_resumes) {
+  put_program("honest", 1);
+  put_program("dim", 0.7);
+  const auto argv = command({"honest", "dim"}, {"--no-timing"});
+  const pid_t pid = start_program(argv, folder_ / "err");
+  signal_after(pid, SIGKILL, 10, 0, [&] { return cells(); });
+  const std::size_t kept = cells();
+  EXPECT_GE(kept, 8u);
+  EXPECT_FALSE(has("out/grades.json"));
+  ASSERT_EQ(grade({"honest", "dim"}, {"--no-timing", "--resume"}).exit_code, 0);
+  const std::size_t resumed = cells();
+  const std::string verdicts = get("out/gradebook.csv");
+  // A grading from the start has the same verdicts and as many runs.
+  fs::remove_all(folder_ / "out");
+  ASSERT_EQ(grade({"honest", "dim"}, {"--no-timing"}).exit_code, 0);
+  EXPECT_EQ(get("out/gradebook.csv"), verdicts);
+  EXPECT_EQ(cells(), resumed);
+}
+
+TEST_F(GradeVerb, graded_again_it_keeps_references_and_runs_submissions_anew) {
+  put_program("honest", 1);
+  ASSERT_EQ(grade({"honest"}, {"--no-timing"}).exit_code, 0);
+  const std::size_t first = cells();
+  const std::string verdicts = get("out/gradebook.csv");
+  ASSERT_EQ(grade({"honest"}, {"--no-timing"}).exit_code, 0);
+  EXPECT_EQ(cells(), 2 * first - 16);  // all but the 8 runs of each of 2 references
+  EXPECT_EQ(get("out/gradebook.csv"), verdicts);
+}
+
+TEST_F(GradeVerb, interrupted_it_says_so_and_keeps_what_there_is) {
+  put_program("honest", 1);
+  const pid_t pid = start_program(command({"honest"}, {"--no-timing"}), folder_ / "err");
+  const int status = signal_after(pid, SIGINT, 3, 0, [&] { return cells(); });
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 130);
+  EXPECT_TRUE(grades().interrupted);
+}
+
+TEST_F(GradeVerb, what_cannot_be_graded_is_said_before_anything_runs) {
+  const auto error = [&](const std::vector<std::string>& names, const std::vector<std::string>& more = {}) {
+    const ProcessOutcome outcome = grade(names, more);
+    EXPECT_EQ(outcome.exit_code, 2);
+    std::string text = outcome.standard_error;
+    for (std::size_t at = text.find(folder_.string()); at != std::string::npos; at = text.find(folder_.string()))
+      text.erase(at, folder_.string().size() + 1);
+    return text;
+  };
+  EXPECT_EQ(error({"nobody"}), "nobody: error: no such file or folder\n");
+  EXPECT_EQ(error({"handout", "handout"}), "handout: error: there is another submission 'handout'\n");
+  EXPECT_EQ(error({"handout"}, {"--only", "x"}), "--only: error: no submission's name contains 'x'\n");
+  EXPECT_EQ(error({"handout"}, {"--scene", "c"}), "--scene: error: unknown scene 'c'; known: a, b\n");
+  EXPECT_EQ(error({}), "submissions: error: there are none to grade\n");
+  EXPECT_EQ(cells(), 0u);
+}
+
+TEST_F(GradeVerb, a_baseline_that_does_not_run_ends_it) {
+  put_program("handout", 1, "exit 3");
+  put_program("honest", 1);
+  const ProcessOutcome outcome = grade({"honest"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.standard_error.rfind("baseline: error: has no image of scene 'a': ", 0), 0u)
+      << outcome.standard_error;
+}
+
+TEST_F(GradeVerb, the_autograder_has_what_gradescope_asks_for) {
+  const ProcessOutcome outcome = run_process({PHOTONPROOF_BINARY, "grade", folder_ / "course.toml", "--autograder",
+                                              folder_ / "autograder.zip", "--no-sandbox"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.standard_error;
+  put_program("submission", 1);
+  // As Gradescope unpacks and runs it.
+  const std::string place = (folder_ / "autograder").string();
+  const ProcessOutcome run = run_process(
+      {"sh", "-ec",
+       "mkdir -p $0/source; cd $0/source; python3 -m zipfile -e ../../autograder.zip .; chmod +x run_autograder "
+       "bin/photonproof assignment/*/render; cp -r ../../submission ..; AUTOGRADER=$0 ./run_autograder",
+       place});
+  ASSERT_EQ(run.exit_code, 0) << run.standard_error;
+  validate_gradescope(nlohmann::ordered_json::parse(get("autograder/results/results.json")), "results.json");
+  EXPECT_NE(get("autograder/source/setup.sh").find("apt-get install"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace photonproof

@@ -1,0 +1,59 @@
+#include "reports/grades/gradescope.h"
+
+#include <nlohmann/json.hpp>
+
+#include "reports/grades/test_grades.h"
+#include "scenes/text/test_folder.h"
+
+namespace photonproof {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+TEST(Gradescope, results_of_every_submission_are_as_documented) {
+  const Grades grades = test_grades();
+  for (const SubmissionGrade& submission : grades.submissions)
+    EXPECT_EQ(input_error_of([&] { validate_gradescope(gradescope_results(grades, submission), "r"); }), "no error");
+}
+
+TEST(Gradescope, the_documented_example_is_valid) {
+  const Json example = Json::parse(R"({"score": 44.0, "execution_time": 136, "output": "Text", "visibility":
+    "after_due_date", "stdout_visibility": "visible", "extra_data": {}, "tests": [{"score": 2.0, "max_score": 2.0,
+    "status": "passed", "name": "Your name here", "name_format": "text", "number": "1.1", "output": "Giant multiline",
+    "output_format": "text", "tags": ["tag1"], "visibility": "visible", "extra_data": {}}], "leaderboard":
+    [{"name": "Accuracy", "value": 0.926}, {"name": "Time", "value": 15.1, "order": "asc"},
+    {"name": "Stars", "value": "*****"}]})");
+  EXPECT_EQ(input_error_of([&] { validate_gradescope(example, "r"); }), "no error");
+}
+
+TEST(Gradescope, what_is_not_documented_is_refused_with_its_place) {
+  const auto refused = [](const char* text) {
+    return input_error_of([&] { validate_gradescope(Json::parse(text), "r"); }).substr(0, 20);
+  };
+  EXPECT_EQ(refused(R"({"score": 1, "tests": [{"visibility": "secret"}]})"), "r#/tests/0/visibilit");
+  EXPECT_EQ(refused(R"({"score": 1, "leaderboard": [{"name": "a"}]})"), "r#/leaderboard/0: er");
+  EXPECT_EQ(refused(R"({"score": 1, "grade": 2})"), "r#: error: not as Gr");
+  EXPECT_EQ(refused(R"({"tests": [{"name": "no score anywhere"}]})").substr(0, 3), "r#:");
+  EXPECT_EQ(refused(R"({"tests": [{"score": 1}]})"), "no error");
+}
+
+TEST(Gradescope, hidden_scenes_tell_a_verdict_and_points_and_nothing_else) {
+  const Grades grades = test_grades();
+  const Json results = gradescope_results(grades, grades.submissions[1]);
+  EXPECT_EQ(results["tests"].size(), 3u);
+  EXPECT_EQ(results["tests"][1].dump(),
+            R"({"score":0.0,"max_score":13.333,"status":"failed","name":"hidden scene 1","output":"wrong",)"
+            R"("output_format":"text","visibility":"visible"})");
+  for (const char* word : {"secret", "caustic", "flip", "public"})
+    EXPECT_EQ(results.dump().find(word), std::string::npos) << word;
+}
+
+TEST(Gradescope, the_leaderboard_has_a_speed_up_where_there_is_one) {
+  const Grades grades = test_grades();
+  EXPECT_EQ(gradescope_results(grades, grades.submissions[2])["leaderboard"].dump(),
+            R"([{"name":"points","value":60.0},{"name":"speed-up","value":4.0}])");
+  EXPECT_EQ(gradescope_results(grades, grades.submissions[0])["leaderboard"].size(), 1u);
+}
+
+}  // namespace
+}  // namespace photonproof

@@ -1,0 +1,21 @@
+// A zip archive, as unpackers of today and Info-ZIP of 1990 read it: deflated members, Unix permissions, one size limit
+// of 4 GiB. (PKWARE, APPNOTE.TXT 6.3.10, sections 4.3.7, 4.3.12, 4.3.16.)
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace photonproof {
+
+struct ZipMember {
+  std::string name;  ///< with '/' between folders
+  std::string bytes;
+  bool executable = false;
+};
+
+/// The archive's bytes. Members have one fixed date, so that the same members make the same bytes. Precondition: names
+/// are relative and distinct.
+std::string zip_bytes(const std::vector<ZipMember>& members);
+
+}  // namespace photonproof
