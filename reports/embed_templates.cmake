@@ -1,7 +1,8 @@
-# cmake -DOUT=templates.cpp -DFILES="a.mustache;b.css" -DSCRIPTS="a.js;b.js" -P embed_templates.cmake
-# Writes each file as a string_view named like it without its extension, all scripts as one function `script`, and its
-# SHA-256 in hexadecimal, by which the page allows that script and no other.
-set(text "#include \"reports/page/templates.h\"\n\nnamespace photonproof::reports::templates {\n\n")
+# cmake -DOUT=templates.cpp -DHEADER=reports/page/templates.h -DSPACE=templates -DFILES="a.mustache;b.css"
+#       -DSCRIPTS="a.js;b.js" -P embed_templates.cmake
+# Writes each file as a string_view of the namespace named like it without its extension, all scripts as one function
+# `script`, and its SHA-256 in hexadecimal, by which the page allows that script and no other.
+set(text "#include \"${HEADER}\"\n\nnamespace photonproof::reports::${SPACE} {\n\n")
 foreach(file IN LISTS FILES)
   get_filename_component(name "${file}" NAME_WE)
   file(READ "${file}" content)
@@ -16,5 +17,5 @@ string(APPEND script "})();\n")
 string(SHA256 hash "${script}")
 string(APPEND text "const std::string_view script = R\"embedded(${script})embedded\";\n"
        "const std::string_view script_sha256 = \"${hash}\";\n")
-string(APPEND text "\n}  // namespace photonproof::reports::templates\n")
+string(APPEND text "\n}  // namespace photonproof::reports::${SPACE}\n")
 file(WRITE "${OUT}" "${text}")

@@ -1,11 +1,11 @@
 #include "reports/page/html_report.h"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "reports/page/html_conclusions.h"
 #include "reports/page/html_data.h"
 #include "reports/page/html_scene.h"
+#include "reports/page/page_parts.h"
 #include "reports/page/templates.h"
 #include "reports/view/environment.h"
 #include "reports/view/metric_columns.h"
@@ -72,29 +72,15 @@ void set_columns(data& page, const View& view) {
   page.set("other_parameters", parameters_data(merged(others)));
 }
 
-/// "0aff" as two bytes.
-std::string bytes_of_hex(std::string_view hex) {
-  std::string bytes;
-  for (std::size_t i = 0; i + 1 < hex.size(); i += 2) {
-    bytes += static_cast<char>(std::stoi(std::string(hex.substr(i, 2)), nullptr, 16));
-  }
-  return bytes;
-}
-
 void set_templates(data& page) {
-  const auto partial = [](std::string_view text) {
-    return data(kainjow::mustache::partial([text] { return std::string(text); }));
-  };
-  page.set("style", std::string(templates::style));
-  page.set("script", std::string(templates::script));
-  page.set("script_hash", base64(bytes_of_hex(templates::script_sha256)));
-  page.set("swatch_svg", partial(templates::swatch_svg));
-  page.set("thumbnail_img", partial(templates::thumbnail_img));
-  page.set("picture_img", partial(templates::picture_img));
-  page.set("scene_section", partial(templates::scene_section));
-  page.set("verdict_chip", partial(templates::verdict_chip));
-  page.set("gates_table", partial(templates::gates_table));
-  page.set("plain_table", partial(templates::plain_table));
+  set_style_and_script(page, std::string(templates::style), templates::script, templates::script_sha256);
+  set_partial(page, "swatch_svg", templates::swatch_svg);
+  set_partial(page, "thumbnail_img", templates::thumbnail_img);
+  set_partial(page, "picture_img", templates::picture_img);
+  set_partial(page, "scene_section", templates::scene_section);
+  set_partial(page, "verdict_chip", templates::verdict_chip);
+  set_partial(page, "gates_table", templates::gates_table);
+  set_partial(page, "plain_table", templates::plain_table);
 }
 
 }  // namespace
@@ -116,10 +102,7 @@ void write_html_report(const Results& results, const std::filesystem::path& resu
   }
   page.set("has_scenes", !view.scenes.empty());
   page.set("scenes", scenes);
-  kainjow::mustache::mustache layout{std::string(templates::page)};
-  const std::string html = layout.render(page);
-  if (!layout.is_valid()) throw std::logic_error("page template: " + layout.error_message());
-  write_file_atomically(out, html);
+  write_file_atomically(out, rendered_page(templates::page, page));
 }
 
 }  // namespace photonproof

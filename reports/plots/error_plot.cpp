@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -23,7 +22,9 @@ std::optional<Interval> drawable_part(const std::optional<Interval>& interval, d
 ErrorPlot plot_of_curves(const View& view, const SceneView& scene) {
   ErrorPlot plot;
   for (const Convergence* curve : scene.curves) {
-    if (drawable(curve->target_relmse)) plot.target = curve->target_relmse;
+    plot.targets.clear();
+    for (const TargetTime& target : curve->targets)
+      if (drawable(target.relmse)) plot.targets.push_back(target.relmse);
     PlotSeries series{engine_index(view, curve->engine), {}};
     for (const CurvePoint& point : curve->points) {
       if (!drawable(point.seconds.value) || !point.relmse || !drawable(point.relmse->value)) {
@@ -74,31 +75,6 @@ ErrorPlot plot_of_cells(const SceneView& scene) {
 ErrorPlot error_plot(const View& view, const SceneView& scene) {
   ErrorPlot curves = plot_of_curves(view, scene);
   return curves.series.empty() ? plot_of_cells(scene) : curves;
-}
-
-LogAxis log_axis(double smallest, double largest) {
-  constexpr double margin = 0.06;  // of the axis, on either side of the data
-  double low = std::log10(smallest), high = std::log10(largest);
-  const double widen = std::max(0.0, std::log10(4.0) - (high - low)) / 2;
-  low -= widen + margin * (high - low);
-  high += widen + margin * (high - low);
-  LogAxis axis{std::pow(10.0, low), std::pow(10.0, high), {}};
-  const double decades = high - low;
-  std::vector<int> mantissas{1};
-  if (decades < 1.3) {
-    mantissas = {1, 2, 3, 5, 7};
-  } else if (decades < 3) {
-    mantissas = {1, 2, 5};
-  }
-  const int step = std::max(1, static_cast<int>(std::ceil(decades / 9)));
-  for (int exponent = static_cast<int>(std::floor(low)); exponent <= static_cast<int>(std::ceil(high)); ++exponent) {
-    if (exponent % step != 0) continue;
-    for (const int mantissa : mantissas) {
-      const double tick = mantissa * std::pow(10.0, exponent);
-      if (tick >= axis.low && tick <= axis.high) axis.ticks.push_back(tick);
-    }
-  }
-  return axis;
 }
 
 }  // namespace photonproof::reports

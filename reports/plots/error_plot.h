@@ -27,17 +27,10 @@ struct ErrorPlot {
   std::vector<PlotSeries> series;  ///< none is empty
   std::size_t left_out = 0;        ///< results that logarithmic axes cannot show: no time, no error or zero
   bool over_seeds = false;         ///< a point is all seeds of a budget, not one
-  std::optional<double> target;    ///< relMSE the scene asks for
+  std::vector<double> targets;     ///< relMSEs that the scene asks for
 };
 
 ErrorPlot error_plot(const View& view, const SceneView& scene);
-
-struct LogAxis {
-  double low = 1, high = 10;  ///< both positive
-  std::vector<double> ticks;  ///< inside [low, high], one significant digit each
-};
-/// A logarithmic axis with a margin around [smallest, largest], at least a factor of 4 long, and 2 to 10 round ticks.
-LogAxis log_axis(double smallest, double largest);
 
 /// The drawing as an <svg> element of the page; texts of the record are escaped. Precondition: at least one series.
 std::string error_plot_svg(const ErrorPlot& plot, const std::string& label);

@@ -1,11 +1,10 @@
 // The drawing of an error plot: grid, intervals, lines, then markers, so that nothing hides a marker.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <kainjow/mustache.hpp>
 
 #include "reports/plots/error_plot.h"
+#include "reports/plots/log_axis.h"
 #include "reports/view/engine_style.h"
 #include "reports/view/numbers.h"
 #include "reports/view/text.h"
@@ -16,46 +15,20 @@ namespace {
 // The drawing's box and the frame of the axes inside it, in SVG units; style.css has the sizes of text.
 constexpr double width = 640, height = 400, frame_left = 82, frame_right = 624, frame_top = 12, frame_bottom = 348;
 
-struct Scale {
-  LogAxis axis;
-  double from = 0, to = 1;  ///< where axis.low and axis.high are drawn
-  double operator()(double value) const {
-    const double t = std::log(value / axis.low) / std::log(axis.high / axis.low);
-    return from + std::clamp(t, 0.0, 1.0) * (to - from);
-  }
-};
-
-struct Range {
-  double low = 1e300, high = 0;
-  void hold(double value) {
-    low = std::min(low, value);
-    high = std::max(high, value);
-  }
-  void hold(const std::optional<Interval>& interval) {
-    if (!interval) return;
-    hold(interval->low);
-    hold(interval->high);
-  }
-};
-
-std::string line(double x1, double y1, double x2, double y2) {
-  return fmt::format("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\"/>", x1, y1, x2, y2);
-}
-
-std::string grid(const Scale& x, const Scale& y) {
+std::string grid(const LogScale& x, const LogScale& y) {
   std::string lines, labels;
   for (const double tick : x.axis.ticks) {
-    lines += line(x(tick), frame_top, x(tick), frame_bottom);
+    lines += svg_line(x(tick), frame_top, x(tick), frame_bottom);
     labels += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>", x(tick),
                           frame_bottom + 20, significant(tick, 1));
   }
   for (const double tick : y.axis.ticks) {
-    lines += line(frame_left, y(tick), frame_right, y(tick));
+    lines += svg_line(frame_left, y(tick), frame_right, y(tick));
     labels += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"end\">{}</text>", frame_left - 8,
                           y(tick) + 4.5, significant(tick, 1));
   }
-  const std::string frame =
-      line(frame_left, frame_top, frame_left, frame_bottom) + line(frame_left, frame_bottom, frame_right, frame_bottom);
+  const std::string frame = svg_line(frame_left, frame_top, frame_left, frame_bottom) +
+                            svg_line(frame_left, frame_bottom, frame_right, frame_bottom);
   const double middle = (frame_top + frame_bottom) / 2;
   return "<g class=\"grid\">" + lines + "</g>\n<g class=\"frame\">" + frame + "</g>\n<g class=\"labels\">" + labels +
          fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">wall-clock seconds</text>",
@@ -64,26 +37,26 @@ std::string grid(const Scale& x, const Scale& y) {
                      middle);
 }
 
-std::string intervals(const PlotSeries& series, const Scale& x, const Scale& y) {
+std::string intervals(const PlotSeries& series, const LogScale& x, const LogScale& y) {
   constexpr double cap = 4;
   std::string out;
   for (const PlotPoint& point : series.points) {
     const double px = x(point.seconds), py = y(point.relmse);
     if (const auto& interval = point.relmse_interval) {
       for (const double end : {y(interval->low), y(interval->high)}) {
-        out += line(px, py, px, end) + line(px - cap, end, px + cap, end);
+        out += svg_line(px, py, px, end) + svg_line(px - cap, end, px + cap, end);
       }
     }
     if (const auto& interval = point.seconds_interval) {
       for (const double end : {x(interval->low), x(interval->high)}) {
-        out += line(px, py, end, py) + line(end, py - cap, end, py + cap);
+        out += svg_line(px, py, end, py) + svg_line(end, py - cap, end, py + cap);
       }
     }
   }
   return out.empty() ? out : "<g class=\"intervals\">" + out + "</g>";
 }
 
-std::string curve(const PlotSeries& series, const Scale& x, const Scale& y) {
+std::string curve(const PlotSeries& series, const LogScale& x, const LogScale& y) {
   std::string path, markers;
   for (const PlotPoint& point : series.points) {
     path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? "M" : "L", x(point.seconds), y(point.relmse));
@@ -98,7 +71,7 @@ std::string curve(const PlotSeries& series, const Scale& x, const Scale& y) {
 }  // namespace
 
 std::string error_plot_svg(const ErrorPlot& plot, const std::string& label) {
-  Range seconds, errors;
+  ValueRange seconds, errors;
   for (const PlotSeries& series : plot.series) {
     for (const PlotPoint& point : series.points) {
       seconds.hold(point.seconds);
@@ -107,18 +80,16 @@ std::string error_plot_svg(const ErrorPlot& plot, const std::string& label) {
       errors.hold(point.relmse_interval);
     }
   }
-  if (plot.target) errors.hold(*plot.target);
-  const Scale x{log_axis(seconds.low, seconds.high), frame_left, frame_right};
-  const Scale y{log_axis(errors.low, errors.high), frame_bottom, frame_top};
+  for (const double target : plot.targets) errors.hold(target);
+  const LogScale x{log_axis(seconds.low, seconds.high), frame_left, frame_right};
+  const LogScale y{log_axis(errors.low, errors.high), frame_bottom, frame_top};
   std::string out = fmt::format("<svg viewBox=\"0 0 {:.0f} {:.0f}\" role=\"img\" aria-label=\"{}\">\n", width, height,
                                 kainjow::mustache::html_escape(printable(label))) +
                     grid(x, y);
-  if (plot.target) {
-    out +=
-        fmt::format("<g class=\"target\">{}<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"end\">target {}</text></g>\n",
-                    line(frame_left, y(*plot.target), frame_right, y(*plot.target)), frame_right, y(*plot.target) - 5,
-                    significant(*plot.target));
-  }
+  for (const double target : plot.targets)
+    out += fmt::format(
+        "<g class=\"target\">{}<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"end\">target {}</text></g>\n",
+        svg_line(frame_left, y(target), frame_right, y(target)), frame_right, y(target) - 5, significant(target));
   for (const PlotSeries& series : plot.series) out += curve(series, x, y);
   return out + "</svg>";
 }

@@ -1,5 +1,6 @@
 #include "reports/plots/error_plot.h"
 
+#include "reports/plots/log_axis.h"
 #include "reports/view/test_sample_results.h"
 
 namespace photonproof::reports {

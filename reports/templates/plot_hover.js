@@ -41,3 +41,4 @@ function makeHover(figure) {
     show((Math.max(at, step > 0 ? -1 : 0) + step + points.length) % points.length);
   });
 }
+for (const figure of document.querySelectorAll("figure.plot")) makeHover(figure);

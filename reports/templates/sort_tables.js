@@ -43,3 +43,4 @@ function makeSortable(table) {
     header.replaceChildren(control);
   });
 }
+for (const table of document.querySelectorAll("table.sortable")) makeSortable(table);

@@ -1,7 +1,4 @@
 // The page works without any of this; each part is added to what is there.
-for (const table of document.querySelectorAll("table.sortable")) makeSortable(table);
-for (const figure of document.querySelectorAll("figure.plot")) makeHover(figure);
-
 const viewers = new Map();  // by the section's id, a promise of the viewer
 
 function viewerOf(id) {

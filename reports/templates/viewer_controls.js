@@ -1,10 +1,4 @@
 // Building the viewer's controls from native ones, so that they work by keyboard and are told to screen readers.
-function element(tag, attributes, ...children) {
-  const node = document.createElement(tag);
-  for (const [name, value] of Object.entries(attributes)) node.setAttribute(name, value);
-  node.append(...children);
-  return node;
-}
 
 // An engine's marker and name.
 function label(image) {

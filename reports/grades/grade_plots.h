@@ -1,0 +1,31 @@
+// Drawings of a grading's times and points, as <svg> elements of its pages. Texts of the record are escaped.
+#pragma once
+
+#include <string>
+
+#include "reports/grades/grade_record.h"
+
+namespace photonproof::reports {
+
+/// What a colour and marker stands for in them.
+enum class PlotRole { baseline, own, noise };
+struct RoleStyle {
+  std::string color;  ///< CSS
+  const char* shape;  ///< SVG in a 12 x 12 box
+};
+RoleStyle role_style(PlotRole role);
+
+/// Seconds of the baseline and of the submission, a round, on a logarithmic axis, and below them how many cores others
+/// kept busy. Empty without rounds that can be drawn.
+std::string rounds_plot_svg(const SceneSpeed& speed, const std::string& label);
+
+/// A speed-up with its interval on a logarithmic axis with the tiers. Empty where there is none to draw.
+std::string tiers_plot_svg(const Grades& grades, const Estimate& speedup, const std::string& label);
+
+/// The same of the whole class, a row a submission, fastest first.
+std::string class_speeds_svg(const Grades& grades);
+
+/// How many submissions have how many points.
+std::string class_points_svg(const Grades& grades);
+
+}  // namespace photonproof::reports

@@ -1,0 +1,56 @@
+// What the pages of a grading say in words, and how much of it students may read.
+//
+// Of a hidden scene students are told its number in the assignment's order, the verdict, points, values of the metrics,
+// and of each finding its kind and likely cause. These are words of fixed lists. They never see its name, what the
+// variant changes, a place in the image, a sentence about it, what the program printed (it could print the scene), or a
+// picture.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "reports/grades/grade_record.h"
+
+namespace photonproof::reports {
+
+/// "12.5", "40": at most two decimals.
+std::string points_text(double points);
+/// "12.3×"; with its interval, "12.3× [11.9, 12.7]".
+std::string speed_text(double ratio);
+std::string speed_text(const Estimate& ratio);
+/// "12.3 times as fast as the baseline (11.9 to 12.7)"
+std::string speed_words(const Estimate& ratio);
+
+/// What makes right green, and nothing else.
+const char* verdict_class(SceneVerdict verdict);
+/// One that is not told by its colour alone.
+const char* verdict_symbol(SceneVerdict verdict);
+/// "right", "wrong", and why there is no image: "crash".
+std::string verdict_words(const SceneGrade& grade);
+
+/// "scene 1"; of a hidden one "hidden scene 2", its number among the hidden ones, counted from 1.
+std::string student_title(const Grades& grades, const GradedScene& scene);
+/// "scene 1", "hidden scene rigid-1": with its name.
+std::string staff_title(const GradedScene& scene);
+
+/// "whole image", "12 × 8 pixels at the lower left (columns 3 to 14, rows 80 to 87)".
+std::string place_text(const GradedFinding& finding, const GradedScene& scene);
+bool is_whole_image(const GradedFinding& finding, const GradedScene& scene);
+
+/// A submission's grade on a hidden scene, as its student may read it.
+struct HiddenWords {
+  std::string sentence;             ///< one of a fixed list; empty where it is right
+  std::vector<std::string> causes;  ///< likely ones, each once
+};
+HiddenWords hidden_words(const Grades& grades, const SubmissionGrade& submission, const SceneGrade& grade);
+
+/// "right on 2 of 3 scenes and on 1 of 4 hidden ones"
+std::string correctness_words(const Grades& grades, const SubmissionGrade& submission);
+/// What the tier is that was reached, and what the next one needs. Empty where speed gives no points.
+std::string tier_words(const Grades& grades, const SpeedGrade& speed);
+
+/// Lines of a program's output, safe to show in <pre>: the last ones of many, and long ones shortened.
+std::string log_text(const std::string& log);
+
+}  // namespace photonproof::reports

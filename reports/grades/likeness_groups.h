@@ -1,0 +1,20 @@
+// Which submissions of a class made the same images, or images with the same noise.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "reports/grades/grade_record.h"
+
+namespace photonproof::reports {
+
+struct LikenessGroup {
+  std::vector<std::string> names;  ///< of submissions, at least two, in the record's order
+  std::string why;                 ///< "the same image of scene 1, bit for bit", "the same noise"
+};
+
+/// By the checksums of images, a group for all scenes that the same submissions share, and by the flags
+/// "same-as-other".
+std::vector<LikenessGroup> likeness_groups(const Grades& grades);
+
+}  // namespace photonproof::reports

@@ -1,0 +1,206 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <utility>
+
+#include "reports/grades/grade_data.h"
+#include "reports/grades/grade_pages.h"
+#include "reports/grades/grade_templates.h"
+#include "reports/grades/grade_words.h"
+#include "reports/page/html_data.h"
+#include "reports/page/page_parts.h"
+#include "reports/page/picture.h"
+#include "reports/view/environment.h"
+#include "reports/view/text.h"
+#include "reports/view/view.h"
+#include "scenes/text/atomic_file.h"
+
+namespace photonproof {
+namespace reports {
+namespace {
+
+using kainjow::mustache::data;
+
+constexpr int longest_embedded_side = 640;
+
+std::string student_id(std::size_t index) { return "scene-" + std::to_string(index + 1); }
+
+data score_card(const std::string& name, double got, double most, bool is_total) {
+  data card;
+  card.set("score_name", name);
+  card.set("got", points_text(got));
+  card.set("most", points_text(most));
+  card.set("percent", fmt::format("{:.1f}", most > 0 ? std::clamp(100 * got / most, 0.0, 100.0) : 0.0));
+  card.set("is_total", is_total);
+  return card;
+}
+
+data scores_data(const Grades& grades, const SubmissionGrade& submission) {
+  data scores(data::type::list);
+  scores.push_back(score_card("Points", submission.points(), grades.max_points(), true));
+  scores.push_back(score_card("Correctness", submission.correctness_points, grades.correctness_points, false));
+  scores.push_back(score_card("Performance", submission.speed.points, grades.speed_points, false));
+  return scores;
+}
+
+data causes_data(const std::vector<std::string>& causes) {
+  data list(data::type::list);
+  for (const std::string& cause : causes) list.push_back(printable(cause));
+  return list;
+}
+
+bool is_bad(const SceneGrade& grade) {
+  return grade.verdict == SceneVerdict::wrong || grade.verdict == SceneVerdict::failed;
+}
+
+/// What is wrong, with its cause, and the scenes that have it.
+struct Problem {
+  const SceneGrade* first = nullptr;
+  std::string what, place;
+  std::vector<std::string> causes;
+  std::vector<std::pair<std::string, std::string>> scenes{};  ///< id, title
+};
+
+Problem problem_of(const Grades& grades, const SubmissionGrade& submission, const GradedScene& scene,
+                   const SceneGrade& grade) {
+  if (scene.hidden) {
+    HiddenWords words = hidden_words(grades, submission, grade);
+    return {&grade, std::move(words.sentence), {}, std::move(words.causes)};
+  }
+  if (grade.findings.empty()) return {&grade, grade.sentence, {}, {}};
+  const GradedFinding& finding = grade.findings.front();
+  Problem problem{&grade, finding.sentence, place_text(finding, scene), {}};
+  if (!finding.cause.empty()) problem.causes.push_back(finding.cause);
+  return problem;
+}
+
+void add_problem(std::vector<Problem>& problems, Problem problem, const std::string& id, const std::string& title) {
+  const auto same = std::ranges::find_if(problems, [&](const Problem& other) {
+    return other.what == problem.what && other.causes == problem.causes &&
+           other.first->verdict == problem.first->verdict;
+  });
+  Problem& shown = same == problems.end() ? problems.emplace_back(std::move(problem)) : *same;
+  shown.scenes.emplace_back(id, title);
+}
+
+data problems_data(const std::vector<Problem>& problems) {
+  data list(data::type::list);
+  for (const Problem& problem : problems) {
+    data item, links(data::type::list);
+    for (std::size_t i = 0; i < problem.scenes.size(); ++i) {
+      data link;
+      link.set("comma", i > 0);
+      link.set("anchor", problem.scenes[i].first);
+      link.set("title", printable(problem.scenes[i].second));
+      links.push_back(link);
+    }
+    item.set("chip", chip_data(*problem.first));
+    item.set("links", links);
+    item.set("what", printable(problem.what));
+    item.set("place", problem.scenes.size() == 1 ? text_or_false(problem.place) : data(false));
+    item.set("causes", causes_data(problem.causes));
+    list.push_back(item);
+  }
+  return list;
+}
+
+data hidden_block(const Grades& grades, const SubmissionGrade& submission, const GradedScene& scene,
+                  const SceneGrade& grade, const std::string& id) {
+  const HiddenWords words = hidden_words(grades, submission, grade);
+  data block;
+  block.set("id", id);
+  block.set("title", student_title(grades, scene));
+  block.set("chip", chip_data(grade));
+  block.set("points", points_text(grade.points));
+  block.set("max_points", points_text(scene.max_points));
+  block.set("what", text_or_false(words.sentence));
+  block.set("causes", causes_data(words.causes));
+  block.set("has_checks", !grade.checks.empty());
+  block.set("checks", checks_data(grade.checks));
+  return block;
+}
+
+data points_row(const std::string& title, double points, double most) {
+  data row;
+  row.set("title", printable(title));
+  row.set("anchor", data(false));
+  row.set("chip", data(false));
+  row.set("state", data(false));
+  row.set("points", points_text(points));
+  row.set("max_points", points_text(most));
+  return row;
+}
+
+void set_scenes(data& page, const Grades& grades, const SubmissionGrade& submission,
+                const std::filesystem::path& folder) {
+  const PictureSource picture = [&](const std::string& relative) {
+    const EmbeddedPicture found = embed_thumbnail(folder, relative, longest_embedded_side);
+    return PagePicture{found.uri, found.problem, found.width, found.height, {}};
+  };
+  data scenes(data::type::list), hidden(data::type::list), rows(data::type::list);
+  std::vector<Problem> problems;
+  bool has_hidden = false;
+  for (std::size_t i = 0; i < grades.scenes.size(); ++i) {
+    const GradedScene& scene = grades.scenes[i];
+    const SceneGrade* grade = submission.scene(scene.name);
+    if (grade == nullptr) continue;
+    const std::string id = student_id(i), title = student_title(grades, scene);
+    data row = points_row(title, grade->points, scene.max_points);
+    row.set("anchor", id);
+    row.set("chip", chip_data(*grade));
+    rows.push_back(row);
+    if (is_bad(*grade)) add_problem(problems, problem_of(grades, submission, scene, *grade), id, title);
+    has_hidden = has_hidden || scene.hidden;
+    if (scene.hidden)
+      hidden.push_back(hidden_block(grades, submission, scene, *grade, id));
+    else
+      scenes.push_back(scene_block(scene, *grade, picture, id, title));
+  }
+  data speed = points_row("Performance", submission.speed.points, grades.speed_points);
+  speed.set("anchor", "speed");
+  speed.set("state", to_string(submission.speed.state));
+  rows.push_back(speed);
+  page.set("scenes", scenes);
+  page.set("has_hidden", has_hidden);
+  page.set("hidden_scenes", hidden);
+  page.set("rows", rows);
+  page.set("has_problems", !problems.empty());
+  page.set("problems", problems_data(problems));
+}
+
+std::string student_summary(const Grades& grades, const SubmissionGrade& submission) {
+  if (!submission.built) return "Does not build: " + printable(submission.build_sentence);
+  std::string text = correctness_words(grades, submission);
+  text.front() = static_cast<char>(std::toupper(text.front()));
+  if (!submission.speed.scenes.empty()) text += "; " + speed_words(submission.speed.speedup);
+  return text + ".";
+}
+
+std::string student_html(const Grades& grades, const SubmissionGrade& submission, const std::filesystem::path& folder) {
+  data page;
+  set_page_parts(page);
+  page.set("name", printable(submission.name));
+  page.set("assignment", printable(grades.title.empty() ? grades.assignment : grades.title));
+  page.set("summary", student_summary(grades, submission));
+  page.set("scores", scores_data(grades, submission));
+  page.set("total", points_text(submission.points()));
+  page.set("max_total", points_text(grades.max_points()));
+  set_scenes(page, grades, submission, folder);
+  page.set("speed", speed_block(grades, submission));
+  set_build(page, submission);
+  page.set("created", printable(time_text(grades.created)));
+  page.set("host", printable(host_text(grades.host)));
+  page.set("containment", printable(grades.containment));
+  return rendered_page(grade_templates::grade_student, page);
+}
+
+}  // namespace
+}  // namespace reports
+
+void write_student_page(const Grades& grades, const SubmissionGrade& submission, const std::filesystem::path& folder,
+                        const std::filesystem::path& out) {
+  write_file_atomically(out, reports::student_html(grades, submission, folder));
+}
+
+}  // namespace photonproof
