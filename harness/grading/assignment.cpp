@@ -68,10 +68,10 @@ void read_run(const TomlTable& document, Assignment& assignment) {
   check_placeholders(table, "command", assignment.run_command,
                      {"scene", "scene_option", "name", "width", "height", "output", "threads", "seed", "params"});
   if (!mentions(assignment.run_command, "{output}"))
-    throw table.error("command", "must have {output}, where the image is to be written");
+    throw table.error("command", "'command' must have {output}, where the image is to be written");
   if (table.has("seeds")) assignment.seeds = table.boolean("seeds");
   if (assignment.seeds && !mentions(assignment.run_command, "{seed}"))
-    throw table.error("seeds", "is true, but the command has no {seed}");
+    throw table.error("seeds", "'seeds' is true, but the command has no {seed}");
   table.expect_no_other_keys();
   if (document.has("limits")) {
     const TomlTable limits = document.table("limits");

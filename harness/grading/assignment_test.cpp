@@ -42,7 +42,7 @@ TEST_F(AssignmentFile, what_it_does_not_know_is_refused_with_its_place) {
   EXPECT_EQ(error_with("seeds = true", "sedes = true"),
             "bad.toml:7:1: error: unknown key 'sedes' (did you mean 'seeds'?); known here: command, seeds");
   EXPECT_EQ(error_with("{seed}", "{sed}"),
-            "bad.toml:6:35: error: unknown placeholder '{sed}' (did you mean 'seed'?); known: {scene}, {scene_option}, "
+            "bad.toml:6:34: error: unknown placeholder '{sed}' (did you mean 'seed'?); known: {scene}, {scene_option}, "
             "{name}, {width}, {height}, {output}, {threads}, {seed}, {params}");
   EXPECT_EQ(error_with("flip = 0.15", "flop = 0.15"),
             "bad.toml:16:19: error: unknown metric 'flop' (did you mean 'flip'?)");
@@ -57,12 +57,12 @@ TEST_F(AssignmentFile, what_contradicts_itself_is_refused_with_its_place) {
   EXPECT_EQ(error_with("\"{output}\"", "\"x\""),
             "bad.toml:6:11: error: 'command' must have {output}, where the image is to be written");
   EXPECT_EQ(error_with("\"{seed}\"", "\"1\""), "bad.toml:7:9: error: 'seeds' is true, but the command has no {seed}");
-  EXPECT_EQ(error_with("ratio = 1000", "ratio = 1.2"), "bad.toml:20:43: error: tiers ascend, in ratio and in points");
+  EXPECT_EQ(error_with("ratio = 1000", "ratio = 1.2"), "bad.toml:20:47: error: tiers ascend, in ratio and in points");
   EXPECT_EQ(error_with("rounds = 4", "curve = {best = 20, points = 60}"),
             "bad.toml:18:1: error: needs 'tiers' or 'curve', and not both");
   EXPECT_EQ(error_with("name = \"b\"", "name = \"a\""), "bad.toml:29:8: error: there is a scene 'a' already");
   EXPECT_EQ(error_with("name = \"b\"", "name = \"b\"\nof = \"a\"\nvariant = \"mirror\""),
-            "bad.toml:28:1: error: a variant is made of scene 'a', which has no 'path' to a description");
+            "bad.toml:30:6: error: a variant is made of scene 'a', which has no 'path' to a description");
   EXPECT_EQ(error_with("\"handout\"", "\"nothing\""), "bad.toml:14:14: error: no such file or folder: nothing");
   EXPECT_EQ(error_with("name = \"b\"", "name = \"b\"\nparams = \"course.toml\"\nparams_place = \"../x\""),
             "bad.toml:31:16: error: 'params_place' must stay inside the run's folder");

@@ -17,6 +17,7 @@
 #include "harness/verbs/interrupt.h"
 #include "harness/verbs/verbs.h"
 #include "harness/verbs/versions.h"
+#include "reports/grades/grade_pages.h"
 #include "reports/grades/gradebook.h"
 #include "reports/grades/grades_json.h"
 #include "reports/grades/gradescope.h"
@@ -97,7 +98,9 @@ void write_grades(const Grades& grades, const fs::path& folder) {
     const fs::path file = folder / submission.folder / "results.json";
     fs::create_directories(file.parent_path());
     write_file_atomically(file, json_text(gradescope_results(grades, submission)) + "\n");
+    write_student_page(grades, submission, folder, folder / submission.folder / "page.html");
   }
+  write_staff_page(grades, folder, folder / "staff.html");
   write_file_atomically(folder / "grades.json", json_text(grades_to_json(grades)) + "\n");
 }
 
@@ -119,8 +122,11 @@ int run_grade(const GradeArguments& arguments) {
   } else {
     std::printf("%s", grades_table(grades).c_str());
     for (const std::string& caveat : grades.caveats) std::printf("note: %s\n", printable(caveat).c_str());
-    std::printf("gradebook: %s\nrecord: %s\n", (options.folder / "gradebook.csv").c_str(),
-                (options.folder / "grades.json").c_str());
+    for (const auto& [what, name] : {std::pair{"gradebook", "gradebook.csv"},
+                                     {"record", "grades.json"},
+                                     {"report", "staff.html"},
+                                     {"for students", "submissions/*/page.html"}})
+      std::printf("%s: %s\n", what, (options.folder / name).c_str());
     if (grades.interrupted) std::printf("interrupted: --resume goes on from here\n");
   }
   return grades.interrupted ? 130 : 0;

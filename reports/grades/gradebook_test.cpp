@@ -19,10 +19,10 @@ TEST(Gradebook, a_row_a_submission_with_names_quoted_and_formulas_disarmed) {
 
 TEST(Gradebook, the_table_is_the_leaderboard) {
   EXPECT_EQ(grades_table(test_grades()),
-            "submission         points     scenes  speed-up           first of all\n"
-            "quick, \"the\" team    60/100  2 of 2  4x (3.9 to 4.1)    right on all 2 scenes\n"
-            "=partly            26.67/100  1 of 2  not right          right on the public scenes only\n"
-            "broken                 0/100  0 of 0  not measured       \n");
+            "submission            points  scenes  speed-up         first of all\n"
+            "quick, \"the\" team     60/100  2 of 2  4x (3.9 to 4.1)  right on all 2 scenes\n"
+            "=partly            26.67/100  1 of 2  not right        right on the public scenes only\n"
+            "broken                 0/100  0 of 0  not measured     \n");
 }
 
 TEST(Gradebook, equal_points_are_ranked_by_speed_and_then_by_name) {
