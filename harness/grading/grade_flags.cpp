@@ -28,10 +28,8 @@ class SubmissionFlags {
   void all() {
     for (std::size_t s = 0; s < context_.scenes.size(); ++s) {
       if (!has_image(s)) continue;
-      copy_of_given(s);
-      copy_of_reference(s);
       seed_ignored(s);
-      image_of_other_scene(s);
+      if (!is_copy_of_given(s) && !is_copy_of_reference(s)) image_of_other_scene(s);
     }
     public_only();
   }
@@ -46,27 +44,29 @@ class SubmissionFlags {
   }
 
   // A program that heeds its seed cannot hit what was made with another one.
-  void copy_of_given(std::size_t s) {
+  bool is_copy_of_given(std::size_t s) {
     const WorkScene& scene = context_.scenes[s];
-    if (!scene.given || !context_.assignment.seeds || !context_.references[s]) return;
+    if (!scene.given || !context_.assignment.seeds || !context_.references[s]) return false;
     const Image& given = *scene.given;
     const bool is_same = given.rgb == image(s).rgb;
     const bool is_alike =
         has_noise_of(image(s), given, variance_of_one(*context_.references[s]), step_of(context_.assignment.image));
-    if (!is_same && !is_alike) return;
+    if (!is_same && !is_alike) return false;
     const std::string sentence = is_same ? "the image that was handed out, bit for bit, whatever the seed"
                                          : "the image that was handed out: it has the same noise, whatever the seed";
     make_wrong(grade(s), sentence);
     flag("copy-of-given", scene_title(scene) + ": " + sentence, s);
+    return true;
   }
 
-  void copy_of_reference(std::size_t s) {
-    if (!context_.references[s] || !context_.assignment.seeds) return;
+  bool is_copy_of_reference(std::size_t s) {
+    if (!context_.references[s] || !context_.assignment.seeds) return false;
     const Rendering& reference = context_.references[s]->rendering;
-    if (!has_noise_of(image(s), reference.mean, *reference.variance, step_of(context_.assignment.image))) return;
+    if (!has_noise_of(image(s), reference.mean, *reference.variance, step_of(context_.assignment.image))) return false;
     const std::string sentence = "a copy of the reference: it has the reference's own noise";
     make_wrong(grade(s), sentence);
     flag("copy-of-reference", scene_title(context_.scenes[s]) + ": " + sentence, s);
+    return true;
   }
 
   void seed_ignored(std::size_t s) {

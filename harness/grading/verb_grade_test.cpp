@@ -72,6 +72,7 @@ TEST_F(GradeVerb, whatever_a_submission_does_is_said_of_it_and_grading_goes_on) 
   put_program("small", 1, "printf 'P3 2 2 255 1 1 1 1 1 1 1 1 1 1 1 1' > \"$3\"; exit 0");
   put_program("public", 1, "[ \"$1\" = b ] && set a \"$2\" \"$3\"");
   put_program("constant", 1, "set \"$1\" 5 \"$3\"");
+  fs::create_directories(folder_ / "broken");
   put("broken/readme", "no program");
   put_program("honest", 1);
   const ProcessOutcome outcome =
@@ -106,7 +107,7 @@ TEST_F(GradeVerb, a_copied_reference_is_wrong_though_every_metric_likes_it) {
   const Image reference = read_image((folder_ / "out" / "references" / "a.exr").string());
   std::string ppm = "P3 32 24 255\n";
   for (const float v : reference.rgb) ppm += std::to_string(static_cast<int>(v * 255 + 0.5f)) + "\n";
-  put_program("copy", 1, "[ \"$1\" = a ] && cp /submission/a.ppm \"$3\" 2>/dev/null || cp a.ppm \"$3\"; exit 0");
+  put_program("copy", 1, "cp a.ppm \"$3\"; exit 0");
   put("copy/a.ppm", ppm);
   ASSERT_EQ(grade({"copy"}, {"--no-timing"}).exit_code, 0);
   const Grades all = grades();
