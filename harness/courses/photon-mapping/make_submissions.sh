@@ -1,0 +1,61 @@
+#!/usr/bin/env bash
+# Puts the example's submissions together, each a whole folder as a student hands it in.
+#   make_submissions.sh FOLDER [NAME...]     FOLDER/NAME of all, or of those named; what was there of these is replaced
+#
+# handout is as handed out; honest is that with honest.patch; wrong-* and cheat-* are honest with their own patch; fast is its
+# own files and those that it has kept. The same files come out every time, but for the pictures that
+# cheat-hard-coded-image brings: those are fast's, rendered here.
+set -euo pipefail
+here=$(cd "$(dirname "$0")" && pwd)
+[ $# -ge 1 ] || { sed -n '2,3s/^# *//p' "$0" >&2; exit 2; }
+folder=$1
+shift
+
+all=(handout honest fast)
+for patch in "$here"/submissions/{wrong,cheat}-*.patch; do all+=("$(basename "$patch" .patch)"); done
+[ $# -gt 0 ] || set -- "${all[@]}"
+
+apply() { # PATCH FOLDER
+  if command -v patch >/dev/null; then
+    patch --quiet --no-backup-if-mismatch -p1 -d "$2" <"$1"
+  else
+    (cd "$2" && GIT_DIR=/dev/null git apply "$1")
+  fi
+}
+
+assemble() { # NAME FOLDER
+  rm -rf "$2"
+  mkdir -p "$2"
+  case $1 in
+    fast)
+      for kept in image.cpp image.h main.cpp noise.cpp noise.h scene_file.cpp scenes.cpp vec.h config.h; do
+        cp "$here/handout/$kept" "$2"
+      done
+      cp "$here"/submissions/fast/* "$2"
+      ;;
+    handout) cp "$here"/handout/* "$2" ;;
+    *)
+      cp "$here"/handout/* "$2"
+      apply "$here/submissions/honest.patch" "$2"
+      [ "$1" = honest ] || apply "$here/submissions/$1.patch" "$2"
+      ;;
+  esac
+}
+
+# What somebody who has the public scenes' pictures would hand in.
+render_pictures() { # FOLDER
+  local work
+  work=$(mktemp -d)
+  assemble fast "$work/fast"
+  cp "$here/staff/config.h" "$work/fast"
+  make -s -j2 -C "$work/fast"
+  mkdir "$1/pictures"
+  for scene in 1 2; do "$work/fast/raytracer" "-s$scene" -w 64 -h 64 -o "$1/pictures/$scene.ppm"; done
+  rm -rf "$work"
+}
+
+for name; do
+  [[ " ${all[*]} " == *" $name "* ]] || { echo "there is no submission $name; there are: ${all[*]}" >&2; exit 2; }
+  assemble "$name" "$folder/$name"
+  [ "$name" != cheat-hard-coded-image ] || render_pictures "$folder/$name"
+done
