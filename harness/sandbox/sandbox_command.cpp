@@ -97,7 +97,7 @@ std::vector<std::string> bwrap_command(const SandboxJob& job, int uid) {
   append(bwrap, {"--clearenv", "--setenv", "PATH", system_path, "--setenv", "HOME", "/tmp", "--setenv", "TMPDIR",
                  "/tmp", "--setenv", "LANG", "C.UTF-8"});
   for (const auto& [name, value] : options.environment) append(bwrap, {"--setenv", name, value});
-  if (!syscall_filter().empty()) append(bwrap, {"--seccomp", "9"});
+  if (!syscall_filter(true).empty()) append(bwrap, {"--seccomp", "9"});
   bwrap.emplace_back("--");
   return bwrap;
 }
@@ -121,7 +121,7 @@ void limit_resources(std::vector<std::string>& command, const SandboxJob& job) {
 
 void prepare_folder(const SandboxJob& job) {
   fs::create_directories(job.folder / "disk");
-  const std::string filter = syscall_filter();
+  const std::string filter = syscall_filter(job.groups.counts_memory());
   write_file_atomically(job.folder / "filter", filter);
   const auto numbers = [](int uid) { return std::to_string(uid) + ":" + std::to_string(uid); };
   std::string passwd = "root:x:0:0:root:/root:/bin/sh\n", group = "root:x:0:\n";

@@ -94,7 +94,7 @@ void refuse_by_argument(Filter& filter, long call, std::size_t index, const std:
 
 }  // namespace
 
-std::string syscall_filter() {
+std::string syscall_filter(bool memory_is_counted) {
   if (native_architecture == 0) return {};
   Filter filter;
   filter.load(offsetof(seccomp_data, arch));
@@ -105,6 +105,9 @@ std::string syscall_filter() {
   filter.end_if_at_least(first_x32_call, error(ENOSYS));
 #endif
   for (const long call : refused_calls) filter.end_if_equal(static_cast<std::uint32_t>(call), error(EPERM));
+  if (!memory_is_counted)
+    for (const long call : {SYS_memfd_create, SYS_shmget})
+      filter.end_if_equal(static_cast<std::uint32_t>(call), error(EPERM));
   // Its flags are in memory, where no filter sees them; without it the C library calls clone.
   filter.end_if_equal(SYS_clone3, error(ENOSYS));
   refuse_by_argument(filter, SYS_clone, 0, {new_namespaces}, true, error(EPERM));

@@ -9,6 +9,8 @@ namespace photonproof {
 
 /// The bytes that bwrap's --seccomp reads. Other architectures' calls (32 bits, x32) fail with ENOSYS, those refused
 /// with EPERM, sockets but unix, IPv4, IPv6 and netlink with EAFNOSUPPORT. Empty for processors it does not know.
-std::string syscall_filter();
+/// Where nobody counts memory that no process maps (`memory_is_counted` false), memfd_create and shmget are refused,
+/// too.
+std::string syscall_filter(bool memory_is_counted);
 
 }  // namespace photonproof

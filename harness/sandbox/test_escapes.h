@@ -1,0 +1,59 @@
+// What programs try that do not want to be contained: one row an attempt, which says when it has got what it wanted.
+#pragma once
+
+#include <sys/types.h>
+
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <span>
+#include <string>
+
+namespace photonproof::escapes {
+
+/// What the attacker is told of the grader, more than a student could know.
+struct Target {
+  std::string folder;  ///< of the grader: has `secret` with the word `token`, and an empty folder `outside`
+  pid_t grader = 0;
+  int port = 0;                     ///< TCP and UDP, IPv4 and IPv6
+  std::string abstract;             ///< name of an abstract unix socket
+  unsigned long token_address = 0;  ///< in the grader's memory
+  std::string marker;               ///< a name for things that should not be left
+};
+
+inline constexpr const char* token = "the-hidden-scene-7f31";
+
+struct Attempt {
+  const char* name;
+  void (*run)(const Target&);
+};
+
+std::span<const Attempt> file_attempts();
+std::span<const Attempt> process_attempts();
+std::span<const Attempt> network_attempts();
+std::span<const Attempt> kernel_attempts();
+std::span<const Attempt> greedy_attempts();
+
+/// The attempt has succeeded.
+inline void escaped(const std::string& how) {
+  std::printf("ESCAPED: %s\n", how.c_str());
+  std::fflush(stdout);
+}
+inline void escaped_if(bool success, const std::string& how) {
+  if (success) escaped(how);
+}
+inline std::string text_of(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+inline void escaped_if_read(const std::string& path) {
+  escaped_if(text_of(path).find(token) != std::string::npos, "read " + path);
+}
+inline void write_text(const std::string& path, const std::string& text) { std::ofstream(path) << text; }
+/// Something where nothing should be writable.
+inline void escaped_if_written(const std::string& path) {
+  write_text(path, token);
+  escaped_if(text_of(path) == token, "wrote " + path);
+}
+
+}  // namespace photonproof::escapes
