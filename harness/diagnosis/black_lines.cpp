@@ -83,11 +83,11 @@ std::vector<int> seams(const Lines& lines, const Lines& expected) {
 }
 
 /// The one distance between lines, 0 where there is none; neighbours count as one line.
-int period_of(const std::vector<int>& lines) {
+int period_of(const std::vector<int>& lines, std::size_t least = 2) {
   std::vector<int> starts;
   for (const int line : lines)
     if (starts.empty() || line > starts.back() + 2) starts.push_back(line);
-  if (starts.size() < 2) return 0;
+  if (starts.size() < least) return 0;
   const int period = starts[1] - starts[0];
   for (std::size_t i = 1; i + 1 < starts.size(); ++i)
     if (starts[i + 1] - starts[i] != period) return 0;
@@ -132,8 +132,8 @@ std::optional<Finding> find_lines(const Image& submitted, const Image& reference
   if (odd_rows.empty() && odd_columns.empty()) {
     odd_rows = seams(rows, {reference, true});
     odd_columns = seams(columns, {reference, false});
-    if (period_of(odd_rows) == 0) odd_rows.clear();
-    if (period_of(odd_columns) == 0) odd_columns.clear();
+    if (period_of(odd_rows, 3) == 0) odd_rows.clear();
+    if (period_of(odd_columns, 3) == 0) odd_columns.clear();
     kind = "seams";
     what = "off from its neighbours";
   }

@@ -176,15 +176,17 @@ void find_holes(const Image& image, const SceneKnowledge& knowledge, Breakage& b
                                share});
 }
 
-float middle_of_neighbours(const Image& image, int x, int y) {
+float middle_of_neighbours(const Image& image, int x, int y, const std::vector<std::uint8_t>& ignored) {
   std::vector<float> around;
   for (int dy = -1; dy <= 1; ++dy)
     for (int dx = -1; dx <= 1; ++dx) {
       const int nx = x + dx, ny = y + dy;
       if ((dx == 0 && dy == 0) || nx < 0 || ny < 0 || nx >= image.width || ny >= image.height) continue;
+      if (ignored[pixel_index(nx, ny, image.width)]) continue;
       const float* p = image.pixel(nx, ny);
       around.push_back(std::min(1.0f, 0.2126f * p[0] + 0.7152f * p[1] + 0.0722f * p[2]));
     }
+  if (around.empty()) return 0;
   std::nth_element(around.begin(), around.begin() + static_cast<std::ptrdiff_t>(around.size() / 2), around.end());
   return around[around.size() / 2];
 }
@@ -200,9 +202,9 @@ void find_specks(const Image& image, const SceneKnowledge& knowledge, Breakage& 
       const float* p = image.pixel(x, y);
       const float* r = knowledge.reference.pixel(x, y);
       const float value = std::min(1.0f, 0.2126f * p[0] + 0.7152f * p[1] + 0.0722f * p[2]);
-      const float around = middle_of_neighbours(image, x, y);
+      const float around = middle_of_neighbours(image, x, y, breakage.ignored);
       const float expected = std::min(1.0f, 0.2126f * r[0] + 0.7152f * r[1] + 0.0722f * r[2]);
-      const float expected_around = middle_of_neighbours(knowledge.reference, x, y);
+      const float expected_around = middle_of_neighbours(knowledge.reference, x, y, breakage.ignored);
       if (around > 0.02f) spread.push_back(std::abs(value - around) / around);
       if (value < 0.35f * around && expected > 0.6f * expected_around && around > 0.04f) dark[i] = 1;
       if (value > 2 * around + 0.1f && expected < 1.4f * expected_around + 0.05f) bright[i] = 1;
@@ -231,6 +233,41 @@ void find_specks(const Image& image, const SceneKnowledge& knowledge, Breakage& 
     if (dark[i] + bright[i] > 0 && (darks > 0.006 || brights > 0.004) && usual < 0.15) breakage.ignored[i] = 1;
 }
 
+/// Clamped, and rounded as bytes are.
+Image as_shown(Image image) {
+  for (float& v : image.rgb) v = std::round(std::clamp(v, 0.0f, 1.0f) * 255) / 255;
+  return image;
+}
+
+/// Whether nearly all squares of this many pixels a side have one value each.
+bool is_coarse(const Image& image, int side) {
+  int alike = 0, all = 0;
+  for (int y = 0; y + side <= image.height; y += side)
+    for (int x = 0; x + side <= image.width; x += side) {
+      bool same = true;
+      for (int dy = 0; dy < side && same; ++dy)
+        for (int dx = 0; dx < side && same; ++dx)
+          for (int c = 0; c < 3; ++c)
+            same = same && std::abs(image.pixel(x + dx, y + dy)[c] - image.pixel(x, y)[c]) < 1e-6f;
+      alike += same;
+      ++all;
+    }
+  return all >= 16 && alike > 0.95 * all;
+}
+
+void find_coarse(const Image& image, const SceneKnowledge& knowledge, Breakage& breakage) {
+  for (const int side : {16, 8, 5, 4, 3, 2}) {
+    if (!is_coarse(image, side) || is_coarse(as_shown(knowledge.reference), side)) continue;
+    const std::string words = std::to_string(side);
+    breakage.findings.push_back({"coarse",
+                                 "the resolution is too low: " + words + " x " + words + " pixels share one value",
+                                 "rendered smaller and enlarged, or only every " + words + "th pixel is computed",
+                                 {0, 0, image.width, image.height},
+                                 1});
+    return;
+  }
+}
+
 }  // namespace
 
 Breakage find_breakage(const Image& submitted, const SceneKnowledge& knowledge) {
@@ -243,6 +280,7 @@ Breakage find_breakage(const Image& submitted, const SceneKnowledge& knowledge) 
   if (std::optional<Finding> lines = find_lines(submitted, knowledge.reference, breakage.ignored))
     breakage.findings.push_back(*lines);
   find_holes(submitted, knowledge, breakage);
+  find_coarse(submitted, knowledge, breakage);
   find_specks(submitted, knowledge, breakage);
   return breakage;
 }

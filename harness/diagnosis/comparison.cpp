@@ -74,7 +74,7 @@ Excess Comparison::excess(const Image& guess) const {
   const std::vector<float> apart = variances(difference);
   Excess result;
   result.block.resize(static_cast<std::size_t>(across()) * static_cast<std::size_t>(down()));
-  std::size_t block = 0, i = 0;
+  std::size_t block = 0, i = 0, compared = 0;
   for (int by = 0; by < height(); by += side)
     for (int bx = 0; bx < width(); bx += side, ++block)
       for (int c = 0; c < 3; ++c, ++i) {
@@ -90,6 +90,7 @@ Excess Comparison::excess(const Image& guess) const {
             count += 1;
           }
         if (count < 4) continue;
+        ++compared;
         level /= count;
         const double variance = std::min(pixel_variance_[i], apart[i]);
         const double rounding = 0.5 / 255 / (2 * std::max(level, 0.06));
@@ -99,7 +100,17 @@ Excess Comparison::excess(const Image& guess) const {
         result.block[block] += over * over;
         result.total += over * over;
       }
+  // What a guess does not know counts like the rest.
+  if (compared > 0) result.total *= static_cast<double>(i) / static_cast<double>(compared);
   return result;
+}
+
+double Comparison::variance_at(std::size_t value) const {
+  const std::size_t pixel = value / 3, across_pixels = static_cast<std::size_t>(width());
+  const std::size_t x = pixel % across_pixels, y = pixel / across_pixels;
+  const std::size_t block = y / side * static_cast<std::size_t>(across()) + x / side;
+  const double rounding = 0.5 / 255 / (2 * std::max(double{shown_[value]}, 0.06));
+  return pixel_variance_[3 * block + value % 3] + rounding * rounding + 1e-5;
 }
 
 double Comparison::noise_of(const Image& image) const {

@@ -46,6 +46,8 @@ class Comparison {
   /// Median over pixels of the noise in units of shown(), from differences of neighbours.
   double noise() const { return noise_; }
   double noise_of(const Image& image) const;
+  /// Of noise and of rounding, of the value with this index of Image::rgb, in units of shown().
+  double variance_at(std::size_t value) const;
 
  private:
   Image submitted_;

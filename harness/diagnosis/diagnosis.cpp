@@ -8,6 +8,7 @@
 
 #include "harness/diagnosis/breakage.h"
 #include "harness/diagnosis/comparison.h"
+#include "harness/diagnosis/faint.h"
 #include "harness/diagnosis/guess.h"
 #include "harness/diagnosis/picture_changes.h"
 #include "harness/diagnosis/places.h"
@@ -45,15 +46,20 @@ std::optional<Finding> other_scene(const Comparison& comparison, const SceneKnow
 
 class Search {
  public:
-  Search(const Image& submitted, const SceneKnowledge& knowledge, const Comparison& comparison)
-      : submitted_(submitted), knowledge_(knowledge), comparison_(comparison) {
+  /// `patience`: how much more than usual is taken for noise.
+  Search(const Image& submitted, const SceneKnowledge& knowledge, const Comparison& comparison, double patience)
+      : submitted_(submitted), knowledge_(knowledge), comparison_(comparison), patience_(patience) {
     guess_.light = knowledge.reference;
     before_ = left_ = comparison.total(predicted(guess_, comparison.white()));
   }
 
   double at_first() const { return before_; }
   /// Below this nothing stands out of noise.
-  double least() const { return 0.03 + 1e-5 * static_cast<double>(comparison_.across() * comparison_.down()); }
+  /// Pictures with so much noise that clamping takes from it are darker than they should be.
+  double least() const {
+    const double size = std::max(1.0, comparison_.across() * comparison_.down() / 324.0);
+    return patience_ * size * (0.004 + 5 * std::max(0.0, comparison_.noise() - 0.015));
+  }
 
   std::vector<Finding> run() {
     std::vector<Finding> findings;
@@ -64,18 +70,39 @@ class Search {
       for (const Candidate& candidate : candidates)
         if (!best || score(candidate) < score(*best)) best = &candidate;
       if (!best || best->left * best->handicap > 0.8 * left_) break;
+      const std::string other = alternative(candidates, *best);
       accept(*best, findings);
+      if (!other.empty()) findings.back().cause += "; or " + other;
     }
+    if (findings.empty() && patience_ == 1) look_for_faint(findings);
     if (left_ > std::max(2 * least(), 0.25 * before_)) findings.push_back(what_is_left());
     return findings;
   }
 
  private:
-  double score(const Candidate& c) const { return (c.left + 0.01 * before_) * c.handicap; }
+  double score(const Candidate& c) const { return (c.left + 0.002 * before_) * c.handicap; }
+
+  void look_for_faint(std::vector<Finding>& findings) {
+    std::optional<Candidate> faint = faint_mistake(guess_, knowledge_, comparison_);
+    if (!faint) return;
+    faint->left = std::min(left_, comparison_.total(predicted(faint->guess, comparison_.white())));
+    accept(*faint, findings);
+  }
+
+  /// What explains the picture as well as the best does, is said with its cause.
+  std::string alternative(const std::vector<Candidate>& candidates, const Candidate& best) const {
+    const Candidate* other = nullptr;
+    for (const Candidate& c : candidates)
+      if (c.handicap < 1.13 && c.said.size() == 1 && c.said[0].sentence != best.said[0].sentence &&
+          c.said[0].kind != best.said[0].kind && c.left < std::max(1.5 * best.left, best.left + 0.03 * left_) &&
+          (!other || score(c) < score(*other)))
+        other = &c;
+    return other && best.said.size() == 1 ? other->said[0].sentence : "";
+  }
 
   void accept(const Candidate& best, std::vector<Finding>& findings) {
     // What several changes explain together is shared evenly.
-    const double share = (left_ - best.left) / before_ / static_cast<double>(best.said.size());
+    const double share = (left_ - best.left) / std::max(before_, 1e-9) / static_cast<double>(best.said.size());
     const std::vector<double> weight = difference(guess_.light, best.guess.light);
     for (Finding finding : best.said) {
       finding.explained = share;
@@ -132,6 +159,7 @@ class Search {
   const Image& submitted_;
   const SceneKnowledge& knowledge_;
   const Comparison& comparison_;
+  double patience_;
   Guess guess_;
   double before_ = 0, left_ = 0;
 };
@@ -144,11 +172,12 @@ std::vector<Finding> diagnose(const Image& submitted, const SceneKnowledge& know
   Breakage breakage = find_breakage(submitted, knowledge);
   if (breakage.hopeless) return breakage.findings;
   const Comparison comparison(submitted, knowledge.white, knowledge.tolerance, breakage.ignored);
-  Search search(submitted, knowledge, comparison);
-  if (search.at_first() > search.least()) {
+  const bool fireflies = std::any_of(breakage.findings.begin(), breakage.findings.end(),
+                                     [](const Finding& f) { return f.kind == "fireflies"; });
+  Search search(submitted, knowledge, comparison, fireflies ? 6 : 1);  // they take their light from what is compared
+  if (search.at_first() > search.least())
     if (std::optional<Finding> other = other_scene(comparison, knowledge, search.at_first())) return {*other};
-    findings = search.run();
-  }
+  findings = search.run();
   if (std::optional<Finding> noise = find_noise(comparison, knowledge)) findings.push_back(*noise);
   std::stable_sort(findings.begin(), findings.end(),
                    [](const Finding& a, const Finding& b) { return a.explained > b.explained; });

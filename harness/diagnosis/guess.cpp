@@ -12,7 +12,6 @@ Image predicted(const Guess& guess, double white) {
   if (guess.shift_x != 0 || guess.shift_y != 0 || guess.zoom != 1)
     image = viewed(image, guess.shift_x, guess.shift_y, guess.zoom);
   if (guess.blur > 0) image = blurred(image, guess.blur);
-  if (guess.coarse > 1) image = coarse(image, guess.coarse);
   if (guess.turn != 0) image = turned(image, turn_rows()[guess.turn]);
   if (guess.scale != 1)
     for (float& v : image.rgb) v *= static_cast<float>(guess.scale);

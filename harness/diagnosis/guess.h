@@ -16,7 +16,6 @@ struct Guess {
   Image light;                                   ///< linear
   double shift_x = 0, shift_y = 0, zoom = 1;     ///< the view, in pixels
   double blur = 0;                               ///< pixels
-  int coarse = 1;                                ///< pixels that share a value, a side
   std::size_t turn = 0, channels = 0, tone = 0;  ///< rows of picture_changes.h
   double scale = 1;
   std::vector<std::string> used;  ///< probes and what-ifs that are in `light`

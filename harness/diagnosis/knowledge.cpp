@@ -110,7 +110,7 @@ class KnowledgeMaker {
     direct_ = direct_light(scene_);
     // Lamps themselves are no direct light that could be lost with it.
     for (std::size_t i = 0; i < points_.size(); ++i)
-      if (points_[i].object > 0 && scene_.shapes[points_[i].object - 1u].radiance)
+      if (shows_lamp(i))
         for (std::size_t c = 0; c < 3; ++c) direct_.rgb[3 * i + c] = 0;
     add_probe("direct", direct_);
   }
@@ -118,6 +118,18 @@ class KnowledgeMaker {
   bool sees_any(std::size_t pixel, const std::vector<std::size_t>& shapes) const {
     return std::any_of(shapes.begin(), shapes.end(),
                        [&](std::size_t shape) { return points_[pixel].object == shape + 1; });
+  }
+
+  /// In the pixel or one beside it, whose edge may lie in this one.
+  bool shows_lamp(std::size_t pixel) const {
+    const int x = static_cast<int>(pixel % static_cast<std::size_t>(small_width_)),
+              y = static_cast<int>(pixel / static_cast<std::size_t>(small_width_));
+    for (int ny = std::max(0, y - 1); ny <= std::min(small_height_ - 1, y + 1); ++ny)
+      for (int nx = std::max(0, x - 1); nx <= std::min(small_width_ - 1, x + 1); ++nx) {
+        const SeenPoint& point = points_[static_cast<std::size_t>(ny * small_width_ + nx)];
+        if (point.object > 0 && scene_.shapes[point.object - 1u].radiance) return true;
+      }
+    return false;
   }
 
   void add_what_if(const Mistake& mistake, Image image) {
@@ -131,7 +143,7 @@ class KnowledgeMaker {
     for (std::size_t i = 0; i < points_.size(); ++i) {
       if (points_[i].object == 0) continue;
       const ShapeDescription& shape = scene_.shapes[points_[i].object - 1u];
-      if (shape.radiance || is_body(scene_, shape)) continue;
+      if (shows_lamp(i) || is_body(scene_, shape)) continue;
       for (std::size_t c = 0; c < 3; ++c)
         image.rgb[3 * i + c] = std::max(0.0f, image.rgb[3 * i + c] + other.rgb[3 * i + c] - direct_.rgb[3 * i + c]);
     }

@@ -4,46 +4,11 @@
 #include <string>
 #include <utility>
 
+#include "harness/diagnosis/faint.h"
 #include "harness/diagnosis/guess.h"
 
 namespace photonproof {
 namespace {
-
-/// What is said of a feature's light that is there `factor` times.
-struct FeatureWords {
-  std::string kind, sentence, cause;
-};
-
-FeatureWords words_of_feature(const std::string& feature, double factor) {
-  const bool caustic = feature == "caustic", direct = feature == "direct", later = feature == "later bounces";
-  const std::string name = caustic  ? "caustic"
-                           : direct ? "direct light"
-                           : later  ? "light after the second bounce"
-                                    : "indirect light";
-  if (factor < 0.15) {
-    const char* why = caustic  ? "no caustic photons are shot or looked up"
-                      : direct ? "lamps are not sampled, or every shadow ray is blocked"
-                      : later  ? "light bounces once only: depth ends too early, or photons are not reflected on"
-                               : "no global photons are shot or gathered";
-    return {feature + "-missing", name + " missing", why};
-  }
-  if (later)
-    return {"bounce-energy", factor_text(factor) + "\u00d7 energy after the second bounce",
-            factor < 1 ? "photons or paths lose power at each bounce, or the cache blurs it away"
-                       : "power is not reduced by the surfaces' colours at each bounce"};
-  if (std::abs(factor - 2) < 0.2)
-    return {feature + "-twice", name + " counted twice",
-            caustic  ? "caustic photons are looked up in both maps"
-            : direct ? "lamps are added by sampling and by photons, too"
-                     : "direct light's photons are gathered, too"};
-  if (std::abs(std::log(factor * M_PI)) < 0.12 || std::abs(std::log(factor / M_PI)) < 0.12)
-    return {feature + "-energy", factor_text(factor) + "\u00d7 " + name,
-            factor > 1 ? "the 1/pi of the diffuse BRDF is missing" : "it is divided by pi twice"};
-  return {feature + "-energy", factor_text(factor) + "\u00d7 " + name,
-          caustic  ? "photons' power, their number or the look-up's area is wrong"
-          : direct ? "the lamp's power, area or sampling density is wrong"
-                   : "photons' power, their number or the gather's weight is wrong"};
-}
 
 class LightCandidates {
  public:
@@ -71,9 +36,8 @@ class LightCandidates {
       for (const double x : {-1.0, -0.75, -0.5, -0.3, 0.5, 1.0, 2.0, M_PI - 1, 4.0}) look(x);
       const double found = amount;
       for (const double by : {-0.15, -0.08, 0.08, 0.15}) look(std::max(-1.0, found + by * (found > 1 ? 2 : 1)));
-      const FeatureWords words = words_of_feature(probe.feature, 1 + amount);
       best.guess.used.push_back(probe.feature);
-      best.said = {{words.kind, words.sentence, words.cause, {}, 0}};
+      best.said = {words_of_feature(probe.feature, 1 + amount)};
       best.handicap = std::abs(amount + 1) < 0.1 || std::abs(amount - 1) < 0.1 ? 1.0 : 1.08;
       if (probe.feature == "later bounces") best.handicap *= 1.03;
       best.placed = probe.feature == "caustic";
@@ -95,7 +59,7 @@ class LightCandidates {
         candidate.guess = with_light(difference, amount);
         candidate.guess.used.push_back(what_if.kind + what_if.landmark);
         candidate.left = left_of(candidate.guess);
-        candidate.handicap = amount == 1 ? 1 : 1.25;
+        candidate.handicap = (amount == 1 ? 1 : 1.25) * (what_if.kind == "walls-swapped" ? 1.2 : 1);
         candidate.said = {{what_if.kind, what_if.sentence, what_if.cause, {}, 0}};
         candidate.local = true;
         candidates_.push_back(std::move(candidate));

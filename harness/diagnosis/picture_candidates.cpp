@@ -90,22 +90,12 @@ class PictureCandidates {
   }
 
   void add_sharpness() {
-    if (guess_.blur > 0 || guess_.coarse > 1) return;
+    if (guess_.blur > 0) return;
     for (const double blur : {1.0, 2.0, 3.0, 5.0}) {
       Guess other = guess_;
       other.blur = blur;
       push(other, 1.05,
            {"blurred", "the image is blurred", "filtered too widely, or rendered smaller and enlarged", {}, 0});
-    }
-    for (const int side : {2, 3, 4, 8}) {
-      Guess other = guess_;
-      other.coarse = side;
-      push(other, 1.05,
-           {"coarse",
-            std::to_string(side) + " x " + std::to_string(side) + " pixels share one value",
-            "rendered at a lower resolution and enlarged",
-            {},
-            0});
     }
   }
 
@@ -148,7 +138,7 @@ class PictureCandidates {
 
   template <class Look>
   static void refine_shift(const Guess& best, const Look& look) {
-    const double x = best.shift_x, y = best.shift_y;
+    const double x = std::round(best.shift_x), y = std::round(best.shift_y);
     for (double dy = -2; dy <= 2; dy += 0.5)
       for (double dx = -2; dx <= 2; dx += 0.5) look(x + dx, y + dy, 1);
   }
