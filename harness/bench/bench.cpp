@@ -289,9 +289,8 @@ class Bench {
 
   void conclude(bool measured) {
     const Results results = record();
-    std::map<std::string, double> targets;
-    for (const SuiteScene& scene : suite_.scenes)
-      if (scene.target_relmse) targets[scene.name] = *scene.target_relmse;
+    ErrorTargets targets;
+    for (const SuiteScene& scene : suite_.scenes) targets[scene.name] = scene.target_relmse;
     findings_ = findings_of_bench(results, options_.results_folder);
     try {
       draw_conclusions(results, targets);
@@ -303,7 +302,7 @@ class Bench {
     if (!caveat.empty()) caveats_.push_back(caveat);
   }
 
-  void draw_conclusions(const Results& results, const std::map<std::string, double>& targets) {
+  void draw_conclusions(const Results& results, const ErrorTargets& targets) {
     const References references = load_references();
     convergence_ =
         convergence_of(results, options_.results_folder, targets, [&](const Cell& like, std::span<const Image> images) {

@@ -160,25 +160,19 @@ void add_start_up_caveat(const std::map<double, Cells>& cells, Convergence& curv
 }
 
 // With the error's interval, the times at which its lower and upper ends come down to the target, where both do.
-void add_time_to_target(const CurvePoints& points, const CurvePoints& low, const CurvePoints& high,
-                        Convergence& curve) {
-  const double target = *curve.target_relmse;
-  if (const auto seconds = time_to_error(points, target)) {
-    curve.seconds_to_target = Estimate{*seconds, {}};
-    const auto earliest = time_to_error(low, target), latest = time_to_error(high, target);
+void set_time(const CurvePoints& points, const CurvePoints& low, const CurvePoints& high, TargetTime& target) {
+  if (points.empty()) return;
+  if (const auto seconds = time_to_error(points, target.relmse)) {
+    target.seconds = Estimate{*seconds, {}};
+    const auto earliest = time_to_error(low, target.relmse), latest = time_to_error(high, target.relmse);
     if (earliest && latest && low.size() == points.size())
-      curve.seconds_to_target->interval = Interval{std::min(*earliest, *latest), std::max(*earliest, *latest)};
+      target.seconds->interval = Interval{std::min(*earliest, *latest), std::max(*earliest, *latest)};
     return;
   }
-  curve.undefined["seconds_to_target"] = points.empty() ? "no error of its own" : "not between two budgets";
-  if (points.empty()) return;
-  const auto least =
-      std::min_element(points.begin(), points.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
-  curve.caveats.push_back(
-      least->second > target
-          ? fmt::format("the target relmse of {:.3g} is below every budget's; nothing is extrapolated", target)
-          : fmt::format("the target relmse of {:.3g} is reached by the smallest budget; nothing is extrapolated",
-                        target));
+  if (points.front().second <= target.relmse)
+    target.at_most = points.front().first;
+  else
+    target.more_than = points.back().first;
 }
 
 bool has_own_error(const CurvePoint& point) {
@@ -265,14 +259,14 @@ void conclude(Convergence& curve) {
     else
       curve.undefined["efficiency"] = why_no_error(last);
   }
-  if (curve.target_relmse) add_time_to_target(points, low, high, curve);
+  for (TargetTime& target : curve.targets) set_time(points, low, high, target);
   const auto few = [](const CurvePoint& point) { return point.seeds < 2; };
   if (std::any_of(curve.points.begin(), curve.points.end(), few))
     curve.caveats.push_back("one seed: neither spread nor bias is known");
 }
 
 std::vector<Convergence> convergence_of(const Results& results, const fs::path& folder,
-                                        const std::map<std::string, double>& target_relmse, const JudgeImages& judge) {
+                                        const ErrorTargets& target_relmse, const JudgeImages& judge) {
   std::vector<Convergence> curves;
   for (const SceneRecord& scene : results.scenes) {
     const std::optional<Reference> reference = reference_of(results, scene, folder);
@@ -286,8 +280,8 @@ std::vector<Convergence> convergence_of(const Results& results, const fs::path& 
       Convergence curve;
       curve.scene = scene.name;
       curve.engine = result.cell.engine;
-      if (const auto target = target_relmse.find(scene.name); target != target_relmse.end())
-        curve.target_relmse = target->second;
+      if (const auto targets = target_relmse.find(scene.name); targets != target_relmse.end())
+        for (const double target : targets->second) curve.targets.push_back({target});
       for (const auto& [amount, seeds] : cells)
         add_point(seeds.front()->cell.budget, seeds, reference ? &*reference : nullptr, folder, judge, curve);
       add_start_up_caveat(cells, curve);

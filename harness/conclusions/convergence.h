@@ -21,12 +21,13 @@ using JudgeImages = std::function<CorrectnessRecord(const Cell& like, std::span<
 /// from it.
 inline constexpr const char* own_error_key = "own_error";
 
+using ErrorTargets = std::map<std::string, std::vector<double>>;  ///< by scene
+
 /// One record for each scene, engine and kind of budget that has a finished cell (references are left out), in the
 /// order of the results. Images are read from `folder`, where results.json lies; where one cannot be, the point keeps
-/// what the record itself tells. `target_relmse` by scene. Without `judge` there are no verdicts.
+/// what the record itself tells. Without `judge` there are no verdicts.
 std::vector<Convergence> convergence_of(const Results& results, const std::filesystem::path& folder,
-                                        const std::map<std::string, double>& target_relmse,
-                                        const JudgeImages& judge = {});
+                                        const ErrorTargets& target_relmse, const JudgeImages& judge = {});
 
 /// Slope, efficiency and time to target of a record whose points are complete, or why they are not there, and the
 /// caveats that go with them.

@@ -39,22 +39,19 @@ TEST(Convergence, error_that_halves_with_twice_the_time_has_slope_minus_one) {
 // 0.02 / t = 0.008 at t = 2.5; the interval's ends (10 % up and down) at 2.5 / 1.1 and 2.5 * 1.1.
 TEST(Convergence, time_to_target_is_interpolated_in_logarithms) {
   Convergence curve = exact_curve();
-  curve.target_relmse = 0.008;
+  curve.targets = {{0.008}, {0.016}};
   conclude(curve);
-  EXPECT_NEAR(curve.seconds_to_target->value, 2.5, 1e-9);
-  EXPECT_NEAR(curve.seconds_to_target->interval->low, 2.5 / 1.1, 1e-9);
-  EXPECT_NEAR(curve.seconds_to_target->interval->high, 2.5 * 1.1, 1e-9);
+  EXPECT_NEAR(curve.targets[0].seconds->value, 2.5, 1e-9);
+  EXPECT_NEAR(curve.targets[0].seconds->interval->low, 2.5 / 1.1, 1e-9);
+  EXPECT_NEAR(curve.targets[0].seconds->interval->high, 2.5 * 1.1, 1e-9);
+  EXPECT_NEAR(curve.targets[1].seconds->value, 1.25, 1e-9);
 }
 
 TEST(Convergence, target_outside_what_was_measured_is_never_extrapolated) {
-  for (const double target : {0.1, 0.0001}) {
-    Convergence curve = exact_curve();
-    curve.target_relmse = target;
-    conclude(curve);
-    EXPECT_FALSE(curve.seconds_to_target);
-    ASSERT_EQ(curve.caveats.size(), 1u);
-    EXPECT_NE(curve.caveats[0].find("nothing is extrapolated"), std::string::npos);
-  }
+  Convergence curve = exact_curve();
+  curve.targets = {{0.1}, {0.0001}};
+  conclude(curve);
+  EXPECT_EQ(curve.targets, (std::vector<TargetTime>{{0.1, {}, {}, 1.0}, {0.0001, {}, 8.0, {}}}));
   EXPECT_EQ(time_to_error({{1, 0.02}, {2, 0.01}}, 0.02), 1);
   EXPECT_EQ(time_to_error({{1, 0.02}, {2, 0.01}}, 0.01), 2);
 }
@@ -120,7 +117,7 @@ TEST_F(ConvergenceOfImages, cells_become_curves_by_engine_and_kind_of_budget) {
   add({"s", "path", {"spp", 4}, 2}, 0.04f, 3);
   add({"s", "path", {"seconds", 2}, 1}, 0.02f, 2);
   add({"s", "other", {"spp", 4}, 1}, 0.02f, 1);
-  const std::vector<Convergence> curves = convergence_of(results_, folder_, {{"s", 0.05}});
+  const std::vector<Convergence> curves = convergence_of(results_, folder_, {{"s", {0.05}}});
   ASSERT_EQ(curves.size(), 3u);
   EXPECT_EQ(curves[0].engine, "path");
   ASSERT_EQ(curves[0].points.size(), 2u);
@@ -133,9 +130,8 @@ TEST_F(ConvergenceOfImages, cells_become_curves_by_engine_and_kind_of_budget) {
   EXPECT_NEAR(four.variance->value, 0.02, 1e-7);
   EXPECT_NEAR(four.bias2->value, 0.08, 1e-7);
   EXPECT_FALSE(curves[0].points[1].bias2);
-  EXPECT_EQ(curves[0].target_relmse, 0.05);
   // From 0.1 at 2 s to 0.01 at 4 s: 0.05 after log 2 / log 10 of the way.
-  EXPECT_NEAR(curves[0].seconds_to_target->value, 2 * std::pow(2.0, std::log10(2.0)), 1e-6);
+  EXPECT_NEAR(curves[0].targets.at(0).seconds->value, 2 * std::pow(2.0, std::log10(2.0)), 1e-6);
   EXPECT_EQ(curves[1].points[0].budget.kind, "seconds");
   EXPECT_EQ(curves[2].engine, "other");
 }

@@ -1,5 +1,6 @@
 #include "harness/suites/suite.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <set>
@@ -27,8 +28,10 @@ SuiteScene scene_from_toml(const TomlTable& table, const Suite& suite) {
   SuiteScene scene = scene_row(table, suite);
   if (table.has("reference")) scene.reference = reference_from_toml(table, scene.name, suite.engines);
   if (table.has("target_relmse")) {
-    scene.target_relmse = table.number("target_relmse");
-    if (*scene.target_relmse <= 0) throw table.error("target_relmse", "'target_relmse' must be positive");
+    scene.target_relmse =
+        table.is_array("target_relmse") ? table.numbers("target_relmse") : std::vector{table.number("target_relmse")};
+    if (std::ranges::any_of(scene.target_relmse, [](double target) { return target <= 0; }))
+      throw table.error("target_relmse", "'target_relmse' must be positive");
   }
   table.expect_no_other_keys();
   return scene;

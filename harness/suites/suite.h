@@ -27,7 +27,7 @@ struct SuiteScene {
   int width = 0, height = 0;
   std::optional<double> exposure;   ///< stops; otherwise the scene's expect.toml says
   std::optional<Cell> reference{};  ///< empty: the stored one
-  std::optional<double> target_relmse{};
+  std::vector<double> target_relmse{};
   std::map<std::string, std::filesystem::path> files{};  ///< what {scene} is instead of `path`, by engine
 
   const std::filesystem::path& file_for(const std::string& engine_name) const;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 
 #include "renderer/integrators/cache_picture.h"
 #include "renderer/passes/photon_radius.h"
@@ -272,14 +271,11 @@ void CameraPass::add_photons_on_rough(TilePaths& paths) {
     const std::uint32_t pixel = paths.pixel_of[point.path];
     wide.area[i] *= fault_divisor(*caustic_);
     paths.sum[pixel] += point.weight * irradiance(wide, i);
-    caustic_->found += wide.found[i];
     if (wide.found[i] == 0 || !bias_.looks_twice(paths.x(pixel), paths.y(pixel))) continue;
     narrow.area[i] = areas_->divisor(point, narrow.radius[i]) * fault_divisor(*caustic_);
-    const Rgb lost = irradiance(wide, i) - irradiance(narrow, i);
-    bias_.add(paths.x(pixel), paths.y(pixel), static_cast<int>(caustic_->kind), paths.pass,
-              RgbD(point.weight * lost) / static_cast<double>(paths.count[pixel]), paths.samples);
+    add_lost(*caustic_, pixel, point.weight * (irradiance(wide, i) - irradiance(narrow, i)), paths);
   }
-  caustic_->look_ups += wide.count;
+  caustic_->count_found(wide);
 }
 
 void CameraPass::add_photons_of(MapState& map, const std::vector<PixelPoint>& points, const BlockGrid& blocks,
@@ -289,8 +285,7 @@ void CameraPass::add_photons_of(MapState& map, const std::vector<PixelPoint>& po
   const GatherPoints looked_up = shared.queue.view();
   for (std::size_t i = 0; i < points.size(); ++i)
     paths.sum[points[i].pixel] += points[i].point.weight * irradiance(looked_up, shared.look_up_of[i]);
-  map.found += std::accumulate(looked_up.found, looked_up.found + looked_up.count, std::uint64_t{0});
-  map.look_ups += looked_up.count;
+  map.count_found(looked_up);
   look_twice(map, points, shared, paths);
 }
 
@@ -332,10 +327,15 @@ void CameraPass::look_twice(const MapState& map, const std::vector<PixelPoint>& 
   for (std::size_t i = 0; i < points.size(); ++i) {
     const std::uint32_t pixel = points[i].pixel, look_up = shared.look_up_of[i];
     if (!bias_.looks_twice(paths.x(pixel), paths.y(pixel))) continue;
-    const Rgb lost = irradiance(wide, look_up) - irradiance(narrow, again_of[look_up]);
-    bias_.add(paths.x(pixel), paths.y(pixel), static_cast<int>(map.kind), paths.pass,
-              RgbD(points[i].point.weight * lost) / static_cast<double>(paths.count[pixel]), paths.samples);
+    add_lost(map, pixel, points[i].point.weight * (irradiance(wide, look_up) - irradiance(narrow, again_of[look_up])),
+             paths);
   }
+}
+
+/// What one path of the pixel loses by the map's radius.
+void CameraPass::add_lost(const MapState& map, std::uint32_t pixel, const Rgb& lost, const TilePaths& paths) {
+  bias_.add(paths.x(pixel), paths.y(pixel), static_cast<int>(map.kind), paths.pass,
+            RgbD(lost) / static_cast<double>(paths.count[pixel]), paths.samples);
 }
 
 }  // namespace photonproof

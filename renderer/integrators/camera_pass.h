@@ -51,6 +51,7 @@ class CameraPass {
   std::vector<float> radii_of(const MapState& map, const std::vector<PixelPoint>& points, const TilePaths& paths) const;
   void look_up_in(const MapState& map, GatherQueue& queue) const;
   void look_twice(const MapState& map, const std::vector<PixelPoint>& points, SharedLookUps& shared, TilePaths& paths);
+  void add_lost(const MapState& map, std::uint32_t pixel, const Rgb& lost, const TilePaths& paths);
 
   const Scene& scene_;
   const RenderJob& job_;

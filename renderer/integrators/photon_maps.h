@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdint>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <vector>
@@ -76,6 +77,10 @@ struct MapState {
   std::atomic<std::uint64_t> look_ups{0}, found{0};  ///< photons, by all look-ups of all passes
   PhotonMap map{};
 
+  void count_found(const GatherPoints& points) {
+    found += std::accumulate(points.found, points.found + points.count, std::uint64_t{0});
+    look_ups += points.count;
+  }
   /// In the disc of a look-up, over the whole render: each pass has a part of the photons.
   double in_disc(std::int64_t passes) const {
     return static_cast<double>(found) / static_cast<double>(std::max<std::uint64_t>(1, look_ups)) *

@@ -1,5 +1,7 @@
 // A benchmark is an engine on a scene at a budget. Where the harness drew conclusions over seeds, those are the
 // measures, with their intervals; else each cell is its own benchmark, seed included. Gates are benchmarks too.
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 
 #include "reports/formats/exchange_reports.h"
@@ -66,7 +68,8 @@ void add_curve(json& all, const Convergence& curve) {
   json summary = json::object();
   set(summary, "slope", curve.slope);
   set(summary, "efficiency", curve.efficiency);
-  set(summary, "seconds-to-target", curve.seconds_to_target);
+  for (const TargetTime& target : curve.targets)
+    set(summary, fmt::format("seconds-to-relmse-{}", target.relmse), target.seconds);
   if (!summary.empty()) all[name_of(prefix)] = summary;
 }
 

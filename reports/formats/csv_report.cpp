@@ -90,6 +90,15 @@ void add_or_why(Table& table, Subject subject, const std::string& quantity, cons
   table.add(subject, quantity, estimate);
 }
 
+/// Named by the error, as "relmse=0.001"; of a time that is only known to be more, or less, the reason says so.
+void add_target(Table& table, Subject subject, const TargetTime& target) {
+  subject.name = fmt::format("relmse={}", target.relmse);
+  if (target.more_than)
+    subject.text = fmt::format("more than {}: the largest budget's error is above", *target.more_than);
+  if (target.at_most) subject.text = fmt::format("at most {}: the smallest budget's error is below", *target.at_most);
+  table.add(subject, "seconds_to_target", target.seconds);
+}
+
 void add_curve_rows(Table& table, const Convergence& curve) {
   Subject subject{"curve", "", curve.scene, curve.engine, "", "", "", "", ""};
   for (const CurvePoint& point : curve.points) {
@@ -109,8 +118,7 @@ void add_curve_rows(Table& table, const Convergence& curve) {
   subject.budget_kind = subject.budget = "";
   add_or_why(table, subject, "slope", curve.slope, curve.undefined);
   add_or_why(table, subject, "efficiency", curve.efficiency, curve.undefined);
-  table.add_if(subject, "target_relmse", estimate(curve.target_relmse));
-  add_or_why(table, subject, "seconds_to_target", curve.seconds_to_target, curve.undefined);
+  for (const TargetTime& target : curve.targets) add_target(table, subject, target);
 }
 
 void add_gate_rows(Table& table, const GateRecord& gate) {

@@ -139,8 +139,8 @@ TEST(LatexReport, rows_are_whole_and_text_of_the_record_is_no_command) {
     }
   }
   // Four heads; three cells of box that are shown (no label names the reference any more) and one of hole; two points;
-  // one slope; three gates.
-  EXPECT_EQ(rows, 4u + 4u + 2u + 1u + 3u);
+  // one slope, with each of two targets; three gates.
+  EXPECT_EQ(rows, 4u + 4u + 2u + 2u + 3u);
 }
 
 TEST(JunitReport, reads_like_its_snapshot) {

@@ -23,7 +23,9 @@ std::optional<Interval> drawable_part(const std::optional<Interval>& interval, d
 ErrorPlot plot_of_curves(const View& view, const SceneView& scene) {
   ErrorPlot plot;
   for (const Convergence* curve : scene.curves) {
-    if (drawable(curve->target_relmse)) plot.target = curve->target_relmse;
+    plot.targets.clear();
+    for (const TargetTime& target : curve->targets)
+      if (drawable(target.relmse)) plot.targets.push_back(target.relmse);
     PlotSeries series{engine_index(view, curve->engine), {}};
     for (const CurvePoint& point : curve->points) {
       if (!drawable(point.seconds.value) || !point.relmse || !drawable(point.relmse->value)) {

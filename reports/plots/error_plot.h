@@ -27,7 +27,7 @@ struct ErrorPlot {
   std::vector<PlotSeries> series;  ///< none is empty
   std::size_t left_out = 0;        ///< results that logarithmic axes cannot show: no time, no error or zero
   bool over_seeds = false;         ///< a point is all seeds of a budget, not one
-  std::optional<double> target;    ///< relMSE the scene asks for
+  std::vector<double> targets;     ///< relMSEs that the scene asks for
 };
 
 ErrorPlot error_plot(const View& view, const SceneView& scene);

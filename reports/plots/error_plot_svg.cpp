@@ -107,18 +107,16 @@ std::string error_plot_svg(const ErrorPlot& plot, const std::string& label) {
       errors.hold(point.relmse_interval);
     }
   }
-  if (plot.target) errors.hold(*plot.target);
+  for (const double target : plot.targets) errors.hold(target);
   const Scale x{log_axis(seconds.low, seconds.high), frame_left, frame_right};
   const Scale y{log_axis(errors.low, errors.high), frame_bottom, frame_top};
   std::string out = fmt::format("<svg viewBox=\"0 0 {:.0f} {:.0f}\" role=\"img\" aria-label=\"{}\">\n", width, height,
                                 kainjow::mustache::html_escape(printable(label))) +
                     grid(x, y);
-  if (plot.target) {
-    out +=
-        fmt::format("<g class=\"target\">{}<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"end\">target {}</text></g>\n",
-                    line(frame_left, y(*plot.target), frame_right, y(*plot.target)), frame_right, y(*plot.target) - 5,
-                    significant(*plot.target));
-  }
+  for (const double target : plot.targets)
+    out += fmt::format(
+        "<g class=\"target\">{}<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"end\">target {}</text></g>\n",
+        line(frame_left, y(target), frame_right, y(target)), frame_right, y(target) - 5, significant(target));
   for (const PlotSeries& series : plot.series) out += curve(series, x, y);
   return out + "</svg>";
 }

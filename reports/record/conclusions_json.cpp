@@ -90,13 +90,25 @@ CurvePoint point_from_json(const json& j) {
   return point;
 }
 
+json target_to_json(const TargetTime& target) {
+  json j = {{"relmse", finite(target.relmse, "target")}};
+  set_estimate(j, "seconds", target.seconds);
+  if (target.more_than) j["more_than"] = finite(*target.more_than, "time to a target");
+  if (target.at_most) j["at_most"] = finite(*target.at_most, "time to a target");
+  return j;
+}
+
+TargetTime target_from_json(const json& j) {
+  return {j.at("relmse"), optional_estimate(j, "seconds"), optional_at<double>(j, "more_than"),
+          optional_at<double>(j, "at_most")};
+}
+
 json convergence_to_json(const Convergence& curve) {
   json j = {{"scene", curve.scene}, {"engine", curve.engine}, {"caveats", curve.caveats}, {"points", json::array()}};
   for (const CurvePoint& point : curve.points) j["points"].push_back(point_to_json(point));
   set_estimate(j, "slope", curve.slope);
   set_estimate(j, "efficiency", curve.efficiency);
-  if (curve.target_relmse) j["target_relmse"] = finite(*curve.target_relmse, "target");
-  set_estimate(j, "seconds_to_target", curve.seconds_to_target);
+  for (const TargetTime& target : curve.targets) j["targets"].push_back(target_to_json(target));
   set_reasons(j, curve.undefined);
   return j;
 }
@@ -108,8 +120,10 @@ Convergence convergence_from_json(const json& j) {
   for (const json& point : j.at("points")) curve.points.push_back(point_from_json(point));
   curve.slope = optional_estimate(j, "slope");
   curve.efficiency = optional_estimate(j, "efficiency");
-  curve.target_relmse = optional_at<double>(j, "target_relmse");
-  curve.seconds_to_target = optional_estimate(j, "seconds_to_target");
+  if (const auto targets = j.find("targets"); targets != j.end())
+    for (const json& target : *targets) curve.targets.push_back(target_from_json(target));
+  else if (const auto only = j.find("target_relmse"); only != j.end())  // as of version 0.1
+    curve.targets.push_back({*only, optional_estimate(j, "seconds_to_target")});
   curve.caveats = j.at("caveats").get<std::vector<std::string>>();
   curve.undefined = reasons_from_json(j);
   return curve;

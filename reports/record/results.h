@@ -161,14 +161,23 @@ struct CurvePoint {
   friend bool operator==(const CurvePoint&, const CurvePoint&) = default;
 };
 
+/// When an engine's error comes down to one that the suite asks for.
+struct TargetTime {
+  double relmse = 0;
+  std::optional<Estimate> seconds{};  ///< interpolated between measured budgets, never beyond them
+  /// Where there is none: what it must take, the seconds of the largest budget, or of the smallest, whose errors are
+  /// still above, already below the target.
+  std::optional<double> more_than{}, at_most{};
+  friend bool operator==(const TargetTime&, const TargetTime&) = default;
+};
+
 /// Error against time of one engine on one scene (METRICS in README).
 struct Convergence {
   std::string scene, engine;
-  std::vector<CurvePoint> points;             ///< of one kind of budget, ascending
-  std::optional<Estimate> slope;              ///< least squares of log relmse on log seconds
-  std::optional<Estimate> efficiency;         ///< 1/(relmse seconds) at the largest budget
-  std::optional<double> target_relmse;        ///< of the scene, when the suite states one
-  std::optional<Estimate> seconds_to_target;  ///< interpolated between measured budgets, never beyond them
+  std::vector<CurvePoint> points;      ///< of one kind of budget, ascending
+  std::optional<Estimate> slope;       ///< least squares of log relmse on log seconds
+  std::optional<Estimate> efficiency;  ///< 1/(relmse seconds) at the largest budget
+  std::vector<TargetTime> targets{};   ///< of the scene, as the suite states them
   std::vector<std::string> caveats;
   Reasons undefined{};
   friend bool operator==(const Convergence&, const Convergence&) = default;

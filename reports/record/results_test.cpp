@@ -95,7 +95,7 @@ Results example_with_conclusions() {
   curve.engine = "path";
   curve.points.push_back(point);
   curve.slope = Estimate{-1.02, Interval{-1.1, -0.9}};
-  curve.target_relmse = 1e-3;
+  curve.targets = {{1e-2, Estimate{2.5, Interval{2, 3}}}, {1e-3, {}, 4.0}, {1e-1, {}, {}, 0.5}};
   curve.caveats.emplace_back("few seeds");
   results.convergence.push_back(curve);
 

@@ -43,14 +43,22 @@ PlainTable points_table(const std::vector<const Convergence*>& curves, const std
   return table;
 }
 
+std::string time_text(const TargetTime& target) {
+  if (target.more_than) return "> " + significant(*target.more_than);
+  if (target.at_most) return "≤ " + significant(*target.at_most);
+  return estimate_text(target.seconds);
+}
+
 PlainTable slopes_table(const std::vector<const Convergence*>& curves) {
   PlainTable table{{"Engine", "Slope", "Efficiency 1/s", "Target relMSE", "s to target"}, {}};
   for (const Convergence* curve : curves) {
     const Reasons& undefined = curve->undefined;
-    table.rows.push_back({curve->engine, estimate_text(curve->slope, undefined, "slope"),
-                          estimate_text(curve->efficiency, undefined, "efficiency"),
-                          or_dash(curve->target_relmse, [](double v) { return significant(v); }),
-                          estimate_text(curve->seconds_to_target, undefined, "seconds_to_target")});
+    const std::string slope = estimate_text(curve->slope, undefined, "slope");
+    const std::string efficiency = estimate_text(curve->efficiency, undefined, "efficiency");
+    if (curve->targets.empty())
+      table.rows.push_back({curve->engine, slope, efficiency, undefined_number, undefined_number});
+    for (const TargetTime& target : curve->targets)
+      table.rows.push_back({curve->engine, slope, efficiency, significant(target.relmse), time_text(target)});
   }
   return table;
 }

@@ -95,8 +95,7 @@ inline Convergence sample_curve() {
   curve.points = {early, late};
   curve.slope = Estimate{-1.08, Interval{-1.2, -0.9}};
   curve.efficiency = Estimate{17.8, {}};
-  curve.target_relmse = 0.025;
-  curve.seconds_to_target = Estimate{2.4, Interval{2, 3}};
+  curve.targets = {{0.025, Estimate{2.4, Interval{2, 3}}}, {0.001, {}, 8.0}};
   curve.caveats = {"three seeds are few"};
   return curve;
 }
