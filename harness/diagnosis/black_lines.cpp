@@ -54,6 +54,9 @@ std::vector<int> black_lines(const Lines& lines) {
     const bool first = line < 2, last = line >= lines.count() - 2;
     if ((before < 0.6 || first) && (after < 0.6 || last) && std::min(before, after) < 0.6) found.push_back(line);
   }
+  // What lies about a scene may be black: at the image's edge alone it is no seam.
+  if (std::all_of(found.begin(), found.end(), [&](int line) { return line < 2 || line >= lines.count() - 2; }))
+    found.clear();
   return found;
 }
 
@@ -66,7 +69,7 @@ std::vector<int> seams(const Lines& lines, const Lines& expected) {
   for (const double step : steps) sizes.push_back(std::abs(step));
   std::nth_element(sizes.begin(), sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2), sizes.end());
   const double usual = std::max(0.002, sizes[sizes.size() / 2]);
-  for (int line = 1; line + 1 < lines.count(); ++line) {
+  for (int line = 2; line + 2 < lines.count(); ++line) {
     const double step = steps[static_cast<std::size_t>(line - 1)];
     if (std::abs(step) > 0.04 && std::abs(step) > 8 * usual && std::abs(step_of(expected, line)) < std::abs(step) / 3)
       found.push_back(line);

@@ -181,6 +181,12 @@ std::vector<Finding> diagnose(const Image& submitted, const SceneKnowledge& know
   if (std::optional<Finding> noise = find_noise(comparison, knowledge)) findings.push_back(*noise);
   std::stable_sort(findings.begin(), findings.end(),
                    [](const Finding& a, const Finding& b) { return a.explained > b.explained; });
+  const bool other_view = std::any_of(findings.begin(), findings.end(), [](const Finding& f) {
+    return (f.kind == "shifted" || f.kind == "field-of-view") && f.explained > 0.3;
+  });
+  // A narrow black strip then is what lies beside the scene.
+  if (other_view)
+    std::erase_if(breakage.findings, [](const Finding& f) { return f.kind == "unrendered" && f.explained < 0.12; });
   findings.insert(findings.begin(), breakage.findings.begin(), breakage.findings.end());
   return findings;
 }

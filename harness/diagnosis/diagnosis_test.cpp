@@ -14,6 +14,7 @@
 
 #include "harness/diagnosis/picture_changes.h"
 #include "harness/diagnosis/test_defects.h"
+#include "scenes/text/splitmix.h"
 
 namespace photonproof {
 namespace {
@@ -174,6 +175,13 @@ const std::vector<Defect>& light_defects() {
        [](const Image& i, const K& k) { return plus(i, probe(k, "direct"), M_PI - 1); }},
       {"hard", "course-1", "hard-shadows", "",
        [](const Image& i, const K& k) { return mistaken(i, k, "hard-shadows"); }},
+  };
+  return defects;
+}
+
+const std::vector<Defect>& object_defects() {
+  using K = SceneKnowledge;
+  static const std::vector<Defect> defects{
       {"mirror_black", "course-1", "mirror-black", "mirror sphere",
        [](const Image&, const K&) {
          return changed("course-1", [](SceneDescription& s) { set_bsdf(s, "mirror", DiffuseDescription{RgbD(0.0)}); });
@@ -232,6 +240,79 @@ const std::vector<Defect>& light_defects() {
   return defects;
 }
 
+/// Dark specks as a surface has that shadows itself.
+Image with_specks(Image image, const SceneKnowledge& knowledge, const std::string& where, float factor) {
+  for (std::size_t i = 0; i < image.pixels(); ++i)
+    if (knowledge.seen[i] > 0 && knowledge.landmarks[knowledge.seen[i] - 1u].name == where && splitmix64(7, i) % 8 == 0)
+      for (std::size_t c = 0; c < 3; ++c) image.rgb[3 * i + c] *= factor;
+  return image;
+}
+
+Image with_black(Image image, const SceneKnowledge& knowledge, const std::string& where) {
+  for (std::size_t i = 0; i < image.pixels(); ++i)
+    if (knowledge.seen[i] > 0 && knowledge.landmarks[knowledge.seen[i] - 1u].name == where)
+      for (std::size_t c = 0; c < 3; ++c) image.rgb[3 * i + c] = 0;
+  return image;
+}
+
+const std::vector<Defect>& other_defects() {
+  using K = SceneKnowledge;
+  static const std::vector<Defect> defects{
+      {"upside_down_gamma", "course-1", "upside-down|gamma-applied", "",
+       [](const Image& i, const K&) { return tone(turn(i, "upside-down"), "gamma-applied"); }},
+      {"bgr_no_indirect", "cornell-spheres", "channels-swapped|indirect-missing", "",
+       [](const Image& i, const K& k) { return with_channels(plus(i, probe(k, "indirect"), -1), channel_rows()[1]); }},
+      {"grid_upside_down", "course-1", "black-lines", "every 18th",
+       [](const Image& i, const K&) {
+         return black_where(turn(i, "upside-down"), [](int x, int y) { return x % 18 == 0 || y % 18 == 0; });
+       }},
+      {"acne", "course-1", "dark-specks", "on the floor",
+       [](const Image& i, const K& k) { return with_specks(i, k, "floor", 0.1f); }},
+      {"tinted_mirror", "course-1", "object-colour", "mirror sphere",
+       [](const Image&, const K&) {
+         return changed("course-1", [](SceneDescription& s) {
+           set_bsdf(s, "mirror", ConductorDescription{.ior = {}, .specular_reflectance = RgbD(0.9, 0.5, 0.2)});
+         });
+       }},
+      {"back_wall_black", "course-1", "object-black", "back wall",
+       [](const Image& i, const K& k) { return with_black(i, k, "back wall"); }},
+      {"weak_glass", "cornell-spheres", "object-brightness|object-colour|glass-unrefracted|object-missing",
+       "glass sphere",
+       [](const Image&, const K&) {
+         return changed("cornell-spheres", [](SceneDescription& s) {
+           set_bsdf(s, "glass", DielectricDescription{.int_ior = 1.15, .ext_ior = 1});
+         });
+       }},
+      {"turned_camera", "cornell-spheres", "shifted", "",
+       [](const Image&, const K&) {
+         return changed("cornell-spheres", [](SceneDescription& s) {
+           s.sensor.to_world = s.sensor.to_world * Transform::rotate({0, 1, 0}, 3);
+         });
+       }},
+      {"moved_sphere", "course-1", "differs|object-missing", "",
+       [](const Image&, const K&) {
+         return changed("course-1", [](SceneDescription& s) {
+           for (ShapeDescription& h : s.shapes)
+             if (auto* b = std::get_if<SphereDescription>(&h.geometry))
+               if (b->center.x < 0) b->center = {-5, -30, -30};
+         });
+       }},
+      {"no_photons", "course-1", "indirect-missing", "",
+       [](const Image& i, const K& k) { return plus(plus(i, probe(k, "indirect"), -1), probe(k, "caustic"), -1); }},
+      {"photon_scale", "course-1", "caustic-energy", "caustic",
+       [](const Image& i, const K& k) { return plus(i, probe(k, "caustic"), 4); }},
+      {"seams", "course-1", "seams", "every 12th row",
+       [](const Image& i, const K&) {
+         Image s = i;
+         for (int y = 11; y < side; y += 12)
+           for (int x = 0; x < side; ++x)
+             for (int c = 0; c < 3; ++c) s.pixel(x, y)[c] *= 0.6f;
+         return s;
+       }},
+  };
+  return defects;
+}
+
 void expect_found(const std::vector<Defect>& defects) {
   for (const Defect& defect : defects) {
     SceneKnowledge knowledge = known(defect.scene);
@@ -253,6 +334,8 @@ void expect_found(const std::vector<Defect>& defects) {
 
 TEST(Diagnosis, names_what_was_done_to_pictures) { expect_found(picture_defects()); }
 TEST(Diagnosis, names_what_is_wrong_with_light) { expect_found(light_defects()); }
+TEST(Diagnosis, names_what_is_wrong_with_objects) { expect_found(object_defects()); }
+TEST(Diagnosis, names_several_defects_at_once_and_odd_ones) { expect_found(other_defects()); }
 
 TEST(Diagnosis, says_nothing_of_right_pictures_but_noise) {
   for (const char* scene : {"course-1", "cornell-spheres", "course-2"})

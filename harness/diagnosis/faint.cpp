@@ -1,5 +1,6 @@
 #include "harness/diagnosis/faint.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -47,7 +48,11 @@ class Filter {
   Image now_;
 };
 
-bool is_there(const Match& m) { return m.amount > 0.75 && m.amount < 1.35 && m.deviations > 12 && m.explained > 0.05; }
+/// A mistake is made or it is not; light may be too little or too much by any amount.
+bool is_there(const Match& m, bool any_amount) {
+  const bool in_full = m.amount > 0.75 && m.amount < 1.35;
+  return (in_full || (any_amount && m.amount > 0.4)) && m.deviations > 12 && m.explained > 0.05;
+}
 
 Image plus_change(const Image& light, const Image& change, const Image& from, double factor) {
   Image sum = light;
@@ -65,16 +70,17 @@ std::optional<Candidate> faint_mistake(const Guess& guess, const SceneKnowledge&
   const Filter filter(guess, comparison);
   std::optional<Candidate> best;
   double most = 0;
-  const auto look = [&](const Image& light, const std::string& name, const Finding& finding, bool placed) {
+  const auto look = [&](const Image& light, const std::string& name, const auto& words, bool any_amount, bool placed) {
     Candidate candidate;
     candidate.guess = guess;
     candidate.guess.light = light;
     const Match match = filter.match(predicted(candidate.guess, comparison.white()));
-    const double worth = match.deviations * (1 - std::abs(match.amount - 1));
-    if (!is_there(match) || worth <= most) return;
+    const double off = any_amount ? 0.1 : std::abs(match.amount - 1);
+    const double worth = match.explained * (1 - off);
+    if (!is_there(match, any_amount) || worth <= most) return;
     most = worth;
     candidate.guess.used.push_back(name);
-    candidate.said = {finding};
+    candidate.said = {words(match.amount)};
     candidate.placed = placed;
     candidate.local = true;
     best = std::move(candidate);
@@ -83,12 +89,18 @@ std::optional<Candidate> faint_mistake(const Guess& guess, const SceneKnowledge&
   const Image none(model.width, model.height);
   for (const FeatureProbe& probe : knowledge.probes)
     for (const double factor : {-1.0, 1.0})
-      look(plus_change(guess.light, probe.light, none, factor), probe.feature,
-           words_of_feature(probe.feature, 1 + factor), probe.feature == "caustic");
+      look(
+          plus_change(guess.light, probe.light, none, factor), probe.feature,
+          [&](double x) { return words_of_feature(probe.feature, std::max(0.0, 1 + factor * x)); }, true,
+          probe.feature == "caustic");
   for (const WhatIf& what_if : knowledge.what_ifs)
     if (what_if.image.rgb.size() == model.rgb.size())
-      look(plus_change(guess.light, what_if.image, model, 1), what_if.kind,
-           {what_if.kind, what_if.sentence, what_if.cause, {}, 0}, false);
+      look(
+          plus_change(guess.light, what_if.image, model, 1), what_if.kind,
+          [&](double) {
+            return Finding{what_if.kind, what_if.sentence, what_if.cause, {}, 0};
+          },
+          false, false);
   return best;
 }
 

@@ -10,22 +10,28 @@ namespace {
 
 struct Spread {
   double total = 0, x = 0, y = 0;  ///< the middle, pixels
-  double share = 0;                ///< of the image that it fills: 1 / (pixels x sum of squared shares)
+  double share = 0;                ///< of the image that it spreads over
 };
 
 Spread spread_of(const std::vector<double>& weight, int width) {
   Spread spread;
-  double squares = 0;
+  double xx = 0, yy = 0;
+  const auto columns = static_cast<std::size_t>(width);
   for (std::size_t i = 0; i < weight.size(); ++i) {
+    const double x = static_cast<double>(i % columns) + 0.5, y = static_cast<double>(i / columns) + 0.5;
     spread.total += weight[i];
-    squares += weight[i] * weight[i];
-    spread.x += weight[i] * (static_cast<double>(i % static_cast<std::size_t>(width)) + 0.5);
-    spread.y += weight[i] * (static_cast<double>(i / static_cast<std::size_t>(width)) + 0.5);
+    spread.x += weight[i] * x;
+    spread.y += weight[i] * y;
+    xx += weight[i] * x * x;
+    yy += weight[i] * y * y;
   }
   if (!(spread.total > 0)) return spread;
   spread.x /= spread.total;
   spread.y /= spread.total;
-  spread.share = spread.total * spread.total / squares / static_cast<double>(weight.size());
+  // What is even over a side s has the variance s^2 / 12.
+  const double wide = std::sqrt(12 * std::max(0.1, xx / spread.total - spread.x * spread.x));
+  const double high = std::sqrt(12 * std::max(0.1, yy / spread.total - spread.y * spread.y));
+  spread.share = wide * high / static_cast<double>(weight.size());
   return spread;
 }
 

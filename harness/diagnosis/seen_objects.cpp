@@ -120,7 +120,7 @@ std::string wall_name(const SceneDescription& scene, const ShapeDescription& sha
   const Vec3d a{std::abs(n.x), std::abs(n.y), std::abs(n.z)};
   if (a.y >= a.x && a.y >= a.z) return middle.y < 0 ? "floor" : "ceiling";
   if (a.x >= a.z) return middle.x > 0 ? "left wall" : "right wall";
-  return middle.z > 0 ? "back wall" : "wall behind the camera";
+  return n.z < 0 ? "back wall" : "front wall";  // as its front faces the camera, or not
 }
 
 std::string plain_object_name(const SceneDescription& scene, const ShapeDescription& shape) {
