@@ -22,12 +22,18 @@ std::string build_sentence(const SandboxOutcome& outcome) {
   const ProcessOutcome& process = outcome.process;
   std::string said = last_line(process.standard_error);
   if (said.empty()) said = last_line(process.standard_output);
-  std::string sentence = "the build " + outcome.sentence();
+  std::string sentence = said_of("the build", outcome);
   if (process.end == ProcessOutcome::End::exited && !said.empty()) sentence += ": " + printable(said);
   return sentence;
 }
 
 }  // namespace
+
+std::string said_of(const std::string& subject, const SandboxOutcome& outcome) {
+  const std::string sentence = outcome.sentence();
+  const bool passive = sentence.starts_with("killed") || sentence.starts_with("interrupted");
+  return subject + (passive ? " was " : " ") + sentence;
+}
 
 std::string log_tail(const ProcessOutcome& process) {
   return last_part(last_part(process.standard_output, kept_log / 2) + last_part(process.standard_error, kept_log / 2),

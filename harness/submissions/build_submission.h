@@ -38,6 +38,9 @@ BuildOutcome build_submission(const std::filesystem::path& submission, const Bui
 std::vector<std::string> with_values(const std::vector<std::string>& command,
                                      const std::map<std::string, std::string>& values);
 
+/// The outcome as a sentence about `subject`: "the program was killed by SIGSEGV".
+std::string said_of(const std::string& subject, const SandboxOutcome& outcome);
+
 /// The end of a log that is worth keeping.
 std::string log_tail(const ProcessOutcome& process);
 

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "harness/submissions/netpbm_file.h"
 #include "scenes/images/display_window.h"
 #include "scenes/images/exr_file.h"
 #include "scenes/images/image_file.h"
@@ -75,6 +76,7 @@ std::array<int, 3> colour_of(const std::vector<std::string>& channels) {
 
 std::unique_ptr<ImageFile> open_submitted(const std::string& path, SubmittedFormat format) {
   if (format == SubmittedFormat::exr) return as_displayed(open_exr(path), path);
+  if (format == SubmittedFormat::ppm || format == SubmittedFormat::pfm) return open_netpbm(path);
   return format == SubmittedFormat::png ? open_png(path) : open_other_format(path);
 }
 

@@ -75,7 +75,7 @@ RunOutcome run_submission(const fs::path& built, const RunRecipe& recipe, const 
   run.cpu_seconds = outcome.process.cpu_seconds;
   run.peak_bytes = outcome.process.peak_bytes;
   run.log_tail = log_tail(outcome.process);
-  run.sentence = "the program " + outcome.sentence();
+  run.sentence = said_of("the program", outcome);
   if (!outcome.ok()) {
     run.kind = kind_of_end(outcome);
     return run;

@@ -84,9 +84,9 @@ TEST_F(RunSubmission, every_run_begins_anew) {
 
 TEST_F(RunSubmission, what_goes_wrong_is_said) {
   recipe_.limits.wall_seconds = 1;
-  EXPECT_EQ(run("sleep 20").sentence, "the program killed after 1 s (limit)");
+  EXPECT_EQ(run("sleep 20").sentence, "the program was killed after 1 s (limit)");
   recipe_.limits.wall_seconds = 20;
-  EXPECT_EQ(run("kill -SEGV $$").sentence, "the program killed by SIGSEGV");
+  EXPECT_EQ(run("kill -SEGV $$").sentence, "the program was killed by SIGSEGV");
   EXPECT_EQ(run("exit 3").kind, Kind::crash);
   EXPECT_EQ(run("exit 3").sentence, "the program exited with 3");
   EXPECT_EQ(run("ln -s /etc/passwd $1").sentence, "output.ppm is a symbolic link, not a file");
@@ -131,6 +131,42 @@ TEST_F(RunSubmission, submission_is_built_with_staffs_files) {
   EXPECT_THAT(broken.sentence, testing::StartsWith("the build exited with 2: make: ***"));
   EXPECT_THAT(broken.log_tail, testing::HasSubstr("undeclared (first use in this function)"));
   EXPECT_FALSE(has("done2"));
+}
+
+// What a makefile tries is what its program may try later: neither sees the folders of the grader.
+TEST_F(RunSubmission, hidden_scenes_and_references_are_seen_neither_by_build_nor_by_run) {
+  for (const char* name : {"given", "hidden", "references"}) fs::create_directories(folder_ / name);
+  put("hidden/scene.xml", "the-hidden-scene");
+  put("references/one.exr", "the-reference");
+  const std::string read = "cat " + (folder_ / "hidden/scene.xml").string() + " " +
+                           (folder_ / "references/one.exr").string() + " /proc/*/root" + folder_.string() +
+                           "/*/* 2>/dev/null; ";
+  const std::string list =
+      "find / -path /usr -prune -o -path /proc -prune -o -name scene.xml -print -o -name one.exr -print";
+  const auto nothing = testing::Not(testing::ContainsRegex("the-hidden-scene|the-reference|scene.xml|one.exr"));
+  put("given/Makefile", "all:\n\t@" + read + list + " 2>/dev/null; true\n");
+  const BuildOutcome built = build_submission(folder_ / "given", {.command = {"make", "-s"}}, folder_ / "done");
+  EXPECT_TRUE(built.ok) << built.sentence;
+  EXPECT_THAT(built.log_tail, nothing);
+  EXPECT_THAT(run(read + list + " 2>/dev/null").log_tail, nothing);
+  // The same without a sandbox finds them.
+  put("given/Makefile", "all:\n\t@" + read + "true\n");
+  handling_.contained = false;
+  const BuildOutcome open =
+      build_submission(folder_ / "given", {.command = {"make", "-s"}}, folder_ / "done2", handling_);
+  EXPECT_THAT(open.log_tail, testing::HasSubstr("the-hidden-scenethe-reference"));
+  EXPECT_THAT(run(read).log_tail, testing::HasSubstr("the-hidden-scenethe-reference"));
+}
+
+TEST_F(RunSubmission, build_that_never_ends_is_ended) {
+  fs::create_directories(folder_ / "given");
+  put("given/Makefile", "all:\n\t(setsid sleep 77 &) ; sleep 77\n");
+  BuildRecipe recipe;
+  recipe.command = {"make"};
+  recipe.limits.wall_seconds = 1;
+  const BuildOutcome built = build_submission(folder_ / "given", recipe, folder_ / "done");
+  EXPECT_FALSE(built.ok);
+  EXPECT_EQ(built.sentence, "the build was killed after 1 s (limit)");
 }
 
 }  // namespace

@@ -68,6 +68,25 @@ TEST_F(SubmittedImageTest, every_format_has_its_picture) {
       0.01);
 }
 
+TEST_F(SubmittedImageTest, numbers_of_ppm_and_pfm_are_exact) {
+  using enum SubmittedFormat;
+  const auto number = [this](SubmittedFormat format, const std::string& bytes) {
+    const SubmittedImage image = read(format, bytes);
+    EXPECT_EQ(image.wrong, "");
+    return image.image ? image.image->rgb[0] : -1;
+  };
+  declaration_.width = declaration_.height = 1;
+  EXPECT_EQ(number(ppm, "P6 1 1 65535\n\xff\xfe\0\0\0\0"s), 65534.0f / 65535.0f);
+  EXPECT_EQ(number(ppm, "P6 1 1 100\n\x19\0\0"s), 0.25f);
+  EXPECT_EQ(number(ppm, "P3 # a comment\n1 #another\n1\n1000 # 250 0 0\n250 7 7"), 0.25f);
+  EXPECT_EQ(number(pfm, "PF\n1 1\n1\n\x3e\x80\0\0\0\0\0\0\0\0\0\0"s), 0.25f);  // big-endian: 0x3e800000
+  EXPECT_EQ(number(pfm, "Pf\n1 1\n-1\n" + floats({-0.25f})), -0.25f);
+  EXPECT_EQ(wrong(ppm, "P6 1 1 100\n\x65\0\0"s), "out is damaged: a number above its greatest value");
+  EXPECT_EQ(wrong(ppm, "P3 1 1 255 1 2"), "out is truncated: fewer numbers than its size says");
+  EXPECT_EQ(wrong(ppm, "P3 1 1 255 1 2 x"), "out is damaged: expected a number up to 255");
+  EXPECT_EQ(wrong(ppm, "P6 1 99999999999 255\n"), "out is damaged: expected a number up to 16777216");
+}
+
 TEST_F(SubmittedImageTest, exr_and_png_are_read_too) {
   Rendering rendering;
   rendering.mean = Image(2, 2);

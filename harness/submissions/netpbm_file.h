@@ -1,0 +1,17 @@
+// PPM and PFM, the formats that students write by hand: exact for every greatest value (OpenImageIO makes 65534/65535
+// of a full 16-bit sample), with comments, and read without OpenImageIO, which takes longer to load than a scene to
+// render.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "scenes/images/image_file.h"
+
+namespace photonproof {
+
+/// P3 and P6 with a greatest value up to 65535, PF and Pf of either byte order. Throws InputError; what is damaged or
+/// missing behind the header shows when rows are read.
+std::unique_ptr<ImageFile> open_netpbm(const std::string& path);
+
+}  // namespace photonproof
