@@ -74,22 +74,16 @@ void set_material(const SceneDescription& scene, BsdfIndex index, PlainObject& o
 void set_water(const SceneDescription& scene, const ShapeDescription& shape, const HeightfieldDescription& field,
                PlainObject& object) {
   const auto* noise = std::get_if<HeightfieldNoise>(&field.height);
-  if (!noise || noise->octaves != 1 || field.columns != field.rows)
-    cannot_say(scene, shape.loc, "a heightfield but of one octave of noise on a square grid");
-  const Vec3d x = shape.to_world.vector({1, 0, 0}), y = shape.to_world.vector({0, 1, 0}),
-              z = shape.to_world.vector({0, 0, 1});
-  const auto off = [](double v, double size) { return std::abs(v) > 1e-9 * size; };
-  if (off(x.y, length(x)) || off(x.z, length(x)) || x.x <= 0 || off(y.x, length(y)) || off(y.y, length(y)) ||
-      y.z >= 0 || z.y <= 0)
-    cannot_say(scene, shape.loc, "water that is turned: its x must lie along the world's, its y against z");
-  object.half_x = rounded(x.x, 1);
-  object.half_z = rounded(-y.z, 1);
-  object.amplitude = rounded(field.amplitude * z.y, 1);
-  object.cells = field.columns;
+  if (!noise || noise->octaves != 1 || field.face_normals)
+    cannot_say(scene, shape.loc, "a heightfield but of one octave of noise with normals of vertices");
+  object.a = shape.to_world.vector({1, 0, 0});
+  object.b = shape.to_world.vector({0, 1, 0});
+  object.c = shape.to_world.vector({0, 0, field.amplitude});
+  object.columns = field.columns;
+  object.rows = field.rows;
+  object.frequency_x = noise->frequency_x;
+  object.frequency_y = noise->frequency_y;
   object.noise_seed = noise->seed;
-  object.scale_z = 1;
-  object.frequency = rounded(noise->frequency_y / object.half_z, 1);
-  object.scale_x = noise->frequency_x > 0 ? rounded(object.frequency * object.half_x / noise->frequency_x, 1) : 1;
 }
 
 void set_shape(const SceneDescription& scene, const ShapeDescription& shape, PlainObject& object) {
@@ -179,14 +173,20 @@ double vertical_tangent(const PerspectiveDescription& camera, int width, int hei
 PlainCamera plain_camera(const SceneDescription& scene, int width, int height) {
   const auto* camera = std::get_if<PerspectiveDescription>(&scene.sensor.camera);
   if (!camera) cannot_say(scene, scene.sensor.loc, "a camera but a perspective one");
-  if (std::abs(camera->principal_x) > 1e-12 || std::abs(camera->principal_y) > 1e-12)
-    cannot_say(scene, scene.sensor.loc, "a shifted view (principal_point_offset)");
+  const double shift_x = camera->principal_x * width, shift_y = camera->principal_y * height;
+  if (std::abs(shift_x - std::round(shift_x)) > 1e-6 || std::abs(shift_y - std::round(shift_y)) > 1e-6)
+    cannot_say(scene, scene.sensor.loc, "a view shifted by parts of a pixel (principal_point_offset)");
   const Transform& t = scene.sensor.to_world;
   const bool is_vertical = side_along_fov(*camera, width, height) == height;
   const double degrees =
       is_vertical ? camera->fov_degrees : std::atan(vertical_tangent(*camera, width, height)) * 360 / M_PI;
-  return {rounded(t.point({0, 0, 0})), rounded(normalize(t.vector({0, 0, 1}))), rounded(normalize(t.vector({0, 1, 0}))),
-          degrees, camera->near_clip};
+  return {rounded(t.point({0, 0, 0})),
+          rounded(normalize(t.vector({0, 0, 1}))),
+          rounded(normalize(t.vector({0, 1, 0}))),
+          degrees,
+          camera->near_clip,
+          static_cast<int>(std::lround(shift_x)),
+          static_cast<int>(std::lround(shift_y))};
 }
 
 }  // namespace photonproof

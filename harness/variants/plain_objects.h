@@ -22,18 +22,19 @@ struct PlainObject {
   PlainMaterial material = PlainMaterial::diffuse;
   Vec3d middle{0, 0, 0};
   double radius = 0;
-  Vec3d a{0, 0, 0}, b{0, 0, 0}, c{0, 0, 0};  ///< half edges
+  Vec3d a{0, 0, 0}, b{0, 0, 0}, c{0, 0, 0};  ///< half edges; of water, c is what a height of 1 displaces by
   RgbD colour{0, 0, 0};
   double ior = 1;
   RgbD radiance{0, 0, 0};
-  double half_x = 0, half_z = 0, amplitude = 0, frequency = 0, scale_x = 1, scale_z = 1;
-  int cells = 0;
+  int columns = 0, rows = 0;
+  double frequency_x = 0, frequency_y = 0;
   std::uint32_t noise_seed = 0;
 };
 
 struct PlainCamera {
   Vec3d eye, direction, up;  ///< the last two of length 1
   double vertical_fov_degrees, near;
+  int shift_x, shift_y;  ///< pixels by which the image lies right of and below the view's middle
 };
 
 /// Both throw InputError, which names what these words cannot say.

@@ -60,14 +60,11 @@ data object_data(const PlainObject& plain, std::size_t index, std::size_t count)
   set_colour(object, "", plain.colour);
   set_number(object, "ior", plain.ior);
   set_colour(object, "e", plain.radiance);
-  set_number(object, "half_x", plain.half_x);
-  set_number(object, "half_z", plain.half_z);
-  object.set("cells", std::to_string(plain.cells));
-  set_number(object, "amplitude", plain.amplitude);
-  object.set("seed", std::to_string(plain.noise_seed));
-  set_number(object, "frequency", plain.frequency);
-  set_number(object, "scale_x", plain.scale_x);
-  set_number(object, "scale_z", plain.scale_z);
+  object.set("columns", std::to_string(plain.columns));
+  object.set("rows", std::to_string(plain.rows));
+  set_number(object, "frequency_x", plain.frequency_x);
+  set_number(object, "frequency_y", plain.frequency_y);
+  object.set("noise_seed", std::to_string(plain.noise_seed));
   return object;
 }
 
@@ -107,7 +104,10 @@ std::string scene_file_text(const SceneDescription& scene, int width, int height
   data context;
   context.set("width", std::to_string(width));
   context.set("height", std::to_string(height));
-  context.set("camera", camera_data(plain_camera(scene, width, height)));
+  const PlainCamera camera = plain_camera(scene, width, height);
+  context.set("camera", camera_data(camera));
+  context.set("shift_x", std::to_string(camera.shift_x));
+  context.set("shift_y", std::to_string(camera.shift_y));
   data objects(data::type::list);
   const std::vector<PlainObject> plain = plain_objects(scene);
   for (std::size_t i = 0; i < plain.size(); ++i) objects.push_back(object_data(plain[i], i, plain.size()));
