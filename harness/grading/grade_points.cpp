@@ -45,7 +45,12 @@ std::string first_sentence(const SubmissionGrade& grade) {
       first_bad = &scene;
   }
   const auto flag = std::ranges::find_if(grade.flags, is_telling);
-  if (flag != grade.flags.end()) return flag->sentence;
+  if (flag != grade.flags.end()) {
+    const bool has_reason =
+        flag->kind == "right-on-public-only" && first_bad != nullptr && !first_bad->findings.empty();
+    return flag->sentence +
+           (has_reason ? " (" + first_bad->scene + ": " + first_bad->findings.front().sentence + ")" : "");
+  }
   if (first_bad != nullptr)
     return "scene " + first_bad->scene + ": " +
            (first_bad->findings.empty() ? first_bad->sentence : first_bad->findings.front().sentence);

@@ -6,7 +6,7 @@
 //   the 99 % interval of the mean (Student's t) lies on one side; images that are all alike, as a program without
 //   random numbers gives them, have no noise, and the value itself decides.
 // - Blocks of 8 x 8 pixels are judged by gates' statistics (judge_bias): wrong where one is off by more than the bound
-//   for certain, given the noise of both sides.
+//   for certain, given the noise of both sides, which takes two images to be known.
 // - When the most images an assignment pays for leave it open, the verdict is "borderline", which counts as right:
 //   nothing was proven.
 #pragma once
