@@ -1,4 +1,4 @@
-// The walkthroughs of README.md, as they are printed there: each fenced block under "Three walkthroughs" is run by bash
+// The walkthroughs of README.md, as they are printed there: each fenced block under "Four walkthroughs" is run by bash
 // in a folder of its own that has the scenes, with `photonproof` on the PATH.
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ const std::string source = PHOTONPROOF_SOURCE_DIR;
 /// The commands of the block after the line that begins with `heading`.
 std::string block_after(const std::string& heading) {
   const std::string readme = read_file(source + "/README.md");
-  const std::size_t section = readme.find("\n## Three walkthroughs\n");
+  const std::size_t section = readme.find("\n## Four walkthroughs\n");
   const std::size_t at = readme.find("\n" + heading, section);
   const std::string fence = "\n```sh\n";
   const std::size_t begin = readme.find(fence, at);
@@ -37,6 +37,7 @@ class Walkthrough : public FolderTest {
     fs::create_directory(folder_ / "bin");
     fs::create_symlink(PHOTONPROOF_BINARY, folder_ / "bin/photonproof");
     fs::create_directory_symlink(source + "/scenes", folder_ / "scenes");
+    fs::create_directory_symlink(source + "/harness", folder_ / "harness");
   }
 
   ProcessOutcome run(const std::string& commands) const {
@@ -97,6 +98,18 @@ trust = "unbiased"
   EXPECT_NE(outcome.standard_output.find("relmse"), std::string::npos) << all_of(outcome);
   // Too dark reads as too dark: the reference goes first.
   EXPECT_TRUE(std::regex_search(outcome.standard_output, std::regex("(^|\\n)bias +-"))) << all_of(outcome);
+}
+
+TEST_F(Walkthrough, class_is_graded_and_told_what_is_wrong) {
+  const ProcessOutcome outcome = run(block_after("**A class.**"));
+  ASSERT_TRUE(outcome.ok()) << all_of(outcome);
+  EXPECT_TRUE(std::regex_search(outcome.standard_output, std::regex("\nhonest,.*,right on"))) << all_of(outcome);
+  EXPECT_TRUE(
+      std::regex_search(outcome.standard_output, std::regex("\nwrong-upside-down,0,.*the image is upside down")))
+      << all_of(outcome);
+  for (const char* file : {"out/class/staff.html", "out/class/submissions/honest/page.html",
+                           "out/class/submissions/wrong-upside-down/results.json"})
+    EXPECT_TRUE(has(file)) << file;
 }
 
 }  // namespace
