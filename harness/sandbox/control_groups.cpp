@@ -4,11 +4,14 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <cerrno>
 #include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <optional>
 #include <sstream>
+#include <string_view>
 #include <thread>
 
 namespace photonproof {
@@ -50,9 +53,22 @@ std::string own_group(const std::string& controller) {
   return "/";
 }
 
+constexpr std::string_view group_start = "photonproof-";
+
 std::string new_group_name() {
   static std::atomic<int> made{0};
-  return "photonproof-" + std::to_string(getpid()) + "-" + std::to_string(made++);
+  return std::string(group_start) + std::to_string(getpid()) + "-" + std::to_string(made++);
+}
+
+// What processes that were killed left; a group that has processes stays by itself.
+void remove_abandoned(const fs::path& parent) {
+  std::error_code failure;
+  for (fs::directory_iterator entry(parent, failure), none; !failure && entry != none; entry.increment(failure)) {
+    const std::string name = entry->path().filename().string();
+    if (!name.starts_with(group_start)) continue;
+    const auto process = static_cast<pid_t>(std::strtol(name.c_str() + group_start.size(), nullptr, 10));
+    if (process > 0 && kill(process, 0) != 0 && errno == ESRCH) rmdir(entry->path().c_str());
+  }
 }
 
 // A new group below `group` or the nearest of those above it that takes one with all settings.
@@ -62,7 +78,10 @@ fs::path make_group(const fs::path& root, const std::string& group, const Settin
   for (fs::path parent = (root / fs::path(group).relative_path()).lexically_normal();; parent = parent.parent_path()) {
     std::error_code failure;
     if (fs::create_directory(parent / name, failure)) {
-      if (settings(parent / name)) return parent / name;
+      if (settings(parent / name)) {
+        remove_abandoned(parent);
+        return parent / name;
+      }
       fs::remove(parent / name, failure);
     }
     if (parent == root || !parent.has_relative_path()) return {};

@@ -112,8 +112,10 @@ void limit_resources(std::vector<std::string>& command, const SandboxJob& job) {
                    "--memlock=65536", "--rtprio=0", "--nice=0"});
   if (limits.cpu_seconds > 0)  // the soft limit's signal says which one it was
     command.push_back("--cpu=" + rounded_up(limits.cpu_seconds) + ":" + rounded_up(limits.cpu_seconds + 1));
-  if (job.containment != Containment::none)  // else all of our user's other processes would count
-    command.push_back("--nproc=" + std::to_string(limits.processes + (job.groups.counts_processes() ? 8 : 0)));
+  // The uid's processes, those of other sandboxes too that happen to have it; a group counts better. Outside of a
+  // sandbox all of our user's would count.
+  if (job.containment != Containment::none && !job.groups.counts_processes())
+    command.push_back("--nproc=" + std::to_string(limits.processes));
   command.emplace_back("--");
 }
 

@@ -5,6 +5,7 @@
 #include <csignal>
 #include <fstream>
 
+#include "harness/sandbox/control_groups.h"
 #include "scenes/text/test_folder.h"
 
 namespace photonproof {
@@ -158,6 +159,21 @@ TEST_F(Sandbox, threads_and_processes_are_limited) {
   options_.limits.processes = 10;
   const SandboxOutcome outcome = shell("for i in 1 2 3 4 5 6 7 8 9 a b c d e f g h i j k; do sleep 5 & done; exit 0");
   EXPECT_FALSE(outcome.process.ok());
+}
+
+TEST_F(Sandbox, control_groups_end_with_the_command_and_those_of_killed_graders_are_removed) {
+  std::filesystem::path mine;
+  {
+    const ControlGroups groups(std::uint64_t{1} << 30, 10);
+    if (groups.folders().empty()) GTEST_SKIP() << "no control groups can be made here";
+    mine = groups.folders()[0];
+    EXPECT_TRUE(std::filesystem::exists(mine));
+  }
+  EXPECT_FALSE(std::filesystem::exists(mine));
+  const std::filesystem::path left = mine.parent_path() / "photonproof-999999999-0";  // no process has that number
+  std::filesystem::create_directory(left);
+  { const ControlGroups groups(std::uint64_t{1} << 30, 10); }
+  EXPECT_FALSE(std::filesystem::exists(left));
 }
 
 TEST_F(Sandbox, wall_time_is_the_commands_own) {

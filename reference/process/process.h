@@ -47,11 +47,11 @@ struct ProcessOutcome {
   std::string sentence() const;  ///< "exited with 3", "killed by SIGSEGV", "killed after 10 s (limit)" ...
 };
 
-/// No shell: argv[0] is looked up on PATH. Standard input is /dev/null; no other descriptor of ours is the child's. The child leads a process group of its own.
-/// Whatever descends from it, in any group or session, is killed when the child ends or the caller dies.
-/// Limits and the interrupt are looked at every 20 ms. Never throws for what the child does; throws std::system_error
-/// when the system has no more processes or file descriptors. May be called on several threads at once. Precondition:
-/// argv is not empty.
+/// No shell: argv[0] is looked up on PATH. Standard input is /dev/null; no other descriptor of ours is the child's. The
+/// child leads a process group of its own. Whatever descends from it, in any group or session, is killed when the child
+/// ends or the caller dies. Limits and the interrupt are looked at every 20 ms. Never throws for what the child does;
+/// throws std::system_error when the system has no more processes or file descriptors. May be called on several threads
+/// at once. Precondition: argv is not empty.
 ProcessOutcome run_process(const std::vector<std::string>& argv, const ProcessOptions& options = {});
 
 /// The last line of a text that is not blank, without the blanks at its end; empty when there is none.

@@ -1,5 +1,6 @@
 #include "reference/process/process.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sched.h>
 #include <signal.h>
@@ -236,6 +237,22 @@ TEST(Process, memory_of_a_daemon_counts_towards_the_limit) {
   const ProcessOutcome outcome = shell("(setsid tail -n 1 /dev/zero &) ; sleep 30",
                                        {.wall_limit_seconds = 30, .memory_limit_bytes = std::uint64_t{64} << 20});
   EXPECT_EQ(outcome.end, End::out_of_memory);
+}
+
+TEST(Process, output_past_the_limit_ends_the_child_whichever_stream_it_takes) {
+  for (const char* script : {"yes", "yes >&2"}) {
+    const ProcessOutcome outcome = shell(script, {.wall_limit_seconds = 30, .output_limit_bytes = 1 << 21});
+    EXPECT_EQ(outcome.end, End::too_much_output);
+    EXPECT_EQ(outcome.sentence(), "wrote more than 2 MiB of output (limit)");
+  }
+  EXPECT_TRUE(shell("yes | head -c 1000000", {.output_limit_bytes = 1 << 21}).ok());
+}
+
+TEST(Process, descriptors_of_the_caller_are_not_the_childs) {
+  const int left_open = dup2(open("/dev/null", O_RDONLY), 77);
+  ASSERT_EQ(left_open, 77);
+  EXPECT_EQ(shell("ls /proc/self/fd | grep -c 77").standard_output, "0\n");
+  close(left_open);
 }
 
 TEST(Process, interrupt_lets_the_child_finish_by_itself) {
