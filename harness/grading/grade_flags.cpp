@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "harness/grading/likeness.h"
 
@@ -29,6 +30,7 @@ class SubmissionFlags {
     for (std::size_t s = 0; s < context_.scenes.size(); ++s) {
       if (!has_image(s)) continue;
       seed_ignored(s);
+      results_kept(s);
       if (!is_copy_of_given(s) && !is_copy_of_reference(s)) image_of_other_scene(s);
     }
     public_only();
@@ -75,6 +77,16 @@ class SubmissionFlags {
     const auto& baseline = context_.baseline.scenes[s];
     if (!baseline || baseline->images.size() < 2 || baseline->images[0].rgb == baseline->images[1].rgb) return;
     flag("seed-ignored", scene_title(context_.scenes[s]) + ": the same image for two seeds", s);
+  }
+
+  // The seed is heeded in a new folder, but where a run was before, its image comes back.
+  void results_kept(std::size_t s) {
+    const std::vector<Image>& images = work_.scenes[s]->images;
+    const std::optional<Image>& again = work_.scenes[s]->in_used_place;
+    if (!again || images.size() < 2 || images[0].rgb == images[1].rgb || again->rgb != images[0].rgb) return;
+    const std::string sentence = "an earlier run's image comes back, whatever the seed: results are kept in files";
+    make_wrong(grade(s), sentence);
+    flag("keeps-results", scene_title(context_.scenes[s]) + ": " + sentence, s);
   }
 
   // Variants may look the same by right; a wrong image that is another scene's is no chance.

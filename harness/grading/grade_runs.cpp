@@ -18,7 +18,7 @@ namespace photonproof {
 namespace {
 
 // Runs of another version of this code are made again.
-constexpr const char* runs_version = "1";
+constexpr const char* runs_version = "2";
 
 std::string limits_text(const AssignmentLimits& limits) {
   return fmt::format("{} {} {} {} {} {}", limits.seconds, limits.memory_mb, limits.file_mb, limits.disk_mb,
@@ -58,6 +58,7 @@ std::uint64_t GradeRuns::seed_of(const std::string& purpose, std::size_t number)
 std::string GradeRuns::key_of(const PreparedSubmission& submission, const DoorRequest& request) const {
   return content_key({{"version", runs_version},
                       {"program", submission.checksum},
+                      {"before", length_prefixed(request.command_before)},
                       {"command", length_prefixed(request.command)},
                       {"scene", length_prefixed({request.params_place, request.params})},
                       {"size", size_text(request.width, request.height)},
@@ -67,8 +68,8 @@ std::string GradeRuns::key_of(const PreparedSubmission& submission, const DoorRe
 }
 
 std::optional<GradeCells::Cell> GradeRuns::run_once(const PreparedSubmission& submission, const WorkScene& scene,
-                                                    std::uint64_t seed) const {
-  DoorAnswer answer = door_.run(submission, request_of(assignment_, scene, seed, options_.threads));
+                                                    const DoorRequest& request, std::uint64_t seed) const {
+  DoorAnswer answer = door_.run(submission, request);
   if (answer.end == "interrupted" || is_interrupted()) return std::nullopt;
   GradeCells::Cell cell;
   cell.run.seed = seed;
@@ -86,17 +87,30 @@ std::optional<GradeCells::Cell> GradeRuns::run_once(const PreparedSubmission& su
 std::optional<GradeCells::Cell> GradeRuns::run(const PreparedSubmission& submission, const WorkScene& scene,
                                                const std::string& purpose, std::size_t number, bool reuse) {
   const std::uint64_t seed = seed_of(purpose, number);
-  const std::string key = key_of(submission, request_of(assignment_, scene, seed, options_.threads));
+  return run_kept(submission, scene, request_of(assignment_, scene, seed, options_.threads), seed, reuse);
+}
+
+std::optional<GradeCells::Cell> GradeRuns::run_in_used_place(const PreparedSubmission& submission,
+                                                             const WorkScene& scene, std::size_t number, bool reuse) {
+  const std::uint64_t seed = seed_of("correctness", number);
+  DoorRequest request = request_of(assignment_, scene, seed, options_.threads);
+  request.command_before = request_of(assignment_, scene, seed_of("correctness", number - 1), options_.threads).command;
+  return run_kept(submission, scene, request, seed, reuse);
+}
+
+std::optional<GradeCells::Cell> GradeRuns::run_kept(const PreparedSubmission& submission, const WorkScene& scene,
+                                                    const DoorRequest& request, std::uint64_t seed, bool reuse) {
+  const std::string key = key_of(submission, request);
   if (reuse)
     if (std::optional<GradeCells::Cell> found = cells_.find(key)) return found;
   std::optional<GradeCells::Cell> cell;
   {
     const std::shared_lock in_company(company_);
-    if (!is_interrupted()) cell = run_once(submission, scene, seed);
+    if (!is_interrupted()) cell = run_once(submission, scene, request, seed);
   }
   if (cell && cell->run.end == "timeout") {
     const std::unique_lock alone(company_);
-    cell = run_once(submission, scene, seed);
+    cell = run_once(submission, scene, request, seed);
   }
   if (cell) cells_.keep(key, *cell);
   return cell;
@@ -104,7 +118,8 @@ std::optional<GradeCells::Cell> GradeRuns::run(const PreparedSubmission& submiss
 
 std::optional<GradeCells::Cell> GradeRuns::run_timed(const PreparedSubmission& submission, const WorkScene& scene,
                                                      std::size_t number) {
-  return run_once(submission, scene, seed_of("correctness", number));
+  const std::uint64_t seed = seed_of("correctness", number);
+  return run_once(submission, scene, request_of(assignment_, scene, seed, options_.threads), seed);
 }
 
 void side_by_side_work(std::size_t count, int threads, const std::function<bool(std::size_t)>& work) {

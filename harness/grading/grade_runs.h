@@ -33,6 +33,11 @@ class GradeRuns {
   std::optional<GradeCells::Cell> run(const PreparedSubmission& submission, const WorkScene& scene,
                                       const std::string& purpose, std::size_t number, bool reuse);
 
+  /// As run number `number` of "correctness", but in the place where the one before it has run and may have left
+  /// files.
+  std::optional<GradeCells::Cell> run_in_used_place(const PreparedSubmission& submission, const WorkScene& scene,
+                                                    std::size_t number, bool reuse);
+
   /// As `run`, always anew, alone and not kept: a timed one.
   std::optional<GradeCells::Cell> run_timed(const PreparedSubmission& submission, const WorkScene& scene,
                                             std::size_t number);
@@ -43,8 +48,10 @@ class GradeRuns {
   bool is_interrupted() const { return options_.interrupt != nullptr && *options_.interrupt; }
 
  private:
+  std::optional<GradeCells::Cell> run_kept(const PreparedSubmission& submission, const WorkScene& scene,
+                                           const DoorRequest& request, std::uint64_t seed, bool reuse);
   std::optional<GradeCells::Cell> run_once(const PreparedSubmission& submission, const WorkScene& scene,
-                                           std::uint64_t seed) const;
+                                           const DoorRequest& request, std::uint64_t seed) const;
   std::string key_of(const PreparedSubmission& submission, const DoorRequest& request) const;
 
   const Assignment& assignment_;

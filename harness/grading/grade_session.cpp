@@ -194,11 +194,12 @@ class Session {
     write_png((options_.folder / record.reference_picture).string(), reference.rendering.mean);
   }
 
-  // Whether a program heeds its seed is seen on the first public scene.
+  // Whether a program heeds its seed and calculates every time is seen on the first public scene.
   SceneGradingOptions grading_options(std::size_t s) const {
     const auto first = std::ranges::find_if(scenes_, [](const WorkScene& scene) { return scene.unused.empty(); });
     const bool is_first = s == static_cast<std::size_t>(first - scenes_.begin());
-    return {.least_images = assignment_.seeds && is_first ? 2u : 1u, .reuse = options_.resume};
+    const bool looks_twice = assignment_.seeds && is_first;
+    return {.least_images = looks_twice ? 2u : 1u, .in_used_place = looks_twice, .reuse = options_.resume};
   }
 
   bool grade_all() {

@@ -4,6 +4,12 @@
 #include "scenes/text/input_error.h"
 
 namespace photonproof {
+namespace {
+
+/// What a right program's picture never shows, other than its noise.
+bool is_mistake(const Finding& finding) { return finding.kind != "noise" && finding.kind != "fireflies"; }
+
+}  // namespace
 
 const SceneKnowledge& SceneFindings::knowledge(std::size_t scene) {
   if (const auto found = known_.find(scene); found != known_.end()) return found->second;
@@ -30,10 +36,16 @@ const SceneKnowledge& SceneFindings::knowledge(std::size_t scene) {
 }
 
 void SceneFindings::add(std::size_t scene, SceneWorkGrade& work) {
-  if (work.grade.verdict != SceneVerdict::wrong || work.images.empty() || !references_[scene]) return;
-  for (const Finding& finding : diagnose(work.images.front(), knowledge(scene)))
+  const bool is_wrong = work.grade.verdict == SceneVerdict::wrong;
+  if ((!is_wrong && !work.hides) || work.images.empty() || !references_[scene]) return;
+  for (const Finding& finding : diagnose(work.images.front(), knowledge(scene))) {
+    if (!is_wrong && !is_mistake(finding)) continue;
     work.grade.findings.push_back({finding.kind, finding.sentence, finding.cause, finding.where.x, finding.where.y,
                                    finding.where.width, finding.where.height, finding.explained});
+  }
+  if (is_wrong || work.grade.findings.empty()) return;
+  work.grade.verdict = SceneVerdict::wrong;
+  work.grade.sentence = "within the bounds, or hidden by noise, but " + work.grade.findings.front().sentence;
 }
 
 }  // namespace photonproof

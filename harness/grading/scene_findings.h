@@ -24,8 +24,8 @@ class SceneFindings {
         engine_(std::move(engine)),
         progress_(std::move(progress)) {}
 
-  /// Adds findings where the scene's verdict is wrong, and the first as the scene's sentence. What is known of a scene
-  /// is rendered when the first wrong image of it is met.
+  /// Adds findings where the scene's verdict is wrong; where it is not but noise could hide a mistake, one that is
+  /// found all the same makes it wrong. What is known of a scene is rendered when the first such image of it is met.
   void add(std::size_t scene, SceneWorkGrade& work);
 
  private:

@@ -40,8 +40,14 @@ std::optional<SceneWorkGrade> grade_scene(const Assignment& assignment, const Pr
     SceneJudgement judgement = judge_scene(assignment.correctness, reference, images, number + 1 < most);
     work.grade.verdict = judgement.verdict;
     work.grade.sentence = judgement.sentence;
+    work.hides = judgement.hides;
     work.grade.checks = std::move(judgement.checks);
     if (judgement.decided) break;
+  }
+  if (options.in_used_place) {
+    std::optional<GradeCells::Cell> cell = runs.run_in_used_place(submission, scene, 1, options.reuse);
+    if (!cell) return std::nullopt;
+    work.in_used_place = std::move(cell->image);
   }
   return work;
 }

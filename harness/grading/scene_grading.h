@@ -16,10 +16,13 @@ namespace photonproof {
 struct SceneWorkGrade {
   SceneGrade grade;
   std::vector<Image> images;
+  std::optional<Image> in_used_place;  ///< the second one again, where the first run may have left files
+  bool hides = false;                  ///< as SceneJudgement's
 };
 
 struct SceneGradingOptions {
   std::size_t least_images = 1;  ///< so many at least: two tell whether the seed is heeded
+  bool in_used_place = false;    ///< and whether a run uses what another has left
   bool reuse = false;            ///< runs that an interrupted grading left
 };
 

@@ -13,7 +13,8 @@
 namespace photonproof {
 namespace {
 
-constexpr double level = 0.01;       // of a metric's interval, two-sided
+constexpr double level = 0.01;  // of a metric's interval, two-sided
+constexpr const char* blocks_check = "blocks";
 constexpr double near_share = 0.25;  // of the bound's scale: nearer values need more than one image
 
 using Side = GradedCheck::Side;
@@ -79,7 +80,7 @@ void decide_by_value(const MetricBound& bound, GradedCheck& check) {
 GradedCheck check_blocks(const BlockBound& bound, const SceneReference& reference,
                          std::span<const Image* const> images) {
   GradedCheck check;
-  check.metric = "blocks";
+  check.metric = blocks_check;
   check.bound = bound.relative;
   check.parameters = fmt::format("alpha={:.3g}", bound.alpha);
   // One image alone stands for a program without noise, until there is a second one.
@@ -89,8 +90,9 @@ GradedCheck check_blocks(const BlockBound& bound, const SceneReference& referenc
       measure_deviations(reference.rendering, images, {.reference_freedom = reference.freedom});
   const Judgement judgement = judge_bias(deviations, true, bound.relative, bound.alpha);
   check.value = judgement.observed;
-  const bool is_off = judgement.verdict == GateVerdict::fail;
-  check.side = is_off ? Side::outside : Side::inside;
+  check.side = !judgement.verdict                        ? Side::undecided
+               : *judgement.verdict == GateVerdict::fail ? Side::outside
+                                                         : Side::inside;
   check.sentence = judgement.sentence;
   return check;
 }
@@ -99,14 +101,22 @@ bool are_all_alike(std::span<const Image* const> images) {
   return std::ranges::all_of(images, [&](const Image* image) { return image->rgb == images.front()->rgb; });
 }
 
+/// Blocks convict or do not: where they are too noisy to tell, more images seldom help, and diagnosis, which knows what
+/// mistakes look like, sees more (scene_findings.h).
 bool has_side(const std::vector<GradedCheck>& checks, Side side) {
-  return std::ranges::any_of(checks, [&](const GradedCheck& check) { return check.side == side; });
+  return std::ranges::any_of(checks, [&](const GradedCheck& check) {
+    return check.side == side && (side == Side::outside || check.metric != blocks_check);
+  });
 }
 
 void conclude(SceneJudgement& judgement) {
   judgement.verdict = has_side(judgement.checks, Side::outside)     ? SceneVerdict::wrong
                       : has_side(judgement.checks, Side::undecided) ? SceneVerdict::borderline
                                                                     : SceneVerdict::right;
+  judgement.hides =
+      judgement.verdict != SceneVerdict::wrong &&
+      std::ranges::any_of(judgement.checks, [](const GradedCheck& c) { return c.side == Side::undecided; });
+  if (judgement.verdict == SceneVerdict::right) return;
   for (const Side side : {Side::outside, Side::undecided})
     for (const GradedCheck& check : judgement.checks)
       if (judgement.sentence.empty() && check.side == side) judgement.sentence = check.sentence;

@@ -6,7 +6,8 @@
 //   the 99 % interval of the mean (Student's t) lies on one side; images that are all alike, as a program without
 //   random numbers gives them, have no noise, and the value itself decides.
 // - Blocks of 8 x 8 pixels are judged by gates' statistics (judge_bias): wrong where one is off by more than the bound
-//   for certain, given the noise of both sides, which takes two images to be known.
+//   for certain, given the noise of both sides, which takes two images to be known. Where noise hides it, diagnosis
+//   decides (scene_findings.h).
 // - When the most images an assignment pays for leave it open, the verdict is "borderline", which counts as right:
 //   nothing was proven.
 #pragma once
@@ -32,6 +33,7 @@ struct SceneReference {
 struct SceneJudgement {
   bool decided = false;  ///< false: another image may change it
   SceneVerdict verdict = SceneVerdict::borderline;
+  bool hides = false;    ///< right, but noise could hide a mistake: some check is undecided
   std::string sentence;  ///< which bound is broken, and how
   std::vector<GradedCheck> checks;
 };

@@ -91,6 +91,19 @@ TEST(SceneJudge, a_uniform_loss_beyond_the_blocks_bound_is_wrong) {
   EXPECT_NE(judge(rule(0, 0.4), images).verdict, SceneVerdict::wrong);
 }
 
+// 8 x 8 pixels of deviation s have a mean known to about s/8: blocks cannot tell 2 % in images whose noise is 20 %.
+TEST(SceneJudge, blocks_too_noisy_to_tell_are_right_and_may_hide_a_mistake) {
+  std::vector<Image> images;
+  for (std::uint64_t k = 0; k < 4; ++k) images.push_back(noisy_image(10 + k, 1, 0.2));
+  const SceneJudgement noisy = judge(rule(0, 0.02), images);
+  EXPECT_EQ(noisy.verdict, SceneVerdict::right);
+  EXPECT_TRUE(noisy.hides);
+  EXPECT_EQ(noisy.sentence, "");
+  const SceneJudgement clear = judge(rule(0, 0.5), images);
+  EXPECT_EQ(clear.verdict, SceneVerdict::right);
+  EXPECT_FALSE(clear.hides);
+}
+
 TEST(SceneJudge, one_image_is_not_wrong_by_blocks_before_its_noise_is_known) {
   EXPECT_FALSE(judge(rule(0, 0.001), {noisy_image(1)}).decided);
 }

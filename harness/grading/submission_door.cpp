@@ -138,6 +138,7 @@ DoorAnswer SubmissionDoor::run(const PreparedSubmission& submission, const DoorR
   const ScratchFolder scratch("grade");
   RunRecipe recipe;
   recipe.command = request.command;
+  recipe.command_before = request.command_before;
   recipe.params = request.params;
   recipe.params_place = request.params_place;
   recipe.limits = sandbox_limits(assignment_.limits);

@@ -29,8 +29,9 @@ struct PreparedSubmission {
 /// scene's own file, if there is one.
 struct DoorRequest {
   std::vector<std::string> command;
-  std::string params, params_place;  ///< text, and where it is put in the run's folder
-  int width = 0, height = 0;         ///< pixels that the image must have
+  std::vector<std::string> command_before{};  ///< if not empty, is run before in the same place
+  std::string params, params_place;           ///< text, and where it is put in the run's folder
+  int width = 0, height = 0;                  ///< pixels that the image must have
 };
 
 struct DoorAnswer {

@@ -85,7 +85,7 @@ TEST_F(GradeVerb, whatever_a_submission_does_is_said_of_it_and_grading_goes_on) 
   EXPECT_EQ(of(all, "hang").scenes[0].runs[0].end, "timeout");
   EXPECT_EQ(of(all, "silent").scenes[0].runs[0].end, "no image");
   EXPECT_EQ(of(all, "small").scenes[0].runs[0].end, "bad image") << of(all, "small").sentence;
-  EXPECT_EQ(of(all, "public").sentence, "right on the public scenes only: 1 of 1 hidden ones is not");
+  EXPECT_EQ(of(all, "public").sentence, "hidden scene b: same image as scene a's");
   EXPECT_EQ(of(all, "public").correctness_points, 20);
   ASSERT_FALSE(of(all, "constant").flags.empty());
   EXPECT_EQ(of(all, "constant").flags[0].sentence, "scene a: the same image for two seeds");
@@ -100,6 +100,19 @@ TEST_F(GradeVerb, one_image_for_two_scenes_is_named) {
   const Grades all = grades();
   EXPECT_EQ(all.submissions[0].scenes[1].sentence, "same image as scene a's");
   EXPECT_EQ(all.submissions[0].sentence, "hidden scene b: same image as scene a's");
+}
+
+// In a folder of its own each run is honest; in one that was used, the keeper's earlier image comes back.
+TEST_F(GradeVerb, results_kept_from_an_earlier_run_are_told_from_scratch_files) {
+  put_program("keeper", 1, "[ -f kept ] && { cp kept \"$3\"; exit; }; trap 'cp \"'\"$3\"'\" kept' EXIT");
+  put_program("scribbler", 1, "date > kept");
+  ASSERT_EQ(grade({"keeper", "scribbler"}, {"--no-timing"}).exit_code, 0);
+  const Grades all = grades();
+  EXPECT_EQ(of(all, "keeper").sentence,
+            "scene a: an earlier run's image comes back, whatever the seed: results are kept in files");
+  EXPECT_EQ(of(all, "keeper").correctness_points, 20);
+  EXPECT_TRUE(of(all, "scribbler").flags.empty());
+  EXPECT_EQ(of(all, "scribbler").correctness_points, 40);
 }
 
 TEST_F(GradeVerb, a_copied_reference_is_wrong_though_every_metric_likes_it) {

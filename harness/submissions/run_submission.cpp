@@ -38,6 +38,25 @@ std::string what_is_wrong_with_kind(const std::string& kind) {
   return " is a " + kind + ", not a file";
 }
 
+std::string quoted_for_shell(const std::string& text) {
+  std::string quoted = "'";
+  for (const char c : text) quoted += c == '\'' ? "'\\''" : std::string(1, c);
+  return quoted + "'";
+}
+
+std::string shell_line(const std::vector<std::string>& argv) {
+  std::string line;
+  for (const std::string& argument : argv) line += (line.empty() ? "" : " ") + quoted_for_shell(argument);
+  return line;
+}
+
+// Whatever the first run says or leaves, only its image is taken away.
+std::vector<std::string> one_after_the_other(const std::vector<std::string>& first,
+                                             const std::vector<std::string>& second, const std::string& output) {
+  return {"sh", "-c",
+          shell_line(first) + " >/dev/null 2>&1; rm -f " + quoted_for_shell(output) + "; exec " + shell_line(second)};
+}
+
 // The command's own folder, before it starts.
 void make_run_folder(const fs::path& built, const fs::path& tree_inside, const RunRecipe& recipe,
                      const std::string& output, const fs::path& folder) {
@@ -69,7 +88,13 @@ RunOutcome run_submission(const fs::path& built, const RunRecipe& recipe, const 
   options.interrupt = handling.interrupt;
   options.contained = handling.contained;
   fs::remove(output_file);
-  const SandboxOutcome outcome = run_sandboxed(with_values(recipe.command, values), options);
+  std::vector<std::string> argv = with_values(recipe.command, values);
+  if (!recipe.command_before.empty()) {
+    argv = one_after_the_other(with_values(recipe.command_before, values), argv, output);
+    options.limits.wall_seconds *= 2;
+    options.limits.cpu_seconds *= 2;
+  }
+  const SandboxOutcome outcome = run_sandboxed(argv, options);
   RunOutcome run;
   run.wall_seconds = outcome.process.wall_seconds;
   run.cpu_seconds = outcome.process.all_cpu_seconds;  // bubblewrap does not wait for the command

@@ -18,6 +18,7 @@ namespace photonproof {
 struct RunRecipe {
   /// With {names} of `values`, and {output} and {params}, which are relative to the folder the command starts in.
   std::vector<std::string> command{};
+  std::vector<std::string> command_before{};  ///< if not empty, is run before, in the same place, which it may change
   std::map<std::string, std::string> values{};
   std::string params{};        ///< text of the scene's own file; put at `params_place` if that is not empty
   std::string params_place{};  ///< relative, within the run's folder
