@@ -87,7 +87,6 @@ class Timing {
       return timed;
     }
     timed.seconds = cell->run.wall_seconds;
-    timed.cpu_seconds = cell->run.cpu_seconds;
     if (!cell->image)
       timed.problem = "failed: " + cell->run.sentence;
     else if (submission)

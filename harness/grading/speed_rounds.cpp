@@ -1,6 +1,7 @@
 #include "harness/grading/speed_rounds.h"
 
 #include <fmt/format.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +17,16 @@ constexpr double share_of_baseline = 0.25;
 constexpr double most_repeats = 5;
 // Below this the system's clock of processor time, of 10 ms ticks, says nothing about others.
 constexpr double least_seconds_for_busy = 0.2;
+
+// Of this process and of all that it started and that have ended.
+double our_cpu_seconds() {
+  rusage children{};
+  getrusage(RUSAGE_CHILDREN, &children);
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
+  return own_cpu_seconds() + seconds(children.ru_utime) + seconds(children.ru_stime);
+}
 
 class Rounds {
  public:
@@ -84,31 +95,24 @@ class Rounds {
     return static_cast<int>(std::clamp(share_of_baseline * baseline_seconds_[s] / seconds_[i][s], 1.0, most_repeats));
   }
 
-  // What ran meanwhile besides the program, in cores.
+  // What ran meanwhile besides us and ours, in cores.
   struct Busy {
     std::optional<double> machine = machine_busy_seconds();
-    double own = own_cpu_seconds();
+    double ours = our_cpu_seconds();
     Timer timer;
-    double of_others(double programs) const {
+    double of_others() const {
       const std::optional<double> now = machine_busy_seconds();
       if (!machine || !now || timer.seconds() < least_seconds_for_busy) return 0;
-      return std::max(0.0, (*now - *machine - programs - (own_cpu_seconds() - own)) / timer.seconds());
+      return std::max(0.0, (*now - *machine - (our_cpu_seconds() - ours)) / timer.seconds());
     }
   };
 
-  void run_baseline(std::size_t s, std::vector<double>& seconds, double& processor) {
-    const TimedRun one = run(std::nullopt, s);
-    seconds[s] = one.seconds;
-    processor += one.cpu_seconds;
-  }
-
-  void run_submission(std::size_t i, std::size_t s, SpeedRound& round, double& processor) {
+  void run_submission(std::size_t i, std::size_t s, SpeedRound& round) {
     const int times = repeats(i, s);
     double logarithms = 0;
     for (int k = 0; k < times && !interrupted_; ++k) {
       const TimedRun one = run(i, s);
       logarithms += std::log(std::max(one.seconds, 1e-6)) / times;
-      processor += one.cpu_seconds;
     }
     round.seconds[s] = std::exp(logarithms);
   }
@@ -124,15 +128,14 @@ class Rounds {
     for (const std::size_t i : order) round[i] = SpeedRound{{}, std::vector<double>(scenes), 0};
     std::vector<double> baseline(scenes);
     const Busy busy;
-    double processor = 0;
     for (std::size_t s = 0; s < scenes; ++s) {
-      if (baseline_first && !interrupted_) run_baseline(s, baseline, processor);
+      if (baseline_first && !interrupted_) baseline[s] = run(std::nullopt, s).seconds;
       for (const std::size_t i : order)
-        if (!interrupted_) run_submission(i, s, *round[i], processor);
-      if (!baseline_first && !interrupted_) run_baseline(s, baseline, processor);
+        if (!interrupted_) run_submission(i, s, *round[i]);
+      if (!baseline_first && !interrupted_) baseline[s] = run(std::nullopt, s).seconds;
     }
     if (interrupted_) return;
-    const double others = busy.of_others(processor);
+    const double others = busy.of_others();
     for (const std::size_t i : order) {
       round[i]->baseline_seconds = baseline;
       round[i]->busy = others;

@@ -17,7 +17,7 @@ namespace photonproof {
 
 /// One timed run.
 struct TimedRun {
-  double seconds = 0, cpu_seconds = 0;
+  double seconds = 0;
   std::string problem;  ///< it failed, or its image is another than it was: how; empty: fine
   bool interrupted = false;
 };

@@ -97,7 +97,7 @@ RunOutcome run_submission(const fs::path& built, const RunRecipe& recipe, const 
   const SandboxOutcome outcome = run_sandboxed(argv, options);
   RunOutcome run;
   run.wall_seconds = outcome.process.wall_seconds;
-  run.cpu_seconds = outcome.process.cpu_seconds;
+  run.cpu_seconds = outcome.process.all_cpu_seconds;  // bubblewrap does not wait for the command
   run.peak_bytes = outcome.process.peak_bytes;
   run.log_tail = log_tail(outcome.process);
   run.sentence = said_of("the program", outcome);

@@ -367,6 +367,7 @@ ProcessOutcome run_process(const std::vector<std::string>& argv, const ProcessOp
   KeeperEnd end;
   const bool told = read_whole(child.report.get(), end);
   wait_for(child.keeper, status, usage);
+  outcome.all_cpu_seconds = cpu_seconds(usage);
   if (told) {  // otherwise somebody killed the keeper, and the child with it
     status = end.status;
     usage = end.usage;

@@ -37,6 +37,8 @@ struct ProcessOutcome {
   int signal = 0;     ///< when `signalled`
   double wall_seconds = 0;
   double cpu_seconds = 0;  ///< user + system, of the child and the children it waited for
+  double all_cpu_seconds =
+      0;  ///< the same of all that descended from it, and of the process that kept them (about 1 ms)
   std::uint64_t peak_bytes =
       0;  ///< largest resident set of one process: its own, not what it inherited from the caller
   std::optional<std::uint64_t> instructions;  ///< in user mode, where the kernel counts them

@@ -135,6 +135,15 @@ TEST(Process, cpu_time_is_counted_apart_from_wall_time) {
   EXPECT_GE(outcome.wall_seconds, 0.3);
 }
 
+// The inner shells are nobody's child but the keeper's when they end.
+TEST(Process, cpu_time_of_descendants_that_the_child_did_not_wait_for_is_counted_in_all) {
+  const ProcessOutcome outcome =
+      shell("( ( i=0; while [ $i -lt 300000 ]; do i=$((i+1)); done; kill -9 $$ ) & ) ; sleep 60");
+  EXPECT_EQ(outcome.signal, SIGKILL);
+  EXPECT_GT(outcome.all_cpu_seconds, 0.02);
+  EXPECT_LT(outcome.cpu_seconds, 0.5 * outcome.all_cpu_seconds);
+}
+
 TEST(Process, huge_output_on_both_streams_does_not_deadlock_and_keeps_the_tail) {
   // 4,000,000 characters on each stream, far more than a pipe holds (64 KiB); the last megabyte is kept.
   const ProcessOutcome outcome = shell(

@@ -213,7 +213,7 @@ std::string correctness_words(const Grades& grades, const SubmissionGrade& submi
 }
 
 std::string tier_words(const Grades& grades, const SpeedGrade& speed) {
-  if (speed.state == SpeedGrade::State::not_right) return "Speed counts once every timed scene is right.";
+  if (speed.state == SpeedGrade::State::not_right) return "Speed counts once the scenes it asks for are right.";
   if (speed.scenes.empty()) return {};
   if (grades.speed_curve && speed.points < grades.speed_curve->points)
     return fmt::format("All {} points are given at {}.", points_text(grades.speed_curve->points),

@@ -49,7 +49,7 @@ TEST(GradeWords, a_tier_says_what_the_next_one_needs) {
   EXPECT_EQ(tier_words(tiers(), speed_of(25, 60)), "The tier of 20× is reached. There is none beyond.");
   SpeedGrade wrong;
   wrong.state = SpeedGrade::State::not_right;
-  EXPECT_EQ(tier_words(tiers(), wrong), "Speed counts once every timed scene is right.");
+  EXPECT_EQ(tier_words(tiers(), wrong), "Speed counts once the scenes it asks for are right.");
   EXPECT_EQ(tier_words(tiers(), {}), "");
 }
 

@@ -1,11 +1,9 @@
 #include "reports/grades/gradescope.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "reports/grades/gradebook.h"
+#include "reports/grades/grade_words.h"
 #include "scenes/text/utf8.h"
 
 namespace photonproof {
@@ -33,13 +31,21 @@ std::string scene_output(const SceneGrade& grade) {
   return text;
 }
 
-Document scene_test(const GradedScene& scene, const SceneGrade& grade, int hidden_number) {
+std::string hidden_output(const Grades& grades, const SubmissionGrade& submission, const SceneGrade& grade) {
+  const reports::HiddenWords words = reports::hidden_words(grades, submission, grade);
+  std::string text = to_string(grade.verdict) + (words.sentence.empty() ? "" : ": " + words.sentence);
+  for (const std::string& cause : words.causes) text += "\n- " + cause;
+  return text;
+}
+
+Document scene_test(const Grades& grades, const SubmissionGrade& submission, const GradedScene& scene,
+                    const SceneGrade& grade) {
   const bool passed = grade.counts_as_right();
   return {{"score", rounded(grade.points)},
           {"max_score", rounded(scene.max_points)},
           {"status", passed ? "passed" : "failed"},
-          {"name", scene.hidden ? fmt::format("hidden scene {}", hidden_number) : "scene " + printable(scene.name)},
-          {"output", scene.hidden ? to_string(grade.verdict) : scene_output(grade)},
+          {"name", printable(reports::student_title(grades, scene))},
+          {"output", scene.hidden ? hidden_output(grades, submission, grade) : scene_output(grade)},
           {"output_format", "text"},
           {"visibility", "visible"}};
 }
@@ -58,19 +64,17 @@ Document speed_test(const Grades& grades, const SubmissionGrade& submission) {
 
 nlohmann::ordered_json gradescope_results(const Grades& grades, const SubmissionGrade& submission) {
   Document results = {{"score", rounded(submission.points())},
-                     {"execution_time", rounded(seconds_of(submission))},
-                     {"output", ""},
-                     {"output_format", "text"},
-                     {"stdout_visibility", "hidden"},
-                     {"tests", Document::array()},
-                     {"leaderboard", Document::array()}};
+                      {"execution_time", rounded(seconds_of(submission))},
+                      {"output", ""},
+                      {"output_format", "text"},
+                      {"stdout_visibility", "hidden"},
+                      {"tests", Document::array()},
+                      {"leaderboard", Document::array()}};
   if (!submission.built) results["output"] = printable("does not build: " + submission.build_sentence);
-  int hidden = 0;
   for (const GradedScene& scene : grades.scenes) {
-    if (scene.hidden) ++hidden;
     const SceneGrade* grade = submission.scene(scene.name);
     if (grade == nullptr || !scene.unused.empty()) continue;
-    results["tests"].push_back(scene_test(scene, *grade, hidden));
+    results["tests"].push_back(scene_test(grades, submission, scene, *grade));
   }
   if (grades.speed_points > 0) results["tests"].push_back(speed_test(grades, submission));
   results["leaderboard"].push_back({{"name", "points"}, {"value", rounded(submission.points())}});
