@@ -239,31 +239,58 @@ Image as_shown(Image image) {
   return image;
 }
 
-/// Whether nearly all squares of this many pixels a side have one value each.
-bool is_coarse(const Image& image, int side) {
-  int alike = 0, all = 0;
-  for (int y = 0; y + side <= image.height; y += side)
-    for (int x = 0; x + side <= image.width; x += side) {
-      bool same = true;
-      for (int dy = 0; dy < side && same; ++dy)
-        for (int dx = 0; dx < side && same; ++dx)
-          for (int c = 0; c < 3; ++c)
-            same = same && std::abs(image.pixel(x + dx, y + dy)[c] - image.pixel(x, y)[c]) < 1e-6f;
-      alike += same;
-      ++all;
-    }
-  return all >= 16 && alike > 0.95 * all;
+bool has_one_value(const Image& image, int left, int top, int side) {
+  for (int y = top; y < top + side; ++y)
+    for (int x = left; x < left + side; ++x)
+      for (int c = 0; c < 3; ++c)
+        if (std::abs(image.pixel(x, y)[c] - image.pixel(left, top)[c]) > 1e-6f) return false;
+  return true;
 }
 
+/// Squares that have one value each, of those in which the expected picture has several.
+struct CoarseSquares {
+  int alike = 0, all = 0;
+  std::vector<double> pixels;  ///< 1 where they are
+  double share() const { return all < 16 ? 0 : static_cast<double>(alike) / all; }
+};
+
+CoarseSquares coarse_squares(const Image& image, const Image& expected, int side, int first) {
+  CoarseSquares found{0, 0, std::vector<double>(image.pixels())};
+  for (int y = first; y + side <= image.height; y += side)
+    for (int x = first; x + side <= image.width; x += side) {
+      if (has_one_value(expected, x, y, side)) continue;
+      ++found.all;
+      if (!has_one_value(image, x, y, side)) continue;
+      ++found.alike;
+      for (int dy = 0; dy < side; ++dy)
+        for (int dx = 0; dx < side; ++dx) found.pixels[pixel_index(x + dx, y + dy, image.width)] = 1;
+    }
+  return found;
+}
+
+/// Squares that start elsewhere then hardly ever have one value: in dark and even places they have, wherever they
+/// start.
 void find_coarse(const Image& image, const SceneKnowledge& knowledge, Breakage& breakage) {
-  for (const int side : {16, 8, 5, 4, 3, 2}) {
-    if (!is_coarse(image, side) || is_coarse(as_shown(knowledge.reference), side)) continue;
+  const Image expected = as_shown(knowledge.reference);
+  for (int side = 16; side >= 2; --side) {
+    const CoarseSquares found = coarse_squares(image, expected, side, 0);
+    if (found.share() < (side > 2 ? 0.1 : 0.2)) continue;
+    if (found.share() < 2 * coarse_squares(image, expected, side, side / 2).share() + 0.05) continue;
+    const bool everywhere = found.share() > 0.9;
     const std::string words = std::to_string(side);
-    breakage.findings.push_back({"coarse",
-                                 "the resolution is too low: " + words + " x " + words + " pixels share one value",
-                                 "rendered smaller and enlarged, or only every " + words + "th pixel is computed",
-                                 {0, 0, image.width, image.height},
-                                 1});
+    const PixelRegion where =
+        everywhere ? PixelRegion{0, 0, image.width, image.height} : region_of(found.pixels, image.width, image.height);
+    breakage.findings.push_back(
+        {"coarse",
+         "the resolution is too low" + (everywhere ? "" : " in " + percent_text_of(found.share()) + " of the image") +
+             ": " + words + " x " + words + " pixels share one value",
+         everywhere ? "rendered smaller and enlarged, or only every " + words + "th pixel is computed"
+                    : "part of it is rendered smaller and enlarged, as when time or work is saved",
+         where, found.share()});
+    // Its values may be those of squares' corners, as if shifted: the rest says more, if there is any.
+    if (!everywhere)
+      for (std::size_t i = 0; i < found.pixels.size(); ++i)
+        if (found.pixels[i] > 0) breakage.ignored[i] = 1;
     return;
   }
 }

@@ -44,12 +44,22 @@ std::optional<Finding> other_scene(const Comparison& comparison, const SceneKnow
   return std::nullopt;
 }
 
+/// A reference that was itself cut at white does not know how bright lamps are, which is what wraps around: our picture
+/// of the scene does.
+Image unclamped(const SceneKnowledge& knowledge) {
+  Image light = knowledge.reference;
+  if (!knowledge.white || knowledge.model.rgb.size() != light.rgb.size()) return light;
+  for (std::size_t i = 0; i < light.rgb.size(); ++i)
+    if (light.rgb[i] > 0.999f * *knowledge.white) light.rgb[i] = std::max(light.rgb[i], knowledge.model.rgb[i]);
+  return light;
+}
+
 class Search {
  public:
   /// `patience`: how much more than usual is taken for noise.
   Search(const Image& submitted, const SceneKnowledge& knowledge, const Comparison& comparison, double patience)
       : submitted_(submitted), knowledge_(knowledge), comparison_(comparison), patience_(patience) {
-    guess_.light = knowledge.reference;
+    guess_.light = unclamped(knowledge);
     before_ = left_ = comparison.total(predicted(guess_, comparison.white()));
   }
 
@@ -187,6 +197,10 @@ std::vector<Finding> diagnose(const Image& submitted, const SceneKnowledge& know
   // A narrow black strip then is what lies beside the scene.
   if (other_view)
     std::erase_if(breakage.findings, [](const Finding& f) { return f.kind == "unrendered" && f.explained < 0.12; });
+  // Enlarged pixels look shifted and blurred by themselves.
+  const bool coarse = std::any_of(breakage.findings.begin(), breakage.findings.end(),
+                                  [](const Finding& f) { return f.kind == "coarse"; });
+  if (coarse) std::erase_if(findings, [](const Finding& f) { return f.kind == "shifted" || f.kind == "blurred"; });
   findings.insert(findings.begin(), breakage.findings.begin(), breakage.findings.end());
   return findings;
 }

@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <functional>
 #include <map>
@@ -74,6 +75,12 @@ Image black_where(Image image, const std::function<bool(int, int)>& where) {
       if (where(x, y)) image.pixel(x, y)[0] = image.pixel(x, y)[1] = image.pixel(x, y)[2] = 0;
   return image;
 }
+/// From this row on, squares have the value of their first pixel.
+Image corners(Image image, int of, int from) {
+  for (int y = from; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) std::copy_n(image.pixel(x / of * of, y / of * of), 3, image.pixel(x, y));
+  return image;
+}
 /// With the change of that mistake, whose noise is not the picture's.
 Image mistaken(const Image& right, const SceneKnowledge& knowledge, const std::string& kind) {
   for (const WhatIf& what_if : knowledge.what_ifs)
@@ -134,6 +141,18 @@ const std::vector<Defect>& picture_defects() {
       {"black", "course-1", "black", "", [](const Image& i, const K&) { return times(i, 0); }},
       {"blur", "course-1", "blurred", "", [](const Image& i, const K&) { return blurred(i, 2.5); }},
       {"coarse", "course-1", "coarse", "", [](const Image& i, const K&) { return coarse(i, 4); }},
+      {"coarse_corners", "course-1", "coarse", "8 x 8 pixels",
+       [](const Image& i, const K&) { return corners(i, 8, 0); }},
+      {"coarse_by_two", "course-1", "coarse", "2 x 2 pixels",
+       [](const Image& i, const K&) { return corners(i, 2, 0); }},
+      {"coarse_below", "course-1", "coarse", "of the image: 8 x 8 pixels",
+       [](const Image& i, const K&) { return corners(i, 8, 40); }},
+      {"strip", "course-1", "rows-copied", "rows 37 to 54 repeat rows 19 to 36",
+       [](const Image& i, const K&) {
+         Image s = i;
+         for (int y = 36; y < 54; ++y) std::copy_n(i.pixel(0, y - 18), 3 * side, s.pixel(0, y));
+         return s;
+       }},
       {"shift", "course-1", "shifted", "right",
        [](const Image& i, const K&) {
          Image s = i;

@@ -59,7 +59,7 @@ class LightCandidates {
         candidate.guess = with_light(difference, amount);
         candidate.guess.used.push_back(what_if.kind + what_if.landmark);
         candidate.left = left_of(candidate.guess);
-        candidate.handicap = (amount == 1 ? 1 : 1.25) * (what_if.kind == "walls-swapped" ? 1.2 : 1);
+        candidate.handicap = (amount == 1 ? 1 : 1.25) * handicap_of(what_if.kind);
         candidate.said = {{what_if.kind, what_if.sentence, what_if.cause, {}, 0}};
         candidate.local = true;
         candidates_.push_back(std::move(candidate));
@@ -91,6 +91,11 @@ class LightCandidates {
   }
 
  private:
+  /// Of mistakes that look like a more likely one: glass with its indices exchanged reflects nearly everything.
+  static double handicap_of(const std::string& kind) {
+    return kind == "walls-swapped" ? 1.2 : kind == "glass-mirror" ? 1.12 : 1;
+  }
+
   bool used(const std::string& name) const {
     return std::find(guess_.used.begin(), guess_.used.end(), name) != guess_.used.end();
   }

@@ -66,6 +66,8 @@ class Mistakes {
              DiffuseDescription{RgbD(0.7)});
     add_seen("mirror-glass", name + " looks like glass", "materials are mixed up", i,
              DielectricDescription{.int_ior = 1.5, .ext_ior = 1});
+    add_seen("mirror-untinted", name + " is too bright: what it shows is not tinted", "its colour is not multiplied in",
+             i, ConductorDescription{});
   }
 
   void add_glass(std::size_t i) {

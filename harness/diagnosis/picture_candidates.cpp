@@ -89,6 +89,30 @@ class PictureCandidates {
     push_zoom(best, left);
   }
 
+  /// Rows that show what other rows should, as when threads share where they are.
+  void add_copied_rows() {
+    if (guess_.turn + guess_.channels + guess_.tone != 0 || comparison_.height() < 16) return;
+    const Image now = predicted(guess_, comparison_.white());
+    const int height = comparison_.height();
+    RowRun best;
+    for (int by = 3 - height; by <= height - 3; ++by)
+      if (std::abs(by) >= 3) best = std::max(best, longest_run(now, by));
+    if (best.rows < 3 || best.rows > height * 3 / 4) return;
+    Guess other = guess_;
+    const std::size_t row = static_cast<std::size_t>(now.width) * 3;
+    for (int y = best.first; y < best.first + best.rows; ++y)
+      std::copy_n(guess_.light.rgb.begin() + static_cast<std::ptrdiff_t>(row) * (y + best.by), row,
+                  other.light.rgb.begin() + static_cast<std::ptrdiff_t>(row) * y);
+    const auto rows = [&](int first) { return std::to_string(first + 1) + " to " + std::to_string(first + best.rows); };
+    push(other, 1.1,
+         {"rows-copied",
+          "rows " + rows(best.first) + " repeat rows " + rows(best.first + best.by),
+          "work is divided wrongly, or threads write a variable that they share (a race)",
+          {},
+          0});
+    candidates_.back().local = true;
+  }
+
   void add_sharpness() {
     if (guess_.blur > 0) return;
     for (const double blur : {1.0, 2.0, 3.0, 5.0}) {
@@ -100,6 +124,34 @@ class PictureCandidates {
   }
 
  private:
+  struct RowRun {
+    int rows = 0, first = 0, by = 0;
+    bool operator<(const RowRun& other) const { return rows < other.rows; }
+  };
+
+  double row_distance(const Image& now, int y, int expected) const {
+    double sum = 0;
+    for (int x = 0; x < now.width; ++x)
+      for (std::size_t c = 0; c < 3; ++c) {
+        const double d =
+            comparison_.shown(comparison_.submitted().pixel(x, y)[c]) - comparison_.shown(now.pixel(x, expected)[c]);
+        if (std::isfinite(d)) sum += d * d;
+      }
+    return sum / now.width / 3;
+  }
+
+  /// Of rows that are far nearer to what is expected this many rows below.
+  RowRun longest_run(const Image& now, int by) const {
+    RowRun best, run{0, 0, by};
+    for (int y = std::max(0, -by); y < std::min(now.height, now.height - by); ++y) {
+      const bool elsewhere = row_distance(now, y, y + by) < 0.4 * row_distance(now, y, y);
+      if (elsewhere && run.rows++ == 0) run.first = y;
+      if (!elsewhere) run.rows = 0;
+      best = std::max(best, run);
+    }
+    return best;
+  }
+
   void push(const Guess& guess, double handicap, const Finding& finding) {
     candidates_.push_back({guess, comparison_.total(predicted(guess, comparison_.white())), handicap, {finding}});
   }
@@ -191,6 +243,7 @@ void add_picture_candidates(const Guess& guess, const SceneKnowledge& knowledge,
   add.add_scale();
   add.add_views();
   add.add_sharpness();
+  add.add_copied_rows();
 }
 
 }  // namespace photonproof

@@ -1,18 +1,30 @@
 #!/usr/bin/env bash
 # Puts the example's submissions together, each a whole folder as a student hands it in.
 #   make_submissions.sh FOLDER [NAME...]     FOLDER/NAME of all, or of those named; what was there of these is replaced
+#   make_submissions.sh --defects FOLDER [NAME...]     the same of defects/, which are honest with one mistake each
 #
 # handout is as handed out; honest is that with honest.patch; wrong-* and cheat-* are honest with their own patch; fast is its
 # own files and those that it has kept. The same files come out every time, but for the pictures that
 # cheat-hard-coded-image brings: those are fast's, rendered here.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
-[ $# -ge 1 ] || { sed -n '2,3s/^# *//p' "$0" >&2; exit 2; }
+patches=submissions
+if [ "${1:-}" = --defects ]; then
+  patches=defects
+  shift
+fi
+[ $# -ge 1 ] || { sed -n '2,4s/^# *//p' "$0" >&2; exit 2; }
 folder=$1
 shift
 
-all=(handout honest fast)
-for patch in "$here"/submissions/{wrong,cheat}-*.patch; do all+=("$(basename "$patch" .patch)"); done
+if [ $patches = defects ]; then
+  all=()
+  found=("$here"/defects/*.patch)
+else
+  all=(handout honest fast)
+  found=("$here"/submissions/{wrong,cheat}-*.patch)
+fi
+for patch in "${found[@]}"; do all+=("$(basename "$patch" .patch)"); done
 [ $# -gt 0 ] || set -- "${all[@]}"
 
 apply() { # PATCH FOLDER
@@ -37,7 +49,7 @@ assemble() { # NAME FOLDER
     *)
       cp "$here"/handout/* "$2"
       apply "$here/submissions/honest.patch" "$2"
-      [ "$1" = honest ] || apply "$here/submissions/$1.patch" "$2"
+      [ "$1" = honest ] || apply "$here/$patches/$1.patch" "$2"
       ;;
   esac
 }

@@ -1,0 +1,44 @@
+#!/usr/bin/env bash
+# Ten mistakes that students make, graded: what is said first of each is what a teaching assistant would say
+# (defects/expected.txt). Small pictures of two scenes.
+#   defects_test.sh WORK PHOTONPROOF     a folder that is made anew
+set -euo pipefail
+here=$(cd "$(dirname "$0")" && pwd)
+work=$1
+photonproof=$2
+rm -rf "$work"
+mkdir -p "$work/course/submissions"
+cp -r "$here/scenes" "$here/staff" "$work/course"
+"$here/make_submissions.sh" "$work/course" honest
+"$here/make_submissions.sh" --defects "$work/course/submissions"
+{
+  sed '/^\[\[scene\]\]/,$d; s/"handout"/"honest"/' "$here/assignment.toml"
+  for scene in 1 3; do
+    printf '[[scene]]\nname = "%s"\npath = "scenes/course-%s.xml"\nscene_option = "-s%s"\nwidth = 48\nheight = 48\n' \
+      $scene $scene $scene
+  done
+} | sed 's/timed = \["1", "2"\]/timed = ["1"]/' >"$work/course/assignment.toml"
+"$photonproof" grade "$work/course/assignment.toml" "$work"/course/submissions/* --no-timing -o "$work/grades" >"$work/log" ||
+  { cat "$work/log" >&2; exit 1; }
+
+python3 -B - "$work/grades/grades.json" "$here/defects/expected.txt" <<'PYTHON'
+import json, re, sys
+grades = {s["name"]: s for s in json.load(open(sys.argv[1]))["submissions"]}
+told, wrong = 0, []
+for line in open(sys.argv[2], encoding="utf-8"):
+    if line.startswith("#"):
+        continue
+    name, scene, pattern, sentence, *untold = [field.strip() for field in re.split(r"(?<!\\)\|", line)]
+    row = next(s for s in grades[name]["scenes"] if s["scene"] == scene)
+    findings = row["findings"]
+    first = findings[0]["sentence"] if findings else row["sentence"]
+    good = bool(findings) and bool(re.search(pattern.replace("\\|", "|"), first, re.I))
+    told += good
+    print(f"{'told' if good else 'not told':9}{name}: {first}")
+    for finding in findings[1:]:
+        print(f"{'':9}  then: {finding['sentence']}")
+    if not good and not untold:
+        wrong.append(name)
+print(f"{told} of {len(grades)} told")
+sys.exit(f"not told: {' '.join(wrong)}" if wrong else 0)
+PYTHON
