@@ -8,8 +8,9 @@ namespace {
 TomlTable parse(const std::string& text) { return TomlTable::parse(text, "t.toml"); }
 
 TEST(TomlTable, values_of_every_kind_are_read) {
-  const TomlTable table =
-      parse("s = 'x'\ni = -3\nf = 0.5\na = ['p', 'q']\nn = [1, 2]\nd = [0.5, -2]\nl = [['a', 'b'], []]\ny = true\n[t]\ni = 1");
+  const TomlTable table = parse(
+      "s = 'x'\ni = -3\nf = 0.5\na = ['p', 'q']\nn = [1, 2]\nd = [0.5, -2]\nl = [['a', 'b'], []]\ny = true\n[t]\ni = "
+      "1");
   EXPECT_EQ(table.string("s"), "x");
   EXPECT_EQ(table.integer("i"), -3);
   EXPECT_EQ(table.number("f"), 0.5);
