@@ -6,7 +6,7 @@
 
 namespace photonproof {
 
-inline Grades test_grades() {
+inline Grades grades_without_submissions() {
   Grades grades;
   grades.assignment = "fake";
   grades.title = "Fake course";
@@ -20,6 +20,11 @@ inline Grades test_grades() {
   grades.scenes[1].name = "secret";
   grades.scenes[1].hidden = true;
   grades.scenes[1].max_points = 40 / 3.0;
+  return grades;
+}
+
+inline Grades test_grades() {
+  Grades grades = grades_without_submissions();
   SceneGrade right, wrong;
   right.scene = "one";
   right.verdict = SceneVerdict::right;
