@@ -37,14 +37,14 @@ TEST(Gradescope, what_is_not_documented_is_refused_with_its_place) {
   EXPECT_EQ(refused(R"({"tests": [{"score": 1}]})"), "no error");
 }
 
-TEST(Gradescope, hidden_scenes_tell_a_verdict_and_points_and_nothing_else) {
+TEST(Gradescope, hidden_scenes_tell_what_the_students_page_tells) {
   const Grades grades = test_grades();
   const Json results = gradescope_results(grades, grades.submissions[1]);
   EXPECT_EQ(results["tests"].size(), 3u);
   EXPECT_EQ(results["tests"][1].dump(),
-            R"({"score":0.0,"max_score":13.333,"status":"failed","name":"hidden scene 1","output":"wrong",)"
-            R"("output_format":"text","visibility":"visible"})");
-  for (const char* word : {"secret", "caustic", "flip", "public"})
+            R"({"score":0.0,"max_score":13.333,"status":"failed","name":"hidden scene 1","output":)"
+            R"("wrong: caustic missing\n- no photons","output_format":"text","visibility":"visible"})");
+  for (const char* word : {"secret", "sphere", "flip", "public"})
     EXPECT_EQ(results.dump().find(word), std::string::npos) << word;
 }
 

@@ -6,35 +6,7 @@
 
 namespace photonproof {
 
-inline SceneGrade test_right_scene() {
-  SceneGrade right;
-  right.scene = "one";
-  right.verdict = SceneVerdict::right;
-  right.points = 80 / 3.0;
-  right.runs.push_back({.seed = 1,
-                        .end = "ok",
-                        .sentence = {},
-                        .wall_seconds = 2,
-                        .cpu_seconds = 3,
-                        .peak_bytes = 4,
-                        .image = "cells/a-1/image.exr",
-                        .checksum = "0123",
-                        .log_tail = {}});
-  right.checks.push_back({"flip", {0.05, Interval{0.04, 0.06}}, 0.1, "exposure=0", GradedCheck::Side::inside, "fine"});
-  return right;
-}
-
-inline SceneGrade test_wrong_scene() {
-  SceneGrade wrong;
-  wrong.scene = "secret";
-  wrong.verdict = SceneVerdict::wrong;
-  wrong.sentence = "flip is 0.3, at most 0.1 is right";
-  wrong.findings.push_back(
-      {"caustic-missing", "caustic missing below the glass sphere", "no photons", 1, 2, 3, 4, 0.5});
-  return wrong;
-}
-
-inline Grades test_grades() {
+inline Grades grades_without_submissions() {
   Grades grades;
   grades.assignment = "fake";
   grades.title = "Fake course";
@@ -48,7 +20,30 @@ inline Grades test_grades() {
   grades.scenes[1].name = "secret";
   grades.scenes[1].hidden = true;
   grades.scenes[1].max_points = 40 / 3.0;
-  const SceneGrade right = test_right_scene(), wrong = test_wrong_scene();
+  return grades;
+}
+
+inline Grades test_grades() {
+  Grades grades = grades_without_submissions();
+  SceneGrade right, wrong;
+  right.scene = "one";
+  right.verdict = SceneVerdict::right;
+  right.points = 80 / 3.0;
+  right.runs.push_back({.seed = 1,
+                        .end = "ok",
+                        .sentence = {},
+                        .wall_seconds = 2,
+                        .cpu_seconds = 3,
+                        .peak_bytes = 4,
+                        .image = "cells/a-1/image.exr",
+                        .checksum = "0123",
+                        .log_tail = {}});
+  right.checks.push_back({"flip", {0.05, Interval{0.04, 0.06}}, 0.1, "exposure=0", GradedCheck::Side::inside, "fine"});
+  wrong.scene = "secret";
+  wrong.verdict = SceneVerdict::wrong;
+  wrong.sentence = "flip is 0.3, at most 0.1 is right";
+  wrong.findings.push_back(
+      {"caustic-missing", "caustic missing below the glass sphere", "no photons", 1, 2, 3, 4, 0.5});
   SubmissionGrade quick;
   quick.name = "quick, \"the\" team";
   quick.folder = "submissions/quick";
