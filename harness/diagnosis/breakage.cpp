@@ -284,7 +284,7 @@ void find_coarse(const Image& image, const SceneKnowledge& knowledge, Breakage& 
         {"coarse",
          "the resolution is too low" + (everywhere ? "" : " in " + percent_text_of(found.share()) + " of the image") +
              ": " + words + " x " + words + " pixels share one value",
-         everywhere ? "rendered smaller and enlarged, or only every " + words + "th pixel is computed"
+         everywhere ? "rendered smaller and enlarged, or only one pixel in " + words + " is computed"
                     : "part of it is rendered smaller and enlarged, as when time or work is saved",
          where, found.share()});
     // Its values may be those of squares' corners, as if shifted: the rest says more, if there is any.

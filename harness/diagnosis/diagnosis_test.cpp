@@ -140,6 +140,14 @@ const std::vector<Defect>& picture_defects() {
        }},
       {"black", "course-1", "black", "", [](const Image& i, const K&) { return times(i, 0); }},
       {"blur", "course-1", "blurred", "", [](const Image& i, const K&) { return blurred(i, 2.5); }},
+  };
+  return defects;
+}
+
+/// Pixels that are those of another place.
+const std::vector<Defect>& place_defects() {
+  using K = SceneKnowledge;
+  static const std::vector<Defect> defects{
       {"coarse", "course-1", "coarse", "", [](const Image& i, const K&) { return coarse(i, 4); }},
       {"coarse_corners", "course-1", "coarse", "8 x 8 pixels",
        [](const Image& i, const K&) { return corners(i, 8, 0); }},
@@ -352,6 +360,7 @@ void expect_found(const std::vector<Defect>& defects) {
 }
 
 TEST(Diagnosis, names_what_was_done_to_pictures) { expect_found(picture_defects()); }
+TEST(Diagnosis, names_pixels_that_belong_elsewhere) { expect_found(place_defects()); }
 TEST(Diagnosis, names_what_is_wrong_with_light) { expect_found(light_defects()); }
 TEST(Diagnosis, names_what_is_wrong_with_objects) { expect_found(object_defects()); }
 TEST(Diagnosis, names_several_defects_at_once_and_odd_ones) { expect_found(other_defects()); }
