@@ -56,7 +56,8 @@ class Resume : public FolderTest {
     Outcome last = part(description, integrator, job, false, calls);
     for (; last.stats.interrupted && stops < 100; ++stops) {
       job.threads = 1 + stops % 7;
-      last = part(description, integrator, job, true, calls);
+      // A busy machine makes calls of what comes before the first pass, too: parts then grow until one gets further.
+      last = part(description, integrator, job, true, calls + stops / 8);
     }
     EXPECT_LT(stops, 100) << integrator;
     EXPECT_GE(stops, 3) << integrator;
