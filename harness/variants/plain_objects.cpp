@@ -78,7 +78,11 @@ void set_water(const SceneDescription& scene, const ShapeDescription& shape, con
     cannot_say(scene, shape.loc, "a heightfield but of one octave of noise with normals of vertices");
   object.a = shape.to_world.vector({1, 0, 0});
   object.b = shape.to_world.vector({0, 1, 0});
-  object.c = shape.to_world.vector({0, 0, field.amplitude});
+  const Vec3d up = shape.to_world.vector({0, 0, 1});
+  object.c = up * field.amplitude;
+  // A mirroring transform turns its triangles over, and with them the normal.
+  const bool is_turned = dot(cross(object.a, object.b), up) < 0;
+  if (is_turned != shape.flip_normals) cannot_say(scene, shape.loc, "water whose front is below");
   object.columns = field.columns;
   object.rows = field.rows;
   object.frequency_x = noise->frequency_x;
@@ -116,8 +120,8 @@ void set_shape(const SceneDescription& scene, const ShapeDescription& shape, Pla
                           cannot_say(scene, shape.loc, "this shape, only sphere, rectangle, cube, heightfield");
                         }},
              shape.geometry);
-  if (shape.flip_normals && object.kind != PlainKind::rectangle)
-    cannot_say(scene, shape.loc, "flip_normals but of a rectangle");
+  if (shape.flip_normals && object.kind != PlainKind::rectangle && object.kind != PlainKind::water)
+    cannot_say(scene, shape.loc, "flip_normals of a " + std::string(word_of(object.kind)));
   object.middle = rounded(object.middle);
   object.a = rounded(object.a);
   object.b = rounded(object.b);
