@@ -3,6 +3,7 @@
 #include "harness/cells/run_cell.h"
 #include "harness/suites/engine_command.h"
 #include "reference/process/process.h"
+#include "scenes/text/shell_text.h"
 #include "scenes/text/utf8.h"
 
 namespace photonproof {

@@ -4,13 +4,13 @@
 
 #include "harness/cells/host.h"
 #include "harness/metrics/metrics.h"
-#include "harness/suites/engine_command.h"
 #include "harness/suites/engine_stats.h"
 #include "reference/process/process.h"
 #include "scenes/images/image.h"
 #include "scenes/text/atomic_file.h"
 #include "scenes/text/file_checksum.h"
 #include "scenes/text/input_error.h"
+#include "scenes/text/shell_text.h"
 #include "scenes/text/size_text.h"
 #include "scenes/text/utf8.h"
 

@@ -6,13 +6,13 @@
 
 #include "harness/gates/gate_look.h"
 #include "harness/metrics/metrics.h"
-#include "harness/suites/engine_command.h"
 #include "harness/suites/suite_rows.h"
 #include "reference/process/process.h"
 #include "reference/store/reference_store.h"
 #include "scenes/text/atomic_file.h"
 #include "scenes/text/input_error.h"
 #include "scenes/text/scratch_folder.h"
+#include "scenes/text/shell_text.h"
 #include "scenes/text/size_text.h"
 
 namespace photonproof {

@@ -3,10 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
-#include <exception>
 #include <mutex>
-#include <thread>
 #include <vector>
 
 #include "harness/cells/cells.h"
@@ -120,30 +117,6 @@ std::optional<GradeCells::Cell> GradeRuns::run_timed(const PreparedSubmission& s
                                                      std::size_t number) {
   const std::uint64_t seed = seed_of("correctness", number);
   return run_once(submission, scene, request_of(assignment_, scene, seed, options_.threads), seed);
-}
-
-void side_by_side_work(std::size_t count, int threads, const std::function<bool(std::size_t)>& work) {
-  std::atomic<std::size_t> next{0};
-  std::atomic<bool> ended{false};
-  std::exception_ptr problem;
-  std::mutex telling;
-  const auto take = [&] {
-    for (std::size_t i = next++; i < count && !ended; i = next++) {
-      try {
-        if (!work(i)) ended = true;
-      } catch (...) {
-        const std::lock_guard lock(telling);
-        if (!problem) problem = std::current_exception();
-        ended = true;
-      }
-    }
-  };
-  {
-    std::vector<std::jthread> others;
-    for (int t = 1; t < threads; ++t) others.emplace_back(take);
-    take();
-  }
-  if (problem) std::rethrow_exception(problem);
 }
 
 }  // namespace photonproof

@@ -61,7 +61,4 @@ class GradeRuns {
   std::shared_mutex company_;
 };
 
-/// work(0) ... work(count - 1) on so many threads; ends early when it returns false. Rethrows the first exception.
-void side_by_side_work(std::size_t count, int threads, const std::function<bool(std::size_t)>& work);
-
 }  // namespace photonproof

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cctype>
 #include <mutex>
 #include <set>
@@ -10,6 +11,7 @@
 
 #include "harness/cells/folder_lock.h"
 #include "harness/cells/host.h"
+#include "harness/cells/side_by_side.h"
 #include "harness/grading/class_timing.h"
 #include "harness/grading/grade_flags.h"
 #include "harness/grading/grade_points.h"
@@ -214,7 +216,8 @@ class Session {
     std::atomic<bool> interrupted{false};
     std::atomic<std::size_t> done{0};
     const std::size_t count = all.size() * scenes_.size();
-    side_by_side_work(count, threads_, [&](std::size_t job) {
+    side_by_side(count, threads_, [&](std::size_t job) {
+      if (interrupted) return;
       auto& [work, prepared] = all[job / scenes_.size()];
       const std::size_t s = job % scenes_.size();
       if (references_[s]) {
@@ -222,7 +225,6 @@ class Session {
         if (!work->scenes[s]) interrupted = true;
       }
       options_.progress(fmt::format("images: {} of {} scenes ({})", ++done, count, prepared->name));
-      return !interrupted;
     });
     return !interrupted;
   }
@@ -230,14 +232,19 @@ class Session {
   void flag_all() {
     const FlagContext context{assignment_, scenes_, references_, baseline_work_};
     SceneFindings findings(assignment_, scenes_, references_, own_engine(), options_.progress);
-    for (SubmissionWork& work : works_) {
-      flag_submission(context, work);
-      for (std::size_t s = 0; s < scenes_.size() && !is_interrupted(); ++s)
-        if (work.scenes[s]) {
-          findings.add(s, *work.scenes[s]);
-          store_scene_pictures(options_.folder, work.grade.folder, *references_[s], *work.scenes[s]);
-        }
-    }
+    for (SubmissionWork& work : works_) flag_submission(context, work);
+    std::atomic<std::size_t> done{0};
+    const std::size_t count = works_.size() * scenes_.size();
+    side_by_side(count, threads_, [&](std::size_t job) {
+      if (is_interrupted()) return;
+      SubmissionWork& work = works_[job / scenes_.size()];
+      const std::size_t s = job % scenes_.size();
+      if (work.scenes[s]) {
+        findings.add(s, *work.scenes[s]);
+        store_scene_pictures(options_.folder, work.grade.folder, *references_[s], *work.scenes[s]);
+      }
+      options_.progress(fmt::format("diagnoses: {} of {} scenes ({})", ++done, count, work.grade.name));
+    });
     flag_likenesses(context, works_);
     for (SubmissionWork& work : works_) {
       collect(work);

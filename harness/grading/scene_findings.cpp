@@ -1,5 +1,7 @@
 #include "harness/grading/scene_findings.h"
 
+#include <algorithm>
+
 #include "harness/diagnosis/knowledge.h"
 #include "scenes/text/input_error.h"
 
@@ -9,10 +11,17 @@ namespace {
 /// What a right program's picture never shows, other than its noise.
 bool is_mistake(const Finding& finding) { return finding.kind != "noise" && finding.kind != "fireflies"; }
 
+bool is_undecided(const GradedCheck& check) { return check.side == GradedCheck::Side::undecided; }
+
 }  // namespace
 
 const SceneKnowledge& SceneFindings::knowledge(std::size_t scene) {
-  if (const auto found = known_.find(scene); found != known_.end()) return found->second;
+  Known& known = known_[scene];
+  std::call_once(known.once, [&] { known.knowledge = found_out(scene); });
+  return known.knowledge;
+}
+
+SceneKnowledge SceneFindings::found_out(std::size_t scene) const {
   const WorkScene& work = scenes_[scene];
   const SceneReference& reference = *references_[scene];
   SceneKnowledge known;
@@ -32,12 +41,13 @@ const SceneKnowledge& SceneFindings::knowledge(std::size_t scene) {
   for (std::size_t other = 0; other < scenes_.size(); ++other)
     if (other != scene && references_[other])
       known.other_images.emplace_back("scene " + scenes_[other].row.name, references_[other]->rendering.mean);
-  return known_.emplace(scene, std::move(known)).first->second;
+  return known;
 }
 
 void SceneFindings::add(std::size_t scene, SceneWorkGrade& work) {
   const bool is_wrong = work.grade.verdict == SceneVerdict::wrong;
-  if ((!is_wrong && !work.hides) || work.images.empty() || !references_[scene]) return;
+  const bool is_hidden_by_noise = std::ranges::any_of(work.grade.checks, is_undecided);
+  if ((!is_wrong && !is_hidden_by_noise) || work.images.empty() || !references_[scene]) return;
   for (const Finding& finding : diagnose(work.images.front(), knowledge(scene))) {
     if (!is_wrong && !is_mistake(finding)) continue;
     work.grade.findings.push_back({finding.kind, finding.sentence, finding.cause, finding.where.x, finding.where.y,

@@ -1,8 +1,9 @@
 // What is wrong with images that are not right, in sentences (harness/diagnosis).
 #pragma once
 
+#include <deque>
 #include <functional>
-#include <map>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,21 +23,28 @@ class SceneFindings {
         scenes_(scenes),
         references_(references),
         engine_(std::move(engine)),
-        progress_(std::move(progress)) {}
+        progress_(std::move(progress)),
+        known_(scenes.size()) {}
 
   /// Adds findings where the scene's verdict is wrong; where it is not but noise could hide a mistake, one that is
   /// found all the same makes it wrong. What is known of a scene is rendered when the first such image of it is met.
+  /// Threads may call it side by side.
   void add(std::size_t scene, SceneWorkGrade& work);
 
  private:
   const SceneKnowledge& knowledge(std::size_t scene);
+  SceneKnowledge found_out(std::size_t scene) const;
 
   const Assignment& assignment_;
   const std::vector<WorkScene>& scenes_;
   const std::vector<std::optional<SceneReference>>& references_;
   OwnEngine engine_;
   std::function<void(const std::string&)> progress_;
-  std::map<std::size_t, SceneKnowledge> known_;
+  struct Known {
+    std::once_flag once;
+    SceneKnowledge knowledge;
+  };
+  std::deque<Known> known_;
 };
 
 }  // namespace photonproof

@@ -40,7 +40,6 @@ std::optional<SceneWorkGrade> grade_scene(const Assignment& assignment, const Pr
     SceneJudgement judgement = judge_scene(assignment.correctness, reference, images, number + 1 < most);
     work.grade.verdict = judgement.verdict;
     work.grade.sentence = judgement.sentence;
-    work.hides = judgement.hides;
     work.grade.checks = std::move(judgement.checks);
     if (judgement.decided) break;
   }

@@ -17,7 +17,6 @@ struct SceneWorkGrade {
   SceneGrade grade;
   std::vector<Image> images;
   std::optional<Image> in_used_place;  ///< the second one again, where the first run may have left files
-  bool hides = false;                  ///< as SceneJudgement's
 };
 
 struct SceneGradingOptions {

@@ -113,9 +113,6 @@ void conclude(SceneJudgement& judgement) {
   judgement.verdict = has_side(judgement.checks, Side::outside)     ? SceneVerdict::wrong
                       : has_side(judgement.checks, Side::undecided) ? SceneVerdict::borderline
                                                                     : SceneVerdict::right;
-  judgement.hides =
-      judgement.verdict != SceneVerdict::wrong &&
-      std::ranges::any_of(judgement.checks, [](const GradedCheck& c) { return c.side == Side::undecided; });
   if (judgement.verdict == SceneVerdict::right) return;
   for (const Side side : {Side::outside, Side::undecided})
     for (const GradedCheck& check : judgement.checks)

@@ -33,7 +33,6 @@ struct SceneReference {
 struct SceneJudgement {
   bool decided = false;  ///< false: another image may change it
   SceneVerdict verdict = SceneVerdict::borderline;
-  bool hides = false;    ///< right, but noise could hide a mistake: some check is undecided
   std::string sentence;  ///< which bound is broken, and how
   std::vector<GradedCheck> checks;
 };

@@ -97,11 +97,11 @@ TEST(SceneJudge, blocks_too_noisy_to_tell_are_right_and_may_hide_a_mistake) {
   for (std::uint64_t k = 0; k < 4; ++k) images.push_back(noisy_image(10 + k, 1, 0.2));
   const SceneJudgement noisy = judge(rule(0, 0.02), images);
   EXPECT_EQ(noisy.verdict, SceneVerdict::right);
-  EXPECT_TRUE(noisy.hides);
+  EXPECT_EQ(noisy.checks.back().side, GradedCheck::Side::undecided);
   EXPECT_EQ(noisy.sentence, "");
   const SceneJudgement clear = judge(rule(0, 0.5), images);
   EXPECT_EQ(clear.verdict, SceneVerdict::right);
-  EXPECT_FALSE(clear.hides);
+  EXPECT_EQ(clear.checks.back().side, GradedCheck::Side::inside);
 }
 
 TEST(SceneJudge, one_image_is_not_wrong_by_blocks_before_its_noise_is_known) {

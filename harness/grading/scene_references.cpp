@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 
 #include "harness/cells/cells.h"
+#include "harness/cells/side_by_side.h"
 #include "harness/metrics/metrics.h"
 #include "harness/statistics/batch_means.h"
 #include "harness/suites/engine_command.h"
@@ -60,18 +62,18 @@ class ReferenceMaker {
   std::optional<std::vector<std::optional<SceneReference>>> all() {
     std::atomic<bool> interrupted{false};
     std::atomic<std::size_t> done{0};
-    side_by_side_work(jobs_.size(), work_.processes, [&](std::size_t job) {
+    side_by_side(jobs_.size(), work_.processes, [&](std::size_t job) {
+      if (interrupted) return;
       const auto [scene, number] = jobs_[job];
       std::optional<Image> image = source_.kind == ReferenceSource::Kind::engine
                                        ? of_engine(work_.scenes[scene], number)
                                        : of_baseline(work_.scenes[scene], number);
       if (!image) {
         interrupted = true;
-        return false;
+        return;
       }
       images_[scene][number] = std::move(*image);
       work_.progress(fmt::format("references: {} of {} images", ++done, jobs_.size()));
-      return true;
     });
     if (interrupted) return std::nullopt;
     std::vector<std::optional<SceneReference>> references;

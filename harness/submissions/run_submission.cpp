@@ -7,6 +7,7 @@
 #include "scenes/text/atomic_file.h"
 #include "scenes/text/input_error.h"
 #include "scenes/text/scratch_folder.h"
+#include "scenes/text/shell_text.h"
 
 namespace photonproof {
 namespace {
@@ -38,23 +39,11 @@ std::string what_is_wrong_with_kind(const std::string& kind) {
   return " is a " + kind + ", not a file";
 }
 
-std::string quoted_for_shell(const std::string& text) {
-  std::string quoted = "'";
-  for (const char c : text) quoted += c == '\'' ? "'\\''" : std::string(1, c);
-  return quoted + "'";
-}
-
-std::string shell_line(const std::vector<std::string>& argv) {
-  std::string line;
-  for (const std::string& argument : argv) line += (line.empty() ? "" : " ") + quoted_for_shell(argument);
-  return line;
-}
-
 // Whatever the first run says or leaves, only its image is taken away.
 std::vector<std::string> one_after_the_other(const std::vector<std::string>& first,
                                              const std::vector<std::string>& second, const std::string& output) {
   return {"sh", "-c",
-          shell_line(first) + " >/dev/null 2>&1; rm -f " + quoted_for_shell(output) + "; exec " + shell_line(second)};
+          shell_line(first) + " >/dev/null 2>&1; rm -f " + shell_word(output) + "; exec " + shell_line(second)};
 }
 
 // The command's own folder, before it starts.

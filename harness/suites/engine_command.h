@@ -45,7 +45,4 @@ bool mentions(const std::vector<std::string>& command, const char* placeholder);
 /// wherever the command is started. Precondition: command_problem is empty.
 std::vector<std::string> fill_command(const std::vector<std::string>& command, const CommandValues& values);
 
-/// The arguments as one line for a POSIX shell, quoted where needed.
-std::string shell_line(const std::vector<std::string>& arguments);
-
 }  // namespace photonproof

@@ -1,6 +1,7 @@
 #include "harness/suites/engines.h"
 
 #include "harness/suites/engine_command.h"
+#include "scenes/text/shell_text.h"
 #include "scenes/text/test_folder.h"
 
 namespace photonproof {
@@ -63,10 +64,6 @@ TEST(Engines, budget_amounts_are_written_in_full) {
   values.budget = {"photons", 1e7};
   EXPECT_EQ(fill_command({"{budget}", "n={amount}"}, values),
             (std::vector<std::string>{"--photons", "10000000", "n=10000000"}));
-}
-
-TEST(Engines, shell_line_quotes_what_a_shell_would_change) {
-  EXPECT_EQ(shell_line({"a", "", "b c", "it's", "$HOME", "x=1"}), "a '' 'b c' 'it'\\''s' '$HOME' x=1");
 }
 
 TEST(Engines, row_of_a_suite_is_read) {

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <regex>
 
+#include "harness/sandbox/sandbox.h"
 #include "reference/process/process.h"
 #include "scenes/text/test_folder.h"
 
@@ -101,6 +102,7 @@ trust = "unbiased"
 }
 
 TEST_F(Walkthrough, class_is_graded_and_told_what_is_wrong) {
+  if (const auto why = why_no_sandbox()) GTEST_SKIP() << *why;
   const ProcessOutcome outcome = run(block_after("**A class.**"));
   ASSERT_TRUE(outcome.ok()) << all_of(outcome);
   EXPECT_TRUE(std::regex_search(outcome.standard_output, std::regex("\nhonest,.*,right on"))) << all_of(outcome);

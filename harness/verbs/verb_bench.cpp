@@ -9,7 +9,6 @@
 #include <nlohmann/json.hpp>
 
 #include "harness/bench/bench.h"
-#include "harness/suites/engine_command.h"
 #include "harness/verbs/interrupt.h"
 #include "harness/verbs/scene_options.h"
 #include "harness/verbs/verbs.h"
@@ -20,6 +19,7 @@
 #include "scenes/description/output_files.h"
 #include "scenes/text/input_error.h"
 #include "scenes/text/json_text.h"
+#include "scenes/text/shell_text.h"
 
 namespace photonproof {
 namespace {

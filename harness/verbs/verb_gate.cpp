@@ -14,7 +14,6 @@
 #include "harness/gates/gate_accept.h"
 #include "harness/gates/gate_run.h"
 #include "harness/gates/gate_self_tests.h"
-#include "harness/suites/engine_command.h"
 #include "harness/verbs/engine_output.h"
 #include "harness/verbs/interrupt.h"
 #include "harness/verbs/verbs.h"
@@ -24,6 +23,7 @@
 #include "scenes/text/atomic_file.h"
 #include "scenes/text/input_error.h"
 #include "scenes/text/json_text.h"
+#include "scenes/text/shell_text.h"
 
 namespace photonproof {
 namespace {

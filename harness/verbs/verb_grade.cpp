@@ -13,7 +13,6 @@
 #include "harness/grading/assignment.h"
 #include "harness/grading/autograder.h"
 #include "harness/grading/grade_session.h"
-#include "harness/suites/engine_command.h"
 #include "harness/verbs/interrupt.h"
 #include "harness/verbs/verbs.h"
 #include "harness/verbs/versions.h"
@@ -24,6 +23,7 @@
 #include "scenes/text/atomic_file.h"
 #include "scenes/text/input_error.h"
 #include "scenes/text/json_text.h"
+#include "scenes/text/shell_text.h"
 #include "scenes/text/utf8.h"
 
 namespace photonproof {

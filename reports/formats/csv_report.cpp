@@ -18,16 +18,6 @@ using namespace reports;
 
 namespace {
 
-/// Quoted where RFC 4180 demands it. A spreadsheet takes what begins like a formula for one: an apostrophe prevents it.
-std::string field(const std::string& text) {
-  std::string safe = printable(text);
-  if (!safe.empty() && std::string_view("=+-@").find(safe.front()) != std::string_view::npos) safe.insert(0, 1, '\'');
-  if (safe.find_first_of(",\"") == std::string::npos) return safe;
-  std::string quoted = "\"";
-  for (const char c : safe) quoted += c == '"' ? "\"\"" : std::string(1, c);
-  return quoted + '"';
-}
-
 struct Subject {
   std::string record, name, scene, engine, budget_kind, budget, seed, outcome, text;
 };
@@ -41,9 +31,10 @@ class Table {
     const bool bounded = estimate && estimate->interval;
     std::string row;
     for (const std::string& cell :
-         {field(s.record), field(s.name), field(s.scene), field(s.engine), field(s.budget_kind), s.budget, s.seed,
-          field(quantity), estimate ? number(estimate->value) : "", bounded ? number(estimate->interval->low) : "",
-          bounded ? number(estimate->interval->high) : "", field(s.outcome), field(s.text)}) {
+         {csv_cell(s.record), csv_cell(s.name), csv_cell(s.scene), csv_cell(s.engine), csv_cell(s.budget_kind),
+          s.budget, s.seed, csv_cell(quantity), estimate ? number(estimate->value) : "",
+          bounded ? number(estimate->interval->low) : "", bounded ? number(estimate->interval->high) : "",
+          csv_cell(s.outcome), csv_cell(s.text)}) {
       row += (row.empty() ? "" : ",") + cell;
     }
     text_ += row + "\r\n";

@@ -6,20 +6,11 @@
 #include <array>
 #include <vector>
 
+#include "reports/view/text.h"
 #include "scenes/text/utf8.h"
 
 namespace photonproof {
 namespace {
-
-// A spreadsheet takes a cell that begins so for a formula, and a submission's words are nobody's we trust.
-std::string csv_cell(const std::string& text) {
-  std::string shown = printable(text);
-  if (!shown.empty() && std::string("=+-@").find(shown.front()) != std::string::npos) shown = "'" + shown;
-  if (shown.find_first_of(",\"\n\r") == std::string::npos) return shown;
-  std::string quoted = "\"";
-  for (const char c : shown) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
 
 void add_row(std::string& csv, const std::vector<std::string>& cells) {
   for (std::size_t i = 0; i < cells.size(); ++i) csv += (i == 0 ? "" : ",") + cells[i];
@@ -58,13 +49,14 @@ std::string gradebook_csv(const Grades& grades) {
                                   "correctness_points", "speed_points", "speedup",
                                   "speedup_low",        "speedup_high", "timing"};
   for (const GradedScene& scene : grades.scenes)
-    header.push_back(csv_cell((scene.hidden ? "hidden " : "scene ") + scene.name));
+    header.push_back(reports::csv_cell((scene.hidden ? "hidden " : "scene ") + scene.name));
   header.insert(header.end(), {"flags", "sentence"});
   std::string csv;
   add_row(csv, header);
   for (const SubmissionGrade& grade : grades.submissions) {
-    std::vector<std::string> cells{csv_cell(grade.name), points_text(grade.points()), points_text(grades.max_points()),
-                                   points_text(grade.correctness_points), points_text(grade.speed.points)};
+    std::vector<std::string> cells{reports::csv_cell(grade.name), points_text(grade.points()),
+                                   points_text(grades.max_points()), points_text(grade.correctness_points),
+                                   points_text(grade.speed.points)};
     const bool has_ratio = !grade.speed.scenes.empty();
     const auto& interval = grade.speed.speedup.interval;
     cells.push_back(has_ratio ? fmt::format("{:.4g}", grade.speed.speedup.value) : "");
@@ -77,8 +69,8 @@ std::string gradebook_csv(const Grades& grades) {
     }
     std::string flags;
     for (const GradeFlag& flag : grade.flags) flags += (flags.empty() ? "" : " ") + flag.kind;
-    cells.push_back(csv_cell(flags));
-    cells.push_back(csv_cell(grade.sentence));
+    cells.push_back(reports::csv_cell(flags));
+    cells.push_back(reports::csv_cell(grade.sentence));
     add_row(csv, cells);
   }
   return csv;

@@ -8,6 +8,7 @@
 #include "reports/view/metric_columns.h"
 #include "reports/view/numbers.h"
 #include "reports/view/text.h"
+#include "scenes/text/shell_text.h"
 
 namespace photonproof::reports {
 namespace {

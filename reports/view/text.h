@@ -21,8 +21,9 @@ std::string shortened(const std::string& text, std::size_t most);
 /// `printable` for LaTeX's text mode: its ten special characters escaped, and those of numbers.h set by commands.
 std::string latex_text(std::string_view text);
 
-/// One word of a POSIX shell's command line, quoted where it has to be.
-std::string shell_word(const std::string& text);
+/// `printable` for a cell of CSV, quoted where RFC 4180 demands it. A spreadsheet takes what begins like a formula for
+/// one: an apostrophe prevents it.
+std::string csv_cell(const std::string& text);
 
 /// JSON (or any text) inside a <script> element: "<" is written as the escape that JSON knows, so no "</script>" and no
 /// "<!--" is left.

@@ -54,11 +54,12 @@ TEST(Text, latex_has_no_command_but_ours) {
   EXPECT_EQ(latex_text("−1.5×10⁻³"), "$-$1.5$\\times$10$^{-3}$");
 }
 
-TEST(Text, a_shell_word_is_one_word) {
-  EXPECT_EQ(shell_word("cells/a-1/image.exr"), "cells/a-1/image.exr");
-  EXPECT_EQ(shell_word("a b"), "'a b'");
-  EXPECT_EQ(shell_word("it's $HOME"), "'it'\\''s $HOME'");
-  EXPECT_EQ(shell_word(""), "''");
+TEST(Text, a_cell_of_csv_is_one_cell_and_no_formula) {
+  EXPECT_EQ(csv_cell("plain 1.5"), "plain 1.5");
+  EXPECT_EQ(csv_cell("a,b"), "\"a,b\"");
+  EXPECT_EQ(csv_cell("say \"no\""), "\"say \"\"no\"\"\"");
+  EXPECT_EQ(csv_cell("=1+1"), "'=1+1");
+  EXPECT_EQ(csv_cell("two\nlines").find('\n'), std::string::npos);
 }
 
 TEST(Text, json_in_a_page_cannot_end_its_element) {
