@@ -45,7 +45,14 @@ class Timing {
   }
 
   void all() {
-    if (timed_.empty() || timed_works_.empty()) return;
+    if (timed_.empty()) return;
+    if (!timed_works_.empty()) time();
+    for (SubmissionWork& work : works_)
+      if (work.grade.speed.state == SpeedGrade::State::none && work.grade.built) work.grade.speed = speed_of_same(work);
+  }
+
+ private:
+  void time() {
     SpeedSession session;
     session.rule = *timing_.assignment.performance;
     for (const std::size_t s : timed_) session.scenes.push_back(timing_.scenes[s].row.name);
@@ -61,7 +68,6 @@ class Timing {
     for (std::size_t i = 0; i < grades.size(); ++i) works_[timed_works_[i]].grade.speed = grades[i];
   }
 
- private:
   bool is_to_be_timed(SubmissionWork& work) const {
     SpeedGrade& speed = work.grade.speed;
     for (std::size_t s = 0; s < timing_.scenes.size(); ++s) {
@@ -74,7 +80,23 @@ class Timing {
         return false;
       }
     }
-    return work.grade.built;
+    return work.grade.built && !is_baseline(work) && std::ranges::none_of(timed_works_, [&](std::size_t other) {
+             return works_[other].grade.checksum == work.grade.checksum;
+           });
+  }
+
+  bool is_baseline(const SubmissionWork& work) const { return work.grade.checksum == timing_.baseline.checksum; }
+
+  // Of what is not timed for itself: the same program would only show noise.
+  SpeedGrade speed_of_same(const SubmissionWork& work) const {
+    for (const std::size_t other : timed_works_)
+      if (works_[other].grade.checksum == work.grade.checksum) return works_[other].grade.speed;
+    SpeedGrade speed;
+    speed.state = SpeedGrade::State::measured;
+    speed.speedup = {1, Interval{1, 1}};
+    speed.sentence = "is the baseline, unchanged: 1 times as fast, without being timed";
+    speed.points = points_for(*timing_.assignment.performance, 1);
+    return speed;
   }
 
   TimedRun run(std::optional<std::size_t> submission, std::size_t scene, std::size_t number) {

@@ -15,6 +15,7 @@ namespace photonproof {
 struct SubmissionWork {
   SubmissionGrade grade;
   std::vector<std::optional<SceneWorkGrade>> scenes;
+  bool tried = false;  ///< its build has ended
 };
 
 struct FlagContext {

@@ -124,11 +124,25 @@ class Session {
     if (works_.empty()) throw InputError("--only", "no submission's name contains '" + options_.only + "'");
   }
 
+  // What was handed in twice, or is the baseline, is built once.
   PreparedSubmission prepare(const std::string& name, const fs::path& source, const std::string& folder) {
     options_.progress("building " + name);
-    const fs::path place = options_.folder / folder / "program";
-    fs::remove_all(place);
-    return door_.prepare(name, source, place);
+    PreparedSubmission taken = door_.take(name, source, options_.folder / folder / "program");
+    if (taken.checksum.empty()) return taken;
+    if (const PreparedSubmission* same = built_same_as(taken)) {
+      PreparedSubmission copy = *same;
+      copy.name = name;
+      copy.source = source;
+      return copy;
+    }
+    door_.build(taken, options_.resume);
+    return taken;
+  }
+
+  const PreparedSubmission* built_same_as(const PreparedSubmission& taken) const {
+    if (baseline_.checksum == taken.checksum) return &baseline_;
+    const auto found = std::ranges::find(prepared_, taken.checksum, &PreparedSubmission::checksum);
+    return found == prepared_.end() ? nullptr : &*found;
   }
 
   bool prepare_all() {
@@ -138,14 +152,15 @@ class Session {
       throw InputError(assignment_.baseline.string(),
                        "the baseline cannot be built: " + baseline_.sentence + "\n" + baseline_.log_tail);
     for (SubmissionWork& work : works_) {
-      prepared_.push_back(prepare(work.grade.name, work.grade.source, work.grade.folder));
+      PreparedSubmission prepared = prepare(work.grade.name, work.grade.source, work.grade.folder);
       if (is_interrupted()) return false;
-      const PreparedSubmission& built = prepared_.back();
-      work.grade.checksum = built.checksum;
-      work.grade.built = built.built;
-      work.grade.build_sentence = built.sentence;
-      work.grade.build_log = built.log_tail;
-      work.grade.build_seconds = built.seconds;
+      work.tried = true;
+      work.grade.checksum = prepared.checksum;
+      work.grade.built = prepared.built;
+      work.grade.build_sentence = prepared.sentence;
+      work.grade.build_log = prepared.log_tail;
+      work.grade.build_seconds = prepared.seconds;
+      prepared_.push_back(std::move(prepared));
     }
     return true;
   }
@@ -208,9 +223,10 @@ class Session {
     baseline_work_.grade.name = "baseline";
     baseline_work_.grade.folder = "submissions/baseline";
     baseline_work_.grade.built = true;
+    baseline_work_.grade.checksum = baseline_.checksum;
     std::vector<std::pair<SubmissionWork*, const PreparedSubmission*>> all{{&baseline_work_, &baseline_}};
     for (std::size_t i = 0; i < works_.size(); ++i)
-      if (prepared_[i].built) all.emplace_back(&works_[i], &prepared_[i]);
+      if (prepared_[i].built && first_of(works_[i]) == &works_[i]) all.emplace_back(&works_[i], &prepared_[i]);
     for (SubmissionWork& work : works_) work.scenes.resize(scenes_.size());
     baseline_work_.scenes.resize(scenes_.size());
     std::atomic<bool> interrupted{false};
@@ -226,7 +242,15 @@ class Session {
       }
       options_.progress(fmt::format("images: {} of {} scenes ({})", ++done, count, prepared->name));
     });
+    for (SubmissionWork& work : works_) work.scenes = first_of(work)->scenes;
     return !interrupted;
+  }
+
+  // The same program gives the same images with the same seeds.
+  const SubmissionWork* first_of(const SubmissionWork& work) const {
+    if (work.grade.checksum == baseline_work_.grade.checksum) return &baseline_work_;
+    const auto is_same = [&](const SubmissionWork& other) { return other.grade.checksum == work.grade.checksum; };
+    return work.grade.built ? &*std::ranges::find_if(works_, is_same) : &work;
   }
 
   void flag_all() {
@@ -264,7 +288,7 @@ class Session {
       grade.scene = scenes_[s].row.name;
       grade.verdict = scenes_[s].unused.empty() ? SceneVerdict::skipped : SceneVerdict::unused;
       grade.sentence = scenes_[s].unused;
-      if (work.grade.checksum.empty() || !work.grade.built) {
+      if (work.tried && !work.grade.built) {
         grade.verdict = SceneVerdict::failed;
         grade.sentence = "was not built";
       }

@@ -1,14 +1,16 @@
 #include "harness/grading/submission_door.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "harness/cells/cells.h"
-#include "harness/submissions/build_submission.h"
 #include "harness/submissions/run_submission.h"
 #include "harness/submissions/submitted_image.h"
+#include "scenes/text/atomic_file.h"
 #include "scenes/text/file_checksum.h"
 #include "scenes/text/input_error.h"
+#include "scenes/text/json_text.h"
 #include "scenes/text/scratch_folder.h"
 
 namespace photonproof {
@@ -85,6 +87,34 @@ ImageDeclaration declaration_of(const AssignmentImage& image, int width, int hei
   return declaration;
 }
 
+// Written beside built/ when that is whole.
+constexpr const char* kept_build = "built.json";
+
+void keep_build(const PreparedSubmission& submission) {
+  const nlohmann::json json = {{"checksum", submission.checksum},
+                               {"sentence", submission.sentence},
+                               {"log", submission.log_tail},
+                               {"seconds", submission.seconds}};
+  write_file_atomically(submission.folder.parent_path() / kept_build, json_text(json));
+}
+
+// What is damaged is built again.
+bool take_kept_build(PreparedSubmission& submission) {
+  const fs::path file = submission.folder.parent_path() / kept_build;
+  if (!fs::exists(file) || !fs::is_directory(submission.folder)) return false;
+  try {
+    const auto json = nlohmann::json::parse(read_file(file));
+    if (json.at("checksum") != submission.checksum) return false;
+    submission.sentence = json.at("sentence");
+    submission.log_tail = json.at("log");
+    submission.seconds = json.at("seconds");
+  } catch (const nlohmann::json::exception&) {
+    return false;
+  }
+  submission.built = true;
+  return true;
+}
+
 }  // namespace
 
 SubmissionDoor::SubmissionDoor(const Assignment& assignment, const DoorOptions& options)
@@ -103,35 +133,47 @@ std::string SubmissionDoor::containment() const {
                             : "none (--no-sandbox): limits alone";
 }
 
-PreparedSubmission SubmissionDoor::prepare(const std::string& name, const fs::path& source,
-                                           const fs::path& folder) const {
-  PreparedSubmission prepared;
-  prepared.name = name;
-  prepared.source = source;
-  prepared.folder = folder / "built";
-  const Handling handling{options_.contained, options_.interrupt};
-  fs::create_directories(folder);
-  try {
-    take_in({name, source}, folder / "source", {}, handling);
-  } catch (const SubmissionError& error) {
-    prepared.sentence = error.what();
-    return prepared;
-  }
+BuildRecipe SubmissionDoor::recipe() const {
   BuildRecipe recipe;
   if (!assignment_.build_command.empty())
     recipe.command = with_values(assignment_.build_command, {{"threads", std::to_string(options_.threads)}});
   recipe.overwrite = assignment_.overwrite;
   recipe.limits = sandbox_limits(assignment_.build_limits);
-  std::vector<std::pair<std::string, std::string>> parts{{"build", length_prefixed(recipe.command)}};
+  return recipe;
+}
+
+PreparedSubmission SubmissionDoor::take(const std::string& name, const fs::path& source, const fs::path& folder) const {
+  PreparedSubmission taken;
+  taken.name = name;
+  taken.source = source;
+  taken.folder = folder / "built";
+  fs::remove_all(folder / "source");
+  fs::create_directories(folder);
+  try {
+    take_in({name, source}, folder / "source", {}, handling());
+  } catch (const SubmissionError& error) {
+    taken.sentence = error.what();
+    return taken;
+  }
+  const BuildRecipe build = recipe();
+  std::vector<std::pair<std::string, std::string>> parts{{"build", length_prefixed(build.command)}};
   add_tree(folder / "source", parts);
-  if (!recipe.overwrite.empty()) add_tree(recipe.overwrite, parts);
-  prepared.checksum = content_key(parts);
-  const BuildOutcome outcome = build_submission(folder / "source", recipe, prepared.folder, handling);
-  prepared.built = outcome.ok;
-  prepared.sentence = outcome.sentence;
-  prepared.log_tail = outcome.log_tail;
-  prepared.seconds = outcome.seconds;
-  return prepared;
+  if (!build.overwrite.empty()) add_tree(build.overwrite, parts);
+  taken.checksum = content_key(parts);
+  return taken;
+}
+
+void SubmissionDoor::build(PreparedSubmission& submission, bool reuse) const {
+  if (reuse && take_kept_build(submission)) return;
+  const fs::path folder = submission.folder.parent_path();
+  fs::remove(folder / kept_build);
+  fs::remove_all(submission.folder);
+  const BuildOutcome outcome = build_submission(folder / "source", recipe(), submission.folder, handling());
+  submission.built = outcome.ok;
+  submission.sentence = outcome.sentence;
+  submission.log_tail = outcome.log_tail;
+  submission.seconds = outcome.seconds;
+  if (outcome.ok) keep_build(submission);
 }
 
 DoorAnswer SubmissionDoor::run(const PreparedSubmission& submission, const DoorRequest& request) const {
@@ -144,7 +186,7 @@ DoorAnswer SubmissionDoor::run(const PreparedSubmission& submission, const DoorR
   recipe.limits = sandbox_limits(assignment_.limits);
   RunOutcome outcome =
       run_submission(submission.folder, recipe, declaration_of(assignment_.image, request.width, request.height),
-                     scratch.path() / "image", options_.program, {options_.contained, options_.interrupt});
+                     scratch.path() / "image", options_.program, handling());
   DoorAnswer answer;
   answer.end = end_text(outcome.kind);
   if (!answer.ok()) answer.sentence = outcome.sentence;
@@ -158,7 +200,7 @@ DoorAnswer SubmissionDoor::run(const PreparedSubmission& submission, const DoorR
 
 Image SubmissionDoor::read_given(const fs::path& file, int width, int height) const {
   SubmittedImage read = read_submitted_image(file, file.string(), declaration_of(assignment_.image, width, height),
-                                             options_.program, {options_.contained, options_.interrupt});
+                                             options_.program, handling());
   if (!read.image) throw InputError(file.string(), read.wrong);
   return std::move(*read.image);
 }

@@ -10,15 +10,16 @@
 #include <vector>
 
 #include "harness/grading/assignment.h"
+#include "harness/submissions/build_submission.h"
 #include "scenes/images/image.h"
 
 namespace photonproof {
 
-/// A submission, or the baseline, after its build.
+/// A submission, or the baseline: taken in, and after its build.
 struct PreparedSubmission {
   std::string name;
   std::filesystem::path source, folder;  ///< as given; where it was built
-  std::string checksum;                  ///< of what was handed in and how it is built
+  std::string checksum;  ///< of what was handed in and how it is built; empty where it cannot be taken in
   bool built = false;
   std::string sentence;  ///< why not
   std::string log_tail;
@@ -56,9 +57,13 @@ class SubmissionDoor {
   /// Throws InputError where no sandbox can be had and one is asked for.
   SubmissionDoor(const Assignment& assignment, const DoorOptions& options);
 
-  /// Never throws for what a submission holds or does. `folder` must not exist; it receives source/ and built/.
-  PreparedSubmission prepare(const std::string& name, const std::filesystem::path& source,
-                             const std::filesystem::path& folder) const;
+  /// Takes a submission in, into source/ of the folder, in place of what is there; it is not built yet. Never throws
+  /// for what it holds.
+  PreparedSubmission take(const std::string& name, const std::filesystem::path& source,
+                          const std::filesystem::path& folder) const;
+  /// Builds what was taken in, into built/ of the folder, in place of what is there; with `reuse`, what was built there
+  /// before of the same submission in the same way is taken. Never throws for what a submission does.
+  void build(PreparedSubmission& submission, bool reuse) const;
   /// Throws InputError for the grader's own troubles.
   DoorAnswer run(const PreparedSubmission& submission, const DoorRequest& request) const;
 
@@ -70,6 +75,9 @@ class SubmissionDoor {
   std::string containment() const;
 
  private:
+  Handling handling() const { return {options_.contained, options_.interrupt}; }
+  BuildRecipe recipe() const;
+
   const Assignment& assignment_;
   DoorOptions options_;
 };
