@@ -15,7 +15,7 @@ namespace photonproof {
 namespace {
 
 // Runs of another version of this code are made again.
-constexpr const char* runs_version = "2";
+constexpr const char* runs_version = "3";
 
 std::string limits_text(const AssignmentLimits& limits) {
   return fmt::format("{} {} {} {} {} {}", limits.seconds, limits.memory_mb, limits.file_mb, limits.disk_mb,
@@ -57,7 +57,7 @@ std::string GradeRuns::key_of(const PreparedSubmission& submission, const DoorRe
                       {"program", submission.checksum},
                       {"before", length_prefixed(request.command_before)},
                       {"command", length_prefixed(request.command)},
-                      {"scene", length_prefixed({request.params_place, request.params})},
+                      {"scene", length_prefixed({request.params_place, request.params, request.scene.checksum})},
                       {"size", size_text(request.width, request.height)},
                       {"image", image_text(assignment_.image)},
                       {"limits", limits_text(assignment_.limits)},

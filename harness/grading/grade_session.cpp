@@ -63,7 +63,7 @@ class Session {
   Grades grade() {
     start_record();
     name_submissions();
-    scenes_ = make_work_scenes(assignment_, door_, own_engine(), options_.progress);
+    scenes_ = make_work_scenes(assignment_, door_, own_engine(), options_.folder / "scenes", options_.progress);
     for (WorkScene& scene : scenes_)
       if (!options_.scene.empty() && scene.row.name != options_.scene) scene.unused = "--scene leaves it out";
     if (prepare_all() && make_references() && grade_all()) {

@@ -183,6 +183,7 @@ DoorAnswer SubmissionDoor::run(const PreparedSubmission& submission, const DoorR
   recipe.command_before = request.command_before;
   recipe.params = request.params;
   recipe.params_place = request.params_place;
+  recipe.scene_folder = request.scene.path;
   recipe.limits = sandbox_limits(assignment_.limits);
   RunOutcome outcome =
       run_submission(submission.folder, recipe, declaration_of(assignment_.image, request.width, request.height),

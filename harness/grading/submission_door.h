@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "harness/grading/assignment.h"
+#include "harness/grading/scene_folder.h"
 #include "harness/submissions/build_submission.h"
 #include "scenes/images/image.h"
 
@@ -26,12 +27,13 @@ struct PreparedSubmission {
   double seconds = 0;
 };
 
-/// One run: the command with all placeholders filled but {output} and {params}, which the sandbox knows, and the
-/// scene's own file, if there is one.
+/// One run: the command with all placeholders filled but {output}, {params} and {scene}, which the sandbox knows, and
+/// the scene's own file or folder, if there is one.
 struct DoorRequest {
   std::vector<std::string> command;
   std::vector<std::string> command_before{};  ///< if not empty, is run before in the same place
   std::string params, params_place;           ///< text, and where it is put in the run's folder
+  SceneFolder scene{};                        ///< for {scene}
   int width = 0, height = 0;                  ///< pixels that the image must have
 };
 

@@ -5,7 +5,6 @@
 #include "scenes/parser/parser.h"
 #include "scenes/text/atomic_file.h"
 #include "scenes/text/input_error.h"
-#include "scenes/xml/writer.h"
 
 namespace photonproof {
 namespace {
@@ -42,9 +41,7 @@ void make_description(WorkScene& work, const OwnEngine& engine) {
   if (!why.empty()) work.unused = "our own engine does not confirm what follows from the variant: " + why;
 }
 
-constexpr const char* own_scene_name = "photonproof-scene.xml";
-
-void write_params(const Assignment& assignment, WorkScene& work) {
+void write_params(const Assignment& assignment, const fs::path& folder, WorkScene& work) {
   const AssignmentScene& row = work.row;
   work.params_place = row.params_place;
   if (!row.params_template.empty()) {
@@ -53,15 +50,14 @@ void write_params(const Assignment& assignment, WorkScene& work) {
   } else if (!row.params.empty()) {
     work.params = read_file(row.params, max_params_bytes);
   } else if (mentions(assignment.run_command, "{scene}")) {
-    work.params_place = own_scene_name;
-    work.params = write_scene(*work.description);
+    work.folder = make_scene_folder(*work.description, folder / row.name);
   }
 }
 
 }  // namespace
 
 std::vector<WorkScene> make_work_scenes(const Assignment& assignment, const SubmissionDoor& door,
-                                        const OwnEngine& engine,
+                                        const OwnEngine& engine, const fs::path& folder,
                                         const std::function<void(const std::string&)>& progress) {
   std::vector<WorkScene> scenes;
   for (const AssignmentScene& row : assignment.scenes) {
@@ -73,7 +69,7 @@ std::vector<WorkScene> make_work_scenes(const Assignment& assignment, const Subm
       if (!row.variant.empty()) progress("scene " + row.name + ": checking what follows from '" + row.variant + "'");
       make_description(work, engine);
     }
-    write_params(assignment, work);
+    write_params(assignment, folder, work);
     if (!row.given.empty()) work.given = door.read_given(row.given, work.width, work.height);
     scenes.push_back(std::move(work));
   }
@@ -95,10 +91,10 @@ DoorRequest request_of(const Assignment& assignment, const WorkScene& scene, std
     replace_all(word, "{height}", std::to_string(scene.height));
     replace_all(word, "{threads}", std::to_string(threads));
     replace_all(word, "{seed}", std::to_string(seed));
-    replace_all(word, "{scene}", own_scene_name);
   }
   request.params = scene.params;
   request.params_place = scene.params_place;
+  request.scene = scene.folder;
   request.width = scene.width;
   request.height = scene.height;
   return request;

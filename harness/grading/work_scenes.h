@@ -24,15 +24,17 @@ struct WorkScene {
   std::string says;                  ///< of a variant
   std::string unused;                ///< why it must not be graded on; empty: it counts
   std::string params, params_place;  ///< the file that the program is given of it: text and place; empty: none
+  SceneFolder folder;                ///< for a program that reads our format
   std::optional<Image> given;        ///< what students have of it
 };
 
-/// Throws InputError for a scene that cannot be made: of this kind, or not in the course's format.
+/// What programs are given of scenes is made in `folder`. Throws InputError for a scene that cannot be made: of this
+/// kind, or not in the course's format.
 std::vector<WorkScene> make_work_scenes(const Assignment& assignment, const SubmissionDoor& door,
-                                        const OwnEngine& engine,
+                                        const OwnEngine& engine, const std::filesystem::path& folder,
                                         const std::function<void(const std::string&)>& progress);
 
-/// What a run on the scene is asked for; {output} and {params} are left open.
+/// What a run on the scene is asked for; {output}, {params} and {scene} are left open.
 DoorRequest request_of(const Assignment& assignment, const WorkScene& scene, std::uint64_t seed, int threads);
 
 }  // namespace photonproof

@@ -39,6 +39,8 @@ std::string what_is_wrong_with_kind(const std::string& kind) {
   return " is a " + kind + ", not a file";
 }
 
+constexpr const char* scene_inside = "/scene";
+
 // Whatever the first run says or leaves, only its image is taken away.
 std::vector<std::string> one_after_the_other(const std::vector<std::string>& first,
                                              const std::vector<std::string>& second, const std::string& output) {
@@ -69,6 +71,11 @@ RunOutcome run_submission(const fs::path& built, const RunRecipe& recipe, const 
   if (!recipe.params_place.empty()) values["params"] = recipe.params_place;
   SandboxOptions options;
   options.mounts = {{tree, submission_inside}};
+  if (!recipe.scene_folder.empty()) {
+    const fs::path scene = fs::canonical(recipe.scene_folder);
+    options.mounts.push_back({scene, scene_inside});
+    values["scene"] = ((handling.contained ? fs::path(scene_inside) : scene) / scene_file_name).string();
+  }
   options.starts_with = start;
   options.collect = output;
   options.collect_to = fs::absolute(output_file);

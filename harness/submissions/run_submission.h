@@ -15,13 +15,18 @@
 
 namespace photonproof {
 
+/// Of a scene in our format, in its folder.
+inline constexpr const char* scene_file_name = "scene.xml";
+
 struct RunRecipe {
-  /// With {names} of `values`, and {output} and {params}, which are relative to the folder the command starts in.
+  /// With {names} of `values`, {output} and {params}, which are relative to the folder the command starts in, and
+  /// {scene}.
   std::vector<std::string> command{};
   std::vector<std::string> command_before{};  ///< if not empty, is run before, in the same place, which it may change
   std::map<std::string, std::string> values{};
-  std::string params{};        ///< text of the scene's own file; put at `params_place` if that is not empty
-  std::string params_place{};  ///< relative, within the run's folder
+  std::string params{};                  ///< text of the scene's own file; put at `params_place` if that is not empty
+  std::string params_place{};            ///< relative, within the run's folder
+  std::filesystem::path scene_folder{};  ///< read-only for the command, which {scene} leads to; empty: none
   std::map<std::string, std::string> environment{};
   SandboxLimits limits{};
 };

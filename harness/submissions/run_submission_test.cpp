@@ -27,6 +27,7 @@ class RunSubmission : public FolderTest {
                                                     fs::perms::group_read | fs::perms::others_read);
     recipe_.command = {"./draw", "{output}"};
     if (!recipe_.params_place.empty()) recipe_.command.emplace_back("{params}");
+    if (!recipe_.scene_folder.empty()) recipe_.command.emplace_back("{scene}");
     return run_submission(folder_ / "built", recipe_, declaration_, folder_ / "kept", PHOTONPROOF_BINARY, handling_);
   }
 
@@ -80,6 +81,24 @@ TEST_F(RunSubmission, every_run_begins_anew) {
                             four_pixels;
   EXPECT_EQ(run(leave).log_tail, "");
   EXPECT_EQ(run(leave).log_tail, "");
+}
+
+TEST_F(RunSubmission, a_scene_in_our_format_comes_with_its_files_and_cannot_be_changed) {
+  for (const bool contained : {true, false}) {
+    handling_.contained = contained;
+    fs::create_directories(folder_ / "given");
+    put("given/scene.xml", "<scene/>");
+    put("given/file-1.ply", "ply");
+    recipe_.scene_folder = folder_ / "given";
+    const RunOutcome outcome = run(std::string("cat $2 $(dirname $2)/file-1.ply >&2\n") +
+                                   (contained ? "echo other >$2 || echo kept >&2\n" : "") + four_pixels);
+    EXPECT_TRUE(outcome.image) << outcome.sentence;
+    EXPECT_NE(outcome.log_tail.find("<scene/>ply"), std::string::npos) << outcome.log_tail;
+    if (contained) {
+      EXPECT_NE(outcome.log_tail.find("kept"), std::string::npos) << outcome.log_tail;
+    }
+    EXPECT_EQ(get("given/scene.xml"), "<scene/>");
+  }
 }
 
 TEST_F(RunSubmission, what_goes_wrong_is_said) {

@@ -3,10 +3,10 @@
 #include <filesystem>
 #include <string>
 #include <system_error>
-#include <variant>
 #include <vector>
 
 #include "reference/process/process.h"
+#include "scenes/description/file_names.h"
 #include "scenes/text/atomic_file.h"
 #include "scenes/text/checksum.h"
 #include "scenes/text/file_checksum.h"
@@ -17,26 +17,6 @@ namespace photonproof {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Files are named from the scene's folder, and the text that is rendered lies elsewhere.
-SceneDescription with_absolute_files(SceneDescription scene) {
-  const fs::path folder =
-      fs::absolute(scene.files.empty() ? fs::path(".") : fs::path(scene.files.front()).parent_path());
-  const auto place = [&](std::string& name) { name = (folder / name).lexically_normal().string(); };
-  const auto place_meshes = [&](std::vector<ShapeDescription>& shapes) {
-    for (ShapeDescription& shape : shapes)
-      if (auto* mesh = std::get_if<MeshDescription>(&shape.geometry)) place(mesh->filename);
-  };
-  place_meshes(scene.shapes);
-  for (ShapeGroupDescription& group : scene.groups) place_meshes(group.shapes);
-  for (TextureDescription& texture : scene.textures)
-    if (auto* bitmap = std::get_if<BitmapDescription>(&texture.pattern)) place(bitmap->filename);
-  for (EmitterDescription& emitter : scene.emitters) {
-    if (auto* map = std::get_if<EnvmapDescription>(&emitter.light)) place(map->filename);
-    if (auto* profile = std::get_if<IesLightDescription>(&emitter.light)) place(profile->filename);
-  }
-  return scene;
-}
 
 std::vector<std::string> command_of(const OwnEngine& engine, const OwnRender& render, const std::string& scene,
                                     const std::string& out) {

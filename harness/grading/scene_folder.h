@@ -1,0 +1,20 @@
+// A scene for a program that reads our format: scene.xml and the files that it names.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "scenes/description/description.h"
+
+namespace photonproof {
+
+struct SceneFolder {
+  std::filesystem::path path;  ///< empty: none
+  std::string checksum;        ///< of all that is in it
+};
+
+/// Makes the folder, in place of what is there. Files have numbers for names, which say nothing of a hidden scene.
+/// Throws InputError for what cannot be read or written.
+SceneFolder make_scene_folder(SceneDescription scene, const std::filesystem::path& folder);
+
+}  // namespace photonproof

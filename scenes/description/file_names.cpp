@@ -1,0 +1,32 @@
+#include "scenes/description/file_names.h"
+
+#include <filesystem>
+#include <variant>
+#include <vector>
+
+namespace photonproof {
+
+void visit_file_names(SceneDescription& scene, const std::function<void(std::string&)>& visit) {
+  const auto visit_meshes = [&](std::vector<ShapeDescription>& shapes) {
+    for (ShapeDescription& shape : shapes)
+      if (auto* mesh = std::get_if<MeshDescription>(&shape.geometry)) visit(mesh->filename);
+  };
+  visit_meshes(scene.shapes);
+  for (ShapeGroupDescription& group : scene.groups) visit_meshes(group.shapes);
+  for (TextureDescription& texture : scene.textures)
+    if (auto* bitmap = std::get_if<BitmapDescription>(&texture.pattern)) visit(bitmap->filename);
+  for (EmitterDescription& emitter : scene.emitters) {
+    if (auto* map = std::get_if<EnvmapDescription>(&emitter.light)) visit(map->filename);
+    if (auto* profile = std::get_if<IesLightDescription>(&emitter.light)) visit(profile->filename);
+  }
+}
+
+SceneDescription with_absolute_files(SceneDescription scene) {
+  namespace fs = std::filesystem;
+  const fs::path folder =
+      fs::absolute(scene.files.empty() ? fs::path(".") : fs::path(scene.files.front()).parent_path());
+  visit_file_names(scene, [&](std::string& name) { name = (folder / name).lexically_normal().string(); });
+  return scene;
+}
+
+}  // namespace photonproof

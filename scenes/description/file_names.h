@@ -1,0 +1,17 @@
+// The files that a description names: of meshes, textures and lights.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "scenes/description/description.h"
+
+namespace photonproof {
+
+/// Calls with each name, as the scene spells it, relative to the folder of `scene.files.front()`; it may be changed.
+void visit_file_names(SceneDescription& scene, const std::function<void(std::string&)>& visit);
+
+/// The same scene with absolute names, for a copy of its text that lies elsewhere.
+SceneDescription with_absolute_files(SceneDescription scene);
+
+}  // namespace photonproof
