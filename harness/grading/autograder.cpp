@@ -4,6 +4,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <string_view>
 
 #include "reference/process/process.h"
 #include "reports/grades/zip_file.h"
@@ -49,19 +50,22 @@ std::vector<std::string> libraries_of(const fs::path& file) {
   return libraries;
 }
 
-// The Debian packages that they belong to, without architectures.
+// The Debian packages that they belong to, without architectures. dpkg knows files by the names they were installed
+// under, which may be links, or lack the /usr of today: one question with all of them, since each takes it a while.
 std::set<std::string> packages_of(const std::vector<fs::path>& programs) {
-  std::set<std::string> packages{"bubblewrap", "g++", "make"};
+  constexpr std::string_view usr = "/usr";
+  std::set<std::string> names;
   for (const fs::path& program : programs)
-    for (const std::string& library : libraries_of(program)) {
-      const fs::path real = fs::canonical(library);
-      for (const std::string& name : {real.string(), library, "*" + real.string()}) {
-        const std::string owner = run_process({"dpkg-query", "-S", name}).standard_output;
-        if (owner.empty()) continue;
-        packages.insert(owner.substr(0, owner.find(':')));
-        break;
+    for (const std::string& library : libraries_of(program))
+      for (const std::string& name : {library, fs::canonical(library).string()}) {
+        names.insert(name);
+        if (name.starts_with(usr)) names.insert(name.substr(usr.size()));
       }
-    }
+  std::vector<std::string> question{"dpkg-query", "-S"};
+  question.insert(question.end(), names.begin(), names.end());
+  std::set<std::string> packages{"bubblewrap", "g++", "make"};
+  std::istringstream owners(run_process(question).standard_output);
+  for (std::string line; std::getline(owners, line);) packages.insert(line.substr(0, line.find(':')));
   return packages;
 }
 
