@@ -89,12 +89,21 @@ class SubmissionFlags {
     flag("keeps-results", scene_title(context_.scenes[s]) + ": " + sentence, s);
   }
 
-  // Variants may look the same by right; a wrong image that is another scene's is no chance.
+  // As a scene that is moved with its camera does.
+  bool look_alike_by_right(std::size_t s, std::size_t other) const {
+    const auto& baseline = context_.baseline.scenes[s];
+    if (!baseline || baseline->images.empty() || !context_.references[other]) return false;
+    const Image* const right = &baseline->images.front();
+    return judge_scene(context_.assignment.correctness, *context_.references[other], {&right, 1}, false).verdict !=
+           SceneVerdict::wrong;
+  }
+
+  // A wrong image that is another scene's is no chance.
   void image_of_other_scene(std::size_t s) {
     if (grade(s).verdict != SceneVerdict::wrong) return;
     for (std::size_t other = 0; other < context_.scenes.size(); ++other) {
       if (other == s || !has_image(other) || image(other).width != image(s).width ||
-          image(other).height != image(s).height)
+          image(other).height != image(s).height || look_alike_by_right(s, other))
         continue;
       const std::vector<Image>& images = work_.scenes[other]->images;
       if (std::ranges::none_of(images, [&](const Image& one) { return one.rgb == image(s).rgb; })) continue;
