@@ -15,19 +15,6 @@
 namespace photonproof::reports {
 namespace {
 
-using Words = std::pair<std::string_view, std::string_view>;
-
-// How a run ended, without what the program says of it.
-constexpr std::array<Words, 9> ends{{{"crash", "the program crashes"},
-                                     {"timeout", "the program is not done in time"},
-                                     {"memory", "the program needs more memory than there is"},
-                                     {"disk", "the program fills its disk"},
-                                     {"log", "the program prints too much"},
-                                     {"file size", "the program writes too large a file"},
-                                     {"not started", "the program cannot be started"},
-                                     {"no image", "the program leaves no image"},
-                                     {"bad image", "the program's image cannot be used"}}};
-
 bool is_a_plain_kind(const std::string& kind) {
   const auto is_plain = [](char c) { return (c >= 'a' && c <= 'z') || c == '-' || c == ' '; };
   return !kind.empty() && kind.size() <= 40 && std::ranges::all_of(kind, is_plain);
@@ -37,54 +24,6 @@ std::string kind_words(const std::string& kind) {
   std::string words = kind;
   std::ranges::replace(words, '-', ' ');
   return words;
-}
-
-// Places are told by numbers, and a hidden scene by its name.
-bool may_be_told(const Grades& grades, const std::string& cause) {
-  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
-  const auto is_named = [&](const GradedScene& scene) {
-    return scene.hidden && !scene.name.empty() && cause.find(scene.name) != std::string::npos;
-  };
-  return !cause.empty() && std::ranges::none_of(cause, is_digit) && std::ranges::none_of(grades.scenes, is_named);
-}
-
-const GradedScene* scene_named(const Grades& grades, const std::string& name) {
-  const auto found = std::ranges::find(grades.scenes, name, &GradedScene::name);
-  return found == grades.scenes.end() ? nullptr : &*found;
-}
-
-/// That the image is no rendering of the scene; empty where nothing says so.
-std::string copy_words(const Grades& grades, const SubmissionGrade& submission, const std::string& scene) {
-  for (const GradeFlag& flag : submission.flags) {
-    if (flag.scene != scene) continue;
-    if (flag.kind == "copy-of-given") return "the image that was handed out, whatever the seed";
-    if (flag.kind == "copy-of-reference") return "a copy of the reference: it has the reference's own noise";
-    if (flag.kind != "same-image") continue;
-    const GradedScene* other = scene_named(grades, flag.other);
-    return other != nullptr && !other->hidden ? "the same image as of scene " + other->name
-                                              : "the same image as of another scene";
-  }
-  return {};
-}
-
-std::string end_words(const SceneGrade& grade) {
-  for (const GradedRun& run : grade.runs)
-    for (const auto& [end, words] : ends)
-      if (run.end == end) return std::string(words);
-  return "no image came of it";
-}
-
-std::string hidden_sentence(const Grades& grades, const SubmissionGrade& submission, const SceneGrade& grade) {
-  if (grade.verdict == SceneVerdict::failed) return end_words(grade);
-  if (grade.verdict == SceneVerdict::borderline) return "noise leaves it open, which counts as right";
-  if (grade.verdict == SceneVerdict::unused) return "nobody is graded on it";
-  if (grade.verdict == SceneVerdict::skipped) return "not graded in this run";
-  if (grade.verdict == SceneVerdict::right) return {};
-  if (const std::string copy = copy_words(grades, submission, grade.scene); !copy.empty()) return copy;
-  std::string kinds;
-  for (const GradedFinding& finding : grade.findings)
-    if (is_a_plain_kind(finding.kind)) kinds += (kinds.empty() ? "" : ", ") + kind_words(finding.kind);
-  return kinds.empty() ? "differs from the reference by more than noise explains" : kinds;
 }
 
 const char* third(double middle, double length, const char* first, const char* second, const char* last) {
@@ -186,14 +125,6 @@ std::string place_text(const GradedFinding& finding, const GradedScene& scene) {
   const std::string where = down.empty() && across != "middle" ? "at the " + across : "in the " + down + across;
   return fmt::format("{} × {} pixels {} ({}, {})", finding.width, finding.height, where,
                      range_words("column", finding.x, finding.width), range_words("row", finding.y, finding.height));
-}
-
-HiddenWords hidden_words(const Grades& grades, const SubmissionGrade& submission, const SceneGrade& grade) {
-  HiddenWords words{hidden_sentence(grades, submission, grade), {}};
-  for (const GradedFinding& finding : grade.findings)
-    if (may_be_told(grades, finding.cause) && std::ranges::find(words.causes, finding.cause) == words.causes.end())
-      words.causes.push_back(finding.cause);
-  return words;
 }
 
 std::string correctness_words(const Grades& grades, const SubmissionGrade& submission) {

@@ -1,9 +1,4 @@
-// What the pages of a grading say in words, and how much of it students may read.
-//
-// Of a hidden scene students are told its number in the assignment's order, the verdict, points, values of the metrics,
-// and of each finding its kind and likely cause. These are words of fixed lists. They never see its name, what the
-// variant changes, a place in the image, a sentence about it, what the program printed (it could print the scene), or a
-// picture.
+// What the pages of a grading say in words. How much of it students may read of hidden scenes is in hidden_words.h.
 #pragma once
 
 #include <optional>
@@ -37,13 +32,6 @@ std::string staff_title(const GradedScene& scene);
 /// "whole image", "12 × 8 pixels at the lower left (columns 3 to 14, rows 80 to 87)".
 std::string place_text(const GradedFinding& finding, const GradedScene& scene);
 bool is_whole_image(const GradedFinding& finding, const GradedScene& scene);
-
-/// A submission's grade on a hidden scene, as its student may read it.
-struct HiddenWords {
-  std::string sentence;             ///< one of a fixed list; empty where it is right
-  std::vector<std::string> causes;  ///< likely ones, each once
-};
-HiddenWords hidden_words(const Grades& grades, const SubmissionGrade& submission, const SceneGrade& grade);
 
 /// "right on 2 of 3 scenes and on 1 of 4 hidden ones"
 std::string correctness_words(const Grades& grades, const SubmissionGrade& submission);

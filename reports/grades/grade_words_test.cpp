@@ -71,27 +71,6 @@ TEST(GradeWords, hidden_scenes_are_numbered_apart) {
   EXPECT_EQ(staff_title(grades.scenes[3]), "hidden scene dark");
 }
 
-TEST(GradeWords, another_hidden_scene_is_not_named_either) {
-  Grades grades;
-  for (const char* name : {"1", "secret"}) grades.scenes.push_back(named_scene(name));
-  grades.scenes[1].hidden = true;
-  SubmissionGrade submission;
-  SceneGrade grade;
-  grade.scene = "secret";
-  grade.verdict = SceneVerdict::wrong;
-  submission.flags = {{"same-image", "", "secret", "dark"}};
-  EXPECT_EQ(hidden_words(grades, submission, grade).sentence, "the same image as of another scene");
-  submission.flags = {{"copy-of-reference", "", "secret", ""}};
-  EXPECT_EQ(hidden_words(grades, submission, grade).sentence,
-            "a copy of the reference: it has the reference's own noise");
-  submission.flags.clear();
-  EXPECT_EQ(hidden_words(grades, submission, grade).sentence, "differs from the reference by more than noise explains");
-  grade.findings = {{"missing-shadow", "", "at 12, 13", 0, 0, 0, 0, 0}, {"dim", "", "light is lost", 0, 0, 0, 0, 0}};
-  const HiddenWords words = hidden_words(grades, submission, grade);
-  EXPECT_EQ(words.sentence, "missing shadow, dim");
-  EXPECT_EQ(words.causes, std::vector<std::string>{"light is lost"});
-}
-
 TEST(GradeWords, a_log_keeps_its_lines_and_loses_what_a_page_must_not_have) {
   EXPECT_EQ(log_text("a\x1b[1mb\tc\nd\u202Ee"), "a [1mb c\nd\uFFFDe\n");
   EXPECT_EQ(log_text(""), "");

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "reports/grades/grade_words.h"
+#include "reports/grades/hidden_words.h"
 #include "scenes/text/utf8.h"
 
 namespace photonproof {
@@ -62,7 +63,8 @@ Document speed_test(const Grades& grades, const SubmissionGrade& submission) {
 
 }  // namespace
 
-nlohmann::ordered_json gradescope_results(const Grades& grades, const SubmissionGrade& submission) {
+nlohmann::ordered_json gradescope_results(const Grades& grades, const SubmissionGrade& graded) {
+  const SubmissionGrade submission = reports::as_students_read(grades, graded);
   Document results = {{"score", rounded(submission.points())},
                       {"execution_time", rounded(seconds_of(submission))},
                       {"output", ""},

@@ -41,11 +41,27 @@ TEST(Gradescope, hidden_scenes_tell_what_the_students_page_tells) {
   const Grades grades = test_grades();
   const Json results = gradescope_results(grades, grades.submissions[1]);
   EXPECT_EQ(results["tests"].size(), 3u);
-  EXPECT_EQ(results["tests"][1].dump(),
-            R"({"score":0.0,"max_score":13.333,"status":"failed","name":"hidden scene 1","output":)"
-            R"("wrong: caustic missing\n- no photons","output_format":"text","visibility":"visible"})");
-  for (const char* word : {"secret", "sphere", "flip", "public"})
+  EXPECT_EQ(
+      results["tests"][1].dump(),
+      R"({"score":0.0,"max_score":13.333,"status":"failed","name":"hidden scene 1","output":)"
+      R"("wrong: something that the scene holds is not rendered as it should be\n- try objects, materials and lamps of )"
+      R"(every kind, in scenes of your own","output_format":"text","visibility":"visible"})");
+  for (const char* word : {"secret", "sphere", "caustic", "photons", "flip", "public"})
     EXPECT_EQ(results.dump().find(word), std::string::npos) << word;
+}
+
+TEST(Gradescope, sentences_about_public_scenes_and_speed_name_no_hidden_scene) {
+  Grades grades = test_grades();
+  SubmissionGrade& submission = grades.submissions[2];
+  submission.scenes[0].verdict = SceneVerdict::wrong;
+  submission.scenes[0].sentence = "same image as hidden scene secret's";
+  submission.scenes[0].findings.push_back({"other-scene", "same image as scene secret's", "", 0, 0, 1, 1, 1});
+  submission.speed.sentence = "not timed: hidden scene secret is not right";
+  const Json results = gradescope_results(grades, submission);
+  EXPECT_EQ(results.dump().find("secret"), std::string::npos) << results.dump();
+  EXPECT_EQ(results["tests"][0]["output"].get<std::string>(),
+            "wrong: same image as a hidden scene's\n- same image as a hidden scene's");
+  EXPECT_EQ(results["tests"][2]["output"].get<std::string>(), "not timed: a hidden scene is not right");
 }
 
 TEST(Gradescope, the_leaderboard_has_a_speed_up_where_there_is_one) {

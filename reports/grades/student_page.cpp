@@ -8,6 +8,7 @@
 #include "reports/grades/grade_pages.h"
 #include "reports/grades/grade_templates.h"
 #include "reports/grades/grade_words.h"
+#include "reports/grades/hidden_words.h"
 #include "reports/page/html_data.h"
 #include "reports/page/page_parts.h"
 #include "reports/page/picture.h"
@@ -200,7 +201,7 @@ std::string student_html(const Grades& grades, const SubmissionGrade& submission
 
 void write_student_page(const Grades& grades, const SubmissionGrade& submission, const std::filesystem::path& folder,
                         const std::filesystem::path& out) {
-  write_file_atomically(out, reports::student_html(grades, submission, folder));
+  write_file_atomically(out, reports::student_html(grades, reports::as_students_read(grades, submission), folder));
 }
 
 }  // namespace photonproof

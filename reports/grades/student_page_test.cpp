@@ -61,7 +61,7 @@ TEST_F(StudentPage, shows_pictures_of_public_scenes_and_of_no_hidden_one) {
   }
 }
 
-TEST_F(StudentPage, tells_nothing_of_a_hidden_scene_but_verdict_kind_cause_and_values) {
+TEST_F(StudentPage, tells_nothing_of_a_hidden_scene_but_verdict_listed_mistakes_and_values) {
   SubmissionGrade& graded = submission("no-caustic");
   SceneGrade& grade = graded.scenes[4];
   ASSERT_EQ(grade.scene, "secret-lamps");
@@ -69,21 +69,28 @@ TEST_F(StudentPage, tells_nothing_of_a_hidden_scene_but_verdict_kind_cause_and_v
   grade.findings[0].sentence = "LEAK below the second lamp";
   grade.findings[0].x = 7171;
   grade.findings[0].y = 8282;
-  grade.findings.push_back({"dim", "LEAK", "near 31, 44 photons are lost", 1, 2, 3, 4, 0.1});
+  grade.findings.push_back({"coarse", "LEAK", "near 31, 44 photons are lost", 1, 2, 3, 4, 0.1});
   grade.findings.push_back({"LEAK <b>", "LEAK", "a lamp of secret-lamps is skipped", 1, 2, 3, 4, 0.1});
   grade.checks[0].sentence = "LEAK worst at columns 40 to 47";
   grade.checks[0].parameters = "LEAK";
   grade.runs = {{9091, "crash", "LEAK signal", 77.25, 1, 1, "LEAK.exr", "LEAK", "LEAK sphere 1 2 3"}};
   graded.flags.push_back({"seed-ignored", "LEAK", "secret-lamps", ""});
   graded.sentence = "LEAK the first thing";
-  graded.speed.sentence = "not timed";
+  graded.speed.sentence = "not timed: hidden scene secret-lamps is not right";
+  graded.scenes[0].verdict = SceneVerdict::wrong;
+  graded.scenes[0].sentence = "the same image as scene secret-lamps's, or hidden scene hidden-mirror's";
+  graded.scenes[0].findings.clear();
   const std::string page = html("no-caustic");
-  for (const char* secret : {"LEAK", "7171", "8282", "31, 44", "secret", "lamps", "hidden-mirror", "more-spheres",
-                             "left and right change places", "9091", "77.2", "424242", "photon-mapping.toml"})
+  for (const char* secret :
+       {"LEAK", "7171", "8282", "31, 44", "secret", "hidden-mirror", "more-spheres", "photons are lost",
+        "left and right change places", "9091", "77.2", "424242", "photon-mapping.toml"})
     EXPECT_EQ(count(page, secret), 0u) << secret;
   EXPECT_GE(count(page, "hidden scene 2"), 2u);
-  EXPECT_GE(count(page, "caustic missing, dim"), 1u);  // kinds, and of the causes the one that names nothing
-  EXPECT_GE(count(page, "no caustic photons are looked up"), 1u);
+  EXPECT_GE(count(page, "something that the scene holds is not rendered as it should be; the resolution is too low"),
+            1u);
+  EXPECT_GE(count(page, "rendered smaller and enlarged, or not every pixel is computed"), 1u);
+  EXPECT_GE(count(page, "not timed: a hidden scene is not right"), 1u);
+  EXPECT_GE(count(page, "the same image as a hidden scene&apos;s, or a hidden scene&apos;s"), 1u);
   EXPECT_GE(count(page, "flip 0.331, bound 0.120 (missed)"), 1u);
 }
 

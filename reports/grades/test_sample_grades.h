@@ -289,7 +289,9 @@ inline void add_wrong_ones(SampleClass& sample) {
   };
   const char *every_16th = "every 16th row and column is black", *energy = "0.6x energy after the second bounce";
   add_wrong(sample, "upside", 6,
-            whole("upside-down", "the image is upside down", "rows are written from the bottom up"), upside_down);
+            whole("upside-down", "the image is upside down",
+                  "rows are written from the bottom up, or y is not turned from world to image"),
+            upside_down);
   add_wrong(sample, "tiles", 14, whole("black-lines", every_16th, "seams between tiles are not rendered"), black_lines);
   add_wrong(sample, "gamma", 9, whole("gamma-twice", "gamma applied twice", "file and image are both encoded"),
             gamma_twice);
