@@ -13,6 +13,7 @@
 #include <sstream>
 #include <string_view>
 #include <thread>
+#include <utility>
 
 namespace photonproof {
 namespace {
@@ -67,18 +68,22 @@ void remove_abandoned(const fs::path& parent) {
     const std::string name = entry->path().filename().string();
     if (!name.starts_with(group_start)) continue;
     const auto process = static_cast<pid_t>(std::strtol(name.c_str() + group_start.size(), nullptr, 10));
-    if (process > 0 && kill(process, 0) != 0 && errno == ESRCH) rmdir(entry->path().c_str());
+    if (process <= 0 || kill(process, 0) == 0 || errno != ESRCH) continue;
+    if (const auto hold = FolderHold::take(entry->path())) rmdir(entry->path().c_str());
   }
 }
 
 // A new group below `group` or the nearest of those above it that takes one with all settings.
 template <class Settings>
-fs::path make_group(const fs::path& root, const std::string& group, const Settings& settings) {
+fs::path make_group(const fs::path& root, const std::string& group, std::vector<FolderHold>& holds,
+                    const Settings& settings) {
   const std::string name = new_group_name();
   for (fs::path parent = (root / fs::path(group).relative_path()).lexically_normal();; parent = parent.parent_path()) {
     std::error_code failure;
     if (fs::create_directory(parent / name, failure)) {
-      if (settings(parent / name)) {
+      std::optional<FolderHold> hold = FolderHold::take(parent / name);
+      if (hold && settings(parent / name)) {
+        holds.push_back(std::move(*hold));
         remove_abandoned(parent);
         return parent / name;
       }
@@ -99,7 +104,7 @@ std::optional<fs::path> version_two_root() {
 ControlGroups::ControlGroups(std::uint64_t memory_bytes, int processes) {
   const std::string memory = std::to_string(memory_bytes), most = std::to_string(processes);
   if (const auto root = version_two_root()) {
-    const fs::path both = make_group(*root, own_group(""), [&](const fs::path& group) {
+    const fs::path both = make_group(*root, own_group(""), holds_, [&](const fs::path& group) {
       if (!write_setting(group / "memory.max", memory) || !write_setting(group / "pids.max", most)) return false;
       write_setting(group / "memory.swap.max", "0");
       write_setting(group / "memory.oom.group", "1");
@@ -111,12 +116,12 @@ ControlGroups::ControlGroups(std::uint64_t memory_bytes, int processes) {
       return;
     }
   }
-  memory_ = make_group(groups_root / "memory", own_group("memory"), [&](const fs::path& group) {
+  memory_ = make_group(groups_root / "memory", own_group("memory"), holds_, [&](const fs::path& group) {
     if (!write_setting(group / "memory.limit_in_bytes", memory)) return false;
     write_setting(group / "memory.memsw.limit_in_bytes", memory);
     return true;
   });
-  processes_ = make_group(groups_root / "pids", own_group("pids"),
+  processes_ = make_group(groups_root / "pids", own_group("pids"), holds_,
                           [&](const fs::path& group) { return write_setting(group / "pids.max", most); });
   for (const fs::path& made : {memory_, processes_})
     if (!made.empty()) folders_.push_back(made);

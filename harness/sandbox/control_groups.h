@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "scenes/text/folder_hold.h"
+
 namespace photonproof {
 
 class ControlGroups {
@@ -28,6 +30,7 @@ class ControlGroups {
 
  private:
   std::vector<std::filesystem::path> folders_;
+  std::vector<FolderHold> holds_;
   std::filesystem::path memory_, processes_;
 };
 

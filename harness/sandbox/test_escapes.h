@@ -5,7 +5,6 @@
 
 #include <cstdio>
 #include <fstream>
-#include <iterator>
 #include <span>
 #include <string>
 
@@ -42,9 +41,17 @@ inline void escaped(const std::string& how) {
 inline void escaped_if(bool success, const std::string& how) {
   if (success) escaped(how);
 }
+/// As much as can be read: a process's file in /proc fails in the middle when the process ends, and a stream throws
+/// then.
 inline std::string text_of(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
+  std::string text;
+  std::FILE* const file = std::fopen(path.c_str(), "rb");
+  if (file == nullptr) return text;
+  char part[4096];
+  for (std::size_t n = std::fread(part, 1, sizeof part, file); n > 0; n = std::fread(part, 1, sizeof part, file))
+    text.append(part, n);
+  std::fclose(file);
+  return text;
 }
 inline void escaped_if_read(const std::string& path) {
   escaped_if(text_of(path).find(token) != std::string::npos, "read " + path);

@@ -35,11 +35,16 @@ ScratchFolder::ScratchFolder(const std::string& purpose) {
   if (error) parent = "/tmp";
   const std::string start = "photonproof-" + purpose + "-";
   for (fs::directory_iterator entry(parent, error), none; !error && entry != none; entry.increment(error))
-    if (is_abandoned(entry->path(), start)) fs::remove_all(entry->path(), ignored);
-  std::string name = (parent / (start + std::to_string(getpid()) + "-XXXXXX")).string();
-  if (!mkdtemp(name.data()))
-    throw InputError(name, "cannot be made for temporary files: " + std::generic_category().message(errno));
-  path_ = name;
+    if (is_abandoned(entry->path(), start))
+      if (const auto hold = FolderHold::take(entry->path())) fs::remove_all(entry->path(), ignored);
+  // Before we hold it, a process of another namespace may take it for a leftover.
+  while (!hold_) {
+    std::string name = (parent / (start + std::to_string(getpid()) + "-XXXXXX")).string();
+    if (!mkdtemp(name.data()))
+      throw InputError(name, "cannot be made for temporary files: " + std::generic_category().message(errno));
+    path_ = name;
+    hold_ = FolderHold::take(path_);
+  }
 }
 
 ScratchFolder::~ScratchFolder() {

@@ -2,7 +2,10 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
+
+#include "scenes/text/folder_hold.h"
 
 namespace photonproof {
 
@@ -18,6 +21,7 @@ class ScratchFolder {
 
  private:
   std::filesystem::path path_;
+  std::optional<FolderHold> hold_;
 };
 
 }  // namespace photonproof

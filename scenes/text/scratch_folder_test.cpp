@@ -33,5 +33,25 @@ TEST_F(Temporary, folders_of_killed_processes_are_removed_and_no_others) {
   EXPECT_TRUE(has("photonproof-test-mine"));
 }
 
+// As a process of another namespace sees it: the number in the name is nobody's here.
+TEST_F(Temporary, a_folder_whose_maker_lives_in_another_namespace_of_processes_stays) {
+  setenv("TMPDIR", folder_.c_str(), 1);
+  const fs::path theirs = folder_ / "photonproof-test-2000000000-AbCdEf";
+  fs::create_directories(theirs);
+  {
+    const std::optional<FolderHold> hold = FolderHold::take(theirs);
+    ASSERT_TRUE(hold);
+    EXPECT_FALSE(FolderHold::take(theirs));
+    const ScratchFolder folder("test");
+    EXPECT_TRUE(fs::exists(theirs));
+    EXPECT_FALSE(FolderHold::take(folder.path()));
+  }
+  { const ScratchFolder folder("test"); }
+  unsetenv("TMPDIR");
+  EXPECT_FALSE(fs::exists(theirs));
+}
+
+TEST_F(Temporary, a_folder_that_is_gone_is_held_by_nobody) { EXPECT_FALSE(FolderHold::take(folder_ / "none")); }
+
 }  // namespace
 }  // namespace photonproof
