@@ -1,0 +1,51 @@
+// A stress ladder: one feature of the renderer, climbed by one number until it breaks. Every rung says what its picture
+// has to be, by an invariance (another scene's picture) or a closed form (one radiance everywhere).
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scenes/description/description.h"
+
+namespace photonproof {
+
+/// What has to be rendered for one rung, or for what it is compared with.
+struct StressScene {
+  SceneDescription scene;
+  int width = 24, height = 24;             ///< pixels
+  std::vector<std::string> arguments{};    ///< of `photonproof render`, beside those that every rung gets
+  std::string replaced{}, replacement{};   ///< in the scene's text, for what no description can hold (nan, 1e400)
+  std::vector<std::string> unlike_path{};  ///< arguments that only the rung's own engine gets
+};
+
+struct Ladder {
+  std::string feature;          ///< "shape sphere"
+  std::string climb;            ///< "scale up"
+  std::string measure;          ///< what a rung's height k means: "a unit of length of 10^k"
+  std::vector<double> heights;  ///< ascending
+  double wanted = 0;            ///< the height up to which pictures should be right; -1: none has to be
+  std::function<StressScene(double)> rung;
+  /// What has this picture; empty where `radiance` is the closed form.
+  std::function<StressScene(double)> alike{};
+  std::optional<double> radiance{};
+  /// The rung's picture over what it is compared with.
+  std::function<double(double)> factor = [](double) { return 1.0; };
+  std::vector<std::string> engines{};  ///< empty: all
+  bool climbs_on = false;              ///< beyond a rung that is refused: heights are a list, not a size
+  bool must_refuse = false;            ///< a picture without a warning is wrong
+  std::string compared_with{};         ///< the engine that renders `alike`; empty: the rung's own
+  double quick = std::numeric_limits<double>::quiet_NaN();  ///< the height that --quick climbs to; NaN: `wanted`
+  std::string name() const { return feature + ", " + climb; }
+};
+
+/// The integrators that climb where nothing else is said.
+const std::vector<std::string>& stress_engines();
+
+/// All ladders. What scenes need beside their text (meshes, images) is written to `assets`, which exists.
+std::vector<Ladder> stress_ladders(const std::filesystem::path& assets);
+
+}  // namespace photonproof

@@ -1,0 +1,149 @@
+#include <cmath>
+#include <filesystem>
+
+#include "harness/stress/ladder_rows.h"
+#include "harness/stress/stage.h"
+
+namespace photonproof {
+namespace {
+
+double ten(double k) { return std::pow(10.0, k); }
+
+const std::vector<std::string> from_the_camera{"path", "photonmapper", "bdpt", "volpath"};
+
+std::function<StressScene(double)> stage_of(const std::function<BsdfModel(double)>& model) {
+  return [=](double k) { return StressScene{stage_with_bsdf(model(k))}; };
+}
+
+template <class Glass>
+Glass with_ior(double ior) {
+  Glass glass;
+  glass.ext_ior = 1;
+  glass.int_ior = ior;
+  return glass;
+}
+
+/// Glass of 1 + 10^-k is not seen.
+Ladder ior_near_one(const char* feature, const std::function<BsdfModel(double)>& model) {
+  Ladder ladder{feature, "ior near 1", "an ior of 1 + 10^-k", {4, 5, 6, 7, 8, 9, 12, 20}, 12, stage_of(model)};
+  ladder.alike = [](double) {
+    SceneDescription scene = stage_with_bsdf(NullDescription{});
+    return StressScene{scene};
+  };
+  return ladder;
+}
+
+Ladder lossless(const char* feature, const char* climb, const char* measure, const std::vector<double>& heights,
+                double wanted, const std::function<BsdfModel(double)>& model) {
+  Ladder ladder{feature, climb,  measure,
+                heights, wanted, [=](double k) { return StressScene{ball_in_uniform_sky(model(k))}; }};
+  ladder.radiance = 1;
+  ladder.engines = from_the_camera;
+  return ladder;
+}
+
+std::vector<Ladder> indices() {
+  const std::vector<double> high{0.5, 1, 1.5, 2, 3, 4, 6, 9};
+  return {
+      ior_near_one("bsdf dielectric", [](double k) { return with_ior<DielectricDescription>(1 + ten(-k)); }),
+      ior_near_one("bsdf thindielectric", [](double k) { return with_ior<ThinDielectricDescription>(1 + ten(-k)); }),
+      lossless("bsdf dielectric", "high ior", "an ior of 10^k", high, 2,
+               [](double k) { return with_ior<DielectricDescription>(ten(k)); }),
+      lossless("bsdf thindielectric", "high ior", "an ior of 10^k", high, 2,
+               [](double k) { return with_ior<ThinDielectricDescription>(ten(k)); }),
+      lossless("bsdf dielectric", "low ior", "an ior of 10^-k", high, 2,
+               [](double k) { return with_ior<DielectricDescription>(ten(-k)); })};
+}
+
+std::vector<Ladder> roughness() {
+  const std::vector<double> heights{5, 6, 7, 9, 12, 20, 37};
+  const auto smooth = [](const BsdfModel& model) {
+    return [=](double) { return StressScene{stage_with_bsdf(model)}; };
+  };
+  const auto row = [&](const char* feature, const std::function<BsdfModel(double)>& rough, const BsdfModel& model) {
+    return Ladder{feature,         "roughness to 0", "alpha = 10^-k, against the smooth one", heights, 9,
+                  stage_of(rough), smooth(model)};
+  };
+  Ladder phong{"bsdf phong",
+               "exponent up",
+               "an exponent of 10^k, against a mirror",
+               {6, 9, 12, 20, 37},
+               9,
+               stage_of([](double k) {
+                 return PhongDescription{ten(k), RgbD(0.0), RgbD(1.0)};
+               }),
+               smooth(ConductorDescription{})};
+  return {row(
+              "bsdf roughconductor", [](double k) { return of_roughness<RoughConductorDescription>(ten(-k)); },
+              ConductorDescription{}),
+          row(
+              "bsdf roughdielectric", [](double k) { return of_roughness<RoughDielectricDescription>(ten(-k)); },
+              DielectricDescription{}),
+          row(
+              "bsdf roughplastic", [](double k) { return of_roughness<RoughPlasticDescription>(ten(-k)); },
+              PlasticDescription{}),
+          phong};
+}
+
+std::vector<Ladder> albedos() {
+  Ladder room{"bsdf diffuse",
+              "albedo to 1",
+              "a closed room of albedo 1 - 10^-k that emits 10^-k",
+              {1, 2, 3, 4},
+              4,
+              [](double k) {
+                return StressScene{closed_sphere(ten(-k), 1 - ten(-k)), 8, 8};
+              }};
+  room.radiance = 1;
+  Ladder fog{"medium homogeneous",
+             "optical depth",
+             "10^k through a ball of albedo 1",
+             {-9, -6, -3, 0, 1, 1.5, 2},
+             1.5,
+             [](double k) {
+               SceneDescription scene = ball_in_uniform_sky(NullDescription{});
+               scene.media.push_back({{}, "fog", HomogeneousDescription{RgbD(ten(k) / 2), RgbD(1.0), 1, {}}});
+               scene.shapes.back().interior = MediumIndex{0};
+               return StressScene{scene, 16, 16};
+             }};
+  fog.radiance = 1;
+  fog.engines = {"volpath"};
+  return {room, fog};
+}
+
+/// A checkerboard and a bitmap moved by whole periods of uv.
+std::vector<Ladder> textures(const std::filesystem::path& assets) {
+  std::vector<Ladder> ladders;
+  for (const NamedScene& named : scenes_of_features(assets)) {
+    if (named.first != "texture bitmap" && named.first != "bsdf diffuse") continue;
+    const SceneDescription base = named.second;
+    const bool bitmap = named.first == "texture bitmap";
+    ladders.push_back({bitmap ? "texture bitmap" : "texture checkerboard",
+                       "moved uv",
+                       "by 2^k of its periods",
+                       {4, 8, 12, 16, 20, 23, 26, 30, 60},
+                       20,
+                       [=](double k) {
+                         SceneDescription scene = base;
+                         std::visit(
+                             [&](auto& pattern) {
+                               pattern.to_uv = Transform::translate({std::exp2(k), std::exp2(k), 0}) * pattern.to_uv;
+                             },
+                             scene.textures[bitmap ? 1 : 0].pattern);
+                         return StressScene{scene};
+                       },
+                       [=](double) { return StressScene{base}; }});
+  }
+  return ladders;
+}
+
+}  // namespace
+
+std::vector<Ladder> material_ladders(const std::filesystem::path& assets) {
+  std::vector<Ladder> ladders = indices();
+  for (const std::vector<Ladder>& more : {roughness(), albedos(), textures(assets)})
+    ladders.insert(ladders.end(), more.begin(), more.end());
+  return ladders;
+}
+
+}  // namespace photonproof

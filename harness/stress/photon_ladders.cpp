@@ -1,0 +1,51 @@
+#include <cmath>
+
+#include "harness/stress/ladder_rows.h"
+#include "harness/stress/stage.h"
+
+namespace photonproof {
+namespace {
+
+double tens(double k) { return std::pow(10.0, k); }
+
+/// Light by glass and light between walls: both maps have something to hold.
+SceneDescription with_glass() { return stage_with_bsdf(DielectricDescription{}); }
+
+Ladder photons(const char* feature, const char* climb, const char* measure, const std::vector<double>& heights,
+               double wanted, const std::function<StressScene(double)>& rung) {
+  Ladder ladder{feature, climb, measure, heights, wanted, rung, [](double) { return StressScene{with_glass()}; }};
+  ladder.engines = {"photonmapper"};
+  ladder.compared_with = "bdpt";
+  return ladder;
+}
+
+StressScene of_radius(double radius, const std::string& indirect) {
+  SceneDescription scene = with_glass();
+  PhotonMapperDescription method;
+  method.global_radius = method.caustic_radius = radius;
+  scene.integrator.method = method;
+  StressScene rung{scene};
+  rung.unlike_path = {"--indirect", indirect};
+  return rung;
+}
+
+}  // namespace
+
+std::vector<Ladder> photon_ladders(const std::filesystem::path&) {
+  std::vector<Ladder> ladders;
+  for (const char* indirect : {"map", "gather", "cache"}) {
+    const std::string feature = "photons, " + std::string(indirect);
+    ladders.push_back(photons(feature.c_str(), "radius up", "radii of 10^k", {-1, 0, 1, 2, 3, 6, 9, 20, 37, 45}, 9,
+                              [=](double k) { return of_radius(tens(k), indirect); }));
+    ladders.push_back(photons(feature.c_str(), "radius down", "radii of 10^-k", {1, 2, 3, 4, 6, 9, 20, 37, 45}, 9,
+                              [=](double k) { return of_radius(tens(-k), indirect); }));
+    ladders.push_back(photons(feature.c_str(), "few", "10^(6-k) photons", {0, 1, 2, 3, 4, 5, 6}, 6, [=](double k) {
+      StressScene rung{with_glass()};
+      rung.unlike_path = {"--indirect", indirect, "--photons", std::to_string(std::lround(tens(6 - k)))};
+      return rung;
+    }));
+  }
+  return ladders;
+}
+
+}  // namespace photonproof

@@ -1,0 +1,161 @@
+#include "harness/stress/rung_judge.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "harness/pixels/image_blocks.h"
+#include "harness/statistics/agreement.h"
+
+namespace photonproof {
+namespace {
+
+std::size_t non_finite_pixel_values(const Image& image) {
+  return static_cast<std::size_t>(
+      std::count_if(image.rgb.begin(), image.rgb.end(), [](float v) { return !std::isfinite(v); }));
+}
+
+/// Divided by the factor, so that both sides are of ordinary size.
+Image divided(const Image& image, double factor) {
+  Image out = image;
+  for (float& v : out.rgb) v = static_cast<float>(double{v} / factor);
+  return out;
+}
+
+bool any_other_than_zero(const Image& image) {
+  return std::any_of(image.rgb.begin(), image.rgb.end(), [](float v) { return v != 0; });
+}
+
+double mean_of(const Image& image) {
+  double sum = 0;
+  for (const float v : image.rgb) sum += double{v};
+  return image.rgb.empty() ? 0 : sum / static_cast<double>(image.rgb.size());
+}
+
+/// The image that is expected, and its variance.
+Rendering expected_rendering(const RungExpectation& expected, const Image& like) {
+  if (expected.picture) return *expected.picture;
+  Rendering flat;
+  flat.mean = flat.variance.emplace(like.width, like.height);
+  std::fill(flat.mean.rgb.begin(), flat.mean.rgb.end(), static_cast<float>(*expected.radiance));
+  return flat;
+}
+
+/// Means of blocks and of the whole within a band about what is expected, which noise widens.
+RungVerdict judge_means(const Rendering& reference, const Rendering& test, double claimed_bias) {
+  const double sigmas = 4.5;
+  RungVerdict verdict;
+  verdict.outcome = RungOutcome::right;
+  double worst = 0, all_difference = 0, all_expected = 0, all_variance = 0;
+  for (const Block& block : blocks_of(test.mean.width, test.mean.height)) {
+    double difference = 0, expects = 0, variance = 0;
+    for_each_pixel(block, [&](int x, int y) {
+      for (int c = 0; c < 3; ++c) {
+        difference += double{test.mean.pixel(x, y)[c]} - double{reference.mean.pixel(x, y)[c]};
+        expects += double{reference.mean.pixel(x, y)[c]};
+        // Channels of a sample vary together.
+        variance += 3 * (double{test.variance->pixel(x, y)[c]} + double{reference.variance->pixel(x, y)[c]});
+      }
+    });
+    all_difference += difference;
+    all_expected += expects;
+    all_variance += variance;
+    const double band = (biased_block + 4 * claimed_bias) * std::abs(expects) + 2 * sigmas * std::sqrt(variance);
+    const double beyond = std::abs(difference) / std::max(band, 1e-300);
+    if (std::abs(difference) <= band || beyond <= worst) continue;
+    worst = beyond;
+    verdict.outcome = RungOutcome::silently_wrong;
+    verdict.sentence = fmt::format("the block at ({}, {}) is off by {:+.3g} % of {:.4g}", block.x0, block.y0,
+                                   100 * difference / expects, expects / block.pixels() / 3);
+  }
+  const double noise = sigmas * std::sqrt(all_variance);
+  const double band = (biased_mean + 4 * claimed_bias) * std::abs(all_expected) + noise;
+  if (std::abs(all_difference) > band) {
+    verdict.outcome = RungOutcome::silently_wrong;
+    verdict.sentence = fmt::format("the mean is off by {:+.3g} %", 100 * all_difference / all_expected);
+  }
+  if (all_expected != 0) verdict.would_see = biased_mean + 4 * claimed_bias + 2 * noise / std::abs(all_expected);
+  return verdict;
+}
+
+RungVerdict judge_pixels(const Rendering& reference, const Rendering& test) {
+  const Agreement agreement = test_agreement(reference, test, rung_alpha);
+  RungVerdict verdict;
+  verdict.would_see = agreement.would_see;
+  if (verdict.would_see && !std::isfinite(*verdict.would_see)) verdict.would_see = 1e9;
+  verdict.outcome = agreement.pass() ? RungOutcome::right : RungOutcome::silently_wrong;
+  if (!agreement.whole.pass)
+    verdict.sentence = agreement.whole.sentence;
+  else if (!agreement.blocks.pass)
+    verdict.sentence = agreement.blocks.sentence;
+  else if (!agreement.pixels.pass)
+    verdict.sentence = agreement.pixels.sentence;
+  return verdict;
+}
+
+/// Of a picture that is there. `wrong` where it is none that is expected, whatever was said.
+RungVerdict judge_picture(const RungEvidence& evidence, const RungExpectation& expected) {
+  RungVerdict verdict;
+  const Rendering& picture = *evidence.picture;
+  if (const std::size_t broken = non_finite_pixel_values(picture.mean); broken > 0) {
+    verdict.outcome = RungOutcome::silently_wrong;
+    verdict.sentence = fmt::format("{} of {} values are not finite", broken, picture.mean.rgb.size());
+    return verdict;
+  }
+  verdict.outcome = RungOutcome::right;
+  if (!expected.picture && !expected.radiance) return verdict;
+  Rendering test;
+  test.mean = divided(picture.mean, expected.factor);
+  const Rendering reference = expected_rendering(expected, test.mean);
+  const bool has_noise = picture.variance && any_other_than_zero(*picture.variance);
+  const bool is_known = has_noise && non_finite_pixel_values(*picture.variance) == 0;
+  if (is_known) {
+    test.variance = divided(divided(*picture.variance, expected.factor), expected.factor);
+  } else {
+    test.variance = *reference.variance;  // as wide as that of as many samples
+    for (float& v : test.variance->rgb) v *= static_cast<float>(expected.samples / evidence.samples);
+  }
+  if (!any_other_than_zero(reference.mean) && mean_of(test.mean) != 0) {
+    verdict.outcome = RungOutcome::silently_wrong;
+    verdict.sentence = fmt::format("light of {:.3g} where there is none", mean_of(test.mean));
+    return verdict;
+  }
+  verdict = expected.is_exact ? judge_pixels(reference, test) : judge_means(reference, test, evidence.relative_bias);
+  if (verdict.outcome == RungOutcome::right && !is_known && any_other_than_zero(*reference.variance)) {
+    verdict.outcome = RungOutcome::silently_wrong;
+    verdict.sentence =
+        has_noise ? "the mean is right, its variance is not finite" : "the mean is right, its variance is 0";
+  }
+  return verdict;
+}
+
+std::string said_by(const RungEvidence& evidence) {
+  return evidence.losses.empty() ? evidence.message : evidence.losses.front();
+}
+
+}  // namespace
+
+RungVerdict judge_rung(const RungEvidence& evidence, const RungExpectation& expected) {
+  if (evidence.refused) return {RungOutcome::refused, evidence.message, {}};
+  if (!evidence.picture) return {RungOutcome::crashed, evidence.ending + ": " + evidence.message, {}};
+  if (expected.must_refuse && evidence.losses.empty())
+    return {RungOutcome::silently_wrong, "was rendered, though it is no number", {}};
+  RungVerdict verdict = judge_picture(evidence, expected);
+  const bool is_said = !evidence.losses.empty();
+  if (verdict.outcome == RungOutcome::silently_wrong && !evidence.losses.empty()) {
+    verdict.outcome = RungOutcome::degraded;
+    verdict.sentence += "; said: " + said_by(evidence);
+  } else if (verdict.outcome == RungOutcome::right) {
+    if (verdict.would_see && *verdict.would_see > rung_power) {
+      verdict.outcome = is_said ? RungOutcome::degraded : RungOutcome::undecided;
+      verdict.sentence = fmt::format("only an error of {:.3g} % would have been seen{}", 100 * *verdict.would_see,
+                                     is_said ? "; said: " + said_by(evidence) : "");
+    } else if (!evidence.losses.empty()) {
+      verdict.sentence = "right, and said: " + said_by(evidence);
+    }
+  }
+  return verdict;
+}
+
+}  // namespace photonproof

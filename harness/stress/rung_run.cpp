@@ -1,0 +1,135 @@
+#include "harness/stress/rung_run.h"
+
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "reference/process/process.h"
+#include "scenes/text/atomic_file.h"
+#include "scenes/text/checksum.h"
+#include "scenes/text/file_checksum.h"
+#include "scenes/text/input_error.h"
+#include "scenes/text/scratch_folder.h"
+#include "scenes/xml/writer.h"
+
+namespace photonproof {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A render has so long, in seconds; one that takes longer hangs.
+constexpr double render_limit = 60;
+
+std::string scene_text(const StressScene& scene) {
+  std::string text = write_scene(scene.scene);
+  if (scene.replaced.empty()) return text;
+  const std::size_t at = text.find(scene.replaced);
+  if (at == std::string::npos) throw std::logic_error("a scene has no " + scene.replaced);
+  return text.replace(at, scene.replaced.size(), scene.replacement);
+}
+
+std::string key_of(const std::string& text) {
+  Checksum sum;
+  sum.add(text.data(), text.size());
+  return sum.hex();
+}
+
+void read_stats(const fs::path& file, RungEvidence& evidence) {
+  if (!fs::exists(file)) return;
+  const auto json = nlohmann::ordered_json::parse(read_file(file), nullptr, false);
+  if (json.is_discarded()) return;
+  if (json.contains("losses")) evidence.losses = json["losses"].get<std::vector<std::string>>();
+  if (json.contains("counts")) evidence.relative_bias = json["counts"].value("relative_bias", 0.0);
+}
+
+}  // namespace
+
+StressRunner::StressRunner(fs::path program, fs::path folder, const std::atomic<bool>* interrupt)
+    : program_(std::move(program)),
+      folder_(std::move(folder)),
+      interrupt_(interrupt),
+      checksum_(file_checksum(program_)) {}
+
+std::vector<std::string> StressRunner::command(const StressScene& scene, const StressRender& how,
+                                               const std::string& file, const std::string& out) const {
+  std::vector<std::string> command{program_.string(),
+                                   "render",
+                                   file,
+                                   "-o",
+                                   out,
+                                   "--size",
+                                   std::to_string(scene.width) + "x" + std::to_string(scene.height),
+                                   "--seed",
+                                   std::to_string(how.seed),
+                                   "--spp",
+                                   std::to_string(how.spp),
+                                   "--integrator",
+                                   how.engine,
+                                   "--sampler",
+                                   "independent",
+                                   "--threads",
+                                   "1",
+                                   "--checkpoint",
+                                   "0",
+                                   "--allow-outside",
+                                   "--quiet"};
+  command.insert(command.end(), scene.arguments.begin(), scene.arguments.end());
+  return command;
+}
+
+std::string StressRunner::identity(const StressScene& scene, const StressRender& how) const {
+  std::string text = checksum_ + "\n" + scene_text(scene);
+  for (const std::string& part : command(scene, how, "", "")) text += "\n" + part;
+  return text;
+}
+
+RungEvidence StressRunner::render(const StressScene& scene, const StressRender& how) const {
+  const ScratchFolder scratch("stress");
+  const fs::path file = scratch.path() / "scene.xml", out = scratch.path() / "image.exr";
+  write_file_atomically(file, scene_text(scene));
+  ProcessOptions options;
+  options.wall_limit_seconds = render_limit;
+  options.interrupt = interrupt_;
+  const ProcessOutcome outcome = run_process(command(scene, how, file.string(), out.string()), options);
+  if (outcome.end == ProcessOutcome::End::interrupted || (interrupt_ != nullptr && *interrupt_))
+    throw StressInterrupted();
+  ++renders_;
+  RungEvidence evidence;
+  evidence.samples = how.spp;
+  evidence.ending = outcome.sentence();
+  evidence.message = last_line(outcome.standard_error);
+  if (const std::size_t at = evidence.message.find(scratch.path().string() + "/"); at != std::string::npos)
+    evidence.message.erase(at, scratch.path().string().size() + 1);
+  evidence.refused = outcome.end == ProcessOutcome::End::exited && outcome.exit_code == 2 && !evidence.message.empty();
+  const bool has_ended = outcome.end == ProcessOutcome::End::exited && outcome.exit_code <= 1;
+  if (has_ended && fs::exists(out)) evidence.picture = read_rendering(out.string());
+  read_stats(scratch.path() / "image.stats.json", evidence);
+  for (std::string& loss : evidence.losses)
+    if (const std::size_t at = loss.find(scratch.path().string() + "/"); at != std::string::npos)
+      loss.erase(at, scratch.path().string().size() + 1);
+  return evidence;
+}
+
+Rendering StressRunner::reference(const StressScene& scene, const StressRender& how) {
+  const std::string key = key_of(identity(scene, how));
+  const fs::path kept = folder_ / (key + ".exr"), refusal = folder_ / (key + ".txt");
+  std::shared_ptr<std::mutex> making;
+  {
+    const std::lock_guard lock(guard_);
+    std::shared_ptr<std::mutex>& own = making_[key];
+    if (!own) own = std::make_shared<std::mutex>();
+    making = own;
+  }
+  const std::lock_guard lock(*making);
+  if (fs::exists(kept)) return read_rendering(kept.string());
+  if (fs::exists(refusal)) throw InputError(how.engine, read_file(refusal));
+  const RungEvidence evidence = render(scene, how);
+  if (!evidence.picture) {
+    const std::string why = evidence.refused ? evidence.message : evidence.ending + ": " + evidence.message;
+    if (evidence.refused) write_file_atomically(refusal, why);
+    throw InputError(how.engine, why);
+  }
+  write_exr(kept.string(), *evidence.picture);
+  return *evidence.picture;
+}
+
+}  // namespace photonproof

@@ -1,0 +1,224 @@
+#include <cmath>
+#include <filesystem>
+
+#include "harness/stress/ladder_rows.h"
+#include "harness/stress/stage.h"
+
+namespace photonproof {
+namespace {
+
+namespace fs = std::filesystem;
+
+StressScene lit(double) { return {lit_stage()}; }
+
+/// The floor is this shape, so large that what is seen of it is flat.
+StressScene with_floor(const Geometry& geometry, const Transform& to_world) {
+  SceneDescription scene = lit_stage();
+  scene.shapes[0].geometry = geometry;
+  scene.shapes[0].to_world = to_world;
+  return {scene};
+}
+
+double ten_to(double k) { return std::pow(10.0, k); }
+
+Ladder huge_floor(const char* shape, const std::function<StressScene(double)>& rung, double first) {
+  Ladder ladder{
+      "shape " + std::string(shape), "as a huge floor", "10^k times as large as what is seen", {}, 9, rung, lit};
+  for (double k = first; k <= 15; k += k < 9 ? 1 : 2) ladder.heights.push_back(k);
+  return ladder;
+}
+
+/// [-8,8]^2 in y = 0 in `count` strips of which the middle one is 10^-k wide.
+TriangleMesh floor_with_sliver(double k) {
+  const float half = static_cast<float>(0.5 * ten_to(-k));
+  return mesh_of(
+      {{-8, 0, 8}, {-half, 0, 8}, {half, 0, 8}, {8, 0, 8}, {-8, 0, -8}, {-half, 0, -8}, {half, 0, -8}, {8, 0, -8}},
+      {{0, 1, 4}, {1, 5, 4}, {1, 2, 5}, {2, 6, 5}, {2, 3, 6}, {3, 7, 6}});
+}
+
+/// The floor as a fan of n triangles about a corner of its own: needles, the thinner the more.
+TriangleMesh fan_floor(int n) {
+  std::vector<Vec3f> positions{{-8, 0, 8}};
+  std::vector<TriangleMesh::Triangle> triangles;
+  for (int i = 0; i <= n; ++i) positions.push_back({8, 0, 8 - 16 * static_cast<float>(i) / static_cast<float>(n)});
+  positions.push_back({-8, 0, -8});
+  for (std::uint32_t i = 1; i + 1 < positions.size(); ++i) triangles.push_back({0, i, i + 1});
+  return mesh_of(positions, triangles);
+}
+
+/// The floor's two triangles `copies` times.
+TriangleMesh repeated_floor(int copies) {
+  TriangleMesh mesh = mesh_of({{-8, 0, 8}, {8, 0, 8}, {8, 0, -8}, {-8, 0, -8}}, {});
+  for (int i = 0; i < copies; ++i) mesh.triangles.insert(mesh.triangles.end(), {{0, 1, 2}, {0, 2, 3}});
+  return mesh;
+}
+
+std::vector<Ladder> huge_floors(const fs::path& assets) {
+  const MeshDescription square =
+      mesh_file(assets, "square", mesh_of({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}));
+  const HeightfieldDescription flat{2, 2, 0, true, HeightfieldNoise{}};
+  const auto flat_shape = [](const char* name, const Geometry& geometry) {
+    return huge_floor(
+        name,
+        [=](double k) {
+          return with_floor(geometry, lying({0.1, 0, 0.2}, ten_to(k)));
+        },
+        2);
+  };
+  return {
+      flat_shape("rectangle", RectangleDescription{}),
+      flat_shape("disk", DiskDescription{}),
+      flat_shape("mesh", square),
+      flat_shape("heightfield", flat),
+      huge_floor(
+          "cube",
+          [](double k) {
+            return with_floor(CubeDescription{}, standing({0, -ten_to(k), 0}, ten_to(k)));
+          },
+          2),
+      huge_floor(
+          "sphere",
+          [](double k) {
+            return with_floor(SphereDescription{}, standing({0, -ten_to(k), 0}, ten_to(k)));
+          },
+          6),
+      huge_floor(
+          "cylinder",
+          [](double k) {
+            return with_floor(CylinderDescription{{-1, 0, 0}, {1, 0, 0}, 1}, standing({0, -ten_to(k), 0}, ten_to(k)));
+          },
+          6)};
+}
+
+/// Something that does not show, and so must not matter.
+std::vector<Ladder> bystanders() {
+  const auto beside = [](const Geometry& geometry, const std::function<Transform(double)>& place) {
+    return [=](double k) {
+      SceneDescription scene = lit_stage();
+      add_shape(scene, geometry, place(k), {0});
+      return StressScene{scene};
+    };
+  };
+  const std::vector<double> heights{4, 6, 9, 12, 15, 20, 30};
+  std::vector<Ladder> ladders;
+  for (const auto& [name, geometry] : {std::pair<const char*, Geometry>{"sphere", SphereDescription{}},
+                                       {"cube", CubeDescription{}},
+                                       {"disk", DiskDescription{}}}) {
+    const std::string feature = "shape " + std::string(name);
+    ladders.push_back({feature, "tiny in view", "a size of 10^-k, on the floor", heights, 9,
+                       beside(geometry,
+                              [](double k) {
+                                return standing({0, ten_to(-k), 0}, ten_to(-k));
+                              }),
+                       lit});
+    ladders.push_back({feature, "far away", "10^k away", heights, 9,
+                       beside(geometry,
+                              [](double k) {
+                                return standing(Vec3d{0.6, -0.64, 0.48} * ten_to(k), 1);
+                              }),
+                       lit});
+    ladders.push_back({feature, "huge, behind the floor", "a size of 10^k", heights, 9,
+                       beside(geometry,
+                              [](double k) {
+                                return standing({0, -2 - ten_to(k), 0}, ten_to(k));
+                              }),
+                       lit});
+  }
+  return ladders;
+}
+
+std::vector<Ladder> odd_triangles(const fs::path& assets) {
+  const auto floor_of = [=](const std::string& name, const std::function<TriangleMesh(double)>& mesh) {
+    return [=](double k) {
+      return with_floor(mesh_file(assets, name + "-" + std::to_string(static_cast<int>(k)), mesh(k)), Transform());
+    };
+  };
+  std::vector<Ladder> ladders{
+      {"triangles",
+       "slivers",
+       "a strip 10^-k wide",
+       {2, 4, 6, 7, 9, 12, 20, 37, 44},
+       9,
+       floor_of("sliver", floor_with_sliver),
+       lit},
+      {"triangles",
+       "needles",
+       "10^k in a fan",
+       {1, 2, 3, 4, 5},
+       4,
+       floor_of("fan", [](double k) { return fan_floor(static_cast<int>(ten_to(k))); }),
+       lit},
+      {"triangles",
+       "duplicates",
+       "10^k copies",
+       {1, 2, 3},
+       3,
+       floor_of("copies", [](double k) { return repeated_floor(static_cast<int>(ten_to(k))); }),
+       lit},
+      {"triangles",
+       "degenerate beside whole ones",
+       "10^k without area",
+       {0, 2, 4},
+       4,
+       floor_of(
+           "flat",
+           [](double k) {
+             TriangleMesh mesh = repeated_floor(1);
+             for (int i = 0; i < static_cast<int>(ten_to(k)); ++i)
+               mesh.triangles.push_back(i % 2 == 0 ? TriangleMesh::Triangle{0, 0, 2} : TriangleMesh::Triangle{1, 1, 1});
+             return mesh;
+           }),
+       lit}};
+  return ladders;
+}
+
+/// Two floors of the same material 10^-k apart; 99 stands for the same place.
+std::vector<Ladder> near_faces() {
+  const std::vector<double> heights{4, 5, 6, 7, 8, 9, 12, 20, 99};
+  const auto gap = [](double k) { return k == 99 ? 0 : ten_to(-k); };
+  const auto two_floors = [=](double k) {
+    SceneDescription scene = lit_stage();
+    add_shape(scene, RectangleDescription{}, lying({0, -gap(k), 0}, 8), {0});
+    return StressScene{scene};
+  };
+  // Seen from below is a closed box without thickness to speak of; the lamp is above it, and nothing else shines.
+  const auto shell = [](const Geometry& geometry) {
+    return [=](double k) {
+      SceneDescription scene = lit_stage();
+      scene.shapes.erase(scene.shapes.begin());
+      add_shape(scene, geometry, Transform::scale({9, 0.5 * ten_to(-k), 9}), {0});
+      scene.sensor.to_world = Transform::look_at({0, -4, 7}, {0, 0, 0}, {0, 1, 0});
+      return StressScene{scene};
+    };
+  };
+  Ladder box{"coincident faces",      "a thin box, from its dark side", "10^-k thick", {2, 3, 4, 5, 6, 7, 9, 12}, 9,
+             shell(CubeDescription{})};
+  box.radiance = 0;
+  // Balls of glass inside each other, a gap of air 10^-k between.
+  const auto nested = [=](double k) {
+    SceneDescription scene = ball_in_uniform_sky(DielectricDescription{});
+    DielectricDescription air;
+    air.int_ior = 1.000277;
+    air.ext_ior = 1.5046;
+    add_shape(scene, SphereDescription{}, standing({0, 0.3, 0}, 0.5 + gap(k)), add_bsdf(scene, air));
+    add_shape(scene, SphereDescription{}, standing({0, 0.3, 0}, 0.5), add_bsdf(scene, DielectricDescription{}));
+    return StressScene{scene};
+  };
+  Ladder glass{"coincident faces", "glass in glass", "a gap of 10^-k", {1, 2, 3, 4, 5, 6, 7, 9}, 9, nested};
+  glass.radiance = 1;
+  glass.engines = {"path", "photonmapper", "bdpt", "volpath"};
+  return {{"coincident faces", "two floors", "10^-k apart; 99: in the same place", heights, 99, two_floors, lit},
+          box,
+          glass};
+}
+
+}  // namespace
+
+std::vector<Ladder> shape_ladders(const fs::path& assets) {
+  std::vector<Ladder> ladders = huge_floors(assets);
+  for (const std::vector<Ladder>& more : {bystanders(), odd_triangles(assets), near_faces()})
+    ladders.insert(ladders.end(), more.begin(), more.end());
+  return ladders;
+}
+
+}  // namespace photonproof

@@ -1,0 +1,257 @@
+#include "harness/stress/stress_run.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <ctime>
+#include <mutex>
+#include <thread>
+
+#include "harness/cells/folder_lock.h"
+#include "harness/cells/host.h"
+#include "harness/cells/side_by_side.h"
+#include "harness/stress/ladder.h"
+#include "harness/stress/rung_run.h"
+#include "scenes/text/atomic_file.h"
+#include "scenes/text/checksum.h"
+#include "scenes/text/input_error.h"
+#include "scenes/text/scratch_folder.h"
+#include "scenes/text/timer.h"
+
+namespace photonproof {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Changes when judging does, so that rungs are judged anew.
+constexpr const char* judging_version = "1";
+constexpr int looks_at = 64, reference_samples = 512;  // a pixel
+
+/// One ladder and one engine.
+struct Climb {
+  const Ladder* ladder;
+  std::string engine;
+};
+
+bool is_unbiased(const std::string& engine) { return engine != "photonmapper" && engine != "sppm"; }
+
+std::string utc_now() {
+  const std::time_t now = std::time(nullptr);
+  std::tm parts{};
+  gmtime_r(&now, &parts);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
+  return text;
+}
+
+/// What a picture shows where it is no number.
+Image shown(const Image& image, double factor) {
+  Image out = image;
+  for (std::size_t i = 0; i < out.rgb.size(); ++i) {
+    out.rgb[i] = static_cast<float>(double{out.rgb[i]} / factor);
+    if (!std::isfinite(out.rgb[i])) out.rgb[i] = i % 3 == 1 ? 0.0f : 1.0f;
+  }
+  return out;
+}
+
+class Climber {
+ public:
+  Climber(const StressOptions& options, StressRunner& runner) : options_(options), runner_(runner) {}
+
+  StressLadder climb(const Climb& climb) {
+    const Ladder& ladder = *climb.ladder;
+    StressLadder out;
+    out.feature = ladder.feature;
+    out.climb = ladder.climb;
+    out.measure = ladder.measure;
+    out.wanted = ladder.wanted;
+    out.engine = climb.engine;
+    try {
+      if (options_.quick && !ladder.climbs_on) {
+        out.rungs.push_back(rung(climb, quick_height(ladder)));
+        if (out.rungs.back().outcome == RungOutcome::right) return out;
+        out.rungs.clear();  // where it breaks is further down
+      }
+      for (const double height : ladder.heights) {
+        if (options_.quick && !ladder.climbs_on && height > quick_height(ladder)) break;
+        out.rungs.push_back(rung(climb, height));
+        const RungOutcome outcome = out.rungs.back().outcome;
+        if (is_failure(outcome) || (outcome == RungOutcome::refused && !ladder.climbs_on)) break;
+      }
+    } catch (const InputError& error) {
+      out.not_climbed = error.summary();
+      out.rungs.clear();
+    }
+    return out;
+  }
+
+ private:
+  static double quick_height(const Ladder& ladder) {
+    double height = ladder.heights.front();
+    for (const double h : ladder.heights)
+      if (h <= (std::isnan(ladder.quick) ? ladder.wanted : ladder.quick)) height = h;
+    return height;
+  }
+
+  RungExpectation expectation(const Climb& climb, double height) {
+    const Ladder& ladder = *climb.ladder;
+    RungExpectation expected;
+    expected.factor = ladder.factor(height);
+    expected.radiance = ladder.radiance;
+    expected.is_exact = is_unbiased(climb.engine);
+    expected.must_refuse = ladder.must_refuse;
+    if (!ladder.alike) return expected;
+    const std::string engine = ladder.compared_with.empty() ? climb.engine : ladder.compared_with;
+    expected.samples = reference_samples;
+    expected.picture = runner_.reference(ladder.alike(height), {engine, reference_samples, 1});
+    return expected;
+  }
+
+  StressScene scene(const Climb& climb, double height) const {
+    StressScene scene = climb.ladder->rung(height);
+    scene.arguments.insert(scene.arguments.end(), scene.unlike_path.begin(), scene.unlike_path.end());
+    return scene;
+  }
+
+  StressRung rung(const Climb& climb, double height) {
+    const StressScene asked = scene(climb, height);
+    Checksum sum;
+    std::string all = std::string(judging_version) + runner_.identity(asked, {climb.engine, looks_at, 2});
+    if (climb.ladder->alike) all += runner_.identity(climb.ladder->alike(height), {climb.engine, looks_at, 1});
+    sum.add(all.data(), all.size());
+    const fs::path kept = options_.folder / "rungs" / (sum.hex() + ".json");
+    if (fs::exists(kept))
+      if (const auto known = rung_from_text(read_file(kept))) return *known;
+    const Timer timer;
+    const RungExpectation expected = expectation(climb, height);
+    StressRung out = decided(climb, asked, expected, sum.hex());
+    out.height = height;
+    out.seconds = timer.seconds();
+    write_file_atomically(kept, rung_text(out));
+    return out;
+  }
+
+  /// What looks wrong is looked at again with four times the samples and another seed, and what noise hides with more.
+  StressRung decided(const Climb& climb, const StressScene& asked, const RungExpectation& expected,
+                     const std::string& key) {
+    StressRung out;
+    RungEvidence evidence;
+    int samples = looks_at;
+    for (int look = 0; look < 3; ++look, samples *= 4) {
+      evidence = runner_.render(asked, {climb.engine, samples, static_cast<std::uint64_t>(2 + look)});
+      const RungVerdict verdict = judge_rung(evidence, expected);
+      out.outcome = verdict.outcome;
+      out.sentence = verdict.sentence;
+      out.would_see = verdict.would_see;
+      const bool again = out.outcome == RungOutcome::undecided ||
+                         (out.outcome == RungOutcome::silently_wrong && look < 1 && evidence.picture);
+      if (!again) break;
+    }
+    if (out.outcome != RungOutcome::right && evidence.picture) keep_pictures(*evidence.picture, expected, key, out);
+    return out;
+  }
+
+  void keep_pictures(const Rendering& picture, const RungExpectation& expected, const std::string& key,
+                     StressRung& out) {
+    out.picture = "pictures/" + key + ".png";
+    write_png((options_.folder / out.picture).string(), shown(picture.mean, expected.factor));
+    if (!expected.picture && !expected.radiance) return;
+    Image right(picture.mean.width, picture.mean.height);
+    if (expected.picture)
+      right = expected.picture->mean;
+    else
+      std::fill(right.rgb.begin(), right.rgb.end(), static_cast<float>(*expected.radiance));
+    out.expected = "pictures/" + key + "-expected.png";
+    write_png((options_.folder / out.expected).string(), right);
+  }
+
+  const StressOptions& options_;
+  StressRunner& runner_;
+};
+
+std::vector<Climb> chosen(const StressOptions& options, const std::vector<Ladder>& ladders) {
+  std::vector<Climb> climbs;
+  for (const Ladder& ladder : ladders) {
+    if (ladder.name().find(options.only) == std::string::npos) continue;
+    const std::vector<std::string>& engines = ladder.engines.empty() ? stress_engines() : ladder.engines;
+    for (const std::string& engine : engines) {
+      if (!options.engine.empty() && engine != options.engine) continue;
+      const bool quick_one = engine == engines.front() || engine == "photonmapper";
+      if (options.quick && options.engine.empty() && !quick_one) continue;
+      climbs.push_back({&ladder, engine});
+    }
+    // An engine that no ladder names by itself climbs all that are for every engine.
+    const bool other =
+        std::find(stress_engines().begin(), stress_engines().end(), options.engine) == stress_engines().end();
+    if (!options.engine.empty() && other && ladder.engines.empty()) climbs.push_back({&ladder, options.engine});
+  }
+  if (climbs.empty()) throw InputError("--only", "no ladder of that engine has '" + options.only + "' in its name");
+  return climbs;
+}
+
+void make_folders(const fs::path& folder) {
+  for (const char* part : {"assets", "rungs", "references", "pictures"}) fs::create_directories(folder / part);
+}
+
+/// A record of another program is moved aside, never written over.
+void keep_earlier_record(const fs::path& file, const std::string& checksum) {
+  if (!fs::exists(file)) return;
+  std::string earlier;
+  try {
+    earlier = read_stress_record(file).checksum;
+  } catch (const InputError&) {
+    earlier = "unreadable";
+  }
+  if (earlier != checksum) fs::rename(file, file.parent_path() / ("stress-" + earlier + ".json"));
+}
+
+}  // namespace
+
+std::vector<std::string> stress_ladder_names(const fs::path& scratch) {
+  std::vector<std::string> names;
+  for (const Ladder& ladder : stress_ladders(scratch)) names.push_back(ladder.name());
+  return names;
+}
+
+StressRecord run_stress(const StressOptions& options) {
+  const FolderLock lock(options.folder);
+  make_folders(options.folder);
+  const std::vector<Ladder> ladders = stress_ladders(options.folder / "assets");
+  const std::vector<Climb> climbs = chosen(options, ladders);
+  StressRunner runner(options.program, options.folder / "references", options.interrupt);
+  Climber climber(options, runner);
+  StressRecord record;
+  record.created = utc_now();
+  record.program = options.version;
+  record.checksum = runner.checksum();
+  record.command = options.command;
+  record.quick = options.quick;
+  const Host host = describe_host();
+  record.host = host.cpu + ", " + std::to_string(host.cores) + " cores, " + host.os;
+  const Timer timer;
+  std::vector<StressLadder> climbed(climbs.size());
+  std::vector<char> done(climbs.size(), 0);
+  std::mutex telling;
+  std::size_t ended = 0;
+  const int jobs = options.jobs > 0 ? options.jobs : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  try {
+    side_by_side(climbs.size(), jobs, [&](std::size_t i) {
+      climbed[i] = climber.climb(climbs[i]);
+      done[i] = 1;
+      const std::lock_guard told(telling);
+      ++ended;
+      if (options.ended) options.ended(ended, climbs.size(), climbed[i]);
+    });
+  } catch (const StressInterrupted&) {
+    record.interrupted = true;
+  }
+  for (std::size_t i = 0; i < climbs.size(); ++i)
+    if (done[i] != 0) record.ladders.push_back(std::move(climbed[i]));
+  record.seconds = timer.seconds();
+  const fs::path file = options.folder / "stress.json";
+  keep_earlier_record(file, record.checksum);
+  write_stress_record(record, file);
+  return record;
+}
+
+}  // namespace photonproof

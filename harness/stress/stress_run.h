@@ -1,0 +1,33 @@
+// Climbs the ladders, several renders side by side, and keeps every rung that is decided.
+#pragma once
+
+#include <atomic>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "reports/stress/stress_record.h"
+
+namespace photonproof {
+
+struct StressOptions {
+  std::filesystem::path folder;   ///< receives everything; what an earlier run decided there counts
+  std::filesystem::path program;  ///< this one, or one with a fault
+  std::string only;               ///< ladders whose name contains this; empty: all
+  std::string engine;             ///< this one alone; empty: all that a ladder names
+  bool quick = false;             ///< the heights that are wanted, by path and photonmapper
+  int jobs = 0;                   ///< renders at a time; 0: one a core
+  std::string command, version;   ///< for the record
+  const std::atomic<bool>* interrupt = nullptr;
+  std::function<void(std::size_t ended, std::size_t all, const StressLadder&)> ended{};  ///< one call at a time
+};
+
+/// The names of the ladders that --only chooses from.
+std::vector<std::string> stress_ladder_names(const std::filesystem::path& scratch);
+
+/// Throws InputError where nothing is chosen, or the folder cannot be used. What renders do is part of the record.
+/// `stress.json` is written; one of another program is kept beside it under its checksum.
+StressRecord run_stress(const StressOptions& options);
+
+}  // namespace photonproof

@@ -1,0 +1,39 @@
+// A stress record as tables: what stands in terminal, page and README alike.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "reports/stress/stress_record.h"
+
+namespace photonproof::reports {
+
+/// "15", "15, refused from 20", "9, silently wrong at 12", "all (45)".
+std::string ladder_words(const StressLadder& ladder);
+
+/// The engines, in the order in which they first climb.
+std::vector<std::string> engines_of(const StressRecord& record);
+
+/// Of one climb and engine, over all features: the one that ends lowest.
+struct ClimbSummary {
+  std::string climb, engine;
+  std::size_t features = 0;      ///< that were climbed
+  std::optional<double> lowest;  ///< up to where all are right; empty: none is at the first rung
+  bool to_the_top = false;       ///< every rung of every feature is right
+  std::string feature;           ///< the one that ends lowest
+  std::size_t wrong = 0;         ///< silently wrong or crashed
+};
+/// Of the climbs that several features have, and of all others together where `climb` is "its own".
+std::vector<ClimbSummary> summaries(const StressRecord& record);
+
+/// "412 right, 3 degraded, 10 refused, 0 silently wrong".
+std::string stress_totals(const StressRecord& record);
+
+/// The table for a terminal: summaries, then every ladder that is wrong or does not reach what is wanted.
+std::string stress_table(const StressRecord& record);
+
+/// One file that needs no other; pictures are read from `folder`.
+void write_stress_page(const StressRecord& record, const std::vector<std::string>& worse,
+                       const std::filesystem::path& folder, const std::filesystem::path& out);
+
+}  // namespace photonproof::reports
