@@ -17,7 +17,7 @@ SceneDescription seen() {
 
 /// From 10^k away, as narrow as to see what an orthographic camera does.
 Ladder telephoto() {
-  const Vec3d direction = normalize(Vec3d{0, 4, 7});
+  const Vec3d direction = normalize(Vec3d{0, 7, 5});
   return {
       "camera perspective",
       "narrow and far",
@@ -62,7 +62,10 @@ Ladder clips() {
 Ladder image_size(const char* climb, int width, int height, const std::vector<double>& heights, double wanted) {
   Ladder ladder{"image", climb, "10^k pixels", heights, wanted, [=](double k) {
                   const int n = static_cast<int>(std::lround(size_of(k)));
-                  return StressScene{closed_sphere(0.5, 0.5), width > 0 ? width : n, height > 0 ? height : n};
+                  StressScene rung{closed_sphere(0.5, 0.5), width > 0 ? width : n, height > 0 ? height : n};
+                  // Rays start at a depth, and the outermost are far from the axis there.
+                  std::get<PerspectiveDescription>(rung.scene.sensor.camera).near_clip = 1e-6;
+                  return rung;
                 }};
   ladder.radiance = 1;
   return ladder;

@@ -84,7 +84,7 @@ std::vector<Ladder> point_lights() {
           flat};
 }
 
-/// A ball of radius 10^k whose nearest point is 3 above the floor is a sky.
+/// A ball of radius 10^k whose nearest point is 12 above the floor, over the camera is a sky.
 Ladder huge_ball() {
   return {"light sphere",
           "huge",
@@ -92,7 +92,7 @@ Ladder huge_ball() {
           {7, 9, 11, 13, 15},
           9,
           [](double k) {
-            return StressScene{stage_under_shape(SphereDescription{}, standing({0, power(k) + 6, 0}, power(k)), 1)};
+            return StressScene{stage_under_shape(SphereDescription{}, standing({0, power(k) + 12, 0}, power(k)), 1)};
           },
           [](double) { return StressScene{stage_under(ConstantLightDescription{})}; }};
 }

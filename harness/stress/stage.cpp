@@ -32,7 +32,7 @@ SceneDescription empty_stage() {
   PerspectiveDescription camera;
   camera.fov_degrees = 32;
   scene.sensor.camera = camera;
-  scene.sensor.to_world = Transform::look_at({0, 4, 7}, {0, 0.3, 0}, {0, 1, 0});
+  scene.sensor.to_world = Transform::look_at({0, 7, 5}, {0, 0.3, 0}, {0, 1, 0});
   scene.sensor.film.width = scene.sensor.film.height = 24;
   return scene;
 }

@@ -37,7 +37,7 @@ Transform lying(const Vec3d& at, double size);
 Transform hanging(const Vec3d& at, double size);
 Transform standing(const Vec3d& at, double size);
 
-/// The camera alone: from (0, 4, 7) towards the origin, 32 degrees wide.
+/// The camera alone: from (0, 7, 5) towards the origin, 32 degrees wide.
 SceneDescription empty_stage();
 /// With the floor, [-8,8]^2.
 SceneDescription stage_floor();

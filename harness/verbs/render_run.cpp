@@ -103,6 +103,14 @@ std::vector<std::string> say_notes(const SceneDescription& description, const Sc
   return losses;
 }
 
+void say_if_variance_is_lost(const Film& film, RenderStats& stats) {
+  const std::size_t lost = film.variances_beyond_float();
+  if (lost > 0)
+    stats.losses.push_back("the variance of " + std::to_string(lost) + (lost == 1 ? " pixel is" : " pixels is") +
+                           " beyond single precision, as radiances above 1e19 or below 1e-19 make it: its layer says "
+                           "3.4e38 or 0 there");
+}
+
 IntegratorDescription method_of(const RenderArguments& arguments, const SceneDescription& description) {
   IntegratorDescription method = description.integrator;
   if (!arguments.integrator.empty()) method = with_integrator(method, arguments.integrator);
@@ -272,6 +280,7 @@ int render_to_files(const RenderArguments& arguments) {
   Film film(request.window);
   const std::size_t said = stats.losses.size();
   render(*scene, plan, request.job, film, stats);
+  say_if_variance_is_lost(film, stats);
   for (std::size_t i = said; i < stats.losses.size(); ++i)
     std::fprintf(stderr, "%s: warning: %s\n", arguments.scene.path.c_str(), stats.losses[i].c_str());
 

@@ -8,6 +8,8 @@
 
 #include "renderer/scalar/particle_tracer.h"
 
+#include <algorithm>
+
 #include "renderer/lanes/roulette.h"
 #include "renderer/scalar/scalar_passes.h"
 #include "renderer/scalar/scalar_tracer.h"
@@ -115,6 +117,15 @@ class ParticleTracer : ScalarTracer {
   }
 };
 
+/// A lamp far away lights what is seen by so few paths that none may have been among those traced.
+void say_if_none_arrives(const Film& film, RenderStats& stats) {
+  const Image image = film.develop().mean;
+  if (std::all_of(image.rgb.begin(), image.rgb.end(), [](float v) { return v == 0; }))
+    stats.losses.emplace_back(
+        "no light path arrived where the camera looks: the image is black, and so few paths may miss light that is "
+        "there");
+}
+
 }  // namespace
 
 void plan_particle_tracer(const IntegratorDescription& description, Planner& planner) {
@@ -139,6 +150,7 @@ void render_particle_tracer(const Scene& scene, const RenderPlan& plan, const Re
       return tracer.environment(x, y, draws, work);
     };
   });
+  say_if_none_arrives(film, stats);
 }
 
 }  // namespace photonproof

@@ -70,6 +70,21 @@ Rendering Film::develop() const {
   return rendering;
 }
 
+std::size_t Film::variances_beyond_float() const {
+  constexpr double of_rounding = 1e-10;  // of the mean squared: less may be no noise at all
+  const auto is_lost = [](double mean, double spread, std::int64_t estimates) {
+    const double variance = spread / static_cast<double>(estimates - 1);
+    return variance > double{std::numeric_limits<float>::max()} ||
+           (spread > of_rounding * mean * mean && variance < double{std::numeric_limits<float>::min()});
+  };
+  return static_cast<std::size_t>(std::count_if(pixels_.begin(), pixels_.end(), [&](const Pixel& p) {
+    if (p.estimates < 2) return false;
+    const RgbD mean = p.sum / p.weight, spread = p.sum_of_squares / p.weight - mean * mean;
+    return is_lost(mean.x, spread.x, p.estimates) || is_lost(mean.y, spread.y, p.estimates) ||
+           is_lost(mean.z, spread.z, p.estimates);
+  }));
+}
+
 std::optional<double> Film::relative_standard_error() const {
   RgbD sum(0.0);
   for (const Pixel& p : pixels_) {

@@ -64,6 +64,8 @@ class Film {
     const Pixel& p = pixels_[index(x, y)];
     return p.weight > 0 ? p.sum / p.weight : RgbD(0.0);
   }
+  /// Pixels whose variance a float cannot hold: the layer has the largest float, or 0, in its place.
+  std::size_t variances_beyond_float() const;
   /// Pixels no estimate reached (an interrupted first pass).
   std::size_t unsampled_pixels() const;
   /// Of memory, for each pixel.

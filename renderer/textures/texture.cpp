@@ -26,15 +26,27 @@ float reduced(float t, TextureWrap wrap) {
   return t - period * std::floor(t / period);
 }
 
+/// Whole periods far from the origin would cost the texels their precision; 0: there is no period.
+float without_far_periods(double moved, double period) {
+  constexpr double far = 64;
+  if (period > 0 && std::abs(moved) > far && std::isfinite(moved)) moved -= period * std::floor(moved / period);
+  return static_cast<float>(moved);
+}
+
+double period_of(TextureWrap wrap) {
+  if (wrap == TextureWrap::clamp) return 0;
+  return wrap == TextureWrap::mirror ? 2 : 1;
+}
+
 }  // namespace
 
-UvTransform::UvTransform(const Transform& to_uv)
+UvTransform::UvTransform(const Transform& to_uv, double period)
     : along_u{static_cast<float>(to_uv.m[0]), static_cast<float>(to_uv.m[4])},
       along_v{static_cast<float>(to_uv.m[1]), static_cast<float>(to_uv.m[5])},
-      moved{static_cast<float>(to_uv.m[3]), static_cast<float>(to_uv.m[7])} {}
+      moved{without_far_periods(to_uv.m[3], period), without_far_periods(to_uv.m[7], period)} {}
 
 BitmapTexture::BitmapTexture(const BitmapDescription& d)
-    : image_(d.image), filter_(d.filter), wrap_(d.wrap), to_uv_(d.to_uv) {}
+    : image_(d.image), filter_(d.filter), wrap_(d.wrap), to_uv_(d.to_uv, period_of(d.wrap)) {}
 
 Rgb BitmapTexture::texel(int x, int y) const {
   const float* rgb = image_->pixel(wrapped(x, image_->width, wrap_), wrapped(y, image_->height, wrap_));
@@ -85,7 +97,7 @@ Textures::Textures(const std::vector<TextureDescription>& descriptions) {
       textures_.emplace_back(BitmapTexture(*bitmap));
     } else {
       const auto& board = std::get<CheckerboardDescription>(d.pattern);
-      textures_.emplace_back(Checkerboard{{compile(board.color0), compile(board.color1)}, UvTransform(board.to_uv)});
+      textures_.emplace_back(Checkerboard{{compile(board.color0), compile(board.color1)}, UvTransform(board.to_uv, 1)});
     }
   }
 }

@@ -13,7 +13,8 @@ namespace photonproof {
 /// The part of a transform that moves uv: columns of the linear part and the translation.
 struct UvTransform {
   Vec2<float> along_u{1, 0}, along_v{0, 1}, moved;
-  explicit UvTransform(const Transform& to_uv);
+  /// Of a texture that repeats itself after `period`; 0: it does not.
+  UvTransform(const Transform& to_uv, double period);
   Vec2<float> apply(const Vec2<float>& uv) const {
     return {along_u.x * uv.x + along_v.x * uv.y + moved.x, along_u.y * uv.x + along_v.y * uv.y + moved.y};
   }

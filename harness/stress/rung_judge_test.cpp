@@ -1,0 +1,115 @@
+// Rungs are judged by pictures made here, so that what is wrong with them is known.
+
+#include "harness/stress/rung_judge.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace photonproof {
+namespace {
+
+/// 24 x 24 pixels of `mean`, each with a deviation of 1 %, up and down in turn so that the mean of all is exact.
+Rendering noisy(float mean, float deviation = 0.01f) {
+  Rendering rendering;
+  rendering.mean = Image(24, 24);
+  rendering.variance = Image(24, 24);
+  for (int y = 0; y < 24; ++y)
+    for (int x = 0; x < 24; ++x)
+      for (int c = 0; c < 3; ++c) {
+        rendering.mean.pixel(x, y)[c] = mean * (1 + ((x + y) % 2 == 0 ? deviation : -deviation));
+        rendering.variance->pixel(x, y)[c] = mean * mean * deviation * deviation;
+      }
+  return rendering;
+}
+
+RungEvidence showing(const Rendering& picture) {
+  RungEvidence evidence;
+  evidence.picture = picture;
+  evidence.ending = "exited with 0";
+  return evidence;
+}
+
+RungExpectation exactly(const Rendering& picture, double factor = 1) {
+  RungExpectation expected;
+  expected.picture = picture;
+  expected.factor = factor;
+  expected.is_exact = true;
+  return expected;
+}
+
+TEST(rungs, with_the_picture_they_should_have_are_right) {
+  const RungVerdict verdict = judge_rung(showing(noisy(1)), exactly(noisy(1)));
+  EXPECT_EQ(verdict.outcome, RungOutcome::right) << verdict.sentence;
+  ASSERT_TRUE(verdict.would_see);
+  EXPECT_LT(*verdict.would_see, 0.01);  // 1.4 % over sqrt(576) pixels is 0.06 %, some six of which are seen
+}
+
+TEST(rungs, are_compared_after_their_factor) {
+  EXPECT_EQ(judge_rung(showing(noisy(1e15f)), exactly(noisy(1), 1e15)).outcome, RungOutcome::right);
+  EXPECT_EQ(judge_rung(showing(noisy(1e15f)), exactly(noisy(1), 1.02e15)).outcome, RungOutcome::silently_wrong);
+}
+
+TEST(rungs, off_by_more_than_noise_are_silently_wrong_or_said) {
+  RungEvidence evidence = showing(noisy(1.02f));
+  EXPECT_EQ(judge_rung(evidence, exactly(noisy(1))).outcome, RungOutcome::silently_wrong);
+  evidence.losses = {"scene.xml:1:1: alpha 0 is rendered as 0.1"};
+  const RungVerdict said = judge_rung(evidence, exactly(noisy(1)));
+  EXPECT_EQ(said.outcome, RungOutcome::degraded);
+  EXPECT_NE(said.sentence.find("alpha 0"), std::string::npos) << said.sentence;
+}
+
+TEST(rungs, that_are_biased_by_nature_may_be_off_by_three_percent) {
+  RungExpectation expected = exactly(noisy(1));
+  expected.is_exact = false;
+  EXPECT_EQ(judge_rung(showing(noisy(1.02f)), expected).outcome, RungOutcome::right);
+  EXPECT_EQ(judge_rung(showing(noisy(1.06f)), expected).outcome, RungOutcome::silently_wrong);
+}
+
+TEST(rungs, with_values_that_are_no_numbers_are_wrong) {
+  Rendering picture = noisy(1);
+  picture.mean.rgb[7] = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_EQ(judge_rung(showing(picture), exactly(noisy(1))).outcome, RungOutcome::silently_wrong);
+}
+
+TEST(rungs, that_lost_their_variance_have_to_say_so) {
+  // 1e30 squared is beyond a float.
+  Rendering picture = noisy(1e30f);
+  for (float& v : picture.variance->rgb) v = std::numeric_limits<float>::max();
+  RungEvidence evidence = showing(picture);
+  EXPECT_EQ(judge_rung(evidence, exactly(noisy(1), 1e30)).outcome, RungOutcome::silently_wrong);
+  evidence.losses = {"the variance is beyond single precision"};
+  EXPECT_EQ(judge_rung(evidence, exactly(noisy(1), 1e30)).outcome, RungOutcome::right);
+}
+
+TEST(rungs, whose_noise_would_hide_an_error_are_undecided) {
+  EXPECT_EQ(judge_rung(showing(noisy(1, 0.9f)), exactly(noisy(1, 0.9f))).outcome, RungOutcome::undecided);
+}
+
+TEST(rungs, are_refused_by_an_error_and_crash_without_one) {
+  RungEvidence evidence;
+  evidence.message = "scene.xml:1:1: error: is no number";
+  evidence.refused = true;
+  EXPECT_EQ(judge_rung(evidence, {}).outcome, RungOutcome::refused);
+  evidence.refused = false;
+  evidence.ending = "killed by SIGSEGV";
+  EXPECT_EQ(judge_rung(evidence, {}).outcome, RungOutcome::crashed);
+}
+
+TEST(rungs, of_what_is_no_number_must_be_refused) {
+  RungExpectation expected;
+  expected.must_refuse = true;
+  EXPECT_EQ(judge_rung(showing(noisy(1)), expected).outcome, RungOutcome::silently_wrong);
+}
+
+TEST(rungs, see_light_where_there_is_none) {
+  RungExpectation dark;
+  dark.radiance = 0;
+  dark.is_exact = true;
+  EXPECT_EQ(judge_rung(showing(noisy(1e-9f)), dark).outcome, RungOutcome::silently_wrong);
+  EXPECT_EQ(judge_rung(showing(noisy(0)), dark).outcome, RungOutcome::right);
+}
+
+}  // namespace
+}  // namespace photonproof

@@ -1,0 +1,93 @@
+#include "reports/stress/stress_record.h"
+
+#include <gtest/gtest.h>
+
+#include "reports/stress/stress_view.h"
+#include "scenes/text/atomic_file.h"
+#include "scenes/text/input_error.h"
+#include "scenes/text/scratch_folder.h"
+
+namespace photonproof {
+namespace {
+
+StressRecord record_with(const std::vector<RungOutcome>& outcomes) {
+  StressRecord record;
+  record.created = "2026-11-23T12:00:00Z";
+  record.program = "photonproof 1";
+  record.checksum = "0123";
+  record.command = "photonproof stress -o out";
+  StressLadder ladder;
+  ladder.feature = "shape sphere";
+  ladder.climb = "scale up";
+  ladder.engine = "path";
+  ladder.measure = "10^k";
+  ladder.wanted = 6;
+  double height = 3;
+  for (const RungOutcome outcome : outcomes) {
+    ladder.rungs.push_back({height, outcome, "so", 0.01, 0.5, "", ""});
+    height += 3;
+  }
+  record.ladders.push_back(ladder);
+  return record;
+}
+
+using enum RungOutcome;
+
+TEST(stress_records, read_back_as_they_were_written) {
+  const ScratchFolder folder("stress-record");
+  const auto file = folder.path() / "stress.json";
+  write_stress_record(record_with({right, degraded, silently_wrong}), file);
+  const StressRecord read = read_stress_record(file);
+  ASSERT_EQ(read.ladders.size(), 1u);
+  ASSERT_EQ(read.ladders[0].rungs.size(), 3u);
+  EXPECT_EQ(read.ladders[0].rungs[2].outcome, silently_wrong);
+  EXPECT_EQ(read.ladders[0].rungs[1].would_see, 0.01);
+  EXPECT_EQ(read.command, "photonproof stress -o out");
+  EXPECT_TRUE(read.fails());
+}
+
+TEST(stress_records, that_are_none_are_one_error) {
+  const ScratchFolder folder("stress-record");
+  for (const char* text : {"{", "{}", "{\"schema_version\": 2}", "[]"}) {
+    write_file_atomically(folder.path() / "stress.json", text);
+    EXPECT_THROW(read_stress_record(folder.path() / "stress.json"), InputError) << text;
+  }
+  EXPECT_FALSE(rung_from_text("{\"height\": 3}"));
+}
+
+TEST(ladders, break_at_their_first_failure) {
+  const StressLadder broken = record_with({right, right, silently_wrong}).ladders[0];
+  ASSERT_NE(broken.breakdown(), nullptr);
+  EXPECT_EQ(broken.breakdown()->height, 9);
+  EXPECT_EQ(broken.right_up_to(), 6);
+  EXPECT_TRUE(broken.reaches_wanted());
+  EXPECT_EQ(reports::ladder_words(broken), "6, silently wrong at 9");
+  const StressLadder ending = record_with({right, refused}).ladders[0];
+  EXPECT_EQ(ending.breakdown(), nullptr);
+  EXPECT_FALSE(ending.reaches_wanted());
+  EXPECT_EQ(reports::ladder_words(ending), "3, refused from 6");
+  EXPECT_EQ(reports::ladder_words(record_with({right, right}).ladders[0]), "all (6)");
+}
+
+TEST(steps_back, are_rungs_that_did_better_before) {
+  const StressRecord before = record_with({right, right, refused});
+  EXPECT_TRUE(steps_back(before, before).empty());
+  EXPECT_TRUE(steps_back(record_with({right, silently_wrong}), before).empty());
+  EXPECT_EQ(steps_back(before, record_with({right, degraded, refused})).size(), 1u);
+  EXPECT_EQ(steps_back(before, record_with({right, silently_wrong})).size(), 1u);
+  EXPECT_TRUE(steps_back(before, record_with({right})).empty());
+}
+
+TEST(stress_pages, hold_the_ladders_and_no_markup_of_others) {
+  const ScratchFolder folder("stress-page");
+  StressRecord record = record_with({right, silently_wrong});
+  record.ladders[0].rungs[1].sentence = "<script>alert(1)</script>";
+  reports::write_stress_page(record, {"worse"}, folder.path(), folder.path() / "stress.html");
+  const std::string page = read_file(folder.path() / "stress.html");
+  EXPECT_NE(page.find("shape sphere"), std::string::npos);
+  EXPECT_NE(page.find("worse"), std::string::npos);
+  EXPECT_EQ(page.find("<script>alert"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace photonproof
