@@ -8,13 +8,13 @@
 namespace photonproof {
 namespace {
 
-using Change = std::function<SceneDescription(const SceneDescription&, double)>;
+using SceneChange = std::function<SceneDescription(const SceneDescription&, double)>;
 
 struct WholeSceneClimb {
   const char *climb, *measure;
   std::vector<double> heights;
   double wanted;
-  Change change;
+  SceneChange change;
   std::function<double(double)> factor = [](double) { return 1.0; };
 };
 

@@ -138,29 +138,25 @@ RungVerdict judge_picture(const RungEvidence& evidence, const RungExpectation& e
   return verdict;
 }
 
-std::string said_by(const RungEvidence& evidence) {
-  return evidence.losses.empty() ? evidence.message : evidence.losses.front();
-}
-
 }  // namespace
 
 RungVerdict judge_rung(const RungEvidence& evidence, const RungExpectation& expected) {
+  const bool is_said = !evidence.losses.empty();
   if (evidence.refused) return {RungOutcome::refused, evidence.message, {}};
   if (!evidence.picture) return {RungOutcome::crashed, evidence.ending + ": " + evidence.message, {}};
-  if (expected.must_refuse && evidence.losses.empty())
+  if (expected.must_refuse && !is_said)
     return {RungOutcome::silently_wrong, "was rendered, though it is no number", {}};
   RungVerdict verdict = judge_picture(evidence, expected);
-  const bool is_said = !evidence.losses.empty();
-  if (verdict.outcome == RungOutcome::silently_wrong && !evidence.losses.empty()) {
+  if (verdict.outcome == RungOutcome::silently_wrong && is_said) {
     verdict.outcome = RungOutcome::degraded;
-    verdict.sentence += "; said: " + said_by(evidence);
+    verdict.sentence += "; said: " + evidence.losses.front();
   } else if (verdict.outcome == RungOutcome::right) {
     if (verdict.would_see && *verdict.would_see > rung_power) {
       verdict.outcome = is_said ? RungOutcome::degraded : RungOutcome::undecided;
       verdict.sentence = fmt::format("only an error of {:.3g} % would have been seen{}", 100 * *verdict.would_see,
-                                     is_said ? "; said: " + said_by(evidence) : "");
-    } else if (!evidence.losses.empty()) {
-      verdict.sentence = "right, and said: " + said_by(evidence);
+                                     is_said ? "; said: " + evidence.losses.front() : "");
+    } else if (is_said) {
+      verdict.sentence = "right, and said: " + evidence.losses.front();
     }
   }
   return verdict;

@@ -3,9 +3,10 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "harness/cells/cells.h"
+#include "harness/variants/own_engine.h"
 #include "reference/process/process.h"
 #include "scenes/text/atomic_file.h"
-#include "scenes/text/checksum.h"
 #include "scenes/text/file_checksum.h"
 #include "scenes/text/input_error.h"
 #include "scenes/text/scratch_folder.h"
@@ -27,10 +28,10 @@ std::string scene_text(const StressScene& scene) {
   return text.replace(at, scene.replaced.size(), scene.replacement);
 }
 
-std::string key_of(const std::string& text) {
-  Checksum sum;
-  sum.add(text.data(), text.size());
-  return sum.hex();
+/// What the program says names the scene's file, not the folder it lay in for a while.
+void leave_out(const fs::path& folder, std::string& text) {
+  const std::string path = folder.string() + "/";
+  if (const std::size_t at = text.find(path); at != std::string::npos) text.erase(at, path.size());
 }
 
 void read_stats(const fs::path& file, RungEvidence& evidence) {
@@ -51,29 +52,10 @@ StressRunner::StressRunner(fs::path program, fs::path folder, const std::atomic<
 
 std::vector<std::string> StressRunner::command(const StressScene& scene, const StressRender& how,
                                                const std::string& file, const std::string& out) const {
-  std::vector<std::string> command{program_.string(),
-                                   "render",
-                                   file,
-                                   "-o",
-                                   out,
-                                   "--size",
-                                   std::to_string(scene.width) + "x" + std::to_string(scene.height),
-                                   "--seed",
-                                   std::to_string(how.seed),
-                                   "--spp",
-                                   std::to_string(how.spp),
-                                   "--integrator",
-                                   how.engine,
-                                   "--sampler",
-                                   "independent",
-                                   "--threads",
-                                   "1",
-                                   "--checkpoint",
-                                   "0",
-                                   "--allow-outside",
-                                   "--quiet"};
-  command.insert(command.end(), scene.arguments.begin(), scene.arguments.end());
-  return command;
+  OwnRender render{scene.width, scene.height, how.spp, how.seed, how.engine, {}};
+  render.more = {"--sampler", "independent", "--threads", "1", "--checkpoint", "0"};
+  render.more.insert(render.more.end(), scene.arguments.begin(), scene.arguments.end());
+  return render_command(program_, render, file, out);
 }
 
 std::string StressRunner::identity(const StressScene& scene, const StressRender& how) const {
@@ -92,25 +74,21 @@ RungEvidence StressRunner::render(const StressScene& scene, const StressRender& 
   const ProcessOutcome outcome = run_process(command(scene, how, file.string(), out.string()), options);
   if (outcome.end == ProcessOutcome::End::interrupted || (interrupt_ != nullptr && *interrupt_))
     throw StressInterrupted();
-  ++renders_;
   RungEvidence evidence;
   evidence.samples = how.spp;
   evidence.ending = outcome.sentence();
   evidence.message = last_line(outcome.standard_error);
-  if (const std::size_t at = evidence.message.find(scratch.path().string() + "/"); at != std::string::npos)
-    evidence.message.erase(at, scratch.path().string().size() + 1);
+  leave_out(scratch.path(), evidence.message);
   evidence.refused = outcome.end == ProcessOutcome::End::exited && outcome.exit_code == 2 && !evidence.message.empty();
   const bool has_ended = outcome.end == ProcessOutcome::End::exited && outcome.exit_code <= 1;
   if (has_ended && fs::exists(out)) evidence.picture = read_rendering(out.string());
   read_stats(scratch.path() / "image.stats.json", evidence);
-  for (std::string& loss : evidence.losses)
-    if (const std::size_t at = loss.find(scratch.path().string() + "/"); at != std::string::npos)
-      loss.erase(at, scratch.path().string().size() + 1);
+  for (std::string& loss : evidence.losses) leave_out(scratch.path(), loss);
   return evidence;
 }
 
 Rendering StressRunner::reference(const StressScene& scene, const StressRender& how) {
-  const std::string key = key_of(identity(scene, how));
+  const std::string key = content_key({{"render", identity(scene, how)}});
   const fs::path kept = folder_ / (key + ".exr"), refusal = folder_ / (key + ".txt");
   std::shared_ptr<std::mutex> making;
   {

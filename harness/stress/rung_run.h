@@ -33,8 +33,6 @@ class StressRunner {
   /// All that a render follows from, as text.
   std::string identity(const StressScene& scene, const StressRender& how) const;
   const std::string& checksum() const { return checksum_; }
-  /// Renders that ended, of either kind.
-  std::size_t renders() const { return renders_; }
 
  private:
   std::vector<std::string> command(const StressScene& scene, const StressRender& how, const std::string& file,
@@ -43,7 +41,6 @@ class StressRunner {
   std::filesystem::path program_, folder_;
   const std::atomic<bool>* interrupt_;
   std::string checksum_;
-  mutable std::atomic<std::size_t> renders_ = 0;
   std::mutex guard_;
   std::map<std::string, std::shared_ptr<std::mutex>> making_;
 };

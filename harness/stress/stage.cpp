@@ -96,7 +96,6 @@ SceneDescription ball_in_uniform_sky(const BsdfModel& model) {
 
 TriangleMesh mesh_of(const std::vector<Vec3f>& positions, const std::vector<TriangleMesh::Triangle>& triangles) {
   TriangleMesh mesh;
-  mesh.resize_positions(positions.size());
   mesh.positions = positions;
   mesh.resize_positions(positions.size());
   mesh.triangles = triangles;

@@ -3,19 +3,17 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <ctime>
 #include <mutex>
-#include <thread>
 
+#include "harness/cells/cells.h"
 #include "harness/cells/folder_lock.h"
 #include "harness/cells/host.h"
 #include "harness/cells/side_by_side.h"
 #include "harness/stress/ladder.h"
 #include "harness/stress/rung_run.h"
+#include "reference/store/reference_store.h"
 #include "scenes/text/atomic_file.h"
-#include "scenes/text/checksum.h"
 #include "scenes/text/input_error.h"
-#include "scenes/text/scratch_folder.h"
 #include "scenes/text/timer.h"
 
 namespace photonproof {
@@ -34,15 +32,6 @@ struct Climb {
 };
 
 bool is_unbiased(const std::string& engine) { return engine != "photonmapper" && engine != "sppm"; }
-
-std::string utc_now() {
-  const std::time_t now = std::time(nullptr);
-  std::tm parts{};
-  gmtime_r(&now, &parts);
-  char text[32];
-  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
-  return text;
-}
 
 /// What a picture shows where it is no number.
 Image shown(const Image& image, double factor) {
@@ -115,16 +104,17 @@ class Climber {
 
   StressRung rung(const Climb& climb, double height) {
     const StressScene asked = scene(climb, height);
-    Checksum sum;
-    std::string all = std::string(judging_version) + runner_.identity(asked, {climb.engine, looks_at, 2});
-    if (climb.ladder->alike) all += runner_.identity(climb.ladder->alike(height), {climb.engine, looks_at, 1});
-    sum.add(all.data(), all.size());
-    const fs::path kept = options_.folder / "rungs" / (sum.hex() + ".json");
+    const std::string alike =
+        climb.ladder->alike ? runner_.identity(climb.ladder->alike(height), {climb.engine, looks_at, 1}) : "";
+    const std::string key = content_key({{"judging", judging_version},
+                                         {"rung", runner_.identity(asked, {climb.engine, looks_at, 2})},
+                                         {"alike", alike}});
+    const fs::path kept = options_.folder / "rungs" / (key + ".json");
     if (fs::exists(kept))
       if (const auto known = rung_from_text(read_file(kept))) return *known;
     const Timer timer;
     const RungExpectation expected = expectation(climb, height);
-    StressRung out = decided(climb, asked, expected, sum.hex());
+    StressRung out = decided(climb, asked, expected, key);
     out.height = height;
     out.seconds = timer.seconds();
     write_file_atomically(kept, rung_text(out));
@@ -233,7 +223,7 @@ StressRecord run_stress(const StressOptions& options) {
   std::vector<char> done(climbs.size(), 0);
   std::mutex telling;
   std::size_t ended = 0;
-  const int jobs = options.jobs > 0 ? options.jobs : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  const int jobs = options.jobs > 0 ? options.jobs : host.cores;
   try {
     side_by_side(climbs.size(), jobs, [&](std::size_t i) {
       climbed[i] = climber.climb(climbs[i]);

@@ -18,9 +18,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<std::string> command_of(const OwnEngine& engine, const OwnRender& render, const std::string& scene,
-                                    const std::string& out) {
-  std::vector<std::string> command{engine.program.string(),
+std::string cache_name(const OwnEngine& engine, const std::string& text, const OwnRender& render) {
+  Checksum sum;
+  for (const std::string& part : render_command(engine.program, render, text, ""))
+    sum.add(part.c_str(), part.size() + 1);
+  const std::string program = file_checksum(engine.program);
+  sum.add(program.data(), program.size());
+  return sum.hex() + ".exr";
+}
+
+}  // namespace
+
+std::vector<std::string> render_command(const fs::path& program, const OwnRender& render, const std::string& scene,
+                                        const std::string& out) {
+  std::vector<std::string> command{program.string(),
                                    "render",
                                    scene,
                                    "-o",
@@ -38,16 +49,6 @@ std::vector<std::string> command_of(const OwnEngine& engine, const OwnRender& re
   return command;
 }
 
-std::string cache_name(const OwnEngine& engine, const std::string& text, const OwnRender& render) {
-  Checksum sum;
-  for (const std::string& part : command_of(engine, render, text, "")) sum.add(part.c_str(), part.size() + 1);
-  const std::string program = file_checksum(engine.program);
-  sum.add(program.data(), program.size());
-  return sum.hex() + ".exr";
-}
-
-}  // namespace
-
 Rendering render_with(const OwnEngine& engine, const SceneDescription& scene, const OwnRender& render) {
   const std::string text = write_scene(with_absolute_files(scene));
   const fs::path kept = engine.cache.empty() ? fs::path() : engine.cache / cache_name(engine, text, render);
@@ -58,7 +59,8 @@ Rendering render_with(const OwnEngine& engine, const SceneDescription& scene, co
   ProcessOptions options;
   options.wall_limit_seconds = engine.seconds;
   options.interrupt = engine.interrupt;
-  const ProcessOutcome outcome = run_process(command_of(engine, render, file.string(), out.string()), options);
+  const ProcessOutcome outcome =
+      run_process(render_command(engine.program, render, file.string(), out.string()), options);
   if (!outcome.ok())
     throw InputError(engine.program.string(), "rendering what is compared with, it " + outcome.sentence() + ": " +
                                                   last_line(outcome.standard_error));

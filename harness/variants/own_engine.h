@@ -28,6 +28,9 @@ struct OwnRender {
   std::vector<std::string> more = {};  ///< arguments of `photonproof render`
 };
 
+std::vector<std::string> render_command(const std::filesystem::path& program, const OwnRender& render,
+                                        const std::string& scene, const std::string& out);
+
 /// Linear radiance, with variance. Throws InputError when the program fails.
 Rendering render_with(const OwnEngine& engine, const SceneDescription& scene, const OwnRender& render);
 
