@@ -48,9 +48,10 @@ std::optional<Finding> other_scene(const Comparison& comparison, const SceneKnow
 /// of the scene does.
 Image unclamped(const SceneKnowledge& knowledge) {
   Image light = knowledge.reference;
-  if (!knowledge.white || knowledge.model.rgb.size() != light.rgb.size()) return light;
+  const Image& model = knowledge.light.get().model;
+  if (!knowledge.white || model.rgb.size() != light.rgb.size()) return light;
   for (std::size_t i = 0; i < light.rgb.size(); ++i)
-    if (light.rgb[i] > 0.999f * *knowledge.white) light.rgb[i] = std::max(light.rgb[i], knowledge.model.rgb[i]);
+    if (light.rgb[i] > 0.999f * *knowledge.white) light.rgb[i] = std::max(light.rgb[i], model.rgb[i]);
   return light;
 }
 
@@ -59,7 +60,7 @@ class Search {
   /// `patience`: how much more than usual is taken for noise.
   Search(const Image& submitted, const SceneKnowledge& knowledge, const Comparison& comparison, double patience)
       : submitted_(submitted), knowledge_(knowledge), comparison_(comparison), patience_(patience) {
-    guess_.light = unclamped(knowledge);
+    guess_.light = knowledge.reference;
     before_ = left_ = comparison.total(predicted(guess_, comparison.white()));
   }
 
@@ -75,10 +76,8 @@ class Search {
     std::vector<Finding> findings;
     constexpr int most = 6;
     for (int round = 0; round < most && left_ > std::max(least(), 0.04 * before_); ++round) {
-      std::vector<Candidate> candidates = candidates_for(guess_, knowledge_, comparison_, round == 0);
-      const Candidate* best = nullptr;
-      for (const Candidate& candidate : candidates)
-        if (!best || score(candidate) < score(*best)) best = &candidate;
+      const std::vector<Candidate> candidates = candidates_of(round == 0);
+      const Candidate* best = best_of(candidates);
       if (!best || best->left * best->handicap > 0.8 * left_) break;
       const std::string other = alternative(candidates, *best);
       accept(*best, findings);
@@ -90,9 +89,40 @@ class Search {
   }
 
  private:
+  const Candidate* best_of(const std::vector<Candidate>& candidates) const {
+    const Candidate* best = nullptr;
+    for (const Candidate& candidate : candidates)
+      if (!best || score(candidate) < score(*best)) best = &candidate;
+    return best;
+  }
+
+  bool explain_all(const std::vector<Candidate>& candidates) const {
+    const Candidate* best = best_of(candidates);
+    return best && best->left < std::max(least(), 0.02 * before_);
+  }
+
+  /// What the light is made of, and how mistakes look, is rendered only where cheaper hypotheses leave something.
+  std::vector<Candidate> candidates_of(bool first_round) {
+    std::vector<Candidate> candidates;
+    add_arrangements(guess_, knowledge_, comparison_, first_round, candidates);
+    if (first_round) {
+      if (explain_all(candidates)) return candidates;
+      guess_.light = unclamped(knowledge_);
+      candidates.clear();
+      add_arrangements(guess_, knowledge_, comparison_, true, candidates);
+    }
+    add_views(guess_, knowledge_, comparison_, candidates);
+    add_light_candidates(guess_, knowledge_, comparison_, candidates);
+    add_what_ifs(guess_, knowledge_, comparison_, comparison_.excess(predicted(guess_, comparison_.white())),
+                 candidates);
+    return candidates;
+  }
+
   double score(const Candidate& c) const { return (c.left + 0.002 * before_) * c.handicap; }
 
   void look_for_faint(std::vector<Finding>& findings) {
+    if (!could_hide_a_mistake(guess_, knowledge_, comparison_)) return;
+    guess_.light = unclamped(knowledge_);
     std::optional<Candidate> faint = faint_mistake(guess_, knowledge_, comparison_);
     if (!faint) return;
     faint->left = std::min(left_, comparison_.total(predicted(faint->guess, comparison_.white())));
@@ -115,7 +145,7 @@ class Search {
     const double share = (left_ - best.left) / std::max(before_, 1e-9) / static_cast<double>(best.said.size());
     const std::vector<double> weight = difference(guess_.light, best.guess.light);
     for (Finding finding : best.said) {
-      finding.explained = share;
+      finding.explained = std::max(finding.explained, share);
       finding.where = {0, 0, comparison_.width(), comparison_.height()};
       if (best.placed) {
         const std::string place =

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "harness/diagnosis/lazy.h"
 #include "harness/pixels/pixel_region.h"
 #include "scenes/images/image.h"
 
@@ -29,7 +30,17 @@ struct WhatIf {
   std::string sentence;  ///< "shadow edges hard"
   std::string cause;
   std::string landmark;  ///< where it shows, or empty: where it differs most
-  Image image;
+  Lazy<Image> image;
+  /// A pixel: not 0 where it surely changes the picture. Empty: unknown.
+  std::vector<std::uint8_t> changes = {};
+  bool only_there = false;  ///< and nowhere else
+};
+
+/// What the scene's light is made of.
+struct SceneLight {
+  Image model;  ///< our engine's picture, which probes and what-ifs differ from; empty: reference
+  std::vector<FeatureProbe> probes;
+  std::vector<WhatIf> formulas;  ///< of direct light
 };
 
 struct Landmark {
@@ -42,8 +53,7 @@ struct SceneKnowledge {
   Image reference;                ///< linear; may be brighter than white
   std::optional<Image> variance;  ///< of the reference
   std::optional<float> white;     ///< where the submitted picture is clamped
-  Image model;                    ///< our engine's picture, which probes and what-ifs differ from; empty: reference
-  std::vector<FeatureProbe> probes;
+  Lazy<SceneLight> light;
   std::vector<WhatIf> what_ifs;
   std::vector<Landmark> landmarks;
   /// A pixel: 1 + the index of the landmark that is seen there, 0 where none is. Empty: unknown.
@@ -63,7 +73,8 @@ struct Finding {
 
 /// The most explaining first; empty where nothing stands out of the noise and the tolerance. The submitted picture is
 /// linear, top row first. Never throws for what a picture holds: another size and values that are not finite are
-/// findings, too.
+/// findings, too. What the knowledge has not rendered
+/// yet is rendered when it is needed, and throws InputError where that fails.
 std::vector<Finding> diagnose(const Image& submitted, const SceneKnowledge& knowledge);
 
 }  // namespace photonproof

@@ -7,14 +7,18 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstdio>
 #include <functional>
 #include <map>
 #include <string>
+#include <thread>
 #include <variant>
 
 #include "harness/diagnosis/picture_changes.h"
+#include "harness/diagnosis/sub_pixel_shift.h"
 #include "harness/diagnosis/test_defects.h"
+#include "scenes/text/input_error.h"
 #include "scenes/text/splitmix.h"
 
 namespace photonproof {
@@ -35,7 +39,7 @@ Image submission(const std::string& name, std::uint64_t seed, int spp = 48, cons
 }
 
 const Image& probe(const SceneKnowledge& knowledge, const std::string& feature) {
-  for (const FeatureProbe& p : knowledge.probes)
+  for (const FeatureProbe& p : knowledge.light.get().probes)
     if (p.feature == feature) return p.light;
   throw std::runtime_error("no probe " + feature);
 }
@@ -83,8 +87,10 @@ Image corners(Image image, int of, int from) {
 }
 /// With the change of that mistake, whose noise is not the picture's.
 Image mistaken(const Image& right, const SceneKnowledge& knowledge, const std::string& kind) {
-  for (const WhatIf& what_if : knowledge.what_ifs)
-    if (what_if.kind == kind) return plus(plus(right, what_if.image, 1), knowledge.model, -1);
+  const SceneLight& light = knowledge.light.get();
+  for (const std::vector<WhatIf>* what_ifs : {&knowledge.what_ifs, &light.formulas})
+    for (const WhatIf& what_if : *what_ifs)
+      if (what_if.kind == kind) return plus(plus(right, what_if.image.get(), 1), light.model, -1);
   throw std::runtime_error("no mistake " + kind);
 }
 /// Of a scene that was changed.
@@ -377,6 +383,53 @@ TEST(Diagnosis, says_nothing_of_right_pictures_but_noise) {
             EXPECT_TRUE(f.kind == "noise" || f.kind == "fireflies")
                 << scene << " " << integrator << " " << spp << " spp, seed " << seed << text_of(findings);
         }
+}
+
+TEST(Diagnosis, renders_only_what_a_picture_needs) {
+  const Image right = submission("course-1", 3);
+  OwnEngine none;
+  none.program = "/there/is/no/such/program";
+  const SceneKnowledge knowledge = knowledge_of(test_scene("course-1"), {known("course-1").reference, {}, {}}, none);
+  const std::vector<Finding> findings = diagnose(as_bytes(turn(right, "upside-down")), knowledge);
+  ASSERT_EQ(findings.size(), 1u) << text_of(findings);
+  EXPECT_EQ(findings.front().kind, "upside-down");
+  EXPECT_THROW(diagnose(as_bytes(plus(right, probe(known("course-1"), "indirect"), -1)), knowledge), InputError);
+}
+
+TEST(Diagnosis, shifts_by_parts_of_a_pixel_are_measured_where_all_of_the_picture_is) {
+  const Image right = as_bytes(submission("course-1", 3));
+  const auto shift_of = [&](Image picture) {
+    for (std::size_t i = 0; i < picture.rgb.size(); ++i)
+      if (!std::isfinite(picture.rgb[i])) picture.rgb[i] = right.rgb[i];
+    return sub_pixel_shift(known("course-1").reference, Comparison(as_bytes(picture), 1, 0.08, {}));
+  };
+  EXPECT_FALSE(shift_of(right));
+  const std::optional<SubPixelShift> both = shift_of(viewed(right, 0.4, -0.6, 1)),
+                                     down = shift_of(viewed(right, 0, 0.5, 1));
+  ASSERT_TRUE(both && down);
+  // Slopes over two pixels are a little more than those of an edge that is moved by less than one: up to a quarter.
+  EXPECT_NEAR(both->x, 0.4, 0.1);
+  EXPECT_NEAR(both->y, -0.6, 0.15);
+  EXPECT_NEAR(down->x, 0, 0.1);
+  EXPECT_NEAR(down->y, 0.5, 0.125);
+  // The lower half alone: no camera does that.
+  Image half = viewed(right, 0.6, 0, 1);
+  std::copy_n(right.rgb.begin(), right.rgb.size() / 2, half.rgb.begin());
+  EXPECT_FALSE(shift_of(half));
+}
+
+TEST(Diagnosis, lazy_values_are_made_once_and_by_one_thread) {
+  std::atomic<int> made = 0;
+  const Lazy<int> value(std::function<int()>([&] { return ++made; }));
+  const Lazy<int> copy = value;
+  std::vector<std::jthread> threads;
+  for (int i = 0; i < 8; ++i) threads.emplace_back([&] { EXPECT_EQ(copy.get(), 1); });
+  threads.clear();
+  EXPECT_EQ(value.get() + made, 2);
+  const Lazy<int> failing(std::function<int()>([&]() -> int { throw InputError("there", std::to_string(++made)); }));
+  EXPECT_THROW(failing.get(), InputError);
+  EXPECT_THROW(failing.get(), InputError);
+  EXPECT_EQ(made, 2);
 }
 
 }  // namespace

@@ -13,6 +13,7 @@ struct Lamp {
   double power;
 };
 
+/// Each lamp as nine.
 std::vector<Lamp> plain_lamps(const SceneDescription& scene) {
   std::vector<Lamp> lamps;
   for (const ShapeDescription& shape : scene.shapes) {
@@ -20,55 +21,64 @@ std::vector<Lamp> plain_lamps(const SceneDescription& scene) {
     const auto* radiance = std::get_if<RgbD>(&*shape.radiance);
     if (!radiance) continue;
     const Vec3d a = shape.to_world.vector({1, 0, 0}), b = shape.to_world.vector({0, 1, 0});
-    lamps.push_back({shape.to_world.point({0, 0, 0}), normalize(shape.to_world.vector({0, 0, 1})),
-                     length(cross(a, b)) * max_component(*radiance)});
+    const double power = length(cross(a, b)) * max_component(*radiance);
+    for (const double x : {-0.67, 0.0, 0.67})
+      for (const double y : {-0.67, 0.0, 0.67})
+        lamps.push_back({shape.to_world.point({x, y, 0}), normalize(shape.to_world.vector({0, 0, 1})), power});
   }
   return lamps;
 }
 
-/// Means over lamps, by how much light they send there.
+/// Of the formula, at a surface by the light of one lamp.
 struct Factors {
-  double surface = 0, lamp = 0, distance = 0;
+  double surface, lamp, distance;
 };
-
-Factors factors_at(const SeenPoint& point, const std::vector<Lamp>& lamps) {
-  Factors sum;
-  double all = 0;
-  for (const Lamp& lamp : lamps) {
-    const Vec3d to = lamp.middle - point.position_world;
-    const double r = length(to);
-    const double surface = std::max(0.05, dot(point.normal_world, to) / r);
-    const double emits = std::max(0.05, std::abs(dot(lamp.normal, to)) / r);
-    const double light = lamp.power * surface * emits / (r * r);
-    sum.surface += light * surface;
-    sum.lamp += light * emits;
-    sum.distance += light * r;
-    all += light;
-  }
-  if (all > 0) return {sum.surface / all, sum.lamp / all, sum.distance / all};
-  return {1, 1, 1};
-}
 
 struct FormulaRow {
   const char *kind, *sentence, *cause;
+  bool has_unit;  ///< of length: whoever makes the mistake then chooses lamps that look right
   double (*factor)(const Factors&);
 };
 constexpr FormulaRow formula_rows[] = {
     {"falloff-missing", "light does not fall off with distance",
-     "direct light is not divided by the square of the distance",
+     "direct light is not divided by the square of the distance", true,
      [](const Factors& f) { return f.distance * f.distance; }},
     {"falloff-linear", "light falls off too slowly with distance",
-     "direct light is divided by the distance, not its square", [](const Factors& f) { return f.distance; }},
+     "direct light is divided by the distance, not its square", true, [](const Factors& f) { return f.distance; }},
     {"falloff-twice", "light falls off too fast with distance",
-     "direct light is divided by the square of the distance twice",
+     "direct light is divided by the square of the distance twice", true,
      [](const Factors& f) { return 1 / (f.distance * f.distance); }},
     {"cosine-missing", "direct light does not depend on the surface's angle",
-     "the cosine at the surface is missing (N dot L)", [](const Factors& f) { return 1 / f.surface; }},
+     "the cosine at the surface is missing (N dot L)", false, [](const Factors& f) { return 1 / f.surface; }},
     {"lamp-cosine-missing", "the lamp shines as brightly to the side as ahead", "the cosine at the lamp is missing",
-     [](const Factors& f) { return 1 / f.lamp; }},
+     false, [](const Factors& f) { return 1 / f.lamp; }},
     {"cosine-twice", "direct light depends too strongly on the surface's angle",
-     "the cosine at the surface is taken twice", [](const Factors& f) { return f.surface; }},
+     "the cosine at the surface is taken twice", false, [](const Factors& f) { return f.surface; }},
+    {"lamp-cosine-twice", "the lamp shines too little to the side", "the cosine at the lamp is taken twice", false,
+     [](const Factors& f) { return f.lamp; }},
+    {"cosines-missing", "direct light depends on no angle", "the cosines at the surface and at the lamp are missing",
+     false, [](const Factors& f) { return 1 / (f.surface * f.lamp); }},
 };
+
+/// The mean over lamps, by how much light they send there.
+double factor_at(const SeenPoint& point, const std::vector<Lamp>& lamps, const FormulaRow& row) {
+  double sum = 0, all = 0;
+  for (const Lamp& lamp : lamps) {
+    const Vec3d to = lamp.middle - point.position_world;
+    const double r = length(to);
+    const Factors factors{std::max(0.05, dot(point.normal_world, to) / r),
+                          std::max(0.05, std::abs(dot(lamp.normal, to)) / r), r};
+    const double light = lamp.power * factors.surface * factors.lamp / (r * r);
+    sum += light * row.factor(factors);
+    all += light;
+  }
+  return all > 0 ? sum / all : 1;
+}
+
+Image times_factors(Image direct, const std::vector<double>& factor, double by) {
+  for (std::size_t i = 0; i < direct.rgb.size(); ++i) direct.rgb[i] *= static_cast<float>(factor[i / 3] * by);
+  return direct;
+}
 
 }  // namespace
 
@@ -81,18 +91,14 @@ std::vector<DirectMistake> direct_mistakes(const SceneDescription& scene, const 
     std::vector<double> factor(points.size(), 1), lit;
     for (std::size_t i = 0; i < points.size(); ++i) {
       if (points[i].object == 0) continue;
-      factor[i] = row.factor(factors_at(points[i], lamps));
+      factor[i] = factor_at(points[i], lamps, row);
       if (direct.rgb[3 * i + 1] > 0.01f) lit.push_back(factor[i]);
     }
     if (lit.size() < 16) return {};
     std::nth_element(lit.begin(), lit.begin() + static_cast<std::ptrdiff_t>(lit.size() / 2), lit.end());
-    DirectMistake mistake{row.kind, row.sentence, row.cause, direct};
-    for (std::size_t i = 0; i < points.size(); ++i)
-      for (std::size_t c = 0; c < 3; ++c) {
-        float& v = mistake.direct.rgb[3 * i + c];
-        v = static_cast<float>(v * factor[i] / lit[lit.size() / 2]);
-      }
-    mistakes.push_back(std::move(mistake));
+    const double median = lit[lit.size() / 2];
+    mistakes.push_back({row.kind, row.sentence, row.cause, times_factors(direct, factor, 1 / median)});
+    if (!row.has_unit) mistakes.push_back({row.kind, row.sentence, row.cause, times_factors(direct, factor, 1)});
   }
   return mistakes;
 }

@@ -12,10 +12,11 @@ namespace photonproof {
 
 struct DirectMistake {
   std::string kind, sentence, cause;
-  Image direct;  ///< as bright as the right one in the median of what is lit
+  Image direct;
 };
 
-/// Empty where lamps are not rectangles. `direct` is the right one, of the points' image.
+/// Each as bright as the right one in the median of what is lit, and those of cosines also as bright as the formula
+/// then says. Empty where lamps are not rectangles. `direct` is the right one, of the points' image.
 std::vector<DirectMistake> direct_mistakes(const SceneDescription& scene, const std::vector<SeenPoint>& points,
                                            const Image& direct);
 

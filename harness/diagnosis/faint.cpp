@@ -3,8 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 #include <vector>
+
+#include "harness/diagnosis/picture_changes.h"
+#include "harness/diagnosis/sub_pixel_shift.h"
 
 namespace photonproof {
 namespace {
@@ -42,6 +46,17 @@ class Filter {
     return match;
   }
 
+  /// The squared difference of values, in units of noise, as far as it is above 1.
+  double beyond_noise(const std::vector<std::uint8_t>& pixels) const {
+    double sum = 0;
+    for (std::size_t i = 0; i < now_.rgb.size(); ++i) {
+      if (!comparison_.counts(i / 3) || (!pixels.empty() && pixels[i / 3] == 0)) continue;
+      const double d = comparison_.shown(comparison_.submitted().rgb[i]) - comparison_.shown(now_.rgb[i]);
+      if (std::isfinite(d)) sum += std::max(0.0, d * d / comparison_.variance_at(i) - 1);
+    }
+    return sum;
+  }
+
  private:
   static constexpr double shared = 3;  // noise of photon maps is shared by neighbours
   const Comparison& comparison_;
@@ -61,47 +76,110 @@ Image plus_change(const Image& light, const Image& change, const Image& from, do
   return sum;
 }
 
+class FaintSearch {
+ public:
+  FaintSearch(const Guess& guess, const SceneKnowledge& knowledge, const Comparison& comparison)
+      : guess_(guess), knowledge_(knowledge), comparison_(comparison), filter_(guess, comparison) {}
+
+  /// Whether these pixels (empty: all) differ by so much beyond noise that a mistake there could be told.
+  bool could_be_told(const std::vector<std::uint8_t>& pixels) const { return filter_.beyond_noise(pixels) > 200; }
+
+  void look_at_light() {
+    const SceneLight& light = knowledge_.light.get();
+    const Image& model = light.model.rgb.empty() ? knowledge_.reference : light.model;
+    const Image none(model.width, model.height);
+    for (const FeatureProbe& probe : light.probes)
+      for (const double factor : {-1.0, 1.0})
+        look(with_light(plus_change(guess_.light, probe.light, none, factor), probe.feature),
+             {true, probe.feature == "caustic"},
+             [&](double x) { return words_of_feature(probe.feature, std::max(0.0, 1 + factor * x)); });
+    for (const WhatIf& formula : light.formulas) look_at_what_if(formula, model);
+    for (const WhatIf& what_if : knowledge_.what_ifs)
+      if (could_be_told(what_if.changes)) look_at_what_if(what_if, model);
+  }
+
+  void look_at_tones() {
+    for (std::size_t tone = 1; tone < tone_rows().size() && guess_.tone == 0; ++tone) {
+      const ToneRow& row = tone_rows()[tone];
+      Guess other = guess_;
+      other.tone = tone;
+      look(std::move(other), {}, [&](double) { return Finding{row.kind, row.sentence, row.cause, {}, 0}; });
+    }
+  }
+
+  void look_at_shift() {
+    if (guess_.shift_x != 0 || guess_.shift_y != 0) return;
+    const std::optional<SubPixelShift> shift = sub_pixel_shift(predicted(guess_, comparison_.white()), comparison_);
+    if (!shift || shift->explained <= most_) return;
+    most_ = shift->explained;
+    Candidate candidate;
+    candidate.guess = guess_;
+    candidate.guess.shift_x = shift->x;
+    candidate.guess.shift_y = shift->y;
+    candidate.said = {words_of_shift(shift->x, shift->y)};
+    candidate.said[0].explained = shift->explained;
+    best_ = std::move(candidate);
+  }
+
+  std::optional<Candidate> best() { return std::move(best_); }
+
+ private:
+  struct Kind {
+    bool any_amount = false, placed = false;
+  };
+
+  Guess with_light(Image light, const std::string& name) const {
+    Guess other = guess_;
+    other.light = std::move(light);
+    other.used.push_back(name);
+    return other;
+  }
+
+  void look_at_what_if(const WhatIf& what_if, const Image& model) {
+    if (what_if.image.get().rgb.size() != model.rgb.size()) return;
+    look(with_light(plus_change(guess_.light, what_if.image.get(), model, 1), what_if.kind), {}, [&](double) {
+      return Finding{what_if.kind, what_if.sentence, what_if.cause, {}, 0};
+    });
+  }
+
+  template <class Words>
+  void look(Guess other, const Kind& kind, const Words& words) {
+    const Match match = filter_.match(predicted(other, comparison_.white()));
+    const double off = kind.any_amount ? 0.1 : std::abs(match.amount - 1);
+    const double worth = match.explained * (1 - off);
+    if (!is_there(match, kind.any_amount) || worth <= most_) return;
+    most_ = worth;
+    Candidate candidate;
+    candidate.guess = std::move(other);
+    candidate.said = {words(match.amount)};
+    candidate.said[0].explained = std::min(1.0, match.explained);
+    candidate.placed = kind.placed;
+    candidate.local = true;
+    best_ = std::move(candidate);
+  }
+
+  const Guess& guess_;
+  const SceneKnowledge& knowledge_;
+  const Comparison& comparison_;
+  Filter filter_;
+  std::optional<Candidate> best_;
+  double most_ = 0;
+};
+
 }  // namespace
+
+bool could_hide_a_mistake(const Guess& guess, const SceneKnowledge& knowledge, const Comparison& comparison) {
+  constexpr double too_noisy = 0.02;  // clamping then takes what fireflies bring, as if light were missing
+  return comparison.noise() <= too_noisy && FaintSearch(guess, knowledge, comparison).could_be_told({});
+}
 
 std::optional<Candidate> faint_mistake(const Guess& guess, const SceneKnowledge& knowledge,
                                        const Comparison& comparison) {
-  constexpr double too_noisy = 0.02;  // clamping then takes what fireflies bring, as if light were missing
-  if (comparison.noise() > too_noisy) return std::nullopt;
-  const Filter filter(guess, comparison);
-  std::optional<Candidate> best;
-  double most = 0;
-  const auto look = [&](const Image& light, const std::string& name, const auto& words, bool any_amount, bool placed) {
-    Candidate candidate;
-    candidate.guess = guess;
-    candidate.guess.light = light;
-    const Match match = filter.match(predicted(candidate.guess, comparison.white()));
-    const double off = any_amount ? 0.1 : std::abs(match.amount - 1);
-    const double worth = match.explained * (1 - off);
-    if (!is_there(match, any_amount) || worth <= most) return;
-    most = worth;
-    candidate.guess.used.push_back(name);
-    candidate.said = {words(match.amount)};
-    candidate.placed = placed;
-    candidate.local = true;
-    best = std::move(candidate);
-  };
-  const Image& model = knowledge.model.rgb.empty() ? knowledge.reference : knowledge.model;
-  const Image none(model.width, model.height);
-  for (const FeatureProbe& probe : knowledge.probes)
-    for (const double factor : {-1.0, 1.0})
-      look(
-          plus_change(guess.light, probe.light, none, factor), probe.feature,
-          [&](double x) { return words_of_feature(probe.feature, std::max(0.0, 1 + factor * x)); }, true,
-          probe.feature == "caustic");
-  for (const WhatIf& what_if : knowledge.what_ifs)
-    if (what_if.image.rgb.size() == model.rgb.size())
-      look(
-          plus_change(guess.light, what_if.image, model, 1), what_if.kind,
-          [&](double) {
-            return Finding{what_if.kind, what_if.sentence, what_if.cause, {}, 0};
-          },
-          false, false);
-  return best;
+  FaintSearch search(guess, knowledge, comparison);
+  search.look_at_tones();
+  search.look_at_shift();
+  search.look_at_light();
+  return search.best();
 }
 
 }  // namespace photonproof

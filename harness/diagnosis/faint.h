@@ -10,6 +10,9 @@
 
 namespace photonproof {
 
+/// Whether so much differs beyond noise that it is worth looking. Renders nothing.
+bool could_hide_a_mistake(const Guess& guess, const SceneKnowledge& knowledge, const Comparison& comparison);
+
 /// Only what is there in full (x about 1), far above its uncertainty, and accounts for most of what differs beyond
 /// noise.
 std::optional<Candidate> faint_mistake(const Guess& guess, const SceneKnowledge& knowledge,

@@ -27,12 +27,19 @@ std::string factor_text(double factor) {
   return text;
 }
 
-std::vector<Candidate> candidates_for(const Guess& guess, const SceneKnowledge& knowledge, const Comparison& comparison,
-                                      bool first_round) {
-  std::vector<Candidate> candidates;
-  add_picture_candidates(guess, knowledge, comparison, first_round, candidates);
-  add_light_candidates(guess, knowledge, comparison, candidates);
-  return candidates;
+Finding words_of_shift(double x, double y) {
+  std::string words;
+  const auto add = [&](double by, const char* more, const char* less) {
+    if (std::abs(by) < 0.1) return;
+    words += (words.empty() ? "" : " and ") + factor_text(std::abs(by)) + " pixels " + (by > 0 ? more : less);
+  };
+  add(x, "right", "left");
+  add(y, "down", "up");
+  return {"shifted",
+          "the image is shifted by " + words,
+          "pixels' middles are taken half a pixel off, or the camera points elsewhere",
+          {},
+          0};
 }
 
 }  // namespace photonproof

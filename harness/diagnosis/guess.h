@@ -33,15 +33,22 @@ struct Candidate {
   bool local = false;              ///< it concerns the part of the picture that differs
 };
 
-/// All changes of one thing; in the first round also turned, channels and tone together.
-std::vector<Candidate> candidates_for(const Guess& guess, const SceneKnowledge& knowledge, const Comparison& comparison,
-                                      bool first_round);
-
-/// Of whole pictures (picture_changes.h), and of light in the scene: features, what-ifs, objects.
-void add_picture_candidates(const Guess& guess, const SceneKnowledge& knowledge, const Comparison& comparison,
-                            bool first_round, std::vector<Candidate>& candidates);
+/// All changes of one thing. Of whole pictures (picture_changes.h), without what the scene's light is made of: turned,
+/// channels, tone, rows of another place; in the first round also turned, channels and tone together.
+void add_arrangements(const Guess& guess, const SceneKnowledge& knowledge, const Comparison& comparison,
+                      bool first_round, std::vector<Candidate>& candidates);
+/// Another brightness, another view, less sharp.
+void add_views(const Guess& guess, const SceneKnowledge& knowledge, const Comparison& comparison,
+               std::vector<Candidate>& candidates);
+/// Of light in the scene: features, formulas of direct light, objects.
 void add_light_candidates(const Guess& guess, const SceneKnowledge& knowledge, const Comparison& comparison,
                           std::vector<Candidate>& candidates);
+/// What-ifs that could account for a fifth of `excess`, which the guess leaves: others are not rendered.
+void add_what_ifs(const Guess& guess, const SceneKnowledge& knowledge, const Comparison& comparison,
+                  const Excess& excess, std::vector<Candidate>& candidates);
+
+/// "the image is shifted by 3 pixels right".
+Finding words_of_shift(double x, double y);
 
 /// "0.6", "1.5", "12": a factor as people say it.
 std::string factor_text(double factor);

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -41,19 +44,51 @@ class KnowledgeMaker {
     scene_.sensor.film.crop.reset();
     scene_.sensor.film.width = small_width_;
     scene_.sensor.film.height = small_height_;
-    knowledge_.reference = reference.mean;
-    knowledge_.variance = reference.variance;
-    knowledge_.white = options.white;
     points_ = seen_points(scene_, small_width_, small_height_);
   }
 
-  SceneKnowledge run() {
-    set_landmarks(knowledge_, scene_, seen_points(scene_, width_, height_), width_, height_);
+  SceneLight light() {
+    SceneLight light;
     model_ = rendered(scene_, whole());
-    add_features();
-    if (options_.what_ifs) add_mistakes();
-    knowledge_.model = resized(model_, width_, height_);
-    return std::move(knowledge_);
+    light.model = resized(model_, width_, height_);
+    add_features(light);
+    if (options_.what_ifs && has_direct()) add_formulas(light);
+    return light;
+  }
+
+  /// Without their images.
+  std::vector<Mistake> mistakes() const {
+    std::vector<bool> visible(scene_.shapes.size());
+    for (const SeenPoint& point : points_)
+      if (point.object > 0) visible[point.object - 1u] = true;
+    std::vector<Mistake> all = mistakes_of(scene_, object_names(scene_), visible);
+    all.push_back({"shadows-missing",
+                   "shadows missing",
+                   "no shadow rays are traced: direct light is never blocked",
+                   "",
+                   without_bodies(scene_),
+                   {},
+                   true});
+    return all;
+  }
+
+  /// After light().
+  Image image_of(const Mistake& mistake) const {
+    if (mistake.direct_only)
+      return resized(has_direct() ? with_direct(direct_light(mistake.scene)) : model_, width_, height_);
+    Image image = rendered(mistake.scene, whole());
+    if (!mistake.only_where_seen.empty())
+      for (std::size_t i = 0; i < points_.size(); ++i)
+        if (!sees_any(points_[i], mistake.only_where_seen))
+          for (std::size_t c = 0; c < 3; ++c) image.rgb[3 * i + c] = model_.rgb[3 * i + c];
+    return resized(image, width_, height_);
+  }
+
+  std::vector<std::uint8_t> pixels_of(const std::vector<std::size_t>& shapes) const {
+    std::vector<std::uint8_t> pixels;
+    if (shapes.empty()) return pixels;
+    for (const SeenPoint& point : seen_points(scene_, width_, height_)) pixels.push_back(sees_any(point, shapes));
+    return pixels;
   }
 
  private:
@@ -88,36 +123,35 @@ class KnowledgeMaker {
     return rendered(scene, render);
   }
 
-  void add_probe(const char* feature, const Image& light) {
+  void add_probe(SceneLight& to, const char* feature, const Image& light) const {
     FeatureProbe probe{feature, resized(light, width_, height_), {}};
     for (std::size_t i = 0; i < probe.light.pixels(); ++i) {
       double part = 0, all = 0;
       for (std::size_t c = 0; c < 3; ++c) {
         part += std::abs(probe.light.rgb[3 * i + c]);
-        all += knowledge_.reference.rgb[3 * i + c];
+        all += to.model.rgb[3 * i + c];
       }
       probe.weight.push_back(static_cast<float>(all > 0 ? std::min(1.0, part / all) : 0));
     }
-    knowledge_.probes.push_back(std::move(probe));
+    to.probes.push_back(std::move(probe));
   }
 
-  void add_features() {
+  void add_features(SceneLight& light) {
     const Image caustic = view_of("caustics", -1), indirect = view_of("global", -1), first = view_of("global", 3);
     const Image later = not_negative(sum_of(indirect, first, -1));
-    add_probe("caustic", caustic);
-    add_probe("indirect", indirect);
-    add_probe("later bounces", later);
+    add_probe(light, "caustic", caustic);
+    add_probe(light, "indirect", indirect);
+    add_probe(light, "later bounces", later);
     direct_ = direct_light(scene_);
     // Lamps themselves are no direct light that could be lost with it.
     for (std::size_t i = 0; i < points_.size(); ++i)
       if (shows_lamp(i))
         for (std::size_t c = 0; c < 3; ++c) direct_.rgb[3 * i + c] = 0;
-    add_probe("direct", direct_);
+    add_probe(light, "direct", direct_);
   }
 
-  bool sees_any(std::size_t pixel, const std::vector<std::size_t>& shapes) const {
-    return std::any_of(shapes.begin(), shapes.end(),
-                       [&](std::size_t shape) { return points_[pixel].object == shape + 1; });
+  static bool sees_any(const SeenPoint& point, const std::vector<std::size_t>& shapes) {
+    return std::any_of(shapes.begin(), shapes.end(), [&](std::size_t shape) { return point.object == shape + 1; });
   }
 
   /// In the pixel or one beside it, whose edge may lie in this one.
@@ -130,11 +164,6 @@ class KnowledgeMaker {
         if (point.object > 0 && scene_.shapes[point.object - 1u].radiance) return true;
       }
     return false;
-  }
-
-  void add_what_if(const Mistake& mistake, Image image) {
-    WhatIf what_if{mistake.kind, mistake.sentence, mistake.cause, mistake.landmark, resized(image, width_, height_)};
-    knowledge_.what_ifs.push_back(std::move(what_if));
   }
 
   /// The model, but for what differs of direct light where it is seen that no lamp or body is.
@@ -150,46 +179,49 @@ class KnowledgeMaker {
     return image;
   }
 
-  void add_mistakes() {
-    const std::vector<std::string> names = object_names(scene_);
-    std::vector<bool> visible(scene_.shapes.size());
-    for (const SeenPoint& point : points_)
-      if (point.object > 0) visible[point.object - 1u] = true;
-    const bool has_direct = std::any_of(direct_.rgb.begin(), direct_.rgb.end(), [](float v) { return v > 0.01f; });
-    for (const Mistake& mistake : mistakes_of(scene_, names, visible)) {
-      if (mistake.direct_only) {
-        if (has_direct) add_what_if(mistake, with_direct(direct_light(mistake.scene)));
-        continue;
-      }
-      Image image = rendered(mistake.scene, whole());
-      if (!mistake.only_where_seen.empty())
-        for (std::size_t i = 0; i < points_.size(); ++i)
-          if (!sees_any(i, mistake.only_where_seen))
-            for (std::size_t c = 0; c < 3; ++c) image.rgb[3 * i + c] = model_.rgb[3 * i + c];
-      add_what_if(mistake, std::move(image));
-    }
-    if (!has_direct) return;
-    add_what_if(
-        {"shadows-missing", "shadows missing", "no shadow rays are traced: direct light is never blocked", "", {}, {}},
-        with_direct(direct_light(without_bodies(scene_))));
+  bool has_direct() const {
+    return std::any_of(direct_.rgb.begin(), direct_.rgb.end(), [](float v) { return v > 0.01f; });
+  }
+
+  void add_formulas(SceneLight& light) const {
     for (DirectMistake& mistake : direct_mistakes(scene_, points_, direct_))
-      add_what_if({mistake.kind, mistake.sentence, mistake.cause, "", {}, {}}, with_direct(mistake.direct));
+      light.formulas.push_back({mistake.kind, mistake.sentence, mistake.cause, "",
+                                Lazy<Image>(resized(with_direct(mistake.direct), width_, height_))});
   }
 
   SceneDescription scene_;
-  const OwnEngine& engine_;
+  OwnEngine engine_;
   KnowledgeOptions options_;
   int width_, height_, small_width_ = 0, small_height_ = 0;
   std::vector<SeenPoint> points_;
   Image model_, direct_;
-  SceneKnowledge knowledge_;
 };
 
 }  // namespace
 
 SceneKnowledge knowledge_of(const SceneDescription& scene, const Rendering& reference, const OwnEngine& engine,
                             const KnowledgeOptions& options) {
-  return KnowledgeMaker(scene, reference, engine, options).run();
+  SceneKnowledge knowledge;
+  knowledge.reference = reference.mean;
+  knowledge.variance = reference.variance;
+  knowledge.white = options.white;
+  const auto maker = std::make_shared<KnowledgeMaker>(scene, reference, engine, options);
+  set_landmarks(knowledge, scene, seen_points(scene, reference.mean.width, reference.mean.height), reference.mean.width,
+                reference.mean.height);
+  const Lazy<SceneLight> light(std::function<SceneLight()>([maker] { return maker->light(); }));
+  knowledge.light = light;
+  if (!options.what_ifs) return knowledge;
+  for (const Mistake& mistake : maker->mistakes()) {
+    const std::function<Image()> image = [maker, light, mistake] {
+      light.get();
+      return maker->image_of(mistake);
+    };
+    const bool only_there = !mistake.only_where_seen.empty();
+    knowledge.what_ifs.push_back({mistake.kind, mistake.sentence, mistake.cause, mistake.landmark, Lazy<Image>(image),
+                                  maker->pixels_of(only_there ? mistake.only_where_seen : mistake.changes),
+                                  only_there});
+  }
+  return knowledge;
 }
 
 }  // namespace photonproof

@@ -18,7 +18,7 @@ struct KnowledgeOptions {
   bool what_ifs = true;            ///< also the pictures with mistakes built in, which take most of the time
 };
 
-/// Throws InputError when a render fails.
+/// Nothing is rendered yet: what is asked of it is, and throws InputError where a render fails. The engine is copied.
 SceneKnowledge knowledge_of(const SceneDescription& scene, const Rendering& reference, const OwnEngine& engine,
                             const KnowledgeOptions& options = {});
 

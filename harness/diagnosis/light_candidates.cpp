@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <utility>
 
@@ -14,10 +15,14 @@ class LightCandidates {
  public:
   LightCandidates(const Guess& guess, const SceneKnowledge& knowledge, const Comparison& comparison,
                   std::vector<Candidate>& candidates)
-      : guess_(guess), knowledge_(knowledge), comparison_(comparison), candidates_(candidates) {}
+      : guess_(guess),
+        knowledge_(knowledge),
+        comparison_(comparison),
+        light_(knowledge.light.get()),
+        candidates_(candidates) {}
 
   void add_features() {
-    for (const FeatureProbe& probe : knowledge_.probes) {
+    for (const FeatureProbe& probe : light_.probes) {
       if (used(probe.feature)) continue;
       double most = 0;
       for (const float v : probe.light.rgb) most = std::max(most, double{v});
@@ -48,23 +53,13 @@ class LightCandidates {
     add_ambient();
   }
 
-  void add_what_ifs() {
-    const Image& model = knowledge_.model.rgb.empty() ? knowledge_.reference : knowledge_.model;
-    for (const WhatIf& what_if : knowledge_.what_ifs) {
-      if (used(what_if.kind + what_if.landmark) || what_if.image.rgb.size() != model.rgb.size()) continue;
-      Image difference = what_if.image;
-      for (std::size_t i = 0; i < difference.rgb.size(); ++i) difference.rgb[i] -= model.rgb[i];
-      for (const double amount : {1.0, 0.7}) {
-        Candidate candidate;
-        candidate.guess = with_light(difference, amount);
-        candidate.guess.used.push_back(what_if.kind + what_if.landmark);
-        candidate.left = left_of(candidate.guess);
-        candidate.handicap = (amount == 1 ? 1 : 1.25) * handicap_of(what_if.kind);
-        candidate.said = {{what_if.kind, what_if.sentence, what_if.cause, {}, 0}};
-        candidate.local = true;
-        candidates_.push_back(std::move(candidate));
-      }
-    }
+  void add_formulas() {
+    for (const WhatIf& formula : light_.formulas) add_what_if(formula);
+  }
+
+  void add_what_ifs(const Excess& excess) {
+    for (const WhatIf& what_if : knowledge_.what_ifs)
+      if (share_of_excess(what_if.changes, excess) >= (what_if.only_there ? 0.2 : 0.05)) add_what_if(what_if);
   }
 
   /// Each object's light times a factor of each channel, as the picture has it; only while the picture is not turned
@@ -91,6 +86,41 @@ class LightCandidates {
   }
 
  private:
+  void add_what_if(const WhatIf& what_if) {
+    const Image& model = light_.model.rgb.empty() ? knowledge_.reference : light_.model;
+    if (used(what_if.kind + what_if.landmark) || what_if.image.get().rgb.size() != model.rgb.size()) return;
+    Image difference = what_if.image.get();
+    for (std::size_t i = 0; i < difference.rgb.size(); ++i) difference.rgb[i] -= model.rgb[i];
+    for (const double amount : {1.0, 0.7}) {
+      Candidate candidate;
+      candidate.guess = with_light(difference, amount);
+      candidate.guess.used.push_back(what_if.kind + what_if.landmark);
+      candidate.left = left_of(candidate.guess);
+      candidate.handicap = (amount == 1 ? 1 : 1.25) * handicap_of(what_if.kind);
+      candidate.said = {{what_if.kind, what_if.sentence, what_if.cause, {}, 0}};
+      candidate.local = true;
+      candidates_.push_back(std::move(candidate));
+    }
+  }
+
+  /// Of the blocks that these pixels lie in; 1 where they are unknown, or the guess is not how the scene is seen.
+  double share_of_excess(const std::vector<std::uint8_t>& pixels, const Excess& excess) const {
+    const bool as_seen = guess_.turn == 0 && guess_.shift_x == 0 && guess_.shift_y == 0 && guess_.zoom == 1;
+    if (pixels.empty() || !as_seen) return 1;
+    std::vector<std::uint8_t> inside(excess.block.size());
+    const std::size_t width = static_cast<std::size_t>(comparison_.width());
+    for (std::size_t i = 0; i < pixels.size(); ++i)
+      if (pixels[i] != 0)
+        inside[i / width / Comparison::side * static_cast<std::size_t>(comparison_.across()) +
+               i % width / Comparison::side] = 1;
+    double sum = 0, all = 0;
+    for (std::size_t i = 0; i < inside.size(); ++i) {
+      all += excess.block[i];
+      sum += inside[i] * excess.block[i];
+    }
+    return all > 0 ? sum / all : 0;
+  }
+
   /// Of mistakes that look like a more likely one: glass with its indices exchanged reflects nearly everything.
   static double handicap_of(const std::string& kind) {
     return kind == "walls-swapped" ? 1.2 : kind == "glass-mirror" ? 1.12 : 1;
@@ -109,7 +139,7 @@ class LightCandidates {
   }
 
   void add_colourless_indirect() {
-    for (const FeatureProbe& probe : knowledge_.probes) {
+    for (const FeatureProbe& probe : light_.probes) {
       if (probe.feature != "indirect" || used("colourless")) continue;
       Image change = probe.light;
       for (std::size_t i = 0; i < change.pixels(); ++i) {
@@ -182,6 +212,7 @@ class LightCandidates {
   const Guess& guess_;
   const SceneKnowledge& knowledge_;
   const Comparison& comparison_;
+  const SceneLight& light_;
   std::vector<Candidate>& candidates_;
 };
 
@@ -191,8 +222,13 @@ void add_light_candidates(const Guess& guess, const SceneKnowledge& knowledge, c
                           std::vector<Candidate>& candidates) {
   LightCandidates add(guess, knowledge, comparison, candidates);
   add.add_features();
-  add.add_what_ifs();
+  add.add_formulas();
   add.add_objects();
+}
+
+void add_what_ifs(const Guess& guess, const SceneKnowledge& knowledge, const Comparison& comparison,
+                  const Excess& excess, std::vector<Candidate>& candidates) {
+  LightCandidates(guess, knowledge, comparison, candidates).add_what_ifs(excess);
 }
 
 }  // namespace photonproof

@@ -52,6 +52,7 @@ class Mistakes {
  private:
   void add(std::string kind, std::string sentence, std::string cause, std::size_t shape, SceneDescription scene) {
     mistakes_.push_back({std::move(kind), std::move(sentence), std::move(cause), names_[shape], std::move(scene), {}});
+    if (visible_[shape]) mistakes_.back().changes = {shape};
   }
   void add_seen(std::string kind, std::string sentence, std::string cause, std::size_t shape, Bsdf model) {
     add(std::move(kind), std::move(sentence), std::move(cause), shape, with_material(scene_, shape, std::move(model)));
@@ -151,6 +152,7 @@ class Mistakes {
                              "",
                              swapped,
                              {}});
+        mistakes_.back().changes = {a, b};
       }
   }
 

@@ -16,6 +16,8 @@ struct Mistake {
   /// Where the mistake shows: only where these shapes are seen (their indices); empty: everywhere.
   std::vector<std::size_t> only_where_seen;
   bool direct_only = false;  ///< only direct light is rendered and differs
+  /// Shapes that it changes wherever they are seen; empty: unknown.
+  std::vector<std::size_t> changes = {};
 };
 
 /// `names` as object_names() gives them; `visible`: of each shape, whether the camera sees it.

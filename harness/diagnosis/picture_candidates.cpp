@@ -197,21 +197,7 @@ class PictureCandidates {
 
   void push_shift(const Guess& best, double left) {
     if (best.shift_x == 0 && best.shift_y == 0) return;
-    std::string words;
-    const auto add = [&](double by, const char* more, const char* less) {
-      if (by == 0) return;
-      words += (words.empty() ? "" : " and ") + factor_text(std::abs(by)) + " pixels " + (by > 0 ? more : less);
-    };
-    add(best.shift_x, "right", "left");
-    add(best.shift_y, "down", "up");
-    candidates_.push_back({best,
-                           left,
-                           1.15,
-                           {{"shifted",
-                             "the image is shifted by " + words,
-                             "pixels' middles are taken half a pixel off, or the camera points elsewhere",
-                             {},
-                             0}}});
+    candidates_.push_back({best, left, 1.15, {words_of_shift(best.shift_x, best.shift_y)}});
   }
 
   void push_zoom(const Guess& best, double left) {
@@ -236,14 +222,19 @@ class PictureCandidates {
 
 }  // namespace
 
-void add_picture_candidates(const Guess& guess, const SceneKnowledge& knowledge, const Comparison& comparison,
-                            bool first_round, std::vector<Candidate>& candidates) {
+void add_arrangements(const Guess& guess, const SceneKnowledge& knowledge, const Comparison& comparison,
+                      bool first_round, std::vector<Candidate>& candidates) {
   PictureCandidates add(guess, knowledge, comparison, candidates);
   add.add_combinations(first_round);
+  add.add_copied_rows();
+}
+
+void add_views(const Guess& guess, const SceneKnowledge& knowledge, const Comparison& comparison,
+               std::vector<Candidate>& candidates) {
+  PictureCandidates add(guess, knowledge, comparison, candidates);
   add.add_scale();
   add.add_views();
   add.add_sharpness();
-  add.add_copied_rows();
 }
 
 }  // namespace photonproof

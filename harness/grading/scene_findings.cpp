@@ -1,6 +1,7 @@
 #include "harness/grading/scene_findings.h"
 
 #include <algorithm>
+#include <vector>
 
 #include "harness/diagnosis/knowledge.h"
 #include "scenes/text/input_error.h"
@@ -29,11 +30,7 @@ SceneKnowledge SceneFindings::found_out(std::size_t scene) const {
       assignment_.image.is_clamped() ? std::optional(static_cast<float>(1 / assignment_.image.scale)) : std::nullopt;
   if (work.description) {
     progress_("scene " + work.row.name + ": what its light is made of");
-    try {
-      known = knowledge_of(*work.description, reference.rendering, engine_, {.white = white});
-    } catch (const InputError&) {  // sentences then go without features
-      known = {};
-    }
+    known = knowledge_of(*work.description, reference.rendering, engine_, {.white = white});
   }
   known.reference = reference.rendering.mean;
   known.variance = reference.rendering.variance;
@@ -44,11 +41,23 @@ SceneKnowledge SceneFindings::found_out(std::size_t scene) const {
   return known;
 }
 
+std::vector<Finding> SceneFindings::found_in(const Image& image, std::size_t scene) {
+  const SceneKnowledge& known = knowledge(scene);
+  try {
+    return diagnose(image, known);
+  } catch (const InputError&) {  // a render failed: sentences then go without what the light is made of
+    SceneKnowledge without = known;
+    without.light = {};
+    without.what_ifs.clear();
+    return diagnose(image, without);
+  }
+}
+
 void SceneFindings::add(std::size_t scene, SceneWorkGrade& work) {
   const bool is_wrong = work.grade.verdict == SceneVerdict::wrong;
   const bool is_hidden_by_noise = std::ranges::any_of(work.grade.checks, is_undecided);
   if ((!is_wrong && !is_hidden_by_noise) || work.images.empty() || !references_[scene]) return;
-  for (const Finding& finding : diagnose(work.images.front(), knowledge(scene))) {
+  for (const Finding& finding : found_in(work.images.front(), scene)) {
     if (!is_wrong && !is_mistake(finding)) continue;
     work.grade.findings.push_back({finding.kind, finding.sentence, finding.cause, finding.where.x, finding.where.y,
                                    finding.where.width, finding.where.height, finding.explained});

@@ -27,12 +27,13 @@ class SceneFindings {
         known_(scenes.size()) {}
 
   /// Adds findings where the scene's verdict is wrong; where it is not but noise could hide a mistake, one that is
-  /// found all the same makes it wrong. What is known of a scene is rendered when the first such image of it is met.
+  /// found all the same makes it wrong. What is known of a scene is rendered when an image of it needs it.
   /// Threads may call it side by side.
   void add(std::size_t scene, SceneWorkGrade& work);
 
  private:
   const SceneKnowledge& knowledge(std::size_t scene);
+  std::vector<Finding> found_in(const Image& image, std::size_t scene);
   SceneKnowledge found_out(std::size_t scene) const;
 
   const Assignment& assignment_;

@@ -1,0 +1,22 @@
+// A shift by less than the blocks of a comparison show: what the picture differs by is fitted with the slopes of the
+// expected picture, D = -(dx dI/dx + dy dI/dy), by least squares over all pixels. Edges of one ray a pixel move by a
+// whole pixel or not at all; over many of them the mean is the shift.
+#pragma once
+
+#include <optional>
+
+#include "harness/diagnosis/comparison.h"
+
+namespace photonproof {
+
+struct SubPixelShift {
+  double x = 0, y = 0;    ///< pixels right and down
+  double explained = 0;   ///< of the squared difference beyond noise
+  double deviations = 0;  ///< from none
+};
+
+/// `expected` is linear. Empty where the parts of the picture do not agree on one shift, or it is not far above its
+/// uncertainty.
+std::optional<SubPixelShift> sub_pixel_shift(const Image& expected, const Comparison& comparison);
+
+}  // namespace photonproof
