@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "harness/submissions/netpbm_file.h"
+#include "harness/submissions/plain_bmp_file.h"
 #include "scenes/images/display_window.h"
 #include "scenes/images/exr_file.h"
 #include "scenes/images/image_file.h"
@@ -77,7 +78,10 @@ std::array<int, 3> colour_of(const std::vector<std::string>& channels) {
 std::unique_ptr<ImageFile> open_submitted(const std::string& path, SubmittedFormat format) {
   if (format == SubmittedFormat::exr) return as_displayed(open_exr(path), path);
   if (format == SubmittedFormat::ppm || format == SubmittedFormat::pfm) return open_netpbm(path);
-  return format == SubmittedFormat::png ? open_png(path) : open_other_format(path);
+  if (format == SubmittedFormat::png) return open_png(path);
+  if (format == SubmittedFormat::bmp)
+    if (std::unique_ptr<ImageFile> plain = open_plain_bmp(path)) return plain;
+  return open_other_format(path);
 }
 
 void copy_pixels(ImageFile& in, const std::array<int, 3>& colour, std::ofstream& out) {

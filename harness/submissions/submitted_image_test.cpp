@@ -68,6 +68,29 @@ TEST_F(SubmittedImageTest, every_format_has_its_picture) {
       0.01);
 }
 
+// What is no plain one is read by OpenImageIO: they agree, and on how rows are ordered.
+TEST_F(SubmittedImageTest, every_kind_of_bmp_has_the_same_picture) {
+  using enum SubmittedFormat;
+  const auto header = [](int height, int bits, int bytes) {
+    std::string text = photonproof::bmp.substr(0, 54);
+    text[2] = static_cast<char>(54 + bytes);
+    for (int i = 0; i < 4; ++i) text[static_cast<std::size_t>(22 + i)] = static_cast<char>(height >> (8 * i));
+    text[28] = static_cast<char>(bits);
+    text[34] = static_cast<char>(bytes);
+    return text;
+  };
+  expect_picture(read(bmp, header(-2, 24, 16) + "\0\0\xff\0\xff\0\0\0\xff\0\0\xff\xff\xff\0\0"s));  // top row first
+  expect_picture(read(bmp, header(2, 32, 16) + "\xff\0\0\xff\xff\xff\xff\xff\0\0\xff\xff\0\xff\0\xff"s));
+  expect_picture(read(bmp, photonproof::bmp.substr(0, 68)));  // the last row without its filling
+  EXPECT_EQ(wrong(bmp, photonproof::bmp.substr(0, 67)), "out is truncated: fewer pixels than its size says");
+  EXPECT_EQ(wrong(bmp, header(0, 24, 16) + photonproof::bmp.substr(54)), "out is damaged: a size of 2 x 0");
+  std::string far = photonproof::bmp;
+  far[10] = far[11] = far[12] = far[13] = '\xff';
+  EXPECT_EQ(wrong(bmp, far), "out is truncated: fewer pixels than its size says");
+  far[10] = '\0', far[11] = far[12] = far[13] = '\0';
+  EXPECT_NE(wrong(bmp, far), "");
+}
+
 TEST_F(SubmittedImageTest, numbers_of_ppm_and_pfm_are_exact) {
   using enum SubmittedFormat;
   const auto number = [this](SubmittedFormat format, const std::string& bytes) {
