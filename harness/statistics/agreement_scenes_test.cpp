@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <utility>
 #include <vector>
 
 #include "harness/statistics/agreement.h"
@@ -15,8 +16,9 @@ namespace photonproof {
 namespace {
 
 /// Relative, of the whole image, with probability 0.99: an estimator whose image is off by more than this from the one
-/// that it agrees with most surely does not pass. (Two noisy ones say less of each other.)
-constexpr double largest_unseen = 0.02;
+/// that it agrees with most surely does not pass. (Two noisy ones say less of each other.) The second one holds for
+/// scenes in which paths find light by luck: 2 % would take minutes there.
+constexpr double largest_unseen = 0.02, largest_unseen_of_noisy = 0.03;
 
 struct Estimator {
   const char* integrator;
@@ -27,6 +29,7 @@ struct Case {
   const char* scene;
   std::vector<Estimator> estimators;
   const char* definition = nullptr;  ///< of the scene's variable
+  double unseen = largest_unseen;
 };
 void PrintTo(const Case& c, std::ostream* out) { *out << c.scene; }
 
@@ -73,7 +76,7 @@ TEST_P(AgreementScene, is_the_same_by_every_integrator) {
       EXPECT_TRUE(result.pass()) << names[0] << " and " << names[1];
       for (const std::size_t i : {a, b}) unseen[i] = std::min(unseen[i], result.would_see.value_or(1));
     }
-  for (std::size_t i = 0; i < images.size(); ++i) EXPECT_LE(unseen[i], largest_unseen) << estimators[i].integrator;
+  for (std::size_t i = 0; i < images.size(); ++i) EXPECT_LE(unseen[i], GetParam().unseen) << estimators[i].integrator;
 }
 
 std::vector<Estimator> paths_and_light(int path, int bdpt, int ptracer) {
@@ -81,6 +84,9 @@ std::vector<Estimator> paths_and_light(int path, int bdpt, int ptracer) {
 }
 std::vector<Estimator> paths(int path, int bdpt) { return {{"path", path}, {"bdpt", bdpt}}; }
 std::vector<Estimator> light(int ptracer, int bdpt) { return {{"ptracer", ptracer}, {"bdpt", bdpt}}; }
+Case noisy(const char* scene, std::vector<Estimator> estimators) {
+  return {scene, std::move(estimators), nullptr, largest_unseen_of_noisy};
+}
 std::vector<Estimator> media(int volpath, int bdpt) { return {{"volpath", volpath}, {"bdpt", bdpt}}; }
 
 // Light paths alone show no scene where the camera sees mirrors, glass, clear coats or holes, through which none can be
@@ -88,8 +94,8 @@ std::vector<Estimator> media(int volpath, int bdpt) { return {{"volpath", volpat
 // scene (parallel-planes) or light comes round corners (corridor). Light from a direction or a point that comes
 // through glass is found by them alone (ball-lens, water-caustic).
 //
-// Samples are as many as 2 % takes, shared between the two so that the time is least: of estimators that take c_i for a
-// squared error of 1, in the ratio of sqrt(c_i).
+// Samples are as many as that error takes, shared between the two so that the time is least: of estimators that take
+// c_i for a squared error of 1, in the ratio of sqrt(c_i).
 //
 // In daylight camera paths find the sun in the lacquered ball by luck alone: the light that it throws on the ground, .3
 // to 1 % of the image's by channel, comes as one sample in ten million, 75,000 times as bright as the others. No number
@@ -98,7 +104,7 @@ std::vector<Estimator> media(int volpath, int bdpt) { return {{"volpath", volpat
 INSTANTIATE_TEST_SUITE_P(
     library, AgreementScene,
     testing::Values(
-        Case{"cornell", paths_and_light(128, 128, 160)}, Case{"corridor", paths(14336, 768)},
+        Case{"cornell", paths_and_light(128, 128, 160)}, noisy("corridor", paths(7168, 384)),
         Case{"light-area", paths_and_light(128, 128, 256)}, Case{"light-sphere", paths_and_light(128, 128, 768)},
         Case{"light-disk", paths_and_light(128, 128, 256)}, Case{"light-cylinder", paths_and_light(128, 128, 512)},
         Case{"light-mesh", paths_and_light(128, 128, 768)}, Case{"light-point", paths_and_light(128, 128, 768)},
@@ -111,12 +117,12 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"furnace-roughplastic", paths_and_light(64, 24, 160)}, Case{"furnace-mask", paths(64, 24)},
         Case{"furnace-phong", paths_and_light(64, 24, 160)}, Case{"furnace-layered", paths(64, 24)},
         Case{"lens", paths_and_light(128, 128, 384)}, Case{"million", paths_and_light(64, 64, 768)},
-        Case{"parallel-planes", paths(64, 24)}, Case{"many-lights", paths(4096, 2048)},
+        Case{"parallel-planes", paths(64, 24)}, noisy("many-lights", paths(2048, 1024)),
         Case{"cornell-spheres", paths(2048, 256)}, Case{"course-1", paths(128, 112)}, Case{"fisheye", paths(128, 128)},
         Case{"roughness", paths(128, 128)}, Case{"ball-lens", light(1024, 320)},
-        Case{"water-caustic", light(1536, 1536)}, Case{"absorption", media(64, 64)},
-        Case{"daylight", paths(2048, 320), "sun_aperture=5"}, Case{"keyhole", paths(12288, 1536)},
-        Case{"course-2", paths(2048, 352)}, Case{"course-3", paths(832, 160)}, Case{"pool", media(2048, 1024)}),
+        noisy("water-caustic", light(768, 768)), Case{"absorption", media(64, 64)},
+        Case{"daylight", paths(2048, 320), "sun_aperture=5"}, noisy("keyhole", paths(6144, 768)),
+        noisy("course-2", paths(1024, 176)), noisy("course-3", paths(448, 96)), noisy("pool", media(1024, 512))),
     [](const auto& test) {
       std::string name = test.param.scene;
       std::replace(name.begin(), name.end(), '-', '_');

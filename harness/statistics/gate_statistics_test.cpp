@@ -99,7 +99,7 @@ std::optional<GateVerdict> sequential(Random& random, const Noise& noise, int lo
 }
 
 TEST(gate_statistics, agreement_holds_its_false_alarm_rate_over_all_looks) {
-  constexpr int runs = 2000, looks = 2;
+  constexpr int runs = 1000, looks = 2;
   constexpr double alpha = 0.05;
   // Bounds of 1e-9 are never reached, so that every run takes all its looks. The reference's 2000 images have a 125th
   // of the variance of the most that a run draws.

@@ -153,9 +153,9 @@ TEST_F(FirstLight, light_area_by_povray_is_the_closed_form_at_every_pixel) {
 
 TEST_F(FirstLight, cornell_by_three_engines_has_one_mean_and_one_picture) {
   // The grid that POV-Ray samples, for all: silhouettes sampled differently would count as differences.
-  const Image path = render("cornell", "path", 96, 1024, {"--grid", "4"});
-  const Image photons = render("cornell", "photonmapper", 96, 64, {"--grid", "4"});
-  const Image pov = povray("cornell", 96, 2, 4);
+  const Image path = render("cornell", "path", 64, 1024, {"--grid", "4"});
+  const Image photons = render("cornell", "photonmapper", 64, 64, {"--grid", "4"});
+  const Image pov = povray("cornell", 64, 2, 4);
   double ssim = 0;
   for (const MetricValue& metric : compute_metrics(path, pov, {}))
     if (metric.name == "ssim") ssim = metric.value;

@@ -128,7 +128,7 @@ TEST_P(Unbiased, is_the_same_bits_at_1_2_and_7_threads) {
 TEST_P(Unbiased, furnace_is_two) {
   // L = e / (1 - rho) = 2 everywhere.
   const SceneDescription scene = test::furnace(0.5, 1, size);
-  const Blocks blocks = blocks_of(scene, GetParam(), 64, 300);
+  const Blocks blocks = blocks_of(scene, GetParam(), 24, 300);
   double mean = 0, variance = 0;
   for (std::size_t i = 0; i < blocks.mean.size(); i += 3) {  // grey
     mean += blocks.mean[i];
