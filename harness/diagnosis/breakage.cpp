@@ -247,6 +247,12 @@ bool has_one_value(const Image& image, int left, int top, int side) {
   return true;
 }
 
+/// Black or white: the light is missing there, or too bright, whatever the resolution.
+bool is_at_an_end(const Image& image, int x, int y) {
+  const float* rgb = image.pixel(x, y);
+  return std::all_of(rgb, rgb + 3, [](float v) { return v <= 0 || v >= 1; });
+}
+
 /// Squares that have one value each, of those in which the expected picture has several.
 struct CoarseSquares {
   int alike = 0, all = 0;
@@ -259,8 +265,10 @@ CoarseSquares coarse_squares(const Image& image, const Image& expected, int side
   for (int y = first; y + side <= image.height; y += side)
     for (int x = first; x + side <= image.width; x += side) {
       if (has_one_value(expected, x, y, side)) continue;
+      const bool is_alike = has_one_value(image, x, y, side);
+      if (is_alike && is_at_an_end(image, x, y)) continue;
       ++found.all;
-      if (!has_one_value(image, x, y, side)) continue;
+      if (!is_alike) continue;
       ++found.alike;
       for (int dy = 0; dy < side; ++dy)
         for (int dx = 0; dx < side; ++dx) found.pixels[pixel_index(x + dx, y + dy, image.width)] = 1;

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "harness/grading/likeness.h"
+#include "harness/pixels/likeness.h"
 
 namespace photonproof {
 namespace {
@@ -26,17 +26,41 @@ class SubmissionFlags {
  public:
   SubmissionFlags(const FlagContext& context, SubmissionWork& work) : context_(context), work_(work) {}
 
-  void all() {
+  void of_images() {
     for (std::size_t s = 0; s < context_.scenes.size(); ++s) {
       if (!has_image(s)) continue;
       seed_ignored(s);
-      results_kept(s);
+      comes_back(s);
       if (!is_copy_of_given(s) && !is_copy_of_reference(s)) image_of_other_scene(s);
     }
+  }
+
+  void of_verdicts() {
+    for (std::size_t s = 0; s < context_.scenes.size(); ++s)
+      if (has_image(s)) runs_differ(s);
     public_only();
   }
 
  private:
+  void public_only() {
+    std::size_t hidden = 0, hidden_wrong = 0, last_wrong = 0;
+    for (std::size_t s = 0; s < context_.scenes.size(); ++s) {
+      if (!work_.scenes[s]) continue;
+      const bool is_right = grade(s).counts_as_right();
+      if (!context_.scenes[s].row.hidden && !is_right) return;
+      if (!context_.scenes[s].row.hidden) continue;
+      ++hidden;
+      if (is_right) continue;
+      ++hidden_wrong;
+      last_wrong = s;
+    }
+    if (hidden_wrong == 0) return;
+    flag("right-on-public-only",
+         fmt::format("right on the public scenes only: {} of {} hidden ones {} not", hidden_wrong, hidden,
+                     hidden_wrong == 1 ? "is" : "are"),
+         last_wrong);
+  }
+
   bool has_image(std::size_t s) const { return work_.scenes[s] && !work_.scenes[s]->images.empty(); }
   const Image& image(std::size_t s) const { return work_.scenes[s]->images.front(); }
   SceneGrade& grade(std::size_t s) { return work_.scenes[s]->grade; }
@@ -79,14 +103,34 @@ class SubmissionFlags {
     flag("seed-ignored", scene_title(context_.scenes[s]) + ": the same image for two seeds", s);
   }
 
-  // The seed is heeded in a new folder, but where a run was before, its image comes back.
-  void results_kept(std::size_t s) {
-    const std::vector<Image>& images = work_.scenes[s]->images;
-    const std::optional<Image>& again = work_.scenes[s]->in_used_place;
-    if (!again || images.size() < 2 || images[0].rgb == images[1].rgb || again->rgb != images[0].rgb) return;
-    const std::string sentence = "an earlier run's image comes back, whatever the seed: results are kept in files";
+  // The seed is heeded in a new folder, but where a run was before, or where its image lies, that comes back.
+  void comes_back(std::size_t s) {
+    const SceneWorkGrade& work = *work_.scenes[s];
+    const auto is_first = [&work](const std::optional<Image>& image) {
+      return image && work.seed_shows() && image->rgb == work.images[0].rgb;
+    };
+    if (!is_first(work.in_littered_place)) return;
+    const bool is_kept = is_first(work.in_used_place);
+    const std::string sentence =
+        std::string("an earlier run's image comes back, whatever the seed: ") +
+        (is_kept ? "results are kept in files" : "images that lie in the folder for temporary files are copied");
     make_wrong(grade(s), sentence);
-    flag("keeps-results", scene_title(context_.scenes[s]) + ": " + sentence, s);
+    flag(is_kept ? "keeps-results" : "copies-found", scene_title(context_.scenes[s]) + ": " + sentence, s);
+  }
+
+  // Of a wrong image a hint; right programs may be as undetermined as they like.
+  void runs_differ(std::size_t s) {
+    const auto is_undetermined = [s](const SubmissionWork& work) {
+      const std::optional<SceneWorkGrade>& scene = work.scenes[s];
+      return scene && scene->seed_shows() && scene->in_littered_place &&
+             scene->in_littered_place->rgb != scene->images[0].rgb &&
+             scene->in_littered_place->rgb != scene->images[1].rgb;
+    };
+    if (grade(s).counts_as_right() || !is_undetermined(work_) || is_undetermined(context_.baseline)) return;
+    flag("runs-differ",
+         scene_title(context_.scenes[s]) +
+             ": the same seed gives another image every time: it goes by the clock, or threads race",
+         s);
   }
 
   // As a scene that is moved with its camera does.
@@ -114,25 +158,6 @@ class SubmissionFlags {
     }
   }
 
-  void public_only() {
-    std::size_t hidden = 0, hidden_wrong = 0, last_wrong = 0;
-    for (std::size_t s = 0; s < context_.scenes.size(); ++s) {
-      if (!work_.scenes[s]) continue;
-      const bool is_right = grade(s).counts_as_right();
-      if (!context_.scenes[s].row.hidden && !is_right) return;
-      if (!context_.scenes[s].row.hidden) continue;
-      ++hidden;
-      if (is_right) continue;
-      ++hidden_wrong;
-      last_wrong = s;
-    }
-    if (hidden_wrong == 0) return;
-    flag("right-on-public-only",
-         fmt::format("right on the public scenes only: {} of {} hidden ones {} not", hidden_wrong, hidden,
-                     hidden_wrong == 1 ? "is" : "are"),
-         last_wrong);
-  }
-
   const FlagContext& context_;
   SubmissionWork& work_;
 };
@@ -158,7 +183,9 @@ std::vector<std::string> shared_noise(const FlagContext& context, const Submissi
 
 }  // namespace
 
-void flag_submission(const FlagContext& context, SubmissionWork& work) { SubmissionFlags(context, work).all(); }
+void flag_images(const FlagContext& context, SubmissionWork& work) { SubmissionFlags(context, work).of_images(); }
+
+void flag_verdicts(const FlagContext& context, SubmissionWork& work) { SubmissionFlags(context, work).of_verdicts(); }
 
 void flag_likenesses(const FlagContext& context, std::vector<SubmissionWork>& works) {
   for (std::size_t a = 0; a < works.size(); ++a)

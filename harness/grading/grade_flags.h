@@ -27,7 +27,10 @@ struct FlagContext {
 
 /// Adds flags. A copy of an image that was given out, or of the reference, makes the scene wrong; an image that is
 /// another scene's says so in the scene's sentence. To be called before points are given.
-void flag_submission(const FlagContext& context, SubmissionWork& work);
+void flag_images(const FlagContext& context, SubmissionWork& work);
+
+/// The same of which scenes are right, once that will not change any more.
+void flag_verdicts(const FlagContext& context, SubmissionWork& work);
 
 /// The same of pairs: images with the same noise, which the baseline's image of that seed does not have.
 void flag_likenesses(const FlagContext& context, std::vector<SubmissionWork>& works);

@@ -10,7 +10,7 @@ namespace {
 // These explain more than the scene at which they show first.
 bool is_telling(const GradeFlag& flag) {
   return flag.kind == "copy-of-given" || flag.kind == "copy-of-reference" || flag.kind == "same-image" ||
-         flag.kind == "right-on-public-only";
+         flag.kind == "copies-found" || flag.kind == "parameters-ignored" || flag.kind == "right-on-public-only";
 }
 
 }  // namespace

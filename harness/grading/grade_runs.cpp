@@ -15,7 +15,7 @@ namespace photonproof {
 namespace {
 
 // Runs of another version of this code are made again.
-constexpr const char* runs_version = "3";
+constexpr const char* runs_version = "4";
 
 std::string limits_text(const AssignmentLimits& limits) {
   return fmt::format("{} {} {} {} {} {}", limits.seconds, limits.memory_mb, limits.file_mb, limits.disk_mb,
@@ -56,6 +56,7 @@ std::string GradeRuns::key_of(const PreparedSubmission& submission, const DoorRe
   return content_key({{"version", runs_version},
                       {"program", submission.checksum},
                       {"before", length_prefixed(request.command_before)},
+                      {"littered", request.leaves_image_before ? "yes" : "no"},
                       {"command", length_prefixed(request.command)},
                       {"scene", length_prefixed({request.params_place, request.params, request.scene.checksum})},
                       {"size", size_text(request.width, request.height)},
@@ -88,10 +89,12 @@ std::optional<GradeCells::Cell> GradeRuns::run(const PreparedSubmission& submiss
 }
 
 std::optional<GradeCells::Cell> GradeRuns::run_in_used_place(const PreparedSubmission& submission,
-                                                             const WorkScene& scene, std::size_t number, bool reuse) {
+                                                             const WorkScene& scene, std::size_t number, bool littered,
+                                                             bool reuse) {
   const std::uint64_t seed = seed_of("correctness", number);
   DoorRequest request = request_of(assignment_, scene, seed, options_.threads);
   request.command_before = request_of(assignment_, scene, seed_of("correctness", number - 1), options_.threads).command;
+  request.leaves_image_before = littered;
   return run_kept(submission, scene, request, seed, reuse);
 }
 

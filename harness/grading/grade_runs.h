@@ -34,9 +34,9 @@ class GradeRuns {
                                       const std::string& purpose, std::size_t number, bool reuse);
 
   /// As run number `number` of "correctness", but in the place where the one before it has run and may have left
-  /// files.
+  /// files; its image, too, where the place is `littered`.
   std::optional<GradeCells::Cell> run_in_used_place(const PreparedSubmission& submission, const WorkScene& scene,
-                                                    std::size_t number, bool reuse);
+                                                    std::size_t number, bool littered, bool reuse);
 
   /// As `run`, always anew, alone and not kept: a timed one.
   std::optional<GradeCells::Cell> run_timed(const PreparedSubmission& submission, const WorkScene& scene,

@@ -15,6 +15,7 @@
 #include "harness/grading/class_timing.h"
 #include "harness/grading/grade_flags.h"
 #include "harness/grading/grade_points.h"
+#include "harness/grading/parameter_probe.h"
 #include "harness/grading/scene_findings.h"
 #include "harness/grading/scene_grading.h"
 #include "harness/grading/scene_references.h"
@@ -256,7 +257,7 @@ class Session {
   void flag_all() {
     const FlagContext context{assignment_, scenes_, references_, baseline_work_};
     SceneFindings findings(assignment_, scenes_, references_, own_engine(), options_.progress);
-    for (SubmissionWork& work : works_) flag_submission(context, work);
+    for (SubmissionWork& work : works_) flag_images(context, work);
     std::atomic<std::size_t> done{0};
     const std::size_t count = works_.size() * scenes_.size();
     side_by_side(count, threads_, [&](std::size_t job) {
@@ -269,6 +270,8 @@ class Session {
       }
       options_.progress(fmt::format("diagnoses: {} of {} scenes ({})", ++done, count, work.grade.name));
     });
+    flag_parameters(context);
+    for (SubmissionWork& work : works_) flag_verdicts(context, work);
     flag_likenesses(context, works_);
     for (SubmissionWork& work : works_) {
       collect(work);
@@ -278,6 +281,13 @@ class Session {
       if (baseline_work_.scenes[s] && !baseline_work_.scenes[s]->grade.counts_as_right())
         grades_.caveats.push_back("the baseline itself is not right on scene '" + scenes_[s].row.name +
                                   "': " + baseline_work_.scenes[s]->grade.sentence);
+  }
+
+  void flag_parameters(const FlagContext& context) {
+    const ParameterProbe probe(context, door_, runs_, baseline_, options_.resume);
+    side_by_side(works_.size(), threads_, [&](std::size_t i) {
+      if (!is_interrupted() && first_of(works_[i]) == &works_[i]) probe.flag(prepared_[i], works_[i]);
+    });
   }
 
   // From the work to the record.

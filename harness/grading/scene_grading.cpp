@@ -44,9 +44,13 @@ std::optional<SceneWorkGrade> grade_scene(const Assignment& assignment, const Pr
     if (judgement.decided) break;
   }
   if (options.in_used_place) {
-    std::optional<GradeCells::Cell> cell = runs.run_in_used_place(submission, scene, 1, options.reuse);
-    if (!cell) return std::nullopt;
-    work.in_used_place = std::move(cell->image);
+    for (const bool littered : {true, false}) {
+      std::optional<GradeCells::Cell> cell = runs.run_in_used_place(submission, scene, 1, littered, options.reuse);
+      if (!cell) return std::nullopt;
+      (littered ? work.in_littered_place : work.in_used_place) = std::move(cell->image);
+      const bool is_new = !work.in_littered_place || work.in_littered_place->rgb != work.images.front().rgb;
+      if (is_new || !work.seed_shows()) break;
+    }
   }
   return work;
 }

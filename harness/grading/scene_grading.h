@@ -16,12 +16,17 @@ namespace photonproof {
 struct SceneWorkGrade {
   SceneGrade grade;
   std::vector<Image> images;
-  std::optional<Image> in_used_place;  ///< the second one again, where the first run may have left files
+  /// The second one again, where the first run may have left files, and where its image lies, too. The former is drawn
+  /// only where the latter is the first one.
+  std::optional<Image> in_used_place, in_littered_place;
+
+  /// There are images of two seeds, and they differ.
+  bool seed_shows() const { return images.size() > 1 && images[0].rgb != images[1].rgb; }
 };
 
 struct SceneGradingOptions {
   std::size_t least_images = 1;  ///< so many at least: two tell whether the seed is heeded
-  bool in_used_place = false;    ///< and whether a run uses what another has left
+  bool in_used_place = false;    ///< and whether a run uses what another has left, or any image that lies around
   bool reuse = false;            ///< runs that an interrupted grading left
 };
 

@@ -123,6 +123,12 @@ void conclude(SceneJudgement& judgement) {
 
 }  // namespace
 
+Image variance_of_one(const SceneReference& reference) {
+  Image variance = *reference.rendering.variance;
+  for (float& v : variance.rgb) v *= static_cast<float>(reference.images);
+  return variance;
+}
+
 SceneJudgement judge_scene(const CorrectnessRule& rule, const SceneReference& reference,
                            std::span<const Image* const> images, bool may_draw) {
   SceneJudgement judgement;

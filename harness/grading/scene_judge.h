@@ -29,6 +29,8 @@ struct SceneReference {
   double freedom = 1;  ///< degrees of freedom of the variance
   std::string text;    ///< "mean of 8 runs of the baseline"
 };
+/// Of one of the images that it is the mean of.
+Image variance_of_one(const SceneReference& reference);
 
 struct SceneJudgement {
   bool decided = false;  ///< false: another image may change it

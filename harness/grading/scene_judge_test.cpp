@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "harness/grading/likeness.h"
+#include "harness/pixels/likeness.h"
 #include "harness/statistics/batch_means.h"
 #include "scenes/text/splitmix.h"
 

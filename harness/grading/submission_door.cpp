@@ -87,6 +87,16 @@ ImageDeclaration declaration_of(const AssignmentImage& image, int width, int hei
   return declaration;
 }
 
+// Whether a file of the one tree is another in the other tree, or is not there.
+bool any_file_differs(const fs::path& tree, const fs::path& other) {
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(tree)) {
+    if (!entry.is_regular_file()) continue;
+    const fs::path twin = other / entry.path().lexically_relative(tree);
+    if (!fs::is_regular_file(fs::symlink_status(twin)) || read_file(entry.path()) != read_file(twin)) return true;
+  }
+  return false;
+}
+
 // Written beside built/ when that is whole.
 constexpr const char* kept_build = "built.json";
 
@@ -176,11 +186,25 @@ void SubmissionDoor::build(PreparedSubmission& submission, bool reuse) const {
   if (outcome.ok) keep_build(submission);
 }
 
+std::optional<PreparedSubmission> SubmissionDoor::built_as_handed_in(const PreparedSubmission& submission) const {
+  const fs::path source = submission.folder.parent_path() / "source";
+  if (assignment_.overwrite.empty() || !any_file_differs(assignment_.overwrite, source)) return std::nullopt;
+  PreparedSubmission own = submission;
+  own.folder = submission.folder.parent_path() / "as-handed-in";
+  own.checksum = content_key({{"without staff's files", submission.checksum}});
+  BuildRecipe build = recipe();
+  build.overwrite.clear();
+  fs::remove_all(own.folder);
+  if (!build_submission(source, build, own.folder, handling()).ok) return std::nullopt;
+  return own;
+}
+
 DoorAnswer SubmissionDoor::run(const PreparedSubmission& submission, const DoorRequest& request) const {
   const ScratchFolder scratch("grade");
   RunRecipe recipe;
   recipe.command = request.command;
   recipe.command_before = request.command_before;
+  recipe.leaves_image_before = request.leaves_image_before;
   recipe.params = request.params;
   recipe.params_place = request.params_place;
   recipe.scene_folder = request.scene.path;

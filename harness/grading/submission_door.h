@@ -32,6 +32,7 @@ struct PreparedSubmission {
 struct DoorRequest {
   std::vector<std::string> command;
   std::vector<std::string> command_before{};  ///< if not empty, is run before in the same place
+  bool leaves_image_before = false;           ///< and its image can be found
   std::string params, params_place;           ///< text, and where it is put in the run's folder
   SceneFolder scene{};                        ///< for {scene}
   int width = 0, height = 0;                  ///< pixels that the image must have
@@ -66,6 +67,8 @@ class SubmissionDoor {
   /// Builds what was taken in, into built/ of the folder, in place of what is there; with `reuse`, what was built there
   /// before of the same submission in the same way is taken. Never throws for what a submission does.
   void build(PreparedSubmission& submission, bool reuse) const;
+  /// The same submission without staff's files over its own; empty where these are the same, or it is not built then.
+  std::optional<PreparedSubmission> built_as_handed_in(const PreparedSubmission& submission) const;
   /// Throws InputError for the grader's own troubles.
   DoorAnswer run(const PreparedSubmission& submission, const DoorRequest& request) const;
 

@@ -118,6 +118,46 @@ TEST_F(GradeVerb, results_kept_from_an_earlier_run_are_told_from_scratch_files) 
   EXPECT_EQ(of(all, "scribbler").correctness_points, 40);
 }
 
+// Both are right while nobody looks; the loafer is wrong, and never twice the same.
+TEST_F(GradeVerb, copies_of_what_lies_around_and_images_of_chance_are_named) {
+  put_program("finder", 1, "for i in \"$TMPDIR\"/*.ppm; do [ -f \"$i\" ] && { cp \"$i\" \"$3\"; exit; }; done");
+  put_program("patient", 1, "set \"$1\" $(($2 + $(date +1%N) % 1000000)) \"$3\"");
+  put_program("loafer", 1,
+              "awk 'BEGIN { srand('$(date +%N)'); print \"P3 32 24 255\"; for (i = 0; i < 2304; ++i) print "
+              "int(50 * rand()) }' > \"$3\"; exit");
+  ASSERT_EQ(grade({"finder", "patient", "loafer"}, {"--no-timing"}).exit_code, 0);
+  const Grades all = grades();
+  EXPECT_EQ(of(all, "finder").sentence,
+            "scene a: an earlier run's image comes back, whatever the seed: images that lie in the folder for "
+            "temporary files are copied");
+  EXPECT_EQ(of(all, "finder").correctness_points, 20);
+  EXPECT_TRUE(of(all, "patient").flags.empty());
+  EXPECT_EQ(of(all, "patient").correctness_points, 40);
+  ASSERT_EQ(of(all, "loafer").flags.size(), 1u);
+  EXPECT_EQ(of(all, "loafer").flags[0].sentence,
+            "scene a: the same seed gives another image every time: it goes by the clock, or threads race");
+}
+
+// Staff's file is put in place of each submission's. Both are too dark; one does not look at the file.
+TEST_F(GradeVerb, parameters_that_are_not_heeded_are_named) {
+  const std::string heed = "[ $(cat parameters) = 40 ] && set \"$1\" $(($2 + 1)) \"$3\"";
+  std::string course = course_text();
+  const std::string build = "\"test -x render\"]\n";
+  put("course.toml", course.insert(course.find(build) + build.size(), "overwrite = \"staff\"\n"));
+  put_program("handout", 1, heed);
+  put_program("heeds", 0.5, heed);
+  put_program("ignores", 0.4);
+  fs::create_directory(folder_ / "staff");
+  put("staff/parameters", "10");
+  for (const char* name : {"handout", "heeds", "ignores"}) put(std::string(name) + "/parameters", "40");
+  ASSERT_EQ(grade({"heeds", "ignores"}, {"--no-timing"}).exit_code, 0);
+  const Grades all = grades();
+  EXPECT_TRUE(of(all, "heeds").flags.empty()) << of(all, "heeds").flags.front().kind;
+  EXPECT_EQ(of(all, "ignores").sentence,
+            "the same image with other parameters: files that the assignment puts in place of the submission's own are "
+            "not heeded");
+}
+
 TEST_F(GradeVerb, a_copied_reference_is_wrong_though_every_metric_likes_it) {
   ASSERT_EQ(grade({"handout"}, {"--no-timing"}).exit_code, 0);
   const Image reference = read_image((folder_ / "out" / "references" / "a.exr").string());

@@ -1,4 +1,4 @@
-#include "harness/grading/likeness.h"
+#include "harness/pixels/likeness.h"
 
 namespace photonproof {
 namespace {
@@ -20,12 +20,6 @@ bool has_noise_of(const Image& image, const Image& other, const Image& variance,
     rounding += step * step / 12;
   }
   return expected > 0 && expected >= least_noise_to_rounding * rounding && squares < share_of_variance * expected;
-}
-
-Image variance_of_one(const SceneReference& reference) {
-  Image variance = *reference.rendering.variance;
-  for (float& v : variance.rgb) v *= static_cast<float>(reference.images);
-  return variance;
 }
 
 }  // namespace photonproof

@@ -2,9 +2,6 @@
 // noise of another image is a copy of it, or made with the same random numbers.
 #pragma once
 
-#include <optional>
-
-#include "harness/grading/scene_judge.h"
 #include "scenes/images/image.h"
 
 namespace photonproof {
@@ -13,8 +10,5 @@ namespace photonproof {
 /// a quarter of it, where that variance is more than what rounding to `step` (0: none) does. An independent image,
 /// however free of noise, is at its full variance away. Precondition: equal sizes.
 bool has_noise_of(const Image& image, const Image& other, const Image& variance, double step);
-
-/// The variance of one of the images that a reference is the mean of.
-Image variance_of_one(const SceneReference& reference);
 
 }  // namespace photonproof

@@ -41,11 +41,14 @@ std::string what_is_wrong_with_kind(const std::string& kind) {
 
 constexpr const char* scene_inside = "/scene";
 
-// Whatever the first run says or leaves, only its image is taken away.
-std::vector<std::string> one_after_the_other(const std::vector<std::string>& first,
+// Whatever the first run says or leaves, its image is taken away from its place.
+std::vector<std::string> one_after_the_other(const RunRecipe& recipe, const std::map<std::string, std::string>& values,
                                              const std::vector<std::string>& second, const std::string& output) {
+  const std::string image = shell_word(output);
+  const std::string move = recipe.leaves_image_before ? "mv -f " + image + " \"$TMPDIR\"" : "rm -f " + image;
   return {"sh", "-c",
-          shell_line(first) + " >/dev/null 2>&1; rm -f " + shell_word(output) + "; exec " + shell_line(second)};
+          "{ " + shell_line(with_values(recipe.command_before, values)) + "; " + move + "; } >/dev/null 2>&1; exec " +
+              shell_line(second)};
 }
 
 // The command's own folder, before it starts.
@@ -86,7 +89,7 @@ RunOutcome run_submission(const fs::path& built, const RunRecipe& recipe, const 
   fs::remove(output_file);
   std::vector<std::string> argv = with_values(recipe.command, values);
   if (!recipe.command_before.empty()) {
-    argv = one_after_the_other(with_values(recipe.command_before, values), argv, output);
+    argv = one_after_the_other(recipe, values, argv, output);
     options.limits.wall_seconds *= 2;
     options.limits.cpu_seconds *= 2;
   }

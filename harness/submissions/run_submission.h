@@ -23,6 +23,7 @@ struct RunRecipe {
   /// {scene}.
   std::vector<std::string> command{};
   std::vector<std::string> command_before{};  ///< if not empty, is run before, in the same place, which it may change
+  bool leaves_image_before = false;           ///< what that has drawn can be found in the folder for temporary files
   std::map<std::string, std::string> values{};
   std::string params{};                  ///< text of the scene's own file; put at `params_place` if that is not empty
   std::string params_place{};            ///< relative, within the run's folder

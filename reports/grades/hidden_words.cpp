@@ -24,10 +24,11 @@ constexpr std::array<Words, 9> ends{{{"crash", "the program crashes"},
                                      {"bad image", "the program's image cannot be used"}}};
 
 // What the flags say that make a scene wrong.
-constexpr std::array<Words, 3> flagged{
+constexpr std::array<Words, 4> flagged{
     {{"copy-of-given", "the image that was handed out, whatever the seed"},
      {"copy-of-reference", "a copy of the reference: it has the reference's own noise"},
-     {"keeps-results", "an earlier run's image comes back, whatever the seed: results are kept in files"}}};
+     {"keeps-results", "an earlier run's image comes back, whatever the seed: results are kept in files"},
+     {"copies-found", "an earlier run's image comes back, whatever the seed: images that are found are copied"}}};
 
 // Kinds of findings (harness/diagnosis) that say nothing about what a scene holds: any scene has pixels, and light that
 // comes from lamps directly or after bounces.

@@ -1,0 +1,23 @@
+#!/usr/bin/env bash
+# The example's submissions are graded, in small pictures of the public scenes and of the third; submissions_told_test.py
+# looks at what is said of each.
+#   submissions_graded_test.sh WORK PHOTONPROOF [OPTION...]     a folder that is made anew; options of `photonproof grade`
+set -euo pipefail
+here=$(cd "$(dirname "$0")" && pwd)
+work=$1
+photonproof=$2
+shift 2
+rm -rf "$work"
+mkdir -p "$work/course/submissions"
+cp -r "$here/scenes" "$here/staff" "$work/course"
+"$here/make_submissions.sh" "$work/course" honest
+"$here/make_submissions.sh" "$work/course/submissions"
+{
+  sed '/^\[\[scene\]\]/,$d; s/"handout"/"honest"/; s/^command = \["make".*/command = ["make", "-j{threads}", "CXXFLAGS=-std=c++17 -O1 -pthread"]/' \
+    "$here/assignment.toml"
+  printf '[[scene]]\nname = "1"\npath = "scenes/course-1.xml"\nscene_option = "-s1"\nwidth = 64\nheight = 64\n'
+  printf '[[hidden]]\nname = "3"\npath = "scenes/course-3.xml"\nscene_option = "-s3"\nwidth = 48\nheight = 48\n'
+  sed -n '/cube, a diffuse ball/,/^height/p' "$here/assignment.toml"
+} | sed 's/timed = \["1", "2"\]/timed = ["1"]/' >"$work/course/assignment.toml"
+"$photonproof" grade "$work/course/assignment.toml" "$work"/course/submissions/* --no-timing -o "$work/grades" "$@" >"$work/log" 2>&1 ||
+  { cat "$work/log" >&2; exit 1; }
