@@ -73,8 +73,8 @@ struct Finding {
 
 /// The most explaining first; empty where nothing stands out of the noise and the tolerance. The submitted picture is
 /// linear, top row first. Never throws for what a picture holds: another size and values that are not finite are
-/// findings, too. What the knowledge has not rendered
-/// yet is rendered when it is needed, and throws InputError where that fails.
+/// findings, too. What the knowledge has not rendered yet is rendered when it is needed, and throws InputError where
+/// that fails.
 std::vector<Finding> diagnose(const Image& submitted, const SceneKnowledge& knowledge);
 
 }  // namespace photonproof

@@ -43,7 +43,8 @@ void add_views(const Guess& guess, const SceneKnowledge& knowledge, const Compar
 /// Of light in the scene: features, formulas of direct light, objects.
 void add_light_candidates(const Guess& guess, const SceneKnowledge& knowledge, const Comparison& comparison,
                           std::vector<Candidate>& candidates);
-/// What-ifs that could account for a fifth of `excess`, which the guess leaves: others are not rendered.
+/// What-ifs that change pixels in whose blocks is a twentieth of `excess`, which the guess leaves, or a fifth where
+/// they change no others: the rest is not rendered.
 void add_what_ifs(const Guess& guess, const SceneKnowledge& knowledge, const Comparison& comparison,
                   const Excess& excess, std::vector<Candidate>& candidates);
 

@@ -96,7 +96,8 @@ std::string to_string(SpeedGrade::State state);
 
 /// Something staff should look at; it has cost no points by itself unless the sentence says so.
 struct GradeFlag {
-  std::string kind;  ///< "copy-of-reference", "same-as-other", "seed-ignored", "parameters-ignored", "runs-differ", "right-on-public-only" ...
+  std::string kind;  ///< "copy-of-reference", "same-as-other", "seed-ignored", "parameters-ignored", "runs-differ",
+                     ///< "right-on-public-only" ...
   std::string sentence;
   std::string scene, other;  ///< where; which other submission or scene
 };
