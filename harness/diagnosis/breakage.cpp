@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "harness/diagnosis/black_lines.h"
+#include "harness/diagnosis/luminance.h"
 #include "harness/diagnosis/places.h"
 #include "scenes/text/text_numbers.h"
 
@@ -184,7 +185,7 @@ float middle_of_neighbours(const Image& image, int x, int y, const std::vector<s
       if ((dx == 0 && dy == 0) || nx < 0 || ny < 0 || nx >= image.width || ny >= image.height) continue;
       if (ignored[pixel_index(nx, ny, image.width)]) continue;
       const float* p = image.pixel(nx, ny);
-      around.push_back(std::min(1.0f, 0.2126f * p[0] + 0.7152f * p[1] + 0.0722f * p[2]));
+      around.push_back(std::min(1.0f, luminance_of_pixel(p)));
     }
   if (around.empty()) return 0;
   std::nth_element(around.begin(), around.begin() + static_cast<std::ptrdiff_t>(around.size() / 2), around.end());
@@ -201,9 +202,9 @@ void find_specks(const Image& image, const SceneKnowledge& knowledge, Breakage& 
       if (breakage.ignored[i]) continue;
       const float* p = image.pixel(x, y);
       const float* r = knowledge.reference.pixel(x, y);
-      const float value = std::min(1.0f, 0.2126f * p[0] + 0.7152f * p[1] + 0.0722f * p[2]);
+      const float value = std::min(1.0f, luminance_of_pixel(p));
       const float around = middle_of_neighbours(image, x, y, breakage.ignored);
-      const float expected = std::min(1.0f, 0.2126f * r[0] + 0.7152f * r[1] + 0.0722f * r[2]);
+      const float expected = std::min(1.0f, luminance_of_pixel(r));
       const float expected_around = middle_of_neighbours(knowledge.reference, x, y, breakage.ignored);
       if (around > 0.02f) spread.push_back(std::abs(value - around) / around);
       if (value < 0.35f * around && expected > 0.6f * expected_around && around > 0.04f) dark[i] = 1;

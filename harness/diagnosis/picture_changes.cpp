@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <limits>
 
+#include "harness/diagnosis/luminance.h"
 #include "harness/pixels/display.h"
 
 namespace photonproof {
@@ -151,7 +152,7 @@ Image with_channels(const Image& image, const ChannelRow& row) {
     const float* p = image.pixel(x, y);
     const int from = row.order[c];
     if (from == -1) return 0.0f;
-    return from == -2 ? 0.2126f * p[0] + 0.7152f * p[1] + 0.0722f * p[2] : p[from];
+    return from == -2 ? luminance_of_pixel(p) : p[from];
   });
 }
 
