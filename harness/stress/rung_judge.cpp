@@ -8,6 +8,7 @@
 
 #include "harness/pixels/image_blocks.h"
 #include "harness/statistics/agreement.h"
+#include "scenes/images/mean_error.h"
 
 namespace photonproof {
 namespace {
@@ -28,10 +29,11 @@ bool any_other_than_zero(const Image& image) {
   return std::any_of(image.rgb.begin(), image.rgb.end(), [](float v) { return v != 0; });
 }
 
-/// Whether no value is the largest float, which stands for more, and the largest is far from the smallest.
+/// Whether no value is the largest float, which stands for more, and the largest is a whole one. (Of smaller ones the
+/// program must say that they are lost.)
 bool is_in_range(const Image& variance) {
   const float largest = *std::max_element(variance.rgb.begin(), variance.rgb.end());
-  return largest < std::numeric_limits<float>::max() && largest > 1e4f * std::numeric_limits<float>::min();
+  return largest < std::numeric_limits<float>::max() && largest >= std::numeric_limits<float>::min();
 }
 
 double mean_of(const Image& image) {
@@ -114,6 +116,10 @@ RungVerdict judge_picture(const RungEvidence& evidence, const RungExpectation& e
   if (!expected.picture && !expected.radiance) return verdict;
   Rendering test;
   test.mean = divided(picture.mean, expected.factor);
+  if (std::optional<MeanError> error = stored_mean_error(picture)) {
+    for (double& deviation : error->standard_error) deviation /= expected.factor;
+    store_mean_error(test, *error);
+  }
   const Rendering reference = expected_rendering(expected, test.mean);
   const bool has_noise = picture.variance && any_other_than_zero(*picture.variance);
   const bool is_known = has_noise && is_in_range(*picture.variance);

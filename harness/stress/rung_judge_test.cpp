@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "scenes/images/mean_error.h"
+
 namespace photonproof {
 namespace {
 
@@ -81,6 +83,20 @@ TEST(rungs, that_lost_their_variance_have_to_say_so) {
   EXPECT_EQ(judge_rung(evidence, exactly(noisy(1), 1e30)).outcome, RungOutcome::silently_wrong);
   evidence.losses = {"the variance is beyond single precision"};
   EXPECT_EQ(judge_rung(evidence, exactly(noisy(1), 1e30)).outcome, RungOutcome::right);
+}
+
+TEST(rungs, of_faint_light_have_their_variance_as_long_as_a_float_holds_it) {
+  // (1e-16 x 1 %)^2 = 1e-36.
+  EXPECT_EQ(judge_rung(showing(noisy(1e-16f)), exactly(noisy(1), 1e-16)).outcome, RungOutcome::right);
+  EXPECT_EQ(judge_rung(showing(noisy(1.02e-16f)), exactly(noisy(1), 1e-16)).outcome, RungOutcome::silently_wrong);
+}
+
+TEST(rungs, whose_pixels_vary_together_are_judged_by_the_error_of_the_mean) {
+  // The mean of independent pixels would be off by 1.4 %, over sqrt(576), at most some four times: by 0.24 %.
+  Rendering picture = noisy(1.0028e5f);
+  EXPECT_EQ(judge_rung(showing(picture), exactly(noisy(1), 1e5)).outcome, RungOutcome::silently_wrong);
+  store_mean_error(picture, {{200, 200, 200}, 30});
+  EXPECT_EQ(judge_rung(showing(picture), exactly(noisy(1), 1e5)).outcome, RungOutcome::right);
 }
 
 TEST(rungs, whose_noise_would_hide_an_error_are_undecided) {

@@ -22,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Changes when judging does, so that rungs are judged anew.
-constexpr const char* judging_version = "2";
+constexpr const char* judging_version = "3";
 constexpr int looks_at = 64, reference_samples = 512;  // a pixel
 
 /// One ladder and one engine.

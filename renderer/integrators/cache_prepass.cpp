@@ -74,7 +74,7 @@ class CacheMaker {
   RgbD difference(const IrradianceCache& cache, const CacheError::Pixel& at, std::uint64_t number);
   IrradianceRecord record_at(const CachePoint& point);
   HemisphereRays gather(const HemisphereGrid& grid, const Vec3f& p, const Vec3f& n, std::uint32_t key);
-  void add_photons(const MapState& map, GatherQueue& queue, std::vector<float>& radiance) const;
+  void add_photons(MapState& map, GatherQueue& queue, std::vector<float>& radiance) const;
   void run(PathTask& task) {
     scratch_.trace(task);
     rays_.add(task.counts);
@@ -151,12 +151,13 @@ std::vector<CachePoint> CacheMaker::candidates(const Tile& window) {
 }
 
 /// Adds what the map's photons bring.
-void CacheMaker::add_photons(const MapState& map, GatherQueue& queue, std::vector<float>& radiance) const {
+void CacheMaker::add_photons(MapState& map, GatherQueue& queue, std::vector<float>& radiance) const {
   if (map.map.empty() || queue.size() == 0) return;
   const GatherPoints points = queue.view();
   std::fill_n(points.radius, points.count, map.radii.radius);
   const GatherKernelEntry& kernels = source_.job.kernels().gather;
   look_up(map, source_.settings, areas_, kernels, queue);
+  map.count_found(points);
   kernels.add(points, radiance.data());
 }
 
@@ -200,7 +201,7 @@ HemisphereRays CacheMaker::gather(const HemisphereGrid& grid, const Vec3f& p, co
   run(task);
   queue.set_size(task.points.count);
   caustic_queue.set_size(task.caustic_points.count);
-  for (const MapState* map : maps_) {
+  for (MapState* map : maps_) {
     add_photons(*map, queue, radiance);
     if (map->kind == PhotonKind::caustic) add_photons(*map, caustic_queue, radiance);
   }
@@ -349,6 +350,7 @@ CheckedCache make_irradiance_cache(const RenderPlan& plan, const PhotonSource& s
     return cache;
   };
   IrradianceCache cache = make();
+  maps.say_what_is_lost(source.scene, 1, stats);
   CacheError error = check(cache, maker, maps, source, areas, std::move(checked), stats);
   maker.rays().store(stats);
   stats.counts["rays_photon"] += static_cast<double>(maps.global.counts.rays + maps.caustic.counts.rays);

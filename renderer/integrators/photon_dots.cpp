@@ -109,7 +109,7 @@ void render_photon_dots(const PhotonSource& source, PhotonMaps& maps, const Pass
     loop.for_each_in_order(units, work_on, commit);
     if (!loop.broken_off()) ++pass_count;
   }
-  maps.store_counts(source.scene.scale(), pass_count, stats);
+  maps.store_counts(source.scene, pass_count, stats);
 }
 
 }  // namespace photonproof

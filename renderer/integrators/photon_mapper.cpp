@@ -326,7 +326,7 @@ void render_photon_mapper(const Scene& scene, const RenderPlan& plan, const Rend
     if (steers_samples(settings, view, job)) lessons.effort.choose();
     lessons.choose_radii(settings, samples);
   }
-  maps.store_counts(scene.scale(), lessons.halves.pass_count(), stats);
+  maps.store_counts(scene, lessons.halves.pass_count(), stats);
   if (lessons.checked) stats.counts["relative_bias_cache"] = std::sqrt(lessons.bias_of_cache());
 }
 

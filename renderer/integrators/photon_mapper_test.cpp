@@ -55,6 +55,22 @@ TEST(photon_mapper, says_when_few_photons_arrive_where_the_camera_looks) {
   EXPECT_THAT(far.stats.losses, testing::ElementsAre(testing::HasSubstr("too few arrive where the camera looks")));
 }
 
+TEST(photon_mapper, says_where_radii_are_wider_than_what_is_seen_and_where_photons_are_few) {
+  using testing::ElementsAre;
+  using testing::HasSubstr;
+  using testing::IsEmpty;
+  for (const IndirectLight indirect : {IndirectLight::map, IndirectLight::gather, IndirectLight::cache}) {
+    const auto losses = [&](double radius, std::int64_t photons) {
+      const SceneDescription room = test::with_indirect(test::room(16, false), indirect, radius);
+      return render(room, "photonmapper", job_with(8, photons)).stats.losses;
+    };
+    EXPECT_THAT(losses(0.2, 200'000), IsEmpty()) << word_of(indirect);
+    EXPECT_THAT(losses(10, 200'000), ElementsAre(HasSubstr("global photons are looked up within 10")))
+        << word_of(indirect);
+    EXPECT_THAT(losses(0, 20), ElementsAre(HasSubstr("of 20 photons"))) << word_of(indirect);
+  }
+}
+
 TEST(photon_mapper, skipping_the_maps_of_a_plane_changes_nothing) {
   // With a second plane far away that faces the first the maps cannot be skipped, yet add next to nothing: E of the far
   // plane is I/d^2 = 1e-4, of which its albedo and its solid angle over pi, 0.5 x 4/(pi 1e4), leave 6e-9 where the lamp

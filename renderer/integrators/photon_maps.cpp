@@ -33,8 +33,11 @@ constexpr double widest = 4, narrowest = 1.0 / 16;
 
 /// Fewer in a disc than this, and the spread that is seen may miss the few that carry the light.
 constexpr double few_photons_in_disc = 10;
-/// A map of fewer says that hardly any light goes that way, not that it goes elsewhere.
+/// A map of fewer says that hardly any light goes that way, not that it goes elsewhere; of fewer emitted nothing is
+/// known.
 constexpr std::uint64_t few_photons_in_map = 1000;
+/// Of what the image shows across, a radius that blurs all shades of light.
+constexpr double wide_part = 0.25;
 
 void choose_first_radius(MapState& map, double asked, const PhotonSource& source, RayTotals& totals) {
   float& radius = map.radii.radius;
@@ -80,18 +83,33 @@ void store_counts_of(const MapState& state, double scale, std::int64_t passes, R
   stats.counts["photons_in_disc_" + name] = state.in_disc(passes);
 }
 
+/// Where the scene asks for it, and both radii that the bias is learned from are too wide to see it.
+void say_if_wide(const MapState& map, const Scene& scene, RenderStats& stats) {
+  const CameraView& camera = scene.view().camera;
+  const double pixels = 1 / double{std::min(camera.inverse_width, camera.inverse_height)};
+  const double across = pixels * double{median_pixel_footprint(scene)}, radius = double{map.radii.radius};
+  if (map.look_ups == 0 || !map.fixed_radius || !(radius > wide_part * across)) return;
+  char text[200];
+  std::snprintf(text, sizeof text,
+                "%s photons are looked up within %.3g, and what the image shows is some %.3g across: all shades of "
+                "their light are blurred",
+                map.name, radius / scene.scale(), across / scene.scale());
+  stats.losses.emplace_back(text);
+}
+
 /// Of the map that holds the light of every surface; caustics are nowhere but in places.
 void say_if_few_arrive(const MapState& global, std::int64_t passes, RenderStats& stats) {
   const double in_disc = global.in_disc(passes);
-  if (!global.wanted || global.look_ups == 0 || global.counts.stored < few_photons_in_map ||
-      in_disc >= few_photons_in_disc)
-    return;
+  const bool few_emitted = global.counts.emitted < few_photons_in_map;
+  const bool few_in_disc =
+      global.look_ups > 0 && global.counts.stored >= few_photons_in_map && in_disc < few_photons_in_disc;
+  if (!few_emitted && !few_in_disc) return;
   char text[160];
   std::snprintf(
       text, sizeof text,
-      "of %.3g photons %.2g are in the disc of a look-up: too few arrive where the camera looks for the error "
+      "of %.3g photon%s %.2g are in the disc of a look-up: too few arrive where the camera looks for the error "
       "to be known",
-      static_cast<double>(global.counts.emitted), in_disc);
+      static_cast<double>(global.counts.emitted), global.counts.emitted == 1 ? "" : "s", in_disc);
   stats.losses.emplace_back(text);
 }
 
@@ -228,11 +246,17 @@ std::string PhotonMaps::totals() const {
   return text;
 }
 
-void PhotonMaps::store_counts(double scale, std::int64_t passes, RenderStats& stats) const {
+void PhotonMaps::store_counts(const Scene& scene, std::int64_t passes, RenderStats& stats) const {
   stats.counts["passes"] = static_cast<double>(passes);
-  store_counts_of(global, scale, passes, stats);
-  store_counts_of(caustic, scale, passes, stats);
-  say_if_few_arrive(global, passes, stats);
+  store_counts_of(global, scene.scale(), passes, stats);
+  store_counts_of(caustic, scene.scale(), passes, stats);
+  say_what_is_lost(scene, passes, stats);
+}
+
+void PhotonMaps::say_what_is_lost(const Scene& scene, std::int64_t passes, RenderStats& stats) const {
+  for (const MapState* map : {&global, &caustic})
+    if (map->wanted) say_if_wide(*map, scene, stats);
+  if (global.wanted) say_if_few_arrive(global, passes, stats);
 }
 
 Photons emit_photons(MapState& map, const PhotonSource& source, std::int64_t first, std::int64_t last,

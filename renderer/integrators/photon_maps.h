@@ -109,7 +109,9 @@ struct PhotonMaps {
   double rays_a_photon = 3;  ///< as the pilot found them
   /// What decides the estimates besides the samples, for checkpoints.
   std::string totals() const;
-  void store_counts(double scale, std::int64_t passes, RenderStats& stats) const;
+  void store_counts(const Scene& scene, std::int64_t passes, RenderStats& stats) const;
+  /// Sentences on radii and numbers of photons by which the image is worse than its error says.
+  void say_what_is_lost(const Scene& scene, std::int64_t passes, RenderStats& stats) const;
 };
 
 /// The photons that a map stores in the pass that takes samples [first, last) of a pixel. Throws InputError when they

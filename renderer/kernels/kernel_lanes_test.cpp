@@ -287,7 +287,7 @@ struct Clutter {
       const Vec3f u = test::direction(random) * size, v = test::direction(random) * size;
       const Vec3f n = cross(u, v);
       surfaces.push_back({Quad{at, u, v, normalize(n), length(n)}});
-      surfaces.push_back({Sphere{scaled(random), 0.5f * size, i % 2 == 0}});
+      surfaces.push_back({Sphere{Vec3d(scaled(random)), 0.5 * double{size}, i % 2 == 0}});
       const Vec3f corner = scaled(random);
       for (const Vec3f& p : {corner, corner + test::direction(random) * size, corner + test::direction(random) * size})
         positions.push_back(p);

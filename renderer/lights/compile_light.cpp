@@ -31,12 +31,8 @@ struct LightShaper {
   LightShape operator()(const Quad& q) const { return QuadShape{q.corner, q.edge_u, q.edge_v, q.normal}; }
   LightShape operator()(const Disk& d) const { return disk_shape(d); }
   LightShape operator()(const Sphere& s) const {
-    return SphereShape{s.center,
-                       s.radius,
-                       axis(to_world, {1, 0, 0}),
-                       axis(to_world, {0, 1, 0}),
-                       axis(to_world, {0, 0, 1}),
-                       s.inward ? -1.0f : 1.0f};
+    return SphereShape{Vec3f(s.center),           static_cast<float>(s.radius), axis(to_world, {1, 0, 0}),
+                       axis(to_world, {0, 1, 0}), axis(to_world, {0, 0, 1}),    s.inward ? -1.0f : 1.0f};
   }
   LightShape operator()(const Mesh& mesh) const {
     std::vector<Vec3f> positions(mesh.positions.begin(), mesh.positions.end() - 1);  // the last is a spare
@@ -55,18 +51,19 @@ struct LightShaper {
 
 /// Quads, spheres and disks have lanes where their radiance is one colour.
 Light plain_light(const Geometry& geometry, const LightShaper& shaper, const Rgb& radiance) {
-  return std::visit(Overloaded{[&](const Quad& q) -> Light {
-                                 return QuadLight<float>{q.corner, q.edge_u, q.edge_v, q.normal, q.area, radiance};
-                               },
-                               [&](const Sphere& s) -> Light {
-                                 return SphereLight<float>{s.center, s.radius, s.inward ? -1.0f : 1.0f, radiance};
-                               },
-                               [&](const Disk& d) -> Light {
-                                 return DiskLight<float>{d.center, d.axis_x, d.axis_y, d.normal, disk_shape(d).area(),
-                                                         radiance};
-                               },
-                               [&](const auto& other) -> Light { return AreaLight(shaper(other), radiance); }},
-                    geometry);
+  return std::visit(
+      Overloaded{
+          [&](const Quad& q) -> Light {
+            return QuadLight<float>{q.corner, q.edge_u, q.edge_v, q.normal, q.area, radiance};
+          },
+          [&](const Sphere& s) -> Light {
+            return SphereLight<float>{Vec3f(s.center), static_cast<float>(s.radius), s.inward ? -1.0f : 1.0f, radiance};
+          },
+          [&](const Disk& d) -> Light {
+            return DiskLight<float>{d.center, d.axis_x, d.axis_y, d.normal, disk_shape(d).area(), radiance};
+          },
+          [&](const auto& other) -> Light { return AreaLight(shaper(other), radiance); }},
+      geometry);
 }
 
 // --- emitters --------------------------------------------------------------------------------------------------------

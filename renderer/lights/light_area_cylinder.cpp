@@ -18,6 +18,7 @@ namespace {
 struct SeenCylinder {
   Vec3d from_axis, side, along;  ///< unit: to p, and the other two axes
   double rho, radius, low, high;
+  double span;         ///< high - low, of which those two keep no digits where the lamp is a speck
   double stretch;      ///< (rho + R) / |rho - R|: the half-angle phi/2 is atan(tan(t) / stretch), t uniform
   double from, range;  ///< of t; empty where nothing shines on p
 
@@ -30,7 +31,8 @@ struct SeenCylinder {
     from_axis = rho > 0 ? across / rho : Vec3d(s.start);
     side = cross(along, from_axis);
     low = -height;
-    high = length(axis) - height;
+    span = length(axis);
+    high = span - height;
     const bool outside = rho > radius;
     if (s.sign > 0 && !outside) {
       stretch = from = range = 0;
@@ -55,7 +57,7 @@ struct SeenCylinder {
   double density(double cos_phi, double z) const {
     if (!(range > 0)) return 0;
     const double d2 = distance2(cos_phi), d = std::sqrt(d2);
-    const double angle = std::atan2(d * (high - low), d2 + low * high);
+    const double angle = std::atan2(d * span, d2 + low * high);
     // dt/dphi = |rho^2 - R^2| / (2 D^2).
     const double of_line = std::max(std::abs(rho - radius), 1e-9 * radius) * (rho + radius) / (2 * d2 * range);
     return of_line * d / (angle * (d2 + z * z)) / radius;
@@ -89,7 +91,7 @@ SeenPoint CylinderShape::sample_from(const Vec3f& p, const Vec2<float>& u) const
   const double t = seen.from + double{u.x} * seen.range;
   const double phi = 2 * std::atan2(std::sin(t), seen.stretch * std::cos(t));
   const double cos_phi = std::cos(phi), sin_phi = std::sin(phi), d = std::sqrt(seen.distance2(cos_phi));
-  const double angle = std::atan2(d * (seen.high - seen.low), d * d + seen.low * seen.high);
+  const double angle = std::atan2(d * seen.span, d * d + seen.low * seen.high);
   const double z = std::clamp(d * std::tan(std::atan2(seen.low, d) + double{u.y} * angle), seen.low, seen.high);
   const Vec3d outward = seen.from_axis * cos_phi + seen.side * sin_phi;
   const Vec3d offset = outward * seen.radius - seen.from_axis * seen.rho + seen.along * z;
@@ -118,8 +120,8 @@ CylinderShape light_shape(const Cylinder& cylinder, const ShapeDescription& shap
   const Vec3d along = c.p1 - c.p0;
   const Frame<float> frame(Vec3f(normalize(along)));
   const auto unit = [&](const Vec3f& local) { return Vec3f(normalize(to_world.vector(Vec3d(local)))); };
-  return {cylinder.base,   Vec3f(to_world.vector(along)), unit(frame.s), unit(frame.t),
-          cylinder.radius, cylinder.inward ? -1.0f : 1.0f};
+  return {Vec3f(cylinder.base), Vec3f(to_world.vector(along)),       unit(frame.s),
+          unit(frame.t),        static_cast<float>(cylinder.radius), cylinder.inward ? -1.0f : 1.0f};
 }
 
 }  // namespace photonproof

@@ -24,7 +24,8 @@ bool is_one_sided(const SceneParts& scene, const Surface& surface) { return scen
 /// sphere; anything else is taken to have one.
 bool has_part_in_front(const Quad& quad, const Surface& other) {
   const auto height = [&](const Vec3f& p) { return dot(quad.normal, p - quad.corner); };
-  if (const auto* sphere = std::get_if<Sphere>(&other.geometry)) return height(sphere->center) + sphere->radius > 0;
+  if (const auto* sphere = std::get_if<Sphere>(&other.geometry))
+    return dot(Vec3d(quad.normal), sphere->center - Vec3d(quad.corner)) + sphere->radius > 0;
   if (!std::holds_alternative<Quad>(other.geometry)) return true;
   const auto& q = std::get<Quad>(other.geometry);
   const std::array<Vec3f, 4> corners{q.corner, q.corner + q.edge_u, q.corner + q.edge_v,

@@ -18,9 +18,9 @@ Plate plate(const LongFace& face) { return plate(face.corner, face.edge_u, face.
 
 }  // namespace
 
-bool SmallSceneTables::can_hold(const Geometry& geometry) {
-  return std::holds_alternative<Quad>(geometry) || std::holds_alternative<Mesh>(geometry) ||
-         std::holds_alternative<Sphere>(geometry);
+bool SmallSceneTables::can_hold(const Geometry& geometry, double largest_ball) {
+  if (const auto* sphere = std::get_if<Sphere>(&geometry)) return sphere->radius <= largest_ball;
+  return std::holds_alternative<Quad>(geometry) || std::holds_alternative<Mesh>(geometry);
 }
 
 SmallSceneTables::SmallSceneTables(const std::vector<Surface>& surfaces) : first_primitive_(surfaces.size(), 0) {
@@ -65,7 +65,7 @@ SmallSceneTables::SmallSceneTables(const std::vector<Surface>& surfaces) : first
     if (sphere == nullptr) continue;
     start(i);
     add(i);
-    balls_.push_back({sphere->center, sphere->radius, sphere->inward ? -1.0f : 1.0f});
+    balls_.push_back({Vec3f(sphere->center), static_cast<float>(sphere->radius), sphere->inward ? -1.0f : 1.0f});
   }
   if (surface_of_primitive_.empty()) add(0);  // what rays that miss gather
 }

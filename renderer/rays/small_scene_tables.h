@@ -10,8 +10,8 @@ namespace photonproof {
 
 class SmallSceneTables {
  public:
-  /// Parallelograms, triangles and spheres; whatever else there is is Embree's.
-  static bool can_hold(const Geometry& geometry);
+  /// Parallelograms, triangles and spheres up to this radius; whatever else there is is Embree's.
+  static bool can_hold(const Geometry& geometry, double largest_ball);
 
   /// Of surfaces that it can hold.
   explicit SmallSceneTables(const std::vector<Surface>& surfaces);

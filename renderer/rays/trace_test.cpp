@@ -50,7 +50,7 @@ bool occluded(const Tracer& tracer, const Vec3f& origin, const Vec3f& segment) {
 
 TEST(tracer, hits_quads_and_spheres_where_geometry_says) {
   std::vector<Surface> surfaces = box({0, 0, 0});
-  surfaces.push_back({Sphere{{0, 0, 0}, 0.5f, false}});
+  surfaces.push_back({Sphere{{0, 0, 0}, 0.5, false}});
   const Tracer tracer(surfaces);
   const Hit ball = intersect(tracer, {0, 0, 0.9f}, {0, 0, -1});
   EXPECT_EQ(ball.surface, 6u);
@@ -66,7 +66,7 @@ TEST(tracer, hits_quads_and_spheres_where_geometry_says) {
 TEST(tracer, a_block_of_rays_ends_where_its_rays_do_one_by_one) {
   // Through the BVH together or not, with any lanes missing.
   std::vector<Surface> surfaces = box({0, 0, 0});
-  surfaces.push_back({Sphere{{0.2f, -0.3f, 0.1f}, 0.5f, false}});
+  surfaces.push_back({Sphere{{0.2, -0.3, 0.1}, 0.5, false}});
   const Tracer tracer(surfaces);
   for (std::uint64_t i = 0; i < 2000; ++i) {
     test::Random random(53, i);
@@ -127,7 +127,7 @@ TEST(tracer, no_ray_leaves_a_closed_box_or_meets_its_own_surface_however_far_out
 TEST(tracer, rays_leaving_a_sphere_never_meet_it_again) {
   for (const float shift : {0.0f, 100.0f, 1e4f}) {
     const Vec3f center(shift, shift, -shift);
-    const std::vector<Surface> surfaces{{Sphere{center, 1, false}}};
+    const std::vector<Surface> surfaces{{Sphere{Vec3d(center), 1, false}}};
     const Tracer tracer(surfaces);
     for (std::uint64_t i = 0; i < 20'000; ++i) {
       test::Random s(52, i);
@@ -262,7 +262,7 @@ TEST(scene_rays, leave_a_sphere_and_cross_it_once) {
       test::add_shape(d, SphereDescription{}, Transform::translate(center_of(at)), white);
       add_counterweight(d, at, white);
       const Scene scene = test::compiled(d, 4, 4, {}, limit);
-      const Vec3f center = std::get<Sphere>(scene.surfaces[0].geometry).center;
+      const Vec3f center(std::get<Sphere>(scene.surfaces[0].geometry).center);
       int met_again = 0, lost = 0;
       for (std::uint64_t i = 0; i < 20'000; ++i) {
         test::Random s(55, i);

@@ -8,7 +8,7 @@
 
 #include "renderer/scalar/particle_tracer.h"
 
-#include <algorithm>
+#include <cstdio>
 
 #include "renderer/lanes/roulette.h"
 #include "renderer/scalar/scalar_passes.h"
@@ -117,13 +117,29 @@ class ParticleTracer : ScalarTracer {
   }
 };
 
-/// A lamp far away lights what is seen by so few paths that none may have been among those traced.
-void say_if_none_arrives(const Film& film, RenderStats& stats) {
+/// In a pixel that light paths reach at all, fewer on average say nothing of those that none has reached yet.
+constexpr double few_paths_a_pixel = 8;
+
+/// A lamp far away, or a view of a speck of the scene, is found by so few paths that none may have been among those
+/// traced.
+void say_if_few_arrive(const Film& film, RenderStats& stats) {
   const Image image = film.develop().mean;
-  if (std::all_of(image.rgb.begin(), image.rgb.end(), [](float v) { return v == 0; }))
+  std::size_t reached = 0;
+  for (std::size_t i = 0; i < image.rgb.size(); i += 3)
+    reached += image.rgb[i] > 0 || image.rgb[i + 1] > 0 || image.rgb[i + 2] > 0 ? 1 : 0;
+  if (reached == 0) {
     stats.losses.emplace_back(
         "no light path arrived where the camera looks: the image is black, and so few paths may miss light that is "
         "there");
+  } else if (const double joined = stats.counts["rays_shadow"] / static_cast<double>(reached);
+             joined < few_paths_a_pixel) {
+    char text[160];
+    std::snprintf(text, sizeof text,
+                  "%.2g light paths arrived in each of the %zu pixels that any reached: too few to know the error of "
+                  "the others",
+                  joined, reached);
+    stats.losses.emplace_back(text);
+  }
 }
 
 }  // namespace
@@ -150,7 +166,7 @@ void render_particle_tracer(const Scene& scene, const RenderPlan& plan, const Re
       return tracer.environment(x, y, draws, work);
     };
   });
-  say_if_none_arrives(film, stats);
+  say_if_few_arrive(film, stats);
 }
 
 }  // namespace photonproof

@@ -25,7 +25,7 @@ Vec3f moved_off(const SegmentEnd& end, const Vec3f& direction, float coordinate_
 bool arrives_from_inside(const Scene& scene, const SegmentEnd& end, const Vec3f& direction) {
   if (end.surface == no_index) return false;
   const auto* sphere = std::get_if<Sphere>(&scene.surfaces[end.surface].geometry);
-  return sphere != nullptr && dot(end.p - sphere->center, direction) > 0;
+  return sphere != nullptr && dot(Vec3d(end.p) - sphere->center, Vec3d(direction)) > 0;
 }
 
 }  // namespace

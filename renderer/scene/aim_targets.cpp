@@ -6,7 +6,7 @@
 namespace photonproof {
 namespace {
 
-AimTarget ball_around(const Sphere& sphere) { return {sphere.center, sphere.radius}; }
+AimTarget ball_around(const Sphere& sphere) { return {Vec3f(sphere.center), static_cast<float>(sphere.radius)}; }
 
 AimTarget ball_around(const Quad& quad) {
   const Vec3f half_diagonal = (quad.edge_u + quad.edge_v) * 0.5f;
@@ -24,8 +24,8 @@ AimTarget ball_around(const Shape& shape) {
 AimTarget ball_around(const Disk& disk) { return {disk.center, std::hypot(length(disk.axis_x), length(disk.axis_y))}; }
 
 AimTarget ball_around(const Cylinder& cylinder) {
-  return {cylinder.base + cylinder.axis * (0.5f * cylinder.length),
-          std::hypot(0.5f * cylinder.length, cylinder.radius)};
+  return {Vec3f(cylinder.base + cylinder.axis * (0.5 * cylinder.length)),
+          static_cast<float>(std::hypot(0.5 * cylinder.length, cylinder.radius))};
 }
 
 /// As good as everywhere; its cone is the whole sphere.

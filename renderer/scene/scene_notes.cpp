@@ -1,11 +1,15 @@
 #include "renderer/scene/scene_notes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <numbers>
+#include <optional>
 #include <set>
 
 #include "renderer/bsdfs/bsdf_phong.h"
 #include "renderer/bsdfs/microfacet.h"
+#include "renderer/scene/scene_focus.h"
 #include "scenes/text/text_numbers.h"
 
 namespace photonproof {
@@ -137,6 +141,55 @@ void add_light_notes(const SceneDescription& description, const SceneParts& scen
   }
 }
 
+/// Of a float near 1, and of a double.
+constexpr double float_step = 0x1p-23, double_step = 0x1p-52;
+
+std::string short_number(double x) {
+  char text[24];
+  std::snprintf(text, sizeof text, "%.2g", x);
+  return text;
+}
+
+/// Below so many steps of a direction's coordinates a pixel's samples show it as stripes.
+constexpr double least_steps_a_pixel = 4;
+
+void add_camera_notes(const SceneDescription& description, Notes& notes) {
+  const SensorDescription& sensor = description.sensor;
+  const auto look_at = [&](const auto& camera) {
+    if constexpr (requires { camera.fov_degrees; }) {
+      const double across = std::max(sensor.film.width, sensor.film.height);
+      const double pixel = 2 * std::tan(camera.fov_degrees * std::numbers::pi / 360) / across;
+      if (pixel < least_steps_a_pixel * float_step)
+        notes.add(sensor.loc, "a pixel is " + short_number(pixel) +
+                                  " radians wide, and directions in single precision are " + short_number(float_step) +
+                                  " apart: what is so far away is seen better by an orthographic camera near it");
+    }
+  };
+  std::visit(look_at, sensor.camera);
+}
+
+/// What steps of coordinates may be of what is seen, and those of a lamp, which is far away where it is large.
+constexpr double part_of_what_is_seen = 1e-4, part_of_a_lamp = 0.25;
+
+void add_place_notes(const SceneDescription& description, Notes& notes) {
+  const std::optional<SceneFocus> focus = scene_focus(description);
+  if (!focus) return;
+  const double place = std::max({std::abs(focus->point.x), std::abs(focus->point.y), std::abs(focus->point.z)});
+  if (place * double_step > part_of_what_is_seen * focus->size)
+    notes.add(description.sensor.loc, "what is seen is " + short_number(focus->size) + " large and lies at " +
+                                          short_number(place) + ", where coordinates in double precision are " +
+                                          short_number(place * double_step) + " apart");
+  for (const ShapeDescription& shape : description.shapes) {
+    const auto* ball = std::get_if<SphereDescription>(&shape.geometry);
+    if (ball == nullptr || !shape.radiance) continue;
+    const double radius = ball->radius * shape.to_world.similarity_scale();
+    if (radius * float_step > part_of_a_lamp * focus->size)
+      notes.add(shape.loc, "the lamp has a radius of " + short_number(radius) +
+                               ", and its points are known to single precision, " + short_number(radius * float_step) +
+                               ": a constant emitter or a disk shines more exactly");
+  }
+}
+
 }  // namespace
 
 std::vector<SceneNote> scene_notes(const SceneDescription& description, const SceneParts& scene) {
@@ -144,6 +197,8 @@ std::vector<SceneNote> scene_notes(const SceneDescription& description, const Sc
   for (const BsdfDescription& bsdf : description.bsdfs) std::visit(BsdfNotes{notes, bsdf.loc}, bsdf.model);
   add_mesh_notes(description, notes);
   add_light_notes(description, scene, notes);
+  add_camera_notes(description, notes);
+  add_place_notes(description, notes);
   return std::move(notes.made);
 }
 

@@ -3,7 +3,11 @@
 
 #include "renderer/scene/scene_notes.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
 
 #include "renderer/integrators/test_scenes.h"
 #include "scenes/parser/parser.h"
@@ -31,6 +35,33 @@ TEST(scene_notes, ordinary_scenes_have_none) {
   EXPECT_EQ(notes_of(test::room(4, true)), "");
   EXPECT_EQ(notes_of_scene("<bsdf type=\"roughconductor\" id=\"b\"><float name=\"alpha\" value=\"1e-4\"/></bsdf>"), "");
   EXPECT_EQ(notes_of_scene("<bsdf type=\"phong\" id=\"b\"><float name=\"exponent\" value=\"1e7\"/></bsdf>"), "");
+}
+
+/// A square, lit by a ball lamp of this radius above it, all of it moved, seen across 4 from `away`.
+SceneDescription far_or_large(double lamp, double moved, double away) {
+  SceneDescription d;
+  test::add_shape(d, RectangleDescription{}, Transform::translate({moved, 0, 0}) * Transform::scale(Vec3d(8)),
+                  test::add_bsdf(d, DiffuseDescription{}));
+  ShapeDescription& ball = test::add_shape(
+      d, SphereDescription{}, Transform::translate({moved, 0, 5 + lamp}) * Transform::scale(Vec3d(lamp)), {0});
+  ball.radiance = RgbD(1);
+  test::set_camera(d, Transform::look_at({moved, 0, away}, {moved, 0, 0}, {0, 1, 0}),
+                   2 * std::atan(2 / away) * 180 / std::numbers::pi, 64);
+  auto& camera = std::get<PerspectiveDescription>(d.sensor.camera);
+  camera.near_clip = away / 4;
+  camera.far_clip = 4 * away;
+  return d;
+}
+
+// What double and single precision lose: coordinates far out, directions of pixels, points of a lamp.
+TEST(scene_notes, say_what_is_too_far_or_too_large_for_precision) {
+  using testing::HasSubstr;
+  EXPECT_EQ(notes_of(far_or_large(1, 0, 4)), "");
+  EXPECT_EQ(notes_of(far_or_large(1e6, 1e11, 4)), "");
+  EXPECT_EQ(notes_of(far_or_large(1, 0, 1e5)), "");
+  EXPECT_THAT(notes_of(far_or_large(1, 1e13, 4)), HasSubstr("coordinates in double precision are 0.0022 apart"));
+  EXPECT_THAT(notes_of(far_or_large(1e9, 0, 4)), HasSubstr("the lamp has a radius of 1e+09"));
+  EXPECT_THAT(notes_of(far_or_large(1, 0, 1e6)), HasSubstr("a pixel is "));
 }
 
 TEST(scene_notes, say_roughness_beyond_its_limits) {

@@ -48,6 +48,9 @@ double longest_edge(const Mesh& mesh, double least) {
   return longest;
 }
 
+/// Of so many long edges a ball in single precision is off by a ten-thousandth of a scene's reach.
+constexpr double large_balls = 64;
+
 }  // namespace
 
 SceneShapes::SceneShapes(const SceneDescription& description, const Textures& textures, const Vec3d& moved,
@@ -213,7 +216,7 @@ void SceneShapes::add_surface(Geometry geometry, const ShapeDescription& shape) 
   surface.bsdf = shape.bsdf.value;
   if (shape.interior) surface.interior = shape.interior->value;
   if (shape.exterior) surface.exterior = shape.exterior->value;
-  simple = simple && SmallSceneTables::can_hold(surface.geometry);
+  simple = simple && SmallSceneTables::can_hold(surface.geometry, large_balls * long_edge_);
   surfaces.push_back(std::move(surface));
   shape_of.push_back(&shape);
 }

@@ -188,15 +188,15 @@ TEST(scene, its_origin_is_the_middle_of_its_shapes) {
   d.emitters.push_back({{}, "", PointLightDescription{{1e5 + 2, 0.5, 3}, RgbD(1)}});
   test::set_camera(d, Transform::look_at({1e5 + 2, 0, 5}, {1e5 + 2, 0, 0}, {0, 1, 0}), 40, 4);
   const Scene scene = test::compiled(d, 4, 4);
-  EXPECT_EQ(std::get<Sphere>(scene.surfaces[0].geometry).center, Vec3f(-1, 0, 0));
-  EXPECT_EQ(std::get<Sphere>(scene.surfaces[1].geometry).center, Vec3f(1, 0, 0));
+  EXPECT_EQ(std::get<Sphere>(scene.surfaces[0].geometry).center, Vec3d(-1, 0, 0));
+  EXPECT_EQ(std::get<Sphere>(scene.surfaces[1].geometry).center, Vec3d(1, 0, 0));
   EXPECT_EQ(std::get<PointLight<float>>(scene.lights[0]).position, Vec3f(0, 0.5f, 3));
   EXPECT_EQ(scene.view().camera.origin, Vec3f(0, 0, 5));
 }
 
 TEST(scene, one_large_or_distant_shape_does_not_move_its_origin) {
   SceneDescription d = test::room(4, true);
-  const Vec3f ball = std::get<Sphere>(test::compiled(d, 4, 4).surfaces[6].geometry).center;
+  const Vec3d ball = std::get<Sphere>(test::compiled(d, 4, 4).surfaces[6].geometry).center;
   test::add_shape(d, SphereDescription{{0, -1e7 - 1, 0}, 1e7}, {}, d.shapes[0].bsdf);
   test::add_shape(d, SphereDescription{{1e8, 0, 0}, 1}, {}, d.shapes[0].bsdf);
   const Scene scene = test::compiled(d, 4, 4);

@@ -30,8 +30,8 @@ double integrate(double from, double to, const Integrand& f) {
 }  // namespace
 
 double hit_distance(const Cylinder& cylinder, const ShapeRay& ray) {
-  const Vec3d axis(cylinder.axis);
-  const Vec3d from_base = ray.origin - Vec3d(cylinder.base);
+  const Vec3d& axis = cylinder.axis;
+  const Vec3d from_base = ray.origin - cylinder.base;
   const double along = dot(axis, from_base), climb = dot(axis, ray.direction);
   // The circle's problem in the plane across the axis.
   const Vec3d o = from_base - axis * along, d = ray.direction - axis * climb;
@@ -43,8 +43,8 @@ double hit_distance(const Cylinder& cylinder, const ShapeRay& ray) {
   const double discriminant = radius * radius - dot(nearest, nearest);
   if (!(discriminant > 0)) return shape_missed;
   const double root = std::sqrt(discriminant / a);
-  const double grain = 0x1p-21 * std::max(radius, largest_coordinate(cylinder.base) + cylinder.length);
-  const double nearest_t = std::max(ray.t_near, grain / length(ray.direction));
+  const double largest = radius + largest_coordinate(cylinder.base) + cylinder.length;
+  const double nearest_t = std::max(ray.t_near, grain_of_ray(ray, largest));
   for (const double t : {middle - root, middle + root}) {
     const double height = along + t * climb;
     if (t >= nearest_t && t <= ray.t_far && height >= 0 && height <= cylinder.length) return t;
@@ -53,7 +53,7 @@ double hit_distance(const Cylinder& cylinder, const ShapeRay& ray) {
 }
 
 ShapePoint point_on(const Cylinder& cylinder, const Vec3d& near) {
-  const Vec3d base(cylinder.base), axis(cylinder.axis);
+  const Vec3d &base = cylinder.base, &axis = cylinder.axis;
   const double height = dot(axis, near - base);
   const Vec3d outward = normalize(near - base - axis * height);
   const Vec3f normal(outward);
@@ -61,8 +61,8 @@ ShapePoint point_on(const Cylinder& cylinder, const Vec3d& near) {
 }
 
 ShapeBox box_around(const Cylinder& cylinder) {
-  const Vec3d a(cylinder.base), b = a + Vec3d(cylinder.axis) * cylinder.length;
-  const auto reach = [&](float along) { return cylinder.radius * std::sqrt(std::max(0.0, 1 - double{along} * along)); };
+  const Vec3d &a = cylinder.base, b = a + cylinder.axis * cylinder.length;
+  const auto reach = [&](double along) { return cylinder.radius * std::sqrt(std::max(0.0, 1 - along * along)); };
   const Vec3d r(reach(cylinder.axis.x), reach(cylinder.axis.y), reach(cylinder.axis.z));
   const Vec3d low{std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};
   const Vec3d high{std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
@@ -81,7 +81,7 @@ float disc_area(const Cylinder& cylinder, const Vec3f& p, float radius) {
   const double big = cylinder.radius, r = radius;
   const double widest = std::min(r, big * std::sqrt(2 * accepted_versine(big, double{sheet_height} * r)));
   const double last = std::asin(std::min(1.0, widest / r)), k = r / (2 * big);
-  const double below = std::clamp<double>(dot(p - cylinder.base, cylinder.axis), 0, cylinder.length);
+  const double below = std::clamp(dot(Vec3d(p) - cylinder.base, cylinder.axis), 0.0, cylinder.length);
   double area = 0;
   for (const double room : {below, cylinder.length - below}) {
     const double cut_until = room < r ? std::min(last, std::acos(room / r)) : 0;
@@ -99,14 +99,12 @@ PlacedShape<Cylinder> placed(const CylinderDescription& description, const Shape
   const Transform& to_world = place.to_world;
   const Vec3d base = to_world.point(description.p0);
   const Vec3d along = to_world.point(description.p1) - base;
-  const auto radius = static_cast<float>(description.radius * to_world.similarity_scale());
-  const auto height = static_cast<float>(length(along));
+  const double radius = description.radius * to_world.similarity_scale(), height = length(along);
   const Frame<float> around(Vec3f(normalize(description.p1 - description.p0)));
   const AffineMap uv(to_world.vector(Vec3d(around.s) * description.radius),
                      to_world.vector(Vec3d(around.t) * description.radius), along, base);
-  return {{Vec3f(base), Vec3f(normalize(along)), height, radius, place.shape.flip_normals},
-          uv,
-          2 * std::numbers::pi * double{radius} * double{height}};
+  return {
+      {base, normalize(along), height, radius, place.shape.flip_normals}, uv, 2 * std::numbers::pi * radius * height};
 }
 
 Extent extent_of(const CylinderDescription& description, const Transform& to_world) {

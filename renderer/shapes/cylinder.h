@@ -9,10 +9,10 @@ struct CylinderDescription;
 
 /// The points at distance `radius` from the segment base + [0, length] axis; no caps.
 struct Cylinder {
-  Vec3f base, axis;  ///< axis is unit
-  float length, radius;
+  Vec3d base, axis;  ///< axis is unit; in double, as of a sphere
+  double length, radius;
   bool inward;  ///< the normal points to the axis
-  float curvature_radius() const { return radius; }
+  float curvature_radius() const { return static_cast<float>(radius); }
   bool sees_itself(bool both_sides) const { return inward || both_sides; }
 };
 

@@ -71,8 +71,12 @@ inline double plane_distance(const Vec3d& point, const Vec3d& normal, const Shap
 /// The box of these corners and what rounding could leave outside.
 ShapeBox padded_box(const Vec3d& low, const Vec3d& high);
 /// The largest magnitude of a coordinate.
-inline double largest_coordinate(const Vec3f& p) {
-  return std::max({std::abs(double{p.x}), std::abs(double{p.y}), std::abs(double{p.z})});
+inline double largest_coordinate(const Vec3d& p) { return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}); }
+
+/// Nearer than this a ray is on the curved shape that it starts from: what single precision loses of its origin, and
+/// double precision of the shape, whose numbers are up to `largest`.
+inline double grain_of_ray(const ShapeRay& ray, double largest) {
+  return std::max(0x1p-21 * largest_coordinate(ray.origin), 0x1p-48 * largest) / length(ray.direction);
 }
 
 /// Of a parallelogram or a plane with texture coordinates along the frame's first two axes.

@@ -114,7 +114,7 @@ TEST(plane, is_met_wherever_it_is_and_moves_no_other_shape) {
   // Planes have no middle: with and without one the compiled scene has the same origin.
   SceneDescription with = only(SphereDescription{{1e5, 0, 0}, 1}, {});
   with.sensor.to_world = Transform::translate({1e5, 0, -5});  // looks at the sphere
-  const Vec3f center = std::get<Sphere>(test::compiled(with, 4, 4).surfaces[0].geometry).center;
+  const Vec3d center = std::get<Sphere>(test::compiled(with, 4, 4).surfaces[0].geometry).center;
   test::add_shape(with, PlaneDescription{}, Transform::translate({0, 0, -2}), BsdfIndex{0});
   const Scene scene = test::compiled(with, 4, 4);
   EXPECT_EQ(std::get<Sphere>(scene.surfaces[0].geometry).center, center);

@@ -14,7 +14,7 @@ namespace photonproof {
 
 double hit_distance(const Sphere& sphere, const ShapeRay& ray) {
   const Vec3d& d = ray.direction;
-  const Vec3d to_center = Vec3d(sphere.center) - ray.origin;
+  const Vec3d to_center = sphere.center - ray.origin;
   const double a = dot(d, d);
   const double b = dot(d, to_center);
   const Vec3d nearest = to_center - d * (b / a);
@@ -22,8 +22,7 @@ double hit_distance(const Sphere& sphere, const ShapeRay& ray) {
   const double discriminant = radius * radius - dot(nearest, nearest);
   if (!(discriminant > 0)) return shape_missed;
   const double root = std::sqrt(discriminant / a);
-  const double grain = 0x1p-21 * std::max(radius, largest_coordinate(sphere.center));
-  const double nearest_t = std::max(ray.t_near, grain / std::sqrt(a));
+  const double nearest_t = std::max(ray.t_near, grain_of_ray(ray, radius + largest_coordinate(sphere.center)));
   const double t0 = b / a - root;
   if (t0 >= nearest_t && t0 <= ray.t_far) return t0;
   const double t1 = b / a + root;
@@ -32,13 +31,12 @@ double hit_distance(const Sphere& sphere, const ShapeRay& ray) {
 }
 
 ShapePoint point_on(const Sphere& sphere, const Vec3d& near) {
-  const Vec3f along = Vec3f(near) - sphere.center;
-  const Vec3f p = sphere.center + along * (sphere.radius / length(along));
-  return {p, normalize(sphere.normal_at(p))};
+  const Vec3d outward = normalize(near - sphere.center);
+  return {Vec3f(sphere.center + outward * sphere.radius), Vec3f(sphere.inward ? -outward : outward)};
 }
 
 ShapeBox box_around(const Sphere& sphere) {
-  return {sphere.center - Vec3f(sphere.radius), sphere.center + Vec3f(sphere.radius)};
+  return padded_box(sphere.center - Vec3d(sphere.radius), sphere.center + Vec3d(sphere.radius));
 }
 
 LocalGeometry local_geometry(const Sphere&, const AffineMap& frame, const Vec3f& p, const Vec3f& normal) {
@@ -62,12 +60,11 @@ float disc_area(const Sphere& sphere, const Vec3f&, float radius) {
 PlacedShape<Sphere> placed(const SphereDescription& description, const ShapePlace& place) {
   place.require_similarity();
   const Transform& to_world = place.to_world;
-  const auto radius = static_cast<float>(description.radius * to_world.similarity_scale());
+  const double radius = description.radius * to_world.similarity_scale();
   const Vec3d center = to_world.point(description.center);
   const AffineMap uv(to_world.vector({description.radius, 0, 0}), to_world.vector({0, description.radius, 0}),
                      to_world.vector({0, 0, description.radius}), center);
-  return {
-      {Vec3f(center), radius, place.shape.flip_normals}, uv, 4 * std::numbers::pi * double{radius} * double{radius}};
+  return {{center, radius, place.shape.flip_normals}, uv, 4 * std::numbers::pi * radius * radius};
 }
 
 Extent extent_of(const SphereDescription& description, const Transform& to_world) {

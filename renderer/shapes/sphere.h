@@ -8,14 +8,11 @@ namespace photonproof {
 struct SphereDescription;
 
 struct Sphere {
-  Vec3f center;
-  float radius;
+  Vec3d
+      center;  ///< in double, as the radius: of a floor as large as a planet single precision keeps no part that shows
+  double radius;
   bool inward;  ///< the normal points to the centre
-  Vec3f normal_at(const Vec3f& p) const {
-    const Vec3f n = (p - center) / radius;
-    return inward ? -n : n;
-  }
-  float curvature_radius() const { return radius; }
+  float curvature_radius() const { return static_cast<float>(radius); }
   bool sees_itself(bool both_sides) const { return inward || both_sides; }
 };
 
