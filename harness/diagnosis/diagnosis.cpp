@@ -8,6 +8,7 @@
 
 #include "harness/diagnosis/breakage.h"
 #include "harness/diagnosis/comparison.h"
+#include "harness/diagnosis/dark_lamps.h"
 #include "harness/diagnosis/faint.h"
 #include "harness/diagnosis/guess.h"
 #include "harness/diagnosis/picture_changes.h"
@@ -218,6 +219,8 @@ std::vector<Finding> diagnose(const Image& submitted, const SceneKnowledge& know
   if (search.at_first() > search.least())
     if (std::optional<Finding> other = other_scene(comparison, knowledge, search.at_first())) return {*other};
   findings = search.run();
+  if (findings.empty())
+    if (std::optional<Finding> lamps = find_dark_lamps(submitted, knowledge)) findings.push_back(*lamps);
   if (std::optional<Finding> noise = find_noise(comparison, knowledge)) findings.push_back(*noise);
   std::stable_sort(findings.begin(), findings.end(),
                    [](const Finding& a, const Finding& b) { return a.explained > b.explained; });

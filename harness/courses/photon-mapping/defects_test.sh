@@ -32,9 +32,12 @@ for line in open(sys.argv[2], encoding="utf-8"):
     row = next(s for s in grades[name]["scenes"] if s["scene"] == scene)
     findings = row["findings"]
     first = findings[0]["sentence"] if findings else row["sentence"]
-    good = bool(findings) and bool(re.search(pattern.replace("\\|", "|"), first, re.I))
+    # What the student reads first names the scene that shows it most.
+    named = grades[name]["sentence"] if grades[name]["sentence"].startswith("scene ") else ""
+    said = [text for text in (first if findings else "", named) if re.search(pattern.replace("\\|", "|"), text, re.I)]
+    good = bool(said)
     told += good
-    print(f"{'told' if good else 'not told':9}{name}: {first}")
+    print(f"{'told' if good else 'not told':9}{name}: {said[0] if said else first}")
     for finding in findings[1:]:
         print(f"{'':9}  then: {finding['sentence']}")
     if not good and not untold:
