@@ -1,5 +1,6 @@
 // The scalar integrators against the path tracer, against each other and against closed forms.
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <boost/math/distributions/students_t.hpp>
@@ -348,6 +349,20 @@ TEST(film, variances_of_splats_are_those_that_seeds_show) {
 
 // Pixels that share light paths or photons vary together. Over 60 seeds the variance of the image's mean is known to
 // sqrt(2/59) = 18 %; a stated one that is off by 60 % would be seen. What the pixels alone say is printed beside it.
+TEST(ptracer, says_when_few_light_paths_arrive_or_none) {
+  const auto losses = [](const SceneDescription& scene, int spp) {
+    return test::render(scene, "ptracer", job_with(spp)).stats.losses;
+  };
+  using testing::ElementsAre;
+  using testing::HasSubstr;
+  SceneDescription floor = test::floor_under_point_light(16);
+  EXPECT_THAT(losses(floor, 64), testing::IsEmpty());
+  EXPECT_THAT(losses(floor, 4), ElementsAre(HasSubstr("light paths arrived in each of the ")));
+  // One in 1e11 of the lamp's paths meets the floor.
+  std::get<PointLightDescription>(floor.emitters[0].light).position = {0, 1e6, 0};
+  EXPECT_THAT(losses(floor, 4), ElementsAre(HasSubstr("no light path arrived where the camera looks")));
+}
+
 TEST(mean_error, is_what_the_spread_over_seeds_shows) {
   constexpr std::uint64_t runs = 60;
   SceneDescription scene = test::room(12, false);
