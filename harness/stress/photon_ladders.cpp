@@ -45,6 +45,13 @@ std::vector<Ladder> photon_ladders(const std::filesystem::path&) {
       return rung;
     }));
   }
+  Ladder many = photons("photons, map", "many", "10^k photons", {6, 7, 8}, 8, [](double k) {
+    StressScene rung{with_glass()};
+    rung.unlike_path = {"--indirect", "map", "--photons", std::to_string(std::lround(tens(k)))};
+    return rung;
+  });
+  many.quick = 7;
+  ladders.push_back(many);
   return ladders;
 }
 

@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// A render has so long, in seconds; one that takes longer hangs.
-constexpr double render_limit = 60;
+constexpr double render_limit = 180;
 
 std::string scene_text(const StressScene& scene) {
   std::string text = write_scene(scene.scene);

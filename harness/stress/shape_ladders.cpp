@@ -172,6 +172,52 @@ std::vector<Ladder> odd_triangles(const fs::path& assets) {
   return ladders;
 }
 
+/// [-1,1]^2 in z = 0 of 71 x 71 squares, each cut in two: ten thousand triangles.
+TriangleMesh tile() {
+  constexpr std::uint32_t side = 71;
+  std::vector<Vec3f> positions;
+  std::vector<TriangleMesh::Triangle> triangles;
+  const auto at = [](std::uint32_t i) { return 2 * static_cast<float>(i) / side - 1; };
+  for (std::uint32_t y = 0; y <= side; ++y)
+    for (std::uint32_t x = 0; x <= side; ++x) {
+      positions.push_back({at(x), at(y), 0});
+      if (x == side || y == side) continue;
+      const std::uint32_t corner = y * (side + 1) + x, next_row = corner + side + 1;
+      triangles.insert(triangles.end(), {{corner, corner + 1, next_row + 1}, {corner, next_row + 1, next_row}});
+    }
+  return mesh_of(positions, triangles);
+}
+
+/// The floor as copies of one tile, 10^k triangles in all.
+Ladder many_copies(const fs::path& assets) {
+  const MeshDescription mesh = mesh_file(assets, "tile", tile());
+  return {"shape instance",
+          "many",
+          "10^k triangles in copies of one mesh",
+          {4, 6, 8},
+          8,
+          [mesh](double k) {
+            SceneDescription scene = lit_stage();
+            const BsdfIndex grey = scene.shapes[0].bsdf;
+            ShapeGroupDescription group;
+            group.id = "tile";
+            ShapeDescription member;
+            member.geometry = mesh;
+            member.bsdf = grey;
+            group.shapes.push_back(member);
+            scene.groups.push_back(group);
+            scene.shapes.erase(scene.shapes.begin());
+            const int side = static_cast<int>(std::lround(ten_to((k - 4) / 2)));
+            const double half = 8.0 / side;
+            for (int y = 0; y < side; ++y)
+              for (int x = 0; x < side; ++x)
+                add_shape(scene, InstanceDescription{{0}},
+                          lying({half * (2 * x + 1) - 8, 0, half * (2 * y + 1) - 8}, half), grey);
+            return StressScene{scene};
+          },
+          lit};
+}
+
 /// Two floors of the same material 10^-k apart; 99 stands for the same place.
 std::vector<Ladder> near_faces() {
   const std::vector<double> heights{4, 5, 6, 7, 8, 9, 12, 20, 99};
@@ -216,6 +262,7 @@ std::vector<Ladder> near_faces() {
 
 std::vector<Ladder> shape_ladders(const fs::path& assets) {
   std::vector<Ladder> ladders = huge_floors(assets);
+  ladders.push_back(many_copies(assets));
   for (const std::vector<Ladder>& more : {bystanders(), odd_triangles(assets), near_faces()})
     ladders.insert(ladders.end(), more.begin(), more.end());
   return ladders;
