@@ -180,6 +180,7 @@ struct Child {
   pid_t keeper = 0;
   int start_error = 0;  // errno of the failed exec, 0 when it runs
   Descriptor out, err, orders, report;
+  Descriptor orders_read;  // kept, so that an order to a keeper that has just ended is no SIGPIPE
 };
 
 // Whether all of the message came.
@@ -240,6 +241,7 @@ Child start(const std::vector<std::string>& argv, const ProcessOptions& options,
   child.out = std::move(out.read_end);
   child.err = std::move(err.read_end);
   child.orders = std::move(orders.write_end);
+  child.orders_read = std::move(orders.read_end);
   child.report = std::move(report.read_end);
   return child;
 }
