@@ -336,7 +336,8 @@ CacheError check(const IrradianceCache& cache, CacheMaker& maker, PhotonMaps& ma
 
 CheckedCache make_irradiance_cache(const RenderPlan& plan, const PhotonSource& source, const LookUpAreas& areas,
                                    const Tile& window, RenderStats& stats) {
-  PhotonMaps maps(plan, source, stats);
+  PhotonMaps maps(plan, source);
+  maps.choose_first_radii(source, stats);
   fill_for_cache(maps.global, cache_global_stream, source.settings.global_photons, source, areas, stats);
   if (maps.caustic.wanted)
     fill_for_cache(maps.caustic, cache_caustic_stream, source.settings.caustic_photons, source, areas, stats);

@@ -34,7 +34,8 @@ constexpr double bright = 100;
 // Measured on library scenes at 256x256 with 16 lanes, one thread.
 constexpr double ray_in_small_scene = 35, ray_elsewhere = 90, look_up_time = 70;  // ns
 constexpr double photon_ray_in_rays = 1.4;
-constexpr double guided_start = 600;  // ns: the densities of all places that a photon may be sent to
+constexpr std::uint64_t pilot_photons = 1024;  // of a map: what a photon takes, no more
+constexpr double guided_start = 600;           // ns: the densities of all places that a photon may be sent to
 
 constexpr double photons_in_disc_of_million = 700;
 
@@ -97,6 +98,21 @@ double brightest_light(const Scene& scene, std::uint64_t seed) {
     most = std::max(most, double{max_component(start.flux)} * densities / cosine);
   }
   return most;
+}
+
+/// Of those that the maps want; aimed and others are as many.
+double rays_a_photon(const PhotonSource& source, const PhotonMaps& maps, RenderStats& stats) {
+  const int max_edges = source.settings.limits.max_depth >= 0 ? source.settings.limits.max_depth - 1 : -1;
+  RayTotals rays;
+  double photons = 0;
+  for (const MapState* map : {&maps.global, &maps.caustic}) {
+    if (!map->wanted) continue;
+    trace_photons(source.scene, {map->kind, pilot_stream, source.job.seed, 0, pilot_photons, max_edges, map->aimed},
+                  {source.job.kernels(), source.job.sampler}, source.threads, rays);
+    photons += double{pilot_photons};
+  }
+  rays.store(stats);
+  return static_cast<double>(rays.counts().photon) / photons;
 }
 
 class PilotTracer {
@@ -221,8 +237,8 @@ IndirectChoice choose_indirect(const PhotonSource& source, const PhotonMaps& map
   const double ray = plan.scene.small && !plan.scene.detailed ? ray_in_small_scene : ray_elsewhere;
   const CameraView& camera = source.scene.view().camera;
   const double photons_a_path = maps.global.a_sample * double{camera.inverse_width} * double{camera.inverse_height};
-  const double a_photon =
-      maps.rays_a_photon * photon_ray_in_rays * ray + (source.scene.view().guided_emission ? guided_start : 0);
+  const double a_photon = rays_a_photon(source, maps, stats) * photon_ray_in_rays * ray +
+                          (source.scene.view().guided_emission ? guided_start : 0);
   const double map_time = look_up_time + photons_a_path * a_photon;
   IndirectPilot pilot;
   pilot.maps = {variance_of(direct, beside), direct.rays_a_sample * ray + (caustics ? 2 : 1) * map_time};

@@ -275,13 +275,14 @@ void render_photon_mapper(const Scene& scene, const RenderPlan& plan, const Rend
   PhotonSettings settings(plan.method, job);
   const Threads threads(job.threads);
   const PhotonSource source{scene, settings, job, threads};
-  PhotonMaps maps(plan, source, stats);
+  PhotonMaps maps(plan, source);
   choose_way(source, maps, plan, film.window(), settings, stats);
   PassPlan passes = plan_passes(settings, maps);
   if (plan.view == View::photons) return render_photon_dots(source, maps, passes, film, stats);
   const bool caches = settings.indirect == IndirectLight::cache && maps.global.wanted;
   // A cache has photons of its own.
   if (caches || settings.indirect == IndirectLight::path) maps.global.wanted = false;
+  maps.choose_first_radii(source, stats);
   const std::vector<MapState*> wanted = maps.wanted();
   std::optional<LookUpAreas> areas;
   if (!wanted.empty() || caches) {

@@ -214,7 +214,7 @@ bool splits_rough_parts(const Scene& scene, AtDiffuse at_diffuse) {
   return at_diffuse != AtDiffuse::go_on && (scene.view().bsdf_kinds & rough_kinds) != 0;
 }
 
-PhotonMaps::PhotonMaps(const RenderPlan& plan, const PhotonSource& source, RenderStats& stats) {
+PhotonMaps::PhotonMaps(const RenderPlan& plan, const PhotonSource& source) {
   global.wanted = !plan.skips(Skip::global_map);
   if (source.settings.indirect == IndirectLight::gather || source.settings.indirect == IndirectLight::cache)
     global.photons_in_disc = gathered_photons_in_disc;
@@ -222,15 +222,14 @@ PhotonMaps::PhotonMaps(const RenderPlan& plan, const PhotonSource& source, Rende
   caustic.wanted = !plan.skips(Skip::caustic_map);
   caustic.aimed = plan.skips(Skip::stray_photons);
   choose_photons(caustic, source.settings.caustic_photons, source);
+}
 
-  if (plan.view == View::photons) return;
+void PhotonMaps::choose_first_radii(const PhotonSource& source, RenderStats& stats) {
   const PhaseTimer phase(stats.phases["pilot"]);
   RayTotals pilot_rays;
   choose_first_radius(global, source.settings.global_radius, source, pilot_rays);
   choose_first_radius(caustic, source.settings.caustic_radius, source, pilot_rays);
   pilot_rays.store(stats);
-  const auto piloted = (global.radii.first_radius > 0 ? 1 : 0) + (caustic.radii.first_radius > 0 ? 1 : 0);
-  if (piloted > 0) rays_a_photon = static_cast<double>(pilot_rays.counts().photon) / (piloted * double{pilot_photons});
 }
 
 std::vector<MapState*> PhotonMaps::wanted() {

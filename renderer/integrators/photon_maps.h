@@ -100,13 +100,13 @@ struct PhotonMaps {
   MapState global{PhotonKind::global, global_photon_stream, "global", 700};
   MapState caustic{PhotonKind::caustic, caustic_photon_stream, "caustic", 8};
 
-  /// Those that the plan wants, how many photons they get and their first radii; where the settings leave a radius
-  /// open, a pilot run of photons says it, if the plan's view looks them up.
-  PhotonMaps(const RenderPlan& plan, const PhotonSource& source, RenderStats& stats);
+  /// Those that the plan wants, and how many photons they get.
+  PhotonMaps(const RenderPlan& plan, const PhotonSource& source);
+  /// Of those that are wanted: where the settings leave a radius open, a pilot run of photons says it.
+  void choose_first_radii(const PhotonSource& source, RenderStats& stats);
 
   /// In the order in which their light is added.
   std::vector<MapState*> wanted();
-  double rays_a_photon = 3;  ///< as the pilot found them
   /// What decides the estimates besides the samples, for checkpoints.
   std::string totals() const;
   void store_counts(const Scene& scene, std::int64_t passes, RenderStats& stats) const;

@@ -45,7 +45,7 @@ float chance_of_leaf(const Scene& scene, std::uint32_t bsdf, bool behind, const 
 }  // namespace
 
 LookUpAreas::LookUpAreas(const Scene& scene, const Threads& threads)
-    : scene_(scene), may_miss_(scene.surfaces.size()), mesh_of_(scene.surfaces.size()) {
+    : scene_(scene), may_miss_(scene.surfaces.size()), mesh_of_(scene.surfaces.size()), covered_(scene) {
   for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
     bool any_stored = false;
     scene.bsdfs.for_each_leaf(scene.surfaces[i].bsdf, [&](const Bsdf& leaf, bool) {
@@ -118,7 +118,7 @@ float LookUpAreas::area(const GatherPoint& point, float radius) const {
                    return static_cast<float>(
                        mesh->within(*copy.placement, point.p, unit_sheet_normal(point.sheet), radius));
                  },
-                 [&](const auto& shape) { return disc_area(shape, point.p, radius); }},
+                 [&](const auto& shape) { return covered_.left_of(disc_area(shape, point.p, radius), point, radius); }},
       geometry);
 }
 

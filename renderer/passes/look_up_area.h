@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "renderer/kernels/tasks.h"
+#include "renderer/passes/covered_area.h"
 #include "renderer/scene/scene.h"
 #include "renderer/shapes/mesh_area.h"
 
@@ -39,6 +40,7 @@ class LookUpAreas {
   };
   std::vector<MayMiss> may_miss_;         ///< by surface: whether it has leaves that are not
   std::vector<const MeshArea*> mesh_of_;  ///< by surface; null where it is none, or nothing is stored
+  CoveredAreas covered_;
 };
 
 }  // namespace photonproof

@@ -54,6 +54,7 @@ SceneParts::SceneParts(const SceneDescription& in_its_unit, int width_, int heig
   SceneShapes shapes(description, *textures, frame.moved, frame.long_edge);
   lights = surface_lights(description, frame.moved, texture_lookup(textures), shapes);
   surfaces = std::move(shapes.surfaces);
+  cubes = std::move(shapes.cubes);
   uv_frames = std::move(shapes.uv_frames);
   primitives = shapes.primitives;
   simple_primitives = shapes.simple;

@@ -74,6 +74,7 @@ void SceneShapes::add(const RectangleDescription&, const ShapeDescription& shape
 }
 
 void SceneShapes::add(const CubeDescription&, const ShapeDescription& shape, const Transform& to_world) {
+  cubes.push_back(surfaces.size());
   for (const CubeFace& face : cube_faces)
     add_quad(shape, to_world.point(face.corner), to_world.vector(face.along_u), to_world.vector(face.along_v),
              to_world.determinant() > 0);

@@ -20,6 +20,7 @@ class SceneShapes {
 
   std::vector<Surface> surfaces;
   std::vector<const ShapeDescription*> shape_of;  ///< of each surface, in the description
+  std::vector<std::size_t> cubes;                 ///< the first of the six surfaces of each
   std::vector<AffineMap> uv_frames;               ///< by Surface::uv_frame
   std::size_t primitives = 0;                     ///< a group's triangles count once, and each instance as one
   bool simple = true;                             ///< what SmallSceneTables can hold

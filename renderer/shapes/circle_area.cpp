@@ -35,9 +35,14 @@ double circle_sector(const PlanePoint& a, const PlanePoint& b, double radius) {
 }
 
 double polygon_in_circle(std::span<const PlanePoint> polygon, double radius) {
+  return polygon_in_circle(polygon, {0, 0}, radius);
+}
+
+double polygon_in_circle(std::span<const PlanePoint> polygon, const PlanePoint& middle, double radius) {
+  const auto corner = [&](std::size_t i) -> PlanePoint { return {polygon[i].x - middle.x, polygon[i].y - middle.y}; };
   double area = 0;
   for (std::size_t i = 0; i < polygon.size(); ++i)
-    area += clipped_triangle(polygon[i], polygon[(i + 1) % polygon.size()], radius);
+    area += clipped_triangle(corner(i), corner((i + 1) % polygon.size()), radius);
   return std::abs(area);
 }
 

@@ -19,6 +19,8 @@ double circle_sector(const PlanePoint& a, const PlanePoint& b, double radius);
 
 /// What a polygon, in order around, has in the circle about the origin.
 double polygon_in_circle(std::span<const PlanePoint> polygon, double radius);
+/// The same of a circle about another point.
+double polygon_in_circle(std::span<const PlanePoint> polygon, const PlanePoint& middle, double radius);
 
 /// 1 - cosine of the widest angle about a centre or an axis at which a surface of this radius is still accepted by the
 /// sheet's test: its normals and its distance to the tangent plane, `height`, both go by it.

@@ -1,0 +1,61 @@
+// What a solid that stands on a flat shape, or is sunk in it, covers of it. No light lands there, so that a look-up
+// beside the solid must not count it as area: along the foot of a box half of the light would be missing, however small
+// the radius.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "renderer/shapes/circle_area.h"
+#include "renderer/shapes/plane.h"
+#include "renderer/shapes/quad.h"
+#include "renderer/shapes/sphere.h"
+
+namespace photonproof {
+
+/// A parallelepiped or a ball, seen from outside.
+struct Solid {
+  Vec3d middle;
+  std::array<Vec3d, 3> half_edges{};  ///< of a parallelepiped; all 0 of a ball
+  double radius = 0;                  ///< of a ball
+
+  /// Of the six sides of a cube as the compiler lists them; nothing where they face inward.
+  static std::optional<Solid> of_cube(const std::array<const Quad*, 6>& sides);
+  static std::optional<Solid> of_ball(const Sphere& sphere);
+
+  /// How far it reaches from its middle at most, and along a unit vector.
+  double reach() const;
+  double reach_along(const Vec3d& direction) const;
+  /// Touching counts as not holding.
+  bool holds(const Vec3d& p) const;
+  /// Nearer than this is touching.
+  double grain() const { return 1e-5 * reach() + 1e-6 * largest_coordinate(middle); }
+};
+
+class Footprint {
+ public:
+  /// Nothing where the solid does not meet the flat shape.
+  static std::optional<Footprint> of(const Solid& solid, const Quad& flat);
+  static std::optional<Footprint> of(const Solid& solid, const Plane& flat);
+
+  /// Whether light that comes to the flat shape's front, or to its back, cannot land there.
+  bool covers(bool behind) const { return behind ? back_ : front_; }
+  /// What the disc about p in the shape's plane has in common with it.
+  double in_disc(const Vec3d& p, double radius) const;
+  double area() const;
+  bool overlaps(const Footprint& other) const;
+
+ private:
+  Footprint(const Solid& solid, const Vec3d& normal, double height, std::vector<Vec3d> polygon);
+  static std::optional<Footprint> within(const Solid& solid, const std::vector<Vec3d>& flat, const Vec3d& normal);
+
+  std::vector<Vec3d> polygon_;  ///< convex
+  Vec3d normal_, x_axis_, y_axis_;
+  Vec3d middle_{0.0};
+  std::vector<PlanePoint> about_middle_;  ///< the polygon, along the axes
+  double reach_ = 0;                      ///< of the polygon about its middle
+  bool front_, back_;
+};
+
+}  // namespace photonproof
