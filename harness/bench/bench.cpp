@@ -304,10 +304,10 @@ class Bench {
 
   void draw_conclusions(const Results& results, const ErrorTargets& targets) {
     const References references = load_references();
-    convergence_ =
-        convergence_of(results, options_.results_folder, targets, [&](const Cell& like, std::span<const Image> images) {
-          return judge_correctness(judge_of(like.scene, references), suite_.engine(like.engine), like.budget, images);
-        });
+    const auto judge = [&](const Cell& like, std::span<const Image> images) {
+      return judge_correctness(judge_of(like.scene, references), suite_.engine(like.engine), like.budget, images);
+    };
+    convergence_ = convergence_of(results, options_.results_folder, targets, judge, suite_.clock);
     for (Convergence& curve : convergence_)
       if (suite_.engine(curve.engine).trust == Trust::unbiased) reconcile(curve.points);
     races_ = races_of(convergence_);

@@ -123,7 +123,7 @@ void add_point(const Budget& budget, const Cells& cells, const Reference* refere
   point.budget = budget;
   point.seeds = static_cast<int>(cells.size());
   std::vector<double> seconds;
-  for (const Result* cell : cells) seconds.push_back(cell->wall_seconds.value_or(0));
+  for (const Result* cell : cells) seconds.push_back(seconds_by(curve.clock, *cell).value_or(0));
   point.seconds = estimated_median(seconds);
   add_error(cells, reference, folder, judge, point);
   for (const std::size_t i : outliers_of(seconds))
@@ -266,7 +266,7 @@ void conclude(Convergence& curve) {
 }
 
 std::vector<Convergence> convergence_of(const Results& results, const fs::path& folder,
-                                        const ErrorTargets& target_relmse, const JudgeImages& judge) {
+                                        const ErrorTargets& target_relmse, const JudgeImages& judge, Clock clock) {
   std::vector<Convergence> curves;
   for (const SceneRecord& scene : results.scenes) {
     const std::optional<Reference> reference = reference_of(results, scene, folder);
@@ -280,6 +280,7 @@ std::vector<Convergence> convergence_of(const Results& results, const fs::path& 
       Convergence curve;
       curve.scene = scene.name;
       curve.engine = result.cell.engine;
+      curve.clock = clock;
       if (const auto targets = target_relmse.find(scene.name); targets != target_relmse.end())
         for (const double target : targets->second) curve.targets.push_back({target});
       for (const auto& [amount, seeds] : cells)

@@ -27,7 +27,8 @@ using ErrorTargets = std::map<std::string, std::vector<double>>;  ///< by scene
 /// order of the results. Images are read from `folder`, where results.json lies; where one cannot be, the point keeps
 /// what the record itself tells. Without `judge` there are no verdicts.
 std::vector<Convergence> convergence_of(const Results& results, const std::filesystem::path& folder,
-                                        const ErrorTargets& target_relmse, const JudgeImages& judge = {});
+                                        const ErrorTargets& target_relmse, const JudgeImages& judge = {},
+                                        Clock clock = Clock::wall);
 
 /// Slope, efficiency and time to target of a record whose points are complete, or why they are not there, and the
 /// caveats that go with them.

@@ -190,6 +190,15 @@ TEST_F(ConvergenceOfImages, budgets_that_are_mostly_start_up_are_named) {
                                       "one seed: neither spread nor bias is known"}));
 }
 
+TEST_F(ConvergenceOfImages, seconds_are_those_of_the_clock_that_is_asked_for) {
+  add({"s", "path", {"spp", 4}, 1}, 0.02f, 2);
+  results_.results.back().cpu_seconds = 3.5;
+  EXPECT_EQ(convergence_of(results_, folder_, {})[0].points[0].seconds.value, 2);
+  const Convergence by_processor = convergence_of(results_, folder_, {}, {}, Clock::processor)[0];
+  EXPECT_EQ(by_processor.clock, Clock::processor);
+  EXPECT_EQ(by_processor.points[0].seconds.value, 3.5);
+}
+
 TEST_F(ConvergenceOfImages, slow_seed_is_named_as_an_outlier) {
   for (std::uint64_t seed = 0; seed < 6; ++seed)
     add({"s", "path", {"spp", 4}, seed}, 0.02f, seed == 4 ? 3 : 1 + 0.02 * static_cast<double>(seed));

@@ -75,9 +75,7 @@ void add_run(const TomlTable& run, Suite& suite, std::set<std::string>& labels) 
           add({scene, engine->name, *budget_from_text(budget), static_cast<std::uint64_t>(seed)});
 }
 
-void add_control(const TomlTable& document, Suite& suite) {
-  if (!document.has("bench")) return;
-  const TomlTable table = document.table("bench");
+void add_control(const TomlTable& table, Suite& suite) {
   if (table.has("control")) {
     suite.control = table.string("control");
     const Engine* engine = find_named(suite.engines, suite.control);
@@ -99,6 +97,18 @@ void add_control(const TomlTable& document, Suite& suite) {
         scene.files[control_name(suite.control)] = own->second;
     if (twins.empty()) throw table.error("control", "engine '" + suite.control + "' has no [[run]]");
     suite.cells.insert(suite.cells.end(), twins.begin(), twins.end());
+  }
+}
+
+void add_bench(const TomlTable& document, Suite& suite) {
+  if (!document.has("bench")) return;
+  const TomlTable table = document.table("bench");
+  add_control(table, suite);
+  if (table.has("clock")) {
+    const std::string name = table.string("clock");
+    const std::optional<Clock> clock = clock_from_string(name);
+    if (!clock) throw table.error("clock", "'" + name + "' is no clock; there are wall and processor");
+    suite.clock = *clock;
   }
   table.expect_no_other_keys();
 }
@@ -147,7 +157,7 @@ Suite read_suite(const fs::path& file) {
   for (const TomlTable& table : document.tables("scene")) suite.scenes.push_back(scene_from_toml(table, suite));
   std::set<std::string> labels;
   for (const TomlTable& run : document.tables("run")) add_run(run, suite, labels);
-  add_control(document, suite);
+  add_bench(document, suite);
   document.expect_no_other_keys();
   if (suite.scenes.empty()) throw document.error("the suite has no [[scene]]");
   return suite;

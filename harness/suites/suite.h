@@ -50,8 +50,9 @@ struct SuiteCommon {
 };
 
 struct Suite : SuiteCommon {
-  std::string control;      ///< name of the engine that is its own control; empty: none
-  std::vector<Cell> cells;  ///< of the runs, in their order; references are not among them
+  std::string control;        ///< name of the engine that is its own control; empty: none
+  Clock clock = Clock::wall;  ///< of curves of error against time
+  std::vector<Cell> cells;    ///< of the runs, in their order; references are not among them
 };
 
 /// Of the engine that measures `engine` a second time.

@@ -91,6 +91,13 @@ TEST_F(SuiteFile, control_has_every_cell_of_its_engine_a_second_time) {
             "s.toml:4:11: error: engine 'path' has no [[run]]");
 }
 
+TEST_F(SuiteFile, clock_is_wall_or_processor) {
+  EXPECT_EQ(read(std::string(head) + scenes).clock, Clock::wall);
+  EXPECT_EQ(read(std::string(head) + "[bench]\nclock = 'processor'\n" + scenes).clock, Clock::processor);
+  EXPECT_EQ(error(std::string(head) + "[bench]\nclock = 'sun'\n" + scenes),
+            "s.toml:4:9: error: 'sun' is no clock; there are wall and processor");
+}
+
 TEST_F(SuiteFile, the_suites_we_ship_are_valid) {
   const std::filesystem::path folder = PHOTONPROOF_SOURCE_DIR "/harness/suites";
   int count = 0;

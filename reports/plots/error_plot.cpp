@@ -22,6 +22,7 @@ std::optional<Interval> drawable_part(const std::optional<Interval>& interval, d
 ErrorPlot plot_of_curves(const View& view, const SceneView& scene) {
   ErrorPlot plot;
   for (const Convergence* curve : scene.curves) {
+    plot.clock = curve->clock;
     plot.targets.clear();
     for (const TargetTime& target : curve->targets)
       if (drawable(target.relmse)) plot.targets.push_back(target.relmse);

@@ -1,4 +1,4 @@
-// The plot of error against time: relMSE over wall-clock seconds, both logarithmic. Where the harness drew curves over
+// The plot of error against time: relMSE over seconds, both logarithmic. Where the harness drew curves over
 // seeds, those with their intervals; else one line for each engine and seed.
 #pragma once
 
@@ -27,6 +27,7 @@ struct ErrorPlot {
   std::vector<PlotSeries> series;  ///< none is empty
   std::size_t left_out = 0;        ///< results that logarithmic axes cannot show: no time, no error or zero
   bool over_seeds = false;         ///< a point is all seeds of a budget, not one
+  Clock clock = Clock::wall;       ///< of all seconds
   std::vector<double> targets;     ///< relMSEs that the scene asks for
 };
 

@@ -15,7 +15,7 @@ namespace {
 // The drawing's box and the frame of the axes inside it, in SVG units; style.css has the sizes of text.
 constexpr double width = 640, height = 400, frame_left = 82, frame_right = 624, frame_top = 12, frame_bottom = 348;
 
-std::string grid(const LogScale& x, const LogScale& y) {
+std::string grid(const LogScale& x, const LogScale& y, Clock clock) {
   std::string lines, labels;
   for (const double tick : x.axis.ticks) {
     lines += svg_line(x(tick), frame_top, x(tick), frame_bottom);
@@ -31,8 +31,8 @@ std::string grid(const LogScale& x, const LogScale& y) {
                             svg_line(frame_left, frame_bottom, frame_right, frame_bottom);
   const double middle = (frame_top + frame_bottom) / 2;
   return "<g class=\"grid\">" + lines + "</g>\n<g class=\"frame\">" + frame + "</g>\n<g class=\"labels\">" + labels +
-         fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">wall-clock seconds</text>",
-                     (frame_left + frame_right) / 2, height - 8) +
+         fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{} seconds</text>",
+                     (frame_left + frame_right) / 2, height - 8, clock == Clock::wall ? "wall-clock" : "processor") +
          fmt::format("<text transform=\"translate(13 {:.1f}) rotate(-90)\" text-anchor=\"middle\">relMSE</text></g>\n",
                      middle);
 }
@@ -85,7 +85,7 @@ std::string error_plot_svg(const ErrorPlot& plot, const std::string& label) {
   const LogScale y{log_axis(errors.low, errors.high), frame_bottom, frame_top};
   std::string out = fmt::format("<svg viewBox=\"0 0 {:.0f} {:.0f}\" role=\"img\" aria-label=\"{}\">\n", width, height,
                                 kainjow::mustache::html_escape(printable(label))) +
-                    grid(x, y);
+                    grid(x, y, plot.clock);
   for (const double target : plot.targets)
     out += fmt::format(
         "<g class=\"target\">{}<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"end\">target {}</text></g>\n",

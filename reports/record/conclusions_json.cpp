@@ -105,6 +105,7 @@ TargetTime target_from_json(const json& j) {
 
 json convergence_to_json(const Convergence& curve) {
   json j = {{"scene", curve.scene}, {"engine", curve.engine}, {"caveats", curve.caveats}, {"points", json::array()}};
+  if (curve.clock != Clock::wall) j["clock"] = to_string(curve.clock);
   for (const CurvePoint& point : curve.points) j["points"].push_back(point_to_json(point));
   set_estimate(j, "slope", curve.slope);
   set_estimate(j, "efficiency", curve.efficiency);
@@ -117,6 +118,7 @@ Convergence convergence_from_json(const json& j) {
   Convergence curve;
   curve.scene = j.at("scene");
   curve.engine = j.at("engine");
+  curve.clock = clock_from_string(j.value("clock", "wall")).value_or(Clock::wall);  // the schema knows no other
   for (const json& point : j.at("points")) curve.points.push_back(point_from_json(point));
   curve.slope = optional_estimate(j, "slope");
   curve.efficiency = optional_estimate(j, "efficiency");

@@ -86,6 +86,18 @@ std::string to_string(Correctness correctness) {
   return names[static_cast<int>(correctness)];
 }
 
+std::string to_string(Clock clock) { return clock == Clock::wall ? "wall" : "processor"; }
+
+std::optional<Clock> clock_from_string(const std::string& name) {
+  for (const Clock clock : {Clock::wall, Clock::processor})
+    if (name == to_string(clock)) return clock;
+  return std::nullopt;
+}
+
+std::optional<double> seconds_by(Clock clock, const Result& result) {
+  return clock == Clock::wall ? result.wall_seconds : result.cpu_seconds;
+}
+
 std::string to_string(Change change) {
   constexpr const char* names[] = {"regression", "improvement", "unchanged", "inconclusive"};
   return names[static_cast<int>(change)];

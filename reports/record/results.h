@@ -148,11 +148,18 @@ struct CorrectnessRecord {
 /// Why a number is not there, by its name in results.json: {"slope": "two budgets"}.
 using Reasons = std::map<std::string, std::string>;
 
+/// What times a curve: wall time of the engine's process, or processor time of all its threads.
+enum class Clock { wall, processor };
+std::string to_string(Clock clock);
+std::optional<Clock> clock_from_string(const std::string& name);
+/// Of a cell, if it was measured.
+std::optional<double> seconds_by(Clock clock, const Result& result);
+
 /// One budget of an engine on a scene, over its seeds.
 struct CurvePoint {
   Budget budget;
   int seeds = 0;                     ///< finished cells
-  Estimate seconds;                  ///< median wall time
+  Estimate seconds;                  ///< median, by the curve's clock
   std::optional<Estimate> relmse;    ///< mean; absent without a reference
   std::optional<Estimate> bias2;     ///< relative, as relmse; where its interval excludes 0
   std::optional<Estimate> variance;  ///< relative, of one image; needs two seeds
@@ -174,6 +181,7 @@ struct TargetTime {
 /// Error against time of one engine on one scene (METRICS in README).
 struct Convergence {
   std::string scene, engine;
+  Clock clock = Clock::wall;
   std::vector<CurvePoint> points;      ///< of one kind of budget, ascending
   std::optional<Estimate> slope;       ///< least squares of log relmse on log seconds
   std::optional<Estimate> efficiency;  ///< 1/(relmse seconds) at the largest budget

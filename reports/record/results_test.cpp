@@ -93,6 +93,7 @@ Results example_with_conclusions() {
   Convergence curve;
   curve.scene = "cornell";
   curve.engine = "path";
+  curve.clock = Clock::processor;
   curve.points.push_back(point);
   curve.slope = Estimate{-1.02, Interval{-1.1, -0.9}};
   curve.targets = {{1e-2, Estimate{2.5, Interval{2, 3}}}, {1e-3, {}, 4.0}, {1e-1, {}, {}, 0.5}};

@@ -31,7 +31,10 @@ std::string estimate_text(const std::optional<Estimate>& estimate, const Reasons
 }
 
 PlainTable points_table(const std::vector<const Convergence*>& curves, const std::string& mark) {
-  PlainTable table{{"Engine", "Budget", "Seeds", "Verdict", "Median wall s", "relMSE", "bias²", "variance"}, {}};
+  const Clock clock = curves.empty() ? Clock::wall : curves.front()->clock;
+  PlainTable table{{"Engine", "Budget", "Seeds", "Verdict", clock == Clock::wall ? "Median wall s" : "Median CPU s",
+                    "relMSE", "bias²", "variance"},
+                   {}};
   for (const Convergence* curve : curves) {
     for (const CurvePoint& point : curve->points) {
       table.rows.push_back({curve->engine, budget_text(point.budget), std::to_string(point.seeds),
@@ -50,7 +53,10 @@ std::string time_text(const TargetTime& target) {
 }
 
 PlainTable slopes_table(const std::vector<const Convergence*>& curves) {
-  PlainTable table{{"Engine", "Slope", "Efficiency 1/s", "Target relMSE", "s to target"}, {}};
+  const Clock clock = curves.empty() ? Clock::wall : curves.front()->clock;
+  PlainTable table{
+      {"Engine", "Slope", "Efficiency 1/s", "Target relMSE", clock == Clock::wall ? "s to target" : "CPU s to target"},
+      {}};
   for (const Convergence* curve : curves) {
     const Reasons& undefined = curve->undefined;
     const std::string slope = estimate_text(curve->slope, undefined, "slope");
