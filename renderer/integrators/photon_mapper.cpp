@@ -36,7 +36,8 @@ namespace {
 
 /// A pass takes half of the samples before it: few enough passes for samples of a pixel to share their look-ups, enough
 /// for their spread to give a variance, and none that depends on where the render will end. Measured on course-1 at
-/// 600x600: a quarter takes 1.3 times as long to the same error.
+/// 600x600: a quarter takes 1.3 times as long to the same error. Where no map is looked up a pass takes as many as all
+/// before it, so that passes end where Sobol points are even: 7 % less time to an error on lens.
 constexpr std::int64_t parts_of_samples = 2;
 
 constexpr const char* not_shown = "the view does not show it";
@@ -136,9 +137,10 @@ void plan_camera_paths(Planner& planner, const PhotonSettings& settings, const V
 }
 
 PassPlan plan_passes(const PhotonSettings& settings, const PhotonMaps& maps) {
+  const bool no_maps = !maps.caustic.wanted && (!maps.global.wanted || settings.indirect == IndirectLight::path);
   return {.phase = "photon mapping",
           .longest = settings.textbook ? 1 : 64,
-          .parts = parts_of_samples,
+          .parts = no_maps ? 1 : parts_of_samples,
           .budget = maps.totals() + ", indirect light by " + word_of(settings.indirect)};  // all passes follow from it
 }
 
@@ -191,6 +193,7 @@ struct Lessons {
 
   double bias_of_cache() const { return checked ? checked->error.squared_bias(image) : 0; }
   double squared_bias() const {
+    if (maps.empty()) return bias_of_cache();
     return bias.evidence(image, LookUpBias::all_maps, halves).squared_bias() + bias_of_cache();
   }
   /// What no more samples cure.
@@ -219,6 +222,7 @@ struct Lessons {
   /// Of a pass of `samples` decides the radii of the next one.
   void choose_radii(const PhotonSettings& settings, double samples) {
     halves.add_pass(samples);
+    if (maps.empty()) return;
     bias.narrow(image, halves);
     const double after_next = halves.all_samples() * (1 + 1.0 / double{parts_of_samples});
     for (MapState* map : maps) {
