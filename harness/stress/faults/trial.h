@@ -43,8 +43,9 @@ struct NotTried {
   std::string why;
 };
 
-/// A work in peace may take so long, in seconds; what was hurt has to end by itself within that time, too.
-inline constexpr double patience = 120;
+/// A work in peace may take so long, in seconds; what was hurt has to end by itself within that time, too. Long enough
+/// for a machine whose cores others want as well.
+inline constexpr double patience = 300;
 
 /// An empty `out`.
 void begin_anew(const WorkPlace& place);
