@@ -14,7 +14,7 @@ case ${1:-} in
   --merge) merge=1 && shift ;;
   [0-9]*) seconds=$1 && shift ;;
 esac
-quietly build/fuzz.configure.log cmake --preset fuzz
+quietly build/fuzz.configure.log cmake --preset fuzz -DPHOTONPROOF_UNITY=ON
 quietly build/fuzz.build.log cmake --build build/fuzz --target fuzzers
 
 export TMPDIR=${TMPDIR:-/dev/shm}
