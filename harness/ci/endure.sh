@@ -3,7 +3,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 source harness/setup/packages.sh
-# shellcheck disable=SC2086
+# shellcheck disable=SC2086,SC2154
 install_packages $build_packages faketime
 quietly build/configure.log cmake --preset release
 quietly build/build.log cmake --build build/release --target photonproof

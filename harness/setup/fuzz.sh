@@ -6,7 +6,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 source harness/setup/packages.sh
-# shellcheck disable=SC2086
+# shellcheck disable=SC2086,SC2154
 install_packages $build_packages clang libclang-rt-14-dev
 
 seconds=600 merge=

@@ -8,9 +8,9 @@ cd "$(dirname "$0")/../.."
 source harness/setup/packages.sh
 quick=
 [ "${1:-}" = --quick ] && quick=1 && shift
-# shellcheck disable=SC2086
+# shellcheck disable=SC2086,SC2154
 install_packages $build_packages
-# shellcheck disable=SC2086
+# shellcheck disable=SC2086,SC2154
 [ -n "$quick" ] || install_packages $check_packages
 kinds=("$@")
 [ ${#kinds[@]} -gt 0 ] || kinds=(address thread)

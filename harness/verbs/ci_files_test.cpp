@@ -81,7 +81,9 @@ TEST_F(CiFiles, long_checks_are_commands_that_the_repository_has_and_shellcheck_
     const fs::path file = source + "/" + script;
     ASSERT_TRUE(fs::exists(file)) << file;
     EXPECT_NE(fs::status(file).permissions() & fs::perms::owner_exec, fs::perms::none) << file;
-    if (is_installed("shellcheck")) EXPECT_EQ(complaints(read_file(file)), "") << file;
+    if (is_installed("shellcheck")) {
+      EXPECT_EQ(complaints(read_file(file)), "") << file;
+    }
   }
   EXPECT_EQ(job.at("steps").back().at("if"), "always()");
 }
