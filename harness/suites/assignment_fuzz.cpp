@@ -1,6 +1,6 @@
 // Fuzzes the reader of assignments. Built with libFuzzer (preset fuzz), and run over assignment_corpus/ by
 // assignment_fuzz_test.cpp.
-#include "harness/grading/assignment_fuzz.h"
+#include "harness/suites/assignment_fuzz.h"
 
 #include "harness/grading/assignment.h"
 #include "scenes/text/test_fuzz.h"

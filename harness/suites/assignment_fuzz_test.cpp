@@ -1,4 +1,4 @@
-#include "harness/grading/assignment_fuzz.h"
+#include "harness/suites/assignment_fuzz.h"
 
 #include "scenes/text/test_corpus.h"
 
