@@ -22,8 +22,7 @@ watched() {
   shift
   ASAN_OPTIONS="exitcode=99:log_path=$log:detect_odr_violation=0:allocator_may_return_null=1" \
     UBSAN_OPTIONS="exitcode=99:log_path=$log:print_stacktrace=1:halt_on_error=1" \
-    LSAN_OPTIONS="suppressions=$PWD/harness/setup/leaks_of_libraries.txt:print_suppressions=0" \
-    TSAN_OPTIONS="exitcode=99:log_path=$log:suppressions=$PWD/harness/setup/races_of_libraries.txt" "$@"
+    TSAN_OPTIONS="exitcode=99:log_path=$log" "$@"
 }
 
 # The program does what it is for, once by every integrator and mode.
