@@ -22,10 +22,10 @@ const std::string as_github_runs_it = "#!/usr/bin/env bash\nset -eo pipefail\n";
 
 bool is_installed(const std::string& program) { return run_process({program, "--version"}).ok(); }
 
-json workflow() {
+json workflow(const std::string& name = "github-actions.yml") {
   const ProcessOutcome outcome = run_process(
       {"python3", "-c", "import json, sys, yaml; json.dump(yaml.load(open(sys.argv[1]), yaml.BaseLoader), sys.stdout)",
-       ci + "github-actions.yml"});
+       ci + name});
   EXPECT_TRUE(outcome.ok()) << outcome.standard_error;
   return json::parse(outcome.standard_output);
 }
@@ -68,6 +68,24 @@ TEST_F(CiFiles, workflow_is_one_that_github_reads) {
     if (step.at("name") == "Keep the report" || step.at("name") == "Summary") {
       EXPECT_EQ(step.at("if"), "always()");
     }
+}
+
+TEST_F(CiFiles, long_checks_are_commands_that_the_repository_has_and_shellcheck_takes) {
+  if (!run_process({"python3", "-c", "import yaml"}).ok()) GTEST_SKIP() << "no python3-yaml here";
+  const json job = workflow("long-checks.yml").at("jobs").at("check");
+  std::set<std::string> scripts;
+  for (const std::string command : job.at("strategy").at("matrix").at("command"))
+    scripts.insert(command.substr(0, command.find(' ')));
+  EXPECT_EQ(scripts.size(), 3u);
+  for (const std::string& script : scripts) {
+    const fs::path file = source + "/" + script;
+    ASSERT_TRUE(fs::exists(file)) << file;
+    EXPECT_NE(fs::status(file).permissions() & fs::perms::owner_exec, fs::perms::none) << file;
+    if (is_installed("shellcheck")) {
+      EXPECT_EQ(complaints(read_file(file)), "") << file;
+    }
+  }
+  EXPECT_EQ(job.at("steps").back().at("if"), "always()");
 }
 
 TEST_F(CiFiles, workflow_builds_what_the_repository_has) {

@@ -44,6 +44,8 @@ int main(int argc, char** argv) {
   add_reference_verb(program, exit_code);
   add_report_verb(program, exit_code);
   add_stress_verb(program, exit_code);
+  add_soak_verb(program, exit_code);
+  add_faults_verb(program, exit_code);
   add_decode_image_verb(program, exit_code);
 
   try {

@@ -1,0 +1,68 @@
+#!/usr/bin/env bash
+# Builds with sanitizers and runs under them; fails where one of them says anything, in whatever process.
+#   harness/setup/sanitizers.sh [--quick] [address] [thread]     default: both; address is address and undefined behaviour
+# --quick: the program alone is built, and renders a small scene by every integrator and mode, benchmarks, gates, compares
+# and reports. Without it: every test of the suite, which takes hours on two cores.
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+source harness/setup/packages.sh
+quick=
+[ "${1:-}" = --quick ] && quick=1 && shift
+# shellcheck disable=SC2086,SC2154
+install_packages $build_packages
+# shellcheck disable=SC2086,SC2154
+[ -n "$quick" ] || install_packages $check_packages
+kinds=("$@")
+[ ${#kinds[@]} -gt 0 ] || kinds=(address thread)
+
+# What sanitizers say goes to files, since engines' own words are caught by the harness; a process of which they say
+# something ends with a code that no verb has.
+watched() {
+  local log=$1
+  shift
+  ASAN_OPTIONS="exitcode=99:log_path=$log:detect_odr_violation=0:allocator_may_return_null=1" \
+    UBSAN_OPTIONS="exitcode=99:log_path=$log:print_stacktrace=1:halt_on_error=1" \
+    TSAN_OPTIONS="exitcode=99:log_path=$log" "$@"
+}
+
+# The program does what it is for, once by every integrator and mode.
+run_quickly() {
+  local program=$1 folder=$2 log=$3
+  # Soaks for one cycle, whose growth is not known then (3).
+  watched "$log" "$program" soak --renders 1 -o "$folder/soak" || [ $? = 3 ]
+  mkdir -p "$folder/faults"
+  watched "$log" "$program" faults --kills 4 --only "kill, bench" -o "$folder/faults"
+  watched "$log" "$program" gate "$folder/faults/inputs/gates.toml" -o "$folder/gate" --fresh
+  watched "$log" "$program" bench "$folder/faults/inputs/bench.toml" -o "$folder/bench"
+  watched "$log" "$program" report "$folder/bench/results.json" --format markdown,csv,latex,junit,gbench,bencher
+  watched "$log" "$program" grade "$folder/faults/inputs/course.toml" "$folder/faults/inputs/pupil" --no-sandbox \
+    --no-timing -o "$folder/grade"
+  watched "$log" "$program" compare "$folder/soak/images/texture-bitmap-path.exr" \
+    "$folder/soak/images/texture-bitmap-bdpt.exr" --heatmaps "$folder"
+  watched "$log" "$program" stress --quick --only "uv scale" -o "$folder/stress" || [ $? = 2 ]
+}
+
+said_something=0
+for kind in "${kinds[@]}"; do
+  case $kind in address) preset=asan ;; thread) preset=tsan ;; *) echo "no sanitizer '$kind'" >&2 && exit 2 ;; esac
+  quietly "build/$preset.configure.log" cmake --preset "$preset" -DPHOTONPROOF_UNITY=ON \
+    -DPHOTONPROOF_TESTS="$([ -n "$quick" ] && echo OFF || echo ON)"
+  quietly "build/$preset.build.log" cmake --build "build/$preset" ${quick:+--target photonproof}
+  runs=build/$preset/runs
+  rm -rf "$runs"
+  mkdir -p "$runs"
+  log=$PWD/$runs/said
+  if [ -n "$quick" ]; then
+    run_quickly "build/$preset/bin/photonproof" "$runs" "$log" || said_something=1
+  else
+    watched "$log" ctest --test-dir "build/$preset" --timeout 3600 --output-on-failure || said_something=1
+  fi
+  for file in "$log".*; do
+    [ -e "$file" ] || continue
+    said_something=1
+    echo "$file:"
+    head -n 40 "$file"
+  done
+done
+[ "$said_something" = 0 ] && echo "sanitizers: nothing"
+exit "$said_something"

@@ -1,0 +1,56 @@
+#include <array>
+#include <chrono>
+#include <csignal>
+#include <thread>
+
+#include "harness/stress/faults/fault_rows.h"
+#include "scenes/text/timer.h"
+
+namespace photonproof {
+namespace {
+
+constexpr int most_kills = 4;
+constexpr std::array signals{SIGKILL, SIGTERM, SIGINT};
+
+/// Engines have to go with the run that started them; a busy machine takes its time.
+bool leaves_processes(const Trial& trial) {
+  const Timer timer;
+  while (runs_with(trial.place.out.string())) {
+    if (timer.seconds() > 10) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  return false;
+}
+
+/// SIGTERM and SIGINT come before the program listens, or are obeyed, or come too late; SIGKILL is.
+bool ended_as_told(const VictimEnd& end, int signal_number, int undisturbed_code) {
+  if (end.hung) return false;
+  if (!end.exited) return end.signal == signal_number;
+  return end.code == 130 || end.code == undisturbed_code;
+}
+
+}  // namespace
+
+TrialResult kill_trial(const Trial& trial) {
+  TrialResult result;
+  FinishedParts finished;
+  for (std::uint64_t attempt = 0; attempt < most_kills; ++attempt) {
+    Victim victim(trial.work.command(trial.place), trial.folder);
+    if (victim.wait(trial.random(3 * attempt) * trial.undisturbed.seconds)) break;  // finished before
+    const int signal_number = signals[static_cast<std::size_t>(trial.random(3 * attempt + 1) * signals.size())];
+    victim.send(signal_number);
+    const VictimEnd end = victim.end(patience);
+    ++result.count;
+    if (!ended_as_told(end, signal_number, trial.undisturbed.exit_code))
+      result.broken = "told to end by signal " + std::to_string(signal_number) + " it " + end.sentence();
+    if (result.broken.empty() && leaves_processes(trial)) result.broken = "killed, it leaves processes behind";
+    FinishedParts now;
+    if (result.broken.empty()) result.broken = what_was_lost(trial, finished, now);
+    if (!result.broken.empty()) return result;
+    finished = std::move(now);
+  }
+  result.broken = what_differs_when_finished(trial, finished);
+  return result;
+}
+
+}  // namespace photonproof

@@ -1,0 +1,14 @@
+// What the works of the faults read: one scene, two suites, and a course of two submissions.
+#pragma once
+
+#include <filesystem>
+
+namespace photonproof {
+
+/// Pixels of every image but those of `render`.
+inline constexpr int work_width = 16, work_height = 16;
+
+/// All but the scene's reference. The folder exists.
+void write_work_inputs(const std::filesystem::path& inputs);
+
+}  // namespace photonproof

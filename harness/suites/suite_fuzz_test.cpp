@@ -1,0 +1,11 @@
+#include "harness/suites/suite_fuzz.h"
+
+#include "scenes/text/test_corpus.h"
+
+namespace photonproof {
+namespace {
+
+TEST(suite_fuzz, corpus_gives_messages_or_suites) { check_corpus("harness/suite_corpus", 4, check_suite); }
+
+}  // namespace
+}  // namespace photonproof

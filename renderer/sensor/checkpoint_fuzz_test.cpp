@@ -1,0 +1,13 @@
+#include "renderer/sensor/checkpoint_fuzz.h"
+
+#include "scenes/text/test_corpus.h"
+
+namespace photonproof {
+namespace {
+
+TEST(checkpoint_fuzz, corpus_gives_messages_or_states_that_are_written_as_they_were) {
+  check_corpus("renderer/checkpoint_corpus", 4, check_checkpoint);
+}
+
+}  // namespace
+}  // namespace photonproof

@@ -1,0 +1,14 @@
+// What the fuzzer of results.json and cell.json checks of one input; also run over the stored corpus by an ordinary
+// test.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace photonproof {
+
+/// Empty when `bytes` are refused with a proper message or read into something that keeps its promises; else what went
+/// wrong.
+std::string check_results(std::string_view bytes);
+
+}  // namespace photonproof

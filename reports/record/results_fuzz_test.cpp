@@ -1,0 +1,13 @@
+#include "reports/record/results_fuzz.h"
+
+#include "scenes/text/test_corpus.h"
+
+namespace photonproof {
+namespace {
+
+TEST(results_fuzz, corpus_gives_messages_or_records_that_are_written_as_they_were) {
+  check_corpus("reports/results_corpus", 4, check_results);
+}
+
+}  // namespace
+}  // namespace photonproof

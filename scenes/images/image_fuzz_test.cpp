@@ -1,0 +1,13 @@
+#include "scenes/images/exr_fuzz.h"
+#include "scenes/images/png_fuzz.h"
+#include "scenes/text/test_corpus.h"
+
+namespace photonproof {
+namespace {
+
+TEST(image_fuzz, exr_corpus_gives_messages_or_rows_that_stay) { check_corpus("scenes/exr_corpus", 8, check_exr); }
+
+TEST(image_fuzz, png_corpus_gives_messages_or_rows_that_stay) { check_corpus("scenes/png_corpus", 8, check_png); }
+
+}  // namespace
+}  // namespace photonproof
