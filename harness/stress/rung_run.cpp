@@ -31,7 +31,7 @@ std::string scene_text(const StressScene& scene) {
 /// What the program says names the scene's file, not the folder it lay in for a while.
 void leave_out(const fs::path& folder, std::string& text) {
   const std::string path = folder.string() + "/";
-  if (const std::size_t at = text.find(path); at != std::string::npos) text.erase(at, path.size());
+  for (std::size_t at = 0; (at = text.find(path)) != std::string::npos;) text.erase(at, path.size());
 }
 
 void read_stats(const fs::path& file, RungEvidence& evidence) {

@@ -240,22 +240,31 @@ std::vector<Ladder> near_faces() {
   Ladder box{"coincident faces",      "a thin box, from its dark side", "10^-k thick", {2, 3, 4, 5, 6, 7, 9, 12}, 9,
              shell(CubeDescription{})};
   box.radiance = 0;
-  // Balls of glass inside each other, a gap of air 10^-k between.
-  const auto nested = [=](double k) {
-    SceneDescription scene = ball_in_uniform_sky(DielectricDescription{});
-    DielectricDescription air;
-    air.int_ior = 1.000277;
-    air.ext_ior = 1.5046;
-    add_shape(scene, SphereDescription{}, standing({0, 0.3, 0}, 0.5 + gap(k)), add_bsdf(scene, air));
-    add_shape(scene, SphereDescription{}, standing({0, 0.3, 0}, 0.5), add_bsdf(scene, DielectricDescription{}));
-    return StressScene{scene};
+  // Glass in glass, a gap of air 10^-k between.
+  const auto nested = [=](const Geometry& shape) {
+    Ladder ladder{"coincident faces", "", "a gap of 10^-k", {1, 2, 3, 4, 5, 6, 7, 9}, 6, [=](double k) {
+                    SceneDescription scene = ball_in_uniform_sky(DielectricDescription{});
+                    DielectricDescription air;
+                    air.int_ior = 1.000277;
+                    air.ext_ior = 1.5046;
+                    const auto place = [](double size) {
+                      return standing({0, 0.3, 0}, size) * Transform::rotate({0, 1, 0}, 30);
+                    };
+                    add_shape(scene, shape, place(0.5 + gap(k)), add_bsdf(scene, air));
+                    add_shape(scene, shape, place(0.5), add_bsdf(scene, DielectricDescription{}));
+                    return StressScene{scene};
+                  }};
+    ladder.radiance = 1;
+    ladder.engines = {"path", "photonmapper", "bdpt", "volpath"};
+    return ladder;
   };
-  Ladder glass{"coincident faces", "glass in glass", "a gap of 10^-k", {1, 2, 3, 4, 5, 6, 7, 9}, 9, nested};
-  glass.radiance = 1;
-  glass.engines = {"path", "photonmapper", "bdpt", "volpath"};
+  Ladder glass = nested(SphereDescription{}), boxes = nested(CubeDescription{});
+  glass.climb = "glass in glass";
+  boxes.climb = "a glass box in a glass box";
   return {{"coincident faces", "two floors", "10^-k apart; 99: in the same place", heights, 99, two_floors, lit},
           box,
-          glass};
+          glass,
+          boxes};
 }
 
 }  // namespace
