@@ -5,7 +5,6 @@
 
 #include "harness/cells/cells.h"
 #include "harness/variants/own_engine.h"
-#include "reference/process/process.h"
 #include "scenes/text/atomic_file.h"
 #include "scenes/text/file_checksum.h"
 #include "scenes/text/input_error.h"
@@ -55,7 +54,9 @@ std::vector<std::string> StressRunner::command(const StressScene& scene, const S
   OwnRender render{scene.width, scene.height, how.spp, how.seed, how.engine, {}};
   render.more = {"--sampler", "independent", "--threads", "1", "--checkpoint", "0"};
   render.more.insert(render.more.end(), scene.arguments.begin(), scene.arguments.end());
-  return render_command(program_, render, file, out);
+  std::vector<std::string> all = render_command(program_, render, file, out);
+  all.erase(all.begin());
+  return all;
 }
 
 std::string StressRunner::identity(const StressScene& scene, const StressRender& how) const {
@@ -68,12 +69,7 @@ RungEvidence StressRunner::render(const StressScene& scene, const StressRender& 
   const ScratchFolder scratch("stress");
   const fs::path file = scratch.path() / "scene.xml", out = scratch.path() / "image.exr";
   write_file_atomically(file, scene_text(scene));
-  ProcessOptions options;
-  options.wall_limit_seconds = render_limit;
-  options.interrupt = interrupt_;
-  const ProcessOutcome outcome = run_process(command(scene, how, file.string(), out.string()), options);
-  if (outcome.end == ProcessOutcome::End::interrupted || (interrupt_ != nullptr && *interrupt_))
-    throw StressInterrupted();
+  const ProcessOutcome outcome = run(command(scene, how, file.string(), out.string()));
   RungEvidence evidence;
   evidence.samples = how.spp;
   evidence.ending = outcome.sentence();
@@ -85,6 +81,17 @@ RungEvidence StressRunner::render(const StressScene& scene, const StressRender& 
   read_stats(scratch.path() / "image.stats.json", evidence);
   for (std::string& loss : evidence.losses) leave_out(scratch.path(), loss);
   return evidence;
+}
+
+ProcessOutcome StressRunner::run(std::vector<std::string> arguments) const {
+  arguments.insert(arguments.begin(), program_.string());
+  ProcessOptions options;
+  options.wall_limit_seconds = render_limit;
+  options.interrupt = interrupt_;
+  ProcessOutcome outcome = run_process(arguments, options);
+  if (outcome.end == ProcessOutcome::End::interrupted || (interrupt_ != nullptr && *interrupt_))
+    throw StressInterrupted();
+  return outcome;
 }
 
 Rendering StressRunner::reference(const StressScene& scene, const StressRender& how) {

@@ -10,6 +10,7 @@
 
 #include "harness/stress/ladder.h"
 #include "harness/stress/rung_judge.h"
+#include "reference/process/process.h"
 
 namespace photonproof {
 
@@ -28,7 +29,9 @@ class StressRunner {
   StressRunner(std::filesystem::path program, std::filesystem::path folder, const std::atomic<bool>* interrupt);
 
   RungEvidence render(const StressScene& scene, const StressRender& how) const;
-  /// The same, kept; throws InputError, with what the program says, where there is no picture.
+  /// Another verb of the program. Throws StressInterrupted.
+  ProcessOutcome run(std::vector<std::string> arguments) const;
+  /// The same as `render`, kept; throws InputError, with what the program says, where there is no picture.
   Rendering reference(const StressScene& scene, const StressRender& how);
   /// All that a render follows from, as text.
   std::string identity(const StressScene& scene, const StressRender& how) const;

@@ -218,6 +218,34 @@ Ladder many_copies(const fs::path& assets) {
           lit};
 }
 
+/// Balls of glass that touch but for 10^-k, and one that is a shell as thin as that.
+std::vector<Ladder> touching_and_thin_glass() {
+  const std::vector<double> heights{1, 2, 3, 4, 5, 6, 7, 9, 99};
+  const auto thin = [](double k) { return k == 99 ? 0 : ten_to(-k); };
+  const auto row = [&](const char* climb, const char* measure, const std::function<StressScene(double)>& rung) {
+    Ladder ladder{"coincident faces", climb, measure, heights, 6, rung};
+    ladder.radiance = 1;
+    ladder.engines = {"path", "photonmapper", "bdpt", "volpath"};
+    return ladder;
+  };
+  const auto touching = [=](double k) {
+    SceneDescription scene = ball_in_uniform_sky(DielectricDescription{});
+    scene.shapes[0].to_world = standing({-0.6, 0.3, 0}, 0.6);
+    add_shape(scene, SphereDescription{}, standing({0.5 + thin(k), 0.3, 0}, 0.5), {0});
+    return StressScene{scene};
+  };
+  const auto shell = [=](double k) {
+    SceneDescription scene = ball_in_uniform_sky(DielectricDescription{});
+    DielectricDescription air;
+    air.int_ior = 1.000277;
+    air.ext_ior = 1.5046;
+    add_shape(scene, SphereDescription{}, standing({0, 0.3, 0}, 1 - thin(k)), add_bsdf(scene, air));
+    return StressScene{scene};
+  };
+  return {row("glass that touches glass", "balls 10^-k apart; 99: in one point", touching),
+          row("a shell of glass", "10^-k thick; 99: without thickness", shell)};
+}
+
 /// Two floors of the same material 10^-k apart; 99 stands for the same place.
 std::vector<Ladder> near_faces() {
   const std::vector<double> heights{4, 5, 6, 7, 8, 9, 12, 20, 99};
@@ -272,7 +300,7 @@ std::vector<Ladder> near_faces() {
 std::vector<Ladder> shape_ladders(const fs::path& assets) {
   std::vector<Ladder> ladders = huge_floors(assets);
   ladders.push_back(many_copies(assets));
-  for (const std::vector<Ladder>& more : {bystanders(), odd_triangles(assets), near_faces()})
+  for (const std::vector<Ladder>& more : {bystanders(), odd_triangles(assets), near_faces(), touching_and_thin_glass()})
     ladders.insert(ladders.end(), more.begin(), more.end());
   return ladders;
 }
