@@ -124,9 +124,14 @@ std::vector<Ladder> format_ladders(const fs::path&) {
           return in_two_formats(runner, format, shades(static_cast<int>(n), 3, 1), 1);
         }));
   }
-  const Format png{
-      "PNG",         ".png", [](const fs::path& file, const Image& image) { write_png(file.string(), image); },
-      of_eight_bits, 0,      0};
+  const Format png{"PNG",
+                   ".png",
+                   [](const fs::path& file, const Image& image) { write_png(file.string(), image); },
+                   of_eight_bits,
+                   {},
+                   {},
+                   0,
+                   0};
   ladders.push_back(
       format_ladder(png, "size", "k x 3 pixels", sides, 30001, [png](double n, const StressRunner& runner) {
         return in_two_formats(runner, png, shades(static_cast<int>(n), 3, 1), 1);

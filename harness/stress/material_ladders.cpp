@@ -55,7 +55,7 @@ std::vector<Ladder> indices() {
       ior_near_one("bsdf thindielectric", [](double k) { return with_ior<ThinDielectricDescription>(1 + ten(-k)); }),
       rough,
       lossless("bsdf conductor", "high ior", "eta and k of 10^k, next to a perfect mirror from 10^3 on",
-               {3, 4, 6, 9, 12, 15, 18, 30}, 9,
+               {3, 4, 6, 9, 12, 15, 18, 30}, 30,
                [](double k) {
                  return ConductorDescription{ComplexIor{RgbD(1), RgbD(ten(k))}};
                }),
