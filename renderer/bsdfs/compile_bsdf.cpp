@@ -6,7 +6,7 @@
 
 #include "renderer/bsdfs/interface_tables.h"
 #include "scenes/description/overloaded.h"
-#include "scenes/text/faults.h"
+#include "scenes/text/numeric_faults.h"
 
 namespace photonproof {
 namespace {
@@ -135,8 +135,9 @@ class Compiler {
     if (!ior) return;
     record.has_ior = 1;
     // Beyond this all is reflected, and fourth powers would leave single precision.
+    const double highest = has_fault(NumericFault::unclamped_metal) ? 1e38 : 1e9;
     const auto held = [&](const RgbD& index) {
-      const auto part = [&](double v) { return static_cast<float>(std::min(v / ior_above, 1e9)); };
+      const auto part = [&](double v) { return static_cast<float>(std::min(v / ior_above, highest)); };
       return Rgb(part(index.x), part(index.y), part(index.z));
     };
     record.eta = held(ior->eta);

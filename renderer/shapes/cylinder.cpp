@@ -11,6 +11,7 @@
 #include "renderer/shapes/extent.h"
 #include "renderer/shapes/shape_place.h"
 #include "renderer/shapes/sphere.h"
+#include "scenes/text/numeric_faults.h"
 
 namespace photonproof {
 namespace {
@@ -97,9 +98,14 @@ float disc_area(const Cylinder& cylinder, const Vec3f& p, float radius) {
 PlacedShape<Cylinder> placed(const CylinderDescription& description, const ShapePlace& place) {
   place.require_similarity();
   const Transform& to_world = place.to_world;
-  const Vec3d base = to_world.point(description.p0);
+  Vec3d base = to_world.point(description.p0);
   const Vec3d along = to_world.point(description.p1) - base;
-  const double radius = description.radius * to_world.similarity_scale(), height = length(along);
+  double radius = description.radius * to_world.similarity_scale();
+  const double height = length(along);
+  if (has_fault(NumericFault::float_cylinder)) {
+    radius = double{static_cast<float>(radius)};
+    base = Vec3d(Vec3f(base));
+  }
   const Frame<float> around(Vec3f(normalize(description.p1 - description.p0)));
   const AffineMap uv(to_world.vector(Vec3d(around.s) * description.radius),
                      to_world.vector(Vec3d(around.t) * description.radius), along, base);

@@ -9,6 +9,7 @@
 #include "renderer/shapes/circle_area.h"
 #include "renderer/shapes/extent.h"
 #include "renderer/shapes/shape_place.h"
+#include "scenes/text/numeric_faults.h"
 
 namespace photonproof {
 
@@ -60,8 +61,12 @@ float disc_area(const Sphere& sphere, const Vec3f&, float radius) {
 PlacedShape<Sphere> placed(const SphereDescription& description, const ShapePlace& place) {
   place.require_similarity();
   const Transform& to_world = place.to_world;
-  const double radius = description.radius * to_world.similarity_scale();
-  const Vec3d center = to_world.point(description.center);
+  double radius = description.radius * to_world.similarity_scale();
+  Vec3d center = to_world.point(description.center);
+  if (has_fault(NumericFault::float_sphere)) {
+    radius = double{static_cast<float>(radius)};
+    center = Vec3d(Vec3f(center));
+  }
   const AffineMap uv(to_world.vector({description.radius, 0, 0}), to_world.vector({0, description.radius, 0}),
                      to_world.vector({0, 0, description.radius}), center);
   return {{center, radius, place.shape.flip_normals}, uv, 4 * std::numbers::pi * radius * radius};
