@@ -9,7 +9,7 @@
 
 #include "renderer/passes/photon_radius.h"
 #include "renderer/photons/query_order.h"
-#include "scenes/text/numeric_faults.h"
+#include "scenes/text/faults.h"
 #include "scenes/text/timer.h"
 
 namespace photonproof {
@@ -51,8 +51,6 @@ void choose_first_radius(MapState& map, double asked, const PhotonSource& source
   if (radius <= 0) radius = 4 * std::max(median_pixel_footprint(source.scene), 1e-6f);
   map.radii.first_photons = std::max(map.a_sample, static_cast<double>(map.least));
   radius *= static_cast<float>(shrunk(map.radii.first_photons / guessed_for));
-  if (has_fault(NumericFault::fixed_epsilon))
-    radius = std::max(radius, static_cast<float>(1e-3 * source.scene.scale()));
   map.radii.first_radius = static_cast<double>(radius);
 }
 

@@ -41,7 +41,9 @@ double hit_distance(const Cylinder& cylinder, const ShapeRay& ray) {
   const double middle = -dot(d, o) / a;
   const Vec3d nearest = o + d * middle;
   const double radius = cylinder.radius;
-  const double discriminant = radius * radius - dot(nearest, nearest);
+  double discriminant = radius * radius - dot(nearest, nearest);
+  if (has_fault(NumericFault::float_cylinder))
+    discriminant = double{static_cast<float>(radius * radius) - static_cast<float>(dot(nearest, nearest))};
   if (!(discriminant > 0)) return shape_missed;
   const double root = std::sqrt(discriminant / a);
   const double largest = radius + largest_coordinate(cylinder.base) + cylinder.length;
@@ -98,14 +100,10 @@ float disc_area(const Cylinder& cylinder, const Vec3f& p, float radius) {
 PlacedShape<Cylinder> placed(const CylinderDescription& description, const ShapePlace& place) {
   place.require_similarity();
   const Transform& to_world = place.to_world;
-  Vec3d base = to_world.point(description.p0);
+  const Vec3d base = to_world.point(description.p0);
   const Vec3d along = to_world.point(description.p1) - base;
-  double radius = description.radius * to_world.similarity_scale();
+  const double radius = description.radius * to_world.similarity_scale();
   const double height = length(along);
-  if (has_fault(NumericFault::float_cylinder)) {
-    radius = double{static_cast<float>(radius)};
-    base = Vec3d(Vec3f(base));
-  }
   const Frame<float> around(Vec3f(normalize(description.p1 - description.p0)));
   const AffineMap uv(to_world.vector(Vec3d(around.s) * description.radius),
                      to_world.vector(Vec3d(around.t) * description.radius), along, base);

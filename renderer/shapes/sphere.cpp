@@ -20,7 +20,9 @@ double hit_distance(const Sphere& sphere, const ShapeRay& ray) {
   const double b = dot(d, to_center);
   const Vec3d nearest = to_center - d * (b / a);
   const double radius = sphere.radius;
-  const double discriminant = radius * radius - dot(nearest, nearest);
+  double discriminant = radius * radius - dot(nearest, nearest);
+  if (has_fault(NumericFault::float_sphere))
+    discriminant = double{static_cast<float>(radius * radius) - static_cast<float>(dot(nearest, nearest))};
   if (!(discriminant > 0)) return shape_missed;
   const double root = std::sqrt(discriminant / a);
   const double nearest_t = std::max(ray.t_near, grain_of_ray(ray, radius + largest_coordinate(sphere.center)));
@@ -61,12 +63,8 @@ float disc_area(const Sphere& sphere, const Vec3f&, float radius) {
 PlacedShape<Sphere> placed(const SphereDescription& description, const ShapePlace& place) {
   place.require_similarity();
   const Transform& to_world = place.to_world;
-  double radius = description.radius * to_world.similarity_scale();
-  Vec3d center = to_world.point(description.center);
-  if (has_fault(NumericFault::float_sphere)) {
-    radius = double{static_cast<float>(radius)};
-    center = Vec3d(Vec3f(center));
-  }
+  const double radius = description.radius * to_world.similarity_scale();
+  const Vec3d center = to_world.point(description.center);
   const AffineMap uv(to_world.vector({description.radius, 0, 0}), to_world.vector({0, description.radius, 0}),
                      to_world.vector({0, 0, description.radius}), center);
   return {{center, radius, place.shape.flip_normals}, uv, 4 * std::numbers::pi * radius * radius};

@@ -10,13 +10,13 @@ namespace photonproof {
 enum class NumericFault {
   no_recentring,    ///< coordinates keep the file's origin
   no_rescaling,     ///< coordinates keep the file's unit of length
-  float_faces,      ///< long faces are met in single precision as all others
-  float_sphere,     ///< a sphere's centre and radius are rounded to single precision
-  float_cylinder,   ///< a cylinder's base and radius are
+  float_faces,      ///< what is huge is met in single precision as all else
+  float_sphere,     ///< rays meet spheres in single precision
+  float_cylinder,   ///< rays meet cylinders so
   lost_height,      ///< a cylindrical lamp's height is the difference of two that keep no digits of it
   far_periods,      ///< textures do not leave out whole periods before they round
   unclamped_metal,  ///< indices of metals go to where their fourth powers leave single precision
-  fixed_epsilon,    ///< photons are looked up within a thousandth of the file's unit at least
+  fixed_epsilon,    ///< rays leave a surface by a thousandth of the coordinates
 };
 
 #ifdef PHOTONPROOF_FAULTS
