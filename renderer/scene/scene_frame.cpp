@@ -116,7 +116,6 @@ SceneFrame frame_of_focus(const SceneDescription& description) {
 
 SceneFrame scene_frame(const SceneDescription& description) {
   SceneFrame frame = frame_of_focus(description);
-  if (has_fault(NumericFault::fixed_epsilon)) frame.coordinate_floor *= 2048;
   if (has_fault(NumericFault::no_recentring)) frame.moved = Vec3d(0.0);
   return frame;
 }

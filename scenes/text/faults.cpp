@@ -48,7 +48,6 @@ constexpr std::pair<const char*, NumericFault> names_of_numeric[] = {
     {"float-faces", NumericFault::float_faces},       {"float-sphere", NumericFault::float_sphere},
     {"float-cylinder", NumericFault::float_cylinder}, {"lost-height", NumericFault::lost_height},
     {"far-periods", NumericFault::far_periods},       {"unclamped-metal", NumericFault::unclamped_metal},
-    {"fixed-epsilon", NumericFault::fixed_epsilon},
 };
 
 template <class Names>

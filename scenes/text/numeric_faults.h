@@ -16,7 +16,6 @@ enum class NumericFault {
   lost_height,      ///< a cylindrical lamp's height is the difference of two that keep no digits of it
   far_periods,      ///< textures do not leave out whole periods before they round
   unclamped_metal,  ///< indices of metals go to where their fourth powers leave single precision
-  fixed_epsilon,    ///< rays leave a surface by a thousandth of the coordinates
 };
 
 #ifdef PHOTONPROOF_FAULTS
