@@ -1,4 +1,4 @@
-// Faults of numbers that can be planted in the renderer: an epsilon in a unit of its own, a float where a double was, a
+// Faults of numbers that can be planted in the renderer: a float where a double was, a
 // clamp that is missing, an origin that is not recentred. Ordinary scenes do not show them; each breaks one climb of
 // `photonproof stress` (harness/stress/numeric_faults_test.cpp). Planted as those of faults.h are.
 #pragma once
