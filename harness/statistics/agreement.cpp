@@ -128,11 +128,52 @@ StatisticalVerdict test_all_pixels(const std::array<Differences, 3>& channels, c
   return verdict;
 }
 
-StatisticalVerdict test_blocks(const std::array<Differences, 3>& channels, const Rendering& reference, double alpha) {
+/// The one correlation c that any two pixels would have if an image's MeanError came of it: (error of the sum)^2 =
+/// (1 - c) sum v + c (sum sqrt v)^2, where pixels share light paths. 0 where it says nothing.
+double correlation_of_pixels(const Rendering& rendering, std::size_t channel) {
+  const auto stored = stored_mean_error(rendering);
+  if (!stored) return 0;
+  double sum = 0, roots = 0;
+  for (std::size_t i = channel; i < rendering.variance->rgb.size(); i += 3) {
+    sum += double{rendering.variance->rgb[i]};
+    roots += std::sqrt(double{rendering.variance->rgb[i]});
+  }
+  if (roots * roots <= sum) return 0;
+  const double shown = std::pow(stored->standard_error[channel] * static_cast<double>(rendering.mean.pixels()), 2);
+  return std::clamp((shown - sum) / (roots * roots - sum), 0.0, 1.0);
+}
+
+/// Takes from the blocks what all pixels of `rendering` are high or low by together, in proportion to their deviations:
+/// the amount that leaves least, a weighed mean. What chance makes of it is for the test of the whole image to say.
+/// What is left varies by (1 - c) of the variances, and is held to all of them, for c is an estimate, too.
+void take_out_what_is_common(const Rendering& rendering, std::size_t channel, const std::vector<Block>& places,
+                             std::vector<Deviation>& blocks) {
+  if (correlation_of_pixels(rendering, channel) == 0) return;
+  std::vector<double> common;
+  double shared = 0, squares = 0;
+  for (std::size_t b = 0; b < places.size(); ++b) {
+    double roots = 0;
+    for_each_pixel(places[b],
+                   [&](int x, int y) { roots += std::sqrt(double{rendering.variance->pixel(x, y)[channel]}); });
+    common.push_back(roots);
+    const double variance = std::pow(blocks[b].standard_error, 2);
+    if (!(variance > 0)) continue;
+    shared += roots * blocks[b].difference / variance;
+    squares += roots * roots / variance;
+  }
+  if (!(squares > 0)) return;
+  for (std::size_t b = 0; b < places.size(); ++b) blocks[b].difference -= shared / squares * common[b];
+}
+
+StatisticalVerdict test_blocks(const std::array<Differences, 3>& channels, const Rendering& reference,
+                               const Rendering& test, double alpha) {
   const std::vector<Block> places = blocks_of(reference.mean.width, reference.mean.height);
   std::array<std::vector<Deviation>, 3> blocks;
-  for (std::size_t channel = 0; channel < 3; ++channel)
+  for (std::size_t channel = 0; channel < 3; ++channel) {
     for (const Block& place : places) blocks[channel].push_back(block_deviation(place, channels[channel]));
+    take_out_what_is_common(test, channel, places, blocks[channel]);
+    take_out_what_is_common(reference, channel, places, blocks[channel]);
+  }
   const BlockChiSquare chi_square = chi_square_of_blocks(blocks, alpha);
   const std::vector<Deviation>& shown = blocks[chi_square.channel];
   const auto size = [](const Deviation& block) { return std::abs(block.deviate()); };
@@ -233,26 +274,20 @@ struct Mean {
   KnownVariance known;
 };
 
-/// Where pixels share light paths, an image's MeanError tells of the plain sum, as if any two of them had the one
-/// correlation c: (error of the sum)^2 = (1 - c) sum v + c (sum sqrt v)^2. The weighed sum's is the same with w^2 v.
+/// Where pixels share light paths, the weighed sum's variance has w^2 v in place of v.
 Mean weighted_mean(const Rendering& rendering, std::size_t channel, const Weights& weight) {
   const Block all{0, 0, rendering.mean.width, rendering.mean.height};
   const auto variance = [&](int x, int y) { return double{rendering.variance->pixel(x, y)[channel]}; };
   Mean mean;
-  double sum = 0, roots = 0, weighed_roots = 0;
+  double weighed_roots = 0;
   for_each_pixel(all, [&](int x, int y) {
     mean.value += weight(x, y) * double{rendering.mean.pixel(x, y)[channel]};
-    sum += variance(x, y);
-    roots += std::sqrt(variance(x, y));
     weighed_roots += weight(x, y) * std::sqrt(variance(x, y));
   });
   mean.known = known_over(all, [&](int x, int y) { return std::pow(weight(x, y), 2) * variance(x, y); });
-  const auto stored = stored_mean_error(rendering);
-  if (!stored || roots * roots <= sum) return mean;
-  const double shown = std::pow(stored->standard_error[channel] * all.pixels(), 2);
-  const double correlation = std::clamp((shown - sum) / (roots * roots - sum), 0.0, 1.0);
+  const double correlation = correlation_of_pixels(rendering, channel);
   mean.known.variance += correlation * (weighed_roots * weighed_roots - mean.known.variance);
-  if (correlation > 0) mean.known.freedom = std::min(mean.known.freedom, stored->passes - 1);
+  if (correlation > 0) mean.known.freedom = std::min(mean.known.freedom, stored_mean_error(rendering)->passes - 1);
   return mean;
 }
 
@@ -312,7 +347,7 @@ Agreement test_agreement(const Rendering& reference, const Rendering& test, doub
   const double part = sidak(alpha, 3);
   Agreement agreement;
   agreement.pixels = test_all_pixels(channels, reference, test, part);
-  agreement.blocks = test_blocks(channels, reference, part);
+  agreement.blocks = test_blocks(channels, reference, test, part);
   agreement.whole = test_whole(reference, test, part, agreement.would_see);
   return agreement;
 }

@@ -60,6 +60,7 @@ struct Agreement {
 ///   weight is taken from neighbours whose noise it does not share: weighed by their own variances, samples that are
 ///   high by chance would count too little.
 /// - That mean's variance is its pixels', unless the image says that they vary together (scenes/images/mean_error.h).
+///   Blocks are then compared without what all pixels are high or low by together.
 /// It holds its level from 64 estimates a pixel on, from 16 on where samples are no wilder than exponential
 /// (agreement_test.cpp measures it).
 /// Preconditions: equal sizes, finite values. Throws InputError, naming `reference` or `test`, when one has no

@@ -203,6 +203,46 @@ TEST(agreement, takes_an_images_word_for_how_pixels_vary_together) {
   EXPECT_GE(found, 970);
 }
 
+TEST(agreement, compares_blocks_without_what_all_pixels_are_high_by_together) {
+  // What is common has five times the deviation of a pixel's own noise, 0.1 and 0.02 of it. A block is held to the
+  // variance of both, as if pixels were independent: sqrt(2 (0.1^2 + 0.02^2)) / 8 = 1.8 %, some 14 of which are found.
+  const auto image = [](std::uint64_t seed, double block) {
+    Rendering shared = shared_passes(24, 0.1 * std::sqrt(32), seed);
+    MeanError error = stored_mean_error(shared).value();
+    Generator g(seed + 100'000);
+    std::normal_distribution<double> noise(0, 0.02);
+    double squares = 0;
+    for (int y = 0; y < 24; ++y)
+      for (int x = 0; x < 24; ++x) {
+        const double own = picture(x, y) * noise(g), factor = x < 8 && y >= 16 ? block : 1;
+        squares += std::pow(0.02 * picture(x, y) / 576, 2);
+        for (int c = 0; c < 3; ++c) {
+          float& mean = shared.mean.pixel(x, y)[c];
+          mean = static_cast<float>((double{mean} + own) * factor);
+          shared.variance->pixel(x, y)[c] += static_cast<float>(std::pow(0.02 * picture(x, y), 2));
+        }
+      }
+    for (double& channel : error.standard_error) channel = std::sqrt(channel * channel + squares);
+    store_mean_error(shared, error);
+    return shared;
+  };
+  int alarms = 0, without = 0, found = 0;
+  constexpr int pairs = 200;
+  for (std::uint64_t pair = 0; pair < pairs; ++pair) {
+    const Rendering reference = image(2 * pair + 1, 1), test = image(2 * pair + 2, 1);
+    alarms += test_agreement(reference, test).blocks.pass ? 0 : 1;
+    found += test_agreement(reference, image(2 * pair + 2, 1.25)).blocks.pass ? 0 : 1;
+    Rendering silent = test, silent_reference = reference;
+    silent.metadata.clear();
+    silent_reference.metadata.clear();
+    without += test_agreement(silent_reference, silent).blocks.pass ? 0 : 1;
+  }
+  std::printf("%d false alarms, %d without its word, %d found, of %d\n", alarms, without, found, pairs);
+  EXPECT_LT(alarms, 4);
+  EXPECT_GT(without, pairs / 2);
+  EXPECT_GE(found, 193);
+}
+
 TEST(agreement, looks_beside_a_lamp_without_noise) {
   // One of 36 places is exact and 2000 times as bright as the others. It counts as four of the others' 35, so that
   // their error by s is one of 0.897 s of the mean. Weighed by certainty alone or in the plain mean the lamp would be

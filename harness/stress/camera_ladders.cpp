@@ -43,6 +43,27 @@ Ladder telephoto() {
       }};
 }
 
+/// A floor without end under a sky of radiance 1, seen at a sine of 10^-k: half of it, wherever one looks.
+Ladder grazing_view() {
+  Ladder ladder{
+      "camera orthographic", "grazing", "at a sine of 10^-k above a plane", {1, 2, 3, 4, 5, 6, 7, 9}, 6, [](double k) {
+        SceneDescription scene = empty_stage();
+        add_shape(scene, PlaneDescription{}, lying({0, 0, 0}, 1), add_bsdf(scene, DiffuseDescription{}));
+        scene.emitters.push_back({{}, "", ConstantLightDescription{}});
+        const double sine = size_of(-k);
+        const Vec3d from = Vec3d{std::sqrt(1 - sine * sine), sine, 0} * 2.0;
+        scene.sensor.camera = OrthographicDescription{};
+        scene.sensor.to_world =
+            Transform::look_at(from + Vec3d{0, 1, 0}, {0, 1, 0}, {0, 1, 0}) * Transform::scale({0.5, 0.5, 1});
+        auto& camera = std::get<OrthographicDescription>(scene.sensor.camera);
+        camera.far_clip = 1e3 / sine;
+        return StressScene{scene};
+      }};
+  ladder.radiance = 0.5;
+  ladder.engines = {"path", "photonmapper", "bdpt", "volpath"};
+  return ladder;
+}
+
 Ladder clips() {
   return {"camera perspective",
           "clipping planes",
@@ -74,7 +95,7 @@ Ladder image_size(const char* climb, int width, int height, const std::vector<do
 }  // namespace
 
 std::vector<Ladder> camera_ladders(const std::filesystem::path&) {
-  return {telephoto(), clips(), image_size("wide", 0, 1, {0, 1, 2, 3, 4, 4.4771212547}, 4),
+  return {telephoto(), grazing_view(), clips(), image_size("wide", 0, 1, {0, 1, 2, 3, 4, 4.4771212547}, 4),
           image_size("high", 1, 0, {0, 1, 2, 3, 4, 4.4771212547}, 4)};
 }
 

@@ -13,6 +13,9 @@
 
 namespace photonproof {
 
+class StressRunner;
+struct RungVerdict;
+
 /// What has to be rendered for one rung, or for what it is compared with.
 struct StressScene {
   SceneDescription scene;
@@ -38,6 +41,8 @@ struct Ladder {
   bool climbs_on = false;              ///< beyond a rung that is refused: heights are a list, not a size
   bool must_refuse = false;            ///< a picture without a warning is wrong
   std::string compared_with{};         ///< the engine that renders `alike`; empty: the rung's own
+  /// In place of a render: a rung that another verb of the program decides.
+  std::function<RungVerdict(double, const StressRunner&)> measured{};
   double quick = std::numeric_limits<double>::quiet_NaN();  ///< the height that --quick climbs to; NaN: `wanted`
   std::string name() const { return feature + ", " + climb; }
 };

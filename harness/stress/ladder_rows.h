@@ -20,5 +20,9 @@ std::vector<Ladder> camera_ladders(const std::filesystem::path& assets);
 std::vector<Ladder> photon_ladders(const std::filesystem::path& assets);
 /// Numbers that are none, or that no float holds.
 std::vector<Ladder> input_ladders(const std::filesystem::path& assets);
+/// `compare` on images whose metrics are known.
+std::vector<Ladder> metric_ladders(const std::filesystem::path& assets);
+/// `compare` on one picture in two formats.
+std::vector<Ladder> format_ladders(const std::filesystem::path& assets);
 
 }  // namespace photonproof

@@ -1,8 +1,12 @@
+#include <fmt/format.h>
+
 #include <cmath>
+#include <filesystem>
 #include <numbers>
 
 #include "harness/stress/ladder_rows.h"
 #include "harness/stress/stage.h"
+#include "scenes/images/image.h"
 
 namespace photonproof {
 namespace {
@@ -97,6 +101,114 @@ Ladder huge_ball() {
           [](double) { return StressScene{stage_under(ConstantLightDescription{})}; }};
 }
 
+/// A disk or square of half width 10^k above floor and camera: of 10^4 it is all but 1e-6 of the upper half of a sky.
+Ladder huge_plate(const char* shape, const Geometry& geometry) {
+  const auto lamp = [=](double k) {
+    return StressScene{stage_under_shape(geometry, hanging({0, 12, 0}, power(k)), 1)};
+  };
+  return {"light " + std::string(shape),  "huge", "a half width of 10^k", {5, 6, 7, 9, 11, 13, 15}, 9, lamp,
+          [=](double) { return lamp(4); }};
+}
+
+/// The floor's far side alone, 6 to 10 away from what is at x = -7.
+SceneDescription floor_from_aside() {
+  SceneDescription scene = stage_floor();
+  scene.sensor.to_world = Transform::look_at({0, 7, 5}, {0, 0, 0}, {0, 1, 0});
+  std::get<PerspectiveDescription>(scene.sensor.camera).fov_degrees = 20;
+  return scene;
+}
+
+constexpr double aside = -7;
+
+/// A lamp 10^-k above the floor, of this intensity along it: at a distance r it gives I 10^-k / r^3.
+std::vector<Ladder> near_the_floor() {
+  const double along = 200;
+  const auto place = [](double k) { return Vec3d{aside, power(-k), 0}; };
+  const auto point = [=](double k) {
+    SceneDescription scene = floor_from_aside();
+    scene.emitters.push_back({{}, "", PointLightDescription{place(k), RgbD(along * power(k))}});
+    return StressScene{scene};
+  };
+  const auto spot = [=](double k) {
+    SceneDescription scene = floor_from_aside();
+    SpotLightDescription light;
+    light.to_world = Transform::look_at(place(k), place(k) + Vec3d{1, 0, 0}, {0, 1, 0});
+    light.intensity = RgbD(along * power(k));
+    light.beam_degrees = 60;
+    light.cutoff_degrees = 80;
+    scene.emitters.push_back({{}, "", light});
+    return StressScene{scene};
+  };
+  // A tenth as large as it is high: `facing` along the floor, where an area A of radiance L has the intensity A L.
+  const auto shaped = [=](const Geometry& geometry, double area, bool is_ball) {
+    return [=](double k) {
+      SceneDescription scene = floor_from_aside();
+      const double size = 0.1 * power(-k);
+      const Transform facing = Transform::look_at(place(k), place(k) + Vec3d{1, 0, 0}, {0, 1, 0});
+      const Transform to_world = is_ball ? standing(place(k), size) : facing * Transform::scale(Vec3d(size));
+      add_shape(scene, geometry, to_world, add_bsdf(scene, DiffuseDescription{RgbD(0.0)})).radiance =
+          RgbD(along * power(k) / (area * size * size));
+      return StressScene{scene};
+    };
+  };
+  std::vector<Ladder> ladders;
+  // A flat lamp's intensity falls to the sides, so it is compared with itself.
+  const auto add = [&](const char* light, const std::function<StressScene(double)>& rung,
+                       const std::function<StressScene(double)>& other) {
+    ladders.push_back({"light " + std::string(light),
+                       "near the floor",
+                       "10^-k above it, and as much brighter",
+                       {4, 5, 6, 7, 8, 9, 12},
+                       9,
+                       rung,
+                       [=](double) { return other(3); }});
+    ladders.back().engines = {"path", "photonmapper", "bdpt", "volpath"};
+  };
+  const auto square = shaped(RectangleDescription{}, 4, false), disk = shaped(DiskDescription{}, pi, false);
+  add("point", point, point);
+  add("spot", spot, point);
+  add("rectangle", square, square);
+  add("disk", disk, disk);
+  add("sphere", shaped(SphereDescription{}, pi, true), point);
+  return ladders;
+}
+
+/// What an environment's file holds, 10^k in it and 10^-k as its scale.
+std::vector<Ladder> bright_and_dim_files(const std::filesystem::path& assets) {
+  SceneDescription base;
+  for (const NamedScene& named : scenes_of_features(assets))
+    if (named.first == "light envmap") base = named.second;
+  const auto light_of = [](SceneDescription& scene) -> EnvmapDescription& {
+    return std::get<EnvmapDescription>(scene.emitters[0].light);
+  };
+  const Image picture = read_image(light_of(base).filename);
+  const auto file_of = [=](double k) {
+    return std::filesystem::absolute(assets / fmt::format("picture{:+g}.exr", k)).string();
+  };
+  const auto climb = [&](const char* name, const char* measure, double sign) {
+    Ladder ladder{"light envmap",
+                  name,
+                  measure,
+                  {4, 9, 15, 20, 30, 37},
+                  30,
+                  [=](double k) {
+                    SceneDescription scene = base;
+                    light_of(scene).filename = file_of(sign * k);
+                    light_of(scene).scale = power(-sign * k);
+                    return StressScene{scene};
+                  },
+                  [=](double) { return StressScene{base}; }};
+    for (const double k : ladder.heights) {
+      Rendering other;
+      other.mean = picture;
+      for (float& v : other.mean.rgb) v = static_cast<float>(double{v} * power(sign * k));
+      write_exr(file_of(sign * k), other);
+    }
+    return ladder;
+  };
+  return {climb("file up", "10^k in the file", 1), climb("file down", "10^-k in the file", -1)};
+}
+
 Ladder dark_among_bright() {
   return {"light point",
           "beside a dim one",
@@ -115,7 +227,7 @@ Ladder dark_among_bright() {
 
 }  // namespace
 
-std::vector<Ladder> light_ladders(const std::filesystem::path&) {
+std::vector<Ladder> light_ladders(const std::filesystem::path& assets) {
   std::vector<Ladder> ladders{tiny("sphere", SphereDescription{}, pi, true),
                               tiny("disk", DiskDescription{}, pi, false),
                               tiny("rectangle", RectangleDescription{}, 4, false),
@@ -124,8 +236,11 @@ std::vector<Ladder> light_ladders(const std::filesystem::path&) {
                               far("disk", DiskDescription{}, pi),
                               far("rectangle", RectangleDescription{}, 4),
                               huge_ball(),
+                              huge_plate("disk", DiskDescription{}),
+                              huge_plate("rectangle", RectangleDescription{}),
                               dark_among_bright()};
-  for (const Ladder& ladder : point_lights()) ladders.push_back(ladder);
+  for (const std::vector<Ladder>& more : {point_lights(), near_the_floor(), bright_and_dim_files(assets)})
+    ladders.insert(ladders.end(), more.begin(), more.end());
   return ladders;
 }
 

@@ -44,9 +44,21 @@ Ladder lossless(const char* feature, const char* climb, const char* measure, con
 
 std::vector<Ladder> indices() {
   const std::vector<double> high{0.5, 1, 1.5, 2, 3, 4, 6, 9};
+  Ladder rough = ior_near_one("bsdf roughdielectric", [](double k) {
+    auto glass = with_ior<RoughDielectricDescription>(1 + ten(-k));
+    glass.alpha_u = glass.alpha_v = 0.2;
+    return glass;
+  });
+  rough.wanted = 6;
   return {
       ior_near_one("bsdf dielectric", [](double k) { return with_ior<DielectricDescription>(1 + ten(-k)); }),
       ior_near_one("bsdf thindielectric", [](double k) { return with_ior<ThinDielectricDescription>(1 + ten(-k)); }),
+      rough,
+      lossless("bsdf conductor", "high ior", "eta and k of 10^k, next to a perfect mirror from 10^3 on",
+               {3, 4, 6, 9, 12, 15, 18, 30}, 30,
+               [](double k) {
+                 return ConductorDescription{ComplexIor{RgbD(1), RgbD(ten(k))}};
+               }),
       lossless("bsdf dielectric", "high ior", "an ior of 10^k", high, 2,
                [](double k) { return with_ior<DielectricDescription>(ten(k)); }),
       lossless("bsdf thindielectric", "high ior", "an ior of 10^k", high, 2,

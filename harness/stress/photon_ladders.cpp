@@ -11,6 +11,14 @@ double tens(double k) { return std::pow(10.0, k); }
 /// Light by glass and light between walls: both maps have something to hold.
 SceneDescription with_glass() { return stage_with_bsdf(DielectricDescription{}); }
 
+/// Every photon leaves the scene; the floor has no light.
+SceneDescription under_a_lamp_that_looks_away() {
+  SceneDescription scene = with_glass();
+  for (ShapeDescription& shape : scene.shapes)
+    if (shape.radiance) shape.to_world = lying({1, 5, -1}, 1);
+  return scene;
+}
+
 Ladder photons(const char* feature, const char* climb, const char* measure, const std::vector<double>& heights,
                double wanted, const std::function<StressScene(double)>& rung) {
   Ladder ladder{feature, climb, measure, heights, wanted, rung, [](double) { return StressScene{with_glass()}; }};
@@ -39,6 +47,20 @@ std::vector<Ladder> photon_ladders(const std::filesystem::path&) {
                               [=](double k) { return of_radius(tens(k), indirect); }));
     ladders.push_back(photons(feature.c_str(), "radius down", "radii of 10^-k", {1, 2, 3, 4, 6, 9, 20, 37, 45}, 9,
                               [=](double k) { return of_radius(tens(-k), indirect); }));
+    ladders.push_back(photons(feature.c_str(), "none, one, two", "k photons", {0, 1, 2, 3}, -1, [=](double k) {
+      StressScene rung{with_glass()};
+      rung.unlike_path = {"--indirect", indirect, "--photons", std::to_string(std::lround(k))};
+      return rung;
+    }));
+    ladders.back().climbs_on = true;
+    ladders.push_back(
+        photons(feature.c_str(), "empty maps", "10^k photons, none of which meets anything", {3, 5}, 5, [=](double k) {
+          StressScene rung{under_a_lamp_that_looks_away()};
+          rung.unlike_path = {"--indirect", indirect, "--photons", std::to_string(std::lround(tens(k)))};
+          return rung;
+        }));
+    ladders.back().alike = {};
+    ladders.back().radiance = 0;
     ladders.push_back(photons(feature.c_str(), "few", "10^(6-k) photons", {0, 1, 2, 3, 4, 5, 6}, 6, [=](double k) {
       StressScene rung{with_glass()};
       rung.unlike_path = {"--indirect", indirect, "--photons", std::to_string(std::lround(tens(6 - k)))};

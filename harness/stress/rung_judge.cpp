@@ -120,7 +120,8 @@ RungVerdict judge_picture(const RungEvidence& evidence, const RungExpectation& e
     for (double& deviation : error->standard_error) deviation /= expected.factor;
     store_mean_error(test, *error);
   }
-  const Rendering reference = expected_rendering(expected, test.mean);
+  Rendering reference = expected_rendering(expected, test.mean);
+  if (!reference.variance) reference.variance.emplace(test.mean.width, test.mean.height);
   const bool has_noise = picture.variance && any_other_than_zero(*picture.variance);
   const bool is_known = has_noise && is_in_range(*picture.variance);
   if (is_known) {
@@ -136,7 +137,7 @@ RungVerdict judge_picture(const RungEvidence& evidence, const RungExpectation& e
   }
   verdict = expected.is_exact && is_known ? judge_pixels(reference, test)
                                           : judge_means(reference, test, evidence.relative_bias);
-  const bool is_lost = !is_known && any_other_than_zero(*reference.variance);
+  const bool is_lost = evidence.tells_noise && !is_known && any_other_than_zero(*reference.variance);
   if (verdict.outcome == RungOutcome::right && is_lost && evidence.losses.empty()) {
     verdict.outcome = RungOutcome::silently_wrong;
     verdict.sentence = has_noise ? "the mean is right, its variance is none" : "the mean is right, its variance is 0";

@@ -19,6 +19,7 @@ struct RungEvidence {
   std::vector<std::string> losses;   ///< what the stats say the picture lacks
   double relative_bias = 0;          ///< what the stats claim, 0 where they claim none
   double samples = 1;                ///< a pixel
+  bool tells_noise = true;  ///< has a variance layer, as our own engines; else means are compared by themselves
 };
 
 /// What it has to be.

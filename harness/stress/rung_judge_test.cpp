@@ -99,6 +99,21 @@ TEST(rungs, whose_pixels_vary_together_are_judged_by_the_error_of_the_mean) {
   EXPECT_EQ(judge_rung(showing(picture), exactly(noisy(1), 1e5)).outcome, RungOutcome::right);
 }
 
+TEST(rungs, of_engines_that_tell_no_variance_are_judged_by_their_means) {
+  RungEvidence evidence = showing(noisy(1.01f));
+  evidence.picture->variance.reset();
+  RungExpectation expected = exactly(noisy(1));
+  expected.is_exact = false;
+  EXPECT_EQ(judge_rung(evidence, expected).outcome, RungOutcome::silently_wrong);  // ours has one
+  evidence.tells_noise = false;
+  EXPECT_EQ(judge_rung(evidence, expected).outcome, RungOutcome::right);
+  expected.picture->variance.reset();
+  EXPECT_EQ(judge_rung(evidence, expected).outcome, RungOutcome::right);
+  evidence.picture = noisy(1.1f);
+  evidence.picture->variance.reset();
+  EXPECT_EQ(judge_rung(evidence, expected).outcome, RungOutcome::silently_wrong);
+}
+
 TEST(rungs, whose_noise_would_hide_an_error_are_undecided) {
   EXPECT_EQ(judge_rung(showing(noisy(1, 0.9f)), exactly(noisy(1, 0.9f))).outcome, RungOutcome::undecided);
 }

@@ -10,11 +10,13 @@
 
 #include "harness/stress/ladder.h"
 #include "harness/stress/rung_judge.h"
+#include "harness/suites/engines.h"
+#include "reference/process/process.h"
 
 namespace photonproof {
 
 struct StressRender {
-  std::string engine = "path";
+  std::string engine = "path";  ///< an integrator, or one of the others
   int spp = 64;
   std::uint64_t seed = 1;
 };
@@ -24,11 +26,18 @@ struct StressInterrupted {};
 
 class StressRunner {
  public:
-  /// References are kept in `folder`, by all they follow from.
-  StressRunner(std::filesystem::path program, std::filesystem::path folder, const std::atomic<bool>* interrupt);
+  /// References are kept in `folder`/references, by all they follow from; scenes for `others`, which must lie where the
+  /// files are that they name, in `folder`/assets.
+  StressRunner(std::filesystem::path program, std::filesystem::path folder, std::vector<Engine> others,
+               const std::atomic<bool>* interrupt);
+
+  /// The row of an engine that is no integrator; null of one that is.
+  const Engine* other(const std::string& engine) const;
 
   RungEvidence render(const StressScene& scene, const StressRender& how) const;
-  /// The same, kept; throws InputError, with what the program says, where there is no picture.
+  /// Another verb of the program. Throws StressInterrupted.
+  ProcessOutcome run(std::vector<std::string> arguments) const;
+  /// The same as `render`, kept; throws InputError, with what the program says, where there is no picture.
   Rendering reference(const StressScene& scene, const StressRender& how);
   /// All that a render follows from, as text.
   std::string identity(const StressScene& scene, const StressRender& how) const;
@@ -37,8 +46,12 @@ class StressRunner {
  private:
   std::vector<std::string> command(const StressScene& scene, const StressRender& how, const std::string& file,
                                    const std::string& out) const;
+  std::vector<std::string> command_of(const Engine& engine, const StressScene& scene, const StressRender& how,
+                                      const std::string& file, const std::string& out) const;
+  ProcessOutcome run_command(const std::vector<std::string>& command) const;
 
   std::filesystem::path program_, folder_;
+  std::vector<Engine> others_;
   const std::atomic<bool>* interrupt_;
   std::string checksum_;
   std::mutex guard_;

@@ -218,6 +218,34 @@ Ladder many_copies(const fs::path& assets) {
           lit};
 }
 
+/// Balls of glass that touch but for 10^-k, and one that is a shell as thin as that.
+std::vector<Ladder> touching_and_thin_glass() {
+  const std::vector<double> heights{1, 2, 3, 4, 5, 6, 7, 9, 99};
+  const auto thin = [](double k) { return k == 99 ? 0 : ten_to(-k); };
+  const auto row = [&](const char* climb, const char* measure, const std::function<StressScene(double)>& rung) {
+    Ladder ladder{"coincident faces", climb, measure, heights, 6, rung};
+    ladder.radiance = 1;
+    ladder.engines = {"path", "photonmapper", "bdpt", "volpath"};
+    return ladder;
+  };
+  const auto touching = [=](double k) {
+    SceneDescription scene = ball_in_uniform_sky(DielectricDescription{});
+    scene.shapes[0].to_world = standing({-0.6, 0.3, 0}, 0.6);
+    add_shape(scene, SphereDescription{}, standing({0.5 + thin(k), 0.3, 0}, 0.5), {0});
+    return StressScene{scene};
+  };
+  const auto shell = [=](double k) {
+    SceneDescription scene = ball_in_uniform_sky(DielectricDescription{});
+    DielectricDescription air;
+    air.int_ior = 1.000277;
+    air.ext_ior = 1.5046;
+    add_shape(scene, SphereDescription{}, standing({0, 0.3, 0}, 1 - thin(k)), add_bsdf(scene, air));
+    return StressScene{scene};
+  };
+  return {row("glass that touches glass", "balls 10^-k apart; 99: in one point", touching),
+          row("a shell of glass", "10^-k thick; 99: without thickness", shell)};
+}
+
 /// Two floors of the same material 10^-k apart; 99 stands for the same place.
 std::vector<Ladder> near_faces() {
   const std::vector<double> heights{4, 5, 6, 7, 8, 9, 12, 20, 99};
@@ -240,22 +268,31 @@ std::vector<Ladder> near_faces() {
   Ladder box{"coincident faces",      "a thin box, from its dark side", "10^-k thick", {2, 3, 4, 5, 6, 7, 9, 12}, 9,
              shell(CubeDescription{})};
   box.radiance = 0;
-  // Balls of glass inside each other, a gap of air 10^-k between.
-  const auto nested = [=](double k) {
-    SceneDescription scene = ball_in_uniform_sky(DielectricDescription{});
-    DielectricDescription air;
-    air.int_ior = 1.000277;
-    air.ext_ior = 1.5046;
-    add_shape(scene, SphereDescription{}, standing({0, 0.3, 0}, 0.5 + gap(k)), add_bsdf(scene, air));
-    add_shape(scene, SphereDescription{}, standing({0, 0.3, 0}, 0.5), add_bsdf(scene, DielectricDescription{}));
-    return StressScene{scene};
+  // Glass in glass, a gap of air 10^-k between.
+  const auto nested = [=](const Geometry& shape) {
+    Ladder ladder{"coincident faces", "", "a gap of 10^-k", {1, 2, 3, 4, 5, 6, 7, 9}, 6, [=](double k) {
+                    SceneDescription scene = ball_in_uniform_sky(DielectricDescription{});
+                    DielectricDescription air;
+                    air.int_ior = 1.000277;
+                    air.ext_ior = 1.5046;
+                    const auto place = [](double size) {
+                      return standing({0, 0.3, 0}, size) * Transform::rotate({0, 1, 0}, 30);
+                    };
+                    add_shape(scene, shape, place(0.5 + gap(k)), add_bsdf(scene, air));
+                    add_shape(scene, shape, place(0.5), add_bsdf(scene, DielectricDescription{}));
+                    return StressScene{scene};
+                  }};
+    ladder.radiance = 1;
+    ladder.engines = {"path", "photonmapper", "bdpt", "volpath"};
+    return ladder;
   };
-  Ladder glass{"coincident faces", "glass in glass", "a gap of 10^-k", {1, 2, 3, 4, 5, 6, 7, 9}, 9, nested};
-  glass.radiance = 1;
-  glass.engines = {"path", "photonmapper", "bdpt", "volpath"};
+  Ladder glass = nested(SphereDescription{}), boxes = nested(CubeDescription{});
+  glass.climb = "glass in glass";
+  boxes.climb = "a glass box in a glass box";
   return {{"coincident faces", "two floors", "10^-k apart; 99: in the same place", heights, 99, two_floors, lit},
           box,
-          glass};
+          glass,
+          boxes};
 }
 
 }  // namespace
@@ -263,7 +300,7 @@ std::vector<Ladder> near_faces() {
 std::vector<Ladder> shape_ladders(const fs::path& assets) {
   std::vector<Ladder> ladders = huge_floors(assets);
   ladders.push_back(many_copies(assets));
-  for (const std::vector<Ladder>& more : {bystanders(), odd_triangles(assets), near_faces()})
+  for (const std::vector<Ladder>& more : {bystanders(), odd_triangles(assets), near_faces(), touching_and_thin_glass()})
     ladders.insert(ladders.end(), more.begin(), more.end());
   return ladders;
 }

@@ -14,6 +14,7 @@
 #include "reference/store/reference_store.h"
 #include "scenes/text/atomic_file.h"
 #include "scenes/text/input_error.h"
+#include "scenes/text/text_numbers.h"
 #include "scenes/text/timer.h"
 
 namespace photonproof {
@@ -22,7 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Changes when judging does, so that rungs are judged anew.
-constexpr const char* judging_version = "3";
+constexpr const char* judging_version = "4";
 constexpr int looks_at = 64, reference_samples = 512;  // a pixel
 
 /// One ladder and one engine.
@@ -87,7 +88,7 @@ class Climber {
     RungExpectation expected;
     expected.factor = ladder.factor(height);
     expected.radiance = ladder.radiance;
-    expected.is_exact = is_unbiased(climb.engine);
+    expected.is_exact = is_unbiased(climb.engine) && runner_.other(climb.engine) == nullptr;
     expected.must_refuse = ladder.must_refuse;
     if (!ladder.alike) return expected;
     const std::string engine = ladder.compared_with.empty() ? climb.engine : ladder.compared_with;
@@ -98,11 +99,34 @@ class Climber {
 
   StressScene scene(const Climb& climb, double height) const {
     StressScene scene = climb.ladder->rung(height);
+    if (runner_.other(climb.engine) != nullptr && !(scene.arguments.empty() && scene.unlike_path.empty()))
+      throw InputError(climb.engine, "takes none of our programs' arguments");
     scene.arguments.insert(scene.arguments.end(), scene.unlike_path.begin(), scene.unlike_path.end());
     return scene;
   }
 
+  StressRung measured_rung(const Ladder& ladder, double height) {
+    const std::string key = content_key({{"judging", judging_version},
+                                         {"program", runner_.checksum()},
+                                         {"ladder", ladder.name()},
+                                         {"height", format_number(height)}});
+    const fs::path kept = options_.folder / "rungs" / (key + ".json");
+    if (fs::exists(kept))
+      if (const auto known = rung_from_text(read_file(kept))) return *known;
+    const Timer timer;
+    const RungVerdict verdict = ladder.measured(height, runner_);
+    StressRung out;
+    out.height = height;
+    out.outcome = verdict.outcome;
+    out.sentence = verdict.sentence;
+    out.would_see = verdict.would_see;
+    out.seconds = timer.seconds();
+    write_file_atomically(kept, rung_text(out));
+    return out;
+  }
+
   StressRung rung(const Climb& climb, double height) {
+    if (climb.ladder->measured) return measured_rung(*climb.ladder, height);
     const StressScene asked = scene(climb, height);
     const std::string alike =
         climb.ladder->alike ? runner_.identity(climb.ladder->alike(height), {climb.engine, looks_at, 1}) : "";
@@ -162,20 +186,25 @@ class Climber {
 std::vector<Climb> chosen(const StressOptions& options, const std::vector<Ladder>& ladders) {
   std::vector<Climb> climbs;
   for (const Ladder& ladder : ladders) {
-    if (ladder.name().find(options.only) == std::string::npos) continue;
-    const std::vector<std::string>& engines = ladder.engines.empty() ? stress_engines() : ladder.engines;
-    for (const std::string& engine : engines) {
-      if (!options.engine.empty() && engine != options.engine) continue;
-      const bool quick_one = engine == engines.front() || engine == "photonmapper";
-      if (options.quick && options.engine.empty() && !quick_one) continue;
-      climbs.push_back({&ladder, engine});
+    const auto is_in_name = [&](const std::string& part) { return ladder.name().find(part) != std::string::npos; };
+    if (!options.only.empty() && std::none_of(options.only.begin(), options.only.end(), is_in_name)) continue;
+    const std::vector<std::string>& own = ladder.engines.empty() ? stress_engines() : ladder.engines;
+    const auto climbs_by_itself = [&](const std::string& engine) {
+      return std::find(own.begin(), own.end(), engine) != own.end();
+    };
+    if (options.engines.empty())
+      for (const std::string& engine : own)
+        if (!options.quick || engine == own.front() || engine == "photonmapper") climbs.push_back({&ladder, engine});
+    for (const std::string& engine : options.engines) {
+      // One that no ladder names by itself climbs all that path does.
+      const bool is_other = engine != "compare" && std::find(stress_engines().begin(), stress_engines().end(),
+                                                             engine) == stress_engines().end();
+      if (climbs_by_itself(engine) || (is_other && climbs_by_itself("path"))) climbs.push_back({&ladder, engine});
     }
-    // An engine that no ladder names by itself climbs all that are for every engine.
-    const bool other =
-        std::find(stress_engines().begin(), stress_engines().end(), options.engine) == stress_engines().end();
-    if (!options.engine.empty() && other && ladder.engines.empty()) climbs.push_back({&ladder, options.engine});
   }
-  if (climbs.empty()) throw InputError("--only", "no ladder of that engine has '" + options.only + "' in its name");
+  if (climbs.empty())
+    throw InputError("--only", "no ladder of that engine has '" + (options.only.empty() ? "" : options.only.front()) +
+                                   "' in its name");
   return climbs;
 }
 
@@ -208,7 +237,7 @@ StressRecord run_stress(const StressOptions& options) {
   make_folders(options.folder);
   const std::vector<Ladder> ladders = stress_ladders(options.folder / "assets");
   const std::vector<Climb> climbs = chosen(options, ladders);
-  StressRunner runner(options.program, options.folder / "references", options.interrupt);
+  StressRunner runner(options.program, options.folder, options.others, options.interrupt);
   Climber climber(options, runner);
   StressRecord record;
   record.created = utc_now();

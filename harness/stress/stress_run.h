@@ -7,18 +7,20 @@
 #include <string>
 #include <vector>
 
+#include "harness/suites/engines.h"
 #include "reports/stress/stress_record.h"
 
 namespace photonproof {
 
 struct StressOptions {
-  std::filesystem::path folder;   ///< receives everything; what an earlier run decided there counts
-  std::filesystem::path program;  ///< this one, or one with a fault
-  std::string only;               ///< ladders whose name contains this; empty: all
-  std::string engine;             ///< this one alone; empty: all that a ladder names
-  bool quick = false;             ///< the heights that are wanted, by path and photonmapper
-  int jobs = 0;                   ///< renders at a time; 0: one a core
-  std::string command, version;   ///< for the record
+  std::filesystem::path folder;      ///< receives everything; what an earlier run decided there counts
+  std::filesystem::path program;     ///< this one, or one with a fault
+  std::vector<std::string> only;     ///< ladders whose name contains one of these; empty: all
+  std::vector<std::string> engines;  ///< these alone; empty: all that a ladder names
+  std::vector<Engine> others{};      ///< engines that are no integrators, which `engines` may name
+  bool quick = false;                ///< the heights that are wanted, by path and photonmapper
+  int jobs = 0;                      ///< renders at a time; 0: one a core
+  std::string command, version;      ///< for the record
   const std::atomic<bool>* interrupt = nullptr;
   std::function<void(std::size_t ended, std::size_t all, const StressLadder&)> ended{};  ///< one call at a time
 };

@@ -44,6 +44,25 @@ TEST_F(Stress, climbs_what_is_asked_for_and_keeps_it) {
   EXPECT_EQ(record().ladders[0].rungs[0].seconds, before.ladders[0].rungs[0].seconds);  // was not rendered again
 }
 
+TEST_F(Stress, lets_other_programs_climb_and_holds_compare_to_closed_forms) {
+  const fs::path rows = folder_.path() / "engines.toml", table = folder_.path() / "table.md";
+  write_file_atomically(rows,
+                        "[[engine]]\nname = \"mine\"\ntitle = \"mine\"\ntrust = \"external\"\nbudgets = [\"spp\"]\n"
+                        "command = [\"{photonproof}\", \"render\", \"{scene}\", \"-o\", \"{output}\", \"--size\", "
+                        "\"{width}x{height}\", \"--seed\", \"{seed}\", \"--quiet\", \"{budget}\"]\n");
+  const ProcessOutcome outcome =
+      stress({"--quick", "--engines", rows.string(), "--engine", "mine", "--engine", "compare", "--only",
+              "shape mesh, scale up", "--only", "metrics, images up", "--markdown", table.string()});
+  ASSERT_TRUE(outcome.ok()) << outcome.standard_output << outcome.standard_error;
+  const StressRecord climbed = record();
+  ASSERT_EQ(climbed.ladders.size(), 2u);
+  EXPECT_EQ(climbed.ladders[0].engine, "mine");
+  EXPECT_EQ(climbed.ladders[0].right_up_to(), 15) << climbed.ladders[0].not_climbed;
+  EXPECT_EQ(climbed.ladders[1].engine, "compare");
+  EXPECT_EQ(climbed.ladders[1].right_up_to(), 30);
+  EXPECT_NE(read_file(table).find("| shape mesh | scale up | 15 | all (15) |"), std::string::npos) << read_file(table);
+}
+
 TEST_F(Stress, refuses_what_it_does_not_know_in_one_line) {
   for (const std::vector<std::string>& wrong :
        {std::vector<std::string>{"--engine", "nothing"}, {"--only", "nothing"}, {"--against", "nothing.json"}}) {

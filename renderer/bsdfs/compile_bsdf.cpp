@@ -1,10 +1,12 @@
 #include "renderer/bsdfs/compile_bsdf.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 #include "renderer/bsdfs/interface_tables.h"
 #include "scenes/description/overloaded.h"
-#include "scenes/text/faults.h"
+#include "scenes/text/numeric_faults.h"
 
 namespace photonproof {
 namespace {
@@ -78,8 +80,12 @@ class Compiler {
 
  private:
   [[noreturn]] void refuse(const std::string& why) const { throw InputError(scene_.where(bsdf_.loc), why); }
+  /// Which facet sends light from one direction to the other follows from their difference, of which single precision
+  /// keeps nothing where the indices are some steps of it apart.
   void refuse_equal(double int_ior, double ext_ior) const {
-    if (ratio(int_ior, ext_ior) == 1) refuse("int_ior and ext_ior must differ");
+    constexpr float least = 4 * 0x1p-23f;
+    if (std::abs(ratio(int_ior, ext_ior) - 1) < least)
+      refuse("int_ior and ext_ior must differ by 5e-7 of each other at least");
   }
   static float ratio(double int_ior, double ext_ior) { return static_cast<float>(int_ior / ext_ior); }
 
@@ -128,8 +134,14 @@ class Compiler {
   static void set_ior(Record& record, const std::optional<ComplexIor>& ior, double ior_above) {
     if (!ior) return;
     record.has_ior = 1;
-    record.eta = Rgb(ior->eta / ior_above);
-    record.k = Rgb(ior->k / ior_above);
+    // Beyond this all is reflected, and fourth powers would leave single precision.
+    const double highest = has_fault(NumericFault::unclamped_metal) ? 1e38 : 1e9;
+    const auto held = [&](const RgbD& index) {
+      const auto part = [&](double v) { return static_cast<float>(std::min(v / ior_above, highest)); };
+      return Rgb(part(index.x), part(index.y), part(index.z));
+    };
+    record.eta = held(ior->eta);
+    record.k = held(ior->k);
   }
   PhongBsdf<float> phong(const PhongDescription& d) {
     using Record = PhongBsdf<float>;

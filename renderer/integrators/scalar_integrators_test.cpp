@@ -358,6 +358,17 @@ TEST(ptracer, says_when_few_light_paths_arrive_or_none) {
   SceneDescription floor = test::floor_under_point_light(16);
   EXPECT_THAT(losses(floor, 64), testing::IsEmpty());
   EXPECT_THAT(losses(floor, 4), ElementsAre(HasSubstr("light paths arrived in each of the ")));
+  // From within the room, 90 degrees across the single column: the outermost of 80 rows show 40^3 times less of a wall
+  // than the middle ones.
+  SceneDescription tall = test::room(24, false);
+  tall.sensor.to_world = Transform::look_at({0, 0, 0.5}, {0, 0, 0}, {0, 1, 0});
+  auto& camera = std::get<PerspectiveDescription>(tall.sensor.camera);
+  camera.fov_degrees = 90;
+  camera.near_clip = 1e-6;
+  EXPECT_THAT(losses(tall, 64), testing::IsEmpty());
+  tall.sensor.film.width = 1;
+  tall.sensor.film.height = 80;
+  EXPECT_THAT(losses(tall, 64), ElementsAre(HasSubstr("they may be dark by chance")));
   // One in 1e11 of the lamp's paths meets the floor.
   std::get<PointLightDescription>(floor.emitters[0].light).position = {0, 1e6, 0};
   EXPECT_THAT(losses(floor, 4), ElementsAre(HasSubstr("no light path arrived where the camera looks")));

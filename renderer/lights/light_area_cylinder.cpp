@@ -6,6 +6,7 @@
 
 #include "renderer/lanes/warp.h"
 #include "scenes/description/description.h"
+#include "scenes/text/numeric_faults.h"
 
 namespace photonproof {
 namespace {
@@ -33,6 +34,7 @@ struct SeenCylinder {
     low = -height;
     span = length(axis);
     high = span - height;
+    if (has_fault(NumericFault::lost_height)) span = double{static_cast<float>(high) - static_cast<float>(low)};
     const bool outside = rho > radius;
     if (s.sign > 0 && !outside) {
       stretch = from = range = 0;

@@ -8,7 +8,10 @@
 
 #include "renderer/scalar/particle_tracer.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <string>
 
 #include "renderer/lanes/roulette.h"
 #include "renderer/scalar/scalar_passes.h"
@@ -83,6 +86,29 @@ class ParticleTracer : ScalarTracer {
     return throughput * lights_->environment_radiance(ray->direction);
   }
 
+  /// Whether a pixel shows so little that fewer than `paths` of so many histories a pixel would have arrived there if
+  /// it were as bright as `radiance`: one that none reached may be black by chance.
+  bool is_narrow(int x, int y, double radiance, double histories, double paths, const Draws& draws) const {
+    constexpr int at_the_middle = 1;
+    const Vec2<float> lens = draws.two(ptracer_dimension::lens);
+    std::optional<Ray> ray = camera_.ray(x, y, draws, at_the_middle, ptracer_dimension::in_pixel, lens);
+    Rgb throughput(1.0f);
+    Surroundings around = around_camera_;
+    Interaction at;
+    if (!ray ||
+        !travel(world_, *ray, around, draws.one(ptracer_dimension::layer), TransportMode::radiance, throughput, at))
+      return false;
+    const std::optional<CameraSeen> seen = camera_.connect(at.p, lens);
+    if (!seen || !has_smooth(at.bsdf)) return false;
+    const Vec3f above = std::copysign(1.0f, dot(at.ng, seen->wi)) * at.ng;
+    const LightStart start = lights_->emit(draws.one(ptracer_dimension::light), draws.two(ptracer_dimension::position),
+                                           draws.two(ptracer_dimension::direction));
+    const double arrives =
+        double{max_component(start.flux * evaluate(at, seen->wi, above, TransportMode::importance))} *
+        double{seen->density};
+    return arrives > 0 && radiance * histories < paths * arrives;
+  }
+
  private:
   void connect(const Interaction& at, const Vec3f& to_light, const Rgb& throughput, Surroundings around,
                const Draws& draws, std::uint32_t lens, ScalarWork& work) const {
@@ -120,26 +146,52 @@ class ParticleTracer : ScalarTracer {
 /// In a pixel that light paths reach at all, fewer on average say nothing of those that none has reached yet.
 constexpr double few_paths_a_pixel = 8;
 
+std::string few_paths_text(const char* format, double paths, std::size_t pixels) {
+  char text[240];
+  std::snprintf(text, sizeof text, format, paths, pixels);
+  return text;
+}
+
 /// A lamp far away, or a view of a speck of the scene, is found by so few paths that none may have been among those
-/// traced.
-void say_if_few_arrive(const Film& film, RenderStats& stats) {
+/// traced; so is a pixel at the edge of a view so wide that it shows next to nothing.
+void say_if_few_arrive(const ParticleTracer& tracer, const RenderJob& job, const Film& film, RenderStats& stats) {
   const Image image = film.develop().mean;
   std::size_t reached = 0;
-  for (std::size_t i = 0; i < image.rgb.size(); i += 3)
-    reached += image.rgb[i] > 0 || image.rgb[i + 1] > 0 || image.rgb[i + 2] > 0 ? 1 : 0;
+  double brightness = 0;
+  const auto brightest = [&](std::size_t pixel) {
+    const float* rgb = &image.rgb[3 * pixel];
+    return double{std::max({rgb[0], rgb[1], rgb[2]})};
+  };
+  for (std::size_t i = 0; i < image.pixels(); ++i) {
+    reached += brightest(i) > 0 ? 1 : 0;
+    brightness += brightest(i);
+  }
   if (reached == 0) {
     stats.losses.emplace_back(
         "no light path arrived where the camera looks: the image is black, and so few paths may miss light that is "
         "there");
-  } else if (const double joined = stats.counts["rays_shadow"] / static_cast<double>(reached);
-             joined < few_paths_a_pixel) {
-    char text[160];
-    std::snprintf(text, sizeof text,
-                  "%.2g light paths arrived in each of the %zu pixels that any reached: too few to know the error of "
-                  "the others",
-                  joined, reached);
-    stats.losses.emplace_back(text);
+    return;
   }
+  brightness /= static_cast<double>(reached);
+  if (const double joined = stats.counts["rays_shadow"] / static_cast<double>(reached); joined < few_paths_a_pixel) {
+    stats.losses.push_back(few_paths_text(
+        "%.2g light paths arrived in each of the %zu pixels that any reached: too few to know the error of the others",
+        joined, reached));
+    return;
+  }
+  std::size_t narrow = 0;
+  for (std::size_t i = 0; i < image.pixels(); ++i) {
+    if (brightest(i) > 0) continue;
+    const auto width = static_cast<std::size_t>(image.width);
+    const int x = film.window().x0 + static_cast<int>(i % width), y = film.window().y0 + static_cast<int>(i / width);
+    const Draws draws = draws_of_history(SamplerKind::independent, job.seed, ptracer_stream, i);
+    if (tracer.is_narrow(x, y, brightness, stats.counts["samples_per_pixel"], few_paths_a_pixel, draws)) ++narrow;
+  }
+  if (narrow > 0)
+    stats.losses.push_back(few_paths_text(
+        "fewer than %.2g light paths would have arrived in each of %zu pixels that are black, were they as "
+        "bright as the others: they may be dark by chance",
+        few_paths_a_pixel, narrow));
 }
 
 }  // namespace
@@ -166,7 +218,7 @@ void render_particle_tracer(const Scene& scene, const RenderPlan& plan, const Re
       return tracer.environment(x, y, draws, work);
     };
   });
-  say_if_few_arrive(film, stats);
+  say_if_few_arrive(tracer, job, film, stats);
 }
 
 }  // namespace photonproof

@@ -7,6 +7,7 @@
 #include "renderer/scene/scene_focus.h"
 #include "renderer/shapes/surface.h"
 #include "scenes/description/overloaded.h"
+#include "scenes/text/numeric_faults.h"
 
 namespace photonproof {
 namespace {
@@ -86,7 +87,9 @@ Extent extent_of(const SceneDescription& description, const ShapeDescription& sh
   return extent;
 }
 
-SceneFrame scene_frame(const SceneDescription& description) {
+namespace {
+
+SceneFrame frame_of_focus(const SceneDescription& description) {
   SceneFrame frame = frame_of_middles(description);
   const std::optional<SceneFocus> focus = scene_focus(description);
   if (!focus) return frame;
@@ -99,12 +102,21 @@ SceneFrame scene_frame(const SceneDescription& description) {
     frame.coordinate_floor = std::min(frame.coordinate_floor, static_cast<float>(16 * focus->size));
   }
   frame.coordinate_floor = std::max(frame.coordinate_floor, static_cast<float>(part_of_focus * focus->size));
-  frame.long_edge = long_in_floors * double{frame.coordinate_floor};
-  if (focus->size >= 1 / ordinary_size && focus->size <= ordinary_size) return frame;
+  if (!has_fault(NumericFault::float_faces)) frame.long_edge = long_in_floors * double{frame.coordinate_floor};
+  const bool is_ordinary = focus->size >= 1 / ordinary_size && focus->size <= ordinary_size;
+  if (is_ordinary || has_fault(NumericFault::no_rescaling)) return frame;
   frame.scale = power_of_two_below(1 / focus->size);
   frame.moved = Vec3d(Vec3f(frame.moved * frame.scale));
   frame.coordinate_floor = static_cast<float>(frame.coordinate_floor * frame.scale);
   frame.long_edge *= frame.scale;
+  return frame;
+}
+
+}  // namespace
+
+SceneFrame scene_frame(const SceneDescription& description) {
+  SceneFrame frame = frame_of_focus(description);
+  if (has_fault(NumericFault::no_recentring)) frame.moved = Vec3d(0.0);
   return frame;
 }
 

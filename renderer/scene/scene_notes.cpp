@@ -9,6 +9,7 @@
 
 #include "renderer/bsdfs/bsdf_phong.h"
 #include "renderer/bsdfs/microfacet.h"
+#include "renderer/scene/close_faces.h"
 #include "renderer/scene/scene_focus.h"
 #include "scenes/text/text_numbers.h"
 
@@ -190,6 +191,14 @@ void add_place_notes(const SceneDescription& description, Notes& notes) {
   }
 }
 
+void add_close_face_notes(const SceneDescription& description, const SceneParts& scene, Notes& notes) {
+  for (const CloseFaces& close : close_faces_of_glass(description, scene.frame))
+    notes.add(description.shapes[close.second].loc,
+              "a face of glass is " + short_number(close.apart) + " from one of the shape at " +
+                  description.where(description.shapes[close.first].loc) + ", and what is less than " +
+                  short_number(close.resolved) + " apart there light may take for one");
+}
+
 }  // namespace
 
 std::vector<SceneNote> scene_notes(const SceneDescription& description, const SceneParts& scene) {
@@ -199,6 +208,7 @@ std::vector<SceneNote> scene_notes(const SceneDescription& description, const Sc
   add_light_notes(description, scene, notes);
   add_camera_notes(description, notes);
   add_place_notes(description, notes);
+  add_close_face_notes(description, scene, notes);
   return std::move(notes.made);
 }
 

@@ -64,6 +64,35 @@ TEST(scene_notes, say_what_is_too_far_or_too_large_for_precision) {
   EXPECT_THAT(notes_of(far_or_large(1, 0, 1e6)), HasSubstr("a pixel is "));
 }
 
+/// A shape of this size in one of 1, both of a BSDF of their own kind.
+std::string notes_of_nested(const decltype(ShapeDescription::geometry)& shape, double size,
+                            const decltype(BsdfDescription::model)& model) {
+  SceneDescription d = test::room(4, false);
+  const Transform turned = Transform::rotate({0, 1, 0}, 30);
+  test::add_shape(d, shape, turned, test::add_bsdf(d, model));
+  test::add_shape(d, shape, turned * Transform::scale(Vec3d(size)), test::add_bsdf(d, model));
+  return notes_of(d);
+}
+
+TEST(scene_notes, say_faces_of_glass_that_are_nearer_than_precision) {
+  using testing::HasSubstr;
+  for (const decltype(ShapeDescription::geometry)& shape :
+       {decltype(ShapeDescription::geometry){SphereDescription{}}, {CubeDescription{}}}) {
+    EXPECT_EQ(notes_of_nested(shape, 1 - 1e-5, DielectricDescription{}), "");
+    EXPECT_THAT(notes_of_nested(shape, 1 - 1e-7, DielectricDescription{}), HasSubstr("a face of glass is "));
+    EXPECT_THAT(notes_of_nested(shape, 1, DielectricDescription{}), HasSubstr("a face of glass is 0 from one"));
+    EXPECT_EQ(notes_of_nested(shape, 1 - 1e-7, DiffuseDescription{}), "");  // whichever is met looks the same
+  }
+  // Side by side they lie in one plane and share an edge only.
+  SceneDescription row = test::room(4, false);
+  const BsdfIndex glass = test::add_bsdf(row, DielectricDescription{});
+  test::add_shape(row, RectangleDescription{}, Transform(), glass);
+  test::add_shape(row, RectangleDescription{}, Transform::translate({2, 0, 0}), glass);
+  EXPECT_EQ(notes_of(row), "");
+  test::add_shape(row, CubeDescription{}, Transform::translate({1, 0, 1 + 1e-7}), glass);
+  EXPECT_THAT(notes_of(row), HasSubstr("a face of glass is 1e-07 from one"));
+}
+
 TEST(scene_notes, say_roughness_beyond_its_limits) {
   EXPECT_EQ(notes_of_scene("<bsdf type=\"roughconductor\" id=\"b\"><float name=\"alpha\" value=\"1e-9\"/></bsdf>"),
             "s.xml:2:1: alpha 1e-09 is rendered as 0.0001\n");

@@ -11,6 +11,7 @@
 #include "renderer/shapes/extent.h"
 #include "renderer/shapes/shape_place.h"
 #include "renderer/shapes/sphere.h"
+#include "scenes/text/numeric_faults.h"
 
 namespace photonproof {
 namespace {
@@ -40,7 +41,9 @@ double hit_distance(const Cylinder& cylinder, const ShapeRay& ray) {
   const double middle = -dot(d, o) / a;
   const Vec3d nearest = o + d * middle;
   const double radius = cylinder.radius;
-  const double discriminant = radius * radius - dot(nearest, nearest);
+  double discriminant = radius * radius - dot(nearest, nearest);
+  if (has_fault(NumericFault::float_cylinder))
+    discriminant = double{static_cast<float>(radius * radius) - static_cast<float>(dot(nearest, nearest))};
   if (!(discriminant > 0)) return shape_missed;
   const double root = std::sqrt(discriminant / a);
   const double largest = radius + largest_coordinate(cylinder.base) + cylinder.length;
@@ -99,7 +102,8 @@ PlacedShape<Cylinder> placed(const CylinderDescription& description, const Shape
   const Transform& to_world = place.to_world;
   const Vec3d base = to_world.point(description.p0);
   const Vec3d along = to_world.point(description.p1) - base;
-  const double radius = description.radius * to_world.similarity_scale(), height = length(along);
+  const double radius = description.radius * to_world.similarity_scale();
+  const double height = length(along);
   const Frame<float> around(Vec3f(normalize(description.p1 - description.p0)));
   const AffineMap uv(to_world.vector(Vec3d(around.s) * description.radius),
                      to_world.vector(Vec3d(around.t) * description.radius), along, base);

@@ -9,6 +9,7 @@
 #include "renderer/shapes/circle_area.h"
 #include "renderer/shapes/extent.h"
 #include "renderer/shapes/shape_place.h"
+#include "scenes/text/numeric_faults.h"
 
 namespace photonproof {
 
@@ -19,7 +20,9 @@ double hit_distance(const Sphere& sphere, const ShapeRay& ray) {
   const double b = dot(d, to_center);
   const Vec3d nearest = to_center - d * (b / a);
   const double radius = sphere.radius;
-  const double discriminant = radius * radius - dot(nearest, nearest);
+  double discriminant = radius * radius - dot(nearest, nearest);
+  if (has_fault(NumericFault::float_sphere))
+    discriminant = double{static_cast<float>(radius * radius) - static_cast<float>(dot(nearest, nearest))};
   if (!(discriminant > 0)) return shape_missed;
   const double root = std::sqrt(discriminant / a);
   const double nearest_t = std::max(ray.t_near, grain_of_ray(ray, radius + largest_coordinate(sphere.center)));

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scenes/text/faults.h"
+#include "scenes/text/numeric_faults.h"
 
 namespace photonproof {
 namespace {
@@ -29,6 +29,7 @@ float reduced(float t, TextureWrap wrap) {
 /// Whole periods far from the origin would cost the texels their precision; 0: there is no period.
 float without_far_periods(double moved, double period) {
   constexpr double far = 64;
+  if (has_fault(NumericFault::far_periods)) return static_cast<float>(moved);
   if (period > 0 && std::abs(moved) > far && std::isfinite(moved)) moved -= period * std::floor(moved / period);
   return static_cast<float>(moved);
 }

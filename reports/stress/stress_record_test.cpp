@@ -89,5 +89,25 @@ TEST(stress_pages, hold_the_ladders_and_no_markup_of_others) {
   EXPECT_EQ(page.find("<script>alert"), std::string::npos);
 }
 
+TEST(stress_tables, in_markdown_have_a_column_for_every_engine) {
+  StressRecord record = record_with({right, silently_wrong});
+  StressLadder other = record.ladders[0];
+  other.engine = "povray";
+  other.rungs[1].outcome = right;
+  record.ladders.push_back(other);
+  EXPECT_NE(reports::stress_markdown(record).find("| shape sphere | scale up | 6 | 3, silently wrong at 6 | all (6) |"),
+            std::string::npos)
+      << reports::stress_markdown(record);
+  // Four features have one row, of the one that ends lowest.
+  for (const char* feature : {"shape cube", "shape disk", "shape plane"}) {
+    StressLadder more = record_with({right, right}).ladders[0];
+    more.feature = feature;
+    record.ladders.push_back(more);
+  }
+  EXPECT_NE(reports::stress_markdown(record).find("| scale up | 3 (shape sphere of 4; 1 silently wrong) | 6 ("),
+            std::string::npos)
+      << reports::stress_markdown(record);
+}
+
 }  // namespace
 }  // namespace photonproof

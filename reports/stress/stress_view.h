@@ -32,6 +32,9 @@ std::string stress_totals(const StressRecord& record);
 /// The table for a terminal: summaries, then every ladder that is wrong or does not reach what is wanted.
 std::string stress_table(const StressRecord& record);
 
+/// The same for a page of Markdown, with every ladder's words, an engine a column.
+std::string stress_markdown(const StressRecord& record);
+
 /// One file that needs no other; pictures are read from `folder`.
 void write_stress_page(const StressRecord& record, const std::vector<std::string>& worse,
                        const std::filesystem::path& folder, const std::filesystem::path& out);

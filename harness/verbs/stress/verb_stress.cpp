@@ -3,17 +3,20 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <optional>
 
 #include "harness/stress/stress_run.h"
+#include "harness/suites/engines.h"
 #include "harness/verbs/interrupt.h"
 #include "harness/verbs/verbs.h"
 #include "renderer/core/version.h"
 #include "renderer/integrators/integrator.h"
 #include "reports/stress/stress_view.h"
+#include "scenes/text/atomic_file.h"
 #include "scenes/text/input_error.h"
 #include "scenes/text/scratch_folder.h"
 #include "scenes/text/shell_text.h"
@@ -24,26 +27,41 @@ namespace {
 namespace fs = std::filesystem;
 
 struct StressArguments {
-  std::string output = "out/stress", only, engine, against, program;
+  std::string output = "out/stress", engines_file, against, program, markdown;
+  std::vector<std::string> only, engines;
   bool quick = false, list = false;
   int jobs = 0;
 };
 
+std::vector<Engine> engines_of_file(const std::string& file) {
+  std::vector<Engine> all = builtin_engines();
+  for (Engine& engine : engines_from_toml(TomlTable::parse(read_file(file), file), all))
+    all.push_back(std::move(engine));
+  return all;
+}
+
 StressOptions stress_options(const StressArguments& arguments) {
-  if (!arguments.engine.empty() && find_integrator(arguments.engine) == nullptr)
-    throw InputError("--engine", "'" + arguments.engine + "' is no integrator");
   StressOptions options;
+  options.others = arguments.engines_file.empty() ? builtin_engines() : engines_of_file(arguments.engines_file);
+  std::erase_if(options.others, [](const Engine& engine) { return find_integrator(engine.name) != nullptr; });
+  for (const std::string& name : arguments.engines) {
+    const auto is_asked_for = [&](const Engine& engine) { return engine.name == name; };
+    const bool is_known = find_integrator(name) != nullptr || name == "compare" ||
+                          std::any_of(options.others.begin(), options.others.end(), is_asked_for);
+    if (!is_known) throw InputError("--engine", "'" + name + "' is neither an integrator nor a row of engines");
+  }
   options.folder = arguments.output;
   options.program = arguments.program.empty() ? fs::read_symlink("/proc/self/exe") : fs::path(arguments.program);
   if (!fs::exists(options.program)) throw InputError("--program", "there is no '" + arguments.program + "'");
   options.only = arguments.only;
-  options.engine = arguments.engine;
+  options.engines = arguments.engines;
   options.quick = arguments.quick;
   options.jobs = arguments.jobs;
   options.version = version_line();
   std::vector<std::string> command{"photonproof", "stress"};
-  if (!arguments.only.empty()) command.insert(command.end(), {"--only", arguments.only});
-  if (!arguments.engine.empty()) command.insert(command.end(), {"--engine", arguments.engine});
+  for (const std::string& part : arguments.only) command.insert(command.end(), {"--only", part});
+  for (const std::string& engine : arguments.engines) command.insert(command.end(), {"--engine", engine});
+  if (!arguments.engines_file.empty()) command.insert(command.end(), {"--engines", arguments.engines_file});
   if (arguments.quick) command.push_back("--quick");
   command.insert(command.end(), {"-o", arguments.output});
   options.command = shell_line(command);
@@ -78,6 +96,7 @@ int stress(const StressArguments& arguments) {
   const std::vector<std::string> worse = old ? steps_back(*old, record) : std::vector<std::string>{};
   const fs::path page = options.folder / "stress.html";
   reports::write_stress_page(record, worse, options.folder, page);
+  if (!arguments.markdown.empty()) write_file_atomically(arguments.markdown, reports::stress_markdown(record));
   std::printf("%s", reports::stress_table(record).c_str());
   for (const std::string& sentence : worse) std::printf("step back: %s\n", sentence.c_str());
   if (old && worse.empty()) std::printf("no step back against %s\n", arguments.against.c_str());
@@ -101,13 +120,20 @@ void add_stress_verb(CLI::App& program, int& exit_code) {
       "Exit codes: 0 nothing is silently wrong, 1 something is, or worse than in --against, 2 bad input, 130 "
       "interrupted");
   verb->add_option("-o,--output", arguments->output, "results folder")->capture_default_str();
-  verb->add_option("--only", arguments->only, "only ladders whose name contains this; --list has the names");
-  verb->add_option("--engine", arguments->engine,
-                   "this integrator alone (default: path, photonmapper, bdpt, ptracer, volpath)");
+  verb->add_option("--only", arguments->only,
+                   "only ladders whose name contains this; may be repeated; --list has the names")
+      ->allow_extra_args(false);
+  verb->add_option("--engine", arguments->engines,
+                   "this one alone: an integrator, compare, povray, or a row of --engines; may be repeated (default: "
+                   "path, photonmapper, bdpt, ptracer, volpath, compare)")
+      ->allow_extra_args(false);
+  verb->add_option("--engines", arguments->engines_file,
+                   "a TOML file with [[engine]] rows, as suites have them: other programs that climb, by --engine");
   verb->add_flag("--quick", arguments->quick,
                  "path and photonmapper alone, each ladder at the height that is wanted; only one that is not right "
                  "there is climbed from below");
   verb->add_option("--against", arguments->against, "an earlier stress.json: what is worse than there fails");
+  verb->add_option("--markdown", arguments->markdown, "write the table of all ladders there, too");
   verb->add_option("--program", arguments->program, "another build of photonproof to stress (default: this one)");
   verb->add_option("--jobs", arguments->jobs, "renders at a time (default: one a core)")->check(CLI::Range(1, 1024));
   verb->add_flag("--list", arguments->list, "print the ladders' names and end");

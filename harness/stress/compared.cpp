@@ -1,0 +1,77 @@
+#include "harness/stress/compared.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "harness/cells/cells.h"
+#include "scenes/text/input_error.h"
+
+namespace photonproof {
+namespace {
+
+std::string names_of(const std::vector<KnownMetric>& known) {
+  std::string names;
+  for (const KnownMetric& metric : known) names += (names.empty() ? "" : ",") + metric.name;
+  return names;
+}
+
+std::string text_of(const std::optional<double>& value) { return value ? fmt::format("{:.9g}", *value) : "undefined"; }
+
+/// Empty where it is what it has to be.
+std::string difference(const KnownMetric& known, const nlohmann::ordered_json& said) {
+  std::optional<double> value;
+  if (said["value"].is_number()) value = said["value"].get<double>();
+  const auto is_equal = [&] { return std::abs(*value - *known.value) <= known.tolerance * std::abs(*known.value); };
+  const bool is_right = value && known.value ? (known.is_limit ? *value <= *known.value : is_equal())
+                                             : !value && !known.value && said.contains("undefined");
+  return is_right ? "" : fmt::format("{} is {}, should be {}", known.name, text_of(value), text_of(known.value));
+}
+
+}  // namespace
+
+std::vector<KnownMetric> metrics_said_of(const StressRunner& runner, const std::filesystem::path& reference,
+                                         const std::filesystem::path& test, const std::vector<std::string>& names) {
+  std::vector<KnownMetric> known;
+  for (const std::string& name : names) known.push_back({name, {}});
+  const ProcessOutcome outcome =
+      runner.run({"compare", reference.string(), test.string(), "--json", "--metrics", names_of(known)});
+  const auto json = nlohmann::ordered_json::parse(outcome.standard_output, nullptr, false);
+  if (json.is_discarded() || !json.contains("metrics")) throw InputError("compare", last_line(outcome.standard_error));
+  for (KnownMetric& metric : known)
+    for (const auto& said : json["metrics"])
+      if (said["name"] == metric.name && said["value"].is_number()) metric.value = said["value"].get<double>();
+  return known;
+}
+
+RungVerdict compare_files(const StressRunner& runner, const std::filesystem::path& reference,
+                          const std::filesystem::path& test, const std::vector<KnownMetric>& known,
+                          const std::vector<std::string>& arguments) {
+  std::vector<std::string> all{"compare", reference.string(), test.string(), "--json", "--metrics", names_of(known)};
+  all.insert(all.end(), arguments.begin(), arguments.end());
+  const ProcessOutcome outcome = runner.run(all);
+  if (outcome.end != ProcessOutcome::End::exited) return {RungOutcome::crashed, outcome.sentence(), {}};
+  const auto json = nlohmann::ordered_json::parse(outcome.standard_output, nullptr, false);
+  if (outcome.exit_code != 0) {
+    std::string why = last_line(outcome.standard_error);
+    if (!json.is_discarded() && json.contains("findings") && !json["findings"].empty())
+      why = json["findings"][0].dump();
+    return {why.empty() ? RungOutcome::crashed : RungOutcome::refused, why.empty() ? outcome.sentence() : why, {}};
+  }
+  if (json.is_discarded() || !json.contains("metrics"))
+    return {RungOutcome::crashed, "what compare says is no JSON", {}};
+  std::string wrong;
+  std::size_t found = 0;
+  for (const KnownMetric& metric : known)
+    for (const auto& said : json["metrics"]) {
+      if (said["name"] != metric.name) continue;
+      ++found;
+      if (const std::string text = difference(metric, said); !text.empty() && wrong.empty()) wrong = text;
+    }
+  if (found < known.size()) wrong = "a metric is missing";
+  return {wrong.empty() ? RungOutcome::right : RungOutcome::silently_wrong, wrong, {}};
+}
+
+}  // namespace photonproof

@@ -1,0 +1,36 @@
+#!/bin/sh
+# Which ladders does each fault of numbers break, of all there are? The test NumericFaults holds a few of them to a few
+# climbs; this climbs everything, by path and photon mapper at the heights that are wanted, and prints what is worse
+# than without a fault. Some minutes a fault.
+#   harness/stress/faults_of_numbers.sh PHOTONPROOF FOLDER [FAULT...]
+# needs photonproof-faulty beside PHOTONPROOF: cmake --build --preset release --target photonproof_faulty
+set -eu
+if [ $# -lt 2 ]; then
+  sed -n '2,6s/^# //p' "$0"
+  exit 2
+fi
+program=$(realpath "$1")
+folder=$2
+shift 2
+[ -x "$program-faulty" ] || { echo "$0: there is no $program-faulty" >&2; exit 2; }
+[ $# -gt 0 ] || set -- no-recentring no-rescaling float-faces float-sphere float-cylinder lost-height far-periods \
+  unclamped-metal
+mkdir -p "$folder"
+
+# Under one name for each fault, so that what is kept of one is not taken for another's.
+with_fault() {
+  command="$folder/program-$1"
+  printf '#!/bin/sh\n# %s\nPHOTONPROOF_FAULT=%s exec %s-faulty "$@"\n' "$(cksum <"$program-faulty")" "${1#none}" \
+    "$program" >"$command.part"
+  chmod +x "$command.part"
+  mv "$command.part" "$command"
+  realpath "$command"
+}
+
+"$program" stress --quick --program "$(with_fault none)" -o "$folder/none" >"$folder/none.txt" || true
+for fault in "$@"; do
+  echo "== $fault"
+  "$program" stress --quick --program "$(with_fault "$fault")" -o "$folder/$fault" \
+    --against "$folder/none/stress.json" >"$folder/$fault.txt" 2>/dev/null || true
+  grep '^step back' "$folder/$fault.txt" || echo "nothing is worse"
+done

@@ -1,0 +1,142 @@
+// One picture in two formats, which `compare` has to find equal up to what the format keeps, or refuse where it keeps
+// nothing. Formats that our own code does not write are written here, byte by byte.
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "harness/stress/compared.h"
+#include "harness/stress/ladder_rows.h"
+#include "scenes/images/image.h"
+#include "scenes/text/atomic_file.h"
+#include "scenes/text/scratch_folder.h"
+
+namespace photonproof {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Between 0.3 and 0.9 times `factor`.
+Image shades(int width, int height, double factor) {
+  Image image(width, height);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      for (int c = 0; c < 3; ++c)
+        image.pixel(x, y)[c] = static_cast<float>(factor * (0.3 + 0.04 * ((3 * x + 5 * y + 7 * c) % 16)));
+  return image;
+}
+
+/// Portable float map: rows from the bottom up, little endian.
+void write_pfm(const fs::path& file, const Image& image) {
+  std::string text = "PF\n" + std::to_string(image.width) + " " + std::to_string(image.height) + "\n-1.0\n";
+  for (int y = image.height; y-- > 0;) {
+    const auto* row = reinterpret_cast<const char*>(image.pixel(0, y));
+    text.append(row, 3 * sizeof(float) * static_cast<std::size_t>(image.width));
+  }
+  write_file_atomically(file, text);
+}
+
+/// Radiance's (Ward 1991): a common exponent, 8 bits a channel, here without run lengths.
+void write_rgbe(const fs::path& file, const Image& image) {
+  std::string text = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y " + std::to_string(image.height) + " +X " +
+                     std::to_string(image.width) + "\n";
+  for (std::size_t i = 0; i < image.rgb.size(); i += 3) {
+    const float largest = std::max({image.rgb[i], image.rgb[i + 1], image.rgb[i + 2]});
+    int exponent = 0;
+    std::frexp(largest, &exponent);
+    const bool is_held = largest > 0 && exponent > -128;
+    for (std::size_t c = 0; c < 3; ++c)
+      text += static_cast<char>(is_held ? static_cast<int>(std::ldexp(double{image.rgb[i + c]}, 8 - exponent)) : 0);
+    text += static_cast<char>(is_held ? exponent + 128 : 0);
+  }
+  write_file_atomically(file, text);
+}
+
+/// The nearest half: 11 bits, down to steps of 2^-24.
+float as_half(float value) {
+  int exponent = 0;
+  std::frexp(value, &exponent);
+  const int step = std::max(exponent - 11, -24);
+  return static_cast<float>(std::ldexp(std::nearbyint(std::ldexp(double{value}, -step)), step));
+}
+
+struct Format {
+  const char *name, *extension;
+  std::function<void(const fs::path&, const Image&)> write;
+  double kept;                                                   ///< the largest relative error of a value
+  std::vector<double> up, down;                                  ///< k of 10^k and 10^-k
+  double highest, lowest;                                        ///< those up to which values should be right
+  std::function<float(float)> held = [](float v) { return v; };  ///< what it makes of a value, where that is known
+};
+
+std::vector<Format> formats() {
+  const auto exr = [](ExrColour colour) {
+    return [=](const fs::path& file, const Image& image) { write_exr(file.string(), {image, {}, {}}, colour); };
+  };
+  const std::vector<double> up{0, 2, 4, 5, 6, 9, 15, 30, 37}, down{0, 2, 4, 5, 6, 8, 9, 15, 30, 37};
+  std::vector<double> further = down;
+  further.insert(further.end(), {40, 44});
+  return {{"EXR float", ".exr", exr(ExrColour::single), 0, up, further, 37, 44},
+          {"EXR half", ".exr", exr(ExrColour::half), 0, up, {0, 2, 4, 5, 6, 7, 8}, 4, 8, as_half},
+          {"PFM", ".pfm", write_pfm, 0, up, further, 37, 44},
+          {"HDR", ".hdr", write_rgbe, 0x1p-6, up, down, 37, 37}};
+}
+
+RungVerdict in_two_formats(const StressRunner& runner, const Format& format, const Image& image, double scale) {
+  const ScratchFolder scratch("stress");
+  const fs::path plain = scratch.path() / "plain.exr",
+                 other = scratch.path() / (std::string("other") + format.extension);
+  Image held = image;
+  for (float& v : held.rgb) v = format.held(v);
+  write_exr(plain.string(), {held, {}, {}});
+  format.write(other, image);
+  return compare_files(runner, plain, other, {{"max_abs", format.kept * scale, 0, true}});
+}
+
+Ladder format_ladder(const Format& format, const char* climb, const char* measure, const std::vector<double>& heights,
+                     double wanted, const std::function<RungVerdict(double, const StressRunner&)>& measured) {
+  Ladder ladder{std::string("format ") + format.name, climb, measure, heights, wanted, {}};
+  ladder.engines = {"compare"};
+  ladder.measured = measured;
+  return ladder;
+}
+
+/// 8 bits of sRGB: half a step of 1/255 where the curve is steepest in [0.3, 0.9].
+constexpr double of_eight_bits = 0.5 / 255 * 2.3;
+
+}  // namespace
+
+std::vector<Ladder> format_ladders(const fs::path&) {
+  std::vector<Ladder> ladders;
+  const std::vector<double> sides{1, 2, 3, 7, 8, 17, 1001, 30001};
+  for (const Format& format : formats()) {
+    const auto value = [format](double sign) {
+      return [=](double k, const StressRunner& runner) {
+        const double scale = std::pow(10.0, sign * k);
+        return in_two_formats(runner, format, shades(9, 5, scale), scale);
+      };
+    };
+    ladders.push_back(format_ladder(format, "values up", "values of 10^k", format.up, format.highest, value(1)));
+    ladders.push_back(format_ladder(format, "values down", "values of 10^-k", format.down, format.lowest, value(-1)));
+    ladders.push_back(
+        format_ladder(format, "size", "k x 3 pixels", sides, 30001, [format](double n, const StressRunner& runner) {
+          return in_two_formats(runner, format, shades(static_cast<int>(n), 3, 1), 1);
+        }));
+  }
+  const Format png{"PNG",
+                   ".png",
+                   [](const fs::path& file, const Image& image) { write_png(file.string(), image); },
+                   of_eight_bits,
+                   {},
+                   {},
+                   0,
+                   0};
+  ladders.push_back(
+      format_ladder(png, "size", "k x 3 pixels", sides, 30001, [png](double n, const StressRunner& runner) {
+        return in_two_formats(runner, png, shades(static_cast<int>(n), 3, 1), 1);
+      }));
+  return ladders;
+}
+
+}  // namespace photonproof

@@ -1,0 +1,86 @@
+// Every fault of numbers breaks the climbs that it has to and no other of those that the faults are told apart by.
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <set>
+
+#include "harness/gates/gate_mutants.h"
+#include "reference/process/process.h"
+#include "reports/stress/stress_record.h"
+#include "scenes/text/atomic_file.h"
+#include "scenes/text/scratch_folder.h"
+
+namespace photonproof {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// By which faults are told apart: feature and climb, as path climbs it but where a line says otherwise.
+const std::vector<std::string> climbs{
+    "shape sphere, scale up",        "shape sphere, scale down",        "shape sphere, translation",
+    "shape sphere, as a huge floor", "shape cylinder, as a huge floor", "coincident faces, glass in glass",
+    "light cylinder, tiny",          "light directional, grazing",      "texture bitmap, moved uv",
+    "bsdf conductor, high ior"};
+
+struct FaultAndClimbs {
+  std::string name, engine;
+  std::set<std::string> breaks;
+};
+
+void PrintTo(const FaultAndClimbs& fault, std::ostream* out) { *out << fault.name; }
+
+class NumericFaults : public ::testing::TestWithParam<FaultAndClimbs> {
+ protected:
+  /// The program with this fault, as a command of its own, so that nothing kept of another counts.
+  fs::path program_with(const FaultAndClimbs& fault) const {
+    const fs::path file = folder_.path() / "faulty.sh";
+    std::string text =
+        "#!/bin/sh\nexport PHOTONPROOF_FAULT=" + fault.name + "\nexec " PHOTONPROOF_BINARY "-faulty \"$@\"";
+    for (const std::string& argument : kernels_with_faults(fault.engine)) text += " " + argument;
+    write_file_atomically(file, text + "\n");
+    fs::permissions(file, fs::perms::owner_all);
+    return file;
+  }
+
+  ScratchFolder folder_{"numeric-faults"};
+};
+
+TEST_P(NumericFaults, break_their_own_climbs_and_no_other) {
+  const FaultAndClimbs& fault = GetParam();
+  std::vector<std::string> command{
+      PHOTONPROOF_BINARY, "stress",     "-o",        (folder_.path() / "out").string(), "--quick",
+      "--engine",         fault.engine, "--program", program_with(fault).string()};
+  for (const std::string& climb : climbs) command.insert(command.end(), {"--only", climb});
+  const ProcessOutcome outcome = run_process(command, {.wall_limit_seconds = 120});
+  ASSERT_LE(outcome.exit_code, 1) << outcome.standard_output << outcome.standard_error;
+  std::set<std::string> broken;
+  const StressRecord record = read_stress_record(folder_.path() / "out/stress.json");
+  EXPECT_EQ(record.ladders.size(), climbs.size());
+  for (const StressLadder& ladder : record.ladders)
+    if (!ladder.reaches_wanted()) broken.insert(ladder.feature + ", " + ladder.climb);
+  EXPECT_EQ(broken, fault.breaks) << outcome.standard_output;
+}
+
+INSTANTIATE_TEST_SUITE_P(all, NumericFaults,
+                         ::testing::Values(FaultAndClimbs{"dropped-cosine", "path", {"light directional, grazing"}},
+                                           FaultAndClimbs{"no-recentring", "path", {"shape sphere, translation"}},
+                                           FaultAndClimbs{"no-rescaling", "path", {"shape sphere, scale up"}},
+                                           FaultAndClimbs{"float-faces", "path", {"shape sphere, as a huge floor"}},
+                                           FaultAndClimbs{"float-sphere", "path", {"shape sphere, as a huge floor"}},
+                                           FaultAndClimbs{
+                                               "float-cylinder", "path", {"shape cylinder, as a huge floor"}},
+                                           FaultAndClimbs{"lost-height", "path", {"light cylinder, tiny"}},
+                                           FaultAndClimbs{"far-periods", "path", {"texture bitmap, moved uv"}},
+                                           FaultAndClimbs{"unclamped-metal", "path", {"bsdf conductor, high ior"}}),
+                         [](const auto& of) {
+                           std::string name = of.param.name;
+                           for (char& letter : name)
+                             if (letter == '-') letter = '_';
+                           return name;
+                         });
+
+}  // namespace
+}  // namespace photonproof
