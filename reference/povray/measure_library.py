@@ -110,7 +110,7 @@ def main():
     parser.add_argument("--seconds", type=float, default=20)
     parser.add_argument("--update", action="store_true")
     parser.add_argument("scenes", nargs="*")
-    options = parser.parse_args()
+    options = parser.parse_intermixed_args()
     options.keep.mkdir(parents=True, exist_ok=True)
     scenes = options.scenes or sorted(path.parent.name for path in LIBRARY.glob("*/scene.xml"))
     rows = []

@@ -35,7 +35,7 @@ std::string by_angle(const std::string& cosine, const std::string& entries) {
 
 std::string entry(double at, double share) { return "[" + format_number(at) + " " + passes(share) + "]"; }
 
-/// One plane of the table, from the nadir at 0 to the zenith at 1.
+/// What stands in a pigment for one plane of the table, from the nadir at 0 to the zenith at 1.
 std::string plane_pigment(const IesProfile& profile, std::size_t plane, double greatest) {
   const std::vector<double>& angles = profile.vertical_degrees;
   std::string entries;
@@ -43,7 +43,7 @@ std::string plane_pigment(const IesProfile& profile, std::size_t plane, double g
   for (std::size_t i = 0; i < angles.size(); ++i)
     entries += entry(angles[i] / 180, profile.candela[plane * angles.size() + i] / greatest);
   if (angles.back() < 180) entries += entry(angles.back() / 180, 0) + entry(1, 0);
-  return "pigment{" + by_angle("-z", entries) + "}";
+  return by_angle("-z", entries);
 }
 
 }  // namespace
@@ -71,7 +71,7 @@ std::string ies_shade(const IesLightDescription& light, double scale) {
   const IesProfile& profile = *light.profile;
   const double greatest = greatest_candela(profile);
   const std::vector<double>& planes = profile.horizontal_degrees;
-  if (planes.size() == 1) return ball(plane_pigment(profile, 0, greatest), light.to_world, scale);
+  if (planes.size() == 1) return ball("pigment{" + plane_pigment(profile, 0, greatest) + "}", light.to_world, scale);
   // A file that ends at 90 or 180 degrees is mirrored there.
   const double last = planes.back();
   std::string entries;
