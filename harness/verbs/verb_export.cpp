@@ -1,7 +1,9 @@
 // photonproof export: a scene file to POV-Ray's scene description language, or a refusal.
 
 #include <CLI/CLI.hpp>
+#include <cctype>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 
 #include "harness/verbs/povray_arguments.h"
@@ -15,13 +17,22 @@ namespace {
 int run_export(const PovrayArguments& arguments) {
   const SceneDescription description = load_scene(arguments.scene);
   check_outputs({arguments.output}, scene_inputs(description));
-  const PovrayExport scene = export_povray(description, arguments.options);
+  PovrayOptions options = arguments.options;
+  options.stem = std::filesystem::path(arguments.output).stem().string();
+  for (char& c : options.stem)  // it stands between quotes in the text
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
+  const PovrayExport scene = export_povray(description, options);
   write_sdl(scene, arguments.output);
   std::string antialias;
   for (const std::string& word : scene.antialias) antialias += " " + word;
   std::printf("%s: render with: povray +I%s +Oscene.exr +FE +W%d +H%d -D -P +WT1%s\n", arguments.output.c_str(),
-              arguments.output.c_str(), scene.width * scene.grid, scene.height * scene.grid, antialias.c_str());
-  if (scene.grid > 1) std::printf("then average %dx%d pixels\n", scene.grid, scene.grid);
+              arguments.output.c_str(), (scene.width + 2 * scene.margin) * scene.grid,
+              (scene.height + 2 * scene.margin) * scene.grid, antialias.c_str());
+  if (scene.margin > 0)
+    std::printf("then filter %dx%d sub-pixels a pixel, with %d pixels around the picture\n", scene.grid, scene.grid,
+                scene.margin);
+  else if (scene.grid > 1)
+    std::printf("then average %dx%d pixels\n", scene.grid, scene.grid);
   if (scene.exposure != 1) std::printf("then divide by %g\n", scene.exposure);
   for (const std::string& skip : scene.skipped) std::printf("skipped %s\n", skip.c_str());
   for (const std::string& loss : scene.losses) std::printf("loss: %s\n", loss.c_str());

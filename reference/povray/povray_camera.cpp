@@ -15,23 +15,36 @@
 namespace photonproof {
 namespace {
 
-/// The pyramid of view between two distances along `forward`.
+/// What may be seen between two distances along `forward`: a pyramid, wider where there is a lens; a box of an
+/// orthographic camera; of a fisheye, whose rays start and end at these distances from it, a cube.
 std::vector<HalfSpace> frustum(const PovCamera& camera, double nearest, double farthest) {
-  const auto through_eye = [&](const Vec3d& n) { return HalfSpace{n, dot(n, camera.origin)}; };
   const double at_eye = dot(camera.forward, camera.origin);
-  return {through_eye(camera.right - camera.forward * camera.tan_x),
-          through_eye(-camera.right - camera.forward * camera.tan_x),
-          through_eye(camera.up - camera.forward * camera.tan_y),
-          through_eye(-camera.up - camera.forward * camera.tan_y),
-          {-camera.forward, -(at_eye + nearest)},
-          {camera.forward, at_eye + farthest}};
+  std::vector<HalfSpace> region{{-camera.forward, -(at_eye + nearest)}, {camera.forward, at_eye + farthest}};
+  if (camera.kind == PovCamera::Kind::fisheye) {
+    for (const Vec3d& axis : {camera.right, -camera.right, camera.up, -camera.up})
+      region.push_back({axis, dot(axis, camera.origin) + farthest});
+    return region;
+  }
+  const bool parallel = camera.kind == PovCamera::Kind::orthographic;
+  const double spread = camera.lens_radius / camera.focus_distance;
+  const auto side = [&](const Vec3d& axis, double half, double middle) {
+    const double slope = parallel ? 0 : half * (1 + middle) + spread;
+    const Vec3d n = axis - camera.forward * slope;
+    region.push_back({n, dot(n, camera.origin) + camera.lens_radius + (parallel ? half : 0)});
+  };
+  side(camera.right, camera.tan_x, camera.middle_x);
+  side(-camera.right, camera.tan_x, -camera.middle_x);
+  side(camera.up, camera.tan_y, camera.middle_y);
+  side(-camera.up, camera.tan_y, -camera.middle_y);
+  return region;
 }
 
 /// In pixels across and down; empty behind the camera.
 std::optional<Vec2<double>> pixel_of(const PovCamera& camera, const Vec3d& p, int width, int height) {
   const Vec3d d = p - camera.origin;
-  const double depth = dot(d, camera.forward);
-  if (depth <= 0) return std::nullopt;
+  const bool parallel = camera.kind == PovCamera::Kind::orthographic;
+  const double depth = parallel ? 1 : dot(d, camera.forward);
+  if (depth <= 0 || camera.kind == PovCamera::Kind::fisheye) return std::nullopt;
   return Vec2<double>{dot(d, camera.right) / (depth * camera.tan_x) * width / 2,
                       dot(d, camera.up) / (depth * camera.tan_y) * height / 2};
 }
@@ -53,7 +66,9 @@ double thickness(const PovCamera& camera, const PovParallelogram& face, int widt
 }
 
 double thickness(const PovCamera& camera, const PovSphere& sphere, int, int height) {
-  const double depth = dot(sphere.center - camera.origin, camera.forward);
+  if (camera.kind == PovCamera::Kind::fisheye) return INFINITY;
+  const bool parallel = camera.kind == PovCamera::Kind::orthographic;
+  const double depth = parallel ? 1 : dot(sphere.center - camera.origin, camera.forward);
   return depth <= 0 ? INFINITY : sphere.radius / (depth * camera.tan_y) * height;
 }
 
@@ -80,14 +95,15 @@ bool meets(const PovParallelogram& face, const std::vector<HalfSpace>& region) {
 bool may_meet(const PovSphere& sphere, const PovCamera& camera, double nearest, double farthest) {
   for (const HalfSpace& half : frustum(camera, nearest, farthest))
     if (dot(half.normal, sphere.center) - half.offset >= sphere.radius * length(half.normal)) return false;
+  if (camera.kind != PovCamera::Kind::perspective) return true;
   // Or the whole piece of the frustum is inside the ball: it is the convex hull of its corners.
   double reach = 0;
   for (const double distance : {nearest, farthest})
     for (const double x : {-1.0, 1.0})
       for (const double y : {-1.0, 1.0}) {
-        const Vec3d corner =
-            camera.origin +
-            (camera.forward + camera.right * (x * camera.tan_x) + camera.up * (y * camera.tan_y)) * distance;
+        const Vec3d corner = camera.origin + (camera.forward + camera.right * ((x + camera.middle_x) * camera.tan_x) +
+                                              camera.up * ((y + camera.middle_y) * camera.tan_y)) *
+                                                 distance;
         reach = std::max(reach, length(corner - sphere.center));
       }
   return reach >= sphere.radius;
@@ -101,6 +117,13 @@ bool may_meet(const PovSurface& surface, const PovCamera& camera, double nearest
                  [&](const PovMesh& mesh) {
                    return mesh.any_triangle(
                        [&](const auto& triangle) { return meets(triangle, polygon_area(triangle), region); });
+                 },
+                 [&](const PovRound&) {
+                   const PovExtent of = extent(surface);
+                   return std::none_of(region.begin(), region.end(), [&](const HalfSpace& half) {
+                     return std::all_of(of.points.begin(), of.points.end(),
+                                        [&](const Vec3d& p) { return dot(half.normal, p) >= half.offset; });
+                   });
                  },
                  [&](const PovBox& box) {
                    const auto faces = box.faces();
@@ -120,23 +143,28 @@ bool nothing_behind(const PovParallelogram& plane, const PovScene& scene) {
   };
   for (const PovSurface& surface : scene.surfaces) {
     const bool clear = std::visit(
-        Overloaded{[&](const PovSphere& sphere) { return in_front(sphere.center, sphere.radius); }, face_in_front,
-                   [&](const PovMesh& mesh) {
-                     return !mesh.any_triangle([&](const auto& triangle) {
-                       return std::any_of(triangle.begin(), triangle.end(),
-                                          [&](const Vec3d& v) { return !in_front(v, 0); });
-                     });
-                   },
-                   [&](const PovBox& box) {
-                     const auto faces = box.faces();
-                     return std::all_of(faces.begin(), faces.end(), face_in_front);
-                   }},
+        Overloaded{
+            [&](const PovSphere& sphere) { return in_front(sphere.center, sphere.radius); }, face_in_front,
+            [&](const PovMesh& mesh) {
+              return !mesh.any_triangle([&](const auto& triangle) {
+                return std::any_of(triangle.begin(), triangle.end(), [&](const Vec3d& v) { return !in_front(v, 0); });
+              });
+            },
+            [&](const PovRound&) {
+              const PovExtent of = extent(surface);
+              return std::all_of(of.points.begin(), of.points.end(), [&](const Vec3d& p) { return in_front(p, 0); });
+            },
+            [&](const PovBox& box) {
+              const auto faces = box.faces();
+              return std::all_of(faces.begin(), faces.end(), face_in_front);
+            }},
         surface.geometry);
     if (!clear) return false;
   }
   const auto& emitters = scene.description->emitters;
   return std::all_of(emitters.begin(), emitters.end(), [&](const EmitterDescription& emitter) {
-    return in_front(std::get<PointLightDescription>(emitter.light).position, 0);
+    const auto at = position_of(emitter);
+    return at && in_front(*at, 0);
   });
 }
 
@@ -150,41 +178,84 @@ bool can_be_clear_from_behind(const PovSurface& surface, const PovCamera& camera
 
 }  // namespace
 
-PovCamera lower_camera(const SceneDescription& scene, int width, int height) {
+namespace {
+
+/// Of half the image, per pixel of it.
+double tangent_per_pixel(const PerspectiveDescription& perspective, int width, int height) {
+  const double tangent = std::tan(perspective.fov_degrees * std::numbers::pi / 360);
+  switch (perspective.fov_axis) {
+    case FovAxis::x:
+      return tangent / width;
+    case FovAxis::y:
+      return tangent / height;
+    case FovAxis::diagonal:
+      return tangent / std::hypot(width, height);
+    case FovAxis::smaller:
+      return tangent / std::min(width, height);
+    case FovAxis::larger:
+      return tangent / std::max(width, height);
+  }
+  return tangent / width;
+}
+
+struct Lens {
+  const SceneDescription& scene;
+  PovCamera& camera;
+  int width, height, margin;
+
+  void operator()(const PerspectiveDescription& perspective) const {
+    const double per_pixel = tangent_per_pixel(perspective, width, height);
+    camera.tan_x = per_pixel * (width + 2 * margin);
+    camera.tan_y = per_pixel * (height + 2 * margin);
+    // As in Mitsuba, the offset is added to where a pixel is looked up.
+    camera.middle_x = 2 * perspective.principal_x * width / (width + 2 * margin);
+    camera.middle_y = -2 * perspective.principal_y * height / (height + 2 * margin);
+    clip(perspective.near_clip, perspective.far_clip);
+  }
+  void operator()(const ThinLensDescription& lens) const {
+    (*this)(lens.perspective);
+    if (!(lens.aperture_radius > 0)) return;
+    camera.kind = PovCamera::Kind::thin_lens;
+    camera.lens_radius = lens.aperture_radius;
+    camera.focus_distance = lens.focus_distance;
+  }
+  void operator()(const OrthographicDescription& parallel) const {
+    camera.kind = PovCamera::Kind::orthographic;
+    const Transform& t = scene.sensor.to_world;
+    camera.tan_x = length(t.vector({1, 0, 0})) * (width + 2 * margin) / width;
+    camera.tan_y = length(t.vector({0, 1, 0})) * (height + 2 * margin) / width;
+    const double near = parallel.near_clip * length(t.vector({0, 0, 1}));
+    clip(near, near + parallel.far_clip - parallel.near_clip);
+  }
+  void operator()(const FisheyeDescription& fisheye) const {
+    camera.kind = PovCamera::Kind::fisheye;
+    camera.angle = fisheye.fov_degrees * std::numbers::pi / 180;
+    if (width != height || margin > 0)
+      throw Unrepresentable(scene.where(scene.sensor.loc),
+                            "a fisheye camera's picture that is not square, or has another filter than box");
+    clip(fisheye.near_clip, fisheye.far_clip);
+  }
+
+ private:
+  void clip(double near, double far) const {
+    camera.near_clip = near;
+    camera.far_clip = far;
+  }
+};
+
+}  // namespace
+
+PovCamera lower_camera(const SceneDescription& scene, int width, int height, int margin) {
   const SensorDescription& sensor = scene.sensor;
-  const auto& perspective = std::get<PerspectiveDescription>(sensor.camera);
   PovCamera camera;
   camera.origin = sensor.to_world.point({0, 0, 0});
   camera.forward = normalize(sensor.to_world.vector({0, 0, 1}));
   camera.right = normalize(sensor.to_world.vector({-1, 0, 0}));
   camera.up = normalize(sensor.to_world.vector({0, 1, 0}));
-  camera.near_clip = perspective.near_clip;
-  camera.far_clip = perspective.far_clip;
   const double skew = std::max({std::abs(dot(camera.forward, camera.right)), std::abs(dot(camera.forward, camera.up)),
                                 std::abs(dot(camera.right, camera.up))});
   if (!(skew < 1e-9)) throw Unrepresentable(scene.where(sensor.loc), "a camera whose axes are not perpendicular");
-
-  const double tangent = std::tan(perspective.fov_degrees * std::numbers::pi / 360);
-  const double diagonal = std::hypot(width, height);
-  double per_pixel = tangent / width;  // of half the image, per pixel of it
-  switch (perspective.fov_axis) {
-    case FovAxis::x:
-      break;
-    case FovAxis::y:
-      per_pixel = tangent / height;
-      break;
-    case FovAxis::diagonal:
-      per_pixel = tangent / diagonal;
-      break;
-    case FovAxis::smaller:
-      per_pixel = tangent / std::min(width, height);
-      break;
-    case FovAxis::larger:
-      per_pixel = tangent / std::max(width, height);
-      break;
-  }
-  camera.tan_x = per_pixel * width;
-  camera.tan_y = per_pixel * height;
+  std::visit(Lens{scene, camera, width, height, margin}, sensor.camera);
   return camera;
 }
 
@@ -199,22 +270,52 @@ double thinnest_lamp(const PovCamera& camera, const PovScene& scene, int width, 
   return thinnest;
 }
 
-std::string camera_sdl(const PovCamera& camera, double scale) {
-  return "camera{perspective location " + sdl_vector(camera.origin * scale) + " direction " +
-         sdl_vector(camera.forward) + " right " + sdl_vector(camera.right * (2 * camera.tan_x)) + " up " +
-         sdl_vector(camera.up * (2 * camera.tan_y)) + "}";
+std::string camera_sdl(const PovCamera& camera, double scale, int samples) {
+  const std::string place = " location " + sdl_vector(camera.origin * scale);
+  if (camera.kind == PovCamera::Kind::fisheye)
+    return "camera{fisheye" + place + " direction " + sdl_vector(camera.forward) + " right " +
+           sdl_vector(camera.right) + " up " + sdl_vector(camera.up) + " angle " +
+           format_number(camera.angle * 180 / std::numbers::pi) + "}";
+  const bool parallel = camera.kind == PovCamera::Kind::orthographic;
+  const double unit = 2 * (parallel ? scale : 1);
+  const Vec3d direction =
+      camera.forward + camera.right * (camera.middle_x * camera.tan_x) + camera.up * (camera.middle_y * camera.tan_y);
+  std::string text = std::string("camera{") + (parallel ? "orthographic" : "perspective") + place + " direction " +
+                     sdl_vector(direction) + " right " + sdl_vector(camera.right * (unit * camera.tan_x)) + " up " +
+                     sdl_vector(camera.up * (unit * camera.tan_y));
+  if (camera.kind == PovCamera::Kind::thin_lens)
+    text += " aperture " + format_number(4 * camera.lens_radius * scale) + " focal_point " +
+            sdl_vector((camera.origin + direction * camera.focus_distance) * scale) + " blur_samples " +
+            std::to_string(samples) + " variance 0 confidence 0.999999";
+  return text + "}";
+}
+
+std::string clip_sdl(const PovCamera& camera, double scale) {
+  const double at_eye = dot(camera.forward, camera.origin);
+  return " clipped_by{intersection{plane{" + sdl_vector(camera.forward) + ", " +
+         format_number((at_eye + camera.far_clip) * scale) + "} plane{" + sdl_vector(-camera.forward) + ", " +
+         format_number(-(at_eye + camera.near_clip) * scale) + "}}}";
 }
 
 void apply_clip_planes(const PovCamera& camera, PovScene& scene) {
   const SceneDescription& description = *scene.description;
-  const double end = length(scene.center - camera.origin) + 2 * scene.radius;  // beyond everything
+  double end = length(scene.center - camera.origin) + 2 * scene.radius;  // beyond everything
+  bool lit = false;
+  for (const PovSurface& surface : scene.surfaces) lit |= is_diffuse(surface) || is_specular(surface);
   for (PovSurface& surface : scene.surfaces) {
-    if (camera.far_clip < end && may_meet(surface, camera, camera.far_clip, end))
+    if (surface.endless) continue;  // so far that what a plane cuts of it is next to the horizon
+    const bool beyond = camera.far_clip < end && may_meet(surface, camera, camera.far_clip, end);
+    const bool before = may_meet(surface, camera, 0, camera.near_clip);
+    if (!beyond && !before) continue;
+    if (!lit) {
+      surface.clipped = true;
+      continue;
+    }
+    if (beyond)
       throw Unrepresentable(description.where(surface.shape->loc),
                             "part of this surface lies beyond the camera's far_clip of " + rounded(camera.far_clip) +
                                 ", and POV-Ray has no clip planes");
-    if (!may_meet(surface, camera, 0, camera.near_clip)) continue;
-    if (!can_be_clear_from_behind(surface, camera, scene, end))
+    if (camera.kind != PovCamera::Kind::perspective || !can_be_clear_from_behind(surface, camera, scene, end))
       throw Unrepresentable(description.where(surface.shape->loc),
                             "part of this surface lies before the camera's near_clip of " + rounded(camera.near_clip) +
                                 ", POV-Ray has no clip planes, and it cannot be left out without changing the light");

@@ -12,19 +12,27 @@
 namespace photonproof {
 
 struct PovCamera {
+  enum class Kind { perspective, thin_lens, orthographic, fisheye } kind = Kind::perspective;
   Vec3d origin;
   Vec3d forward, right, up;  ///< orthonormal, world space; right and up as in the image
-  double tan_x = 1;          ///< of half the angle of view, along the image's width
-  double tan_y = 1;
+  /// Half the image's width and height one unit ahead; in scene units when orthographic.
+  double tan_x = 1, tan_y = 1;
+  double middle_x = 0, middle_y = 0;  ///< of the image, in halves of its width and height from the axis
+  double lens_radius = 0, focus_distance = 1;
+  double angle = 0;      ///< of view in radians, fisheye
   double near_clip = 0;  ///< distances along `forward`
   double far_clip = 0;
 };
 
-/// Throws Unrepresentable when the camera's axes are not perpendicular.
-PovCamera lower_camera(const SceneDescription& scene, int width, int height);
+/// Of a picture of this size with `margin` pixels around it. Throws Unrepresentable when the camera's axes are not
+/// perpendicular, or when POV-Ray has no such camera.
+PovCamera lower_camera(const SceneDescription& scene, int width, int height, int margin);
 
-/// "camera{...}" with lengths multiplied by `scale`.
-std::string camera_sdl(const PovCamera& camera, double scale);
+/// "camera{...}" with lengths multiplied by `scale`; `samples` of a lens in every pixel.
+std::string camera_sdl(const PovCamera& camera, double scale, int samples);
+
+/// " clipped_by{...}" that leaves what is between the clip planes.
+std::string clip_sdl(const PovCamera& camera, double scale);
 
 /// How many pixels across the thinnest of the small lamps is in the picture (PovSurface::Emission::spots), as a
 /// parallelogram's image is no rectangle: its area over its longest diagonal or side. Infinite where there is none in
@@ -33,8 +41,8 @@ double thinnest_lamp(const PovCamera& camera, const PovScene& scene, int width, 
 
 /// Makes the picture what it would be with the clip planes, or proves that it already is. A surface that the near plane
 /// hides is made clear from behind (`clear_back`) when the camera sees nothing but its back and nothing else is behind
-/// it, so that no light is let through. Throws Unrepresentable for any other surface that a clip plane cuts out of
-/// view.
+/// it, so that no light is let through; where nothing is lit surfaces are cut (`clipped`). Throws Unrepresentable for
+/// any other surface that a clip plane cuts out of view.
 void apply_clip_planes(const PovCamera& camera, PovScene& scene);
 
 }  // namespace photonproof

@@ -25,8 +25,8 @@ std::vector<std::string> command(const PovrayExport& scene, const std::string& p
                                 "+Iscene.pov",
                                 "+Oscene.exr",
                                 "+FE",
-                                "+W" + std::to_string(scene.width * scene.grid),
-                                "+H" + std::to_string(scene.height * scene.grid),
+                                "+W" + std::to_string((scene.width + 2 * scene.margin) * scene.grid),
+                                "+H" + std::to_string((scene.height + 2 * scene.margin) * scene.grid),
                                 "-D",
                                 "-P",
                                 "+V",
@@ -88,6 +88,54 @@ Image box_downsample(const Image& image, int grid, double gain) {
   return result;
 }
 
+namespace {
+
+/// A filter's value at a distance in pixels, up to a factor.
+double weight_at(const ReconstructionFilter& filter, double distance) {
+  if (filter.kind == ReconstructionFilter::Kind::tent) return std::max(0.0, filter.radius - std::abs(distance));
+  const double s = filter.stddev;
+  if (std::abs(distance) >= 4 * s) return 0;
+  return std::exp(-distance * distance / (2 * s * s)) - std::exp(-8.0);
+}
+
+/// Of every sub-pixel along an axis that a pixel's filter reaches, from `margin` pixels before it on; their sum is 1.
+std::vector<double> weights_of(const PovrayExport& scene) {
+  const int count = (2 * scene.margin + 1) * scene.grid;
+  std::vector<double> weights;
+  double sum = 0;
+  for (int i = 0; i < count; ++i) {
+    weights.push_back(weight_at(scene.filter, (i + 0.5) / scene.grid - scene.margin - 0.5));
+    sum += weights.back();
+  }
+  for (double& w : weights) w /= sum;
+  return weights;
+}
+
+/// The picture of POV-Ray's, which has margins and sub-pixels.
+Image filtered(const Image& image, const PovrayExport& scene) {
+  if (scene.margin == 0) return box_downsample(image, scene.grid, 1 / scene.exposure);
+  const std::vector<double> weights = weights_of(scene);
+  const int count = static_cast<int>(weights.size());
+  Image result(scene.width, scene.height);
+  for (int y = 0; y < scene.height; ++y)
+    for (int x = 0; x < scene.width; ++x) {
+      RgbD sum(0.0);
+      for (int j = 0; j < count; ++j)
+        for (int i = 0; i < count; ++i) {
+          const float* p = image.pixel(x * scene.grid + i, y * scene.grid + j);
+          sum += RgbD(double{p[0]}, double{p[1]}, double{p[2]}) *
+                 (weights[static_cast<std::size_t>(i)] * weights[static_cast<std::size_t>(j)] / scene.exposure);
+        }
+      float* out = result.pixel(x, y);
+      out[0] = static_cast<float>(sum.x);
+      out[1] = static_cast<float>(sum.y);
+      out[2] = static_cast<float>(sum.z);
+    }
+  return result;
+}
+
+}  // namespace
+
 PovrayRun render_povray(const PovrayExport& scene, const PovrayRunOptions& options) {
   const ScratchFolder folder("povray");
   write_sdl(scene, folder.path() / "scene.pov");
@@ -114,8 +162,7 @@ PovrayRun render_povray(const PovrayExport& scene, const PovrayRunOptions& optio
   run.wall_seconds = outcome.wall_seconds;
   run.cpu_seconds = outcome.cpu_seconds;
   run.peak_bytes = outcome.peak_bytes;
-  run.rendering.mean =
-      box_downsample(read_image((folder.path() / "scene.exr").string()), scene.grid, 1 / scene.exposure);
+  run.rendering.mean = filtered(read_image((folder.path() / "scene.exr").string()), scene);
   run.rendering.metadata["photonproof:version"] = run.version;
   run.rendering.metadata["photonproof:command"] = run.command;
   for (const PovrayExport& part : scene.besides) add(render_povray(part, options), run);

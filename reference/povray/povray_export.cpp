@@ -15,8 +15,8 @@ namespace photonproof {
 namespace {
 
 /// POV-Ray's command-line words for where a pixel is sampled.
-std::vector<std::string> antialias(const PovrayOptions& options) {
-  if (options.grid > 0) return {"-A"};  // one ray through the centre of each of grid x grid sub-pixels
+std::vector<std::string> antialias(const PovrayOptions& options, bool lens) {
+  if (options.grid > 0 || lens) return {"-A"};  // one ray through the centre of each of grid x grid sub-pixels
   // Corners first, and wherever they differ by a tenth (of a gamma-encoded channel) a finer grid, at most 16 x 16
   // cells: the trapezoidal rule over the pixel, in linear light and without clipping.
   return {"+AM2", "+A0.1", "+R5", "-J"};
@@ -37,6 +37,8 @@ void write_radiosity_group(const PovScene& scene, const PovPlan& plan, std::uint
 }  // namespace
 
 void write_sdl(const PovrayExport& scene, const std::filesystem::path& target) {
+  for (const PovFile& file : scene.files)
+    write_exr((target.parent_path() / file.name).string(), Rendering{*file.image, {}, {}}, ExrColour::half);
   replace_atomically(target, [&](const std::filesystem::path& temporary) {
     std::ofstream out(temporary, std::ios::binary);
     scene.sdl.write(out);
@@ -52,6 +54,37 @@ namespace {
 constexpr double thin_lamp = 1.5;
 constexpr int finest_lamp_grid = 16;
 
+/// Rays through a lens in every pixel; POV-Ray spreads them over the pixel, too.
+constexpr int lens_samples = 256;
+
+/// Sub-pixels across a pixel where there are textures, which may turn between two corners that look alike.
+constexpr int pattern_grid = 4;
+
+bool has_patterns(const PovScene& scene) {
+  return std::any_of(scene.surfaces.begin(), scene.surfaces.end(), [&](const PovSurface& surface) {
+    const PovSides& sides = surface.sides;
+    return (sides.front && is_textured(*scene.description, *sides.front)) ||
+           (sides.back && is_textured(*scene.description, *sides.back)) ||
+           surface.emission == PovSurface::Emission::picture;
+  });
+}
+
+/// Sub-pixels across a pixel where a filter weighs them.
+constexpr int filter_grid = 8;
+
+/// Rows and columns beyond the picture's edge that its filter reaches.
+int margin_of(const ReconstructionFilter& filter) {
+  switch (filter.kind) {
+    case ReconstructionFilter::Kind::box:
+      return 0;
+    case ReconstructionFilter::Kind::tent:
+      return static_cast<int>(std::ceil(filter.radius - 0.5));
+    case ReconstructionFilter::Kind::gaussian:
+      return static_cast<int>(std::ceil(4 * filter.stddev - 0.5));
+  }
+  return 0;
+}
+
 PovrayExport export_scene(const PovScene& scene, const PovPlan& plan, const PovCamera& camera,
                           const PovrayOptions& options) {
   const SceneDescription& description = *scene.description;
@@ -63,18 +96,21 @@ PovrayExport export_scene(const PovScene& scene, const PovPlan& plan, const PovC
   out.explain(
       "camera of " + description.where(description.sensor.loc) +
       ": direction, right and up as they are, so that the picture is not mirrored in POV-Ray's left-handed axes");
-  out.line(camera_sdl(camera, plan.scale));
-  write_materials(scene, out);
+  out.line(camera_sdl(camera, plan.scale, lens_samples));
+  write_materials(scene, plan, out);
   if (plan.point_lights) {
     write_spot_macro(plan, out);
     write_lights(scene, plan, plan.photons ? plan.preset.photon_points : plan.preset.image_points, options.seed, out);
   }
-  write_surfaces(scene, plan, out);
+  write_surfaces(scene, plan, clip_sdl(camera, plan.scale), out);
   write_radiosity_group(scene, plan, options.seed, out);
 
   result.sdl = out.text();
   result.grid = std::max(1, options.grid);
-  result.antialias = antialias(options);
+  result.antialias = antialias(options, camera.kind == PovCamera::Kind::thin_lens);
+  result.margin = options.margin;
+  result.filter = description.sensor.film.filter;
+  result.files = image_files(scene, plan.exposure, plan.stem);
   result.exposure = plan.exposure;
   result.explanations = out.explanations();
   result.skipped = plan.skipped;
@@ -99,15 +135,19 @@ PovrayExport export_povray(const SceneDescription& description, const PovrayOpti
   PovrayOptions options = given;
   if (options.width <= 0) options.width = description.sensor.film.width;
   if (options.height <= 0) options.height = description.sensor.film.height;
+  options.margin = margin_of(description.sensor.film.filter);
   PovScene scene = lower_scene(description);
+  if (options.margin > 0 && options.grid == 0) options.grid = filter_grid;
+  if (has_patterns(scene) && options.grid == 0) options.grid = pattern_grid;
   PovPlan plan = make_plan(scene, options);
-  const PovCamera camera = lower_camera(description, options.width, options.height);
+  const PovCamera camera = lower_camera(description, options.width, options.height, options.margin);
   apply_clip_planes(camera, scene);
   const double thinnest = thinnest_lamp(camera, scene, options.width, options.height);
-  plan.shows_lamps = !options.lamps_apart || options.grid > 0 || thinnest > thin_lamp;
+  plan.shows_lamps = !options.lamps_apart || given.grid > 0 || thinnest > thin_lamp;
   PovrayExport result = export_scene(scene, plan, camera, options);
   if (plan.shows_lamps) return result;
   plan.shows_lamps = true;
+  options.grid = 0;
   result.besides.push_back(export_lamps(scene, plan, camera, options, thinnest));
   return result;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "reference/povray/povray_options.h"
+#include "reference/povray/povray_pigments.h"
 #include "reference/povray/sdl_text.h"
 #include "scenes/description/description.h"
 
@@ -14,8 +15,11 @@ namespace photonproof {
 
 struct PovrayExport {
   SdlText sdl;
-  int width = 0, height = 0;              ///< of the final image
-  int grid = 1;                           ///< POV-Ray renders grid x width by grid x height
+  int width = 0, height = 0;  ///< of the final image
+  int grid = 1;               ///< POV-Ray renders grid x width by grid x height
+  int margin = 0;             ///< pixels around the image, which its filter reaches
+  ReconstructionFilter filter{.kind = ReconstructionFilter::Kind::box};
+  std::vector<PovFile> files{};           ///< images that the text reads from its own folder
   std::vector<std::string> antialias;     ///< POV-Ray's options for how it samples its pixels
   double exposure = 1;                    ///< POV-Ray's pixels are the scene's radiance times this power of two
   std::vector<std::string> explanations;  ///< every conversion; the comments of `sdl`
@@ -24,7 +28,8 @@ struct PovrayExport {
   std::vector<PovrayExport> besides{};    ///< their images are to be added: PovrayOptions::lamps_apart
 };
 
-/// Writes the scene's text to a file, whole or not at all. Throws InputError when it cannot be written.
+/// Writes the scene's text to a file and its images beside it, each whole or not at all. Throws InputError when one
+/// cannot be written.
 void write_sdl(const PovrayExport& scene, const std::filesystem::path& target);
 
 /// Throws Unrepresentable with the place of what POV-Ray cannot express, InputError for a bad option.

@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "reference/povray/povray_materials.h"
+#include "reference/povray/povray_pigments.h"
 #include "scenes/description/overloaded.h"
 #include "scenes/text/text_numbers.h"
 
@@ -35,15 +36,14 @@ std::string shape_sdl(const PovSphere& sphere, double scale) {
 }
 
 std::string shape_sdl(const PovBox& box, double scale) {
-  // POV-Ray multiplies row vectors: the rows of its matrix are the images of the axes.
-  std::string matrix;
-  for (const Vec3d& axis : {Vec3d{1, 0, 0}, Vec3d{0, 1, 0}, Vec3d{0, 0, 1}}) {
-    const Vec3d image = box.to_world.vector(axis) * scale;
-    matrix += format_number(image.x) + "," + format_number(image.y) + "," + format_number(image.z) + ", ";
-  }
-  const Vec3d origin = box.to_world.point({0, 0, 0}) * scale;
-  matrix += format_number(origin.x) + "," + format_number(origin.y) + "," + format_number(origin.z);
-  return std::string("box{-1, 1") + (box.inward ? " inverse" : "") + " matrix<" + matrix + ">";
+  return std::string("box{-1, 1") + (box.inward ? " inverse" : "") + matrix_sdl(box.to_world, scale);
+}
+
+std::string shape_sdl(const PovRound& round, double scale) {
+  const bool mirrored = round.to_world.determinant() < 0;  // turns no normal of Mitsuba's, and none of a cylinder
+  if (round.kind == PovRound::Kind::cylinder)
+    return std::string("cylinder{0, z, 1 open") + (round.inward ? " inverse" : "") + matrix_sdl(round.to_world, scale);
+  return std::string("disc{0, z, 1") + (round.inward != mirrored ? " inverse" : "") + matrix_sdl(round.to_world, scale);
 }
 
 /// The mesh itself is declared before.
@@ -52,36 +52,25 @@ std::string shape_sdl(const PovMesh& mesh, double) { return "object{Mesh_" + std
 std::string kind(const PovSurface& surface) {
   const bool rectangle = std::holds_alternative<RectangleDescription>(surface.shape->geometry);
   return std::visit(Overloaded{[](const PovMesh& mesh) {
-                                 return "ply as a mesh2 of " + std::to_string(mesh.mesh->triangles.size()) +
-                                        " flat triangles, in world space and single precision";
+                                 return "a mesh2 of " + std::to_string(mesh.mesh->triangles.size()) +
+                                        (mesh.smooth ? " smooth" : " flat") +
+                                        " triangles, in world space and single precision";
                                },
                                [](const PovSphere&) -> std::string { return "sphere"; },
+                               [](const PovRound& round) -> std::string {
+                                 return round.kind == PovRound::Kind::disk ? "disk as a disc" : "cylinder without caps";
+                               },
                                [](const PovBox&) -> std::string { return "cube as a box"; },
                                [&](const PovParallelogram&) -> std::string {
+                                 if (surface.endless) return "plane as a polygon that ends far away";
                                  return rectangle ? "rectangle as a polygon" : "side of a cube as a polygon";
                                }},
                     surface.geometry);
 }
 
-/// Texture of a light's front that shows both what it emits and what it reflects. POV-Ray multiplies emission by the
-/// pigment, so it is divided by it here; a channel that reflects nothing gets a pigment too small to be seen.
-std::string emitter_texture(const RgbD& reflectance, const RgbD& radiance) {
-  const bool black = max_component(reflectance) <= 0;
-  const double least = 1e-9;
-  const RgbD pigment =
-      black ? RgbD(1.0)
-            : RgbD{std::max(reflectance.x, least), std::max(reflectance.y, least), std::max(reflectance.z, least)};
-  return "texture{pigment{" + sdl_rgb(pigment) + "} finish{ambient 0 diffuse " + (black ? "0" : "1/Brightness") +
-         " emission " + sdl_rgb(radiance / pigment) + "}}";
-}
-
 std::string photon_target(const PovSurface& surface) {
-  const bool glass = std::holds_alternative<DielectricDescription>(surface.bsdf->model);
-  return std::string(" photons{target reflection on refraction ") + (glass ? "on" : "off") + " collect off}";
-}
-
-std::string back_of(const PovSurface& surface) {
-  return surface.clear_back ? " interior_texture{Clear} interior{ior 1}" : " interior_texture{Black}";
+  return std::string(" photons{target reflection on refraction ") + (is_glass(surface) ? "on" : "off") +
+         " collect off}";
 }
 
 std::string outline(const PovSurface& surface, const PovPlan& plan) {
@@ -103,36 +92,65 @@ PovBox behind(PovBox box, double distance) {
   box.to_world = box.to_world * Transform::scale({by({1, 0, 0}), by({0, 1, 0}), by({0, 0, 1})});
   return box;
 }
+PovRound behind(PovRound round, double distance) {
+  const double along = round.inward ? -distance : distance;
+  if (round.kind == PovRound::Kind::disk) {
+    const Vec3d n = normalize(cross(round.to_world.vector({1, 0, 0}), round.to_world.vector({0, 1, 0})));
+    const double side = round.to_world.determinant() < 0 ? -along : along;
+    round.to_world = Transform::translate(n * -side) * round.to_world;
+  } else {
+    const double by = 1 - along / round.radius();
+    round.to_world = round.to_world * Transform::scale({by, by, 1});
+  }
+  return round;
+}
 PovMesh behind(const PovMesh&, double) { throw std::logic_error("has_twin says no"); }
 
 /// POV-Ray shows no photons on what is `no_image`, not even to radiosity's rays: where there are photons, twins are
 /// hidden from the camera by what they are twins of.
 bool hides_behind(const PovPlan& plan) { return plan.photons; }
 
-std::string plain_texture(const PovScene& scene, const PovSurface& surface) {
-  return " texture{Bsdf_" + std::to_string(bsdf_number(scene, surface)) + "}";
+/// A lamp that the camera sees black: it shines in mirrors and for radiosity's rays.
+void write_hidden_lamp(const PovScene& scene, const PovSurface& surface, const PovPlan& plan, SdlWriter& out) {
+  out.explain("  hide_emitters: the camera sees it black, mirrors see it shine");
+  out.line(outline(surface, plan) + " texture{Black}" + (plan.radiosity ? " no_radiosity" : "") + " no_reflection}");
+  out.line(outline(surface, plan) + lamp_texture(scene, surface, plan) + back_of(scene, surface, plan) + " no_image" +
+           (plan.radiosity ? " no_radiosity" : "") + "}");
 }
 
-void write_surface(const PovScene& scene, const PovSurface& surface, const PovPlan& plan, SdlWriter& out) {
-  std::string object = outline(surface, plan);
-  if (surface.emission != PovSurface::Emission::none) {
-    const bool surrounding = surface.emission == PovSurface::Emission::radiosity;
-    out.explain(surrounding ? "  emits inwards: radiosity's rays find it, so it needs no light_source"
-                            : "  emits: this body is what is seen of the light; its light_sources are what lights");
-    object += " " + emitter_texture(constant(std::get<DiffuseDescription>(surface.bsdf->model).reflectance),
-                                    constant(*surface.shape->radiance) * (plan.shows_lamps ? plan.exposure : 0));
-  } else {
-    object += plain_texture(scene, surface);
+void explain_lamp(const PovSurface& surface, SdlWriter& out) {
+  switch (surface.emission) {
+    case PovSurface::Emission::none:
+      return;
+    case PovSurface::Emission::radiosity:
+      return out.explain("  emits inwards: radiosity's rays find it, so it needs no light_source");
+    case PovSurface::Emission::picture:
+      return out.explain("  emits, and lights nothing that reflects: what is seen of it is all there is");
+    case PovSurface::Emission::spots:
+      return out.explain("  emits: this body is what is seen of the light; its light_sources are what lights");
   }
-  if (std::holds_alternative<DielectricDescription>(surface.bsdf->model)) {
-    object += " interior{Interior_" + std::to_string(bsdf_number(scene, surface)) + "}";
+}
+
+void write_surface(const PovScene& scene, const PovSurface& surface, const PovPlan& plan, const std::string& clip,
+                   SdlWriter& out) {
+  std::string object = outline(surface, plan);
+  explain_lamp(surface, out);
+  if (surface.emission == PovSurface::Emission::none) {
+    object += material_of(scene, surface, plan);
+  } else if (scene.hides_lamps) {
+    return write_hidden_lamp(scene, surface, plan, out);
   } else {
-    object += back_of(surface);
+    object += lamp_texture(scene, surface, plan) + back_of(scene, surface, plan);
   }
   if (surface.clear_back)
     out.explain("  clear from behind, where only the camera is: the near clip plane cuts it out of the picture");
+  if (surface.clipped) {
+    out.explain("  cut by the clip planes: nothing is lit, so that only the picture changes");
+    object += clip;
+  }
   if (plan.photons && is_specular(surface)) object += photon_target(surface);
-  // A light that reflects nothing has no twin, yet radiosity's rays must not see it: its light_sources are counted.
+  // Radiosity's rays must not see a lamp shine, whose light_sources are counted, but its twin, which hides what is
+  // behind it.
   const bool counted = surface.emission == PovSurface::Emission::spots;
   if (plan.radiosity && (counted || has_twin(surface, plan))) object += " no_radiosity";
   object += "}";
@@ -141,20 +159,20 @@ void write_surface(const PovScene& scene, const PovSurface& surface, const PovPl
 
 }  // namespace
 
-void write_surfaces(const PovScene& scene, const PovPlan& plan, SdlWriter& out) {
+void write_surfaces(const PovScene& scene, const PovPlan& plan, const std::string& clip, SdlWriter& out) {
   for (const PovSurface& surface : scene.surfaces) {
     out.explain("shape '" + surface.shape->id + "' of " + scene.description->where(surface.shape->loc) + ": " +
                 kind(surface));
     if (const auto* mesh = std::get_if<PovMesh>(&surface.geometry))
       out.later([mesh = *mesh, scale = plan.scale](std::ostream& text) { write_mesh_declaration(mesh, scale, text); });
-    write_surface(scene, surface, plan, out);
+    write_surface(scene, surface, plan, clip, out);
   }
 }
 
 bool has_twin(const PovSurface& surface, const PovPlan& plan) {
   if (hides_behind(plan) && std::holds_alternative<PovMesh>(surface.geometry)) return false;  // it has no behind
   return plan.radiosity && plan.point_lights && surface.emission != PovSurface::Emission::radiosity &&
-         is_diffuse(surface);
+         (is_diffuse(surface) || surface.emission == PovSurface::Emission::spots);
 }
 
 void write_twins(const PovScene& scene, const PovPlan& plan, SdlWriter& out) {
@@ -164,8 +182,8 @@ void write_twins(const PovScene& scene, const PovPlan& plan, SdlWriter& out) {
       std::visit([&](auto& geometry) { geometry = behind(geometry, kBehind / plan.scale); }, surface.geometry);
     // Mirrors must show a light's body and not its dark twin; of other surfaces either will do.
     const bool emits = surface.emission != PovSurface::Emission::none;
-    out.line(outline(surface, plan) + plain_texture(scene, surface) + back_of(surface) +
-             (hides_behind(plan) ? "" : " no_image") + " no_shadow" + (emits ? " no_reflection}" : "}"));
+    out.line(outline(surface, plan) + material_of(scene, surface, plan) + (hides_behind(plan) ? "" : " no_image") +
+             " no_shadow" + (emits ? " no_reflection}" : "}"));
   }
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reference/povray/povray_pigments.h"
 #include "scenes/text/text_numbers.h"
 
 namespace photonproof {
@@ -53,7 +54,10 @@ void write_header(const PovScene& scene, const PovPlan& plan, SdlWriter& out) {
   if (plan.radiosity) out.line(radiosity_sdl(scene, plan));
   if (plan.photons) out.line(photons_sdl(scene, plan));
   out.line("}");
-  out.line("background{rgb 0}");
+  if (scene.sky)
+    out.explain("light from all around, of " + scene.description->where(scene.sky->loc) +
+                ": what rays see where nothing is; radiosity's rays find it");
+  out.line(sky_sdl(scene, plan.exposure, plan.stem));
   out.line("#default{finish{ambient 0 diffuse 1/Brightness emission 0}}");
 }
 

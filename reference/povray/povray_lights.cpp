@@ -6,6 +6,7 @@
 #include <random>
 #include <stdexcept>
 
+#include "reference/povray/povray_shades.h"
 #include "scenes/description/overloaded.h"
 #include "scenes/text/text_numbers.h"
 
@@ -34,39 +35,144 @@ PovrayLightPoints share(const PovrayLightPoints& points, const PovScene& scene) 
           std::max(4, static_cast<int>(std::lround(points.sphere / count)))};
 }
 
+struct Patch {
+  Vec3d position, normal;
+  double area;
+};
+
+/// Where a unit disc is met by the unit square, area for area (Shirley and Chiu 1997).
+Vec2<double> on_disc(const Vec2<double>& s) {
+  const double a = 2 * s.x - 1, b = 2 * s.y - 1;
+  if (a == 0 && b == 0) return {0, 0};
+  const bool wide = std::abs(a) > std::abs(b);
+  const double r = wide ? a : b;
+  const double phi = wide ? std::numbers::pi / 4 * (b / a) : std::numbers::pi / 2 - std::numbers::pi / 4 * (a / b);
+  return {r * std::cos(phi), r * std::sin(phi)};
+}
+
+std::vector<Patch> patches(const PovParallelogram& face, const PovrayLightPoints& points, std::uint64_t seed) {
+  std::vector<Patch> found;
+  for (const Vec2<double>& s : square_points(points.rectangle, seed))
+    found.push_back({face.corner + face.edge_u * s.x + face.edge_v * s.y, face.normal(), 0});
+  return found;
+}
+
+std::vector<Patch> patches(const PovSphere& sphere, const PovrayLightPoints& points, std::uint64_t seed) {
+  std::vector<Patch> found;
+  for (const Vec3d& n : sphere_points(points.sphere, seed)) found.push_back({sphere.center + n * sphere.radius, n, 0});
+  return found;
+}
+
+std::vector<Patch> patches(const PovRound& round, const PovrayLightPoints& points, std::uint64_t seed) {
+  std::vector<Patch> found;
+  const Transform& t = round.to_world;
+  if (round.kind == PovRound::Kind::disk) {
+    const Vec3d across = normalize(cross(t.vector({1, 0, 0}), t.vector({0, 1, 0})));
+    const Vec3d n = round.inward != (t.determinant() < 0) ? -across : across;
+    for (const Vec2<double>& s : square_points(points.rectangle, seed)) {
+      const Vec2<double> p = on_disc(s);
+      found.push_back({t.point({p.x, p.y, 0}), n, 0});
+    }
+    return found;
+  }
+  // As many as of a sphere, more around than along.
+  const int side = std::max(2, static_cast<int>(std::lround(std::sqrt(points.sphere))));
+  for (const Vec2<double>& s : square_points(side, seed)) {
+    const Vec3d out{std::cos(2 * std::numbers::pi * s.x), std::sin(2 * std::numbers::pi * s.x), 0};
+    found.push_back({t.point({out.x, out.y, s.y}), normalize(t.vector(out)), 0});
+  }
+  return found;
+}
+
+/// Every triangle has its share of the points by its area, one at least and a square number.
+std::vector<Patch> patches(const PovMesh& mesh, const PovrayLightPoints& points, std::uint64_t seed) {
+  std::vector<Patch> found;
+  for (std::size_t i = 0; i < mesh.mesh->triangles.size(); ++i) {
+    const auto [a, b, c] = mesh.triangle(i);
+    const Vec3d across = cross(b - a, c - a);
+    const double size = length(across) / 2;
+    if (!(size > 0)) continue;
+    const double share = points.rectangle * points.rectangle * size / mesh.area;
+    const int side = std::max(1, static_cast<int>(std::ceil(std::sqrt(share))));
+    for (const Vec2<double>& s : square_points(side, seed + i)) {
+      const double root = std::sqrt(s.x);  // area for area
+      found.push_back({a + (b - a) * (1 - root) + (c - a) * (root * s.y), normalize(across), size / (side * side)});
+    }
+  }
+  return found;
+}
+
+std::vector<Patch> patches(const PovBox&, const PovrayLightPoints&, std::uint64_t) {
+  throw std::logic_error("cubes that shine are written side by side");
+}
+
 void write_area_light(const PovScene& scene, const PovSurface& surface, const PovPlan& plan,
                       const PovrayLightPoints& points, std::uint64_t seed, SdlWriter& out) {
-  std::vector<std::string> spots;
-  const auto refuse = []() { throw std::logic_error("lower_scene lets no such lamp through"); };
-  std::visit(Overloaded{[&](const PovParallelogram& face) {
-                          for (const Vec2<double>& s : square_points(points.rectangle, seed))
-                            spots.push_back(spot((face.corner + face.edge_u * s.x + face.edge_v * s.y) * plan.scale,
-                                                 face.normal()));
-                        },
-                        [&](const PovSphere& sphere) {
-                          for (const Vec3d& n : sphere_points(points.sphere, seed))
-                            spots.push_back(spot((sphere.center + n * sphere.radius) * plan.scale, n));
-                        },
-                        [&](const PovBox&) { refuse(); }, [&](const PovMesh&) { refuse(); }},
-             surface.geometry);
-  // Each is a small patch of the surface: intensity L A cos(angle) over the number of patches.
-  const double patch = area(surface) * plan.scale * plan.scale / static_cast<double>(spots.size());
-  out.explain("light of " + scene.description->where(surface.shape->loc) + ": " + std::to_string(spots.size()) +
+  std::vector<Patch> found =
+      std::visit([&](const auto& geometry) { return patches(geometry, points, seed); }, surface.geometry);
+  // Each is a small patch of the surface: intensity L A cos(angle), of equal patches the whole over their number.
+  for (Patch& patch : found)
+    if (patch.area == 0) patch.area = area(surface) / static_cast<double>(found.size());
+  out.explain("light of " + scene.description->where(surface.shape->loc) + ": " + std::to_string(found.size()) +
               " points on its surface, each with its share of the flux and the cosine law");
-  out.line("#declare Intensity = " + sdl_rgb(constant(*surface.shape->radiance) * (patch * plan.exposure)) + ";");
-  for (const std::string& s : spots) out.line(s);
+  double declared = 0;
+  for (const Patch& patch : found) {
+    if (patch.area != declared)
+      out.line("#declare Intensity = " +
+               sdl_rgb(constant(*surface.shape->radiance) * (patch.area * plan.scale * plan.scale * plan.exposure)) +
+               ";");
+    declared = patch.area;
+    out.line(spot(patch.position * plan.scale, patch.normal));
+  }
 }
 
-template <class Other>
-void write_light(const Other&, const PovPlan&, SdlWriter&) {
-  throw std::logic_error("lower_scene lets no such light through");
-}
+std::string with_photons(const PovPlan& plan) { return plan.photons ? " photons{reflection on refraction on}" : ""; }
 
-void write_light(const PointLightDescription& light, const PovPlan& plan, SdlWriter& out) {
-  const RgbD intensity = light.intensity * (plan.scale * plan.scale * plan.exposure);
-  out.line("light_source{" + sdl_vector(light.position * plan.scale) + " " + sdl_rgb(intensity) +
-           "*Fade fade_distance Near fade_power 2" + (plan.photons ? " photons{reflection on refraction on}" : "") +
-           "}");
+struct LightWriter {
+  const PovScene& scene;
+  const PovPlan& plan;
+  SdlWriter& out;
+
+  void point(const Vec3d& position, const RgbD& intensity, const std::string& more) const {
+    out.line("light_source{" + sdl_vector(position * plan.scale) + " " +
+             sdl_rgb(intensity * (plan.scale * plan.scale * plan.exposure)) + "*Fade fade_distance Near fade_power 2" +
+             more + with_photons(plan) + "}");
+  }
+
+  void operator()(const PointLightDescription& light) const { point(light.position, light.intensity, ""); }
+  void operator()(const SpotLightDescription& light) const {
+    out.explain("  its cone is a shade around it that dims by the angle: POV-Ray's own falloff is another");
+    const Vec3d at = light.to_world.point({0, 0, 0});
+    out.line(spot_shade(light, plan.scale));
+    if (light.texture) out.line(slide_shade(light, range_of(*scene.description, *light.texture).greatest, plan.scale));
+    point(at, light.intensity, "");
+  }
+  void operator()(const IesLightDescription& light) const {
+    out.explain("  its distribution is a shade around it that dims by direction, linear between the file's angles");
+    const Vec3d at = light.to_world.point({0, 0, 0});
+    out.line(ies_shade(light, plan.scale));
+    point(at, light.intensity * greatest_candela(*light.profile), "");
+  }
+  void operator()(const DirectionalLightDescription& light) const {
+    const Vec3d from = scene.center - light.direction * (4 * scene.radius);
+    out.line("light_source{" + sdl_vector(from * plan.scale) + " " +
+             sdl_rgb(light.irradiance * (plan.exposure / std::numbers::pi)) + "*Brightness parallel point_at " +
+             sdl_vector(scene.center * plan.scale) + with_photons(plan) + "}");
+  }
+  template <class Other>
+  void operator()(const Other&) const {
+    throw std::logic_error("skies are no light_sources");
+  }
+};
+
+const char* kind_of(const EmitterDescription& emitter) {
+  return std::visit(
+      Overloaded{[](const PointLightDescription&) { return "a point"; },
+                 [](const SpotLightDescription&) { return "a spot"; },
+                 [](const IesLightDescription&) { return "a point with a measured distribution"; },
+                 [](const DirectionalLightDescription&) { return "parallel; POV-Ray's colour is irradiance over pi"; },
+                 [](const auto&) { return "from all around"; }},
+      emitter.light);
 }
 
 }  // namespace
@@ -110,8 +216,9 @@ void write_spot_macro(const PovPlan& plan, SdlWriter& out) {
 void write_lights(const PovScene& scene, const PovPlan& plan, const PovrayLightPoints& points, std::uint64_t seed,
                   SdlWriter& out) {
   for (const EmitterDescription& emitter : scene.description->emitters) {
-    out.explain("light '" + emitter.id + "' of " + scene.description->where(emitter.loc) + ": a point");
-    std::visit([&](const auto& light) { write_light(light, plan, out); }, emitter.light);
+    if (&emitter == scene.sky) continue;
+    out.explain("light '" + emitter.id + "' of " + scene.description->where(emitter.loc) + ": " + kind_of(emitter));
+    std::visit(LightWriter{scene, plan, out}, emitter.light);
   }
   std::uint64_t number = 0;
   for (const PovSurface& surface : scene.surfaces)

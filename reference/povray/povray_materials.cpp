@@ -1,8 +1,14 @@
 #include "reference/povray/povray_materials.h"
 
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <functional>
+#include <numbers>
 #include <set>
 #include <stdexcept>
 
+#include "reference/povray/povray_pigments.h"
 #include "scenes/text/text_numbers.h"
 
 namespace photonproof {
@@ -10,60 +16,213 @@ namespace {
 
 struct Material {
   std::string explanation;
-  std::string texture;
+  std::string texture;   ///< what stands between the braces
   std::string interior;  ///< empty when there is none
 };
 
-Material material(const DiffuseDescription& diffuse) {
-  return {"diffuse: radiance is pigment times irradiance over pi, with POV-Ray's diffuse and no ambient",
-          "pigment{" + sdl_rgb(constant(diffuse.reflectance)) + "} finish{ambient 0 diffuse 1/Brightness emission 0}",
-          ""};
+/// Unpolarised reflectance at the boundary to a medium of this index, relative to the one before it.
+double fresnel(double cosine, const std::complex<double>& index) {
+  const std::complex<double> inside = std::sqrt(index * index - (1 - cosine * cosine));
+  const std::complex<double> across = (cosine - inside) / (cosine + inside);
+  const std::complex<double> along = (index * index * cosine - inside) / (index * index * cosine + inside);
+  return (std::norm(across) + std::norm(along)) / 2;
 }
 
-Material material(const ConductorDescription& conductor) {
-  return {"conductor without an index: reflects the same share at every angle",
-          "pigment{rgb 0} finish{ambient 0 diffuse 0 reflection{" + sdl_rgb(constant(conductor.specular_reflectance)) +
-              "}}",
-          ""};
+/// A texture by the angle of incidence. POV-Ray's pattern `aoi` is 1 where the surface is met head on and a half where
+/// it is grazed, or the same from 0 up, depending on the side: both are given.
+std::string by_incidence(const std::function<std::string(double cosine)>& texture) {
+  constexpr int steps = 120;  // half of the 256 entries that a map may have
+  std::string entries;
+  for (int i = -steps; i <= steps; ++i) {
+    const double value = 0.5 + 0.5 * i / steps;
+    const double cosine = std::cos(std::numbers::pi * std::min(value, 1 - value));
+    entries += "[" + format_number(value) + " " + texture(std::abs(i) == steps ? 1 : cosine) + "]";
+  }
+  return "aoi texture_map{" + entries + "}";
 }
 
-template <class Other>
-Material material(const Other&) {
-  throw std::logic_error("lower_scene lets no such bsdf through");
+std::string mirror(const RgbD& reflectance) {
+  return "pigment{rgb 0} finish{ambient 0 diffuse 0 reflection{" + sdl_rgb(reflectance) + "}}";
 }
 
-Material material(const DielectricDescription& glass) {
-  // A filter multiplies what passes a surface by the pigment, once a crossing and not on total internal reflection:
-  // just what specular_transmittance does.
-  const Vec3d& t = constant(glass.specular_transmittance);
-  const std::string filter = "<" + format_number(t.x) + "," + format_number(t.y) + "," + format_number(t.z) + ",1>";
-  return {
-      "dielectric: Fresnel reflection, the rest refracted and filtered by specular_transmittance at each crossing; "
-      "ior is interior over exterior",
-      "pigment{rgbf " + filter + "} finish{ambient 0 diffuse 0 reflection{0,1 fresnel on} conserve_energy}",
-      "ior " + format_number(glass.int_ior / glass.ext_ior)};
+/// What passes is multiplied by the colour.
+std::string filter(const RgbD& t) {
+  return "pigment{rgbf <" + format_number(t.x) + "," + format_number(t.y) + "," + format_number(t.z) + ",1>}";
+}
+
+struct Writer {
+  const SceneDescription& scene;
+  const std::string& stem;
+  PovUv uv = PovUv::flat;
+
+  Material operator()(const DiffuseDescription& diffuse) const {
+    return {"diffuse: radiance is pigment times irradiance over pi, with POV-Ray's diffuse and no ambient",
+            pigment_sdl(scene, diffuse.reflectance, stem, uv) + " finish{ambient 0 diffuse 1/Brightness emission 0}",
+            ""};
+  }
+  Material operator()(const ConductorDescription& conductor) const {
+    const RgbD factor = constant(conductor.specular_reflectance);
+    if (!conductor.ior)
+      return {"conductor without an index: reflects the same share at every angle", mirror(factor), ""};
+    const ComplexIor& ior = *conductor.ior;
+    return {"conductor: Fresnel's reflectance of its complex index, a table by the angle of incidence",
+            by_incidence([&](double cosine) {
+              const RgbD f{fresnel(cosine, {ior.eta.x, ior.k.x}), fresnel(cosine, {ior.eta.y, ior.k.y}),
+                           fresnel(cosine, {ior.eta.z, ior.k.z})};
+              return mirror(f * factor);
+            }),
+            ""};
+  }
+  Material operator()(const DielectricDescription& glass) const {
+    // A filter multiplies what passes a surface by the pigment, once a crossing and not on total internal reflection:
+    // just what specular_transmittance does.
+    return {
+        "dielectric: Fresnel reflection, the rest refracted and filtered by specular_transmittance at each crossing; "
+        "ior is interior over exterior",
+        filter(constant(glass.specular_transmittance)) +
+            " finish{ambient 0 diffuse 0 reflection{0,1 fresnel on} conserve_energy}",
+        "ior " + format_number(glass.int_ior / glass.ext_ior)};
+  }
+  Material operator()(const ThinDielectricDescription& pane) const {
+    const double index = pane.int_ior / pane.ext_ior;
+    return {
+        "pane: both boundaries at once reflect 2F / (1 + F) and pass the rest straight on; a table by the angle of "
+        "incidence",
+        by_incidence([&](double cosine) {
+          const double once = cosine < 1e-9 ? 1 : fresnel(cosine, {index, 0});
+          const double both = 2 * once / (1 + once);
+          return filter(constant(pane.specular_transmittance) * (1 - both)) +
+                 " finish{ambient 0 diffuse 0 reflection{" + sdl_rgb(constant(pane.specular_reflectance) * both) + "}}";
+        }),
+        ""};
+  }
+  Material operator()(const BlendDescription& blend) const {
+    const double weight = std::get<double>(blend.weight);
+    const auto part = [&](BsdfIndex index) { return std::visit(*this, scene.bsdfs[index.value].model).texture; };
+    return {"blend: the mean of two textures by their weights",
+            "average texture_map{[" + format_number(1 - weight) + " " + part(blend.first) + "][" +
+                format_number(weight) + " " + part(blend.second) + "]}",
+            ""};
+  }
+  template <class Other>
+  Material operator()(const Other&) const {
+    throw std::logic_error("lower_scene lets no such bsdf through");
+  }
+};
+
+std::size_t number_of(const PovScene& scene, const BsdfDescription& side) {
+  return static_cast<std::size_t>(&side - scene.description->bsdfs.data());
+}
+
+/// Of a side's texture, which is another where u and v follow otherwise from a place.
+std::string name_of(const PovScene& scene, const BsdfDescription& side, PovUv uv) {
+  const std::string name = "Bsdf_" + std::to_string(number_of(scene, side));
+  if (uv == PovUv::flat || !is_textured(*scene.description, side)) return name;
+  return name + (uv == PovUv::sphere ? "_sphere" : uv == PovUv::disk ? "_disk" : "_cylinder");
+}
+
+/// A side's texture in its place on the surface.
+std::string placed(const PovScene& scene, const PovSurface& surface, const BsdfDescription& side, const PovPlan& plan) {
+  std::string texture = name_of(scene, side, surface.uv_kind);
+  if (is_textured(*scene.description, side)) texture += matrix_sdl(surface.uv, plan.scale);
+  if (surface.sides.opacity >= 1) return texture;
+  return "average texture_map{[" + format_number(surface.sides.opacity) + " " + texture + "][" +
+         format_number(1 - surface.sides.opacity) + " Clear]}";
+}
+
+std::string interior_of(const PovScene& scene, const PovSurface& surface, const PovPlan& plan) {
+  std::string inside;
+  if (is_glass(surface)) inside = "Interior_" + std::to_string(number_of(scene, *surface.sides.front));
+  if (surface.absorption) inside += " media{absorption " + sdl_rgb(*surface.absorption * (1 / plan.scale)) + "}";
+  return inside.empty() ? "" : " hollow interior{" + inside + "}";
 }
 
 }  // namespace
 
-std::size_t bsdf_number(const PovScene& scene, const PovSurface& surface) {
-  return static_cast<std::size_t>(surface.bsdf - scene.description->bsdfs.data());
+namespace {
+
+/// Functions of u and v for the textures that are looked up by them.
+void write_maps(const PovScene& scene, const PovPlan& plan, SdlWriter& out) {
+  const SceneDescription& description = *scene.description;
+  std::set<TextureIndex> used;
+  const auto add = [&](const Colour& colour) {
+    if (const auto* texture = std::get_if<TextureIndex>(&colour)) used.insert(*texture);
+  };
+  const std::function<void(const BsdfDescription&)> add_side = [&](const BsdfDescription& side) {
+    if (const auto* diffuse = std::get_if<DiffuseDescription>(&side.model)) add(diffuse->reflectance);
+    for (const BsdfIndex part : nested_bsdfs(side)) add_side(description.bsdfs[part.value]);
+  };
+  for (const PovSurface& surface : scene.surfaces) {
+    if (surface.uv_kind == PovUv::flat) continue;
+    for (const BsdfDescription* side : {surface.sides.front, surface.sides.back})
+      if (side) add_side(*side);
+    if (surface.shape->radiance) add(*surface.shape->radiance);
+  }
+  for (const EmitterDescription& emitter : description.emitters)
+    if (const auto* spot = std::get_if<SpotLightDescription>(&emitter.light); spot && spot->texture)
+      add(*spot->texture);
+  for (const TextureIndex texture : used) out.line(map_declaration(description, texture, plan.stem));
 }
 
-void write_materials(const PovScene& scene, SdlWriter& out) {
-  std::set<std::size_t> used;
-  for (const PovSurface& surface : scene.surfaces) used.insert(bsdf_number(scene, surface));
+}  // namespace
+
+void write_materials(const PovScene& scene, const PovPlan& plan, SdlWriter& out) {
+  std::set<std::pair<std::size_t, PovUv>> used;
+  for (const PovSurface& surface : scene.surfaces)
+    for (const BsdfDescription* side : {surface.sides.front, surface.sides.back})
+      if (side)
+        used.insert({number_of(scene, *side), is_textured(*scene.description, *side) ? surface.uv_kind : PovUv::flat});
+  write_maps(scene, plan, out);
   out.explain("one-sided surfaces are black from behind: their interior_texture");
   out.line("#declare Black = texture{pigment{rgb 0} finish{ambient 0 diffuse 0 emission 0}}");
   out.line("#declare Clear = texture{pigment{rgbt 1} finish{ambient 0 diffuse 0 emission 0}}");
-  for (const std::size_t i : used) {
+  for (const auto& [i, uv] : used) {
     const BsdfDescription& bsdf = scene.description->bsdfs[i];
-    const Material m = std::visit([](const auto& model) { return material(model); }, bsdf.model);
-    const std::string number = std::to_string(i);
+    const Material m = std::visit(Writer{*scene.description, plan.stem, uv}, bsdf.model);
     out.explain("bsdf '" + bsdf.id + "' of " + scene.description->where(bsdf.loc) + ": " + m.explanation);
-    out.line("#declare Bsdf_" + number + " = texture{" + m.texture + "}");
-    if (!m.interior.empty()) out.line("#declare Interior_" + number + " = interior{" + m.interior + "}");
+    out.line("#declare " + name_of(scene, bsdf, uv) + " = texture{" + m.texture + "}");
+    if (!m.interior.empty()) out.line("#declare Interior_" + std::to_string(i) + " = interior{" + m.interior + "}");
   }
+}
+
+std::string material_of(const PovScene& scene, const PovSurface& surface, const PovPlan& plan) {
+  if (surface.sides.nothing) return " texture{Clear}" + interior_of(scene, surface, plan);
+  return " texture{" + placed(scene, surface, *surface.sides.front, plan) + "}" + back_of(scene, surface, plan);
+}
+
+std::string lamp_texture(const PovScene& scene, const PovSurface& surface, const PovPlan& plan) {
+  const double shown = plan.shows_lamps ? plan.exposure : 0;
+  if (surface.emission == PovSurface::Emission::picture)
+    return " texture{" + pigment_sdl(*scene.description, *surface.shape->radiance, plan.stem, surface.uv_kind) +
+           " finish{ambient 0 diffuse 0 emission " + format_number(shown) + "}" + matrix_sdl(surface.uv, plan.scale) +
+           "}";
+  // POV-Ray multiplies emission by the pigment, so it is divided by it here; a channel that reflects nothing gets a
+  // pigment too small to be seen.
+  const RgbD& reflectance = surface.optics.diffuse.mean;
+  const RgbD radiance = constant(*surface.shape->radiance) * shown;
+  const bool black = max_component(reflectance) <= 0;
+  const double least = 1e-9;
+  const RgbD pigment =
+      black ? RgbD(1.0)
+            : RgbD{std::max(reflectance.x, least), std::max(reflectance.y, least), std::max(reflectance.z, least)};
+  return " texture{pigment{" + sdl_rgb(pigment) + "} finish{ambient 0 diffuse " + (black ? "0" : "1/Brightness") +
+         " emission " + sdl_rgb(radiance / pigment) + "}}";
+}
+
+std::string back_of(const PovScene& scene, const PovSurface& surface, const PovPlan& plan) {
+  if (is_glass(surface)) return interior_of(scene, surface, plan);
+  if (surface.clear_back) return " interior_texture{Clear} interior{ior 1}";
+  if (surface.sides.back)
+    return " interior_texture{" + placed(scene, surface, *surface.sides.back, plan) + "}" +
+           interior_of(scene, surface, plan);
+  const bool pane = std::holds_alternative<ThinDielectricDescription>(surface.sides.front->model);
+  if (pane) return interior_of(scene, surface, plan);
+  // A masked surface is as thin from behind as it is from the front.
+  const std::string black = surface.sides.opacity >= 1
+                                ? "Black"
+                                : "average texture_map{[" + format_number(surface.sides.opacity) + " Black][" +
+                                      format_number(1 - surface.sides.opacity) + " Clear]}";
+  return " interior_texture{" + black + "}" + interior_of(scene, surface, plan);
 }
 
 }  // namespace photonproof

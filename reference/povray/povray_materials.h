@@ -6,11 +6,18 @@
 
 namespace photonproof {
 
-/// Declares texture Bsdf_<i> (and Interior_<i> for glass) for each BSDF a surface uses, and the textures of backs:
-/// Black, of one-sided surfaces, and Clear, of those the near plane cuts away.
-void write_materials(const PovScene& scene, SdlWriter& out);
+/// Declares texture Bsdf_<i> (and Interior_<i> for glass) for each side that a surface has, over the plane of uv where
+/// it is textured, and the textures of backs: Black, of one-sided surfaces, and Clear, of those the near plane cuts
+/// away and where nothing is.
+void write_materials(const PovScene& scene, const PovPlan& plan, SdlWriter& out);
 
-/// Index of a BSDF in SceneDescription::bsdfs: the <i> of its texture.
-std::size_t bsdf_number(const PovScene& scene, const PovSurface& surface);
+/// " texture{...} interior_texture{...}" of a surface, and an interior where its inside differs from the air.
+std::string material_of(const PovScene& scene, const PovSurface& surface, const PovPlan& plan);
+
+/// The same of a lamp's front: " texture{...}" that both shines and reflects.
+std::string lamp_texture(const PovScene& scene, const PovSurface& surface, const PovPlan& plan);
+
+/// What is behind: " interior_texture{...}" of a surface that lets nothing through, and its interior.
+std::string back_of(const PovScene& scene, const PovSurface& surface, const PovPlan& plan);
 
 }  // namespace photonproof

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <limits>
 #include <ostream>
+#include <utility>
 
 namespace photonproof {
 namespace {
@@ -64,15 +66,31 @@ bool PovMesh::any_triangle(const std::function<bool(const std::array<Vec3d, 3>&)
   return false;
 }
 
-PovMesh place_mesh(const ShapeDescription& shape, std::size_t number) {
+std::vector<Vec3d> vertex_normals(const TriangleMesh& mesh) {
+  std::vector<Vec3d> normals(mesh.positions.size(), Vec3d(0.0));
+  const auto normalized = [](const Vec3d& n) { return dot(n, n) > 0 ? normalize(n) : Vec3d{0, 0, 1}; };
+  if (!mesh.normals.empty()) {
+    for (std::size_t i = 0; i < normals.size(); ++i) normals[i] = normalized(Vec3d(mesh.normals[i]));
+    return normals;
+  }
+  for (const auto& triangle : mesh.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3d at(mesh.positions[triangle[k]]);
+      const Vec3d u = Vec3d(mesh.positions[triangle[(k + 1) % 3]]) - at;
+      const Vec3d v = Vec3d(mesh.positions[triangle[(k + 2) % 3]]) - at;
+      const Vec3d n = cross(u, v);
+      if (!(dot(n, n) > 0)) continue;
+      normals[triangle[k]] += normalize(n) * std::atan2(length(n), dot(u, v));
+    }
+  }
+  for (Vec3d& n : normals) n = normalized(n);
+  return normals;
+}
+
+PovMesh place_mesh(const ShapeDescription& shape, std::shared_ptr<const TriangleMesh> mesh, bool smooth,
+                   std::size_t number) {
   constexpr double inf = std::numeric_limits<double>::infinity();
-  PovMesh placed{std::get<MeshDescription>(shape.geometry).mesh,
-                 shape.to_world,
-                 shape.flip_normals,
-                 number,
-                 0,
-                 Vec3d(inf),
-                 Vec3d(-inf)};
+  PovMesh placed{std::move(mesh), shape.to_world, shape.flip_normals, number, smooth, 0, Vec3d(inf), Vec3d(-inf)};
   for (const Vec3f& local : placed.mesh->positions) {
     const Vec3d p = shape.to_world.point(Vec3d(local));
     placed.low = {std::min(placed.low.x, p.x), std::min(placed.low.y, p.y), std::min(placed.low.z, p.z)};
@@ -84,6 +102,29 @@ PovMesh place_mesh(const ShapeDescription& shape, std::size_t number) {
   }
   return placed;
 }
+
+namespace {
+
+/// What turns normals as `t` turns surfaces: the cofactors of its upper block, which need no inverse.
+Vec3d turned_normal(const Transform& t, const Vec3d& n) {
+  const Vec3d x = t.vector({1, 0, 0}), y = t.vector({0, 1, 0}), z = t.vector({0, 0, 1});
+  return normalize(cross(y, z) * n.x + cross(z, x) * n.y + cross(x, y) * n.z);
+}
+
+void write_normals(const PovMesh& mesh, Buffered& out) {
+  const std::vector<Vec3d> normals = vertex_normals(*mesh.mesh);
+  out << "normal_vectors{" << std::uint64_t{normals.size()};
+  out.end_line();
+  for (const Vec3d& local : normals) {
+    const Vec3f n(turned_normal(mesh.to_world, local));
+    out << ",<" << n.x << "," << n.y << "," << n.z << ">";
+    out.end_line();
+  }
+  out << "}";
+  out.end_line();
+}
+
+}  // namespace
 
 void write_mesh_declaration(const PovMesh& mesh, double scale, std::ostream& stream) {
   Buffered out(stream);
@@ -98,6 +139,7 @@ void write_mesh_declaration(const PovMesh& mesh, double scale, std::ostream& str
   }
   out << "}";
   out.end_line();
+  if (mesh.smooth) write_normals(mesh, out);
   out << "face_indices{" << std::uint64_t{mesh.mesh->triangles.size()};
   out.end_line();
   for (const auto& [a, b, c] : mesh.mesh->triangles) {

@@ -7,6 +7,7 @@
 #include <iosfwd>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "scenes/description/description.h"
 
@@ -17,6 +18,7 @@ struct PovMesh {
   Transform to_world;
   bool flip = false;       ///< the front is where corners are clockwise
   std::size_t number = 0;  ///< of its declaration, Mesh_<number>
+  bool smooth = false;     ///< shades by normals interpolated between its vertices
   double area = 0;         ///< of all triangles, world space
   Vec3d low, high;         ///< corners of its box, world space
 
@@ -27,7 +29,12 @@ struct PovMesh {
   bool any_triangle(const std::function<bool(const std::array<Vec3d, 3>&)>& holds) const;
 };
 
-PovMesh place_mesh(const ShapeDescription& shape, std::size_t number);
+PovMesh place_mesh(const ShapeDescription& shape, std::shared_ptr<const TriangleMesh> mesh, bool smooth,
+                   std::size_t number);
+
+/// Of unit length, local space; those of the file, or where it has none the mean of the adjoining triangles' normals,
+/// weighted by their angles at the vertex (Thuermer and Wuethrich 1998).
+std::vector<Vec3d> vertex_normals(const TriangleMesh& mesh);
 
 /// "#declare Mesh_<number> = mesh2{...}" with lengths times `scale`. Vertices are rounded to single precision, which is
 /// what POV-Ray keeps them in.

@@ -20,7 +20,7 @@ PovrayPreset povray_preset(int quality) {
       preset.error_bound = 0.5;
       preset.maximum_reuse = 0.035;
       preset.pretrace_end = 0.04;
-      preset.truncation = 1e-2;
+      preset.truncation = 5e-3;
       preset.photons = 100'000;
       preset.photon_radius = 0.03;
       return preset;
@@ -33,7 +33,7 @@ PovrayPreset povray_preset(int quality) {
       preset.error_bound = 0.4;
       preset.maximum_reuse = 0.028;
       preset.pretrace_end = 0.02;
-      preset.truncation = 5e-3;
+      preset.truncation = 2e-3;
       preset.photons = 300'000;
       preset.photon_radius = 0.02;
       return preset;

@@ -22,6 +22,7 @@ Body body_of(const PovSurface& glass) {
   return std::visit(
       Overloaded{[](const PovSphere& ball) -> Body { return ball; }, [](const PovBox& box) -> Body { return box; },
                  [](const PovParallelogram&) -> Body { throw std::logic_error("glass without an inside"); },
+                 [](const PovRound&) -> Body { throw std::logic_error("glass without an inside"); },
                  [](const PovMesh&) -> Body { throw std::logic_error("glass without an inside"); }},
       glass.geometry);
 }
@@ -86,6 +87,21 @@ bool reaches_into(const PovMesh& mesh, const PovBox& box) {
   });
 }
 
+/// By the box around it: refuses a little more than it has to.
+template <class Other>
+bool reaches_into(const PovRound& round, const Other& body) {
+  const double height = round.kind == PovRound::Kind::cylinder ? 1 : 0;
+  if (height == 0) {
+    const PovParallelogram square{round.to_world.point({-1, -1, 0}), round.to_world.vector({2, 0, 0}),
+                                  round.to_world.vector({0, 2, 0})};
+    return reaches_into(square, body);
+  }
+  const PovBox box{round.to_world * Transform::translate({0, 0, 0.5}) * Transform::scale({1, 1, 0.5}), false};
+  const auto faces = box.faces();
+  return std::any_of(faces.begin(), faces.end(),
+                     [&](const PovParallelogram& face) { return reaches_into(face, body); });
+}
+
 template <class Other>
 bool reaches_into(const PovBox& box, const Other& body) {
   const auto faces = box.faces();
@@ -98,7 +114,7 @@ bool reaches_into(const PovBox& box, const Other& body) {
 void refuse_overlaps_with_glass(const PovScene& scene) {
   const SceneDescription& description = *scene.description;
   for (const PovSurface& glass : scene.surfaces) {
-    if (!std::holds_alternative<DielectricDescription>(glass.bsdf->model)) continue;
+    if (!is_glass(glass)) continue;
     const Body body = body_of(glass);
     const auto holds = [&](const Vec3d& p) { return std::visit([&](const auto& b) { return contains(b, p); }, body); };
     const auto reached_by = [&](const auto& other, const auto& b) { return reaches_into(other, b); };
@@ -110,7 +126,7 @@ void refuse_overlaps_with_glass(const PovScene& scene) {
         throw Unrepresentable(description.where(other.shape->loc), "a surface" + inside);
     }
     for (const EmitterDescription& emitter : description.emitters)
-      if (holds(std::get<PointLightDescription>(emitter.light).position))
+      if (const auto at = position_of(emitter); at && holds(*at))
         throw Unrepresentable(description.where(emitter.loc), "a light" + inside);
     if (holds(description.sensor.to_world.point({0, 0, 0})))
       throw Unrepresentable(description.where(description.sensor.loc), "a camera" + inside);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "reference/povray/povray_shades.h"
 #include "reference/povray/sdl_text.h"
 #include "reference/povray/unrepresentable.h"
 #include "scenes/description/overloaded.h"
@@ -27,6 +28,9 @@ bool any_in_front(const PovSurface& from, const PovSurface& to) {
 bool sees_itself(const PovSurface& surface) {
   return std::visit(Overloaded{[](const PovMesh&) { return true; },  // for all that is known
                                [](const PovSphere& sphere) { return sphere.inward; },
+                               [](const PovRound& round) {
+                                 return round.kind == PovRound::Kind::cylinder;  // through its open ends
+                               },
                                [](const PovParallelogram&) { return false; }, [](const PovBox&) { return false; }},
                     surface.geometry);
 }
@@ -44,7 +48,8 @@ struct Facts {
 
 Facts find_facts(const PovScene& scene) {
   Facts facts;
-  facts.spots = !scene.description->emitters.empty();
+  for (const EmitterDescription& emitter : scene.description->emitters) facts.spots |= &emitter != scene.sky;
+  facts.surrounding = scene.sky != nullptr;
   RgbD albedo_area(0.0);
   double diffuse_area = 0;
   for (const PovSurface& surface : scene.surfaces) {
@@ -53,10 +58,12 @@ Facts find_facts(const PovScene& scene) {
     facts.surrounding |= surface.emission == PovSurface::Emission::radiosity;
     if (!is_diffuse(surface)) continue;
     facts.diffuse = true;
-    const RgbD albedo = constant(std::get<DiffuseDescription>(surface.bsdf->model).reflectance);
-    facts.albedo = std::max(facts.albedo, max_component(albedo));
-    albedo_area += albedo * area(surface);
-    diffuse_area += area(surface);
+    facts.indirect |= scene.sky != nullptr;
+    facts.albedo = std::max(facts.albedo, surface.optics.diffuse.greatest);
+    // What stands for a plane counts as far as it is near the rest.
+    const double counted = surface.endless ? std::numbers::pi * scene.radius * scene.radius : area(surface);
+    albedo_area += surface.optics.diffuse.mean * counted;
+    diffuse_area += counted;
   }
   if (diffuse_area > 0) facts.mean_albedo = max_component(albedo_area) / diffuse_area;
   for (const PovSurface& from : scene.surfaces) {
@@ -77,18 +84,29 @@ double power_of_two(double x) { return std::exp2(std::round(std::log2(x))); }
 double choose_exposure(const PovScene& scene, const Facts& facts) {
   double flux = 0, diffuse_area = 0, brightest = 0, surrounding = 0;
   for (const PovSurface& surface : scene.surfaces) {
-    if (is_diffuse(surface)) diffuse_area += area(surface);
+    if (is_diffuse(surface) && !surface.endless) diffuse_area += area(surface);
     if (surface.emission == PovSurface::Emission::none) continue;
-    const double radiance = max_component(constant(*surface.shape->radiance));
+    const double radiance = range_of(*scene.description, *surface.shape->radiance).greatest;
     brightest = std::max(brightest, radiance);
     if (surface.emission == PovSurface::Emission::radiosity) surrounding = std::max(surrounding, radiance);
     if (surface.emission == PovSurface::Emission::spots) flux += std::numbers::pi * radiance * area(surface);
   }
-  for (const EmitterDescription& emitter : scene.description->emitters)
-    flux += 4 * std::numbers::pi * max_component(std::get<PointLightDescription>(emitter.light).intensity);
+  double irradiance = 0;
+  for (const EmitterDescription& emitter : scene.description->emitters) {
+    if (const auto* point = std::get_if<PointLightDescription>(&emitter.light))
+      flux += 4 * std::numbers::pi * max_component(point->intensity);
+    if (const auto* spot = std::get_if<SpotLightDescription>(&emitter.light))
+      flux += 4 * std::numbers::pi * max_component(spot->intensity);
+    if (const auto* ies = std::get_if<IesLightDescription>(&emitter.light))
+      flux += 4 * std::numbers::pi * max_component(ies->intensity) * greatest_candela(*ies->profile);
+    if (const auto* parallel = std::get_if<DirectionalLightDescription>(&emitter.light))
+      irradiance += max_component(parallel->irradiance);
+  }
+  if (scene.sky) surrounding = std::max(surrounding, max_component(mean_radiance(*scene.sky)));
   const double albedo = std::min(facts.albedo, 0.95);
   double radiance = surrounding / (1 - albedo);
   if (diffuse_area > 0) radiance += albedo / (1 - albedo) * flux / (std::numbers::pi * diffuse_area);
+  radiance += albedo * irradiance / std::numbers::pi;
   if (!(radiance > 0)) radiance = brightest;
   if (!(radiance > 0) || !std::isfinite(radiance)) return 1;
   const double highest = 16384;  // for what is seen directly; a quarter of the largest half float
@@ -144,6 +162,7 @@ bool may_see(const PovSurface& from, const PovSurface& to) {
 PovPlan make_plan(const PovScene& scene, const PovrayOptions& options) {
   PovPlan plan;
   plan.preset = povray_preset(options.quality);
+  plan.stem = options.stem;
   const Facts facts = find_facts(scene);
   plan.scale = power_of_two(64 / scene.radius);
   plan.exposure = choose_exposure(scene, facts);

@@ -21,6 +21,7 @@ struct PovPlan {
   /// 2 they keep their weight; as surfaces are made diffuse 1/2 and lights twice as bright, nothing else changes.
   double brightness = 1;
   bool photons = false;
+  std::string stem;                  ///< of the images' names
   bool shows_lamps = true;           ///< lamps are seen; false where that is added from elsewhere
   std::vector<std::string> skipped;  ///< passes left out, with the reason
   std::vector<std::string> losses;   ///< what the image lacks, with its size

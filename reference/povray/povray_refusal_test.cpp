@@ -33,13 +33,60 @@ std::string refusal(const std::string& content, const std::string& camera = kCam
 
 const std::string kNot = " error: not representable in POV-Ray: ";
 
-TEST(povray_refuses, conductors_with_a_complex_index) {
-  EXPECT_EQ(refusal("<shape type='sphere'><bsdf type='conductor'><float name='eta' value='0.2'/><float name='k' "
-                    "value='3'/></bsdf></shape>" +
-                    kLamp),
+std::string ball(const std::string& bsdf) { return "<shape type='sphere'>" + bsdf + "</shape>" + kLamp; }
+
+TEST(povray_refuses, what_is_glossy) {
+  const std::string why =
+      "POV-Ray's glossy highlights answer light_sources only and are no microfacets, and its mirrors are smooth";
+  EXPECT_EQ(refusal(ball("<bsdf type='roughconductor'/>")), "2:22:" + kNot + "a rough conductor: " + why);
+  EXPECT_EQ(refusal(ball("<bsdf type='roughdielectric'/>")), "2:22:" + kNot + "a rough dielectric: " + why);
+  EXPECT_EQ(refusal(ball("<bsdf type='roughplastic'/>")), "2:22:" + kNot + "a rough plastic: " + why);
+  EXPECT_EQ(refusal(ball("<bsdf type='phong'/>")),
             "2:22:" + kNot +
-                "a conductor with a complex index of refraction: POV-Ray's Fresnel reflection is the dielectrics'; "
-                "material 'none' with specular_reflectance can be written");
+                "phong: POV-Ray's is without the cosine of the light's incidence and answers light_sources only");
+}
+
+TEST(povray_refuses, coats_and_maps) {
+  const std::string coat =
+      ": what enters it depends on the light's direction, and POV-Ray's diffuse reflection does not";
+  EXPECT_EQ(refusal(ball("<bsdf type='plastic'/>")),
+            "2:22:" + kNot +
+                "plastic: what enters its coat depends on the light's direction, and POV-Ray's diffuse reflection does "
+                "not");
+  EXPECT_EQ(refusal(ball("<bsdf type='layered'><bsdf type='diffuse'/></bsdf>")), "2:22:" + kNot + "a lacquer" + coat);
+  EXPECT_EQ(refusal(ball("<bsdf type='bumpmap'><texture type='checkerboard'/><bsdf type='diffuse'/></bsdf>")),
+            "2:22:" + kNot + "a bump map: POV-Ray perturbs normals by another rule");
+}
+
+TEST(povray_refuses, parts_of_blends_and_masks) {
+  EXPECT_EQ(refusal(ball("<bsdf type='blendbsdf'><float name='weight' value='0.5'/><bsdf type='diffuse'/>"
+                         "<bsdf type='dielectric'/></bsdf>")),
+            "2:22:" + kNot + "a blend with something that transmits");
+  EXPECT_EQ(refusal(ball("<bsdf type='mask'><bsdf type='dielectric'/></bsdf>")),
+            "2:22:" + kNot + "a mask over a dielectric");
+  EXPECT_EQ(refusal(ball("<bsdf type='mask'><bsdf type='diffuse'/></bsdf>")), "no refusal");
+}
+
+TEST(povray_refuses, suns_and_second_skies) {
+  EXPECT_EQ(refusal("<emitter type='sunsky'/>"),
+            "2:1:" + kNot +
+                "a sun and its sky: POV-Ray has no model of them; an envmap and a directional light can be written");
+  EXPECT_EQ(refusal("<emitter type='constant'/><shape type='sphere'/>"), "no refusal");
+}
+
+TEST(povray_refuses, media_that_scatter_or_stand_beside_lit_surfaces) {
+  const auto medium = [](const std::string& albedo) {
+    return "<shape type='sphere'><bsdf type='null'/><medium type='homogeneous' name='interior'><float name='albedo' "
+           "value='" +
+           albedo + "'/></medium></shape>";
+  };
+  EXPECT_EQ(refusal(medium("0.5") + kLamp),
+            "2:1:" + kNot +
+                "a medium that scatters: POV-Ray scatters light once at most; one that only absorbs can be written");
+  EXPECT_EQ(refusal(medium("0") + kLamp), "no refusal");
+  EXPECT_EQ(refusal(medium("0") + "\n<shape type='cube'/>" + kLamp),
+            "2:1:" + kNot +
+                "a medium that absorbs beside surfaces that are lit: POV-Ray's photons and radiosity do not know it");
 }
 
 TEST(povray_refuses, dielectrics_that_reflect_less_than_fresnel_says) {
@@ -62,10 +109,16 @@ TEST(povray_refuses, area_lights_on_mirrors) {
             "2:1:" + kNot + "an area light on a specular surface; its bsdf must be diffuse");
 }
 
-TEST(povray_refuses, hidden_emitters) {
-  EXPECT_EQ(refusal("<integrator type='path'><boolean name='hide_emitters' value='true'/></integrator>"
-                    "<shape type='sphere'><emitter type='area'/></shape>"),
-            "2:1:" + kNot + "hide_emitters: POV-Ray cannot hide a light from the camera and show it in glass");
+TEST(povray_refuses, hidden_emitters_with_glass) {
+  const std::string hide = "<integrator type='path'><boolean name='hide_emitters' value='true'/></integrator>";
+  const std::string lamp =
+      "<shape type='rectangle'><transform name='to_world'><translate z='3'/></transform>"
+      "<emitter type='area'/></shape>";
+  EXPECT_EQ(refusal(hide + lamp + kGlass),
+            "2:1:" + kNot +
+                "hide_emitters with glass or a light around the scene: POV-Ray cannot hide a light from the camera and "
+                "show it in glass");
+  EXPECT_EQ(refusal(hide + lamp), "no refusal");
 }
 
 TEST(povray_refuses, what_lies_inside_glass) {
@@ -104,21 +157,13 @@ TEST(povray_refuses, meshes_inside_glass_but_not_beside_it) {
   EXPECT_EQ(refusal(box + mesh("<translate x='1.1'/>")), "no refusal");
 }
 
-TEST(povray_refuses, meshes_that_emit_refract_or_are_smooth) {
-  const auto mesh = [](const std::string& more) {
-    return "<shape type='ply'><string name='filename' value='ascii_quad.ply'/>" + more + "</shape>" + kLamp;
-  };
-  const std::string flat = "<boolean name='face_normals' value='true'/>";
-  EXPECT_EQ(refusal(mesh(flat + "<emitter type='area'/>")),
-            "2:1:" + kNot + "an area light on a triangle mesh: only rectangles, cubes and spheres become points");
-  EXPECT_EQ(refusal(mesh(flat + "<bsdf type='dielectric'/>")),
-            "2:1:" + kNot +
-                "a triangle mesh of dielectric: POV-Ray's index of refraction belongs to a closed body, and nothing "
-                "says that the mesh is one");
+TEST(povray_refuses, meshes_that_refract) {
   EXPECT_EQ(
-      refusal(mesh("")),
-      "2:1:" + kNot + "a triangle mesh with interpolated shading normals; one with face_normals true can be written");
-  EXPECT_EQ(refusal(mesh(flat)), "no refusal");
+      refusal("<shape type='ply'><string name='filename' value='ascii_quad.ply'/><bsdf type='dielectric'/></shape>" +
+              kLamp),
+      "2:1:" + kNot +
+          "a triangle mesh of dielectric: POV-Ray's index of refraction belongs to a closed body, and nothing "
+          "says that the mesh is one");
 }
 
 TEST(povray_refuses, path_lengths_that_it_cannot_cut_at) {

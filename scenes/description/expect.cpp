@@ -95,6 +95,7 @@ class ExpectReader {
     if (const toml::node* node = table.find("analytic")) expect.analytic = analytic(table, *node);
     if (const toml::node* node = table.find("unsupported")) expect.unsupported = unsupported(table, *node);
     if (const toml::node* node = table.find("tolerance")) expect.tolerances = tolerances(table, *node);
+    if (const toml::node* node = table.find("povray")) expect.povray = povray(table, *node);
     table.check_no_other_keys();
     return expect;
   }
@@ -148,6 +149,22 @@ class ExpectReader {
     for (const auto& [engine, reason] : table)
       reasons[std::string(engine.str())] = parent.as_text(reason, std::string(engine.str()));
     return reasons;
+  }
+
+  PovrayResidual povray(const Table& parent, const toml::node& node) const {
+    Table table(text_, path_, as_table(parent, node, "[povray]"), "[povray]");
+    PovrayResidual result;
+    result.size = static_cast<int>(table.number("size"));
+    result.quality = static_cast<int>(table.number("quality"));
+    result.mean_percent = table.number("mean_percent");
+    result.relmse = table.number("relmse");
+    result.ssim = table.number("ssim");
+    result.seconds = table.number("seconds");
+    if (table.find("cause")) result.cause = table.text("cause");
+    table.check_no_other_keys();
+    if (!result.is_small() && !result.cause)
+      table.fail(node.source(), "[povray] needs a 'cause': its mean is off by more than 0.5 % or its ssim below 0.98");
+    return result;
   }
 
   std::vector<Tolerance> tolerances(const Table& parent, const toml::node& node) const {

@@ -24,6 +24,21 @@ struct Tolerance {
   std::string reason;
 };
 
+/// How far the scene's picture by POV-Ray is from the truth by our reference integrators, measured once
+/// (reference/povray/measure_library.py), and what it costs.
+struct PovrayResidual {
+  int size = 0;             ///< pixels across and down
+  int quality = 0;          ///< the preset
+  double mean_percent = 0;  ///< signed difference of the means
+  double relmse = 0;
+  double ssim = 0;
+  double seconds = 0;                ///< of processor time
+  std::optional<std::string> cause;  ///< why it is more than is aimed for, where it is
+
+  /// What is aimed for: a mean within half a percent and an ssim of at least 0.98.
+  bool is_small() const { return mean_percent >= -0.5 && mean_percent <= 0.5 && ssim >= 0.98; }
+};
+
 struct Expect {
   std::string purpose;                             ///< one sentence
   double exposure = 0;                             ///< stops for display and for display-encoded metrics
@@ -31,6 +46,7 @@ struct Expect {
   std::optional<Analytic> analytic;                ///< where a closed form exists
   std::map<std::string, std::string> unsupported;  ///< engine -> why it cannot render the scene
   std::vector<Tolerance> tolerances;
+  std::optional<PovrayResidual> povray;  ///< where POV-Ray can render the scene
 };
 
 /// Throws InputError, with file:line:col where TOML gives a position, when the file is missing, malformed, lacks a

@@ -76,7 +76,7 @@ TEST_F(expect_toml, is_refused_with_the_place_and_what_was_expected) {
             ":2:12: error: 'exposure' must be a finite number\n  exposure = nan\n             ^");
   EXPECT_EQ(message(kLeast + "exposures = 2\n"),
             ":3:1: error: expect.toml has no key 'exposures' (did you mean 'exposure'?), expected purpose, exposure, "
-            "hdr_flip_exposures, analytic, unsupported or tolerance\n  exposures = 2\n  ^");
+            "hdr_flip_exposures, analytic, unsupported, tolerance or povray\n  exposures = 2\n  ^");
   EXPECT_EQ(message(kLeast + "hdr_flip_exposures = 4\n"),
             ":3:22: error: 'hdr_flip_exposures' must be a list of start, stop and count\n  hdr_flip_exposures = 4\n"
             "                       ^");
@@ -104,6 +104,27 @@ TEST_F(expect_toml, is_refused_with_the_place_and_what_was_expected) {
             ":3:1: error: 'value' must be more than 0\n  [[tolerance]]\n  ^");
   EXPECT_EQ(message(kLeast + "[unsupported]\npovray = true\n"),
             ":4:10: error: 'povray' must be a text that is not empty\n  povray = true\n           ^");
+}
+
+const std::string kPovray = "[povray]\nsize = 96\nquality = 2\nrelmse = 1e-3\nseconds = 1.5\n";
+
+TEST_F(expect_toml, says_how_far_povray_is_off_and_why_where_that_is_much) {
+  const Expect small = read(kLeast + kPovray + "mean_percent = -0.4\nssim = 0.99\n");
+  ASSERT_TRUE(small.povray.has_value());
+  EXPECT_EQ(small.povray->size, 96);
+  EXPECT_EQ(small.povray->quality, 2);
+  EXPECT_EQ(small.povray->relmse, 1e-3);
+  EXPECT_EQ(small.povray->seconds, 1.5);
+  EXPECT_EQ(small.povray->mean_percent, -0.4);
+  EXPECT_EQ(small.povray->ssim, 0.99);
+  EXPECT_FALSE(small.povray->cause.has_value());
+  const std::string needs =
+      ":3:1: error: [povray] needs a 'cause': its mean is off by more than 0.5 % or its ssim below 0.98\n  [povray]\n  "
+      "^";
+  EXPECT_EQ(message(kLeast + kPovray + "mean_percent = 0.6\nssim = 0.99\n"), needs);
+  EXPECT_EQ(message(kLeast + kPovray + "mean_percent = -0.6\nssim = 0.99\n"), needs);
+  EXPECT_EQ(message(kLeast + kPovray + "mean_percent = 0\nssim = 0.97\n"), needs);
+  EXPECT_EQ(read(kLeast + kPovray + "mean_percent = 0\nssim = 0.97\ncause = \"noise\"\n").povray->cause, "noise");
 }
 
 TEST_F(expect_toml, that_is_no_toml_is_refused_with_its_place) {

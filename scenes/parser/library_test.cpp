@@ -75,7 +75,8 @@ TEST(library, assets_are_what_the_program_generates) {
 
 TEST(library, many_lights_is_what_the_program_generates) {
   EXPECT_EQ(read_file(kLibrary + "many-lights/scene.xml"), many_lights_scene(1000));
-  EXPECT_EQ(read_file(kLibrary + "many-lights/expect.toml"), many_lights_expect(1000));
+  const std::string expected = many_lights_expect(1000);  // before what is measured of this one
+  EXPECT_EQ(read_file(kLibrary + "many-lights/expect.toml").substr(0, expected.size()), expected);
   const auto scene = load("many-lights");
   EXPECT_EQ(
       std::count_if(scene.shapes.begin(), scene.shapes.end(), [](const auto& s) { return s.radiance.has_value(); }),

@@ -1,0 +1,134 @@
+#!/usr/bin/env python3
+"""Measures POV-Ray's pictures of the scene library against our reference integrators.
+
+  reference/povray/measure_library.py build/release/bin/photonproof --keep out/povray [--update] [SCENE ...]
+
+Every scene is rendered by POV-Ray (size and quality as below, one thread) and by an integrator that shares no code with
+it, for as long as `--seconds` says; the pictures stay in the folder that `--keep` names, and references that are there
+are used again. Printed is a line a scene. With --update the figures go to [povray] of the scenes' expect.toml, whose
+`cause` is kept, and the table to reports/published/povray.md.
+"""
+
+import argparse
+import json
+import pathlib
+import re
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+LIBRARY = ROOT / "scenes" / "library"
+TABLE = ROOT / "reports" / "published" / "povray.md"
+REFUSAL = "not representable in POV-Ray: "
+
+# Who finds the light of a scene; path where nothing is said.
+INTEGRATORS = {
+    "bdpt": ["cornell-spheres", "course-1", "caustic-glass", "mirror-light", "keyhole", "corridor"],
+    "volpath": ["absorption"],
+}
+
+
+def integrator_of(scene):
+    return next((name for name, scenes in INTEGRATORS.items() if scene in scenes), "path")
+
+
+def run(words):
+    return subprocess.run([str(word) for word in words], capture_output=True, text=True, check=False)
+
+
+def reference_of(program, scene, options):
+    image = options.keep / f"{scene}-reference-{options.size}.exr"
+    if not image.exists():
+        done = run([program, "render", LIBRARY / scene / "scene.xml", "-o", image, "--integrator", integrator_of(scene),
+                    "--size", f"{options.size}x{options.size}", "--seconds", options.seconds, "--seed", 7, "--quiet"])
+        if done.returncode != 0:
+            sys.exit(f"{scene}: {done.stderr.strip()}")
+    return image
+
+
+def measure(program, scene, options):
+    """Figures of a scene, or the sentence by which it is refused."""
+    image = options.keep / f"{scene}.exr"
+    done = run([program, "povray", LIBRARY / scene / "scene.xml", "-o", image, "--quality", options.quality, "--size",
+                f"{options.size}x{options.size}", "--quiet", "--json"])
+    if done.returncode == 3:
+        return done.stderr.strip().split("\n")[-1].split(REFUSAL)[1]
+    if done.returncode != 0:
+        sys.exit(f"{scene}: {done.stderr.strip()}")
+    stats = json.loads(done.stdout)
+    compared = run([program, "compare", reference_of(program, scene, options), image, "--json", "--metrics",
+                    "bias,relmse,ssim"])
+    metrics = {row["name"]: row["value"] for row in json.loads(compared.stdout)["metrics"]}
+    return {"mean_percent": round(100 * metrics["bias"], 2) + 0.0, "relmse": float(f"{metrics['relmse']:.1e}"),
+            "ssim": round(metrics["ssim"], 4), "seconds": round(stats["cpu_seconds"], 1)}
+
+
+def without_table(text, name):
+    return re.sub(rf"(?ms)^\n?\[{name}\]\n.*?(?=^\n?\[|\Z)", "", text)
+
+
+def update_expect(scene, found, options):
+    path = LIBRARY / scene / "expect.toml"
+    text = path.read_text()
+    cause = re.search(r"(?ms)^\[povray\]\n.*?^(cause = .*?)$", text)
+    text = without_table(text, "povray")
+    text = re.sub(r"(?m)^povray = .*\n", "", text)
+    text = re.sub(r"(?m)\n?^\[unsupported\]\n(?=\n?\[|\Z)", "", text)
+    if isinstance(found, str):
+        line = f"povray = {json.dumps(found)}\n"
+        if "[unsupported]\n" in text:
+            text = text.replace("[unsupported]\n", "[unsupported]\n" + line)
+        else:
+            text = text.rstrip("\n") + "\n\n[unsupported]\n" + line
+    else:
+        text = text.rstrip("\n") + "\n\n[povray]\n" + f"size = {options.size}\nquality = {options.quality}\n"
+        text += "".join(f"{key} = {value}\n" for key, value in found.items())
+        if cause:
+            text += cause.group(1) + "\n"
+    path.write_text(text)
+
+
+def is_small(found):
+    return abs(found["mean_percent"]) <= 0.5 and found["ssim"] >= 0.98
+
+
+def table_row(scene, found):
+    if isinstance(found, str):
+        return f"| `{scene}` | refused: {found} | | | |"
+    cause = re.search(r'(?m)^cause = "(.*)"$', (LIBRARY / scene / "expect.toml").read_text())
+    why = f" ({cause.group(1)})" if cause and not is_small(found) else ""
+    return (f"| `{scene}` | {found['mean_percent']:+.2f} %{why} | {found['ssim']:.4f} | {found['relmse']:.1e} | "
+            f"{found['seconds']:.1f} |")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("program", type=pathlib.Path)
+    parser.add_argument("--keep", type=pathlib.Path, required=True)
+    parser.add_argument("--size", type=int, default=96)
+    parser.add_argument("--quality", type=int, default=2)
+    parser.add_argument("--seconds", type=float, default=20)
+    parser.add_argument("--update", action="store_true")
+    parser.add_argument("scenes", nargs="*")
+    options = parser.parse_intermixed_args()
+    options.keep.mkdir(parents=True, exist_ok=True)
+    scenes = options.scenes or sorted(path.parent.name for path in LIBRARY.glob("*/scene.xml"))
+    rows = []
+    for scene in scenes:
+        found = measure(options.program, scene, options)
+        if options.update:
+            update_expect(scene, found, options)
+        rows.append(table_row(scene, found))
+        print(rows[-1], flush=True)
+    if options.update and not options.scenes:
+        TABLE.write_text(
+            "# POV-Ray on the scene library\n\n```sh\nreference/povray/measure_library.py build/release/bin/photonproof "
+            f"--keep out/povray --update --size {options.size} --quality {options.quality}\n```\n\n"
+            f"At {options.size}x{options.size}, quality {options.quality}, one thread: the mean against `path` (`bdpt` "
+            "where mirrors or narrow holes hide the light, `volpath` where a medium absorbs), ssim, relmse and seconds "
+            "of processor time. The references have noise of their own.\n\n"
+            "| scene | mean | ssim | relmse | s |\n|---|--:|--:|--:|--:|\n" + "\n".join(rows) + "\n")
+
+
+if __name__ == "__main__":
+    main()

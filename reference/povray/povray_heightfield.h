@@ -1,0 +1,15 @@
+// A heightfield as a triangle mesh. Written after scenes/FORMAT.md, and not after the renderer's, which it is to
+// witness.
+#pragma once
+
+#include <memory>
+
+#include "scenes/description/description.h"
+
+namespace photonproof {
+
+/// columns x rows cells over [-1,1]^2 of the shape's local xy plane, each cut from (0,0) to (1,1), facing +z.
+std::shared_ptr<const TriangleMesh> heightfield_mesh(const SceneDescription& scene,
+                                                     const HeightfieldDescription& field);
+
+}  // namespace photonproof

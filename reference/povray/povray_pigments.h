@@ -1,0 +1,42 @@
+// Colours and textures as POV-Ray pigments, and the image files they read.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "reference/povray/povray_scene.h"
+#include "scenes/images/image.h"
+
+namespace photonproof {
+
+/// An image that the exported text names, to be written beside it.
+struct PovFile {
+  std::string name;
+  std::shared_ptr<const Image> image;
+};
+
+/// "pigment{...}" over the plane of u and v, z = 0, or where u and v follow from a place on a round shape, over the
+/// shape's own axes; those need write_maps before. `stem` starts the names of files.
+std::string pigment_sdl(const SceneDescription& scene, const Colour& colour, const std::string& stem,
+                        PovUv uv = PovUv::flat);
+
+/// The name of what write_maps declares for a texture: a pigment's colour as a function of (u, v, 0).
+std::string map_name(TextureIndex texture);
+std::string map_declaration(const SceneDescription& scene, TextureIndex texture, const std::string& stem);
+
+/// A pigment whose channels, no more than `greatest`, are those of a declared map at these places, and which lets
+/// light through by them if it is a filter.
+std::string mapped_pigment(TextureIndex texture, const std::string& u, const std::string& v, double greatest,
+                           bool filter);
+
+/// " matrix<...>" of a transform; POV-Ray multiplies row vectors, so that its rows are the images of the axes.
+std::string matrix_sdl(const Transform& to, double scale = 1);
+
+/// What is seen of the sky where nothing else is, times `exposure`: a background or a sky_sphere.
+std::string sky_sdl(const PovScene& scene, double exposure, const std::string& stem);
+
+/// The files that surfaces and the sky need.
+std::vector<PovFile> image_files(const PovScene& scene, double exposure, const std::string& stem);
+
+}  // namespace photonproof
