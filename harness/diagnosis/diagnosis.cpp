@@ -7,12 +7,14 @@
 #include <utility>
 
 #include "harness/diagnosis/breakage.h"
+#include "harness/diagnosis/common_causes.h"
 #include "harness/diagnosis/comparison.h"
 #include "harness/diagnosis/dark_lamps.h"
 #include "harness/diagnosis/faint.h"
 #include "harness/diagnosis/guess.h"
 #include "harness/diagnosis/picture_changes.h"
 #include "harness/diagnosis/places.h"
+#include "harness/diagnosis/self_shadowing.h"
 #include "harness/diagnosis/whole_picture.h"
 
 namespace photonproof {
@@ -78,7 +80,7 @@ class Search {
     constexpr int most = 6;
     for (int round = 0; round < most && left_ > std::max(least(), 0.04 * before_); ++round) {
       const std::vector<Candidate> candidates = candidates_of(round == 0);
-      const Candidate* best = best_of(candidates);
+      const Candidate* best = clearest_of(candidates);
       if (!best || best->left * best->handicap > 0.8 * left_) break;
       const std::string other = alternative(candidates, *best);
       accept(*best, findings);
@@ -94,6 +96,26 @@ class Search {
     const Candidate* best = nullptr;
     for (const Candidate& candidate : candidates)
       if (!best || score(candidate) < score(*best)) best = &candidate;
+    return best;
+  }
+
+  /// The best; or, where several explain nearly all within the tolerance, one that is far nearer than it in units of
+  /// noise: a picture that is brighter where it should be is also brighter as a whole.
+  const Candidate* clearest_of(const std::vector<Candidate>& candidates) const {
+    const Candidate* best = best_of(candidates);
+    constexpr double nearly_all = 0.15, far_nearer = 0.5;
+    if (!best || best->left > nearly_all * left_) return best;
+    const auto mismatch = [&](const Candidate& c) {
+      return c.handicap * comparison_.mismatch(predicted(c.guess, comparison_.white()));
+    };
+    double least_mismatch = far_nearer * mismatch(*best);
+    for (const Candidate& candidate : candidates) {
+      if (candidate.left > nearly_all * left_) continue;
+      const double now = mismatch(candidate);
+      if (now >= least_mismatch) continue;
+      least_mismatch = now;
+      best = &candidate;
+    }
     return best;
   }
 
@@ -114,8 +136,14 @@ class Search {
     }
     add_views(guess_, knowledge_, comparison_, candidates);
     add_light_candidates(guess_, knowledge_, comparison_, candidates);
-    add_what_ifs(guess_, knowledge_, comparison_, comparison_.excess(predicted(guess_, comparison_.white())),
-                 candidates);
+    add_missing_objects(guess_, knowledge_, comparison_, candidates);
+    add_self_shadowing(guess_, knowledge_, comparison_, candidates);
+    const Excess excess = comparison_.excess(predicted(guess_, comparison_.white()));
+    add_what_ifs(guess_, knowledge_, comparison_, excess, false, candidates);
+    constexpr double poorly = 0.4;
+    if (const Candidate* best = best_of(candidates); best && best->left < poorly * left_) return candidates;
+    add_wrong_bodies(guess_, knowledge_, comparison_, excess, candidates);
+    add_what_ifs(guess_, knowledge_, comparison_, excess, true, candidates);
     return candidates;
   }
 
@@ -224,6 +252,7 @@ std::vector<Finding> diagnose(const Image& submitted, const SceneKnowledge& know
   if (std::optional<Finding> noise = find_noise(comparison, knowledge)) findings.push_back(*noise);
   std::stable_sort(findings.begin(), findings.end(),
                    [](const Finding& a, const Finding& b) { return a.explained > b.explained; });
+  join_common_causes(knowledge, findings);
   const bool other_view = std::any_of(findings.begin(), findings.end(), [](const Finding& f) {
     return (f.kind == "shifted" || f.kind == "field-of-view") && f.explained > 0.3;
   });
