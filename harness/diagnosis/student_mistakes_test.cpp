@@ -8,6 +8,7 @@
 #include <functional>
 #include <limits>
 #include <string>
+#include <tuple>
 #include <variant>
 
 #include "harness/diagnosis/comparison.h"
@@ -112,6 +113,7 @@ TEST_F(StudentMistakes, glass_without_fresnel_reflects_nothing) {
   expect_first(with([](SceneDescription& scene) {
                  DielectricDescription glass = glass_of(scene);
                  glass.specular_reflectance = RgbD(0.0);
+                 glass.specular_transmittance = RgbD(0.95);  // all goes through, but for the glass's colour
                  set_material(scene, "glass", glass);
                }),
                "glass-without-reflection", "the glass sphere reflects nothing");
@@ -148,11 +150,11 @@ TEST_F(StudentMistakes, all_that_is_missing_is_one_sentence) {
       return std::holds_alternative<SphereDescription>(shape.geometry);
     });
   });
-  // The ceiling in place of the lamp: as right and left of it.
-  for (std::size_t i = 0; i < image.pixels(); ++i) {
-    if (!sees(i, "lamp") && !sees(i + 1, "lamp") && !sees(i - 1, "lamp")) continue;
+  // The ceiling in place of the lamp, as it is left of it.
+  const auto near_lamp = [](std::size_t i) { return sees(i - 1, "lamp") || sees(i, "lamp") || sees(i + 1, "lamp"); };
+  for (std::size_t i = 1; i + 1 < image.pixels(); ++i) {
     std::size_t beside = i;
-    while (sees(beside, "lamp") || sees(beside + 1, "lamp") || sees(beside - 1, "lamp")) --beside;
+    while (near_lamp(beside)) --beside;
     std::copy_n(&image.rgb[3 * beside], 3, &image.rgb[3 * i]);
   }
   const std::vector<Finding> findings = diagnose(as_bytes(image), known());
@@ -177,28 +179,30 @@ TEST_F(StudentMistakes, blotches_that_lose_light_are_acne_and_less_light_everywh
   for (const Finding& finding : diagnose(as_bytes(darker), known())) EXPECT_NE(finding.kind, "self-shadowing");
 }
 
-TEST_F(StudentMistakes, a_body_that_shows_what_no_usual_mistake_shows_is_named_and_all_spheres_together) {
-  const auto scrambled = [](const std::string& sphere) {
-    Image image = right();
-    const Image before = image;
-    for (std::size_t i = 0; i < image.pixels(); ++i)
-      if (sees(i, sphere)) {
-        // Pixels of the sphere change places: 31 and 72 * 72 have no common factor.
-        std::size_t from = i;
-        do from = (31 * from + 7) % image.pixels();
-        while (!sees(from, sphere));
-        std::copy_n(&before.rgb[3 * from], 3, &image.rgb[3 * i]);
-      }
-    return image;
-  };
-  expect_first(scrambled("mirror sphere"), "object-wrong", "what the mirror sphere shows is wrong");
-  expect_first(with([](SceneDescription& scene) {
-                 set_material(scene, "mirror", DiffuseDescription{RgbD(0.7)});
-                 DielectricDescription glass = glass_of(scene);
-                 glass.specular_transmittance = RgbD(0.0);
-                 set_material(scene, "glass", glass);
-               }),
-               "spheres-wrong", "what the spheres show is wrong");
+TEST_F(StudentMistakes, a_body_that_shows_what_no_usual_mistake_shows_is_named) {
+  Image image = right();
+  const Image before = image;
+  const auto mark = std::find_if(known().landmarks.begin(), known().landmarks.end(),
+                                 [](const Landmark& landmark) { return landmark.name == "mirror sphere"; });
+  ASSERT_NE(mark, known().landmarks.end());
+  // Left and right exchanged in the mirror.
+  for (std::size_t i = 0; i < image.pixels(); ++i) {
+    const int x = static_cast<int>(i % side_), y = static_cast<int>(i / side_);
+    const int other = static_cast<int>(2 * mark->x) - x - 1;
+    if (sees(i, "mirror sphere")) std::copy_n(before.pixel(other, y), 3, image.pixel(x, y));
+  }
+  expect_first(image, "object-wrong", "what the mirror sphere shows is wrong");
+}
+
+TEST_F(StudentMistakes, what_is_wrong_with_all_spheres_is_said_of_them_together) {
+  const Image wrong = with([](SceneDescription& scene) {
+    set_material(scene, "mirror", DiffuseDescription{RgbD(0.7)});
+    set_material(scene, "glass", DiffuseDescription{RgbD(0.7)});
+  });
+  Image image = right();
+  for (std::size_t i = 0; i < image.pixels(); ++i)
+    if (sees(i, "sphere")) std::copy_n(&wrong.rgb[3 * i], 3, &image.rgb[3 * i]);
+  expect_first(image, "spheres-wrong", "what the spheres show is wrong");
 }
 
 TEST_F(StudentMistakes, guesses_that_know_nothing_explain_nothing) {
