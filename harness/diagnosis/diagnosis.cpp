@@ -64,7 +64,8 @@ class Search {
   Search(const Image& submitted, const SceneKnowledge& knowledge, const Comparison& comparison, double patience)
       : submitted_(submitted), knowledge_(knowledge), comparison_(comparison), patience_(patience) {
     guess_.light = knowledge.reference;
-    before_ = left_ = comparison.total(predicted(guess_, comparison.white()));
+    at_first_ = comparison.excess(predicted(guess_, comparison.white()));
+    before_ = left_ = at_first_.total;
   }
 
   double at_first() const { return before_; }
@@ -78,7 +79,7 @@ class Search {
   std::vector<Finding> run() {
     std::vector<Finding> findings;
     constexpr int most = 6;
-    for (int round = 0; round < most && left_ > std::max(least(), 0.04 * before_); ++round) {
+    for (int round = 0; round < most && left_ > least() && (round == 0 || unexplained() > least()); ++round) {
       const std::vector<Candidate> candidates = candidates_of(round == 0);
       const Candidate* best = clearest_of(candidates);
       if (!best || best->left * best->handicap > 0.8 * left_) break;
@@ -225,11 +226,20 @@ class Search {
     return {"differs", sentence, "", region_of(weight, submitted_.width, submitted_.height), left_ / before_};
   }
 
+  /// What is left, block by block less a 25th of what there was at first: as much may be wrong with the explanation.
+  double unexplained() const {
+    const Excess now = comparison_.excess(predicted(guess_, comparison_.white()));
+    double sum = 0;
+    for (std::size_t i = 0; i < now.block.size(); ++i) sum += std::max(0.0, now.block[i] - 0.04 * at_first_.block[i]);
+    return sum;
+  }
+
   const Image& submitted_;
   const SceneKnowledge& knowledge_;
   const Comparison& comparison_;
   double patience_;
   Guess guess_;
+  Excess at_first_;
   double before_ = 0, left_ = 0;
 };
 
