@@ -17,7 +17,7 @@ TEST(SceneFindings, a_failed_render_leaves_plainer_sentences_and_is_told_once_a_
   std::fill(grey.rgb.begin(), grey.rgb.end(), 0.4f);
   for (int y = 0; y < 32; ++y)
     for (int x = 0; x < 16; ++x) grey.pixel(x, y)[0] = 0.2f;
-  const std::vector<std::optional<SceneReference>> references{SceneReference{{grey, Image(32, 32)}, 4, 3, "given"}};
+  const std::vector<std::optional<SceneReference>> references{SceneReference{{grey, Image(32, 32), {}}, 4, 3, "given"}};
   OwnEngine none;
   none.program = "/there/is/no/such/program";
   SceneFindings findings(assignment, scenes, references, none, [](const std::string&) {});
