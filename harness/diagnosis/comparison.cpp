@@ -74,21 +74,23 @@ Excess Comparison::excess(const Image& guess) const {
   const std::vector<float> apart = variances(difference);
   Excess result;
   result.block.resize(static_cast<std::size_t>(across()) * static_cast<std::size_t>(down()));
-  std::size_t block = 0, i = 0, compared = 0;
+  std::size_t block = 0, i = 0, compared = 0, comparable = 0;
   for (int by = 0; by < height(); by += side)
     for (int bx = 0; bx < width(); bx += side, ++block)
       for (int c = 0; c < 3; ++c, ++i) {
-        double sum = 0, level = 0, count = 0;
+        double sum = 0, level = 0, count = 0, counted = 0;
         for (int y = by; y < std::min(by + side, height()); ++y)
           for (int x = bx; x < std::min(bx + side, width()); ++x) {
             const std::size_t pixel =
                 static_cast<std::size_t>(y) * static_cast<std::size_t>(width()) + static_cast<std::size_t>(x);
             const std::size_t at = 3 * pixel + static_cast<std::size_t>(c);
+            counted += counts(pixel) ? 1 : 0;
             if (!counts(pixel) || !std::isfinite(difference[at])) continue;
             sum += difference[at];
             level += expected[at];
             count += 1;
           }
+        comparable += counted < 4 ? 0 : 1;
         if (count < 4) continue;
         ++compared;
         level /= count;
@@ -100,9 +102,23 @@ Excess Comparison::excess(const Image& guess) const {
         result.block[block] += over * over;
         result.total += over * over;
       }
-  // What a guess does not know counts like the rest.
+  // What a guess does not know counts like the rest; one that knows next to nothing explains nothing.
+  constexpr double least_known = 0.05;
+  if (static_cast<double>(compared) < least_known * static_cast<double>(comparable)) result.total = unexplained;
   if (compared > 0) result.total *= static_cast<double>(i) / static_cast<double>(compared);
   return result;
+}
+
+double Comparison::mismatch(const Image& guess) const {
+  constexpr double most = 16;
+  double sum = 0, count = 0;
+  for (std::size_t i = 0; i < guess.rgb.size(); ++i) {
+    if (!counts(i / 3)) continue;
+    const double d = std::isfinite(guess.rgb[i]) ? shown_[i] - shown(guess.rgb[i]) : 1.0;
+    sum += std::min(most, d * d / variance_at(i));
+    count += 1;
+  }
+  return count > 0 ? sum / count : 0;
 }
 
 double Comparison::variance_at(std::size_t value) const {

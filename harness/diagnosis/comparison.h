@@ -23,7 +23,8 @@ struct Excess {
 
 class Comparison {
  public:
-  static constexpr int side = 4;  ///< of a block
+  static constexpr int side = 4;               ///< of a block
+  static constexpr double unexplained = 1e12;  ///< the excess of a guess that knows nothing
 
   /// `ignored`: a pixel, those that say nothing (already explained, or not finite); empty: none.
   Comparison(const Image& submitted, std::optional<float> white, double tolerance, std::vector<std::uint8_t> ignored);
@@ -31,6 +32,10 @@ class Comparison {
   /// `guess` is linear, not clamped; pixels that it does not know are NaN, and ignored.
   Excess excess(const Image& guess) const;
   double total(const Image& guess) const { return excess(guess).total; }
+
+  /// Mean square of what differs, in units of noise, a value's at most 16: no tolerance, and what is wholly wrong
+  /// counts no more than what is plainly wrong. Tells guesses apart that are all within the tolerance.
+  double mismatch(const Image& guess) const;
 
   int width() const { return submitted_.width; }
   int height() const { return submitted_.height; }

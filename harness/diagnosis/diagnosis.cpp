@@ -7,12 +7,14 @@
 #include <utility>
 
 #include "harness/diagnosis/breakage.h"
+#include "harness/diagnosis/common_causes.h"
 #include "harness/diagnosis/comparison.h"
 #include "harness/diagnosis/dark_lamps.h"
 #include "harness/diagnosis/faint.h"
 #include "harness/diagnosis/guess.h"
 #include "harness/diagnosis/picture_changes.h"
 #include "harness/diagnosis/places.h"
+#include "harness/diagnosis/self_shadowing.h"
 #include "harness/diagnosis/whole_picture.h"
 
 namespace photonproof {
@@ -62,7 +64,8 @@ class Search {
   Search(const Image& submitted, const SceneKnowledge& knowledge, const Comparison& comparison, double patience)
       : submitted_(submitted), knowledge_(knowledge), comparison_(comparison), patience_(patience) {
     guess_.light = knowledge.reference;
-    before_ = left_ = comparison.total(predicted(guess_, comparison.white()));
+    at_first_ = comparison.excess(predicted(guess_, comparison.white()));
+    before_ = left_ = at_first_.total;
   }
 
   double at_first() const { return before_; }
@@ -76,9 +79,9 @@ class Search {
   std::vector<Finding> run() {
     std::vector<Finding> findings;
     constexpr int most = 6;
-    for (int round = 0; round < most && left_ > std::max(least(), 0.04 * before_); ++round) {
+    for (int round = 0; round < most && left_ > least() && (round == 0 || unexplained() > least()); ++round) {
       const std::vector<Candidate> candidates = candidates_of(round == 0);
-      const Candidate* best = best_of(candidates);
+      const Candidate* best = clearest_of(candidates);
       if (!best || best->left * best->handicap > 0.8 * left_) break;
       const std::string other = alternative(candidates, *best);
       accept(*best, findings);
@@ -94,6 +97,26 @@ class Search {
     const Candidate* best = nullptr;
     for (const Candidate& candidate : candidates)
       if (!best || score(candidate) < score(*best)) best = &candidate;
+    return best;
+  }
+
+  /// The best; or, where several explain nearly all within the tolerance, one that is far nearer than it in units of
+  /// noise: a picture that is brighter where it should be is also brighter as a whole.
+  const Candidate* clearest_of(const std::vector<Candidate>& candidates) const {
+    const Candidate* best = best_of(candidates);
+    constexpr double nearly_all = 0.15, far_nearer = 0.5;
+    if (!best || best->left > nearly_all * left_) return best;
+    const auto mismatch = [&](const Candidate& c) {
+      return c.handicap * comparison_.mismatch(predicted(c.guess, comparison_.white()));
+    };
+    double least_mismatch = far_nearer * mismatch(*best);
+    for (const Candidate& candidate : candidates) {
+      if (candidate.left > nearly_all * left_) continue;
+      const double now = mismatch(candidate);
+      if (now >= least_mismatch) continue;
+      least_mismatch = now;
+      best = &candidate;
+    }
     return best;
   }
 
@@ -114,8 +137,14 @@ class Search {
     }
     add_views(guess_, knowledge_, comparison_, candidates);
     add_light_candidates(guess_, knowledge_, comparison_, candidates);
-    add_what_ifs(guess_, knowledge_, comparison_, comparison_.excess(predicted(guess_, comparison_.white())),
-                 candidates);
+    add_missing_objects(guess_, knowledge_, comparison_, candidates);
+    add_self_shadowing(guess_, knowledge_, comparison_, candidates);
+    const Excess excess = comparison_.excess(predicted(guess_, comparison_.white()));
+    add_what_ifs(guess_, knowledge_, comparison_, excess, false, candidates);
+    constexpr double poorly = 0.4;
+    if (const Candidate* best = best_of(candidates); best && best->left < poorly * left_) return candidates;
+    add_wrong_bodies(guess_, knowledge_, comparison_, excess, candidates);
+    add_what_ifs(guess_, knowledge_, comparison_, excess, true, candidates);
     return candidates;
   }
 
@@ -197,11 +226,20 @@ class Search {
     return {"differs", sentence, "", region_of(weight, submitted_.width, submitted_.height), left_ / before_};
   }
 
+  /// What is left, block by block less a 25th of what there was at first: as much may be wrong with the explanation.
+  double unexplained() const {
+    const Excess now = comparison_.excess(predicted(guess_, comparison_.white()));
+    double sum = 0;
+    for (std::size_t i = 0; i < now.block.size(); ++i) sum += std::max(0.0, now.block[i] - 0.04 * at_first_.block[i]);
+    return sum;
+  }
+
   const Image& submitted_;
   const SceneKnowledge& knowledge_;
   const Comparison& comparison_;
   double patience_;
   Guess guess_;
+  Excess at_first_;
   double before_ = 0, left_ = 0;
 };
 
@@ -224,6 +262,7 @@ std::vector<Finding> diagnose(const Image& submitted, const SceneKnowledge& know
   if (std::optional<Finding> noise = find_noise(comparison, knowledge)) findings.push_back(*noise);
   std::stable_sort(findings.begin(), findings.end(),
                    [](const Finding& a, const Finding& b) { return a.explained > b.explained; });
+  join_common_causes(knowledge, findings);
   const bool other_view = std::any_of(findings.begin(), findings.end(), [](const Finding& f) {
     return (f.kind == "shifted" || f.kind == "field-of-view") && f.explained > 0.3;
   });

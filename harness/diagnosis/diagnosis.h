@@ -34,6 +34,8 @@ struct WhatIf {
   /// A pixel: not 0 where it surely changes the picture. Empty: unknown.
   std::vector<std::uint8_t> changes = {};
   bool only_there = false;  ///< and nowhere else
+  bool rough = false;       ///< the picture changes as this one does, but more
+  bool rare = false;        ///< asked where nothing usual explains the picture
 };
 
 /// What the scene's light is made of.

@@ -48,7 +48,7 @@ constexpr FormulaRow formula_rows[] = {
     {"falloff-twice", "light falls off too fast with distance",
      "direct light is divided by the square of the distance twice", true,
      [](const Factors& f) { return 1 / (f.distance * f.distance); }},
-    {"cosine-missing", "direct light does not depend on the surface's angle",
+    {"cosine-missing", "direct light is too bright where it comes in flat, as if the surface's angle did not matter",
      "the cosine at the surface is missing (N dot L)", false, [](const Factors& f) { return 1 / f.surface; }},
     {"lamp-cosine-missing", "the lamp shines as brightly to the side as ahead", "the cosine at the lamp is missing",
      false, [](const Factors& f) { return 1 / f.lamp; }},

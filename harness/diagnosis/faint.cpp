@@ -25,6 +25,7 @@ class Filter {
 
   Match match(const Image& changed) const {
     double both = 0, change = 0, all = 0, count = 0;
+    std::vector<std::pair<double, double>> loudest;  // what most agrees, and its part of `change`
     for (std::size_t i = 0; i < now_.rgb.size(); ++i) {
       if (!comparison_.counts(i / 3)) continue;
       const double from = comparison_.shown(now_.rgb[i]);
@@ -34,8 +35,17 @@ class Filter {
       const double w = 1 / comparison_.variance_at(i);
       both += w * b * d;
       change += w * b * b;
+      loudest.emplace_back(w * b * d, w * b * b);
       all += w * d * d;
       count += 1;
+    }
+    // One glint, that another mistake puts out, may look like all of a feature's light.
+    const auto glint = std::min(glint_values, loudest.size());
+    std::partial_sort(loudest.begin(), loudest.begin() + static_cast<std::ptrdiff_t>(glint), loudest.end(),
+                      [](const auto& a, const auto& b) { return std::abs(a.first) > std::abs(b.first); });
+    for (std::size_t i = 0; i < glint; ++i) {
+      both -= loudest[i].first;
+      change -= loudest[i].second;
     }
     Match match;
     if (change < 1) return match;
@@ -58,6 +68,7 @@ class Filter {
   }
 
  private:
+  static constexpr std::size_t glint_values = 12;
   static constexpr double shared = 3;  // noise of photon maps is shared by neighbours
   const Comparison& comparison_;
   Image now_;
@@ -110,8 +121,8 @@ class FaintSearch {
   void look_at_shift() {
     if (guess_.shift_x != 0 || guess_.shift_y != 0) return;
     const std::optional<SubPixelShift> shift = sub_pixel_shift(predicted(guess_, comparison_.white()), comparison_);
-    if (!shift || shift->explained <= most_) return;
-    most_ = shift->explained;
+    if (!shift || shift->deviations * shift->deviations <= most_) return;
+    most_ = shift->deviations * shift->deviations;
     Candidate candidate;
     candidate.guess = guess_;
     candidate.guess.shift_x = shift->x;
@@ -137,16 +148,17 @@ class FaintSearch {
 
   void look_at_what_if(const WhatIf& what_if, const Image& model) {
     if (what_if.image.get().rgb.size() != model.rgb.size()) return;
-    look(with_light(plus_change(guess_.light, what_if.image.get(), model, 1), what_if.kind), {}, [&](double) {
-      return Finding{what_if.kind, what_if.sentence, what_if.cause, {}, 0};
-    });
+    look(with_light(plus_change(guess_.light, what_if.image.get(), model, 1), what_if.kind), {what_if.rough, false},
+         [&](double) {
+           return Finding{what_if.kind, what_if.sentence, what_if.cause, {}, 0};
+         });
   }
 
   template <class Words>
   void look(Guess other, const Kind& kind, const Words& words) {
     const Match match = filter_.match(predicted(other, comparison_.white()));
     const double off = kind.any_amount ? 0.1 : std::abs(match.amount - 1);
-    const double worth = match.explained * (1 - off);
+    const double worth = match.deviations * match.deviations * (1 - off);
     if (!is_there(match, kind.any_amount) || worth <= most_) return;
     most_ = worth;
     Candidate candidate;
@@ -163,13 +175,13 @@ class FaintSearch {
   const Comparison& comparison_;
   Filter filter_;
   std::optional<Candidate> best_;
-  double most_ = 0;
+  double most_ = 0;  ///< square of deviations, less where the amount is odd
 };
 
 }  // namespace
 
 bool could_hide_a_mistake(const Guess& guess, const SceneKnowledge& knowledge, const Comparison& comparison) {
-  constexpr double too_noisy = 0.02;  // clamping then takes what fireflies bring, as if light were missing
+  constexpr double too_noisy = 0.03;  // clamping then takes what fireflies bring, as if light were missing
   return comparison.noise() <= too_noisy && FaintSearch(guess, knowledge, comparison).could_be_told({});
 }
 

@@ -1,6 +1,7 @@
 // A guess at how the picture came about, and what may be changed about it.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -19,6 +20,12 @@ struct Guess {
   std::size_t turn = 0, channels = 0, tone = 0;  ///< rows of picture_changes.h
   double scale = 1;
   std::vector<std::string> used;  ///< probes and what-ifs that are in `light`
+
+  bool has(const std::string& name) const { return std::find(used.begin(), used.end(), name) != used.end(); }
+  /// So that a pixel shows `light` there, and no more than clamped.
+  bool shows_scene_as_it_is() const {
+    return turn + channels + tone == 0 && shift_x == 0 && shift_y == 0 && zoom == 1 && scale == 1 && blur == 0;
+  }
 };
 
 Image predicted(const Guess& guess, double white);
@@ -44,9 +51,15 @@ void add_views(const Guess& guess, const SceneKnowledge& knowledge, const Compar
 void add_light_candidates(const Guess& guess, const SceneKnowledge& knowledge, const Comparison& comparison,
                           std::vector<Candidate>& candidates);
 /// What-ifs that change pixels in whose blocks is a twentieth of `excess`, which the guess leaves, or a fifth where
-/// they change no others: the rest is not rendered.
+/// they change no others: the rest is not rendered. Rare ones, or the others.
 void add_what_ifs(const Guess& guess, const SceneKnowledge& knowledge, const Comparison& comparison,
-                  const Excess& excess, std::vector<Candidate>& candidates);
+                  const Excess& excess, bool rare, std::vector<Candidate>& candidates);
+/// Objects in whose place what lies around them is seen.
+void add_missing_objects(const Guess& guess, const SceneKnowledge& knowledge, const Comparison& comparison,
+                         std::vector<Candidate>& candidates);
+/// What is seen of one body is wrong in a way that no other candidate is: the picture's own pixels are taken there.
+void add_wrong_bodies(const Guess& guess, const SceneKnowledge& knowledge, const Comparison& comparison,
+                      const Excess& excess, std::vector<Candidate>& candidates);
 
 /// "the image is shifted by 3 pixels right".
 Finding words_of_shift(double x, double y);

@@ -216,10 +216,12 @@ SceneKnowledge knowledge_of(const SceneDescription& scene, const Rendering& refe
       light.get();
       return maker->image_of(mistake);
     };
-    const bool only_there = !mistake.only_where_seen.empty();
-    knowledge.what_ifs.push_back({mistake.kind, mistake.sentence, mistake.cause, mistake.landmark, Lazy<Image>(image),
-                                  maker->pixels_of(only_there ? mistake.only_where_seen : mistake.changes),
-                                  only_there});
+    WhatIf what_if{mistake.kind, mistake.sentence, mistake.cause, mistake.landmark, Lazy<Image>(image)};
+    what_if.only_there = !mistake.only_where_seen.empty();
+    what_if.changes = maker->pixels_of(what_if.only_there ? mistake.only_where_seen : mistake.changes);
+    what_if.rough = mistake.rough;
+    what_if.rare = mistake.rare;
+    knowledge.what_ifs.push_back(std::move(what_if));
   }
   return knowledge;
 }

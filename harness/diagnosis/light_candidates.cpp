@@ -23,7 +23,7 @@ class LightCandidates {
 
   void add_features() {
     for (const FeatureProbe& probe : light_.probes) {
-      if (used(probe.feature)) continue;
+      if (guess_.has(probe.feature)) continue;
       double most = 0;
       for (const float v : probe.light.rgb) most = std::max(most, double{v});
       if (most < 0.01) continue;
@@ -57,9 +57,10 @@ class LightCandidates {
     for (const WhatIf& formula : light_.formulas) add_what_if(formula);
   }
 
-  void add_what_ifs(const Excess& excess) {
+  void add_what_ifs(const Excess& excess, bool rare) {
     for (const WhatIf& what_if : knowledge_.what_ifs)
-      if (share_of_excess(what_if.changes, excess) >= (what_if.only_there ? 0.2 : 0.05)) add_what_if(what_if);
+      if (what_if.rare == rare && share_of_excess(what_if.changes, excess) >= (what_if.only_there ? 0.2 : 0.05))
+        add_what_if(what_if);
   }
 
   /// Each object's light times a factor of each channel, as the picture has it; only while the picture is not turned
@@ -69,7 +70,7 @@ class LightCandidates {
     const Image now = predicted(guess_, comparison_.white());
     for (std::size_t mark = 0; mark < knowledge_.landmarks.size(); ++mark) {
       const Landmark& landmark = knowledge_.landmarks[mark];
-      if (used("object " + landmark.name)) continue;
+      if (guess_.has("object " + landmark.name)) continue;
       double submitted[3] = {}, expected[3] = {}, count = 0;
       for (std::size_t i = 0; i < now.pixels(); ++i) {
         if (knowledge_.seen[i] != mark + 1 || !comparison_.counts(i)) continue;
@@ -88,7 +89,7 @@ class LightCandidates {
  private:
   void add_what_if(const WhatIf& what_if) {
     const Image& model = light_.model.rgb.empty() ? knowledge_.reference : light_.model;
-    if (used(what_if.kind + what_if.landmark) || what_if.image.get().rgb.size() != model.rgb.size()) return;
+    if (guess_.has(what_if.kind + what_if.landmark) || what_if.image.get().rgb.size() != model.rgb.size()) return;
     Image difference = what_if.image.get();
     for (std::size_t i = 0; i < difference.rgb.size(); ++i) difference.rgb[i] -= model.rgb[i];
     for (const double amount : {1.0, 0.7}) {
@@ -126,9 +127,6 @@ class LightCandidates {
     return kind == "walls-swapped" ? 1.2 : kind == "glass-mirror" ? 1.12 : 1;
   }
 
-  bool used(const std::string& name) const {
-    return std::find(guess_.used.begin(), guess_.used.end(), name) != guess_.used.end();
-  }
   double left_of(const Guess& guess) const { return comparison_.total(predicted(guess, comparison_.white())); }
 
   Guess with_light(const Image& light, double amount) const {
@@ -140,7 +138,7 @@ class LightCandidates {
 
   void add_colourless_indirect() {
     for (const FeatureProbe& probe : light_.probes) {
-      if (probe.feature != "indirect" || used("colourless")) continue;
+      if (probe.feature != "indirect" || guess_.has("colourless")) continue;
       Image change = probe.light;
       for (std::size_t i = 0; i < change.pixels(); ++i) {
         float* p = &change.rgb[3 * i];
@@ -162,7 +160,7 @@ class LightCandidates {
   }
 
   void add_ambient() {
-    if (used("ambient")) return;
+    if (guess_.has("ambient")) return;
     for (const double level : {0.03, 0.06, 0.12, 0.25}) {
       Candidate candidate;
       candidate.guess = guess_;
@@ -227,8 +225,8 @@ void add_light_candidates(const Guess& guess, const SceneKnowledge& knowledge, c
 }
 
 void add_what_ifs(const Guess& guess, const SceneKnowledge& knowledge, const Comparison& comparison,
-                  const Excess& excess, std::vector<Candidate>& candidates) {
-  LightCandidates(guess, knowledge, comparison, candidates).add_what_ifs(excess);
+                  const Excess& excess, bool rare, std::vector<Candidate>& candidates) {
+  LightCandidates(guess, knowledge, comparison, candidates).add_what_ifs(excess, rare);
 }
 
 }  // namespace photonproof

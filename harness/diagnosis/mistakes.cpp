@@ -36,6 +36,7 @@ class Mistakes {
       const ShapeDescription& shape = scene_.shapes[i];
       if (shape.radiance) add_lamp(i);
       if (!visible_[i]) continue;
+      add_without_shadow(i);
       if (std::holds_alternative<HeightfieldDescription>(shape.geometry)) add_water(i);
       if (!is_body(scene_, shape)) continue;
       if (look_of(scene_, shape) == Look::mirror) add_mirror(i);
@@ -44,6 +45,7 @@ class Mistakes {
       add("object-missing", "the " + name + " is missing", "it is not in the scene, or no ray tests it", i,
           without(scene_, i));
     }
+    add_missing_bodies();
     add_hard_shadows();
     add_swapped_walls();
     return std::move(mistakes_);
@@ -74,8 +76,19 @@ class Mistakes {
   void add_glass(std::size_t i) {
     const auto& glass = std::get<DielectricDescription>(scene_.bsdfs[scene_.shapes[i].bsdf.value].model);
     const std::string name = "the " + names_[i];
+    DielectricDescription black = glass;
+    black.specular_transmittance = RgbD(0.0);
     add_seen("glass-black", name + " is black: no light comes through",
-             "no refracted ray is traced, or depth ends inside", i, DiffuseDescription{RgbD(0.0)});
+             "no refracted ray is traced, or depth ends inside", i, black);
+    DielectricDescription dull = glass;
+    dull.specular_reflectance = RgbD(0.0);
+    // All of the light goes through, that which is reflected head-on among it.
+    const double share = std::pow((glass.int_ior - glass.ext_ior) / (glass.int_ior + glass.ext_ior), 2);
+    if (const auto* colour = std::get_if<RgbD>(&glass.specular_transmittance))
+      dull.specular_transmittance = *colour * std::min(1 / (1 - share), 1 / max_component(*colour));
+    add("glass-without-reflection", name + " reflects nothing, the lamp's image among it",
+        "Fresnel's share of reflected light is left out", i, with_material(scene_, i, dull));
+    mistakes_.back().rough = true;  // what goes through flat still lacks what would be reflected
     add_seen("glass-opaque", name + " is opaque", "it is shaded as a diffuse surface", i,
              DiffuseDescription{RgbD(0.7)});
     DielectricDescription thin = glass;
@@ -108,13 +121,69 @@ class Mistakes {
     }
   }
 
+  /// Of one of several bodies, or of glass without thickness as water: of one alone all shadows are missing.
+  void add_without_shadow(std::size_t i) {
+    const bool is_water = std::holds_alternative<HeightfieldDescription>(scene_.shapes[i].geometry) &&
+                          look_of(scene_, scene_.shapes[i]) == Look::glass;
+    std::size_t bodies = 0;
+    for (const ShapeDescription& shape : scene_.shapes) bodies += is_body(scene_, shape) ? 1 : 0;
+    if (!is_water && (!is_body(scene_, scene_.shapes[i]) || bodies < 2)) return;
+    mistakes_.push_back({"shadow-missing",
+                         "the " + names_[i] + " casts no shadow",
+                         "shadow rays pass it, as if nothing were there",
+                         names_[i],
+                         without(scene_, i),
+                         {},
+                         true});
+  }
+
   void add_lamp(std::size_t i) {
+    add_lamp_parts(i);
     std::size_t lamps = scene_.emitters.size();
     for (const ShapeDescription& shape : scene_.shapes) lamps += shape.radiance.has_value() ? 1 : 0;
     if (lamps < 2) return;
     SceneDescription dark = scene_;
     dark.shapes[i].radiance.reset();
     add("lamp-missing", "the " + names_[i] + " gives no light", "only some of the lamps are sampled", i, dark);
+  }
+
+  /// All that are seen, where there are several.
+  void add_missing_bodies() {
+    std::vector<std::size_t> bodies;
+    std::string names;
+    for (std::size_t i = 0; i < scene_.shapes.size(); ++i)
+      if (visible_[i] && is_body(scene_, scene_.shapes[i])) bodies.push_back(i);
+    if (bodies.size() < 2) return;
+    for (std::size_t k = 0; k < bodies.size(); ++k)
+      names += (k == 0 ? "" : k + 1 == bodies.size() ? " and " : ", ") + ("the " + names_[bodies[k]]);
+    mistakes_.push_back({"objects-missing",
+                         names + " are missing",
+                         "no ray finds them: the first hit is taken and not the nearest, or they are not in the scene",
+                         "",
+                         without_bodies(scene_),
+                         {}});
+    mistakes_.back().changes = bodies;
+  }
+
+  /// A quarter of a lamp, at one of its corners, with the power of all of it.
+  void add_lamp_parts(std::size_t i) {
+    const ShapeDescription& lamp = scene_.shapes[i];
+    if (!std::holds_alternative<RectangleDescription>(lamp.geometry) || !std::holds_alternative<RgbD>(*lamp.radiance))
+      return;
+    for (const double x : {-0.5, 0.5})
+      for (const double y : {-0.5, 0.5}) {
+        SceneDescription part = scene_;
+        part.shapes[i].to_world = lamp.to_world * Transform::translate({x, y, 0}) * Transform::scale({0.5, 0.5, 1});
+        part.shapes[i].radiance = std::get<RgbD>(*lamp.radiance) / 0.25;
+        mistakes_.push_back({"lamp-part",
+                             "light comes from a quarter of the " + names_[i] + " only, at one of its corners",
+                             "places on it are drawn from 0 to 1 where its sides reach from -1 to 1",
+                             names_[i],
+                             std::move(part),
+                             {},
+                             true});
+        mistakes_.back().rare = true;
+      }
   }
 
   /// Lamps of a tenth of their size and the same power.

@@ -18,6 +18,8 @@ struct Mistake {
   bool direct_only = false;  ///< only direct light is rendered and differs
   /// Shapes that it changes wherever they are seen; empty: unknown.
   std::vector<std::size_t> changes = {};
+  bool rough = false;  ///< the scene has only part of what it changes
+  bool rare = false;   ///< of several that differ in a number, or seldom made
 };
 
 /// `names` as object_names() gives them; `visible`: of each shape, whether the camera sees it.

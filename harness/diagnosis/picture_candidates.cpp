@@ -83,7 +83,7 @@ class PictureCandidates {
     }
     push_shift(best, left);
     left = 1e30;
-    for (double zoom = 0.5; zoom <= 2; zoom *= 1.05) look(0, 0, zoom);
+    for (double zoom = 0.3; zoom <= 3.4; zoom *= 1.05) look(0, 0, zoom);
     const double found = best.zoom;
     for (const double by : {0.97, 0.985, 1.015, 1.03}) look(0, 0, found * by);
     push_zoom(best, left);
@@ -111,6 +111,24 @@ class PictureCandidates {
           {},
           0});
     candidates_.back().local = true;
+  }
+
+  /// Pixels that were stored in rows of another length than they are read in, from the first row on or from the last.
+  void add_strides() {
+    if (guess_.turn + guess_.channels + guess_.tone != 0 || comparison_.height() < 16) return;
+    for (const int longer : {-4, -3, -2, -1, 1, 2, 3, 4})
+      for (const bool from_last : {false, true}) {
+        Guess other = guess_;
+        other.light = restrided(guess_.light, longer, from_last);
+        const int by = std::abs(longer);
+        push(other, 1.15,
+             {"slanted",
+              "the image is slanted: each row lies " + std::to_string(by) + (by == 1 ? " pixel" : " pixels") +
+                  " further " + (longer < 0 ? "right" : "left") + " than the one above",
+              "rows are stored with another length than they are read with: width, or padding to 4 bytes",
+              {},
+              0});
+      }
   }
 
   void add_sharpness() {
@@ -227,6 +245,7 @@ void add_arrangements(const Guess& guess, const SceneKnowledge& knowledge, const
   PictureCandidates add(guess, knowledge, comparison, candidates);
   add.add_combinations(first_round);
   add.add_copied_rows();
+  if (first_round) add.add_strides();
 }
 
 void add_views(const Guess& guess, const SceneKnowledge& knowledge, const Comparison& comparison,

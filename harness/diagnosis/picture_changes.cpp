@@ -170,6 +170,15 @@ Image viewed(const Image& image, double dx, double dy, double zoom) {
   });
 }
 
+Image restrided(const Image& image, int longer, bool from_last) {
+  const int pixels = image.width * image.height;
+  return made(image.width, image.height, [&](int x, int y, std::size_t c) {
+    const int at = y * image.width + x + longer * (from_last ? y - (image.height - 1) : y);
+    if (at < 0 || at >= pixels) return std::numeric_limits<float>::quiet_NaN();
+    return image.pixel(at % image.width, at / image.width)[c];
+  });
+}
+
 Image blurred(const Image& image, double deviation) {
   const int reach = static_cast<int>(std::ceil(3 * deviation));
   std::vector<double> taps;

@@ -43,6 +43,9 @@ Image toned(const Image& image, const ToneRow& row, double white);
 
 /// Shifted by dx, dy pixels and enlarged about the middle; what comes from outside is NaN.
 Image viewed(const Image& image, double dx, double dy, double zoom);
+/// Read with rows that are so many pixels longer than they were stored with; the first or the last row stays. NaN where
+/// there is nothing.
+Image restrided(const Image& image, int longer, bool from_last);
 /// Gaussian of this deviation in pixels.
 Image blurred(const Image& image, double deviation);
 /// Every block of this many pixels a side is its mean.

@@ -35,15 +35,9 @@ Spread spread_of(const std::vector<double>& weight, int width) {
   return spread;
 }
 
-bool is_body(const std::string& name) {
-  for (const char* word : {"sphere", "box", "object"})
-    if (name.ends_with(word)) return true;
-  return false;
-}
-
 std::string on(const std::string& name) {
   const bool inside =
-      is_body(name) && (name.find("glass") != std::string::npos || name.find("mirror") != std::string::npos);
+      names_body(name) && (name.find("glass") != std::string::npos || name.find("mirror") != std::string::npos);
   return (inside ? "in the " : "on the ") + name;
 }
 
@@ -52,7 +46,7 @@ std::string near_body(const Spread& spread, const SceneKnowledge& knowledge) {
   const Landmark* nearest = nullptr;
   double least = 2.6;  // radii
   for (const Landmark& mark : knowledge.landmarks) {
-    if (!is_body(mark.name)) continue;
+    if (!names_body(mark.name)) continue;
     const double away = std::hypot(spread.x - mark.x, spread.y - mark.y) / std::max(1.0, mark.radius);
     if (away < least) {
       least = away;
@@ -66,6 +60,12 @@ std::string near_body(const Spread& spread, const SceneKnowledge& knowledge) {
 }
 
 }  // namespace
+
+bool names_body(const std::string& name) {
+  for (const char* word : {"sphere", "box", "object"})
+    if (name.ends_with(word)) return true;
+  return false;
+}
 
 std::string part_of_image(double x, double y, int width, int height) {
   const int column = std::clamp(static_cast<int>(3 * x / width), 0, 2);
@@ -85,7 +85,7 @@ std::string place_of(const std::vector<double>& weight, int width, int height, c
     const auto most = std::max_element(inside.begin() + 1, inside.end());
     const std::string& name = knowledge.landmarks[static_cast<std::size_t>(most - inside.begin()) - 1].name;
     const bool mostly = *most > 0.6 * spread.total;
-    if (mostly && is_body(name)) return on(name);
+    if (mostly && names_body(name)) return on(name);
     if (spread.share < 0.12) {
       const std::string beside = near_body(spread, knowledge);
       if (!beside.empty()) return beside;

@@ -72,8 +72,10 @@ struct PerformanceRule {
   bool needs_all = true;           ///< who is wrong on any scene is not timed; false: on any timed one
   std::vector<SpeedTier> tiers;    ///< ascending; empty where there is a curve
   std::optional<SpeedTier> curve;  ///< no points at 1, its points at its ratio, in between by the logarithm
-  int rounds = 12;                 ///< most rounds
-  double seconds = 600;            ///< for all rounds, of all submissions
+  /// Relative width of the interval that is asked for; empty: rounds end where the points are certain, with tiers.
+  std::optional<double> precision;
+  int rounds = 12;       ///< most rounds
+  double seconds = 600;  ///< for all rounds, of all submissions
   double points() const { return curve ? curve->points : tiers.empty() ? 0 : tiers.back().points; }
 };
 

@@ -149,6 +149,7 @@ PerformanceRule performance_rule(const TomlTable& table, const Assignment& assig
   }
   if (rule.tiers.empty() == !rule.curve) throw table.error("needs 'tiers' or 'curve', and not both");
   if (table.has("needs")) rule.needs_all = one_of(table, "needs", {"all", "timed"}) == "all";
+  if (table.has("precision")) rule.precision = positive_number(table, "precision");
   if (table.has("rounds")) rule.rounds = bounded_integer(table, "rounds", 3, 1000);
   if (table.has("seconds")) rule.seconds = positive_number(table, "seconds");
   table.expect_no_other_keys();

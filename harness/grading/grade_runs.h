@@ -28,8 +28,9 @@ class GradeRuns {
       : assignment_(assignment), door_(door), cells_(cells), options_(options) {}
 
   /// Run number `number` of a purpose ("correctness", "reference"), which decides its seed: from a cell where `reuse`
-  /// says so, else anew. Several may run side by side; one that meets its limit in company is repeated alone before
-  /// that is said of it. Empty when interrupted.
+  /// says so, else anew. Several may run side by side; one that meets its limit on time in company is repeated alone
+  /// before that is said of it, and if other work had the machine meanwhile, once more with as much more time as it
+  /// takes to get what it would have of an idle one. Empty when interrupted.
   std::optional<GradeCells::Cell> run(const PreparedSubmission& submission, const WorkScene& scene,
                                       const std::string& purpose, std::size_t number, bool reuse);
 
@@ -52,6 +53,9 @@ class GradeRuns {
                                            const DoorRequest& request, std::uint64_t seed, bool reuse);
   std::optional<GradeCells::Cell> run_once(const PreparedSubmission& submission, const WorkScene& scene,
                                            const DoorRequest& request, std::uint64_t seed) const;
+  /// Alone among our own.
+  std::optional<GradeCells::Cell> run_beside_others(const PreparedSubmission& submission, const WorkScene& scene,
+                                                    DoorRequest request, std::uint64_t seed) const;
   std::string key_of(const PreparedSubmission& submission, const DoorRequest& request) const;
 
   const Assignment& assignment_;

@@ -270,6 +270,7 @@ class Session {
       }
       options_.progress(fmt::format("diagnoses: {} of {} scenes ({})", ++done, count, work.grade.name));
     });
+    for (std::string& problem : findings.problems()) grades_.caveats.push_back(std::move(problem));
     flag_parameters(context);
     for (SubmissionWork& work : works_) flag_verdicts(context, work);
     flag_likenesses(context, works_);

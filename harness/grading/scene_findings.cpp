@@ -45,12 +45,25 @@ std::vector<Finding> SceneFindings::found_in(const Image& image, std::size_t sce
   const SceneKnowledge& known = knowledge(scene);
   try {
     return diagnose(image, known);
-  } catch (const InputError&) {  // a render failed: sentences then go without what the light is made of
+  } catch (const InputError& error) {  // a render failed: sentences then go without what the light is made of
+    {
+      const std::lock_guard lock(telling_);
+      failures_.emplace(scene, error.what());
+    }
     SceneKnowledge without = known;
     without.light = {};
     without.what_ifs.clear();
     return diagnose(image, without);
   }
+}
+
+std::vector<std::string> SceneFindings::problems() const {
+  const std::lock_guard lock(telling_);
+  std::vector<std::string> all;
+  for (const auto& [scene, error] : failures_)
+    all.push_back("what is said of scene '" + scenes_[scene].row.name +
+                  "' goes without what its light is made of: " + error);
+  return all;
 }
 
 void SceneFindings::add(std::size_t scene, SceneWorkGrade& work) {

@@ -3,6 +3,7 @@
 
 #include <deque>
 #include <functional>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -31,6 +32,9 @@ class SceneFindings {
   /// Threads may call it side by side.
   void add(std::size_t scene, SceneWorkGrade& work);
 
+  /// Of scenes whose light could not be rendered, so that sentences go without: a sentence each.
+  std::vector<std::string> problems() const;
+
  private:
   const SceneKnowledge& knowledge(std::size_t scene);
   std::vector<Finding> found_in(const Image& image, std::size_t scene);
@@ -46,6 +50,8 @@ class SceneFindings {
     SceneKnowledge knowledge;
   };
   std::deque<Known> known_;
+  mutable std::mutex telling_;
+  std::map<std::size_t, std::string> failures_;  ///< by scene
 };
 
 }  // namespace photonproof

@@ -10,19 +10,28 @@
 namespace photonproof {
 namespace {
 
-constexpr double speed_tail = 0.005;  // a side
+constexpr double speed_tail = 0.005;  // a side, of all looks together
+
+std::size_t next_look(std::size_t rounds) { return (3 * rounds + 1) / 2; }
+
+// Those that may be taken within so many rounds, the last one always among them.
+int looks_within(std::size_t most) {
+  int looks = 1;
+  for (std::size_t rounds = least_speed_rounds; rounds < most; rounds = next_look(rounds)) ++looks;
+  return looks;
+}
 
 bool is_quiet(const SpeedRound& round, int cores) { return round.busy <= tolerated_busy_share * cores; }
 
 // Of the logarithms; no interval from one value.
-Estimate ratio_estimate(const std::vector<double>& logarithms) {
+Estimate ratio_estimate(const std::vector<double>& logarithms, double tail) {
   const auto n = static_cast<double>(logarithms.size());
   double mean = 0, squares = 0;
   for (const double value : logarithms) mean += value / n;
   for (const double value : logarithms) squares += (value - mean) * (value - mean);
   Estimate ratio{std::exp(mean), {}};
   if (logarithms.size() < 2) return ratio;
-  const double margin = t_quantile(speed_tail, n - 1) * std::sqrt(squares / (n - 1) / n);
+  const double margin = t_quantile(tail, n - 1) * std::sqrt(squares / (n - 1) / n);
   ratio.interval = {std::exp(mean - margin), std::exp(mean + margin)};
   return ratio;
 }
@@ -41,12 +50,20 @@ const SpeedTier* open_tier(const PerformanceRule& rule, const Interval& interval
   return nullptr;
 }
 
+// A score by a curve follows from the number itself.
+std::optional<double> precision_of(const PerformanceRule& rule) {
+  return !rule.precision && rule.curve ? std::optional(narrow_width) : rule.precision;
+}
+
 double relative_width(const Interval& interval) { return interval.high / interval.low - 1; }
 
+// A number that is known to 2 % is said as one, another by the ends that it lies between.
 std::string ratio_sentence(const Estimate& ratio) {
   if (!ratio.interval) return fmt::format("{:.3g} times as fast as the baseline", ratio.value);
-  return fmt::format("{:.3g} times as fast as the baseline ({:.3g} to {:.3g})", ratio.value, ratio.interval->low,
-                     ratio.interval->high);
+  const auto [low, high] = *ratio.interval;
+  if (relative_width(*ratio.interval) <= narrow_width)
+    return fmt::format("{:.3g} times as fast as the baseline ({:.3g} to {:.3g})", ratio.value, low, high);
+  return fmt::format("about {:.3g} times as fast as the baseline, between {:.3g} and {:.3g}", ratio.value, low, high);
 }
 
 std::vector<const SpeedRound*> counted_rounds(const std::vector<SpeedRound>& rounds, int cores, bool& disturbed) {
@@ -68,18 +85,20 @@ std::string noise_reason(const PerformanceRule& rule, const SpeedGrade& grade,
   }
   if (rounds.size() < least_speed_rounds)
     return fmt::format("{} of at least {} rounds", rounds.size(), least_speed_rounds);
-  if (const SpeedTier* tier = open_tier(rule, *grade.speedup.interval))
+  const SpeedTier* const tier = rule.curve ? nullptr : open_tier(rule, *grade.speedup.interval);
+  if (tier != nullptr)
     return fmt::format("{:.3g} times, where {:.3g} points begin, lies within the interval, and counts as reached",
                        tier->ratio, tier->points);
-  return fmt::format("the interval is {:.2g} % wide", 100 * relative_width(*grade.speedup.interval));
+  return fmt::format("the interval is {:.2g} % wide, and {:.2g} % are asked for",
+                     100 * relative_width(*grade.speedup.interval), 100 * precision_of(rule).value_or(narrow_width));
 }
 
 void fill_scenes(const std::vector<std::string>& scenes, const std::vector<SpeedRound>& rounds,
-                 const std::vector<const SpeedRound*>& counted, SpeedGrade& grade) {
+                 const std::vector<const SpeedRound*>& counted, double tail, SpeedGrade& grade) {
   for (std::size_t s = 0; s < scenes.size(); ++s) {
     SceneSpeed speed;
     speed.scene = scenes[s];
-    speed.ratio = ratio_estimate(logarithms_of(counted, s));
+    speed.ratio = ratio_estimate(logarithms_of(counted, s), tail);
     for (const SpeedRound& round : rounds) {
       speed.baseline_seconds.push_back(round.baseline_seconds[s]);
       speed.seconds.push_back(round.seconds[s]);
@@ -90,6 +109,12 @@ void fill_scenes(const std::vector<std::string>& scenes, const std::vector<Speed
 }
 
 }  // namespace
+
+bool is_speed_look(std::size_t rounds) {
+  std::size_t look = least_speed_rounds;
+  while (look < rounds) look = next_look(look);
+  return look == rounds;
+}
 
 double points_for(const PerformanceRule& rule, double speedup) {
   if (rule.curve) return rule.curve->points * std::clamp(std::log(speedup) / std::log(rule.curve->ratio), 0.0, 1.0);
@@ -120,24 +145,26 @@ SpeedJudgement judge_speed(const PerformanceRule& rule, const std::vector<std::s
   bool disturbed = false;
   const std::vector<const SpeedRound*> counted = counted_rounds(rounds, cores, disturbed);
   grade.rounds = static_cast<int>(counted.size());
-  fill_scenes(scenes, rounds, counted, grade);
+  const double tail = speed_tail / looks_within(static_cast<std::size_t>(rule.rounds));
+  fill_scenes(scenes, rounds, counted, tail, grade);
   std::vector<double> together(counted.size(), 0.0);
   for (std::size_t s = 0; s < scenes.size(); ++s) {
     const std::vector<double> logarithms = logarithms_of(counted, s);
     for (std::size_t r = 0; r < counted.size(); ++r) together[r] += logarithms[r] / static_cast<double>(scenes.size());
   }
-  grade.speedup = ratio_estimate(together);
+  grade.speedup = ratio_estimate(together, tail);
   const bool enough = counted.size() >= least_speed_rounds && !disturbed;
-  const bool is_narrow = enough && relative_width(*grade.speedup.interval) <= narrow_width;
-  const bool is_in_one_tier = enough && !rule.curve && open_tier(rule, *grade.speedup.interval) == nullptr;
-  judgement.decided = is_in_one_tier || (is_narrow && rule.curve);
+  const bool looked = enough && (last || is_speed_look(counted.size()));
+  const double width = enough ? relative_width(*grade.speedup.interval) : 0;
+  const SpeedTier* const open = enough && !rule.curve ? open_tier(rule, *grade.speedup.interval) : nullptr;
+  const std::optional<double> precision = precision_of(rule);
+  judgement.decided = looked && open == nullptr && (!precision || width <= *precision);
   grade.state = judgement.decided ? SpeedGrade::State::measured : SpeedGrade::State::too_noisy;
   grade.sentence = ratio_sentence(grade.speedup);
   if (!judgement.decided && last)
     grade.sentence += "; too noisy: " + noise_reason(rule, grade, counted, disturbed, cores);
-  const SpeedTier* open = enough && !rule.curve ? open_tier(rule, *grade.speedup.interval) : nullptr;
   grade.points = points_for(rule, open != nullptr ? open->ratio : grade.speedup.value);
-  if (is_narrow) judgement.decided = true;  // more rounds would not help
+  if (looked && width <= std::min(narrow_width, precision.value_or(narrow_width))) judgement.decided = true;
   return judgement;
 }
 

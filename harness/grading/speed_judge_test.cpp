@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
+
+#include "scenes/text/splitmix.h"
 
 namespace photonproof {
 namespace {
@@ -21,14 +24,62 @@ std::vector<SpeedRound> rounds_of(const std::vector<double>& ratios, double busy
 }
 
 TEST(SpeedJudge, is_decided_when_the_interval_lies_in_one_tier) {
-  const SpeedJudgement judgement = judge_speed(tiers(), {"a"}, rounds_of({3.9, 4, 4.1}), 2, false);
+  const SpeedJudgement judgement = judge_speed(tiers(), {"a"}, rounds_of({3.95, 4, 4.05}), 2, false);
   EXPECT_TRUE(judgement.decided);
   EXPECT_EQ(judgement.grade.state, SpeedGrade::State::measured);
   EXPECT_EQ(judgement.grade.points, 20);
-  // Logarithms of 3.9, 4, 4.1: mean ln 3.99917, standard deviation 0.0250; t at 0.5 % with 2 degrees of freedom is
-  // 9.925: times exp(+-9.925 0.0250 / sqrt 3) = 1.154.
-  EXPECT_NEAR(judgement.grade.speedup.value, 3.99917, 1e-4);
-  EXPECT_NEAR(judgement.grade.speedup.interval->high / judgement.grade.speedup.value, 1.154, 0.001);
+  // Logarithms of 3.95, 4, 4.05: mean ln 3.99979, standard deviation 0.012501. Of at most 12 rounds there are four
+  // looks, at 3, 5, 8 and 12: t at 0.5 % / 4 with 2 degrees of freedom is 19.962: times exp(19.962 0.012501 / sqrt 3)
+  // = 1.155.
+  EXPECT_NEAR(judgement.grade.speedup.value, 3.99979, 1e-4);
+  EXPECT_NEAR(judgement.grade.speedup.interval->high / judgement.grade.speedup.value, 1.155, 0.001);
+  EXPECT_EQ(judgement.grade.sentence, "about 4 times as fast as the baseline, between 3.46 and 4.62");
+}
+
+TEST(SpeedJudge, decides_at_looks_only_and_after_the_last_round) {
+  const std::vector<SpeedRound> four = rounds_of({3.95, 4, 4.05, 4});
+  EXPECT_FALSE(judge_speed(tiers(), {"a"}, four, 2, false).decided);
+  EXPECT_TRUE(judge_speed(tiers(), {"a"}, four, 2, true).decided);
+  std::vector<std::size_t> looks;
+  for (std::size_t rounds = 0; rounds <= 20; ++rounds)
+    if (is_speed_look(rounds)) looks.push_back(rounds);
+  EXPECT_EQ(looks, (std::vector<std::size_t>{3, 5, 8, 12, 18}));
+}
+
+// Who is exactly at a tier's beginning, with noise of 5 % a round, must not be decided on either side, but for 1 time
+// in 100; looking after each round with intervals of 99 % each would decide some 5 in 100.
+TEST(SpeedJudge, looking_often_does_not_decide_what_is_at_a_tiers_beginning) {
+  int decided = 0;
+  constexpr int sessions = 4000;
+  std::uint64_t key = 1;
+  const auto unit = [&] { return (static_cast<double>(splitmix64(key++, 7) >> 11) + 0.5) * 0x1p-53; };
+  for (int s = 0; s < sessions; ++s) {
+    std::vector<double> ratios;
+    bool is_over = false;
+    for (int round = 1; round <= 12 && !is_over; ++round) {
+      ratios.push_back(5 * std::exp(0.05 * std::sqrt(-2 * std::log(unit())) * std::cos(2 * M_PI * unit())));
+      const SpeedJudgement judgement = judge_speed(tiers(), {"a"}, rounds_of(ratios), 2, round == 12);
+      is_over = judgement.decided;
+      if (judgement.grade.state == SpeedGrade::State::measured && is_over) ++decided;
+    }
+  }
+  // 40 are expected at most; 60 are three standard deviations more.
+  EXPECT_LE(decided, 60);
+  EXPECT_GE(decided, 5);
+}
+
+TEST(SpeedJudge, precision_that_is_asked_for_is_waited_for) {
+  PerformanceRule rule = tiers();
+  rule.precision = 0.1;
+  EXPECT_FALSE(judge_speed(rule, {"a"}, rounds_of({3.95, 4, 4.05}), 2, false).decided);
+  const SpeedJudgement wide = judge_speed(rule, {"a"}, rounds_of({3.95, 4, 4.05}), 2, true);
+  EXPECT_EQ(wide.grade.state, SpeedGrade::State::too_noisy);
+  EXPECT_EQ(wide.grade.points, 20);
+  EXPECT_NE(wide.grade.sentence.find("too noisy: the interval is 33 % wide, and 10 % are asked for"), std::string::npos)
+      << wide.grade.sentence;
+  const SpeedJudgement narrow = judge_speed(rule, {"a"}, rounds_of({3.99, 4, 4.01}), 2, false);
+  EXPECT_TRUE(narrow.decided);
+  EXPECT_EQ(narrow.grade.state, SpeedGrade::State::measured);
 }
 
 TEST(SpeedJudge, two_rounds_decide_nothing) {
@@ -47,7 +98,7 @@ TEST(SpeedJudge, a_tier_within_the_interval_is_said_and_counts) {
 }
 
 TEST(SpeedJudge, rounds_beside_other_work_are_left_out) {
-  std::vector<SpeedRound> rounds = rounds_of({3.9, 4, 4.1});
+  std::vector<SpeedRound> rounds = rounds_of({3.95, 4, 4.05});
   rounds.push_back({{8}, {8}, 1.5});
   EXPECT_NEAR(judge_speed(tiers(), {"a"}, rounds, 2, false).grade.speedup.value, 4, 0.01);
 }

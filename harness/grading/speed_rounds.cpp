@@ -1,12 +1,11 @@
 #include "harness/grading/speed_rounds.h"
 
 #include <fmt/format.h>
-#include <sys/resource.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "harness/cells/host.h"
+#include "harness/cells/others_busy.h"
 #include "scenes/text/timer.h"
 
 namespace photonproof {
@@ -15,18 +14,6 @@ namespace {
 // A quick submission is run as often as takes this share of the baseline's time, at most so many times.
 constexpr double share_of_baseline = 0.25;
 constexpr double most_repeats = 5;
-// Below this the system's clock of processor time, of 10 ms ticks, says nothing about others.
-constexpr double least_seconds_for_busy = 0.2;
-
-// Of this process and of all that it started and that have ended.
-double our_cpu_seconds() {
-  rusage children{};
-  getrusage(RUSAGE_CHILDREN, &children);
-  const auto seconds = [](const timeval& t) {
-    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-  };
-  return own_cpu_seconds() + seconds(children.ru_utime) + seconds(children.ru_stime);
-}
 
 class Rounds {
  public:
@@ -95,18 +82,6 @@ class Rounds {
     return static_cast<int>(std::clamp(share_of_baseline * baseline_seconds_[s] / seconds_[i][s], 1.0, most_repeats));
   }
 
-  // What ran meanwhile besides us and ours, in cores.
-  struct Busy {
-    std::optional<double> machine = machine_busy_seconds();
-    double ours = our_cpu_seconds();
-    Timer timer;
-    double of_others() const {
-      const std::optional<double> now = machine_busy_seconds();
-      if (!machine || !now || timer.seconds() < least_seconds_for_busy) return 0;
-      return std::max(0.0, (*now - *machine - (our_cpu_seconds() - ours)) / timer.seconds());
-    }
-  };
-
   void run_submission(std::size_t i, std::size_t s, SpeedRound& round) {
     const int times = repeats(i, s);
     double logarithms = 0;
@@ -127,7 +102,7 @@ class Rounds {
     if (!baseline_first) std::ranges::reverse(order);
     for (const std::size_t i : order) round[i] = SpeedRound{{}, std::vector<double>(scenes), 0};
     std::vector<double> baseline(scenes);
-    const Busy busy;
+    const OthersBusy busy;
     for (std::size_t s = 0; s < scenes; ++s) {
       if (baseline_first && !interrupted_) baseline[s] = run(std::nullopt, s).seconds;
       for (const std::size_t i : order)
@@ -135,7 +110,7 @@ class Rounds {
       if (!baseline_first && !interrupted_) baseline[s] = run(std::nullopt, s).seconds;
     }
     if (interrupted_) return;
-    const double others = busy.of_others();
+    const double others = busy.cores();
     for (const std::size_t i : order) {
       round[i]->baseline_seconds = baseline;
       round[i]->busy = others;

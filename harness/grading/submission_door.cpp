@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "harness/cells/cells.h"
+#include "harness/cells/host.h"
+#include "harness/cells/others_busy.h"
 #include "harness/submissions/run_submission.h"
 #include "harness/submissions/submitted_image.h"
 #include "scenes/text/atomic_file.h"
@@ -178,7 +180,15 @@ void SubmissionDoor::build(PreparedSubmission& submission, bool reuse) const {
   const fs::path folder = submission.folder.parent_path();
   fs::remove(folder / kept_build);
   fs::remove_all(submission.folder);
-  const BuildOutcome outcome = build_submission(folder / "source", recipe(), submission.folder, handling());
+  BuildRecipe build = recipe();
+  const OthersBusy busy;
+  BuildOutcome outcome = build_submission(folder / "source", build, submission.folder, handling());
+  const double more_time = time_beside_others(busy.cores(), std::max(1, describe_host().cores));
+  if (outcome.timed_out && more_time > 1) {
+    build.limits.wall_seconds *= more_time;
+    fs::remove_all(submission.folder);
+    outcome = build_submission(folder / "source", build, submission.folder, handling());
+  }
   submission.built = outcome.ok;
   submission.sentence = outcome.sentence;
   submission.log_tail = outcome.log_tail;
@@ -209,6 +219,7 @@ DoorAnswer SubmissionDoor::run(const PreparedSubmission& submission, const DoorR
   recipe.params_place = request.params_place;
   recipe.scene_folder = request.scene.path;
   recipe.limits = sandbox_limits(assignment_.limits);
+  recipe.limits.wall_seconds *= request.more_time;
   RunOutcome outcome =
       run_submission(submission.folder, recipe, declaration_of(assignment_.image, request.width, request.height),
                      scratch.path() / "image", options_.program, handling());

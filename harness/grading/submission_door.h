@@ -36,6 +36,7 @@ struct DoorRequest {
   std::string params, params_place;           ///< text, and where it is put in the run's folder
   SceneFolder scene{};                        ///< for {scene}
   int width = 0, height = 0;                  ///< pixels that the image must have
+  double more_time = 1;                       ///< times the assignment's limit on wall time
 };
 
 struct DoorAnswer {
@@ -65,7 +66,8 @@ class SubmissionDoor {
   PreparedSubmission take(const std::string& name, const std::filesystem::path& source,
                           const std::filesystem::path& folder) const;
   /// Builds what was taken in, into built/ of the folder, in place of what is there; with `reuse`, what was built there
-  /// before of the same submission in the same way is taken. Never throws for what a submission does.
+  /// before of the same submission in the same way is taken. What meets its limit on time while other work has the
+  /// machine is built once more, with more of it. Never throws for what a submission does.
   void build(PreparedSubmission& submission, bool reuse) const;
   /// The same submission without staff's files over its own; empty where these are the same, or it is not built then.
   std::optional<PreparedSubmission> built_as_handed_in(const PreparedSubmission& submission) const;

@@ -1,6 +1,7 @@
 #include "harness/sandbox/control_groups.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -19,8 +20,6 @@ namespace photonproof {
 namespace {
 
 namespace fs = std::filesystem;
-
-const fs::path groups_root = "/sys/fs/cgroup";
 
 // Whether the kernel took it; a stream would try again and again.
 bool write_setting(const fs::path& file, const std::string& value) {
@@ -41,8 +40,8 @@ std::uint64_t counted(const fs::path& file, const std::string& key) {
 }
 
 // Our own group in the hierarchy of a controller, "" being version 2's; by lines "number:controllers:path".
-std::string own_group(const std::string& controller) {
-  std::ifstream in("/proc/self/cgroup");
+std::string own_group(const ControlGroupTree& tree, const std::string& controller) {
+  std::ifstream in(tree.own_groups);
   for (std::string line; std::getline(in, line);) {
     const auto first = line.find(':'), second = line.find(':', first + 1);
     if (second == std::string::npos) continue;
@@ -62,49 +61,53 @@ std::string new_group_name() {
 }
 
 // What processes that were killed left; a group that has processes stays by itself.
-void remove_abandoned(const fs::path& parent) {
+void remove_abandoned(const ControlGroupTree& tree, const fs::path& parent) {
   std::error_code failure;
   for (fs::directory_iterator entry(parent, failure), none; !failure && entry != none; entry.increment(failure)) {
     const std::string name = entry->path().filename().string();
     if (!name.starts_with(group_start)) continue;
     const auto process = static_cast<pid_t>(std::strtol(name.c_str() + group_start.size(), nullptr, 10));
     if (process <= 0 || kill(process, 0) == 0 || errno != ESRCH) continue;
-    if (const auto hold = FolderHold::take(entry->path())) rmdir(entry->path().c_str());
+    if (const auto hold = FolderHold::take(entry->path())) tree.remove(entry->path());
   }
 }
 
 // A new group below `group` or the nearest of those above it that takes one with all settings.
 template <class Settings>
-fs::path make_group(const fs::path& root, const std::string& group, std::vector<FolderHold>& holds,
-                    const Settings& settings) {
+fs::path make_group(const ControlGroupTree& tree, const fs::path& root, const std::string& group,
+                    std::vector<FolderHold>& holds, const Settings& settings) {
   const std::string name = new_group_name();
   for (fs::path parent = (root / fs::path(group).relative_path()).lexically_normal();; parent = parent.parent_path()) {
-    std::error_code failure;
-    if (fs::create_directory(parent / name, failure)) {
+    if (tree.make(parent / name)) {
       std::optional<FolderHold> hold = FolderHold::take(parent / name);
       if (hold && settings(parent / name)) {
         holds.push_back(std::move(*hold));
-        remove_abandoned(parent);
+        remove_abandoned(tree, parent);
         return parent / name;
       }
-      fs::remove(parent / name, failure);
+      tree.remove(parent / name);
     }
     if (parent == root || !parent.has_relative_path()) return {};
   }
 }
 
-std::optional<fs::path> version_two_root() {
-  for (const fs::path& root : {groups_root, groups_root / "unified"})
+std::optional<fs::path> version_two_root(const ControlGroupTree& tree) {
+  for (const fs::path& root : {tree.root, tree.root / "unified"})
     if (fs::exists(root / "cgroup.controllers")) return root;
   return std::nullopt;
 }
 
 }  // namespace
 
-ControlGroups::ControlGroups(std::uint64_t memory_bytes, int processes) {
+ControlGroupTree::ControlGroupTree()
+    : make([](const fs::path& group) { return mkdir(group.c_str(), 0755) == 0; }),
+      remove([](const fs::path& group) { return rmdir(group.c_str()) == 0; }) {}
+
+ControlGroups::ControlGroups(std::uint64_t memory_bytes, int processes, ControlGroupTree tree)
+    : tree_(std::move(tree)) {
   const std::string memory = std::to_string(memory_bytes), most = std::to_string(processes);
-  if (const auto root = version_two_root()) {
-    const fs::path both = make_group(*root, own_group(""), holds_, [&](const fs::path& group) {
+  if (const auto root = version_two_root(tree_)) {
+    const fs::path both = make_group(tree_, *root, own_group(tree_, ""), holds_, [&](const fs::path& group) {
       if (!write_setting(group / "memory.max", memory) || !write_setting(group / "pids.max", most)) return false;
       write_setting(group / "memory.swap.max", "0");
       write_setting(group / "memory.oom.group", "1");
@@ -116,12 +119,12 @@ ControlGroups::ControlGroups(std::uint64_t memory_bytes, int processes) {
       return;
     }
   }
-  memory_ = make_group(groups_root / "memory", own_group("memory"), holds_, [&](const fs::path& group) {
+  memory_ = make_group(tree_, tree_.root / "memory", own_group(tree_, "memory"), holds_, [&](const fs::path& group) {
     if (!write_setting(group / "memory.limit_in_bytes", memory)) return false;
     write_setting(group / "memory.memsw.limit_in_bytes", memory);
     return true;
   });
-  processes_ = make_group(groups_root / "pids", own_group("pids"), holds_,
+  processes_ = make_group(tree_, tree_.root / "pids", own_group(tree_, "pids"), holds_,
                           [&](const fs::path& group) { return write_setting(group / "pids.max", most); });
   for (const fs::path& made : {memory_, processes_})
     if (!made.empty()) folders_.push_back(made);
@@ -130,7 +133,7 @@ ControlGroups::ControlGroups(std::uint64_t memory_bytes, int processes) {
 ControlGroups::~ControlGroups() {
   for (const fs::path& group : folders_) {
     // A process leaves its group a moment after it has been waited for.
-    for (int attempt = 0; rmdir(group.c_str()) != 0 && attempt < 200; ++attempt)
+    for (int attempt = 0; !tree_.remove(group) && attempt < 200; ++attempt)
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
 }

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -11,11 +12,20 @@
 
 namespace photonproof {
 
+/// Where the kernel shows them. Making and removing a group is more than making a folder: files come and go with it.
+struct ControlGroupTree {
+  std::filesystem::path root = "/sys/fs/cgroup";
+  std::filesystem::path own_groups = "/proc/self/cgroup";  ///< lines "number:controllers:path"
+  std::function<bool(const std::filesystem::path&)> make, remove;
+
+  ControlGroupTree();  ///< the system's
+};
+
 class ControlGroups {
  public:
   /// Below the caller's own groups, or above them where only there children are allowed; none where nothing can be
   /// made.
-  ControlGroups(std::uint64_t memory_bytes, int processes);
+  ControlGroups(std::uint64_t memory_bytes, int processes, ControlGroupTree tree = {});
   ~ControlGroups();  ///< the command must have ended
   ControlGroups(const ControlGroups&) = delete;
   ControlGroups& operator=(const ControlGroups&) = delete;
@@ -29,6 +39,7 @@ class ControlGroups {
   bool processes_ran_out() const;
 
  private:
+  ControlGroupTree tree_;
   std::vector<std::filesystem::path> folders_;
   std::vector<FolderHold> holds_;
   std::filesystem::path memory_, processes_;

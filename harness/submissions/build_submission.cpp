@@ -62,6 +62,7 @@ BuildOutcome build_submission(const fs::path& submission, const BuildRecipe& rec
   const SandboxOutcome outcome = run_sandboxed(recipe.command.empty() ? nothing : recipe.command, options);
   BuildOutcome result;
   result.ok = outcome.ok() && outcome.collected;
+  result.timed_out = outcome.limit == "time";
   result.seconds = outcome.process.wall_seconds;
   result.log_tail = log_tail(outcome.process);
   char took[64];

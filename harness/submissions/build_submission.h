@@ -24,6 +24,7 @@ struct BuildRecipe {
 
 struct BuildOutcome {
   bool ok = false;
+  bool timed_out = false;
   std::string sentence;  ///< "built in 3.2 s", "the build exited with 2: make: *** ..."
   std::string log_tail;  ///< the last 16 KiB that it wrote, errors behind output
   double seconds = 0;

@@ -185,6 +185,7 @@ TEST_F(RunSubmission, build_that_never_ends_is_ended) {
   recipe.limits.wall_seconds = 1;
   const BuildOutcome built = build_submission(folder_ / "given", recipe, folder_ / "done");
   EXPECT_FALSE(built.ok);
+  EXPECT_TRUE(built.timed_out);
   EXPECT_EQ(built.sentence, "the build was killed after 1 s (limit)");
 }
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Ten mistakes that students make, graded: what is said first of each is what a teaching assistant would say
-# (defects/expected.txt). Small pictures of two scenes.
+# Twice ten mistakes that students make, graded: what is said first of each is what a teaching assistant would say
+# (defects/expected.txt, defects/expected_second.txt). Small pictures of two scenes.
 #   defects_test.sh WORK PHOTONPROOF     a folder that is made anew
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
@@ -21,27 +21,27 @@ cp -r "$here/scenes" "$here/staff" "$work/course"
 "$photonproof" grade "$work/course/assignment.toml" "$work"/course/submissions/* --no-timing -o "$work/grades" >"$work/log" ||
   { cat "$work/log" >&2; exit 1; }
 
-python3 -B - "$work/grades/grades.json" "$here/defects/expected.txt" <<'PYTHON'
-import json, re, sys
+python3 -B - "$work/grades/grades.json" "$here"/defects/expected*.txt <<'PYTHON'
+import json, pathlib, re, sys
 grades = {s["name"]: s for s in json.load(open(sys.argv[1]))["submissions"]}
-told, wrong = 0, []
-for line in open(sys.argv[2], encoding="utf-8"):
-    if line.startswith("#"):
-        continue
-    name, scene, pattern, sentence, *untold = [field.strip() for field in re.split(r"(?<!\\)\|", line)]
-    row = next(s for s in grades[name]["scenes"] if s["scene"] == scene)
-    findings = row["findings"]
-    first = findings[0]["sentence"] if findings else row["sentence"]
-    # What the student reads first names the scene that shows it most.
-    named = grades[name]["sentence"] if grades[name]["sentence"].startswith("scene ") else ""
-    said = [text for text in (first if findings else "", named) if re.search(pattern.replace("\\|", "|"), text, re.I)]
-    good = bool(said)
-    told += good
-    print(f"{'told' if good else 'not told':9}{name}: {said[0] if said else first}")
-    for finding in findings[1:]:
-        print(f"{'':9}  then: {finding['sentence']}")
-    if not good and not untold:
-        wrong.append(name)
-print(f"{told} of {len(grades)} told")
-sys.exit(f"not told: {' '.join(wrong)}" if wrong else 0)
+missed = []
+for file in sys.argv[2:]:
+    lines = pathlib.Path(file).read_text(encoding="utf-8").splitlines()
+    rows = [[field.strip() for field in re.split(r"(?<!\\)\|", line)] for line in lines if not line.startswith("#")]
+    told = 0
+    for name, scene, pattern, sentence, *untold in rows:
+        row = next(s for s in grades[name]["scenes"] if s["scene"] == scene)
+        findings = row["findings"]
+        first = findings[0]["sentence"] if findings else row["sentence"]
+        # What the student reads first names the scene that shows it most.
+        named = grades[name]["sentence"] if grades[name]["sentence"].startswith("scene ") else ""
+        said = [text for text in (first if findings else "", named) if re.search(pattern.replace("\\|", "|"), text, re.I)]
+        told += bool(said)
+        print(f"{'told' if said else 'not told':9}{name}: {said[0] if said else first or row['verdict']}")
+        for finding in findings[1:]:
+            print(f"{'':9}  then: {finding['sentence']}")
+        if not said and not untold:
+            missed.append(name)
+    print(f"{told} of {len(rows)} told ({pathlib.Path(file).name})")
+sys.exit(f"not told: {' '.join(missed)}" if missed else 0)
 PYTHON

@@ -1,0 +1,40 @@
+#include "harness/cells/others_busy.h"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+
+#include "harness/cells/host.h"
+
+namespace photonproof {
+namespace {
+
+constexpr double least_seconds = 0.2;
+
+// Of this process and of all that it started and that have ended.
+double our_cpu_seconds() {
+  rusage children{};
+  getrusage(RUSAGE_CHILDREN, &children);
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
+  return own_cpu_seconds() + seconds(children.ru_utime) + seconds(children.ru_stime);
+}
+
+}  // namespace
+
+OthersBusy::OthersBusy() : machine_(machine_busy_seconds()), ours_(our_cpu_seconds()) {}
+
+double OthersBusy::cores() const {
+  const std::optional<double> now = machine_busy_seconds();
+  if (!machine_ || !now || timer_.seconds() < least_seconds) return 0;
+  return std::max(0.0, (*now - *machine_ - (our_cpu_seconds() - ours_)) / timer_.seconds());
+}
+
+double time_beside_others(double others_cores, int cores) {
+  constexpr double tolerated = 0.25, most = 20;
+  const double share = others_cores / std::max(1, cores);
+  return share < tolerated ? 1 : std::min(most, 1 / std::max(1 - share, 1 / most));
+}
+
+}  // namespace photonproof

@@ -1,0 +1,30 @@
+#include "harness/cells/others_busy.h"
+
+#include <gtest/gtest.h>
+
+#include "harness/cells/host.h"
+
+namespace photonproof {
+namespace {
+
+TEST(OthersBusy, time_grows_as_the_rest_of_the_machine_shrinks) {
+  EXPECT_EQ(time_beside_others(0, 2), 1);
+  EXPECT_EQ(time_beside_others(0.4, 2), 1);
+  EXPECT_DOUBLE_EQ(time_beside_others(1, 2), 2);      // half of the machine is left
+  EXPECT_DOUBLE_EQ(time_beside_others(1.5, 2), 4);    // a quarter
+  EXPECT_DOUBLE_EQ(time_beside_others(1.99, 2), 20);  // next to nothing
+  EXPECT_DOUBLE_EQ(time_beside_others(2.2, 2), 20);   // more than all, by the clocks' grain
+}
+
+TEST(OthersBusy, our_own_work_is_not_others) {
+  const OthersBusy busy;
+  const double start = own_cpu_seconds();
+  volatile double sum = 0;
+  while (own_cpu_seconds() - start < 0.5)
+    for (int i = 0; i < 1000; ++i) sum = sum + i;
+  // Others have the other cores at most; half a second of ours among them would be more.
+  EXPECT_LT(busy.cores(), static_cast<double>(describe_host().cores));
+}
+
+}  // namespace
+}  // namespace photonproof
