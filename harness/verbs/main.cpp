@@ -44,6 +44,7 @@ int main(int argc, char** argv) {
   add_reference_verb(program, exit_code);
   add_report_verb(program, exit_code);
   add_stress_verb(program, exit_code);
+  add_verify_verb(program, exit_code);
   add_decode_image_verb(program, exit_code);
 
   try {
