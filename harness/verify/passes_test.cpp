@@ -69,7 +69,7 @@ TEST(Passes, surfaces_emit_where_mirrors_and_glass_are_looked_at) {
 TEST(Passes, textures_are_their_mean_where_they_are_left_out) {
   const std::vector<ScenePass> passes = passes_of(scene_of(R"(<shape type="sphere"><bsdf type="diffuse">
     <texture name="reflectance" type="checkerboard"><rgb name="color0" value="0.2"/><rgb name="color1" value="0.6"/>
-    </texture></bsdf></shape>)"));
+    </texture></bsdf></shape><emitter type="point"/>)"));
   EXPECT_NEAR(albedo(pass_of(passes, "indirect"), 0), 0.4, 1e-12);
   const auto& model = pass_of(passes, "texture").bsdfs[0].model;
   EXPECT_TRUE(std::holds_alternative<TextureIndex>(std::get<DiffuseDescription>(model).reflectance));
