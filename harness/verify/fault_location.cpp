@@ -36,6 +36,12 @@ bool is_a_trace(const PairTest& pass, const PairTest& whole) {
   return pass.whole_differs && whole.whole_differs && largest_shift(pass) < part * largest_shift(whole);
 }
 
+void say(const PictureFault& picture, VerifyFault& fault) {
+  fault.pass = picture.pass;
+  fault.pass_words = picture.cause;
+  fault.pass_sentence = picture.sentence;
+}
+
 std::string place_words(const SceneDescription& description, const EnginePicture& right, const EnginePicture& odd,
                         const PairTest& test) {
   const int width = right.rendering.mean.width, height = right.rendering.mean.height;
@@ -108,7 +114,8 @@ void FaultLocator::look_for_pass(const Suspect& odd, const std::vector<Believed>
                                  VerifyFault& fault) const {
   std::string not_rendered;
   for (const ScenePass& pass : passes_of(description_)) {
-    const StudioScene scene = write_pass(pass.name, pass.scene);
+    StudioScene scene = write_pass(pass.name, pass.scene);
+    scene.description = &pass.scene;
     const Shot of_odd = studio_.shoot(scene, odd.engine);
     std::optional<EnginePicture> of_right;
     for (const Believed& believed : right) {
@@ -126,6 +133,8 @@ void FaultLocator::look_for_pass(const Suspect& odd, const std::vector<Believed>
     fault.pass = pass.name;
     fault.pass_words = pass.words;
     fault.pass_sentence = test.sentence;
+    if (const auto picture = picture_fault(*of_right, *of_odd.picture); picture && pass.name == "shapes")
+      say(*picture, fault);
     draw(*of_right, *of_odd.picture, pass.name, fault);
     return;
   }
@@ -141,13 +150,9 @@ VerifyFault FaultLocator::locate(const Suspect& odd, const std::vector<Believed>
   fault.sentence = whole.sentence;
   fault.place = place_words(description_, first, odd.picture, whole);
   draw(first, odd.picture, "whole", fault);
-  if (const auto picture = picture_fault(first, odd.picture)) {
-    fault.pass = picture->pass;
-    fault.pass_words = picture->cause;
-    fault.pass_sentence = picture->sentence;
-    return fault;
-  }
   look_for_pass(odd, right, whole, fault);
+  if (!fault.pass.empty()) return fault;
+  if (const auto picture = picture_fault(first, odd.picture)) say(*picture, fault);
   return fault;
 }
 

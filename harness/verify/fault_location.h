@@ -31,7 +31,6 @@ class FaultLocator {
   VerifyFault locate(const Suspect& odd, const std::vector<Believed>& right) const;
 
  private:
-  struct PassResult;
   void look_for_pass(const Suspect& odd, const std::vector<Believed>& right, const PairTest& whole,
                      VerifyFault& fault) const;
   StudioScene write_pass(const std::string& name, const SceneDescription& pass) const;

@@ -184,9 +184,9 @@ std::vector<ScenePass> passes_of(const SceneDescription& scene) {
   add(holds.mirrors && !holds.groups, "mirror", "what mirrors show", {.emits = true, .mirrors = true});
   add(holds.glass && !holds.groups, "glass", "what is seen through glass", {.emits = true, .glass = true});
   add((holds.mirrors || holds.glass) && reflects, "caustic", "light by mirrors and through glass",
-      {.gloss = true, .mirrors = true, .glass = true});
+      {.indirect = true, .gloss = true, .mirrors = true, .glass = true});
   add(holds.media, "medium", "absorption and scattering",
-      {.gloss = true, .mirrors = true, .glass = true, .media = true});
+      {.indirect = true, .gloss = true, .mirrors = true, .glass = true, .media = true});
   return passes;
 }
 

@@ -23,7 +23,7 @@ struct ScenePass {
 ///   gloss     direct light with plastic, lacquer and Phong
 ///   mirror    what mirrors show of surfaces that emit: no lamp, no caustic
 ///   glass     what is seen through glass of the same
-///   caustic   direct light with mirrors and glass, whose light on diffuse surfaces is new
+///   caustic   all surfaces but for textures, whose light by mirrors and glass on diffuse ones is new
 ///   medium    the same with the media
 /// What only the whole scene has is in none of them.
 std::vector<ScenePass> passes_of(const SceneDescription& scene);

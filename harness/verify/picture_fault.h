@@ -1,6 +1,7 @@
 // A mistake of the whole picture, whatever it shows: turned over, channels exchanged, another tone curve, moved by a
-// part of a pixel. Each is tried on the right picture; one that explains nearly all of the difference is the fault, and
-// no pass of light has to be looked for.
+// part of a pixel. Each is tried on the right picture, and must explain most of the difference. Ask it of a picture in
+// which every surface emits (passes.h, "shapes"): a texture that is mirrored looks like a camera that is, but not
+// there.
 #pragma once
 
 #include <optional>

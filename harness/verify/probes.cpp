@@ -10,6 +10,7 @@
 #include "harness/cells/cells.h"
 #include "reference/store/reference_store.h"
 #include "scenes/description/overloaded.h"
+#include "scenes/parser/parser.h"
 #include "scenes/text/atomic_file.h"
 #include "scenes/text/input_error.h"
 
@@ -104,7 +105,8 @@ VerifyProbe probed(const Studio& studio, const Probe& probe, const VerifyEngine&
   const fs::path file = studio.options().folder / "probes" / (name + ".xml");
   fs::create_directories(file.parent_path());
   write_file_atomically(file, probe.scene);
-  const StudioScene scene{"probe-" + name, file, content_key({{"probe", probe.scene}}), kSide, kSide, {}};
+  const SceneDescription description = parse_scene_text(probe.scene, file.string());
+  const StudioScene scene{"probe-" + name, file, content_key({{"probe", probe.scene}}), kSide, kSide, {}, &description};
   const Shot shot = studio.shoot(scene, engine);
   if (!shot.picture) {
     VerifyProbe refused{engine.row.name, probe.kind, probe.what, "not rendered", shot.detail, {}, {}, {}};

@@ -41,6 +41,7 @@ struct StudioScene {
   std::string content;  ///< its hash
   int width = 0, height = 0;
   std::optional<Expect> expect{};
+  const SceneDescription* description = nullptr;  ///< for what engines cannot show of it; null: unknown
 };
 
 struct Shot {

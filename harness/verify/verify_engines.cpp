@@ -1,7 +1,10 @@
 #include "harness/verify/verify_engines.h"
 
 #include <algorithm>
+#include <type_traits>
+#include <variant>
 
+#include "harness/diagnosis/seen_objects.h"
 #include "harness/gates/independence.h"
 #include "harness/suites/suite_rows.h"
 #include "scenes/text/atomic_file.h"
@@ -34,6 +37,36 @@ std::string sampling_of_row(const Engine& row) {
   return integrator ? sampling_of(*integrator) : row.name;
 }
 
+/// Of a BSDF or what it nests: whether some light leaves it in one direction alone.
+bool is_clear(const SceneDescription& scene, BsdfIndex index) {
+  const BsdfDescription& bsdf = scene.bsdfs[index.value];
+  const bool is = std::visit(
+      [](const auto& model) {
+        using Model = std::decay_t<decltype(model)>;
+        return std::is_same_v<Model, ConductorDescription> || std::is_same_v<Model, DielectricDescription> ||
+               std::is_same_v<Model, ThinDielectricDescription> || std::is_same_v<Model, PlasticDescription> ||
+               std::is_same_v<Model, LayeredDescription> || std::is_same_v<Model, MaskDescription> ||
+               std::is_same_v<Model, NullDescription> || std::is_same_v<Model, RoughDielectricDescription>;
+      },
+      bsdf.model);
+  return is || std::ranges::any_of(nested_bsdfs(bsdf), [&](BsdfIndex inner) { return is_clear(scene, inner); });
+}
+
+/// Where what is seen is not known, everything is.
+bool looks_at_clear_surfaces(const SceneDescription& scene) {
+  std::vector<bool> clear;
+  for (const ShapeDescription& shape : scene.shapes) clear.push_back(is_clear(scene, shape.bsdf));
+  for (const ShapeGroupDescription& group : scene.groups)
+    for (const ShapeDescription& shape : group.shapes)
+      if (is_clear(scene, shape.bsdf)) return true;
+  if (std::ranges::find(clear, true) == clear.end()) return false;
+  constexpr int side = 64;
+  const std::vector<SeenPoint> points = seen_points(scene, side, side);
+  if (std::ranges::all_of(points, [](const SeenPoint& point) { return point.object == 0; })) return true;
+  return std::ranges::any_of(points,
+                             [&](const SeenPoint& point) { return point.object > 0 && clear[point.object - 1u]; });
+}
+
 VerifyEngine verifying(Engine row, const fs::path& folder, const fs::path& program) {
   VerifyEngine engine;
   engine.sampling = sampling_of_row(row);
@@ -60,6 +93,11 @@ std::vector<VerifyEngine> verify_engines(const EngineChoice& choice) {
     if (choice.names.empty() || std::ranges::find(choice.names, row.name) != choice.names.end())
       engines.push_back(verifying(std::move(row), folder, choice.program));
   return engines;
+}
+
+std::string what_is_not_shown(const VerifyEngine& engine, const SceneDescription& scene) {
+  if (engine.sampling != "ptracer" || !looks_at_clear_surfaces(scene)) return {};
+  return "light paths do not reach the eye by the mirrors, clear glass, coats or holes that it looks at";
 }
 
 }  // namespace photonproof

@@ -8,6 +8,7 @@
 
 #include "harness/cells/engine_version.h"
 #include "harness/suites/engines.h"
+#include "scenes/description/description.h"
 
 namespace photonproof {
 
@@ -30,5 +31,9 @@ struct EngineChoice {
 /// row of the file. Each is asked for its version. Throws InputError for a file that cannot be read and a name that no
 /// row has.
 std::vector<VerifyEngine> verify_engines(const EngineChoice& choice);
+
+/// Why an engine's picture of the scene lacks light that it cannot find by any number of samples; empty where it finds
+/// all: light paths never reach the eye by mirrors, clear glass, clear coats or holes that it looks at.
+std::string what_is_not_shown(const VerifyEngine& engine, const SceneDescription& scene);
 
 }  // namespace photonproof

@@ -116,7 +116,9 @@ VerifyRecord run_verify(VerifyOptions options) {
       if (options.probes)
         for (VerifyProbe& probe : probe_engines(studio, engines, kinds_in(read.description), record.probes))
           record.probes.push_back(std::move(probe));
-      record.scenes.push_back(verify_scene(studio, read.scene, read.description, engines, record.probes));
+      StudioScene scene = read.scene;
+      scene.description = &read.description;
+      record.scenes.push_back(verify_scene(studio, scene, read.description, engines, record.probes));
       record.scenes.back().purpose = read.purpose;
       record.seconds = timer.seconds();
       write_verify_record(record, file);
