@@ -40,7 +40,7 @@ std::string command_of(const VerifyArguments& arguments) {
   return shell_line(command);
 }
 
-VerifyOptions options_of(const VerifyArguments& arguments) {
+VerifyOptions verify_options(const VerifyArguments& arguments) {
   VerifyOptions options;
   const bool is_terminal = isatty(STDERR_FILENO) != 0;
   options.studio.folder = arguments.output;
@@ -74,7 +74,7 @@ VerifyOptions options_of(const VerifyArguments& arguments) {
 }
 
 int verify(const VerifyArguments& arguments) {
-  const VerifyOptions options = options_of(arguments);
+  const VerifyOptions options = verify_options(arguments);
   const VerifyRecord record = run_verify(options);
   const fs::path folder = options.studio.folder, page = folder / "verify.html";
   write_verify_page(record, folder, page);

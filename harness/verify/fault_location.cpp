@@ -30,10 +30,11 @@ bool is_black(const EnginePicture& picture) {
   return std::ranges::all_of(picture.rendering.mean.rgb, [](float v) { return v == 0; });
 }
 
-/// A pass that is off by far less than the whole only has a trace of the light that is.
-bool is_a_trace(const PairTest& pass, const PairTest& whole) {
+/// Direct light has a trace of what comes by two reflections: off by far less than the whole, it is not what is wrong.
+bool is_a_trace(const std::string& name, const PairTest& pass, const PairTest& whole) {
   constexpr double part = 0.25;
-  return pass.whole_differs && whole.whole_differs && largest_shift(pass) < part * largest_shift(whole);
+  return name == "direct" && pass.whole_differs && whole.whole_differs &&
+         largest_shift(pass) < part * largest_shift(whole);
 }
 
 void say(const PictureFault& picture, VerifyFault& fault) {
@@ -129,7 +130,7 @@ void FaultLocator::look_for_pass(const Suspect& odd, const std::vector<Believed>
     }
     if (is_black(*of_right) && is_black(*of_odd.picture)) continue;
     const PairTest test = test_pair(*of_right, *of_odd.picture);
-    if (!test.differs || is_a_trace(test, whole)) continue;
+    if (!test.differs || is_a_trace(pass.name, test, whole)) continue;
     fault.pass = pass.name;
     fault.pass_words = pass.words;
     fault.pass_sentence = test.sentence;

@@ -209,7 +209,7 @@ Shot Studio::shoot(const StudioScene& scene, const VerifyEngine& engine, int ser
     if (const auto why = scene.expect->unsupported.find(engine.row.name); why != scene.expect->unsupported.end())
       return {std::nullopt, Status::unsupported, why->second, ""};
   if (scene.description != nullptr)
-    if (const std::string why = what_is_not_shown(engine, *scene.description); !why.empty())
+    if (const std::string why = what_is_not_shown(engine.sampling, *scene.description); !why.empty())
       return {std::nullopt, Status::unsupported, why, ""};
   return shoot_samples(scene, engine, series);
 }

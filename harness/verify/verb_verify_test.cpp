@@ -1,8 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
+#include <iterator>
 
+#include "harness/cells/test_program.h"
 #include "harness/verify/test_verify_folder.h"
 #include "reference/store/reference_store.h"
 
@@ -167,6 +170,23 @@ TEST_F(VerbVerify, second_run_in_a_folder_is_refused_while_the_first_is_at_work)
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_NE(outcome.standard_error.find("wait for it or choose another folder"), std::string::npos)
       << outcome.standard_error;
+}
+
+TEST_F(VerbVerify, ctrl_c_ends_it_with_130_and_keeps_what_is_drawn) {
+  const auto options = with_row(row("other", "'sh', '-c', 'sleep 60', '{output}', '{scene}', '{budget}'"));
+  std::vector<std::string> argv{sound, "verify", path("scene.xml"), "-o", path("out"), "--no-probes", "--size", "8x8"};
+  argv.insert(argv.end(), options.begin(), options.end());
+  const auto cells = [&] {
+    std::error_code none;
+    const fs::directory_iterator found(folder_ / "out/cells", none);
+    return none ? std::ptrdiff_t{0} : std::distance(begin(found), end(found));
+  };
+  const pid_t pid = start_program(argv, path("stderr"));
+  const int status = signal_after(pid, SIGINT, 4, 0.1, cells);  // the fourth is the one that sleeps
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 130);
+  EXPECT_TRUE(read_verify_record(path("out/verify.json")).interrupted);
+  EXPECT_GE(cells(), 3);
 }
 
 TEST_F(VerbVerify, unknown_engine_is_one_error) {

@@ -95,8 +95,8 @@ std::vector<VerifyEngine> verify_engines(const EngineChoice& choice) {
   return engines;
 }
 
-std::string what_is_not_shown(const VerifyEngine& engine, const SceneDescription& scene) {
-  if (engine.sampling != "ptracer" || !looks_at_clear_surfaces(scene)) return {};
+std::string what_is_not_shown(const std::string& sampling, const SceneDescription& scene) {
+  if (sampling != "ptracer" || !looks_at_clear_surfaces(scene)) return {};
   return "light paths do not reach the eye by the mirrors, clear glass, coats or holes that it looks at";
 }
 

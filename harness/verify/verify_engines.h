@@ -32,8 +32,9 @@ struct EngineChoice {
 /// row has.
 std::vector<VerifyEngine> verify_engines(const EngineChoice& choice);
 
-/// Why an engine's picture of the scene lacks light that it cannot find by any number of samples; empty where it finds
-/// all: light paths never reach the eye by mirrors, clear glass, clear coats or holes that it looks at.
-std::string what_is_not_shown(const VerifyEngine& engine, const SceneDescription& scene);
+/// Why the picture of an engine of this sampling of the scene lacks light that it cannot find by any number of samples;
+/// empty where it finds all: light paths never reach the eye by mirrors, clear glass, clear coats or holes that it
+/// looks at.
+std::string what_is_not_shown(const std::string& sampling, const SceneDescription& scene);
 
 }  // namespace photonproof

@@ -1,6 +1,7 @@
 #include "harness/verify/verify_run.h"
 
 #include <algorithm>
+#include <cctype>
 #include <utility>
 
 #include "harness/cells/folder_lock.h"
