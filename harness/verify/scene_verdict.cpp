@@ -303,6 +303,7 @@ class SceneJudge {
                              " do not differ by more than it explains, which would hide a larger error than is asked");
     if (!stale_) return;
     out_.verdict = "stale reference";
+    out_.sentence = out_.notes.front() + "; " + out_.sentence;
   }
 
   void say_what_is_missing() {

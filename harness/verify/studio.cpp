@@ -7,6 +7,7 @@
 
 #include "harness/cells/cell_command.h"
 #include "harness/cells/cells.h"
+#include "harness/cells/host.h"
 #include "harness/cells/run_cell.h"
 #include "harness/pixels/image_blocks.h"
 #include "harness/suites/engine_command.h"
@@ -116,7 +117,9 @@ DeclaredError declared_error(const VerifyEngine& engine, const std::optional<Exp
   return declared;
 }
 
-Studio::Studio(StudioOptions options) : options_(std::move(options)), store_(options_.folder) {}
+Studio::Studio(StudioOptions options) : options_(std::move(options)), store_(options_.folder) {
+  if (options_.threads == 0) options_.threads = describe_host().cores;
+}
 
 Result Studio::cell(const StudioScene& scene, const VerifyEngine& engine, const Budget& budget,
                     std::uint64_t seed) const {

@@ -26,7 +26,7 @@ struct StudioOptions {
   double seconds = 20;            ///< an engine's pictures of a scene have so long, by their own clocks
   double quality = 2;             ///< of engines that know qualities
   int first_samples = 64;         ///< a pixel, of the first picture
-  int threads = 0;
+  int threads = 0;                ///< of each engine; 0: every core
   const std::atomic<bool>* interrupt = nullptr;
   std::function<void(const std::string& what)> at_work{};
 };
