@@ -110,7 +110,8 @@ void add_verify_verb(CLI::App& program, int& exit_code) {
   verb->add_flag("--quick", arguments->quick, "an error of 5 % is to be seen, in 5 s an engine and scene");
   verb->add_option("--power", arguments->power, "relative error of the mean that every pair is to show (default 0.02)")
       ->check(CLI::Range(1e-4, 1.0));
-  verb->add_option("--seconds", arguments->seconds, "an engine has so long for a scene's samples (default 20)")
+  verb->add_option("--seconds", arguments->seconds,
+                   "an engine has so long for a scene's samples, in processor time a thread (default 20)")
       ->check(CLI::Range(0.01, 1e5));
   verb->add_option("--threads", arguments->threads, "of each engine (default: every core)")->check(CLI::Range(0, 1024));
   verb->add_flag("--probes,!--no-probes", arguments->probes,

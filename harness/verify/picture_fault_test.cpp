@@ -53,11 +53,12 @@ TEST(PictureFault, is_another_tone_curve) {
 }
 
 TEST(PictureFault, is_a_picture_that_is_turned_over) {
-  EnginePicture turned = rectangles(2);
+  const EnginePicture other = rectangles(2);
+  EnginePicture turned = other;
   for (int y = 0; y < kSide; ++y)
     for (int x = 0; x < kSide; ++x)
       for (std::size_t c = 0; c < 3; ++c)
-        turned.rendering.mean.pixel(x, y)[c] = rectangles(2).rendering.mean.pixel(x, kSide - 1 - y)[c];
+        turned.rendering.mean.pixel(x, y)[c] = other.rendering.mean.pixel(x, kSide - 1 - y)[c];
   const auto fault = picture_fault(rectangles(1), turned);
   ASSERT_TRUE(fault.has_value());
   EXPECT_EQ(fault->pass, "camera");

@@ -55,7 +55,7 @@ TEST_F(PlantedFaults, diffuse_surfaces_without_the_cosine) {
 TEST_F(PlantedFaults, caustic_map_at_half_its_power) {
   put_scene(walls(diffuse("0.5")) + lamp() + glass_ball());
   const std::string command = render_command("'" PLANTED_ENGINE "', 'half-caustic', '" + sound + "'", "photonmapper");
-  expect_blamed(row("odd", command, "biased"), {"path", "bdpt"}, "caustic");
+  expect_blamed(row("odd", command, "biased"), {"path", "bdpt"}, "caustic", "", "0.04");
 }
 
 TEST_F(PlantedFaults, normal_that_is_flipped) {
@@ -86,7 +86,7 @@ TEST_F(PlantedFaults, roughness_that_is_squared_twice) {
   put_scene(walls(R"(<bsdf type="roughconductor"><string name="material" value="none"/>
     <float name="alpha" value="0.4"/></bsdf>)") +
             lamp());
-  expect_blamed(odd_row("alpha", "path"), {"bdpt", "volpath"}, "mirror");
+  expect_blamed(odd_row("alpha", "path"), {"bdpt", "volpath"}, "mirror", "", "0.05");
 }
 
 TEST_F(PlantedFaults, texture_that_is_mirrored) {

@@ -167,7 +167,7 @@ Shot Studio::shoot_samples(const StudioScene& scene, const VerifyEngine& engine,
   Shot shot;
   EnginePicture picture;
   picture.engine = engine.row.name;
-  double samples = options_.first_samples, bias = 0;  // of the next picture; as the engine states it
+  double spent = 0, samples = options_.first_samples, bias = 0;  // of the next picture; as the engine states it
   std::uint64_t seed = 1 + static_cast<std::uint64_t>(series) * seeds_of_a_series;
   const bool takes_seed = mentions(engine.row.command, "{seed}");
   const auto of_engine = [&](const char* kind) { return engine.budget_kind == kind; };
@@ -187,13 +187,15 @@ Shot Studio::shoot_samples(const StudioScene& scene, const VerifyEngine& engine,
     bias = std::max(bias, stated_bias(result));
     shot.command = result.command;
     picture.seconds += result.wall_seconds.value_or(0);
+    // By processor time, so that a busy machine asks for the same pictures.
+    spent += result.cpu_seconds.value_or(0) / options_.threads;
     if (!takes_seed || !engine.counts_samples()) break;
     if (!has_noise_layer(parts.front().first) && parts.size() < pictures_without_variance) continue;
     picture.rendering = pooled(parts);
     double had = 0;
     for (const auto& part : parts) had += part.second;
-    const double next = next_samples(had, would_see_alone(picture).value_or(0), options_.power / std::sqrt(2.0),
-                                     picture.seconds, options_.seconds);
+    const double next = next_samples(had, would_see_alone(picture).value_or(0), options_.power / std::sqrt(2.0), spent,
+                                     options_.seconds);
     if (!has_noise_layer(parts.front().first) && next > 0) break;  // its pictures are of one size
     samples = next;
   }

@@ -23,7 +23,7 @@ struct StudioOptions {
   std::filesystem::path program;  ///< this one
   std::filesystem::path rows;     ///< the file with further engines, whose folder is {suite}
   double power = 0.02;            ///< an error of the mean of this much is to be seen
-  double seconds = 20;            ///< an engine's pictures of a scene have so long, by their own clocks
+  double seconds = 20;            ///< an engine's pictures of a scene have so long, in processor time a thread
   double quality = 2;             ///< of engines that know qualities
   int first_samples = 64;         ///< a pixel, of the first picture
   int threads = 0;                ///< of each engine; 0: every core

@@ -16,10 +16,10 @@ class VerifyTest : public FolderTest {
 
   /// `photonproof verify scene.xml` with the options, into out/.
   ProcessOutcome verify(std::vector<std::string> options, const std::string& scene = "scene.xml") const {
-    std::vector<std::string> argv{PHOTONPROOF_BINARY, "verify", path(scene), "-o",  path("out"),
-                                  "--size",           "24x24",  "--seconds", "1.5", "--no-probes"};
+    std::vector<std::string> argv{PHOTONPROOF_BINARY, "verify", path(scene), "-o", path("out"),
+                                  "--size",           "24x24",  "--seconds", "3",  "--no-probes"};
     argv.insert(argv.end(), options.begin(), options.end());
-    return run_process(argv, {.wall_limit_seconds = 120});
+    return run_process(argv, {.wall_limit_seconds = 280});
   }
   VerifyScene verified() const { return read_verify_record(path("out/verify.json")).scenes.at(0); }
 
