@@ -167,7 +167,8 @@ Shot Studio::shoot_samples(const StudioScene& scene, const VerifyEngine& engine,
   Shot shot;
   EnginePicture picture;
   picture.engine = engine.row.name;
-  double spent = 0, samples = options_.first_samples, bias = 0;  // of the next picture; as the engine states it
+  double samples = options_.first_samples;  // of the next picture
+  double spent = 0, bias = 0;               // so far; as the engine states it
   std::uint64_t seed = 1 + static_cast<std::uint64_t>(series) * seeds_of_a_series;
   const bool takes_seed = mentions(engine.row.command, "{seed}");
   const auto of_engine = [&](const char* kind) { return engine.budget_kind == kind; };
