@@ -130,7 +130,7 @@ class PassMaker {
     }
     if (!kept_.emits || std::holds_alternative<InstanceDescription>(shape.geometry)) return;
     // A few brightnesses, so that what moves is seen.
-    constexpr double of_next[] = {0.5, 1.0, 0.75, 1.5, 0.3};
+    constexpr double of_next[] = {0.25, 4.0, 1.0, 2.0, 0.5};
     const double radiance = of_next[count_++ % std::size(of_next)];
     shape.radiance.reset();
     if (is_scenery(shape.bsdf)) shape.radiance = RgbD(radiance);
