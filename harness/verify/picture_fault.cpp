@@ -38,7 +38,7 @@ std::string side_words(double x, double y) {
 /// Every shift by quarters of a pixel is tried; the least that is as good as the best is said.
 std::optional<PictureFault> shifted(const EnginePicture& right, const EnginePicture& odd, double before) {
   constexpr int most = 6;           // quarters
-  constexpr double explains = 0.25;  // an edge between pixels is not moved exactly
+  constexpr double explains = 0.4;  // an edge between pixels is not moved exactly
   double least = explains * before, x = 0, y = 0;
   for (int dy = -most; dy <= most; ++dy)
     for (int dx = -most; dx <= most; ++dx) {
