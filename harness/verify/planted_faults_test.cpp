@@ -79,7 +79,7 @@ TEST_F(PlantedFaults, index_of_refraction_of_1_52_in_place_of_1_5) {
   const std::string bars = rectangle(R"(<scale x="0.08" y="2"/><translate x="-0.5" z="0.1"/>)", glow("2,3,4")) +
                            rectangle(R"(<scale x="0.08" y="2"/><translate x="0.3" z="0.1"/>)", glow("3,1,1"));
   put_scene(rectangle(R"(<scale value="2"/>)", glow("0.2,0.4,0.3")) + bars + glass_ball());
-  expect_blamed(odd_row("ior", "path"), {"bdpt", "volpath"}, "glass", "glass sphere", "0.006");
+  expect_blamed(odd_row("ior", "path"), {"bdpt", "volpath"}, "glass", "glass sphere", "0.015");
 }
 
 TEST_F(PlantedFaults, roughness_that_is_squared_twice) {
