@@ -8,12 +8,6 @@
 namespace photonproof {
 namespace {
 
-/// Of integrators that share sampling code, the one that has it.
-std::string sampling_of(const std::string& integrator) {
-  const Integrator* row = find_integrator(integrator);
-  return row == nullptr || row->sampling == nullptr ? integrator : row->sampling;
-}
-
 bool keeps(const Rendering& reference, const RgbD& mean) {
   const double stated[] = {mean.x, mean.y, mean.z};
   for (std::size_t channel = 0; channel < 3; ++channel) {
@@ -37,6 +31,11 @@ std::optional<std::string> integrator_of(const Engine& engine) {
   const auto option = std::find(engine.command.begin(), engine.command.end(), "--integrator");
   if (option == engine.command.end() || option + 1 == engine.command.end()) return std::nullopt;
   return *(option + 1);
+}
+
+std::string sampling_of(const std::string& integrator) {
+  const Integrator* row = find_integrator(integrator);
+  return row == nullptr || row->sampling == nullptr ? integrator : row->sampling;
 }
 
 bool shares_sampling(const std::string& integrator, const std::string& other) {

@@ -14,6 +14,9 @@ namespace photonproof {
 /// The integrator of this program that an engine runs; empty when it runs another program.
 std::optional<std::string> integrator_of(const Engine& engine);
 
+/// The integrator whose code an integrator finds its paths by: its own name, or another's.
+std::string sampling_of(const std::string& integrator);
+
 /// Whether two integrators find their paths by the same code: the photon mapper's and `direct`'s camera paths are
 /// `path`'s (`Integrator::sampling`). (Materials, lights and textures are shared by all; closed forms and published
 /// values are for those.)

@@ -46,6 +46,7 @@ int main(int argc, char** argv) {
   add_stress_verb(program, exit_code);
   add_soak_verb(program, exit_code);
   add_faults_verb(program, exit_code);
+  add_verify_verb(program, exit_code);
   add_decode_image_verb(program, exit_code);
 
   try {

@@ -8,9 +8,7 @@
 #include "scenes/parser/parser.h"
 
 namespace photonproof {
-namespace {
 
-/// "WxH" to a film size; throws InputError on anything else.
 void apply_size(const std::string& size, FilmDescription& film) {
   const char* end = size.data() + size.size();
   int width = 0;
@@ -26,8 +24,6 @@ void apply_size(const std::string& size, FilmDescription& film) {
   film.width = width;
   film.height = height;
 }
-
-}  // namespace
 
 void add_scene_options(CLI::App& verb, SceneOptions& options) {
   verb.add_option("SCENE", options.path, "scene XML")->required();

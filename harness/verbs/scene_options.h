@@ -24,6 +24,9 @@ struct SceneOptions {
 /// SCENE, -D, --size, --allow-outside.
 void add_scene_options(CLI::App& verb, SceneOptions& options);
 
+/// "WxH" to a film size; throws InputError on anything else.
+void apply_size(const std::string& size, FilmDescription& film);
+
 /// Option checks: empty when the text is good, else what is wrong. CLI11's own numbers let "-1" through as the largest
 /// seed and NaN through every range.
 std::string is_seed(const std::string& text);

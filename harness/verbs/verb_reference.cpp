@@ -18,6 +18,7 @@
 #include "harness/verbs/scene_options.h"
 #include "harness/verbs/verbs.h"
 #include "harness/verbs/versions.h"
+#include "harness/verify/reference_witness.h"
 #include "reference/process/process.h"
 #include "reference/store/reference_store.h"
 #include "renderer/core/version.h"
@@ -42,6 +43,7 @@ struct ReferenceArguments {
   std::string output;
   bool commit = false;
   std::string reason;
+  std::optional<bool> witness;  ///< empty: with --commit
   bool fresh = false;
   bool json = false;
   bool quiet = false;
@@ -80,12 +82,14 @@ std::string refusal_of(const Job& job, const std::string& integrator) {
   return end == std::string::npos ? outcome.sentence() : outcome.standard_error.substr(0, end + 1);
 }
 
+std::optional<Expect> expect_of(const Job& job) {
+  const std::string path = expect_path_of(job.arguments.scene.path);
+  return fs::exists(path) ? std::optional(read_expect(path)) : std::nullopt;
+}
+
 std::string integrator_for(const Job& job) {
   if (job.arguments.integrator != "auto") return job.arguments.integrator;
-  const std::string path = expect_path_of(job.arguments.scene.path);
-  std::optional<Expect> expect;
-  if (fs::exists(path)) expect = read_expect(path);
-  return choose_estimator(job.scene, expect, [&](const std::string& name) { return refusal_of(job, name); });
+  return choose_estimator(job.scene, expect_of(job), [&](const std::string& name) { return refusal_of(job, name); });
 }
 
 /// The one in this file, when it is good and by an integrator that will do.
@@ -117,7 +121,8 @@ Provenance provenance_of(const Job& job, const std::string& integrator, const Ba
   return p;
 }
 
-ReferenceProgress render(const Job& job, const std::string& integrator) {
+ReferenceProgress render(const Job& job, const std::string& integrator, double standard_error,
+                         std::optional<double> seconds) {
   Checksum version;
   version.add(version_line().data(), version_line().size());
   ReferenceRun run;
@@ -126,8 +131,8 @@ ReferenceProgress render(const Job& job, const std::string& integrator) {
   run.width = job.width;
   run.height = job.height;
   run.integrator = integrator;
-  run.standard_error = job.arguments.standard_error;
-  run.seconds = job.arguments.seconds;
+  run.standard_error = standard_error;
+  run.seconds = seconds;
   run.threads = job.arguments.threads;
   run.folder = job.folder / (integrator + "-" + version.hex());
   run.interrupt = &interrupt_flag();
@@ -162,13 +167,52 @@ void print(const Job& job, const Provenance& p, const std::vector<fs::path>& fil
               p.estimator.c_str(), p.width, p.height, p.seeds.size(),
               static_cast<unsigned long long>(p.samples / p.seeds.size()), percent_text(p.standard_error).c_str(),
               bias.c_str());
+  if (p.witness) std::printf("witness: %s\n", facts(p).at("witness").c_str());
   for (const fs::path& file : files) std::printf("reference: %s\n", file.c_str());
 }
 
+/// Thrown when the witness was interrupted or has no time: what is finished is kept.
+struct NoWitnessYet {
+  ReferenceProgress progress;
+};
+
+/// A second estimator that shares no sampling with the first must agree; it needs a third of its certainty, and has as
+/// long as is left. Throws InputError where the two disagree, since neither can then be believed.
+void find_witness(const Job& job, const Rendering& rendering, Provenance& provenance) {
+  constexpr double less_certain = 3;
+  const std::string witness = witness_for(job.scene, provenance.estimator, expect_of(job),
+                                          [&](const std::string& name) { return refusal_of(job, name); });
+  if (witness.empty()) {
+    if (!job.arguments.quiet)
+      std::fprintf(stderr, "no witness: only %s's way of finding light renders this scene\n",
+                   provenance.estimator.c_str());
+    return;
+  }
+  const double certainty = less_certain * std::max(job.arguments.standard_error, provenance.standard_error);
+  const ReferenceProgress progress = render(job, witness, certainty, job.arguments.seconds);
+  if (progress.means.batches() < least_batches) throw NoWitnessYet{progress};
+  const Rendering second = progress.means.rendering();
+  const PairTest test = test_witness(rendering, provenance.bias, second);
+  if (test.differs)
+    throw InputError(job.arguments.scene.path, provenance.estimator + " and " + witness +
+                                                   " disagree, and one reference cannot be both: " + witness + " is " +
+                                                   test.sentence + "; `photonproof verify` says which is wrong, " +
+                                                   "--no-witness keeps the first without the second");
+  provenance.witness = {witness,
+                        static_cast<std::uint64_t>(progress.means.batches()) *
+                            static_cast<std::uint64_t>(progress.means.samples_per_batch()),
+                        relative_standard_error(second), std::nullopt};
+  if (test.would_see && std::isfinite(*test.would_see)) provenance.witness->would_see = test.would_see;
+}
+
 /// `kept` is the file that holds it.
-int write_out(const Job& job, const fs::path& kept, const Rendering& rendering, const Provenance& provenance,
-              bool reached) {
+int write_out(const Job& job, const fs::path& kept, const Rendering& rendering, Provenance provenance, bool reached) {
   const ReferenceArguments& arguments = job.arguments;
+  if (arguments.witness.value_or(arguments.commit) && !provenance.witness) {
+    find_witness(job, rendering, provenance);
+    if (provenance.witness && kept == job.cached())
+      provenance = write_reference(kept, rendering, provenance, ReferenceSamples::floats);
+  }
   std::vector<fs::path> files{kept};
   if (!arguments.output.empty()) {
     write_reference(arguments.output, rendering, provenance, ReferenceSamples::floats);
@@ -229,7 +273,7 @@ void check_reason(const Job& job) {
     throw InputError(committed_reference_path(arguments.scene.path, job.width, job.height).string(), reason_is_missing);
 }
 
-int make_reference(const ReferenceArguments& arguments) {
+int reference_of(const ReferenceArguments& arguments) {
   interrupt_flag();
   if (!arguments.output.empty() && fs::path(arguments.output).extension() != ".exr")
     throw InputError("--output", "'" + arguments.output + "' is not the name of an EXR, expected NAME.exr");
@@ -251,7 +295,7 @@ int make_reference(const ReferenceArguments& arguments) {
 
   check_reason(job);
   const std::string integrator = integrator_for(job);
-  const ReferenceProgress progress = render(job, integrator);
+  const ReferenceProgress progress = render(job, integrator, arguments.standard_error, arguments.seconds);
   using End = ReferenceProgress::End;
   if (progress.end == End::interrupted || progress.means.batches() < least_batches) return unfinished(progress);
   const Rendering rendering = progress.means.rendering();
@@ -260,6 +304,14 @@ int make_reference(const ReferenceArguments& arguments) {
     return write_out(job, cached->file, cached->rendering, cached->provenance, false);
   provenance = write_reference(job.cached(), rendering, provenance, ReferenceSamples::floats);
   return write_out(job, job.cached(), rendering, provenance, progress.end == End::reached);
+}
+
+int make_reference(const ReferenceArguments& arguments) {
+  try {
+    return reference_of(arguments);
+  } catch (const NoWitnessYet& late) {
+    return unfinished(late.progress);
+  }
 }
 
 }  // namespace
@@ -288,6 +340,10 @@ void add_reference_verb(CLI::App& program, int& exit_code) {
                  "put it beside the scene as reference-WxH.exr and .json, in half floats (256x256 at most)");
   verb->add_option("--reason", arguments->reason,
                    "why --commit replaces a reference that is good; kept in its provenance");
+  verb->add_flag(
+      "--witness,!--no-witness", arguments->witness,
+      "hold it to a second estimator that shares no sampling with the first; where they disagree there is no "
+      "reference (default: with --commit)");
   verb->add_flag("--fresh", arguments->fresh, "begin anew instead of using what the cache has");
   verb->add_flag("--json", arguments->json, "print files and provenance as JSON");
   verb->add_flag("--quiet", arguments->quiet, "no progress line");

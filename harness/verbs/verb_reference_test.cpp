@@ -60,6 +60,25 @@ class ReferenceVerb : public FolderTest {
   }
 };
 
+TEST_F(ReferenceVerb, that_is_committed_has_two_parents_and_the_power_of_their_test) {
+  const std::vector<std::string> options{"--size", "8x8", "--standard-error", "0.05", "--commit"};
+  const ProcessOutcome made = reference(options);
+  ASSERT_TRUE(made.ok()) << made.standard_error;
+  EXPECT_NE(made.standard_output.find("witness: bdpt, "), std::string::npos) << made.standard_output;
+  const fs::path file = committed_reference_path(folder_ / "scene.xml", 8, 8);
+  const Provenance provenance = parse_provenance(read_file(provenance_path(file)), "reference");
+  EXPECT_EQ(provenance.estimator, "path");
+  ASSERT_TRUE(provenance.witness.has_value());
+  EXPECT_EQ(provenance.witness->estimator, "bdpt");
+  EXPECT_LT(provenance.witness->would_see.value(), 0.5);
+}
+
+TEST_F(ReferenceVerb, without_a_witness_has_one_parent) {
+  ASSERT_TRUE(reference({"--size", "8x8", "--standard-error", "0.1", "--commit", "--no-witness"}).ok());
+  const fs::path file = committed_reference_path(folder_ / "scene.xml", 8, 8);
+  EXPECT_FALSE(parse_provenance(read_file(provenance_path(file)), "reference").witness);
+}
+
 TEST_F(ReferenceVerb, killed_and_run_again_gives_the_pixels_of_a_run_never_stopped) {
   const std::vector<std::string> options{"--size", "8x8", "--standard-error", "0.1", "--integrator", "bdpt"};
   const auto with_output = [&](const std::string& name) {

@@ -21,6 +21,7 @@ void add_report_verb(CLI::App& program, int& exit_code);
 void add_stress_verb(CLI::App& program, int& exit_code);
 void add_soak_verb(CLI::App& program, int& exit_code);
 void add_faults_verb(CLI::App& program, int& exit_code);
+void add_verify_verb(CLI::App& program, int& exit_code);
 void add_decode_image_verb(CLI::App& program, int& exit_code);
 
 }  // namespace photonproof

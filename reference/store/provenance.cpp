@@ -66,6 +66,18 @@ class Reader {
 
 using Facts = std::map<std::string, std::string>;
 
+ReferenceWitness read_witness(Reader& provenance, const std::string& file) {
+  const ordered_json json = provenance.get<ordered_json>("witness");
+  Reader reader(json, file, "the provenance's witness");
+  ReferenceWitness witness;
+  witness.estimator = reader.get<std::string>("estimator");
+  witness.samples = reader.get<std::uint64_t>("samples");
+  witness.standard_error = reader.get<double>("standard_error");
+  if (reader.has("would_see")) witness.would_see = reader.get<double>("would_see");
+  reader.check_no_other_keys();
+  return witness;
+}
+
 }  // namespace
 
 Facts facts(const Provenance& p) {
@@ -80,6 +92,9 @@ Facts facts(const Provenance& p) {
                 {"host", p.host},
                 {"version", version == p.versions.end() ? "unknown" : version->second}};
   if (p.bias > 0) told["bias"] = percent_text(p.bias);
+  if (p.witness)
+    told["witness"] = p.witness->estimator + ", " + std::to_string(p.witness->samples) + " samples: agrees" +
+                      (p.witness->would_see ? "; would have seen " + percent_text(*p.witness->would_see) : "");
   for (const std::string& definition : p.definitions) {
     std::string& all = told["definitions"];
     all += (all.empty() ? "" : ", ") + definition;
@@ -105,6 +120,12 @@ std::string provenance_text(const Provenance& p) {
                        {"history", history},
                        {"seeds", p.seeds}};
   if (p.bias > 0) json["bias"] = p.bias;
+  if (p.witness) {
+    json["witness"] = {{"estimator", p.witness->estimator},
+                       {"samples", p.witness->samples},
+                       {"standard_error", p.witness->standard_error}};
+    if (p.witness->would_see) json["witness"]["would_see"] = *p.witness->would_see;
+  }
   if (!p.definitions.empty()) json["definitions"] = p.definitions;
   return json_text(json) + "\n";
 }
@@ -127,6 +148,7 @@ Provenance parse_provenance(const std::string& text, const std::string& file) {
   p.pixels = reader.get<std::string>("pixels");
   p.seeds = reader.get<std::vector<std::uint64_t>>("seeds");
   if (reader.has("bias")) p.bias = reader.get<double>("bias");
+  if (reader.has("witness")) p.witness = read_witness(reader, file);
   if (reader.has("definitions")) p.definitions = reader.get<std::vector<std::string>>("definitions");
   for (const ordered_json& entry : reader.list("history")) {
     Reader acceptance(entry, file, "an entry of the provenance's history");

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,15 @@ struct Acceptance {
   friend bool operator==(const Acceptance&, const Acceptance&) = default;
 };
 
+/// The second parent: an estimator that shares no sampling path with the first, and agrees with it.
+struct ReferenceWitness {
+  std::string estimator;
+  std::uint64_t samples = 0;          ///< a pixel, in all batches
+  double standard_error = 0;          ///< relative, of its pixels
+  std::optional<double> would_see{};  ///< the least relative error of the mean that shows with probability 0.99
+  friend bool operator==(const ReferenceWitness&, const ReferenceWitness&) = default;
+};
+
 struct Provenance {
   std::string scene_hash;                ///< of the scene and its assets (scenes/description/scene_hash.h)
   std::vector<std::string> definitions;  ///< "name=value" of -D, sorted; empty: the scene as it is
@@ -27,6 +37,8 @@ struct Provenance {
   /// Relative, of the pixels, as the estimator knows it itself: of progressive photon mapping, whose radius is never 0.
   /// The truth is within both of them together. 0: unbiased.
   double bias = 0;
+  /// Empty of references from before there were any, and where no other estimator renders the scene.
+  std::optional<ReferenceWitness> witness{};
   std::string pixels;  ///< checksum of the stored mean and variance
   std::map<std::string, std::string> versions;
   std::string host;
@@ -36,7 +48,7 @@ struct Provenance {
 };
 
 /// In words: "estimator", "samples", "batches", "standard_error", "scene_hash", "pixels", "date", "host" and
-/// "version", and "definitions" where there are any. For reports, and for what an Acceptance keeps.
+/// "version", and "definitions" and "witness" where there are any. For reports, and for what an Acceptance keeps.
 std::map<std::string, std::string> facts(const Provenance& provenance);
 
 /// Indented JSON that ends in a line break. Precondition: the standard error is finite.

@@ -46,6 +46,18 @@ TEST(Provenance, has_the_bias_of_an_estimator_that_has_some) {
   EXPECT_EQ(facts(p).at("bias"), "0.25 %");
 }
 
+TEST(Provenance, has_the_witness_that_agrees_and_what_it_would_have_seen) {
+  EXPECT_EQ(provenance_text(sample()).find("witness"), std::string::npos);
+  EXPECT_EQ(facts(sample()).count("witness"), 0u);
+  Provenance p = sample();
+  p.witness = {"path", 8192, 0.02, 0.0125};
+  EXPECT_EQ(parse_provenance(provenance_text(p), "p.json"), p);
+  EXPECT_EQ(facts(p).at("witness"), "path, 8192 samples: agrees; would have seen 1.2 %");
+  p.witness->would_see.reset();
+  EXPECT_EQ(parse_provenance(provenance_text(p), "p.json"), p);
+  EXPECT_EQ(facts(p).at("witness"), "path, 8192 samples: agrees");
+}
+
 TEST(Provenance, is_told_in_words) {
   // 0.3 is 30 %; two seeds are two batches.
   const auto told = facts(sample());

@@ -41,10 +41,7 @@ std::string abbreviated(const json& value) {
   return text.size() <= 60 ? text : text.substr(0, 57) + "...";
 }
 
-}  // namespace
-
-void validate_results(const json& document, ResultsDocument kind, const std::string& file) {
-  const json schema_json = schema_document(kind);
+void validate_by(const json& schema_json, const json& document, const std::string& file, const std::string& what) {
   valijson::Schema schema;
   valijson::SchemaParser(valijson::SchemaParser::kDraft7)
       .populateSchema(valijson::adapters::NlohmannJsonAdapter(schema_json), schema);
@@ -54,9 +51,19 @@ void validate_results(const json& document, ResultsDocument kind, const std::str
   valijson::ValidationResults::Error first;  // the innermost; the others only say where it lies
   problems.popError(first);
   const json::json_pointer pointer = pointer_of(first.context);
-  throw InputError(file + "#" + pointer.to_string(),
-                   "not by the schema of results, version " + std::to_string(results_schema_version) + ": " +
-                       first.description + " Found: " + abbreviated(document.at(pointer)));
+  throw InputError(file + "#" + pointer.to_string(), "not by the schema " + what + ": " + first.description +
+                                                         " Found: " + abbreviated(document.at(pointer)));
+}
+
+}  // namespace
+
+void validate_results(const json& document, ResultsDocument kind, const std::string& file) {
+  validate_by(schema_document(kind), document, file, "of results, version " + std::to_string(results_schema_version));
+}
+
+void validate_document(std::string_view schema_text, const json& document, const std::string& file,
+                       const std::string& what) {
+  validate_by(json::parse(schema_text), document, file, what);
 }
 
 }  // namespace photonproof

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <string_view>
 
 namespace photonproof {
 
@@ -12,5 +13,10 @@ enum class ResultsDocument { run, single_result };
 
 /// Throws InputError "<file>#<JSON pointer>" at the first place that breaks the schema, with the value found there.
 void validate_results(const nlohmann::json& document, ResultsDocument kind, const std::string& file);
+
+/// The same of any document and JSON schema (draft 7); `what` it is the schema of, "of results, version 1", is in the
+/// message.
+void validate_document(std::string_view schema_text, const nlohmann::json& document, const std::string& file,
+                       const std::string& what);
 
 }  // namespace photonproof

@@ -1,0 +1,102 @@
+#include "harness/verify/odd_one_out.h"
+
+#include <algorithm>
+#include <set>
+
+namespace photonproof {
+namespace {
+
+class Table {
+ public:
+  Table(const std::vector<Witness>& witnesses, const std::vector<WitnessPair>& pairs)
+      : witnesses_(witnesses), pairs_(pairs) {}
+
+  PairVerdict between(std::size_t a, std::size_t b) const {
+    for (const WitnessPair& pair : pairs_)
+      if ((pair.first == a && pair.second == b) || (pair.first == b && pair.second == a)) return pair.verdict;
+    return PairVerdict::undecided;
+  }
+  bool differs_from_any(std::size_t a, const std::vector<std::size_t>& others) const {
+    return std::ranges::any_of(others, [&](std::size_t b) { return b != a && between(a, b) == PairVerdict::differ; });
+  }
+  bool any_differs(const std::vector<std::size_t>& group, const std::vector<std::size_t>& others) const {
+    return std::ranges::any_of(group, [&](std::size_t a) { return differs_from_any(a, others); });
+  }
+  /// Nobody differs, and everybody agrees with somebody of them for certain.
+  bool agree_among_themselves(const std::vector<std::size_t>& group) const {
+    return std::ranges::all_of(group, [&](std::size_t a) {
+      const bool is_seen =
+          std::ranges::any_of(group, [&](std::size_t b) { return b != a && between(a, b) == PairVerdict::agree; });
+      return !differs_from_any(a, group) && (is_seen || group.size() == 1);
+    });
+  }
+  std::size_t ways(const std::vector<std::size_t>& group) const {
+    std::set<std::string> samplings;
+    for (const std::size_t a : group) samplings.insert(witnesses_[a].sampling);
+    return samplings.size();
+  }
+  bool has_closed_form(const std::vector<std::size_t>& group) const {
+    return std::ranges::any_of(group, [&](std::size_t a) { return witnesses_[a].is_closed_form; });
+  }
+
+ private:
+  const std::vector<Witness>& witnesses_;
+  const std::vector<WitnessPair>& pairs_;
+};
+
+std::vector<std::size_t> members(const std::vector<std::size_t>& of, std::size_t mask) {
+  std::vector<std::size_t> group;
+  for (std::size_t i = 0; i < of.size(); ++i)
+    if ((mask >> i & 1U) != 0) group.push_back(of[i]);
+  return group;
+}
+
+/// Those who agree among themselves in the most ways; empty where two groups that are not one another's part have as
+/// many. A closed form outweighs everything. Precondition: at most 20.
+std::vector<std::size_t> believed_of(const Table& table, const std::vector<std::size_t>& all) {
+  std::vector<std::size_t> best;
+  std::size_t best_rank = 0;
+  bool tied = false;
+  for (std::size_t mask = (std::size_t{1} << all.size()) - 1; mask > 0; --mask) {
+    const std::vector<std::size_t> group = members(all, mask);
+    if (!table.agree_among_themselves(group)) continue;
+    const std::size_t rank = table.ways(group) + (table.has_closed_form(group) ? 100 : 0);
+    const bool is_part = std::ranges::includes(best, group);
+    if (rank > best_rank || (rank == best_rank && group.size() > best.size() && std::ranges::includes(group, best))) {
+      best = group;
+      best_rank = rank;
+      tied = false;
+    } else if (rank == best_rank && !is_part && table.any_differs(group, best)) {
+      tied = true;
+    }
+  }
+  return tied || best_rank < 2 ? std::vector<std::size_t>{} : best;
+}
+
+}  // namespace
+
+OddOnes odd_ones(const std::vector<Witness>& witnesses, const std::vector<WitnessPair>& pairs) {
+  const Table table(witnesses, pairs);
+  std::vector<std::size_t> all;
+  for (std::size_t i = 0; i < witnesses.size(); ++i) all.push_back(i);
+  OddOnes out;
+  for (const std::size_t a : all)
+    if (table.differs_from_any(a, all)) out.odd.push_back(a);
+  const std::vector<std::size_t> believed = believed_of(table, all);
+  if (out.odd.empty()) {
+    out.believed = believed;
+    out.end = believed.empty() ? OddOnes::End::cannot_tell : OddOnes::End::agree;
+    return out;
+  }
+  if (believed.empty()) return out;
+  std::vector<std::size_t> odd;
+  for (const std::size_t a : out.odd)
+    if (std::ranges::find(believed, a) == believed.end()) odd.push_back(a);
+  out.believed = believed;
+  out.odd = odd;
+  out.by_closed_form = table.has_closed_form(believed);
+  out.end = OddOnes::End::odd;
+  return out;
+}
+
+}  // namespace photonproof

@@ -1,0 +1,22 @@
+// A mistake of the whole picture, whatever it shows: turned over, channels exchanged, another tone curve, moved by a
+// part of a pixel. Each is tried on the right picture, and must explain most of the difference. Ask it of a picture in
+// which every surface emits (passes.h, "shapes"): a texture that is mirrored looks like a camera that is, but not
+// there.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "harness/verify/engine_picture.h"
+
+namespace photonproof {
+
+struct PictureFault {
+  std::string pass;      ///< "camera" or "tone"
+  std::string sentence;  ///< "the picture is 0.5 px too far left"
+  std::string cause;     ///< may be empty
+};
+
+std::optional<PictureFault> picture_fault(const EnginePicture& right, const EnginePicture& odd);
+
+}  // namespace photonproof

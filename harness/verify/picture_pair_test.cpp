@@ -1,0 +1,106 @@
+#include "harness/verify/picture_pair.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "harness/verify/stale_reference.h"
+
+namespace photonproof {
+namespace {
+
+constexpr int kWidth = 32, kHeight = 24;
+
+/// A gradient with normal noise of this deviation a pixel, which its variance layer knows.
+EnginePicture noisy(std::uint64_t seed, double gain = 1, double deviation = 0.02, double known = 0) {
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> normal;
+  EnginePicture picture;
+  picture.engine = "engine";
+  picture.rendering.mean = Image(kWidth, kHeight);
+  picture.rendering.variance = Image(kWidth, kHeight);
+  for (std::size_t i = 0; i < picture.rendering.mean.rgb.size(); ++i) {
+    const double light = 0.3 + 0.5 * static_cast<double>(i % (3 * kWidth)) / (3 * kWidth);
+    picture.rendering.mean.rgb[i] = static_cast<float>(gain * light + deviation * normal(random));
+    const double stated = known > 0 ? known : deviation;
+    picture.rendering.variance->rgb[i] = static_cast<float>(stated * stated);
+  }
+  return picture;
+}
+
+TEST(PairTest, equal_pictures_differ_at_most_by_chance) {
+  int differ = 0;
+  for (std::uint64_t pair = 0; pair < 60; ++pair) differ += test_pair(noisy(2 * pair + 1), noisy(2 * pair + 2)).differs;
+  EXPECT_EQ(differ, 0);  // pair_alpha is 1e-4
+}
+
+// 768 pixels of a mean of 0.55 with deviations of 0.02 in both: the mean's error is 0.02 sqrt(2/768) / 0.55 = 0.19 %.
+// At the level of 1e-4 / 3 / 3 (4.4 deviations) and power 0.99 (2.3) an error of 1.2 % is seen.
+TEST(PairTest, says_which_error_it_would_have_seen) {
+  const PairTest test = test_pair(noisy(1), noisy(2));
+  ASSERT_TRUE(test.would_see.has_value());
+  EXPECT_NEAR(*test.would_see, 0.0125, 0.002);
+  EXPECT_TRUE(test_pair(noisy(1), noisy(2, 1.015)).differs);
+  EXPECT_FALSE(test_pair(noisy(1), noisy(2, 1.0005)).differs);
+}
+
+TEST(PairTest, declared_errors_are_no_difference_and_larger_ones_are) {
+  EnginePicture biased = noisy(2, 1.015, 0.001);
+  biased.declared = {0.02, 0.1, "says so"};
+  EXPECT_FALSE(test_pair(noisy(1, 1, 0.001), biased).differs);
+  biased = noisy(2, 1.03, 0.001);
+  biased.declared = {0.02, 0.1, "says so"};
+  const PairTest test = test_pair(noisy(1, 1, 0.001), biased);
+  EXPECT_TRUE(test.differs);
+  EXPECT_EQ(test.sentence, "+3 % over the whole image");
+  EXPECT_GT(*test.would_see, 0.02);
+}
+
+TEST(PairTest, place_and_channel_of_a_difference_are_named) {
+  EnginePicture other = noisy(2, 1, 0.004);
+  for (int y = 8; y < 16; ++y)
+    for (int x = 16; x < 24; ++x) other.rendering.mean.pixel(x, y)[0] *= 0.8f;
+  const PairTest test = test_pair(noisy(1, 1, 0.004), other);
+  ASSERT_TRUE(test.differs);
+  ASSERT_EQ(test.tiles.size(), 1u);
+  EXPECT_EQ(test.tiles[0].x, 16);
+  EXPECT_EQ(test.tiles[0].y, 8);
+  EXPECT_NE(test.sentence.find("red only"), std::string::npos) << test.sentence;
+  EXPECT_EQ(test.channels, (std::array<bool, 3>{true, false, false}));
+}
+
+TEST(PairTest, of_a_closed_form_is_of_the_mean) {
+  // Channels are next to each other in the gradient.
+  const auto mean = [](int c) { return 0.3 + 0.5 * (3.0 * (kWidth - 1) / 2 + c) / (3 * kWidth); };
+  const RgbD stated(mean(0), mean(1), mean(2));
+  EXPECT_FALSE(test_against_closed_form(stated, noisy(3)).differs);
+  const PairTest test = test_against_closed_form(stated, noisy(3, 1.02));
+  EXPECT_TRUE(test.differs);
+  EXPECT_NEAR(test.shift[1], 0.02, 0.005);
+}
+
+TEST(StoredReference, that_is_off_to_one_side_with_its_own_noise_is_stale) {
+  const ReferenceState state = state_of_reference(noisy(1, 1.05), noisy(2, 1, 0.005));
+  EXPECT_TRUE(state.is_stale) << state.sentence;
+  EXPECT_EQ(state.sentence.rfind("stale reference: it is +5", 0), 0u) << state.sentence;
+}
+
+TEST(StoredReference, whose_pixels_scatter_more_than_it_says_is_damaged) {
+  const ReferenceState state = state_of_reference(noisy(1, 1.05, 0.06, 0.01), noisy(2, 1, 0.005));
+  EXPECT_FALSE(state.is_stale);
+  EXPECT_EQ(state.sentence.rfind("damaged reference", 0), 0u) << state.sentence;
+}
+
+TEST(StoredReference, that_is_off_in_both_directions_is_another_picture) {
+  EnginePicture reference = noisy(1, 1, 0.01);
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x)
+      for (std::size_t c = 0; c < 3; ++c) reference.rendering.mean.pixel(x, y)[c] *= x < kWidth / 2 ? 1.2f : 0.85f;
+  const ReferenceState state = state_of_reference(reference, noisy(2, 1, 0.005));
+  EXPECT_FALSE(state.is_stale);
+  EXPECT_NE(state.sentence.find("both directions"), std::string::npos) << state.sentence;
+}
+
+}  // namespace
+}  // namespace photonproof

@@ -1,0 +1,194 @@
+// The probes as data: what a scene of a few lines shows, and the formula of it. Where a floor is lit it is the plane
+// z = 0, seen from (0, 0, 4) so that the image spans x and y from -1 to 1.
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "harness/verify/probes.h"
+#include "reference/closed_forms/closed_forms_glass.h"
+#include "reference/closed_forms/closed_forms_lights.h"
+#include "reference/closed_forms/closed_forms_media.h"
+
+namespace photonproof {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kAlbedo = 0.5, kFov = 28.072486935852957;  // 2 atan(1/4), so that the floor's edges are at +-1
+constexpr double kFarLamp = 1.8;                            // x of lamps, outside of the view at their height of 1.5
+
+std::string film() {
+  return R"(<film type="hdrfilm"><integer name="width" value="32"/><integer name="height" value="32"/>
+    <rfilter type="box"/></film></sensor>)";
+}
+std::string look_down() { return R"(<lookat origin="0,0,4" target="0,0,0" up="0,1,0"/>)"; }
+std::string camera(double fov = kFov, const std::string& transform = look_down()) {
+  return R"(<scene version="3.0.0"><integrator type="path"/><sensor type="perspective"><float name="fov" value=")" +
+         std::to_string(fov) + R"("/><transform name="to_world">)" + transform + "</transform>" + film();
+}
+std::string diffuse(const std::string& albedo) {
+  return R"(<bsdf type="diffuse"><rgb name="reflectance" value=")" + albedo + R"("/></bsdf>)";
+}
+std::string floor_of(const std::string& bsdf) {
+  return R"(<shape type="rectangle"><transform name="to_world"><scale value="4"/></transform>)" + bsdf + "</shape>";
+}
+std::string lamp(const std::string& shape, double radiance) {
+  return shape + diffuse("0") + R"(<emitter type="area"><rgb name="radiance" value=")" + std::to_string(radiance) +
+         R"("/></emitter></shape>)";
+}
+std::string sky(const std::string& radiance) {
+  return R"(<emitter type="constant"><rgb name="radiance" value=")" + radiance + R"("/></emitter>)";
+}
+/// All that is seen through what is in front of it, 2 away.
+std::string wall_of_light(double z = 2) {
+  return lamp(R"(<shape type="rectangle"><transform name="to_world"><scale value="2000"/><rotate y="1" angle="180"/>
+    <translate z=")" +
+                  std::to_string(z) + R"("/></transform>)",
+              1);
+}
+std::string along_z(double fov) { return camera(fov, R"(<lookat origin="0,0,0" target="0,0,1" up="0,1,0"/>)"); }
+
+SurfacePoint floor_at(double x, double y) { return {{x, y, 0}, {0, 0, 1}}; }
+RgbD lit(double irradiance) { return RgbD(kAlbedo * irradiance / kPi); }
+
+const Vec3d kPoint{0.4, 0.2, 1.5};
+RgbD by_point(double x, double y) { return lit(irradiance_of_point(5, kPoint, floor_at(x, y))); }
+std::string point_lamp() {
+  return R"(<emitter type="point"><point name="position" value="0.4,0.2,1.5"/><rgb name="intensity" value="5"/>
+    </emitter>)";
+}
+RgbD by_spot(double x, double y) {
+  return lit(irradiance_of_spot(9, {0.1, 0, 3}, {0, 0, -1}, {10 * kPi / 180, 25 * kPi / 180}, floor_at(x, y)));
+}
+RgbD by_beam(double, double) { return lit(irradiance_of_beam(2, Vec3d{1, 0, -2} / std::sqrt(5.0), {0, 0, 1})); }
+RgbD by_rectangle(double x, double y) {
+  const double a = kFarLamp - 0.4, b = kFarLamp + 0.4;
+  const Vec3d corners[] = {{a, 0.4, 1.5}, {b, 0.4, 1.5}, {b, -0.4, 1.5}, {a, -0.4, 1.5}};
+  return lit(irradiance_of_polygon(10, corners, floor_at(x, y)));
+}
+RgbD by_ball(double x, double y) { return lit(irradiance_of_sphere(12, {kFarLamp, 0, 1.5}, 0.4, floor_at(x, y))); }
+RgbD by_disc(double x, double y) {
+  return lit(irradiance_of_parallel_disc(10, 0.45, 1.5, std::hypot(x - kFarLamp, y)));
+}
+RgbD under_sky(double, double) { return RgbD{1, 0.8, 0.6} * kAlbedo; }
+RgbD tinted(double, double) { return {0.7, 0.45, 0.2}; }
+RgbD mirrored(double, double) { return {0.9, 0.6, 0.3}; }
+RgbD whole(double, double) { return RgbD(1.0); }
+
+/// Of the ray through (x, y): the tangent at the image's edge is that of half the field of view.
+double cosine(double x, double y, double fov_degrees) {
+  const double t = std::tan(fov_degrees * kPi / 360);
+  return 1 / std::sqrt(1 + t * t * (x * x + y * y));
+}
+RgbD through_pane(double x, double y) {
+  return RgbD(slab_transmittance(fresnel_reflectance(std::acos(cosine(x, y, 100)), 1.5).unpolarised()));
+}
+RgbD through_ink(double x, double y) {
+  const double way = 1 / cosine(x, y, 60);
+  return {transmittance(0.3, way), transmittance(1, way), transmittance(2.5, way)};
+}
+/// The angle from the axis is 35 degrees at the edge.
+RgbD by_point_in_fisheye(double x, double y) {
+  const double r = std::hypot(x, y), angle = r * 35 * kPi / 180;
+  if (r >= 1) return RgbD(0.0);
+  const double at = 4 * std::tan(angle) / std::max(r, 1e-12);
+  return by_point(at * x, at * y);
+}
+
+std::vector<Probe> lights() {
+  const std::string grey = camera() + floor_of(diffuse("0.5"));
+  const auto far = [](const std::string& type, const std::string& scale) {
+    return R"(<shape type=")" + type + R"("><transform name="to_world"><scale value=")" + scale +
+           R"("/><rotate y="1" angle="180"/><translate x="1.8" z="1.5"/></transform>)";
+  };
+  return {
+      {"light", "point light", grey + point_lamp() + "</scene>", by_point},
+      {"light", "spot light", grey + R"(<emitter type="spot"><rgb name="intensity" value="9"/>
+        <float name="cutoff_angle" value="25"/><float name="beam_width" value="10"/><transform name="to_world">
+        <lookat origin="0.1,0,3" target="0.1,0,0" up="0,1,0"/></transform></emitter></scene>)",
+       by_spot},
+      {"light", "directional light", grey + R"(<emitter type="directional"><vector name="direction" value="1,0,-2"/>
+        <rgb name="irradiance" value="2"/></emitter></scene>)",
+       by_beam},
+      {"light", "rectangular light", grey + lamp(far("rectangle", "0.4"), 10) + "</scene>", by_rectangle},
+      {"light", "spherical light",
+       grey +
+           lamp(R"(<shape type="sphere"><point name="center" value="1.8,0,1.5"/>
+        <float name="radius" value="0.4"/>)",
+                12) +
+           "</scene>",
+       by_ball},
+      {"light", "disk light", grey + lamp(far("disk", "0.45"), 10) + "</scene>", by_disc},
+      {"light", "constant sky", grey + sky("1,0.8,0.6") + "</scene>", under_sky},
+  };
+}
+
+std::vector<Probe> materials() {
+  return {
+      {"material", "diffuse", camera() + floor_of(diffuse("0.7,0.45,0.2")) + sky("1") + "</scene>", tinted},
+      {"material", "mirror",
+       camera() + floor_of(R"(<bsdf type="conductor"><string name="material" value="none"/>
+        <rgb name="specular_reflectance" value="0.9,0.6,0.3"/></bsdf>)") +
+           sky("1") + "</scene>",
+       mirrored},
+      {"material", "glass",
+       along_z(100) + R"(<shape type="cube"><transform name="to_world">
+        <scale x="2000" y="2000" z="0.05"/><translate z="1"/></transform><bsdf type="dielectric">
+        <float name="int_ior" value="1.5"/><float name="ext_ior" value="1"/></bsdf></shape>)" +
+           wall_of_light() + "</scene>",
+       through_pane},
+      {"material", "lossless glass",
+       camera(40) + R"(<shape type="sphere"><bsdf type="dielectric">
+        <float name="int_ior" value="1.5"/><float name="ext_ior" value="1"/></bsdf></shape>)" +
+           sky("1") + "</scene>",
+       whole},
+  };
+}
+
+/// The same floor in the same light through every camera.
+std::vector<Probe> cameras() {
+  const std::string scenery = floor_of(diffuse("0.5")) + point_lamp() + "</scene>";
+  const auto with = [&](const std::string& type, const std::string& parameters, const std::string& scale = "") {
+    return R"(<scene version="3.0.0"><integrator type="path"/><sensor type=")" + type + "\">" + parameters +
+           R"(<transform name="to_world">)" + scale + look_down() + "</transform>" + film() + scenery;
+  };
+  return {
+      {"camera", "perspective camera", with("perspective", R"(<float name="fov" value="28.072487"/>)"), by_point},
+      {"camera", "thin lens", with("thinlens", R"(<float name="fov" value="28.072487"/>
+        <float name="aperture_radius" value="0.1"/><float name="focus_distance" value="4"/>)"),
+       by_point},
+      {"camera", "orthographic camera", with("orthographic", ""), by_point},
+      {"camera", "fisheye camera", with("fisheye", R"(<float name="fov" value="70"/>)"), by_point_in_fisheye},
+  };
+}
+
+std::vector<Probe> media() {
+  const auto medium = [](const std::string& sigma_t, const std::string& albedo) {
+    return R"(<medium type="homogeneous" id="m"><rgb name="sigma_t" value=")" + sigma_t +
+           R"("/><rgb name="albedo" value=")" + albedo + R"("/></medium>)";
+  };
+  const std::string inside = R"(<bsdf type="null"/><ref name="interior" id="m"/></shape>)";
+  return {
+      {"medium", "absorbing medium",
+       along_z(60) + medium("0.3,1,2.5", "0") + R"(<shape type="cube">
+        <transform name="to_world"><scale x="50" y="50" z="0.5"/><translate z="2"/></transform>)" +
+           inside + wall_of_light(4) + "</scene>",
+       through_ink},
+      {"medium", "scattering medium",
+       camera(40) + medium("1", "1") + R"(<shape type="sphere">)" + inside + sky("1") + "</scene>", whole},
+  };
+}
+
+}  // namespace
+
+const std::vector<Probe>& probe_rows() {
+  static const std::vector<Probe> rows = [] {
+    std::vector<Probe> all;
+    for (std::vector<Probe> part : {lights(), materials(), cameras(), media()})
+      for (Probe& probe : part) all.push_back(std::move(probe));
+    return all;
+  }();
+  return rows;
+}
+
+}  // namespace photonproof

@@ -1,0 +1,205 @@
+#include "harness/verify/probes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "harness/cells/cells.h"
+#include "reference/store/reference_store.h"
+#include "scenes/description/overloaded.h"
+#include "scenes/parser/parser.h"
+#include "scenes/text/atomic_file.h"
+#include "scenes/text/input_error.h"
+
+namespace photonproof {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kSide = 32;
+/// Beyond noise, what is right: of engines that claim to be exact, and of others.
+constexpr double kExact = 0.003, kOther = 0.01;
+
+Image expected_image(const Probe& probe, int width, int height) {
+  constexpr int points = 4;
+  Image image(width, height);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      RgbD sum(0.0);
+      for (int i = 0; i < points * points; ++i)
+        sum = sum + probe.radiance(2 * (x + (i % points + 0.5) / points) / width - 1,
+                                   1 - 2 * (y + (i / points + 0.5) / points) / height);
+      const RgbD mean = sum * (1.0 / (points * points));
+      float* pixel = image.pixel(x, y);
+      pixel[0] = static_cast<float>(mean.x);
+      pixel[1] = static_cast<float>(mean.y);
+      pixel[2] = static_cast<float>(mean.z);
+    }
+  return image;
+}
+
+/// Sums over all values: c the closed form's, y the picture's.
+struct Sums {
+  double n = 0, c = 0, y = 0, cc = 0, cy = 0, noise = 0;
+};
+
+Sums sums_of(const Image& expected, const EnginePicture& picture) {
+  Sums s;
+  for (std::size_t i = 0; i < expected.rgb.size(); ++i) {
+    const double c = double{expected.rgb[i]}, y = double{picture.rendering.mean.rgb[i]};
+    s.n += 1;
+    s.c += c;
+    s.y += y;
+    s.cc += c * c;
+    s.cy += c * y;
+    s.noise += double{picture.rendering.variance->rgb[i]};
+  }
+  return s;
+}
+
+double residual_variance(const Image& expected, const EnginePicture& picture, double gain, double offset) {
+  double sum = 0;
+  for (std::size_t i = 0; i < expected.rgb.size(); ++i)
+    sum += std::pow(double{picture.rendering.mean.rgb[i]} - gain * double{expected.rgb[i]} - offset, 2);
+  return sum / std::max(1.0, double(expected.rgb.size()) - 2);
+}
+
+VerifyProbe judged(const Probe& probe, const VerifyEngine& engine, const EnginePicture& picture) {
+  const ProbeFit fit = fit_probe(probe, picture);
+  VerifyProbe out{engine.row.name, probe.kind, probe.what, "right", "", fit.gain, fit.gain_error, std::nullopt};
+  if (fit.has_offset) out.offset = fit.offset;
+  const double allowed = engine.row.trust == Trust::unbiased ? kExact : kOther;
+  const auto beyond = [&](double off, double error) { return std::abs(off) > allowed + 4 * error; };
+  if (beyond(fit.gain - 1, fit.gain_error) || (fit.has_offset && beyond(fit.offset, fit.offset_error)))
+    out.verdict = "wrong";
+  out.sentence = fmt::format("{}: {} {:.3g}x closed form", probe.what, engine.row.title, fit.gain);
+  if (fit.has_offset && beyond(fit.offset, fit.offset_error))
+    out.sentence += fmt::format(" {:+.2g} % of its mean", 100 * fit.offset);
+  return out;
+}
+
+/// Empty where nothing can be kept: without a home, or of an engine that tells no version.
+fs::path cache_file(const Probe& probe, const VerifyEngine& engine, double power) {
+  if (engine.version.line.empty()) return {};
+  try {
+    const std::string key = content_key({{"probe", "1"},
+                                         {"scene", probe.scene},
+                                         {"engine", length_prefixed(engine.row.command)},
+                                         {"version", engine.version.line},
+                                         {"power", std::to_string(power)}});
+    return cache_folder() / "probes" / (key + ".json");
+  } catch (const InputError&) {
+    return {};
+  }
+}
+
+VerifyProbe probed(const Studio& studio, const Probe& probe, const VerifyEngine& engine) {
+  const fs::path kept = cache_file(probe, engine, studio.options().power);
+  if (!kept.empty() && fs::exists(kept))
+    if (auto known = verify_probe_from(read_file(kept)); known && known->engine == engine.row.name) return *known;
+  std::string name = probe.what;
+  std::ranges::replace(name, ' ', '-');
+  const fs::path file = studio.options().folder / "probes" / (name + ".xml");
+  fs::create_directories(file.parent_path());
+  write_file_atomically(file, probe.scene);
+  const SceneDescription description = parse_scene_text(probe.scene, file.string());
+  const StudioScene scene{"probe-" + name, file, content_key({{"probe", probe.scene}}), kSide, kSide, {}, &description};
+  const Shot shot = studio.shoot(scene, engine);
+  if (!shot.picture) {
+    VerifyProbe refused{engine.row.name, probe.kind, probe.what, "not rendered", shot.detail, {}, {}, {}};
+    return refused;
+  }
+  VerifyProbe result = judged(probe, engine, *shot.picture);
+  std::error_code ignored;  // a cache that cannot be written is none
+  if (!kept.empty() && (fs::create_directories(kept.parent_path(), ignored), !ignored)) {
+    try {
+      write_file_atomically(kept, verify_probe_text(result));
+    } catch (const InputError&) {
+    }
+  }
+  return result;
+}
+
+class Kinds {
+ public:
+  explicit Kinds(const SceneDescription& scene) {
+    for (const EmitterDescription& emitter : scene.emitters)
+      std::visit(Overloaded{[&](const PointLightDescription&) { add("point light"); },
+                            [&](const SpotLightDescription&) { add("spot light"); },
+                            [&](const DirectionalLightDescription&) { add("directional light"); },
+                            [&](const ConstantLightDescription&) { add("constant sky"); }, [](const auto&) {}},
+                 emitter.light);
+    for (const ShapeDescription& shape : scene.shapes) {
+      if (!shape.radiance) continue;
+      std::visit(Overloaded{[&](const RectangleDescription&) { add("rectangular light"); },
+                            [&](const SphereDescription&) { add("spherical light"); },
+                            [&](const DiskDescription&) { add("disk light"); }, [](const auto&) {}},
+                 shape.geometry);
+    }
+    for (const BsdfDescription& bsdf : scene.bsdfs)
+      std::visit(
+          Overloaded{[&](const DiffuseDescription&) { add("diffuse"); },
+                     [&](const ConductorDescription&) { add("mirror"); },
+                     [&](const DielectricDescription&) { add("glass"), add("lossless glass"); }, [](const auto&) {}},
+          bsdf.model);
+    std::visit(Overloaded{[&](const PerspectiveDescription&) { add("perspective camera"); },
+                          [&](const ThinLensDescription&) { add("thin lens"); },
+                          [&](const OrthographicDescription&) { add("orthographic camera"); },
+                          [&](const FisheyeDescription&) { add("fisheye camera"); }},
+               scene.sensor.camera);
+    for (const MediumDescription& medium : scene.media) {
+      const RgbD albedo = std::get<HomogeneousDescription>(medium.model).albedo;
+      add(std::max({albedo.x, albedo.y, albedo.z}) > 0 ? "scattering medium" : "absorbing medium");
+    }
+  }
+  std::vector<std::string> names() const { return {names_.begin(), names_.end()}; }
+
+ private:
+  void add(const char* name) { names_.insert(name); }
+  std::set<std::string> names_;
+};
+
+}  // namespace
+
+std::vector<std::string> kinds_in(const SceneDescription& scene) { return Kinds(scene).names(); }
+
+ProbeFit fit_probe(const Probe& probe, const EnginePicture& picture) {
+  const Image expected = expected_image(probe, picture.rendering.mean.width, picture.rendering.mean.height);
+  const Sums s = sums_of(expected, picture);
+  const double mean = s.c / s.n, spread = s.cc - s.c * s.c / s.n;
+  ProbeFit fit;
+  constexpr double least_variation = 0.1;  // relative deviation over the image
+  fit.has_offset = std::sqrt(std::max(0.0, spread / s.n)) > least_variation * mean;
+  if (!fit.has_offset) {
+    fit.gain = s.y / s.c;
+    const double variance = std::max(s.noise / s.n, residual_variance(expected, picture, fit.gain, 0));
+    fit.gain_error = std::sqrt(variance / s.n) / mean;
+    return fit;
+  }
+  fit.gain = (s.cy - s.c * s.y / s.n) / spread;
+  const double offset = (s.y - fit.gain * s.c) / s.n;
+  const double variance = std::max(s.noise / s.n, residual_variance(expected, picture, fit.gain, offset));
+  fit.gain_error = std::sqrt(variance / spread);
+  fit.offset = offset / mean;
+  fit.offset_error = std::sqrt(variance * (1 / s.n + mean * mean / spread)) / mean;
+  return fit;
+}
+
+std::vector<VerifyProbe> probe_engines(const Studio& studio, const std::vector<VerifyEngine>& engines,
+                                       const std::vector<std::string>& kinds, const std::vector<VerifyProbe>& known) {
+  std::vector<VerifyProbe> results;
+  for (const Probe& probe : probe_rows()) {
+    if (std::ranges::find(kinds, probe.what) == kinds.end()) continue;
+    for (const VerifyEngine& engine : engines) {
+      const auto is_this = [&](const VerifyProbe& p) { return p.what == probe.what && p.engine == engine.row.name; };
+      if (engine.version.problem || std::ranges::any_of(known, is_this)) continue;
+      results.push_back(probed(studio, probe, engine));
+    }
+  }
+  return results;
+}
+
+}  // namespace photonproof

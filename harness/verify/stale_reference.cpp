@@ -1,0 +1,80 @@
+#include "harness/verify/stale_reference.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "harness/pixels/image_blocks.h"
+#include "harness/verify/picture_pair.h"
+
+namespace photonproof {
+namespace {
+
+/// Of a block and channel: the residual's squares over their variances, once the block's own factor is taken out.
+struct Residual {
+  double squares = 0, values = 0;
+};
+
+Residual residual_of(const Deviations& d, const Block& block, std::size_t channel) {
+  double expected = 0, seen = 0;
+  const auto at = [&](int x, int y) -> const Deviation& {
+    return d
+        .pixels[channel][static_cast<std::size_t>(y) * static_cast<std::size_t>(d.width) + static_cast<std::size_t>(x)];
+  };
+  for_each_pixel(block, [&](int x, int y) {
+    expected += at(x, y).expected;
+    seen += at(x, y).expected + at(x, y).difference;
+  });
+  if (expected <= 0 || seen <= 0) return {};
+  const double factor = seen / expected;
+  Residual residual;
+  for_each_pixel(block, [&](int x, int y) {
+    const Deviation& pixel = at(x, y);
+    const double left = pixel.expected * (1 - factor) + pixel.difference;
+    const double noise = std::pow(pixel.standard_error, 2);
+    if (noise <= 0) return;
+    residual.squares += std::min(left * left / noise, 100.0);  // one firefly is no other noise
+    residual.values += 1;
+  });
+  residual.values = std::max(0.0, residual.values - 1);
+  return residual;
+}
+
+}  // namespace
+
+ReferenceState state_of_reference(const EnginePicture& reference, const EnginePicture& right) {
+  const Deviations d = deviations_between(right, reference);
+  double squares = 0, values = 0, brighter = 0, darker = 0;
+  for (std::size_t c = 0; c < 3; ++c)
+    for (std::size_t b = 0; b < d.places.size(); ++b) {
+      const Residual residual = residual_of(d, d.places[b], c);
+      squares += residual.squares;
+      values += residual.values;
+      const double excess = excess_of_block(d, both_declare(right, reference), b, c);
+      (d.blocks[c][b].difference > 0 ? brighter : darker) += excess;
+    }
+  double shift = 0, expected = 0;
+  for (const Deviation& whole : d.whole) {
+    shift += whole.difference;
+    expected += whole.expected;
+  }
+  const double noise = values > 0 ? std::sqrt(squares / values) : 1;
+  const double one_side = std::max(brighter, darker) / std::max(1e-9, brighter + darker);
+  ReferenceState state;
+  constexpr double usual_noise = 1.5, most = 0.9;
+  state.is_stale = noise < usual_noise && (brighter + darker == 0 || one_side >= most);
+  const std::string by = expected != 0 ? fmt::format("{:+.2g} %", 100 * shift / expected) : "off where all is black";
+  state.sentence =
+      state.is_stale
+          ? fmt::format(
+                "stale reference: it is {} of what the engines agree on, to one side and with its own noise: "
+                "scene or renderer have changed since; make it again",
+                by)
+      : noise >= usual_noise
+          ? fmt::format("damaged reference: its pixels scatter {:.2g} times as much as its variance says", noise)
+          : fmt::format("the stored reference is off in both directions ({} in all): it is of another picture", by);
+  return state;
+}
+
+}  // namespace photonproof

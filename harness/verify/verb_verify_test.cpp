@@ -1,0 +1,200 @@
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <iterator>
+
+#include "harness/cells/test_program.h"
+#include "harness/verify/test_verify_folder.h"
+#include "reference/store/reference_store.h"
+
+namespace photonproof {
+namespace {
+
+namespace fs = std::filesystem;
+
+class VerbVerify : public VerifyTest {
+ protected:
+  const std::string sound = PHOTONPROOF_BINARY;
+  const std::vector<std::string> exact{"--engine", "path", "--engine", "bdpt", "--engine", "volpath"};
+
+  void SetUp() override {
+    VerifyTest::SetUp();
+    put_scene(walls(diffuse("0.5")) + lamp());
+    setenv("PHOTONPROOF_CACHE", path("cache").c_str(), 1);
+  }
+  void TearDown() override {
+    unsetenv("PHOTONPROOF_CACHE");
+    VerifyTest::TearDown();
+  }
+  std::vector<std::string> with_row(const std::string& text) const {
+    put("rows.toml", text);
+    std::vector<std::string> options = exact;
+    options.insert(options.end(), {"--engines", path("rows.toml"), "--engine", "other"});
+    return options;
+  }
+  std::string status_of_other() const {
+    for (const VerifyPicture& picture : verified().pictures)
+      if (picture.engine == "other") return picture.status + ": " + picture.detail;
+    return "";
+  }
+};
+
+TEST_F(VerbVerify, engines_that_agree_end_with_0_and_say_what_they_would_have_seen) {
+  const ProcessOutcome outcome = verify(exact);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.standard_output << outcome.standard_error;
+  const VerifyScene scene = verified();
+  EXPECT_EQ(scene.verdict, "agree");
+  ASSERT_EQ(scene.pairs.size(), 3u);
+  for (const VerifyPair& pair : scene.pairs) {
+    EXPECT_EQ(pair.verdict, "agree");
+    EXPECT_LT(pair.would_see.value(), 0.03);
+  }
+  EXPECT_TRUE(has("out/verify.html"));
+}
+
+TEST_F(VerbVerify, goes_on_from_what_is_drawn) {
+  verify(exact);
+  const auto count = [&] {
+    const fs::directory_iterator cells(folder_ / "out/cells");
+    return std::distance(begin(cells), end(cells));
+  };
+  const auto before = count();
+  const ProcessOutcome again = verify(exact);
+  EXPECT_EQ(again.exit_code, 0);
+  EXPECT_EQ(count(), before);
+  EXPECT_GE(before, 3);
+}
+
+TEST_F(VerbVerify, one_engine_alone_is_inconclusive) {
+  EXPECT_EQ(verify({"--engine", "path"}).exit_code, 3);
+  EXPECT_EQ(verified().sentence, "only path renders this scene: no other way to compare");
+}
+
+TEST_F(VerbVerify, two_that_differ_are_both_named) {
+  put("rows.toml", row("odd", render_command("'" PLANTED_ENGINE "', 'flipped-normal', '" + sound + "'", "path")));
+  EXPECT_EQ(verify({"--engines", path("rows.toml"), "--engine", "odd", "--engine", "bdpt"}).exit_code, 1);
+  const VerifyScene scene = verified();
+  EXPECT_EQ(scene.verdict, "cannot tell which");
+  EXPECT_EQ(scene.sentence.rfind("bdpt and odd differ, and nothing says which is wrong", 0), 0u) << scene.sentence;
+  ASSERT_EQ(scene.faults.size(), 1u);
+  // One is seen from the other's side: of which pass, yes; the cause may read the other way round.
+  EXPECT_FALSE(scene.faults[0].pass.empty());
+}
+
+// Under a sky of 1 a wall of albedo 0.5 shows 0.5.
+TEST_F(VerbVerify, closed_form_decides_between_two) {
+  put_scene(rectangle(R"(<scale value="4"/>)", diffuse("0.5")) +
+            R"(<emitter type="constant"><rgb name="radiance" value="1"/></emitter>)");
+  const auto expect = [&](const char* mean) {
+    put("expect.toml", std::string("purpose = 'test'\nexposure = 0\n[analytic]\nformula = 'L = 0.5'\nmean = ") + mean);
+  };
+  expect("[0.5, 0.5, 0.5]\n");
+  EXPECT_EQ(verify({"--engine", "path", "--engine", "volpath"}).exit_code, 0);
+  EXPECT_EQ(verified().pairs.size(), 3u);
+  expect("[0.51, 0.5, 0.5]\n");
+  EXPECT_EQ(verify({"--engine", "path", "--engine", "volpath"}).exit_code, 1);
+  EXPECT_NE(verified().sentence.find("red only against the closed form"), std::string::npos) << verified().sentence;
+}
+
+/// A reference is kept that the scene's lamp has outgrown by 5 %, though its content is the scene's.
+TEST_F(VerbVerify, stored_reference_that_is_off_to_one_side_is_stale) {
+  const ProcessOutcome made = run_process(
+      {sound, "reference", path("scene.xml"), "--size", "24x24", "--standard-error", "0.02", "--commit", "--quiet"});
+  ASSERT_TRUE(made.ok()) << made.standard_error;
+  EXPECT_EQ(verify(exact).exit_code, 0);
+  EXPECT_EQ(verified().pairs.size(), 6u);
+  const fs::path file = committed_reference_path(folder_ / "scene.xml", 24, 24);
+  const Provenance provenance = parse_provenance(read_file(provenance_path(file)), "reference");
+  Rendering old = read_rendering(file.string());
+  for (float& v : old.mean.rgb) v *= 0.95f;
+  write_reference(file, old, provenance, ReferenceSamples::halves);
+  EXPECT_EQ(verify(exact).exit_code, 1);
+  const VerifyScene scene = verified();
+  EXPECT_EQ(scene.verdict, "stale reference");
+  EXPECT_EQ(scene.sentence.rfind("stale reference: it is -", 0), 0u) << scene.sentence;
+  EXPECT_TRUE(scene.faults.empty());
+}
+
+TEST_F(VerbVerify, missing_program_ends_with_2_and_the_others_are_compared) {
+  const auto options = with_row(row("other", render_command("'no-such-renderer'", "path")));
+  const ProcessOutcome outcome = verify(options);
+  EXPECT_EQ(outcome.exit_code, 2) << outcome.standard_output;
+  EXPECT_EQ(status_of_other().rfind("not_started: ", 0), 0u) << status_of_other();
+  EXPECT_EQ(verified().pairs.size(), 3u);
+}
+
+TEST_F(VerbVerify, engine_that_is_killed_is_named_and_drawn_again_next_time) {
+  const auto options =
+      with_row(row("other", "'sh', '-c', 'test -e " + path("healed") + " || kill -KILL $$; exec " + sound +
+                                " render \"$@\"', 'sh', '{scene}', '--integrator', 'path', '-o', "
+                                "'{output}', '--size', '{width}x{height}', '--seed', '{seed}', "
+                                "'--sampler', 'independent', '{budget}'"));
+  EXPECT_EQ(verify(options).exit_code, 1);
+  EXPECT_EQ(verified().verdict, "failed");
+  EXPECT_EQ(status_of_other(), "crash: killed by SIGKILL");
+  put("healed", "");
+  EXPECT_EQ(verify(options).exit_code, 0);
+  EXPECT_EQ(verified().verdict, "agree");
+}
+
+TEST_F(VerbVerify, image_that_is_cut_short_is_named) {
+  const auto options = with_row(row("other", "'sh', '-c', 'printf v/1 >$0', '{output}', '{scene}', '{budget}'"));
+  EXPECT_EQ(verify(options).exit_code, 1);
+  EXPECT_EQ(verified().verdict, "failed");
+  EXPECT_EQ(status_of_other().rfind("bad_image: wrote an image that cannot be read", 0), 0u) << status_of_other();
+}
+
+TEST_F(VerbVerify, folder_that_cannot_be_written_is_one_error) {
+  put("out", "a file");
+  const ProcessOutcome outcome = verify(exact);
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.standard_error.find("out"), std::string::npos) << outcome.standard_error;
+}
+
+TEST_F(VerbVerify, full_disk_is_one_error_and_nothing_half_written_counts) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
+  const auto options =
+      with_row(row("other", "'sh', '-c', 'cat $1 >/dev/full && cp $1 $0', '{output}', '{scene}', '{budget}'"));
+  EXPECT_EQ(verify(options).exit_code, 1);
+  EXPECT_NE(status_of_other().find("No space left"), std::string::npos) << status_of_other();
+}
+
+TEST_F(VerbVerify, second_run_in_a_folder_is_refused_while_the_first_is_at_work) {
+  const auto options = with_row(row("other", "'sh', '-c', 'sleep 4', '{output}', '{scene}', '{budget}'"));
+  const std::string program = "(\"$0\" verify " + path("scene.xml") + " --engines " + path("rows.toml") +
+                              " --engine other --engine path --no-probes --size 8x8 -o " + path("out") +
+                              " >/dev/null 2>&1 & sleep 1; \"$0\" verify " + path("scene.xml") +
+                              " --engine path --no-probes --size 8x8 -o " + path("out") + ")";
+  const ProcessOutcome outcome = run_process({"sh", "-c", program, sound}, {.wall_limit_seconds = 60});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.standard_error.find("wait for it or choose another folder"), std::string::npos)
+      << outcome.standard_error;
+}
+
+TEST_F(VerbVerify, ctrl_c_ends_it_with_130_and_keeps_what_is_drawn) {
+  const auto options = with_row(row("other", "'sh', '-c', 'sleep 60', '{output}', '{scene}', '{budget}'"));
+  std::vector<std::string> argv{sound, "verify", path("scene.xml"), "-o", path("out"), "--no-probes", "--size", "8x8"};
+  argv.insert(argv.end(), options.begin(), options.end());
+  const auto cells = [&] {
+    std::error_code none;
+    const fs::directory_iterator found(folder_ / "out/cells", none);
+    return none ? std::ptrdiff_t{0} : std::distance(begin(found), end(found));
+  };
+  const pid_t pid = start_program(argv, path("stderr"));
+  const int status = signal_after(pid, SIGINT, 4, 0.1, cells);  // the fourth is the one that sleeps
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 130);
+  EXPECT_TRUE(read_verify_record(path("out/verify.json")).interrupted);
+  EXPECT_GE(cells(), 3);
+}
+
+TEST_F(VerbVerify, unknown_engine_is_one_error) {
+  const ProcessOutcome outcome = verify({"--engine", "pth"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.standard_error.find("did you mean 'path'?"), std::string::npos) << outcome.standard_error;
+}
+
+}  // namespace
+}  // namespace photonproof

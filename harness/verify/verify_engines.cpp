@@ -1,0 +1,103 @@
+#include "harness/verify/verify_engines.h"
+
+#include <algorithm>
+#include <type_traits>
+#include <variant>
+
+#include "harness/diagnosis/seen_objects.h"
+#include "harness/gates/independence.h"
+#include "harness/suites/suite_rows.h"
+#include "scenes/text/atomic_file.h"
+
+namespace photonproof {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Of engines.toml. sppm is the photon mapper's code with other settings, and `reference` is one of the others.
+constexpr const char* kVerifying[] = {"path", "bdpt", "ptracer", "volpath", "photonmapper", "povray"};
+
+std::vector<Engine> rows_of(const fs::path& file, const std::vector<Engine>& builtin) {
+  if (file.empty()) return {};
+  const TomlTable document = TomlTable::parse(read_file(file, max_suite_bytes), file.string());
+  return engines_from_toml(document, builtin);  // a suite's other tables are not ours to judge
+}
+
+/// Variance layers of stratified samples say too much (harness/statistics/agreement.h), and scenes with a part of their
+/// light lie elsewhere than their textures.
+void complete_command(Engine& row) {
+  if (row.command.empty() || row.command.front() != "{photonproof}" || row.command.size() < 2) return;
+  if (row.command[1] == "render")
+    row.command.insert(row.command.end(), {"--sampler", "independent", "--allow-outside"});
+  if (row.command[1] == "povray") row.command.push_back("--allow-outside");
+}
+
+std::string sampling_of_row(const Engine& row) {
+  const std::optional<std::string> integrator = integrator_of(row);
+  return integrator ? sampling_of(*integrator) : row.name;
+}
+
+/// Of a BSDF or what it nests: whether some light leaves it in one direction alone.
+bool is_clear(const SceneDescription& scene, BsdfIndex index) {
+  const BsdfDescription& bsdf = scene.bsdfs[index.value];
+  const bool is = std::visit(
+      [](const auto& model) {
+        using Model = std::decay_t<decltype(model)>;
+        return std::is_same_v<Model, ConductorDescription> || std::is_same_v<Model, DielectricDescription> ||
+               std::is_same_v<Model, ThinDielectricDescription> || std::is_same_v<Model, PlasticDescription> ||
+               std::is_same_v<Model, LayeredDescription> || std::is_same_v<Model, MaskDescription> ||
+               std::is_same_v<Model, NullDescription> || std::is_same_v<Model, RoughDielectricDescription>;
+      },
+      bsdf.model);
+  return is || std::ranges::any_of(nested_bsdfs(bsdf), [&](BsdfIndex inner) { return is_clear(scene, inner); });
+}
+
+/// Where what is seen is not known, everything is.
+bool looks_at_clear_surfaces(const SceneDescription& scene) {
+  std::vector<bool> clear;
+  for (const ShapeDescription& shape : scene.shapes) clear.push_back(is_clear(scene, shape.bsdf));
+  for (const ShapeGroupDescription& group : scene.groups)
+    for (const ShapeDescription& shape : group.shapes)
+      if (is_clear(scene, shape.bsdf)) return true;
+  if (std::ranges::find(clear, true) == clear.end()) return false;
+  constexpr int side = 64;
+  const std::vector<SeenPoint> points = seen_points(scene, side, side);
+  if (std::ranges::all_of(points, [](const SeenPoint& point) { return point.object == 0; })) return true;
+  return std::ranges::any_of(points,
+                             [&](const SeenPoint& point) { return point.object > 0 && clear[point.object - 1u]; });
+}
+
+VerifyEngine verifying(Engine row, const fs::path& folder, const fs::path& program) {
+  VerifyEngine engine;
+  engine.sampling = sampling_of_row(row);
+  engine.is_ours = integrator_of(row).has_value();
+  engine.budget_kind = row.accepts("spp") ? "spp" : row.budget_kinds.front();
+  engine.version = ask_version(row, folder, program);
+  complete_command(row);
+  engine.row = std::move(row);
+  return engine;
+}
+
+}  // namespace
+
+std::vector<VerifyEngine> verify_engines(const EngineChoice& choice) {
+  const std::vector<Engine> builtin = builtin_engines();
+  std::vector<Engine> rows;
+  for (const char* name : kVerifying) rows.push_back(*find_named(builtin, name));
+  for (Engine& row : rows_of(choice.rows, builtin)) rows.push_back(std::move(row));
+  for (const std::string& name : choice.names)
+    if (find_named(rows, name) == nullptr) throw InputError("--engine", unknown_name("engine", name, rows));
+  const fs::path folder = choice.rows.empty() ? fs::path(".") : fs::absolute(choice.rows).parent_path();
+  std::vector<VerifyEngine> engines;
+  for (Engine& row : rows)
+    if (choice.names.empty() || std::ranges::find(choice.names, row.name) != choice.names.end())
+      engines.push_back(verifying(std::move(row), folder, choice.program));
+  return engines;
+}
+
+std::string what_is_not_shown(const std::string& sampling, const SceneDescription& scene) {
+  if (sampling != "ptracer" || !looks_at_clear_surfaces(scene)) return {};
+  return "light paths do not reach the eye by the mirrors, clear glass, coats or holes that it looks at";
+}
+
+}  // namespace photonproof

@@ -1,0 +1,214 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <kainjow/mustache.hpp>
+
+#include "reports/page/page_parts.h"
+#include "reports/page/picture.h"
+#include "reports/page/templates.h"
+#include "reports/verify/verify_record.h"
+#include "reports/verify/verify_templates.h"
+#include "reports/view/view.h"
+#include "scenes/text/atomic_file.h"
+#include "scenes/text/utf8.h"
+
+namespace photonproof {
+namespace {
+
+using kainjow::mustache::data;
+namespace fs = std::filesystem;
+
+const char* chip_of(const std::string& verdict) {
+  if (verdict == "agree" || verdict == "right") return "good";
+  if (verdict == "inconclusive" || verdict == "undecided" || verdict == "not rendered") return "open";
+  return "poor";
+}
+
+data picture_of(const fs::path& folder, const std::string& file, const std::string& caption) {
+  data out;
+  const reports::EmbeddedPicture picture =
+      file.empty() ? reports::EmbeddedPicture{} : reports::embed_thumbnail(folder, file, 128);
+  out.set("uri", picture.uri);
+  out.set("has_picture", !picture.uri.empty());
+  out.set("caption", printable(caption));
+  return out;
+}
+
+data list_of(const std::vector<std::string>& texts) {
+  data list(data::type::list);
+  for (const std::string& text : texts) list.push_back(printable(text));
+  return list;
+}
+
+data picture_card(const VerifyPicture& picture, const VerifyScene& scene, const fs::path& folder) {
+  data card = picture_of(folder, picture.picture, picture.engine);
+  const bool is_odd =
+      std::ranges::any_of(scene.faults, [&](const auto& fault) { return fault.engine == picture.engine; });
+  card.set("engine", printable(picture.engine));
+  card.set("is_odd", is_odd);
+  card.set("facts", fmt::format("{}{:.2g} s", picture.samples > 0 ? fmt::format("{} samples, ", picture.samples) : "",
+                                picture.seconds));
+  const bool declares = picture.declared_whole > 0;
+  card.set("declares", declares);
+  card.set("declared", declares ? fmt::format("may be off by {} ({}): {}", error_words(picture.declared_whole),
+                                              error_words(picture.declared_block) + " of a block",
+                                              printable(picture.declared_reason))
+                                : "");
+  card.set("losses", list_of(picture.losses));
+  return card;
+}
+
+const VerifyPair* pair_of(const VerifyScene& scene, const std::string& a, const std::string& b, bool& turned) {
+  for (const VerifyPair& pair : scene.pairs) {
+    turned = pair.second == a;
+    if ((pair.first == a && pair.second == b) || (pair.first == b && pair.second == a)) return &pair;
+  }
+  return nullptr;
+}
+
+data pair_cell(const VerifyPair* pair, bool turned, bool is_self) {
+  data cell;
+  cell.set("self", is_self);
+  cell.set("there", pair != nullptr);
+  if (pair == nullptr) return cell;
+  const double shift = pair->worst_shift();
+  cell.set("state", pair->verdict == "differ" ? "bad" : pair->verdict == "agree" ? "good" : "open");
+  cell.set("mark", pair->verdict == "differ" ? "✗" : pair->verdict == "agree" ? "✓" : "?");
+  cell.set("word", pair->verdict);
+  cell.set("shift", fmt::format("{:+.2g} %", 100 * (turned ? -shift / (1 + shift) : shift)));
+  cell.set("seen", error_words(pair->would_see));
+  cell.set("ssim", pair->ssim ? fmt::format("{:.3f}", *pair->ssim) : "");
+  cell.set("has_ssim", pair->ssim.has_value());
+  cell.set("sentence", printable(pair->sentence));
+  return cell;
+}
+
+/// Engines against engines: the column's, relative to the row's.
+void set_matrix(data& out, const VerifyScene& scene) {
+  std::vector<std::string> names;
+  for (const VerifyPair& pair : scene.pairs)
+    for (const std::string& name : {pair.first, pair.second})
+      if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+  data rows(data::type::list);
+  for (const std::string& first : names) {
+    data row, cells(data::type::list);
+    row.set("name", printable(first));
+    for (const std::string& second : names) {
+      bool turned = false;
+      const VerifyPair* pair = first == second ? nullptr : pair_of(scene, second, first, turned);
+      cells.push_back(pair_cell(pair, turned, first == second));
+    }
+    row.set("cells", cells);
+    rows.push_back(row);
+  }
+  out.set("names", list_of(names));
+  out.set("rows", rows);
+  out.set("has_matrix", !names.empty());
+}
+
+data fault_data(const VerifyFault& fault, const VerifyScene& scene, const fs::path& folder) {
+  data out, pictures(data::type::list);
+  out.set("engine", printable(fault.engine));
+  out.set("sentence", printable(fault.sentence));
+  out.set("place", printable(fault.place));
+  out.set("has_pass", !fault.pass.empty());
+  out.set("pass", printable(fault.pass));
+  out.set("pass_words", printable(fault.pass_words));
+  out.set("pass_sentence", printable(fault.pass_sentence));
+  const std::string right = scene.verdict == "cannot tell which" ? "the other" : "who agree";
+  if (!fault.right_picture.empty()) pictures.push_back(picture_of(folder, fault.right_picture, right));
+  if (!fault.odd_picture.empty()) pictures.push_back(picture_of(folder, fault.odd_picture, fault.engine));
+  if (!fault.difference_picture.empty())
+    pictures.push_back(picture_of(folder, fault.difference_picture, "where: orange too bright, blue too dark"));
+  out.set("pictures", pictures);
+  return out;
+}
+
+data scene_data(const VerifyScene& scene, const fs::path& folder) {
+  data out, cards(data::type::list), missing(data::type::list), faults(data::type::list);
+  out.set("name", printable(scene.name));
+  out.set("purpose", printable(scene.purpose));
+  out.set("verdict", scene.verdict);
+  out.set("chip", chip_of(scene.verdict));
+  out.set("sentence", printable(scene.sentence));
+  out.set("facts", fmt::format("{}×{} pixels, {:.1f} s", scene.width, scene.height, scene.seconds));
+  for (const VerifyPicture& picture : scene.pictures) {
+    if (picture.status == "ok") {
+      cards.push_back(picture_card(picture, scene, folder));
+      continue;
+    }
+    data row;
+    row.set("engine", printable(picture.engine));
+    row.set("status", picture.status);
+    row.set("is_refusal", picture.status == "unsupported");
+    row.set("detail", printable(picture.detail));
+    missing.push_back(row);
+  }
+  for (const VerifyFault& fault : scene.faults) faults.push_back(fault_data(fault, scene, folder));
+  out.set("cards", cards);
+  out.set("missing", missing);
+  out.set("faults", faults);
+  out.set("notes", list_of(scene.notes));
+  set_matrix(out, scene);
+  return out;
+}
+
+data probe_data(const VerifyProbe& probe) {
+  data out;
+  out.set("engine", printable(probe.engine));
+  out.set("kind", probe.kind);
+  out.set("what", printable(probe.what));
+  out.set("verdict", probe.verdict);
+  out.set("chip", chip_of(probe.verdict));
+  out.set("gain", probe.gain ? fmt::format("{:.4f}", *probe.gain) : "–");
+  out.set("error", probe.gain_error ? fmt::format("{:.1g}", *probe.gain_error) : "");
+  out.set("offset", probe.offset ? fmt::format("{:+.2g} %", 100 * *probe.offset) : "–");
+  out.set("sentence", printable(probe.sentence));
+  return out;
+}
+
+int rank_of(const VerifyScene& scene) {
+  const std::string& verdict = scene.verdict;
+  return verdict == "agree" ? 2 : verdict == "inconclusive" ? 1 : 0;
+}
+
+}  // namespace
+
+void write_verify_page(const VerifyRecord& record, const fs::path& folder, const fs::path& out) {
+  data page, scenes(data::type::list), engines(data::type::list), probes(data::type::list);
+  reports::set_style_and_script(
+      page, std::string(reports::templates::style) + std::string(reports::verify_templates::verify_style),
+      reports::verify_templates::script, reports::verify_templates::script_sha256);
+  std::vector<const VerifyScene*> sorted;
+  std::size_t agree = 0;
+  for (const VerifyScene& scene : record.scenes) {
+    sorted.push_back(&scene);
+    agree += scene.verdict == "agree" ? 1 : 0;
+  }
+  std::ranges::stable_sort(sorted, {}, [](const VerifyScene* scene) { return rank_of(*scene); });
+  for (const VerifyScene* scene : sorted) scenes.push_back(scene_data(*scene, folder));
+  for (const VerifyEngineRecord& engine : record.engines) {
+    data row;
+    row.set("name", printable(engine.name));
+    row.set("version", printable(engine.problem.empty() ? engine.version : engine.problem));
+    engines.push_back(row);
+  }
+  for (const VerifyProbe& probe : record.probes) probes.push_back(probe_data(probe));
+  page.set("totals", fmt::format("{} of {} scenes: all engines agree{}", agree, record.scenes.size(),
+                                 record.interrupted ? "; interrupted" : ""));
+  page.set("fails", exit_code_of(record) == 1);
+  page.set("created", printable(reports::time_text(record.created)));
+  page.set("seconds", fmt::format("{:.0f}", record.seconds));
+  page.set("host", printable(record.host));
+  page.set("program", printable(record.program));
+  page.set("command", printable(record.command));
+  page.set("power", fmt::format("{:.2g} %", 100 * record.power));
+  page.set("engines", engines);
+  page.set("has_probes", !record.probes.empty());
+  page.set("probes", probes);
+  page.set("scenes", scenes);
+  write_file_atomically(out, reports::rendered_page(reports::verify_templates::verify, page));
+}
+
+}  // namespace photonproof

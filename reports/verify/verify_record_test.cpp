@@ -1,0 +1,119 @@
+#include "reports/verify/verify_record.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "scenes/images/image.h"
+#include "scenes/text/atomic_file.h"
+#include "scenes/text/input_error.h"
+#include "scenes/text/scratch_folder.h"
+#include "scenes/text/test_folder.h"
+
+namespace photonproof {
+namespace {
+
+VerifyScene scene_with(const std::string& verdict) {
+  VerifyScene scene;
+  scene.name = "cornell";
+  scene.path = "cornell/scene.xml";
+  scene.width = scene.height = 16;
+  scene.verdict = verdict;
+  scene.sentence = "povray is wrong: +2 % over the whole image";
+  VerifyPicture picture;
+  picture.engine = "povray";
+  picture.status = "ok";
+  picture.declared_whole = 0.01;
+  picture.picture = "pictures/a.png";
+  scene.pictures = {picture};
+  VerifyPair pair;
+  pair.first = "path";
+  pair.second = "povray";
+  pair.verdict = "differ";
+  pair.shift = {0.01, -0.02, 0};
+  pair.would_see = 0.012;
+  scene.pairs = {pair};
+  VerifyFault fault;
+  fault.engine = "povray";
+  fault.pass = "direct";
+  scene.faults = {fault};
+  return scene;
+}
+
+VerifyRecord record_with(const std::string& verdict) {
+  VerifyRecord record;
+  record.created = "2026-11-24T12:00:00Z";
+  record.power = 0.02;
+  record.engines = {{"path", "path tracer", "photonproof 1"}};
+  record.probes = {{"povray", "light", "spot light", "right", "spot light: POV-Ray 1x closed form", 1.0, 0.001, {}}};
+  record.scenes = {scene_with(verdict)};
+  return record;
+}
+
+TEST(VerifyRecord, reads_back_as_it_was_written) {
+  const ScratchFolder folder("verify-record");
+  const auto file = folder.path() / "verify.json";
+  write_verify_record(record_with("differ"), file);
+  const VerifyRecord read = read_verify_record(file);
+  EXPECT_EQ(verify_record_text(read), verify_record_text(record_with("differ")));
+  EXPECT_EQ(read.scenes.at(0).pairs.at(0).worst_shift(), -0.02);
+  EXPECT_EQ(read.scenes[0].pairs[0].relmse, std::nullopt);
+  EXPECT_EQ(read.probes.at(0).gain, 1.0);
+}
+
+TEST(VerifyRecord, that_breaks_the_schema_is_one_error_with_its_place) {
+  const ScratchFolder folder("verify-record");
+  const auto file = folder.path() / "verify.json";
+  std::string text = verify_record_text(record_with("agree"));
+  const std::size_t at = text.find("\"agree\"");
+  write_file_atomically(file, text.replace(at, 7, "\"maybe\""));
+  const std::string error = input_error_of([&] { read_verify_record(file); });
+  EXPECT_NE(error.find("#/scenes/0/verdict"), std::string::npos) << error;
+  write_file_atomically(file, "{");
+  EXPECT_THROW(read_verify_record(file), InputError);
+}
+
+TEST(VerifyRecord, number_that_is_not_finite_is_left_out) {
+  VerifyRecord record = record_with("inconclusive");
+  record.scenes[0].pairs[0].would_see = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(verify_record_text(record).find("would_see"), std::string::npos);
+}
+
+TEST(VerifyRecord, exit_codes_are_those_of_gates) {
+  EXPECT_EQ(exit_code_of(record_with("agree")), 0);
+  for (const char* wrong : {"differ", "stale reference", "cannot tell which", "failed"})
+    EXPECT_EQ(exit_code_of(record_with(wrong)), 1) << wrong;
+  EXPECT_EQ(exit_code_of(record_with("inconclusive")), 3);
+  VerifyRecord record = record_with("agree");
+  record.probes[0].verdict = "wrong";
+  EXPECT_EQ(exit_code_of(record), 1);
+  record = record_with("failed");
+  record.scenes[0].pictures[0].status = "not_started";
+  EXPECT_EQ(exit_code_of(record), 2);
+  record.interrupted = true;
+  EXPECT_EQ(exit_code_of(record), 130);
+}
+
+TEST(VerifyPage, holds_engines_pairs_and_the_pass_and_no_markup_of_others) {
+  const ScratchFolder folder("verify-page");
+  std::filesystem::create_directories(folder.path() / "pictures");
+  Image image(4, 4);
+  write_png((folder.path() / "pictures/a.png").string(), image);
+  VerifyRecord record = record_with("differ");
+  record.scenes[0].notes = {"<script>alert(1)</script>"};
+  write_verify_page(record, folder.path(), folder.path() / "verify.html");
+  const std::string page = read_file(folder.path() / "verify.html");
+  for (const char* held : {"cornell", "First wrong in <b>direct</b>", "✗ -2 %", "sees 1.2 %", "data:image/png",
+                           "spot light: POV-Ray 1x closed form"})
+    EXPECT_NE(page.find(held), std::string::npos) << held;
+  EXPECT_EQ(page.find("<script>alert"), std::string::npos);
+}
+
+TEST(VerifyTable, says_each_pair_and_what_it_would_have_seen) {
+  const std::string table = verify_table(record_with("differ"));
+  EXPECT_NE(table.find("cornell: differ: povray is wrong"), std::string::npos) << table;
+  EXPECT_NE(table.find("1.2 %"), std::string::npos) << table;
+}
+
+}  // namespace
+}  // namespace photonproof
