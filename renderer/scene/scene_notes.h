@@ -14,7 +14,8 @@ struct SceneNote {
   std::string text;   ///< a sentence without its full stop
 };
 
-/// In the order of the description: BSDFs, shapes, emitters; then what is too near or far for precision. `scene` is compiled from it.
+/// In the order of the description: BSDFs, shapes, emitters; then what is too near or far for precision. `scene` is
+/// compiled from it.
 std::vector<SceneNote> scene_notes(const SceneDescription& description, const SceneParts& scene);
 
 }  // namespace photonproof
