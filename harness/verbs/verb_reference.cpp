@@ -43,7 +43,7 @@ struct ReferenceArguments {
   std::string output;
   bool commit = false;
   std::string reason;
-  std::optional<bool> witness;  ///< empty: with --commit
+  bool witness = false, no_witness = false;  ///< neither: with --commit
   bool fresh = false;
   bool json = false;
   bool quiet = false;
@@ -208,7 +208,7 @@ void find_witness(const Job& job, const Rendering& rendering, Provenance& proven
 /// `kept` is the file that holds it.
 int write_out(const Job& job, const fs::path& kept, const Rendering& rendering, Provenance provenance, bool reached) {
   const ReferenceArguments& arguments = job.arguments;
-  if (arguments.witness.value_or(arguments.commit) && !provenance.witness) {
+  if ((arguments.witness || (arguments.commit && !arguments.no_witness)) && !provenance.witness) {
     find_witness(job, rendering, provenance);
     if (provenance.witness && kept == job.cached())
       provenance = write_reference(kept, rendering, provenance, ReferenceSamples::floats);
@@ -340,10 +340,11 @@ void add_reference_verb(CLI::App& program, int& exit_code) {
                  "put it beside the scene as reference-WxH.exr and .json, in half floats (256x256 at most)");
   verb->add_option("--reason", arguments->reason,
                    "why --commit replaces a reference that is good; kept in its provenance");
-  verb->add_flag(
-      "--witness,!--no-witness", arguments->witness,
+  auto* witness = verb->add_flag(
+      "--witness", arguments->witness,
       "hold it to a second estimator that shares no sampling with the first; where they disagree there is no "
       "reference (default: with --commit)");
+  verb->add_flag("--no-witness", arguments->no_witness, "keep the first estimator's alone")->excludes(witness);
   verb->add_flag("--fresh", arguments->fresh, "begin anew instead of using what the cache has");
   verb->add_flag("--json", arguments->json, "print files and provenance as JSON");
   verb->add_flag("--quiet", arguments->quiet, "no progress line");

@@ -61,7 +61,7 @@ class ReferenceVerb : public FolderTest {
 };
 
 TEST_F(ReferenceVerb, that_is_committed_has_two_parents_and_the_power_of_their_test) {
-  const std::vector<std::string> options{"--size", "8x8", "--standard-error", "0.05", "--commit"};
+  const std::vector<std::string> options{"--size", "8x8", "--standard-error", "0.01", "--commit"};
   const ProcessOutcome made = reference(options);
   ASSERT_TRUE(made.ok()) << made.standard_error;
   EXPECT_NE(made.standard_output.find("witness: bdpt, "), std::string::npos) << made.standard_output;

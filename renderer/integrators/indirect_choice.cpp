@@ -34,8 +34,8 @@ constexpr double bright = 100;
 // Measured on library scenes at 256x256 with 16 lanes, one thread.
 constexpr double ray_in_small_scene = 35, ray_elsewhere = 90, look_up_time = 70;  // ns
 constexpr double photon_ray_in_rays = 1.4;
-constexpr std::uint64_t pilot_photons = 1024;  // of a map: what a photon takes, no more
-constexpr double guided_start = 600;           // ns: the densities of all places that a photon may be sent to
+constexpr std::uint64_t priced_photons = 1024;  // of a map: what a photon takes, no more
+constexpr double guided_start = 600;            // ns: the densities of all places that a photon may be sent to
 
 constexpr double photons_in_disc_of_million = 700;
 
@@ -107,9 +107,9 @@ double rays_a_photon(const PhotonSource& source, const PhotonMaps& maps, RenderS
   double photons = 0;
   for (const MapState* map : {&maps.global, &maps.caustic}) {
     if (!map->wanted) continue;
-    trace_photons(source.scene, {map->kind, pilot_stream, source.job.seed, 0, pilot_photons, max_edges, map->aimed},
+    trace_photons(source.scene, {map->kind, pilot_stream, source.job.seed, 0, priced_photons, max_edges, map->aimed},
                   {source.job.kernels(), source.job.sampler}, source.threads, rays);
-    photons += double{pilot_photons};
+    photons += double{priced_photons};
   }
   rays.store(stats);
   return static_cast<double>(rays.counts().photon) / photons;

@@ -34,12 +34,6 @@
 namespace photonproof {
 namespace {
 
-/// A pass takes half of the samples before it: few enough passes for samples of a pixel to share their look-ups, enough
-/// for their spread to give a variance, and none that depends on where the render will end. Measured on course-1 at
-/// 600x600: a quarter takes 1.3 times as long to the same error. Where no map is looked up a pass takes as many as all
-/// before it, so that passes end where Sobol points are even: 7 % less time to an error on lens.
-constexpr std::int64_t parts_of_samples = 2;
-
 constexpr const char* not_shown = "the view does not show it";
 
 /// Decides on a map; `needed` by the scene, where paths are long enough for one.
@@ -137,10 +131,9 @@ void plan_camera_paths(Planner& planner, const PhotonSettings& settings, const V
 }
 
 PassPlan plan_passes(const PhotonSettings& settings, const PhotonMaps& maps) {
-  const bool no_maps = !maps.caustic.wanted && (!maps.global.wanted || settings.indirect == IndirectLight::path);
   return {.phase = "photon mapping",
           .longest = settings.textbook ? 1 : 64,
-          .parts = no_maps ? 1 : parts_of_samples,
+          .parts = settings.parts_of_samples,
           .budget = maps.totals() + ", indirect light by " + word_of(settings.indirect)};  // all passes follow from it
 }
 
@@ -172,11 +165,21 @@ void choose_way(const PhotonSource& source, PhotonMaps& maps, const RenderPlan& 
   if (automatic) {
     const IndirectChoice choice = choose_indirect(source, maps, plan, window, stats);
     settings.indirect = choice.indirect;
+    // As many samples as all before, so that passes end where Sobol points are even: 7 % less time to an error on lens.
+    if (settings.indirect == IndirectLight::path) settings.parts_of_samples = 1;
     maps.caustic.wanted = maps.caustic.wanted && choice.caustic_map;
     stats.choices.push_back(choice.why);
   }
   if (settings.indirect != IndirectLight::path && maps_miss_light(source.scene))
     stats.losses.emplace_back(light_that_maps_miss);
+}
+
+/// Whether an irradiance cache, which has photons of its own, finds what a global map would. Where that or path tracing
+/// does, no such map is wanted.
+bool takes_cache(const PhotonSettings& settings, PhotonMaps& maps) {
+  const bool caches = settings.indirect == IndirectLight::cache && maps.global.wanted;
+  if (caches || settings.indirect == IndirectLight::path) maps.global.wanted = false;
+  return caches;
 }
 
 /// What passes learn of the image.
@@ -224,7 +227,7 @@ struct Lessons {
     halves.add_pass(samples);
     if (maps.empty()) return;
     bias.narrow(image, halves);
-    const double after_next = halves.all_samples() * (1 + 1.0 / double{parts_of_samples});
+    const double after_next = halves.all_samples() * (1 + 1.0 / static_cast<double>(settings.parts_of_samples));
     for (MapState* map : maps) {
       map->radii.add_pass(samples, map->pass_photons);
       const LookUpBias::Evidence evidence = bias.evidence(image, static_cast<int>(map->kind), halves);
@@ -283,9 +286,7 @@ void render_photon_mapper(const Scene& scene, const RenderPlan& plan, const Rend
   choose_way(source, maps, plan, film.window(), settings, stats);
   PassPlan passes = plan_passes(settings, maps);
   if (plan.view == View::photons) return render_photon_dots(source, maps, passes, film, stats);
-  const bool caches = settings.indirect == IndirectLight::cache && maps.global.wanted;
-  // A cache has photons of its own.
-  if (caches || settings.indirect == IndirectLight::path) maps.global.wanted = false;
+  const bool caches = takes_cache(settings, maps);
   maps.choose_first_radii(source, stats);
   const std::vector<MapState*> wanted = maps.wanted();
   std::optional<LookUpAreas> areas;

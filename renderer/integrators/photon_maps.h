@@ -49,6 +49,10 @@ struct PhotonSettings {
     double alpha;
   };
   std::optional<Textbook> textbook{};
+  /// A pass takes one of so many parts of the samples before it: few enough passes for samples of a pixel to share
+  /// their look-ups, enough for their spread to give a variance, and none that depends on where the render will end.
+  /// Measured on course-1 at 600x600: a quarter takes 1.3 times as long to the same error.
+  std::int64_t parts_of_samples = 2;
 
   /// What is automatic stays so where nothing else is asked for: numbers of photons, radii and views of a part of the
   /// light ask for maps, the view of a cache's records for a cache.

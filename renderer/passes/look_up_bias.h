@@ -8,7 +8,7 @@
 //   mean over pixels of D_even D_odd        is the mean of (3/4 b r^2)^2, without what noise would add, and
 //   mean over pixels of (D_even - D_odd)^2  is what noise adds.
 // Both are relative to the image as relmse is. At an edge of light the square of the bias, averaged over places, is 4.3
-// times D's and not 16/9 times: what is claimed is in between.
+// times D's and not 16/9 times: so much is claimed, since edges are what is left where radii are best.
 #pragma once
 
 #include <algorithm>
@@ -58,7 +58,7 @@ class LookUpBias {
     double difference = 0;  ///< the square of what is expected of D
     double variance = 0;    ///< of D
     /// Of the image by the radius, as relmse counts it.
-    double squared_bias() const { return 3.5 * std::max(0.0, difference); }
+    double squared_bias() const { return 4.3 * std::max(0.0, difference); }
     /// (V / 2B^2) for the variance V and the smooth bias B of L(r): 1 where the radius is right, and the sixth power of
     /// what it should be multiplied by.
     double balance() const { return variance / 3 / (2 * square(4.0 / 3) * difference); }

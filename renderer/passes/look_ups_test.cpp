@@ -152,9 +152,9 @@ TEST(look_up_bias, is_seen_through_noise) {
   const LookUpBias::Evidence evidence = made.bias.evidence(made.film, 1, made.halves);
   EXPECT_NEAR(evidence.variance / (3 * 0.01 / made.halves.all_samples() / 0.01), 1, 0.05);
   const MadeRender clear(1, 1e-3, 0.1);
-  EXPECT_NEAR(clear.bias.evidence(clear.film, 1, clear.halves).squared_bias() / 1e-4, 3.5 * 9 / 16, 0.03);
+  EXPECT_NEAR(clear.bias.evidence(clear.film, 1, clear.halves).squared_bias() / 1e-4, 4.3 * 9 / 16, 0.03);
   EXPECT_EQ(clear.bias.evidence(clear.film, 0, clear.halves).squared_bias(), 0);  // the other map's
-  EXPECT_NEAR(clear.bias.evidence(clear.film, LookUpBias::all_maps, clear.halves).squared_bias() / 1e-4, 3.5 * 9 / 16,
+  EXPECT_NEAR(clear.bias.evidence(clear.film, LookUpBias::all_maps, clear.halves).squared_bias() / 1e-4, 4.3 * 9 / 16,
               0.03);
 }
 

@@ -88,8 +88,7 @@ Results example_with_conclusions() {
   point.budget = {"spp", 4};
   point.seeds = 3;
   point.seconds = {0.25, Interval{0.1, 0.5}};
-  point.relmse = Estimate{0.01, {}};
-  point.bias2 = Estimate{-1e-5, {}};
+  point.relmse = Estimate{0.01, {}}, point.bias2 = Estimate{-1e-5, {}};
   Convergence curve;
   curve.scene = "cornell";
   curve.engine = "path";
