@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "harness/pixels/image_blocks.h"
+#include "harness/statistics/block_variance.h"
 #include "harness/statistics/deviation.h"
 #include "harness/statistics/student.h"
 #include "scenes/images/mean_error.h"
@@ -62,19 +63,6 @@ double relative_spread_of_variance(const Block& block, const Differences& d) {
   std::nth_element(values.begin(), middle, values.end());
   constexpr double of_normal = 1.4826;  // deviation over median absolute deviation
   return median > 0 ? std::pow(of_normal * *middle / median, 2) : 0;
-}
-
-/// The variance of a sum over a block whose pixels are independent. `value(x, y)` is a pixel's variance.
-template <class Value>
-KnownVariance known_over(const Block& block, const Value& value) {
-  KnownVariance known;
-  for_each_pixel(block, [&](int x, int y) { known.variance += value(x, y); });
-  const double mean = known.variance / block.pixels();
-  double spread = 0;
-  for_each_pixel(block, [&](int x, int y) { spread += std::pow(value(x, y) - mean, 2); });
-  const double unbiased = spread * block.pixels() / std::max(1.0, block.pixels() - 1);
-  if (unbiased > 0) known.freedom = 2 * known.variance * known.variance / unbiased;
-  return known;
 }
 
 Deviation block_deviation(const Block& block, const Differences& d) {

@@ -8,6 +8,7 @@
 
 #include "harness/metrics/metrics.h"
 #include "harness/statistics/agreement.h"
+#include "harness/statistics/block_variance.h"
 #include "harness/statistics/gate_tiles.h"
 #include "scenes/images/mean_error.h"
 
@@ -21,22 +22,6 @@ double variance_of(const EnginePicture& picture, std::size_t value) {
   return picture.rendering.variance ? double{picture.rendering.variance->rgb[value]} : 0;
 }
 
-/// Of the sum over a block of pixels that are independent, known as well as their spread says.
-KnownVariance known_sum(const Deviations& d, const Block& block, std::size_t channel) {
-  KnownVariance known;
-  const auto value = [&](int x, int y) {
-    const auto i = static_cast<std::size_t>(y) * static_cast<std::size_t>(d.width) + static_cast<std::size_t>(x);
-    return std::pow(d.pixels[channel][i].standard_error, 2);
-  };
-  for_each_pixel(block, [&](int x, int y) { known.variance += value(x, y); });
-  const double mean = known.variance / block.pixels();
-  double spread = 0;
-  for_each_pixel(block, [&](int x, int y) { spread += std::pow(value(x, y) - mean, 2); });
-  const double unbiased = spread * block.pixels() / std::max(1.0, block.pixels() - 1);
-  if (unbiased > 0) known.freedom = 2 * known.variance * known.variance / unbiased;
-  return known;
-}
-
 Deviation sum_of(const Deviations& d, const Block& block, std::size_t channel) {
   Deviation sum;
   for_each_pixel(block, [&](int x, int y) {
@@ -44,7 +29,10 @@ Deviation sum_of(const Deviations& d, const Block& block, std::size_t channel) {
     sum.difference += d.pixels[channel][i].difference;
     sum.expected += d.pixels[channel][i].expected;
   });
-  const KnownVariance known = known_sum(d, block, channel);
+  const KnownVariance known = known_over(block, [&](int x, int y) {
+    const auto i = static_cast<std::size_t>(y) * static_cast<std::size_t>(d.width) + static_cast<std::size_t>(x);
+    return std::pow(d.pixels[channel][i].standard_error, 2);
+  });
   sum.standard_error = std::sqrt(known.variance);
   sum.freedom = known.freedom;
   return sum;
