@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,7 +15,7 @@
 namespace photonproof {
 namespace {
 
-constexpr double least_pixels = 12;
+constexpr std::size_t least_pixels = 12;
 constexpr double least_share = 0.75;  // of what differs: else the body has moved, or its light has
 
 struct Mean {
@@ -25,6 +26,13 @@ struct Mean {
   }
   double of(std::size_t c) const { return sum[c] / std::max(count, 1.0); }
 };
+
+double median(std::vector<double> values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
 
 /// Of the channel that differs most.
 double largest_ratio(const Mean& a, const Mean& b) {
@@ -58,7 +66,7 @@ class BodyCandidates {
         (inside ? here : beside).add(&comparison_.submitted().rgb[3 * i], comparison_.white());
         (inside ? expected : expected_beside).add(&guess_.light.rgb[3 * i], comparison_.white());
       }
-      if (here.count < least_pixels || beside.count < least_pixels) continue;
+      if (std::min(here.count, beside.count) < static_cast<double>(least_pixels)) continue;
       if (largest_ratio(here, beside) > 1.2 || largest_ratio(expected, expected_beside) < 1.6) continue;
       Candidate candidate = with_pixels(mark, "missing " + name, [&](std::size_t, std::size_t c) {
         return static_cast<float>(expected_beside.of(c));
@@ -81,20 +89,73 @@ class BodyCandidates {
       Candidate candidate = with_pixels(
           mark, "wrong " + name, [&](std::size_t i, std::size_t c) { return comparison_.submitted().rgb[3 * i + c]; });
       candidate.handicap = 1.6;
-      const bool shows_others = name.find("glass") != std::string::npos || name.find("mirror") != std::string::npos;
       candidate.said = {
-          shows_others
-              ? Finding{"object-wrong",
-                        "what the " + name + " shows is wrong",
-                        "its normals, or the directions of its reflected and refracted rays",
-                        {},
-                        0}
+          shows_others(name)
+              ? words_of_wrong_view(name)
               : Finding{"object-wrong", "the " + name + " is shaded wrongly", "its normals, or its material", {}, 0}};
       candidates_.push_back(std::move(candidate));
     }
   }
 
+  /// Its light is about as much as it should be, but not what should be seen there.
+  void say_distorted(std::vector<Finding>& findings) const {
+    if (!is_as_seen()) return;
+    const Image guess = predicted(guess_, comparison_.white());
+    const double usual = median(differences(guess, [this](std::size_t i) { return !shows_others(name_at(i)); }));
+    for (std::size_t mark = 1; mark <= knowledge_.landmarks.size(); ++mark) {
+      const std::string& name = knowledge_.landmarks[mark - 1].name;
+      const auto says_it = [&](const Finding& f) { return f.sentence.find("the " + name) != std::string::npos; };
+      if (!shows_others(name) || std::any_of(findings.begin(), findings.end(), says_it)) continue;
+      const std::vector<std::uint8_t> edge = edge_of(mark);
+      const std::vector<double> inside =
+          differences(guess, [&](std::size_t i) { return knowledge_.seen[i] == mark && edge[i] == 0; });
+      if (inside.size() < least_pixels) continue;
+      const double mean = std::accumulate(inside.begin(), inside.end(), 0.0) / static_cast<double>(inside.size());
+      if (mean > std::max(plainly_seen, 4 * usual)) findings.push_back(words_of_wrong_view(name));
+    }
+  }
+
  private:
+  static constexpr double plainly_seen = 0.04;  // of white's square root
+
+  static bool shows_others(const std::string& name) {
+    return name.find("glass") != std::string::npos || name.find("mirror") != std::string::npos;
+  }
+  static Finding words_of_wrong_view(const std::string& name) {
+    return {"object-wrong",
+            "what the " + name + " shows is wrong",
+            "its normals, or the directions of its reflected and refracted rays",
+            {},
+            0};
+  }
+  std::string name_at(std::size_t pixel) const {
+    const std::size_t mark = knowledge_.seen[pixel];
+    return mark > 0 ? knowledge_.landmarks[mark - 1].name : "";
+  }
+
+  /// Between the picture and the guess, of each pixel that is `wanted`.
+  template <class Wanted>
+  std::vector<double> differences(const Image& guess, const Wanted& wanted) const {
+    std::vector<double> all;
+    for (std::size_t i = 0; i < guess.pixels(); ++i) {
+      if (!comparison_.counts(i) || !wanted(i)) continue;
+      double sum = 0;
+      for (std::size_t c = 0; c < 3; ++c)
+        sum += std::abs(comparison_.shown(comparison_.submitted().rgb[3 * i + c]) -
+                        comparison_.shown(guess.rgb[3 * i + c]));
+      all.push_back(sum / 3);
+    }
+    return all;
+  }
+
+  /// Its pixels beside others' pixels.
+  std::vector<std::uint8_t> edge_of(std::size_t mark) const {
+    std::vector<std::uint8_t> edge(knowledge_.seen.size());
+    for (std::size_t other = 0; other <= knowledge_.landmarks.size(); ++other)
+      if (other != mark) for_each_near(other, 1, [&](std::size_t i) { edge[i] = knowledge_.seen[i] == mark; });
+    return edge;
+  }
+
   bool is_as_seen() const { return knowledge_.seen.size() == guess_.light.pixels() && guess_.shows_scene_as_it_is(); }
 
   /// Pixels that are not its own, two pixels around.
@@ -159,6 +220,12 @@ class BodyCandidates {
 void add_missing_objects(const Guess& guess, const SceneKnowledge& knowledge, const Comparison& comparison,
                          std::vector<Candidate>& candidates) {
   BodyCandidates(guess, knowledge, comparison, candidates).add_missing();
+}
+
+void say_distorted_bodies(const Guess& guess, const SceneKnowledge& knowledge, const Comparison& comparison,
+                          std::vector<Finding>& findings) {
+  std::vector<Candidate> none;
+  BodyCandidates(guess, knowledge, comparison, none).say_distorted(findings);
 }
 
 void add_wrong_bodies(const Guess& guess, const SceneKnowledge& knowledge, const Comparison& comparison,

@@ -87,10 +87,21 @@ class Search {
       accept(*best, findings);
       if (!other.empty()) findings.back().cause += "; or " + other;
     }
-    if (findings.empty() && patience_ == 1) look_for_faint(findings);
-    if (left_ > std::max(2 * least(), 0.25 * before_)) findings.push_back(what_is_left());
+    if (findings.empty() && patience_ == 1) findings = faint();
+    if (left_ > std::max(2 * least(), 0.25 * before_))
+      findings.push_back(what_is_left());
+    else if (!findings.empty())
+      say_distorted_bodies(guess_, knowledge_, comparison_, findings);
     return findings;
   }
+
+  /// At most one.
+  std::vector<Finding> faint() {
+    if (!could_hide_a_mistake(guess_, knowledge_, comparison_)) return {};
+    guess_.light = unclamped(knowledge_);
+    return accepted(faint_mistake(guess_, knowledge_, comparison_));
+  }
+  std::vector<Finding> pattern() { return accepted(faint_pattern(guess_, knowledge_, comparison_)); }
 
  private:
   const Candidate* best_of(const std::vector<Candidate>& candidates) const {
@@ -150,15 +161,6 @@ class Search {
 
   double score(const Candidate& c) const { return (c.left + 0.002 * before_) * c.handicap; }
 
-  void look_for_faint(std::vector<Finding>& findings) {
-    if (!could_hide_a_mistake(guess_, knowledge_, comparison_)) return;
-    guess_.light = unclamped(knowledge_);
-    std::optional<Candidate> faint = faint_mistake(guess_, knowledge_, comparison_);
-    if (!faint) return;
-    faint->left = std::min(left_, comparison_.total(predicted(faint->guess, comparison_.white())));
-    accept(*faint, findings);
-  }
-
   /// What explains the picture as well as the best does, is said with its cause.
   std::string alternative(const std::vector<Candidate>& candidates, const Candidate& best) const {
     const Candidate* other = nullptr;
@@ -168,6 +170,14 @@ class Search {
           (!other || score(c) < score(*other)))
         other = &c;
     return other && best.said.size() == 1 ? other->said[0].sentence : "";
+  }
+
+  std::vector<Finding> accepted(std::optional<Candidate> faint) {
+    std::vector<Finding> findings;
+    if (!faint) return findings;
+    faint->left = std::min(left_, comparison_.total(predicted(faint->guess, comparison_.white())));
+    accept(*faint, findings);
+    return findings;
   }
 
   void accept(const Candidate& best, std::vector<Finding>& findings) {
@@ -275,6 +285,16 @@ std::vector<Finding> diagnose(const Image& submitted, const SceneKnowledge& know
   if (coarse) std::erase_if(findings, [](const Finding& f) { return f.kind == "shifted" || f.kind == "blurred"; });
   findings.insert(findings.begin(), breakage.findings.begin(), breakage.findings.end());
   return findings;
+}
+
+std::optional<Finding> find_hidden_mistake(const Image& submitted, const SceneKnowledge& knowledge) {
+  std::vector<Finding> findings;
+  if (!as_expected_size(submitted, knowledge, findings)) return std::nullopt;
+  if (!std::all_of(submitted.rgb.begin(), submitted.rgb.end(), [](float v) { return std::isfinite(v); }))
+    return std::nullopt;
+  const Comparison comparison(submitted, knowledge.white, knowledge.tolerance, {});
+  findings = Search(submitted, knowledge, comparison, 1).pattern();
+  return findings.empty() ? std::nullopt : std::optional(findings.front());
 }
 
 }  // namespace photonproof

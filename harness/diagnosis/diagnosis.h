@@ -36,6 +36,9 @@ struct WhatIf {
   bool only_there = false;  ///< and nowhere else
   bool rough = false;       ///< the picture changes as this one does, but more
   bool rare = false;        ///< asked where nothing usual explains the picture
+  /// Of mistakes that change a fine pattern: what they change, the picture with less the one without, with noise so low
+  /// that it can be told within the noise of what is submitted.
+  std::optional<Lazy<Image>> fine = std::nullopt;
 };
 
 /// What the scene's light is made of.
@@ -78,5 +81,11 @@ struct Finding {
 /// findings, too. What the knowledge has not rendered yet is rendered when it is needed, and throws InputError where
 /// that fails.
 std::vector<Finding> diagnose(const Image& submitted, const SceneKnowledge& knowledge);
+
+/// Of a picture whose differences no bound minds: a mistake in a fine pattern, as of waves, or in what one body looks
+/// like, that is there in full and far above noise (faint.h). Broad changes are not looked for: what records of an
+/// irradiance cache are off by may look like them. As above; nothing is said of pictures of another size, or with
+/// values that are not finite.
+std::optional<Finding> find_hidden_mistake(const Image& submitted, const SceneKnowledge& knowledge);
 
 }  // namespace photonproof

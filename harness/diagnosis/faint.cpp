@@ -74,17 +74,32 @@ class Filter {
   Image now_;
 };
 
-/// A mistake is made or it is not; light may be too little or too much by any amount.
-bool is_there(const Match& m, bool any_amount) {
+struct Kind {
+  bool any_amount = false;  ///< light may be too little or too much by any amount; a mistake is made or it is not
+  bool placed = false;
+  double deviations = 12;  ///< from which on it is believed
+};
+
+/// What is broad may be there for other reasons, too. Nothing else looks like the pattern of waves: right pictures were
+/// seen to have it at 2 deviations at most, and broad changes at 5.
+constexpr double of_fine_patterns = 8;
+
+bool is_there(const Match& m, const Kind& kind) {
   const bool in_full = m.amount > 0.75 && m.amount < 1.35;
-  return (in_full || (any_amount && m.amount > 0.4)) && m.deviations > 12 && m.explained > 0.05;
+  return (in_full || (kind.any_amount && m.amount > 0.4)) && m.deviations > kind.deviations && m.explained > 0.05;
 }
 
-Image plus_change(const Image& light, const Image& change, const Image& from, double factor) {
+Image plus_change(const Image& light, const Image& change, double factor) {
   Image sum = light;
   for (std::size_t i = 0; i < sum.rgb.size(); ++i)
-    sum.rgb[i] = std::max(0.0f, sum.rgb[i] + static_cast<float>(factor) * (change.rgb[i] - from.rgb[i]));
+    sum.rgb[i] = std::max(0.0f, sum.rgb[i] + static_cast<float>(factor) * change.rgb[i]);
   return sum;
+}
+
+Image change_of(const Image& to, const Image& from) {
+  Image change = to;
+  for (std::size_t i = 0; i < change.rgb.size(); ++i) change.rgb[i] -= from.rgb[i];
+  return change;
 }
 
 class FaintSearch {
@@ -98,15 +113,23 @@ class FaintSearch {
   void look_at_light() {
     const SceneLight& light = knowledge_.light.get();
     const Image& model = light.model.rgb.empty() ? knowledge_.reference : light.model;
-    const Image none(model.width, model.height);
     for (const FeatureProbe& probe : light.probes)
       for (const double factor : {-1.0, 1.0})
-        look(with_light(plus_change(guess_.light, probe.light, none, factor), probe.feature),
+        look(with_light(plus_change(guess_.light, probe.light, factor), probe.feature),
              {true, probe.feature == "caustic"},
              [&](double x) { return words_of_feature(probe.feature, std::max(0.0, 1 + factor * x)); });
     for (const WhatIf& formula : light.formulas) look_at_what_if(formula, model);
     for (const WhatIf& what_if : knowledge_.what_ifs)
       if (could_be_told(what_if.changes)) look_at_what_if(what_if, model);
+  }
+
+  void look_at_patterns() {
+    for (const WhatIf& what_if : knowledge_.what_ifs) {
+      if (what_if.fine) look_at_fine(what_if);
+      if (!what_if.only_there || !could_be_told(what_if.changes)) continue;
+      const Image& model = knowledge_.light.get().model;
+      look_at_what_if(what_if, model.rgb.empty() ? knowledge_.reference : model);
+    }
   }
 
   void look_at_tones() {
@@ -135,10 +158,6 @@ class FaintSearch {
   std::optional<Candidate> best() { return std::move(best_); }
 
  private:
-  struct Kind {
-    bool any_amount = false, placed = false;
-  };
-
   Guess with_light(Image light, const std::string& name) const {
     Guess other = guess_;
     other.light = std::move(light);
@@ -147,11 +166,24 @@ class FaintSearch {
   }
 
   void look_at_what_if(const WhatIf& what_if, const Image& model) {
+    if (what_if.fine) return look_at_fine(what_if);
     if (what_if.image.get().rgb.size() != model.rgb.size()) return;
-    look(with_light(plus_change(guess_.light, what_if.image.get(), model, 1), what_if.kind), {what_if.rough, false},
-         [&](double) {
-           return Finding{what_if.kind, what_if.sentence, what_if.cause, {}, 0};
-         });
+    look_at_change(what_if, change_of(what_if.image.get(), model), {what_if.rough});
+  }
+
+  /// As it is, and as photons show it that are looked up within a hundredth, or a fiftieth, of the picture's width.
+  void look_at_fine(const WhatIf& what_if) {
+    const Image& change = what_if.fine->get();
+    if (change.rgb.size() != guess_.light.rgb.size()) return;
+    const Kind kind{false, false, of_fine_patterns};
+    look_at_change(what_if, change, kind);
+    for (const double part : {0.01, 0.02}) look_at_change(what_if, blurred(change, part * change.width), kind);
+  }
+
+  void look_at_change(const WhatIf& what_if, const Image& change, const Kind& kind) {
+    look(with_light(plus_change(guess_.light, change, 1), what_if.kind), kind, [&](double) {
+      return Finding{what_if.kind, what_if.sentence, what_if.cause, {}, 0};
+    });
   }
 
   template <class Words>
@@ -159,7 +191,7 @@ class FaintSearch {
     const Match match = filter_.match(predicted(other, comparison_.white()));
     const double off = kind.any_amount ? 0.1 : std::abs(match.amount - 1);
     const double worth = match.deviations * match.deviations * (1 - off);
-    if (!is_there(match, kind.any_amount) || worth <= most_) return;
+    if (!is_there(match, kind) || worth <= most_) return;
     most_ = worth;
     Candidate candidate;
     candidate.guess = std::move(other);
@@ -191,6 +223,13 @@ std::optional<Candidate> faint_mistake(const Guess& guess, const SceneKnowledge&
   search.look_at_tones();
   search.look_at_shift();
   search.look_at_light();
+  return search.best();
+}
+
+std::optional<Candidate> faint_pattern(const Guess& guess, const SceneKnowledge& knowledge,
+                                       const Comparison& comparison) {
+  FaintSearch search(guess, knowledge, comparison);
+  search.look_at_patterns();
   return search.best();
 }
 

@@ -18,6 +18,10 @@ bool could_hide_a_mistake(const Guess& guess, const SceneKnowledge& knowledge, c
 std::optional<Candidate> faint_mistake(const Guess& guess, const SceneKnowledge& knowledge,
                                        const Comparison& comparison);
 
+/// The same of fine patterns, and of what single bodies look like, alone.
+std::optional<Candidate> faint_pattern(const Guess& guess, const SceneKnowledge& knowledge,
+                                       const Comparison& comparison);
+
 /// How a feature's light times a factor is put.
 Finding words_of_feature(const std::string& feature, double factor);
 

@@ -60,6 +60,9 @@ void add_missing_objects(const Guess& guess, const SceneKnowledge& knowledge, co
 /// What is seen of one body is wrong in a way that no other candidate is: the picture's own pixels are taken there.
 void add_wrong_bodies(const Guess& guess, const SceneKnowledge& knowledge, const Comparison& comparison,
                       const Excess& excess, std::vector<Candidate>& candidates);
+/// Mirrors and glass that no finding names and that show something else than the guess, wherever it is as bright.
+void say_distorted_bodies(const Guess& guess, const SceneKnowledge& knowledge, const Comparison& comparison,
+                          std::vector<Finding>& findings);
 
 /// "the image is shifted by 3 pixels right".
 Finding words_of_shift(double x, double y);

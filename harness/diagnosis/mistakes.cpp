@@ -108,6 +108,7 @@ class Mistakes {
     std::get<HeightfieldDescription>(flat.shapes[i].geometry).amplitude *= 1e-4;
     add("water-flat", name + " is flat: it has no waves",
         "the surface is not displaced, or its normals are the plane's", i, flat);
+    mistakes_.back().faint = true;
     add("water-missing", name + " is missing", "it is not in the scene, or no ray tests it", i, without(scene_, i));
     for (const double factor : {0.5, 2.0}) {
       SceneDescription other = scene_;

@@ -196,6 +196,21 @@ TEST_F(StudentMistakes, what_is_wrong_with_all_spheres_is_said_of_them_together)
   expect_first(image, "spheres-wrong", "what the spheres show is wrong");
 }
 
+TEST_F(StudentMistakes, a_mirror_that_shows_something_else_counts_beside_glass_that_is_black) {
+  const Image image = with([](SceneDescription& scene) {
+    DielectricDescription black = glass_of(scene);
+    black.specular_transmittance = RgbD(0.0);
+    set_material(scene, "glass", black);
+  });
+  // Means of blocks stay.
+  Image other = image;
+  for (std::size_t i = 0; i < other.pixels(); ++i)
+    for (std::size_t c = 0; c < 3 && sees(i, "mirror sphere"); ++c)
+      other.rgb[3 * i + c] *= i % side_ % 4 < 2 ? 1.5f : 0.5f;
+  expect_first(image, "glass-black", "the glass sphere is black");
+  expect_first(other, "spheres-wrong", "what the spheres show is wrong");
+}
+
 TEST_F(StudentMistakes, guesses_that_know_nothing_explain_nothing) {
   const Image image = as_bytes(right());
   const Comparison comparison(image, 1.0f, 0.08, {});

@@ -12,6 +12,17 @@ namespace {
 /// What a right program's picture never shows, other than its noise.
 bool is_mistake(const Finding& finding) { return finding.kind != "noise" && finding.kind != "fireflies"; }
 
+/// Which has less noise than each of them.
+Image mean_of(const std::vector<Image>& images) {
+  Image mean = images.front();
+  for (std::size_t i = 0; i < mean.rgb.size(); ++i) {
+    double sum = 0;
+    for (const Image& image : images) sum += image.rgb[i];
+    mean.rgb[i] = static_cast<float>(sum / static_cast<double>(images.size()));
+  }
+  return mean;
+}
+
 bool is_undecided(const GradedCheck& check) { return check.side == GradedCheck::Side::undecided; }
 
 }  // namespace
@@ -41,10 +52,11 @@ SceneKnowledge SceneFindings::found_out(std::size_t scene) const {
   return known;
 }
 
-std::vector<Finding> SceneFindings::found_in(const Image& image, std::size_t scene) {
+template <class Find>
+auto SceneFindings::found_in(const Image& image, std::size_t scene, const Find& find) {
   const SceneKnowledge& known = knowledge(scene);
   try {
-    return diagnose(image, known);
+    return find(image, known);
   } catch (const InputError& error) {  // a render failed: sentences then go without what the light is made of
     {
       const std::lock_guard lock(telling_);
@@ -53,7 +65,7 @@ std::vector<Finding> SceneFindings::found_in(const Image& image, std::size_t sce
     SceneKnowledge without = known;
     without.light = {};
     without.what_ifs.clear();
-    return diagnose(image, without);
+    return find(image, without);
   }
 }
 
@@ -66,16 +78,24 @@ std::vector<std::string> SceneFindings::problems() const {
   return all;
 }
 
+std::vector<Finding> SceneFindings::mistakes_in(const SceneWorkGrade& work, std::size_t scene) {
+  if (work.grade.verdict == SceneVerdict::wrong) return found_in(work.images.front(), scene, diagnose);
+  const Image image = mean_of(work.images);
+  if (std::ranges::any_of(work.grade.checks, is_undecided)) {
+    std::vector<Finding> findings = found_in(image, scene, diagnose);
+    std::erase_if(findings, [](const Finding& finding) { return !is_mistake(finding); });
+    return findings;
+  }
+  const std::optional<Finding> hidden = found_in(image, scene, find_hidden_mistake);
+  return hidden ? std::vector{*hidden} : std::vector<Finding>{};
+}
+
 void SceneFindings::add(std::size_t scene, SceneWorkGrade& work) {
-  const bool is_wrong = work.grade.verdict == SceneVerdict::wrong;
-  const bool is_hidden_by_noise = std::ranges::any_of(work.grade.checks, is_undecided);
-  if ((!is_wrong && !is_hidden_by_noise) || work.images.empty() || !references_[scene]) return;
-  for (const Finding& finding : found_in(work.images.front(), scene)) {
-    if (!is_wrong && !is_mistake(finding)) continue;
+  if (work.grade.verdict == SceneVerdict::failed || work.images.empty() || !references_[scene]) return;
+  for (const Finding& finding : mistakes_in(work, scene))
     work.grade.findings.push_back({finding.kind, finding.sentence, finding.cause, finding.where.x, finding.where.y,
                                    finding.where.width, finding.where.height, finding.explained});
-  }
-  if (is_wrong || work.grade.findings.empty()) return;
+  if (work.grade.verdict == SceneVerdict::wrong || work.grade.findings.empty()) return;
   work.grade.verdict = SceneVerdict::wrong;
   work.grade.sentence = "within the bounds, or hidden by noise, but " + work.grade.findings.front().sentence;
 }

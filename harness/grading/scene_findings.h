@@ -27,8 +27,8 @@ class SceneFindings {
         progress_(std::move(progress)),
         known_(scenes.size()) {}
 
-  /// Adds findings where the scene's verdict is wrong; where it is not but noise could hide a mistake, one that is
-  /// found all the same makes it wrong. What is known of a scene is rendered when an image of it needs it.
+  /// Adds findings where the scene's verdict is wrong; where it is not, a mistake that is hidden by noise or by wide
+  /// bounds and found all the same makes it wrong. What is known of a scene is rendered when an image of it needs it.
   /// Threads may call it side by side.
   void add(std::size_t scene, SceneWorkGrade& work);
 
@@ -37,7 +37,9 @@ class SceneFindings {
 
  private:
   const SceneKnowledge& knowledge(std::size_t scene);
-  std::vector<Finding> found_in(const Image& image, std::size_t scene);
+  template <class Find>
+  auto found_in(const Image& image, std::size_t scene, const Find& find);
+  std::vector<Finding> mistakes_in(const SceneWorkGrade& work, std::size_t scene);
   SceneKnowledge found_out(std::size_t scene) const;
 
   const Assignment& assignment_;

@@ -88,8 +88,8 @@ Json speed_json(const SpeedGrade& speed) {
                {"sentence", speed.sentence},
                {"points", number_of(speed.points)},
                {"rounds", speed.rounds}};
-  if (speed.scenes.empty()) return json;
-  json["speedup"] = estimate_json(speed.speedup);
+  if (!speed.scenes.empty() || speed.state == SpeedGrade::State::measured)
+    json["speedup"] = estimate_json(speed.speedup);
   for (const SceneSpeed& scene : speed.scenes)
     json["scenes"].push_back({{"scene", scene.scene},
                               {"ratio", estimate_json(scene.ratio)},
@@ -107,8 +107,8 @@ SpeedGrade speed_of(const Json& json) {
   speed.sentence = json.at("sentence");
   speed.points = json.at("points");
   speed.rounds = json.at("rounds");
+  if (json.contains("speedup")) speed.speedup = estimate_of(json.at("speedup"));
   if (!json.contains("scenes")) return speed;
-  speed.speedup = estimate_of(json.at("speedup"));
   for (const Json& scene : json["scenes"])
     speed.scenes.push_back({scene.at("scene"), estimate_of(scene.at("ratio")), scene.at("baseline_seconds"),
                             scene.at("seconds"), scene.at("busy_cores_of_others")});
