@@ -14,7 +14,7 @@ folder=$2
 shift 2
 [ -x "$program-faulty" ] || { echo "$0: there is no $program-faulty" >&2; exit 2; }
 [ $# -gt 0 ] || set -- no-recentring no-rescaling float-faces float-sphere float-cylinder lost-height far-periods \
-  unclamped-metal
+  fixed-step unclamped-metal
 mkdir -p "$folder"
 
 # Under one name for each fault, so that what is kept of one is not taken for another's.

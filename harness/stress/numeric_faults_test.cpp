@@ -74,6 +74,7 @@ INSTANTIATE_TEST_SUITE_P(all, NumericFaults,
                                                "float-cylinder", "path", {"shape cylinder, as a huge floor"}},
                                            FaultAndClimbs{"lost-height", "path", {"light cylinder, tiny"}},
                                            FaultAndClimbs{"far-periods", "path", {"texture bitmap, moved uv"}},
+                                           FaultAndClimbs{"fixed-step", "path", {"coincident faces, glass in glass"}},
                                            FaultAndClimbs{"unclamped-metal", "path", {"bsdf conductor, high ior"}}),
                          [](const auto& of) {
                            std::string name = of.param.name;
