@@ -29,7 +29,7 @@ slowest=20  # seconds of the processor that one input may take
 
 # The last "cov: 1234 ft: 5678" of a log: edges, and edges told apart by how often they were met.
 reached() { grep -o 'cov: [0-9]* ft: [0-9]*' "$1" | tail -n 1; }
-executed() { grep -o '^#[0-9]*' "$1" | tail -n 1 | tr -d '#'; }
+executed() { grep -o '^#[0-9][0-9]*' "$1" | tail -n 1 | tr -d '#'; }
 
 # A number that follows from what these sources (beginnings of paths) say, tests aside.
 state_of() {
