@@ -11,6 +11,9 @@ check_packages="libgtest-dev libgmock-dev libboost-math-dev clang-format chromiu
 # What ./run --bench needs on top: the benchmark library, and a peer to be measured against.
 bench_packages="libbenchmark-dev libnanoflann-dev"
 
+# What the fuzzers need on top: a compiler that has libFuzzer and its sanitizers' libraries.
+fuzz_packages="clang libclang-rt-dev"
+
 # install_packages NAME...: quick when nothing is missing; without root and sudo it lists what is missing and goes on,
 # since the libraries may be there by other means.
 install_packages() {

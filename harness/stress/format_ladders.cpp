@@ -1,5 +1,5 @@
 // One picture in two formats, which `compare` has to find equal up to what the format keeps, or refuse where it keeps
-// nothing. Formats that our own code does not write are written here, byte by byte.
+// nothing.
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +8,7 @@
 
 #include "harness/stress/compared.h"
 #include "harness/stress/ladder_rows.h"
+#include "harness/stress/other_formats.h"
 #include "scenes/images/image.h"
 #include "scenes/text/atomic_file.h"
 #include "scenes/text/scratch_folder.h"
@@ -25,32 +26,6 @@ Image shades(int width, int height, double factor) {
       for (int c = 0; c < 3; ++c)
         image.pixel(x, y)[c] = static_cast<float>(factor * (0.3 + 0.04 * ((3 * x + 5 * y + 7 * c) % 16)));
   return image;
-}
-
-/// Portable float map: rows from the bottom up, little endian.
-void write_pfm(const fs::path& file, const Image& image) {
-  std::string text = "PF\n" + std::to_string(image.width) + " " + std::to_string(image.height) + "\n-1.0\n";
-  for (int y = image.height; y-- > 0;) {
-    const auto* row = reinterpret_cast<const char*>(image.pixel(0, y));
-    text.append(row, 3 * sizeof(float) * static_cast<std::size_t>(image.width));
-  }
-  write_file_atomically(file, text);
-}
-
-/// Radiance's (Ward 1991): a common exponent, 8 bits a channel, here without run lengths.
-void write_rgbe(const fs::path& file, const Image& image) {
-  std::string text = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y " + std::to_string(image.height) + " +X " +
-                     std::to_string(image.width) + "\n";
-  for (std::size_t i = 0; i < image.rgb.size(); i += 3) {
-    const float largest = std::max({image.rgb[i], image.rgb[i + 1], image.rgb[i + 2]});
-    int exponent = 0;
-    std::frexp(largest, &exponent);
-    const bool is_held = largest > 0 && exponent > -128;
-    for (std::size_t c = 0; c < 3; ++c)
-      text += static_cast<char>(is_held ? static_cast<int>(std::ldexp(double{image.rgb[i + c]}, 8 - exponent)) : 0);
-    text += static_cast<char>(is_held ? exponent + 128 : 0);
-  }
-  write_file_atomically(file, text);
 }
 
 /// The nearest half: 11 bits, down to steps of 2^-24.
@@ -80,7 +55,16 @@ std::vector<Format> formats() {
   return {{"EXR float", ".exr", exr(ExrColour::single), 0, up, further, 37, 44},
           {"EXR half", ".exr", exr(ExrColour::half), 0, up, {0, 2, 4, 5, 6, 7, 8}, 4, 8, as_half},
           {"PFM", ".pfm", write_pfm, 0, up, further, 37, 44},
-          {"HDR", ".hdr", write_rgbe, 0x1p-6, up, down, 37, 37}};
+          {"HDR", ".hdr", write_rgbe, 0x1p-6, up, down, 37, 37},
+          {"TIFF float", ".tif", write_tiff_of_floats, 0, up, further, 37, 44}};
+}
+
+/// Of values from 0 to 1 alone: they take the curve of sRGB and are clamped. What 16 bits keep is worked out, and stays
+/// as exact as single precision until nothing is left.
+std::vector<Format> formats_of_words() {
+  const std::vector<double> down{0, 1, 2, 3, 4, 5, 6, 7};
+  return {{"PNG 16 bits", ".png", write_png_of_words, 4e-6, {}, down, 0, 7, as_srgb_word},
+          {"TIFF 16 bits", ".tif", write_tiff_of_words, 4e-6, {}, down, 0, 7, as_srgb_word}};
 }
 
 RungVerdict in_two_formats(const StressRunner& runner, const Format& format, const Image& image, double scale) {
@@ -110,32 +94,38 @@ constexpr double of_eight_bits = 0.5 / 255 * 2.3;
 std::vector<Ladder> format_ladders(const fs::path&) {
   std::vector<Ladder> ladders;
   const std::vector<double> sides{1, 2, 3, 7, 8, 17, 1001, 30001};
-  for (const Format& format : formats()) {
-    const auto value = [format](double sign) {
-      return [=](double k, const StressRunner& runner) {
-        const double scale = std::pow(10.0, sign * k);
-        return in_two_formats(runner, format, shades(9, 5, scale), scale);
-      };
+  const auto add_values = [&](const Format& format, bool is_up) {
+    const auto measured = [format, is_up](double k, const StressRunner& runner) {
+      const double scale = std::pow(10.0, is_up ? k : -k);
+      return in_two_formats(runner, format, shades(9, 5, scale), scale);
     };
-    ladders.push_back(format_ladder(format, "values up", "values of 10^k", format.up, format.highest, value(1)));
-    ladders.push_back(format_ladder(format, "values down", "values of 10^-k", format.down, format.lowest, value(-1)));
+    ladders.push_back(
+        is_up ? format_ladder(format, "values up", "values of 10^k", format.up, format.highest, measured)
+              : format_ladder(format, "values down", "values of 10^-k", format.down, format.lowest, measured));
+  };
+  const auto add_sizes = [&](const Format& format) {
     ladders.push_back(
         format_ladder(format, "size", "k x 3 pixels", sides, 30001, [format](double n, const StressRunner& runner) {
           return in_two_formats(runner, format, shades(static_cast<int>(n), 3, 1), 1);
         }));
+  };
+  for (const Format& format : formats()) {
+    add_values(format, true);
+    add_values(format, false);
+    add_sizes(format);
   }
-  const Format png{"PNG",
-                   ".png",
-                   [](const fs::path& file, const Image& image) { write_png(file.string(), image); },
-                   of_eight_bits,
-                   {},
-                   {},
-                   0,
-                   0};
-  ladders.push_back(
-      format_ladder(png, "size", "k x 3 pixels", sides, 30001, [png](double n, const StressRunner& runner) {
-        return in_two_formats(runner, png, shades(static_cast<int>(n), 3, 1), 1);
-      }));
+  for (const Format& format : formats_of_words()) {
+    add_values(format, false);
+    add_sizes(format);
+  }
+  add_sizes({"PNG",
+             ".png",
+             [](const fs::path& file, const Image& image) { write_png(file.string(), image); },
+             of_eight_bits,
+             {},
+             {},
+             0,
+             0});
   return ladders;
 }
 

@@ -54,23 +54,32 @@ std::vector<WholeSceneClimb> whole_scene_climbs() {
   };
 }
 
+void add_climbs_of(const std::string& feature, const SceneDescription& scene, const std::vector<std::string>& engines,
+                   std::vector<Ladder>& ladders) {
+  for (const WholeSceneClimb& climb : whole_scene_climbs()) {
+    Ladder ladder;
+    ladder.feature = feature;
+    ladder.climb = climb.climb;
+    ladder.measure = climb.measure;
+    ladder.heights = climb.heights;
+    ladder.wanted = climb.wanted;
+    ladder.factor = climb.factor;
+    ladder.rung = [scene, change = climb.change](double k) { return StressScene{change(scene, k)}; };
+    ladder.alike = [scene](double) { return StressScene{scene}; };
+    ladder.engines = engines;
+    ladders.push_back(std::move(ladder));
+  }
+}
+
 void add_whole_scene_ladders(const std::filesystem::path& assets, std::vector<Ladder>& ladders) {
-  std::vector<NamedScene> scenes = scenes_of_features(assets);
-  const SceneDescription plain = scenes.front().second;
+  const std::vector<NamedScene> scenes = scenes_of_features(assets);
   for (const auto& [feature, scene] : scenes)
-    for (const WholeSceneClimb& climb : whole_scene_climbs()) {
-      Ladder ladder;
-      ladder.feature = feature;
-      ladder.climb = climb.climb;
-      ladder.measure = climb.measure;
-      ladder.heights = climb.heights;
-      ladder.wanted = climb.wanted;
-      ladder.factor = climb.factor;
-      ladder.rung = [scene = scene, change = climb.change](double k) { return StressScene{change(scene, k)}; };
-      ladder.alike = [scene = scene](double) { return StressScene{scene}; };
-      if (feature == "medium homogeneous") ladder.engines = {"volpath"};
-      ladders.push_back(std::move(ladder));
-    }
+    add_climbs_of(feature, scene,
+                  feature == "medium homogeneous" ? std::vector<std::string>{"volpath"} : std::vector<std::string>{},
+                  ladders);
+  // Those that climb nothing else by themselves.
+  for (const char* engine : {"direct", "sppm", "whitted"})
+    add_climbs_of("integrator " + std::string(engine), scenes.front().second, {engine}, ladders);
 }
 
 }  // namespace

@@ -113,9 +113,19 @@ std::vector<Ladder> albedos() {
                scene.shapes.back().interior = MediumIndex{0};
                return StressScene{scene, 16, 16};
              }};
-  fog.radiance = 1;
-  fog.engines = {"volpath"};
-  return {room, fog};
+  // Of depth 4 through the middle, where paths scatter a few times: 10^-k of that is lost at most.
+  Ladder pale{
+      "medium homogeneous", "albedo to 1", "an albedo of 1 - 10^-k", {3, 4, 5, 6, 7, 9, 12, 16}, 16, [](double k) {
+        SceneDescription scene = ball_in_uniform_sky(NullDescription{});
+        scene.media.push_back({{}, "fog", HomogeneousDescription{RgbD(2), RgbD(1 - ten(-k)), 1, {}}});
+        scene.shapes.back().interior = MediumIndex{0};
+        return StressScene{scene, 16, 16};
+      }};
+  for (Ladder* ladder : {&fog, &pale}) {
+    ladder->radiance = 1;
+    ladder->engines = {"volpath"};
+  }
+  return {room, fog, pale};
 }
 
 /// A checkerboard and a bitmap moved by whole periods of uv.

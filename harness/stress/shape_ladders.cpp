@@ -142,6 +142,17 @@ std::vector<Ladder> odd_triangles(const fs::path& assets) {
        floor_of("sliver", floor_with_sliver),
        lit},
       {"triangles",
+       "long",
+       "10^k long, 16 wide",
+       {2, 3, 4, 5, 6, 7, 9, 12, 20},
+       9,
+       floor_of("long",
+                [](double k) {
+                  const float end = static_cast<float>(ten_to(k));
+                  return mesh_of({{-8, 0, 8}, {8, 0, 8}, {8, 0, -end}, {-8, 0, -end}}, {{0, 1, 2}, {0, 2, 3}});
+                }),
+       lit},
+      {"triangles",
        "needles",
        "10^k in a fan",
        {1, 2, 3, 4, 5},

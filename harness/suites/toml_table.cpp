@@ -1,11 +1,10 @@
 #include "harness/suites/toml_table.h"
 
-#include <toml++/toml.h>
-
 #include <cmath>
 #include <set>
 #include <sstream>
 
+#include "harness/suites/toml_library.h"
 #include "scenes/text/edit_distance.h"
 
 namespace photonproof {

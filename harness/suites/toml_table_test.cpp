@@ -38,6 +38,14 @@ TEST(TomlTable, syntax_error_has_its_place) {
   EXPECT_TRUE(error.starts_with("t.toml:2:6: error: not valid TOML: ")) << error;
 }
 
+TEST(TomlTable, letters_beyond_ascii_stand_in_quotes_and_comments_alone) {
+  EXPECT_EQ(parse("a = 'é ϝ'  # ü").string("a"), "é ϝ");
+  for (const char* letter : {"é", "ϝ", "ҙ", "日", "\u2040"}) {
+    const std::string error = input_error_of([&] { parse("a = 1\nb = " + std::string(letter)); });
+    EXPECT_TRUE(error.starts_with("t.toml:2:5: error: not valid TOML: ")) << error;
+  }
+}
+
 TEST(TomlTable, missing_key_is_named_at_the_table) {
   EXPECT_EQ(input_error_of([] { parse("[t]\nb = 1").table("t").integer("a"); }),
             "t.toml:1:1: error: 'a' is missing\n  [t]\n  ^");

@@ -3,6 +3,7 @@
 
 #include "renderer/core/ray.h"
 #include "renderer/lanes/lane.h"
+#include "scenes/text/numeric_faults.h"
 
 namespace photonproof {
 
@@ -19,7 +20,9 @@ struct SurfaceHit {
 template <class F>
 Vec3<F> offset_from(const Vec3<F>& p, const Vec3<F>& normal, const Vec3<F>& direction, float coordinate_floor) {
   const F magnitude = lane_max(lane_max(lane_abs(p.x), lane_abs(p.y)), lane_max(lane_abs(p.z), F(coordinate_floor)));
-  return advance(p, lane_copysign(F(4 * 0x1p-23f * magnitude), dot(normal, direction)), normal);
+  F step = F(4 * 0x1p-23f * magnitude);
+  if (has_fault(NumericFault::fixed_step)) step = F(1e-4f);
+  return advance(p, lane_copysign(step, dot(normal, direction)), normal);
 }
 
 }  // namespace photonproof

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <utility>
 
 #include "scenes/text/atomic_file.h"
@@ -172,6 +173,46 @@ StressRecord read_stress_record(const std::filesystem::path& file) {
   }
 }
 
+namespace {
+
+/// What is known of a height: its rung; beyond the last, how that ended the climb; below one that is right, as a quick
+/// climb begins there, right.
+std::optional<StressRung> rung_at(const StressLadder& ladder, double height) {
+  for (const StressRung& rung : ladder.rungs)
+    if (rung.height == height) return rung;
+  if (ladder.rungs.empty()) return std::nullopt;
+  StressRung last = ladder.rungs.back();
+  if (height > last.height && (is_failure(last.outcome) || last.outcome == RungOutcome::refused)) return last;
+  const std::optional<double> right = ladder.right_up_to();
+  if (!right || height > *right) return std::nullopt;
+  last.outcome = RungOutcome::right;
+  return last;
+}
+
+bool is_worse(const StressRung& now, const StressRung& before) {
+  return before.outcome != RungOutcome::undecided && now.outcome != RungOutcome::undecided &&
+         rank(now.outcome) < rank(before.outcome);
+}
+
+std::vector<std::string> steps_of_ladder(const StressLadder& old, const StressLadder& now) {
+  std::set<double> heights;
+  for (const StressLadder* ladder : {&old, &now})
+    for (const StressRung& rung : ladder->rungs) heights.insert(rung.height);
+  std::vector<std::string> sentences;
+  std::optional<double> told;  // a climb that ended is told once
+  for (const double height : heights) {
+    const std::optional<StressRung> before = rung_at(old, height), rung = rung_at(now, height);
+    if (!before || !rung || !is_worse(*rung, *before) || told == rung->height) continue;
+    told = rung->height;
+    sentences.push_back(fmt::format("{}, {}, {}, k = {:g}: {} before, now {}: {}", now.feature, now.climb, now.engine,
+                                    rung->height, to_string(before->outcome), to_string(rung->outcome),
+                                    rung->sentence));
+  }
+  return sentences;
+}
+
+}  // namespace
+
 std::vector<std::string> steps_back(const StressRecord& old, const StressRecord& now) {
   std::vector<std::string> sentences;
   for (const StressLadder& ladder : now.ladders) {
@@ -179,15 +220,8 @@ std::vector<std::string> steps_back(const StressRecord& old, const StressRecord&
       return other.feature == ladder.feature && other.climb == ladder.climb && other.engine == ladder.engine;
     });
     if (before == old.ladders.end()) continue;
-    for (const StressRung& rung : ladder.rungs)
-      for (const StressRung& earlier : before->rungs) {
-        if (earlier.height != rung.height || earlier.outcome == RungOutcome::undecided ||
-            rung.outcome == RungOutcome::undecided || rank(rung.outcome) >= rank(earlier.outcome))
-          continue;
-        sentences.push_back(fmt::format("{}, {}, {}, k = {:g}: {} before, now {}: {}", ladder.feature, ladder.climb,
-                                        ladder.engine, rung.height, to_string(earlier.outcome), to_string(rung.outcome),
-                                        rung.sentence));
-      }
+    const std::vector<std::string> own = steps_of_ladder(*before, ladder);
+    sentences.insert(sentences.end(), own.begin(), own.end());
   }
   return sentences;
 }

@@ -69,8 +69,9 @@ std::string rung_text(const StressRung& rung);
 /// Empty where the text is none.
 std::optional<StressRung> rung_from_text(const std::string& text);
 
-/// A sentence a rung that did better in `old`: right before degraded before refused before wrong. Heights and ladders
-/// that either lacks are not compared.
+/// A sentence a rung that did better in `old`: right before degraded before refused before wrong. What is right counts
+/// as right at all lesser heights, too, since quick climbs go there at once; what ended a climb counts beyond it.
+/// Ladders and other heights that either lacks are not compared.
 std::vector<std::string> steps_back(const StressRecord& old, const StressRecord& now);
 
 }  // namespace photonproof

@@ -78,6 +78,18 @@ TEST(steps_back, are_rungs_that_did_better_before) {
   EXPECT_TRUE(steps_back(before, record_with({right})).empty());
 }
 
+TEST(steps_back, are_seen_from_a_quick_climb_that_had_the_wanted_height_alone) {
+  StressRecord quick = record_with({right, right, right});
+  quick.ladders[0].rungs.erase(quick.ladders[0].rungs.begin(), quick.ladders[0].rungs.begin() + 2);
+  const std::vector<std::string> sentences = steps_back(quick, record_with({right, silently_wrong}));
+  ASSERT_EQ(sentences.size(), 1u);
+  EXPECT_EQ(sentences[0], "shape sphere, scale up, path, k = 6: right before, now silently wrong: so");
+  EXPECT_EQ(steps_back(quick, record_with({right, refused})).size(), 1u);
+  EXPECT_TRUE(steps_back(quick, record_with({right, right})).empty());
+  EXPECT_TRUE(steps_back(record_with({right, right, right, right}), quick).empty());
+  EXPECT_TRUE(steps_back(record_with({right, silently_wrong}), quick).empty());
+}
+
 TEST(stress_pages, hold_the_ladders_and_no_markup_of_others) {
   const ScratchFolder folder("stress-page");
   StressRecord record = record_with({right, silently_wrong});

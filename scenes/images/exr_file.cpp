@@ -24,6 +24,7 @@
 #include <thread>
 #include <utility>
 
+#include "scenes/images/exr_sizes.h"
 #include "scenes/text/input_error.h"
 
 namespace photonproof {
@@ -53,6 +54,7 @@ class ExrFile : public ImageFile {
   explicit ExrFile(const std::string& path) : path_(path) {
     std::error_code ignored;
     set_up_openexr(std::filesystem::file_size(path, ignored));
+    check_attribute_sizes(path);
     try {
       file_.emplace(path.c_str());
       const Imf::Header& header = file_->header(0);

@@ -15,7 +15,9 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <random>
+#include <string>
 
 #include "scenes/text/test_folder.h"
 
@@ -52,6 +54,19 @@ class ExrFile : public FolderTest {
 
   std::vector<std::vector<float>> values_;
 };
+
+TEST_F(ExrFile, that_claims_gigabytes_for_an_attribute_is_refused_before_they_are_allocated) {
+  write_lines({"R", "G", "B"});
+  std::ifstream in(path(), std::ios::binary);
+  std::string bytes{std::istreambuf_iterator<char>(in), {}};
+  const std::string attribute("compression\0compression\0", 24);
+  const std::size_t at = bytes.find(attribute) + attribute.size();
+  bytes.replace(at, 4, "\xff\xff\xff\x7f");
+  std::ofstream(path(), std::ios::binary) << bytes;
+  EXPECT_EQ(refusal(), path() +
+                           ": error: cannot be read as an image: attribute 'compression' claims 2147483647 bytes, " +
+                           std::to_string(bytes.size() - at - 4) + " are left");
+}
 
 TEST_F(ExrFile, in_tiles_with_a_window_off_the_origin_is_read_as_any_other) {
   const int width = 70, height = 50;

@@ -44,10 +44,11 @@ constexpr std::pair<const char*, Fault> names[] = {
 };
 
 constexpr std::pair<const char*, NumericFault> names_of_numeric[] = {
-    {"no-recentring", NumericFault::no_recentring},   {"no-rescaling", NumericFault::no_rescaling},
-    {"float-faces", NumericFault::float_faces},       {"float-sphere", NumericFault::float_sphere},
-    {"float-cylinder", NumericFault::float_cylinder}, {"lost-height", NumericFault::lost_height},
-    {"far-periods", NumericFault::far_periods},       {"unclamped-metal", NumericFault::unclamped_metal},
+    {"no-recentring", NumericFault::no_recentring},     {"no-rescaling", NumericFault::no_rescaling},
+    {"float-faces", NumericFault::float_faces},         {"float-sphere", NumericFault::float_sphere},
+    {"float-cylinder", NumericFault::float_cylinder},   {"lost-height", NumericFault::lost_height},
+    {"far-periods", NumericFault::far_periods},         {"fixed-step", NumericFault::fixed_step},
+    {"unclamped-metal", NumericFault::unclamped_metal},
 };
 
 template <class Names>

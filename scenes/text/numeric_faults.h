@@ -1,4 +1,4 @@
-// Faults of numbers that can be planted in the renderer: a float where a double was, a
+// Faults of numbers that can be planted in the renderer: an epsilon that is a constant, a float where a double was, a
 // clamp that is missing, an origin that is not recentred. Ordinary scenes do not show them; each breaks one climb of
 // `photonproof stress` (harness/stress/numeric_faults_test.cpp). Planted as those of faults.h are.
 #pragma once
@@ -15,6 +15,7 @@ enum class NumericFault {
   float_cylinder,   ///< rays meet cylinders so
   lost_height,      ///< a cylindrical lamp's height is the difference of two that keep no digits of it
   far_periods,      ///< textures do not leave out whole periods before they round
+  fixed_step,       ///< rays leave surfaces by one length, whatever their coordinates
   unclamped_metal,  ///< indices of metals go to where their fourth powers leave single precision
 };
 
