@@ -195,7 +195,13 @@ class LightCandidates {
     candidate.local = true;
     const std::string name = "the " + landmark.name;
     Finding said{"object-brightness", "", "", {}, 0};
-    if (most < 0.05) {
+    if (most < 0.95 && most >= 0.05 && caustic_share(mark) > 0.3) {
+      said = {"caustic-missing-on",
+              "part of the caustics on " + name + " is missing: it is too dark",
+              "light that mirrors, glass or water send there is left out, or stored elsewhere",
+              {},
+              0};
+    } else if (most < 0.05) {
       said = {"object-black", name + " is black", "its normal points the wrong way, or nothing lights it", {}, 0};
     } else if (most > 1.25 * least && most - least > 0.15) {
       said = {"object-colour", name + " has the wrong colour", "its reflectance is not what the scene says", {}, 0};
@@ -206,6 +212,20 @@ class LightCandidates {
     }
     candidate.said = {said};
     candidates_.push_back(std::move(candidate));
+  }
+
+  /// Of an object's light.
+  double caustic_share(std::size_t mark) const {
+    double sum = 0, count = 0;
+    for (const FeatureProbe& probe : light_.probes) {
+      if (probe.feature != "caustic" || guess_.has(probe.feature)) continue;
+      for (std::size_t i = 0; i < knowledge_.seen.size(); ++i)
+        if (knowledge_.seen[i] == mark + 1) {
+          sum += probe.weight[i];
+          count += 1;
+        }
+    }
+    return sum / std::max(1.0, count);
   }
 
   const Guess& guess_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <variant>
 
@@ -48,6 +49,7 @@ class Mistakes {
     add_missing_bodies();
     add_hard_shadows();
     add_swapped_walls();
+    add_shared_material();
     return std::move(mistakes_);
   }
 
@@ -224,6 +226,31 @@ class Mistakes {
                              {}});
         mistakes_.back().changes = {a, b};
       }
+  }
+
+  /// That of the first diffuse surface for all others.
+  void add_shared_material() {
+    std::optional<BsdfIndex> shared;
+    bool differ = false;
+    SceneDescription alike = scene_;
+    std::vector<std::size_t> changed;
+    for (std::size_t i = 0; i < scene_.shapes.size(); ++i) {
+      const ShapeDescription& shape = scene_.shapes[i];
+      if (shape.radiance || look_of(scene_, shape) != Look::diffuse) continue;
+      if (!shared) shared = shape.bsdf;
+      if (shape.bsdf == *shared) continue;
+      differ = true;
+      alike.shapes[i].bsdf = *shared;
+      if (visible_[i]) changed.push_back(i);
+    }
+    if (!differ) return;
+    mistakes_.push_back({"materials-shared",
+                         "all walls have one colour",
+                         "one material, the first, is used for all of them",
+                         "",
+                         std::move(alike),
+                         {}});
+    mistakes_.back().changes = std::move(changed);
   }
 
   const SceneDescription& scene_;

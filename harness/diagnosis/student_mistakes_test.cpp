@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <variant>
@@ -143,6 +144,18 @@ TEST_F(StudentMistakes, shadow_rays_that_pass_one_body_are_told_from_those_that_
   };
   expect_first(with_direct_of(without_sphere(false)), "shadow-missing", "the mirror sphere casts no shadow");
   expect_first(with_direct_of(without_sphere(true)), "shadows-missing", "shadows missing");
+}
+
+TEST_F(StudentMistakes, one_material_for_all_walls_is_no_mistake_of_channels) {
+  expect_first(with([](SceneDescription& scene) {
+                 std::optional<BsdfIndex> first;
+                 for (ShapeDescription& shape : scene.shapes) {
+                   if (!std::holds_alternative<RectangleDescription>(shape.geometry) || shape.radiance) continue;
+                   if (!first) first = shape.bsdf;
+                   shape.bsdf = *first;
+                 }
+               }),
+               "materials-shared", "all walls have one colour");
 }
 
 TEST_F(StudentMistakes, all_that_is_missing_is_one_sentence) {

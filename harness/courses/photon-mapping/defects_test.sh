@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Twice ten mistakes that students make, graded: what is said first of each is what a teaching assistant would say
-# (defects/expected.txt, defects/expected_second.txt). Small pictures of two scenes.
+# Three times ten mistakes that students make, graded: what is said first of each is what a teaching assistant would say
+# (defects/expected*.txt). Small pictures of two scenes.
 #   defects_test.sh WORK PHOTONPROOF     a folder that is made anew
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
