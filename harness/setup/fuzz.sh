@@ -39,8 +39,8 @@ executed() { grep -o '^#[0-9][0-9]*' "$1" | tail -n 1 | tr -d '#'; }
 # A number that follows from what these sources (beginnings of paths) say, tests aside.
 state_of() {
   local part
-  for part in "$@"; do git ls-files -- "$part*"; done | grep -E '\.(cpp|h|json)$' | grep -vE '_(test|bench)\.' | sort -u |
-    git hash-object --stdin-paths | git hash-object --stdin | cut -c1-10
+  for part in "$@"; do find "${part%/*}" -type f -path "$part*"; done | grep -E '\.(cpp|h|json)$' | grep -vE '_(test|bench)\.' |
+    LC_ALL=C sort -u | xargs sha1sum | sha1sum | cut -c1-10
 }
 
 # libFuzzer measures an input by the clock, so that on a busy machine one of no harm seems to hang. It does if it takes
@@ -53,7 +53,7 @@ fuzz() {
   local inputs=build/fuzz/inputs/$target found=build/fuzz/found/$target log=build/fuzz/$target.log artifact used
   local more=()
   if [ -n "$quick" ]; then
-    inputs=build/fuzz/quick/$target more=(-seed=1)
+    inputs=build/fuzz/quick/$target log=build/fuzz/quick/$target.log more=(-seed=1)
     rm -rf "$inputs"
   fi
   mkdir -p "$inputs" "$found"
@@ -97,7 +97,7 @@ count() {
   awk -F ' *[|] *' -v target="$1" -v state="$3" -v minutes="$4" -v processor="$5" -v runs="$6" -v edges="$7" \
     -v finds="$8" -v corpus="$files files, $bytes KB" '
     function row() {
-      printf "| %s | %s | %.1f | %.1f | %d | %s | %s | %d |\n", target, state, minutes, processor, runs, edges, corpus, finds
+      printf "| %s | %s | %.1f | %.2f | %d | %s | %s | %d |\n", target, state, minutes, processor, runs, edges, corpus, finds
     }
     $2 == target {
       finds += $9
@@ -112,7 +112,7 @@ count() {
 finds=0
 while read -r target corpus dictionary covers; do
   [ $# -eq 0 ] || [[ " $* " = *" $target "* ]] || continue
-  log=build/fuzz/$target.log
+  log=build/fuzz/${quick:+quick/}$target.log
   # shellcheck disable=SC2086
   [ -n "$quick" ] || state=$(state_of $covers)
   if [ -n "$merge" ]; then

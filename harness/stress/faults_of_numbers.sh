@@ -20,8 +20,16 @@ mkdir -p "$folder"
 # Under one name for each fault, so that what is kept of one is not taken for another's.
 with_fault() {
   command="$folder/program-$1"
-  printf '#!/bin/sh\n# %s\nPHOTONPROOF_FAULT=%s exec %s-faulty "$@"\n' "$(cksum <"$program-faulty")" "${1#none}" \
-    "$program" >"$command.part"
+  cat >"$command.part" <<END
+#!/bin/sh
+# $(cksum <"$program-faulty")
+# Faults of kernels are in those of one instruction set.
+case " \$* " in
+  *" --integrator path "* | *" --integrator photonmapper "* | *" --integrator direct "*)
+    [ "\$(uname -m)" != x86_64 ] || set -- "\$@" --isa v2 ;;
+esac
+PHOTONPROOF_FAULT=${1#none} exec $program-faulty "\$@"
+END
   chmod +x "$command.part"
   mv "$command.part" "$command"
   realpath "$command"

@@ -12,6 +12,7 @@
 #include <fstream>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 #include "scenes/text/input_error.h"
 #include "scenes/text/utf8.h"
@@ -35,6 +36,8 @@ class FuzzFolder {
 
   std::filesystem::path put(const std::string& name, std::string_view bytes) const {
     std::filesystem::path file = path_ / name;
+    std::error_code ignored;
+    std::filesystem::remove(file, ignored);  // ext4 waits for the disk where a file is cut to nothing and written anew
     std::ofstream(file, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     return file;
   }
