@@ -17,4 +17,11 @@ std::function<void(double fraction, const std::string& phase)> progress_line(boo
 /// begins: throws InputError when either file could not be written, or would replace the scene or the other one.
 std::string checked_stats_path(const std::string& asked, const std::string& image, const std::string& scene);
 
+/// The exit code of `run`, or 3 with the reason on stderr's last line when another engine cannot express the scene.
+int refusing_with_3(const std::function<int()>& run);
+
+/// The exit code of `run`, or 130 when an interrupt ended the engine before anything was written; its other failures,
+/// which are not the scene's fault, go up to main.
+int interruptibly(const std::function<int()>& run);
+
 }  // namespace photonproof

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "harness/verbs/engine_output.h"
 #include "harness/verbs/povray_arguments.h"
 #include "harness/verbs/verbs.h"
 #include "reference/povray/povray_export.h"
