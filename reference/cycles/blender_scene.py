@@ -531,9 +531,11 @@ def fog(medium):
 
 
 def render(batches):
-    """(samples, seed) of each picture; picture i goes to batch_i.exr."""
+    """(samples, seed) of each picture; picture i goes to batch_i.exr. Samples start behind the first of their sequence,
+    which Cycles takes at the middle of its pixel whatever the seed."""
+    bpy.app.handlers.render_stats.append(lambda said, *_: print("photonproof: " + str(said), file=sys.stderr, flush=True))
     for i, (samples, seed) in enumerate(batches):
-        SCENE.cycles.samples, SCENE.cycles.seed = samples, seed
+        SCENE.cycles.samples, SCENE.cycles.sample_offset, SCENE.cycles.seed = samples, samples, seed
         SCENE.render.filepath = os.path.join(HERE, "batch_%d.exr" % i)
         bpy.ops.render.render(write_still=True)
-        print("photonproof: %d of %d" % (i + 1, len(batches)), flush=True)
+        print("photonproof: %d" % (i + 1), file=sys.stderr, flush=True)

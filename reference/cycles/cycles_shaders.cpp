@@ -1,0 +1,175 @@
+#include "reference/cycles/cycles_shaders.h"
+
+#include <algorithm>
+#include <type_traits>
+
+#include "reference/cycles/python_text.h"
+#include "scenes/description/overloaded.h"
+#include "scenes/text/text_numbers.h"
+
+namespace photonproof {
+namespace {
+
+/// The two rows of to_uv that count, each u, v and what is added.
+std::string rows_py(const Transform& t) {
+  const auto row = [&](std::size_t i) { return py_tuple(Vec3d{t.m[i], t.m[i + 1], t.m[i + 3]}); };
+  return "(" + row(0) + ", " + row(4) + ")";
+}
+
+std::string scalar_py(CyclesScript& script, const Scalar& scalar) {
+  if (const auto* number = std::get_if<double>(&scalar)) return format_number(*number);
+  return "g.luminance(" + colour_py(script, std::get<TextureIndex>(scalar)) + ")";
+}
+
+/// What one side of a surface reflects. Throws NotRepresentable where that is not known in Cycles' terms.
+struct Side {
+  CyclesScript& script;
+  const BsdfDescription& bsdf;
+
+  [[noreturn]] void refuse(const std::string& why) const { script.refuse(bsdf.loc, why); }
+
+  std::string operator()(const DiffuseDescription& d) const {
+    return "g.diffuse(" + colour_py(script, d.reflectance) + ")";
+  }
+  std::string operator()(const ConductorDescription& d) const {
+    const std::string colour = colour_py(script, d.specular_reflectance);
+    if (!d.ior) return "g.mirror(" + colour + ")";
+    return "g.conductor(" + py_tuple(d.ior->eta) + ", " + py_tuple(d.ior->k) + ", " + colour + ")";
+  }
+  std::string operator()(const RoughConductorDescription& d) const {
+    const auto *u = std::get_if<double>(&d.alpha_u), *v = std::get_if<double>(&d.alpha_v);
+    if (!u || !v) refuse("a rough conductor whose alpha is a texture; a number can be written");
+    if (*u != *v) refuse("a rough conductor that is rougher along one tangent than along the other");
+    if (d.ior)
+      refuse(
+          "a rough conductor with an index of refraction: Blender 3.4's glossy reflection has one colour at every "
+          "angle; material 'none' can be written");
+    const bool ggx = d.distribution == MicrofacetDistribution::ggx;
+    return "g.metal(" + colour_py(script, d.specular_reflectance) + ", " + (ggx ? "\"GGX\"" : "\"BECKMANN\"") + ", " +
+           format_number(*u) + ")";
+  }
+  std::string operator()(const BlendDescription& d) const {
+    const auto part = [&](BsdfIndex index) {
+      const BsdfDescription& nested = script.scene().bsdfs[index.value];
+      return std::visit(Side{script, nested}, nested.model);
+    };
+    return "g.mix(" + part(d.first) + ", " + part(d.second) + ", " + scalar_py(script, d.weight) + ")";
+  }
+  std::string operator()(const RoughDielectricDescription&) const {
+    refuse("a rough dielectric: Blender 3.4 takes Fresnel's share at the surface's normal, not at the facet's");
+  }
+  std::string operator()(const PlasticDescription&) const { refuse(std::string("plastic: ") + coat); }
+  std::string operator()(const RoughPlasticDescription&) const { refuse(std::string("a rough plastic: ") + coat); }
+  std::string operator()(const LayeredDescription&) const { refuse(std::string("a lacquer: ") + coat); }
+  std::string operator()(const PhongDescription&) const { refuse("phong: Cycles has no such lobe"); }
+  std::string operator()(const BumpMapDescription&) const {
+    refuse("a bump map: Cycles perturbs normals by another rule");
+  }
+  std::string operator()(const NormalMapDescription&) const {
+    refuse("a normal map: Cycles bends mapped normals by a rule of its own where they look away");
+  }
+  template <class Other>
+  std::string operator()(const Other&) const {
+    refuse("something that transmits, in the place of one side of a surface");
+  }
+
+  static constexpr const char* coat =
+      "what enters its coat depends on the light's direction, and the colour of Cycles' diffuse reflection on the "
+      "viewer's alone";
+};
+
+/// A surface as it is met from both sides.
+struct Surface {
+  CyclesScript& script;
+  const BsdfDescription& bsdf;
+
+  std::string of(BsdfIndex index) const {
+    const BsdfDescription& nested = script.scene().bsdfs[index.value];
+    return std::visit(Surface{script, nested}, nested.model);
+  }
+  std::string side(BsdfIndex index) const {
+    const BsdfDescription& nested = script.scene().bsdfs[index.value];
+    return std::visit(Side{script, nested}, nested.model);
+  }
+
+  std::string operator()(const TwoSidedDescription& d) const {
+    const std::string front = side(d.front);
+    return d.front == d.back ? front : "g.sides(" + front + ", " + side(d.back) + ")";
+  }
+  std::string operator()(const MaskDescription& d) const {
+    return "g.mix(g.clear(), " + of(d.nested) + ", " + scalar_py(script, d.opacity) + ")";
+  }
+  std::string operator()(const BlendDescription& d) const {
+    return "g.mix(" + of(d.first) + ", " + of(d.second) + ", " + scalar_py(script, d.weight) + ")";
+  }
+  std::string operator()(const NullDescription&) const { return "g.clear()"; }
+  std::string operator()(const DielectricDescription& d) const {
+    if (d.priority) script.refuse(bsdf.loc, "a dielectric with a priority: Cycles knows no nested bodies");
+    return "g.glass(" + optics(d) + ")";
+  }
+  std::string operator()(const ThinDielectricDescription& d) const { return "g.pane(" + optics(d) + ")"; }
+  template <class Opaque>
+  std::string operator()(const Opaque& d) const {
+    return "g.sides(" + Side{script, bsdf}(d) + ", None)";  // black from behind
+  }
+
+ private:
+  template <class Interface>
+  std::string optics(const Interface& d) const {
+    return format_number(d.int_ior / d.ext_ior) + ", " + colour_py(script, d.specular_reflectance) + ", " +
+           colour_py(script, d.specular_transmittance);
+  }
+};
+
+std::string bitmap_py(CyclesScript& script, const BitmapDescription& bitmap, const SourceLoc& loc) {
+  if (bitmap.wrap == TextureWrap::mirror)
+    script.refuse(loc, "a texture that is mirrored beyond its edges; repeated and clamped ones can be written");
+  return "g.image(" + py_string(script.file_of(bitmap.image)) + ", " + rows_py(bitmap.to_uv) + ", " +
+         (bitmap.wrap == TextureWrap::repeat ? "\"REPEAT\"" : "\"EXTEND\"") + ", " +
+         (bitmap.filter == TextureFilter::bilinear ? "\"Linear\"" : "\"Closest\"") + ")";
+}
+
+}  // namespace
+
+std::string colour_py(CyclesScript& script, const Colour& colour) {
+  if (const auto* rgb = std::get_if<RgbD>(&colour)) return py_tuple(*rgb);
+  const TextureDescription& texture = script.scene().textures[std::get<TextureIndex>(colour).value];
+  return std::visit(Overloaded{[&](const BitmapDescription& bitmap) { return bitmap_py(script, bitmap, texture.loc); },
+                               [&](const CheckerboardDescription& board) {
+                                 return "g.checkerboard(" + colour_py(script, board.color0) + ", " +
+                                        colour_py(script, board.color1) + ", " + rows_py(board.to_uv) + ")";
+                               }},
+                    texture.pattern);
+}
+
+std::string medium_py(const CyclesScript& script, MediumIndex index) {
+  const auto& medium = std::get<HomogeneousDescription>(script.scene().media[index.value].model);
+  const RgbD extinction = medium.sigma_t * medium.scale, scattering = extinction * medium.albedo;
+  const auto* lobe = std::get_if<HenyeyGreensteinDescription>(&medium.phase);
+  return "lambda g: g.medium(" + py_tuple(scattering) + ", " + py_tuple(extinction - scattering) + ", " +
+         format_number(lobe ? lobe->g : 0) + ")";
+}
+
+std::string material_py(CyclesScript& script, const std::string& name, const CyclesMaterial& material) {
+  const BsdfDescription& bsdf = script.scene().bsdfs[material.bsdf.value];
+  std::string surface = std::visit(Surface{script, bsdf}, bsdf.model);
+  if (material.radiance)
+    surface = "g.sum(g.sides(g.glow(" + colour_py(script, *material.radiance) + "), None), " + surface + ")";
+  std::string text = "material(" + py_string(name) + ", lambda g: " + surface;
+  if (material.interior) text += ", " + medium_py(script, *material.interior);
+  return text + ")";
+}
+
+bool is_nothing(const SceneDescription& scene, BsdfIndex index) {
+  return std::holds_alternative<NullDescription>(scene.bsdfs[index.value].model);
+}
+
+bool passes_straight(const SceneDescription& scene, BsdfIndex index) {
+  const BsdfDescription& bsdf = scene.bsdfs[index.value];
+  const auto nested = nested_bsdfs(bsdf);
+  return std::holds_alternative<NullDescription>(bsdf.model) || std::holds_alternative<MaskDescription>(bsdf.model) ||
+         std::holds_alternative<ThinDielectricDescription>(bsdf.model) ||
+         std::any_of(nested.begin(), nested.end(), [&](BsdfIndex inner) { return passes_straight(scene, inner); });
+}
+
+}  // namespace photonproof

@@ -1,0 +1,33 @@
+// Surfaces and media as Cycles' shaders: expressions of the Graph of blender_scene.py.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "reference/cycles/cycles_script.h"
+
+namespace photonproof {
+
+/// Of a colour, or of a texture as it is looked up where the surface is met.
+std::string colour_py(CyclesScript& script, const Colour& colour);
+
+/// "lambda g: ..." of a medium.
+std::string medium_py(const CyclesScript& script, MediumIndex index);
+
+/// What a shape is made of.
+struct CyclesMaterial {
+  BsdfIndex bsdf;
+  std::optional<Colour> radiance;
+  std::optional<MediumIndex> interior;
+};
+
+/// "material(...)" of the name. Throws NotRepresentable for every model that Blender 3.4 has no equal of.
+std::string material_py(CyclesScript& script, const std::string& name, const CyclesMaterial& material);
+
+/// Whether there is no surface at all, at most a border of a medium.
+bool is_nothing(const SceneDescription& scene, BsdfIndex index);
+
+/// Whether some light passes straight on, which Cycles does not count as part of a path.
+bool passes_straight(const SceneDescription& scene, BsdfIndex index);
+
+}  // namespace photonproof
