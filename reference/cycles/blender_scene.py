@@ -7,7 +7,7 @@ import os
 import sys
 
 import bpy
-from mathutils import Matrix
+from mathutils import Matrix, Vector
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 SCENE = bpy.context.scene
@@ -29,7 +29,6 @@ def settings(width, height, threads, bounces, filter_kind, filter_width):
     render.engine = "CYCLES"
     cycles.device = "CPU"
     render.resolution_x, render.resolution_y, render.resolution_percentage = width, height, 100
-    render.pixel_aspect_x = render.pixel_aspect_y = 1
     render.threads_mode, render.threads = "FIXED", threads
     render.use_persistent_data = True
     render.use_compositing = render.use_sequencer = render.use_motion_blur = render.use_stamp = False
@@ -60,6 +59,9 @@ def camera(kind, columns, near, far, tangents=(0, 0), middle=(0, 0), lens_radius
     the image from the axis, in halves of it."""
     data = bpy.data.cameras.new("camera")
     data.clip_start, data.clip_end = near, far
+    # Of a pixel's height and width, which Blender takes from 1 up.
+    tall = tangents[1] * SCENE.render.resolution_x / (tangents[0] * SCENE.render.resolution_y) if angle == 0 else 1
+    SCENE.render.pixel_aspect_x, SCENE.render.pixel_aspect_y = max(1, 1 / tall), max(1, tall)
     wide = SCENE.render.resolution_x >= SCENE.render.resolution_y
     larger = 0 if wide else 1
     data.sensor_fit = "HORIZONTAL" if wide else "VERTICAL"
@@ -187,23 +189,32 @@ def rectangle_mesh(name):
 
 
 def cube_mesh(name):
-    """Every face has the whole square of uv; the corners (0,0), (1,0), (1,1), (0,1) of each."""
-    faces = ((1, -1, -1, 1, 1, -1, 1, 1, 1, 1, -1, 1), (-1, -1, -1, -1, -1, 1, -1, 1, 1, -1, 1, -1),
-             (1, 1, -1, -1, 1, -1, -1, 1, 1, 1, 1, 1), (-1, -1, -1, 1, -1, -1, 1, -1, 1, -1, -1, 1),
-             (-1, -1, 1, 1, -1, 1, 1, 1, 1, -1, 1, 1), (1, -1, -1, -1, -1, -1, -1, 1, -1, 1, 1, -1))
-    return polygons(name, array.array("f", (x for face in faces for x in face)), array.array("i", range(24)), 4,
-                    array.array("f", (0, 0, 1, 0, 1, 1, 0, 1)) * 6)
+    """Every face has the whole square of uv: its normal, and where uv is (1,1). Seen from outside v is clockwise of u."""
+    faces = (((1, 0, 0), (1, 1, -1)), ((-1, 0, 0), (-1, 1, 1)), ((0, 1, 0), (-1, 1, -1)),
+             ((0, -1, 0), (1, -1, 1)), ((0, 0, 1), (1, 1, 1)), ((0, 0, -1), (1, -1, -1)))
+    positions = array.array("f")
+    for normal, corner in faces:
+        n = Vector(normal)
+        diagonal = (Vector(corner) - n) * 2
+        u = (diagonal - diagonal.cross(n)) / 2
+        start = n - diagonal / 2
+        for p in (start, start + diagonal - u, start + diagonal, start + u):
+            positions.extend(p)
+    return polygons(name, positions, array.array("i", range(24)), 4, array.array("f", (0, 0, 0, 1, 1, 1, 1, 0)) * 6)
 
 
 def disk_mesh(name, segments):
-    """A disc of many sides, as large as its area is pi."""
+    """A disc of many sides, as large as its area is pi; u the distance from the middle, v the angle from x to y."""
     reach = math.sqrt(2 * math.pi / (segments * math.sin(2 * math.pi / segments)))
-    positions, corners = array.array("f", (0, 0, 0)), array.array("i")
+    positions, corners, uv = array.array("f", (0, 0, 0)), array.array("i"), array.array("f")
     for i in range(segments):
         phi = 2 * math.pi * i / segments
         positions.extend((reach * math.cos(phi), reach * math.sin(phi), 0))
         corners.extend((0, 1 + i, 1 + (i + 1) % segments))
-    return polygons(name, positions, corners, 3)
+        uv.extend((0, (i + 0.5) / segments, 1, i / segments, 1, (i + 1) / segments))
+    mesh = polygons(name, positions, corners, 3)
+    mesh.uv_layers.new(name="uv").data.foreach_set("uv", uv)
+    return mesh
 
 
 def cylinder_mesh(name, segments):
@@ -533,7 +544,6 @@ def fog(medium):
 def render(batches):
     """(samples, seed) of each picture; picture i goes to batch_i.exr. Samples start behind the first of their sequence,
     which Cycles takes at the middle of its pixel whatever the seed."""
-    bpy.app.handlers.render_stats.append(lambda said, *_: print("photonproof: " + str(said), file=sys.stderr, flush=True))
     for i, (samples, seed) in enumerate(batches):
         SCENE.cycles.samples, SCENE.cycles.sample_offset, SCENE.cycles.seed = samples, samples, seed
         SCENE.render.filepath = os.path.join(HERE, "batch_%d.exr" % i)

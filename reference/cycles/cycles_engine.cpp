@@ -1,5 +1,7 @@
 #include "reference/cycles/cycles_engine.h"
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
@@ -82,39 +84,22 @@ Rendering pooled_batches(const CyclesExport& scene, const std::vector<Image>& im
   return out;
 }
 
-/// What share is done, by what Blender says after each picture and each while of samples.
-class Progress {
- public:
-  Progress(const CyclesExport& scene, const CyclesRunOptions& options) : scene_(scene), options_(options) {}
+/// Calls `progress` with the share of pictures that the script says on standard error are done.
+struct Progress {
+  std::size_t batches;
+  std::function<void(double, const std::string&)> progress;
+  std::string text{};
 
   void operator()(std::string_view chunk) {
-    text_ += chunk;
-    for (std::size_t end = text_.find('\n'); end != std::string::npos; end = text_.find('\n')) {
-      line(std::string_view(text_).substr(0, end));
-      text_.erase(0, end + 1);
+    constexpr std::string_view start = "photonproof: ";
+    text += chunk;
+    for (std::size_t end = text.find('\n'); end != std::string::npos; end = text.find('\n')) {
+      int done = 0;
+      if (text.starts_with(start)) std::from_chars(text.data() + start.size(), text.data() + end, done);
+      if (done > 0 && progress) progress(std::min(1.0, double(done) / double(batches)), "Cycles");
+      text.erase(0, end + 1);
     }
   }
-
- private:
-  static int number_after(std::string_view line, std::string_view word) {
-    const std::size_t at = line.rfind(word);
-    int number = -1;
-    if (at != std::string_view::npos)
-      std::from_chars(line.data() + at + word.size(), line.data() + line.size(), number);
-    return number;
-  }
-  void line(std::string_view line) {
-    if (const int done = number_after(line, "photonproof: "); done >= 0) batches_ = done;
-    const int samples = std::max(0, number_after(line, "Sample "));
-    const double share =
-        (batches_ + double(samples) / std::max(1, scene_.batches.front().samples)) / double(scene_.batches.size());
-    if (options_.progress) options_.progress(std::min(share, 1.0), "Cycles");
-  }
-
-  const CyclesExport& scene_;
-  const CyclesRunOptions& options_;
-  std::string text_;
-  int batches_ = 0;
 };
 
 }  // namespace
@@ -150,7 +135,7 @@ CyclesRun render_cycles(const CyclesExport& scene, const CyclesRunOptions& optio
   process.memory_limit_bytes = options.memory_limit_bytes;
   process.interrupt = options.interrupt;
   process.working_folder = folder.path();
-  process.on_stderr = Progress(scene, options);
+  process.on_stderr = Progress{scene.batches.size(), options.progress};
   const ProcessOutcome outcome = run_process(argv, process);
   if (!outcome.ok())
     report_failure({"Blender", options.program, "blender"}, outcome,

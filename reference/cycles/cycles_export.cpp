@@ -26,11 +26,36 @@ int bounces_of(const CyclesScript& script) {
   if (depth < 0) return most_bounces;
   const SourceLoc& loc = scene.integrator.loc;
   if (depth == 1) script.refuse(loc, "max_depth 1: Cycles has no end of paths before direct light");
-  const auto straight = [&](const ShapeDescription& shape) { return passes_straight(scene, shape.bsdf); };
-  if (std::any_of(scene.shapes.begin(), scene.shapes.end(), straight))
-    script.refuse(loc,
-                  "max_depth with what light passes straight through: Cycles does not count that as part of a path");
+  const auto pane = [&](const ShapeDescription& shape) { return traits_of(scene, shape.bsdf).pane; };
+  if (std::any_of(scene.shapes.begin(), scene.shapes.end(), pane))
+    script.refuse(loc, "max_depth with a thin dielectric: Cycles does not count what passes it as part of a path");
   return std::min(depth - 2, most_bounces);
+}
+
+/// Cycles' paths start at the camera: light of a lamp without size that mirrors or glass throw onto what is rough, or
+/// into fog, they never find.
+void check_lamps(const CyclesScript& script) {
+  const SceneDescription& scene = script.scene();
+  bool clear = false, wide = !scene.media.empty();
+  const auto look_at = [&](const ShapeDescription& shape) {
+    if (std::holds_alternative<InstanceDescription>(shape.geometry)) return;
+    const CyclesTraits traits = traits_of(scene, shape.bsdf);
+    clear |= traits.clear;
+    wide |= traits.wide;
+  };
+  std::for_each(scene.shapes.begin(), scene.shapes.end(), look_at);
+  for (const ShapeGroupDescription& group : scene.groups)
+    std::for_each(group.shapes.begin(), group.shapes.end(), look_at);
+  for (const EmitterDescription& emitter : scene.emitters) {
+    const bool small = std::holds_alternative<PointLightDescription>(emitter.light) ||
+                       std::holds_alternative<SpotLightDescription>(emitter.light) ||
+                       std::holds_alternative<DirectionalLightDescription>(emitter.light) ||
+                       std::holds_alternative<IesLightDescription>(emitter.light);
+    if (small && clear && wide)
+      script.refuse(emitter.loc,
+                    "a lamp without size beside mirrors or glass: what they throw of its light can be sampled from the "
+                    "lamp only, and Cycles' paths start at the camera");
+  }
 }
 
 /// Cycles' name of the filter and its width in pixels.
@@ -41,10 +66,11 @@ std::string filter_py(const CyclesScript& script) {
     case ReconstructionFilter::Kind::box:
       return "\"BOX\", 1";
     case ReconstructionFilter::Kind::gaussian:
-      // exp(-2 (6 x / width)^2) is a Gaussian of deviation width / 12; what is cut off differs by 3e-4.
-      if (12 * filter.stddev > 10)
-        script.refuse(scene.sensor.loc, "a Gaussian filter of a deviation above 10/12 of a pixel: Cycles has none");
-      return "\"GAUSSIAN\", " + format_number(12 * filter.stddev);
+      // exp(-2 (6 x / w)^2) with w three times the width: a Gaussian of deviation width / 4, cut at 6 deviations where
+      // ours is cut at 4 and lowered by exp(-8) = 3e-4.
+      if (4 * filter.stddev > 10)
+        script.refuse(scene.sensor.loc, "a Gaussian filter of a deviation above 2.5 pixels: Cycles has none so wide");
+      return "\"GAUSSIAN\", " + format_number(4 * filter.stddev);
     case ReconstructionFilter::Kind::tent:
       script.refuse(scene.sensor.loc, "a tent filter: Cycles has none; a box or a Gaussian can be written");
   }
@@ -88,6 +114,7 @@ CyclesExport export_cycles(const SceneDescription& scene, const CyclesOptions& o
 
   CyclesScript script(scene, options.stem);
   if (scene.sensor.film.crop) script.refuse(scene.sensor.loc, "a film with a crop");
+  check_lamps(script);
   script.line("clear()");
   script.line("settings(" + std::to_string(result.width) + ", " + std::to_string(result.height) + ", " +
               std::to_string(result.threads) + ", " + std::to_string(bounces_of(script)) + ", " + filter_py(script) +

@@ -1,6 +1,5 @@
 #include "reference/cycles/cycles_shaders.h"
 
-#include <algorithm>
 #include <type_traits>
 
 #include "reference/cycles/python_text.h"
@@ -164,12 +163,21 @@ bool is_nothing(const SceneDescription& scene, BsdfIndex index) {
   return std::holds_alternative<NullDescription>(scene.bsdfs[index.value].model);
 }
 
-bool passes_straight(const SceneDescription& scene, BsdfIndex index) {
+CyclesTraits traits_of(const SceneDescription& scene, BsdfIndex index) {
   const BsdfDescription& bsdf = scene.bsdfs[index.value];
-  const auto nested = nested_bsdfs(bsdf);
-  return std::holds_alternative<NullDescription>(bsdf.model) || std::holds_alternative<MaskDescription>(bsdf.model) ||
-         std::holds_alternative<ThinDielectricDescription>(bsdf.model) ||
-         std::any_of(nested.begin(), nested.end(), [&](BsdfIndex inner) { return passes_straight(scene, inner); });
+  CyclesTraits traits;
+  traits.pane = std::holds_alternative<ThinDielectricDescription>(bsdf.model);
+  traits.clear = traits.pane || std::holds_alternative<ConductorDescription>(bsdf.model) ||
+                 std::holds_alternative<DielectricDescription>(bsdf.model);
+  traits.wide = std::holds_alternative<DiffuseDescription>(bsdf.model) ||
+                std::holds_alternative<RoughConductorDescription>(bsdf.model);
+  for (const BsdfIndex inner : nested_bsdfs(bsdf)) {
+    const CyclesTraits nested = traits_of(scene, inner);
+    traits.pane |= nested.pane;
+    traits.clear |= nested.clear;
+    traits.wide |= nested.wide;
+  }
+  return traits;
 }
 
 }  // namespace photonproof

@@ -27,7 +27,12 @@ std::string material_py(CyclesScript& script, const std::string& name, const Cyc
 /// Whether there is no surface at all, at most a border of a medium.
 bool is_nothing(const SceneDescription& scene, BsdfIndex index);
 
-/// Whether some light passes straight on, which Cycles does not count as part of a path.
-bool passes_straight(const SceneDescription& scene, BsdfIndex index);
+/// Of a BSDF and what it nests.
+struct CyclesTraits {
+  bool pane = false;   ///< a thin dielectric, whose straight light Cycles does not count as part of a path
+  bool clear = false;  ///< mirrors or refracts in one direction alone
+  bool wide = false;   ///< scatters into many
+};
+CyclesTraits traits_of(const SceneDescription& scene, BsdfIndex index);
 
 }  // namespace photonproof
