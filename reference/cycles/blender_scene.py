@@ -259,14 +259,13 @@ def form(kind, flip=False, *arguments):
     return bpy.data.meshes[name]
 
 
-def shape(name, mesh, columns, shader, hidden=False):
+def shape(name, mesh, columns, shader):
     """A surface: a mesh, which others may share, in its place and with its own shader."""
     if not mesh.materials:
         mesh.materials.append(None)
     thing = add(name, mesh, columns)
     thing.material_slots[0].link = "OBJECT"
     thing.material_slots[0].material = shader
-    thing.visible_camera = not hidden
     # No softening of shadows where shading normals lean.
     thing.cycles.shadow_terminator_offset = thing.cycles.shadow_terminator_geometry_offset = 0
     return thing
@@ -323,12 +322,11 @@ class Graph:
         u, v = self.uv(matrix)
         return self.look_up(file, self.combine(u, self.math("SUBTRACT", 1.0, v)), extension, interpolation)
 
-    def look_up(self, file, place, extension, interpolation, kind="ShaderNodeTexImage", **choices):
+    def look_up(self, file, place, extension, interpolation):
         picture = bpy.data.images.load(os.path.join(HERE, file), check_existing=True)
         picture.colorspace_settings.name = "Non-Color"
-        if kind == "ShaderNodeTexImage":
-            choices["extension"] = extension
-        return self.node(kind, {0: place}, image=picture, interpolation=interpolation, **choices).outputs[0]
+        return self.node("ShaderNodeTexImage", {0: place}, image=picture, extension=extension,
+                         interpolation=interpolation).outputs[0]
 
     def uv(self, matrix):
         u, v, _ = self.parts(self.node("ShaderNodeUVMap", uv_map="uv").outputs[0])
@@ -424,12 +422,11 @@ class Graph:
     def sides(self, front, back):
         return self.mix(front, back, self.geometry("Backfacing"))
 
-    def glow(self, radiance):
-        """Cycles' emission of strength 1 is a radiance."""
-        return self.node("ShaderNodeEmission", {"Color": radiance, "Strength": 1.0}).outputs[0]
-
-    def bright(self, factor, radiance):
-        return self.vector("SCALE", radiance, output=0) if factor == 1 else self.scaled(radiance, factor)
+    def glow(self, radiance, hidden=False):
+        """Cycles' emission of strength 1 is a radiance. Where it is hidden, the camera sees a dark surface."""
+        seen = self.node("ShaderNodeLightPath").outputs["Is Camera Ray"] if hidden else 0.0
+        strength = self.math("SUBTRACT", 1.0, seen) if hidden else 1.0
+        return self.node("ShaderNodeEmission", {"Color": radiance, "Strength": strength}).outputs[0]
 
     def scaled(self, colour, factor):
         result = self.vector("SCALE", colour)
@@ -452,11 +449,11 @@ class Graph:
         return None if not parts else parts[0] if len(parts) == 1 else self.sum(*parts)
 
 
-def material(name, surface=None, medium=None):
-    """surface and medium: functions of a Graph."""
+def material(name, surface=None, medium=None, sampled=True):
+    """surface and medium: functions of a Graph. sampled: whether a lamp is aimed at, and not only found by chance."""
     result = bpy.data.materials.new(name)
     result.use_nodes = True
-    result.cycles.homogeneous_volume = True
+    result.cycles.homogeneous_volume, result.cycles.sample_as_light = True, sampled
     graph = Graph(result.node_tree)
     graph.tree.nodes.clear()
     out = graph.node("ShaderNodeOutputMaterial")
@@ -515,18 +512,21 @@ def spot_light(name, columns, intensity, cutoff, beam):
 
 # The world
 
-def sky(radiance=None, file=None, rows=None, factor=1, resolution=0, hidden=False):
-    """The same from all around, or an image: rows are the axes of the image's own space in the world: left, up and
-    middle of the image."""
+def sky(radiance=None, file=None, rows=None, factor=1, height=0, resolution=0, hidden=False):
+    """The same from all around, or an image of `height` rows, the first at the zenith and the last at the nadir, where
+    Blender's environment texture has their edges. rows: in world space the left of the image's middle, the image's up,
+    its middle."""
     graph = Graph(SCENE.world.node_tree)
     out = graph.node("ShaderNodeOutputWorld")
     colour = radiance
     if file:
-        # Blender looks at the middle of the image along +x, its +z is up, and u grows to the right of that.
-        away = graph.node("ShaderNodeTexCoord").outputs["Generated"]
-        place = graph.combine(graph.dot(away, rows[2]), graph.dot(away, rows[0]), graph.dot(away, rows[1]))
-        colour = graph.scaled(graph.look_up(file, place, None, "Linear", "ShaderNodeTexEnvironment",
-                                            projection="EQUIRECTANGULAR"), factor)
+        away = graph.vector("NORMALIZE", graph.node("ShaderNodeTexCoord").outputs["Generated"])
+        left, up, middle = (graph.dot(away, row) for row in rows)
+        u = graph.math("MULTIPLY_ADD", graph.math("ARCTAN2", left, middle), -0.5 / math.pi, 0.5)
+        level = graph.math("ARCTAN2", up, graph.math("SQRT", graph.math("ADD", graph.math("MULTIPLY", left, left),
+                                                                       graph.math("MULTIPLY", middle, middle))))
+        v = graph.math("MULTIPLY_ADD", level, (height - 1) / height / math.pi, 0.5)
+        colour = graph.scaled(graph.look_up(file, graph.combine(u, v), "REPEAT", "Linear"), factor)
         SCENE.world.cycles.sampling_method, SCENE.world.cycles.sample_map_resolution = "MANUAL", resolution
     background = graph.node("ShaderNodeBackground", {"Color": colour, "Strength": 1.0})
     graph.put(out.inputs["Surface"], background.outputs[0])

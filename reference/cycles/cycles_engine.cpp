@@ -150,6 +150,7 @@ CyclesRun render_cycles(const CyclesExport& scene, const CyclesRunOptions& optio
   std::vector<Image> images;
   for (std::size_t i = 0; i < scene.batches.size(); ++i) images.push_back(batch_image(scene, folder.path(), i));
   run.rendering = pooled_batches(scene, images);
+  run.rendering.metadata["photonproof:batches"] = std::to_string(images.size());
   run.rendering.metadata["photonproof:version"] = run.version;
   run.rendering.metadata["photonproof:command"] = run.command;
   run.defects = find_non_finite(run.rendering.mean, "Cycles found no number");

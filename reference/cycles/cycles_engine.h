@@ -24,7 +24,8 @@ struct CyclesRunOptions {
 };
 
 struct CyclesRun {
-  /// In the scene's radiance. Its variance, where there are two batches or more, is what their spread says of the mean.
+  /// In the scene's radiance. Its variance, where there are two batches or more, is what their spread says of the mean;
+  /// photonproof:batches among its metadata says how many they are.
   Rendering rendering;
   std::string version;  ///< "Blender 3.4.1"
   std::string command;  ///< as one would type it

@@ -1,6 +1,7 @@
 #include "reference/cycles/cycles_lights.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <string>
 #include <variant>
@@ -62,9 +63,10 @@ struct Lamp {
     const std::string axes = py_tuple(std::vector<std::string>{py_tuple(normalize(t.vector({1, 0, 0}))),
                                                                py_tuple(normalize(t.vector({0, 1, 0}))),
                                                                py_tuple(normalize(t.vector({0, 0, 1})))});
-    script.line(
-        "sky(file=" + py_string(script.file_of(map.image)) + ", rows=" + axes + ", factor=" + format_number(map.scale) +
-        ", resolution=" + std::to_string(std::clamp(map.image->width, 256, 4096)) + (hidden ? ", hidden=True)" : ")"));
+    script.line("sky(file=" + py_string(script.file_of(map.image)) + ", rows=" + axes +
+                ", factor=" + format_number(map.scale) + ", height=" + std::to_string(map.image->height) +
+                ", resolution=" + std::to_string(std::clamp(map.image->width, 256, 4096)) +
+                (hidden ? ", hidden=True)" : ")"));
   }
   void operator()(const SunSkyDescription&) const {
     script.refuse(emitter.loc,

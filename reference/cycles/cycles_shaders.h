@@ -19,6 +19,8 @@ struct CyclesMaterial {
   BsdfIndex bsdf;
   std::optional<Colour> radiance;
   std::optional<MediumIndex> interior;
+  bool sampled = true;  ///< the lamp is aimed at, and not only found by chance; either is unbiased
+  friend bool operator==(const CyclesMaterial&, const CyclesMaterial&) = default;
 };
 
 /// "material(...)" of the name. Throws NotRepresentable for every model that Blender 3.4 has no equal of.

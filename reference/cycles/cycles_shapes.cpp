@@ -155,24 +155,35 @@ class Shapes {
     script_.explain(name + " of " + scene_.where(shape.loc));
     const auto [form, frame] =
         std::visit([&](const auto& geometry) { return form_of(placed, geometry); }, shape.geometry);
-    const bool hides = scene_.integrator.limits().hide_emitters && shape.radiance;
-    script_.line("shape(" + py_string(name) + ", " + form + ", " + py_columns(frame) + ", " + material_of(shape) +
-                 (hides ? ", hidden=True)" : ")"));
+    script_.line("shape(" + py_string(name) + ", " + form + ", " + py_columns(frame) + ", " + material_of(placed) +
+                 ")");
   }
 
   /// The name of the variable that holds the shape's material, which is written when it is met first.
-  std::string material_of(const ShapeDescription& shape) {
-    CyclesMaterial material{shape.bsdf, shape.radiance, shape.interior};
-    // As in scenes/FORMAT.md, a lamp's front is where its normal points to.
+  std::string material_of(const Placed& placed) {
+    const ShapeDescription& shape = *placed.shape;
+    const CyclesMaterial material{shape.bsdf, shape.radiance, shape.interior, can_be_aimed_at(placed)};
     for (const auto& [known, name] : materials_)
-      if (known.bsdf == material.bsdf && known.radiance == material.radiance && known.interior == material.interior)
-        return name;
+      if (known == material) return name;
     const BsdfDescription& bsdf = scene_.bsdfs[shape.bsdf.value];
     const std::string name = "material_" + std::to_string(materials_.size());
     script_.explain(name + ": bsdf '" + bsdf.id + "' of " + scene_.where(bsdf.loc));
     script_.line(name + " = " + material_py(script_, name, material));
     materials_.emplace_back(material, name);
     return name;
+  }
+
+  /// Cycles' choice of directions towards a triangle loses light where that is wide and near: -0.1 % where a lamp of
+  /// `parallel-planes` is 200 times as wide as it is far, -1 % at 2000 times. Such a lamp is easily met by chance.
+  bool can_be_aimed_at(const Placed& placed) const {
+    if (!placed.shape->radiance) return true;
+    constexpr double too_wide = 30;
+    double thinnest = std::numeric_limits<double>::infinity();
+    for (const double side : {all_.high.x - all_.low.x, all_.high.y - all_.low.y, all_.high.z - all_.low.z})
+      if (side > 0) thinnest = std::min(thinnest, side);
+    const Bounds bounds = bounds_of(placed);
+    const Vec3d size = bounds.high - bounds.low;
+    return std::max({size.x, size.y, size.z}) <= too_wide * thinnest;
   }
 
   using Form = std::pair<std::string, Transform>;
