@@ -43,6 +43,7 @@ nlohmann::ordered_json cycles_stats_json(const CyclesArguments& arguments, const
           {"wall_seconds", run.wall_seconds},
           {"cpu_seconds", run.cpu_seconds},
           {"peak_bytes", run.peak_bytes},
+          {"relative_standard_error", run.relative_standard_error},
           {"defects", run.defects}};
 }
 

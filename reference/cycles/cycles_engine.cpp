@@ -102,6 +102,22 @@ struct Progress {
   }
 };
 
+/// Standard error of the mean over pixels and channels, as a share of it.
+double relative_error_of_mean(const CyclesExport& scene, const std::vector<Image>& images) {
+  double mean = 0, spread = 0;
+  std::vector<double> totals;
+  for (std::size_t i = 0; i < images.size(); ++i) {
+    double total = 0;
+    for (const float value : images[i].rgb) total += double{value};
+    totals.push_back(total);
+    mean += total * scene.batches[i].samples / scene.samples;
+  }
+  if (images.size() < 2 || !(mean > 0)) return 0;
+  for (std::size_t i = 0; i < images.size(); ++i)
+    spread += double(scene.batches[i].samples) / scene.samples * std::pow(totals[i] - mean, 2);
+  return std::sqrt(spread / double(images.size() - 1)) / mean;
+}
+
 }  // namespace
 
 std::string blender_error(const std::string& console) {
@@ -150,6 +166,7 @@ CyclesRun render_cycles(const CyclesExport& scene, const CyclesRunOptions& optio
   std::vector<Image> images;
   for (std::size_t i = 0; i < scene.batches.size(); ++i) images.push_back(batch_image(scene, folder.path(), i));
   run.rendering = pooled_batches(scene, images);
+  run.relative_standard_error = relative_error_of_mean(scene, images);
   run.rendering.metadata["photonproof:batches"] = std::to_string(images.size());
   run.rendering.metadata["photonproof:version"] = run.version;
   run.rendering.metadata["photonproof:command"] = run.command;

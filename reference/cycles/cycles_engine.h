@@ -27,8 +27,9 @@ struct CyclesRun {
   /// In the scene's radiance. Its variance, where there are two batches or more, is what their spread says of the mean;
   /// photonproof:batches among its metadata says how many they are.
   Rendering rendering;
-  std::string version;  ///< "Blender 3.4.1"
-  std::string command;  ///< as one would type it
+  std::string version;                 ///< "Blender 3.4.1"
+  std::string command;                 ///< as one would type it
+  double relative_standard_error = 0;  ///< of the image's mean, all channels; 0 from one batch
   double wall_seconds = 0;
   double cpu_seconds = 0;
   std::uint64_t peak_bytes = 0;

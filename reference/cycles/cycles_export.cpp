@@ -36,11 +36,12 @@ int bounces_of(const CyclesScript& script) {
 /// into fog, they never find.
 void check_lamps(const CyclesScript& script) {
   const SceneDescription& scene = script.scene();
-  bool clear = false, wide = !scene.media.empty();
+  bool clear = false, chance = false, wide = !scene.media.empty();
   const auto look_at = [&](const ShapeDescription& shape) {
     if (std::holds_alternative<InstanceDescription>(shape.geometry)) return;
     const CyclesTraits traits = traits_of(scene, shape.bsdf);
     clear |= traits.clear;
+    chance |= traits.chance;
     wide |= traits.wide;
   };
   std::for_each(scene.shapes.begin(), scene.shapes.end(), look_at);
@@ -51,6 +52,11 @@ void check_lamps(const CyclesScript& script) {
                        std::holds_alternative<SpotLightDescription>(emitter.light) ||
                        std::holds_alternative<DirectionalLightDescription>(emitter.light) ||
                        std::holds_alternative<IesLightDescription>(emitter.light);
+    if (small && chance)
+      script.refuse(
+          emitter.loc,
+          "a lamp without size beside rough metal with an index, rough glass, plastic or phong: Cycles, which "
+          "has no such lobes, meets lamps from them by chance only");
     if (small && clear && wide)
       script.refuse(emitter.loc,
                     "a lamp without size beside mirrors or glass: what they throw of its light can be sampled from the "

@@ -62,14 +62,14 @@ TEST(cycles_export, lamp_and_wall_as_one_writes_them_by_hand) {
 }
 
 std::string material(const std::string& bsdf) {
-  const std::string text = exported(kCamera + "<shape type='sphere'>" + bsdf + "</shape>").text;
+  const std::string text =
+      exported(kCamera + "<emitter type='constant'/><shape type='sphere'>" + bsdf + "</shape>").text;
   const std::string start = "material_0 = material(\"material_0\", lambda g: ";
   const std::size_t at = text.find(start) + start.size();
   return text.substr(at, text.find('\n', at) - at - 1);
 }
 
 TEST(cycles_export, writes_every_material_that_blender_has) {
-  const std::string white = "(1, 1, 1)";
   EXPECT_EQ(material("<bsdf type='dielectric'><float name='int_ior' value='1.5'/><float name='ext_ior' value='1'/>"
                      "</bsdf>"),
             "g.glass(1.5, (1, 1, 1), (1, 1, 1))");
@@ -84,6 +84,18 @@ TEST(cycles_export, writes_every_material_that_blender_has) {
   EXPECT_EQ(material("<bsdf type='roughconductor'><string name='material' value='none'/><float name='alpha' "
                      "value='0.3'/><string name='distribution' value='ggx'/></bsdf>"),
             "g.sides(g.metal((1, 1, 1), \"GGX\", 0.3), None)");
+  EXPECT_EQ(
+      material("<bsdf type='roughconductor'><rgb name='eta' value='0.2,0.9,1.1'/><rgb name='k' value='4,2.5,2.4'/>"
+               "</bsdf>"),
+      "g.sides(g.rough_conductor((0.2, 0.9, 1.1), (4, 2.5, 2.4), (1, 1, 1), \"BECKMANN\", 0.1), None)");
+  EXPECT_EQ(material("<bsdf type='roughdielectric'><float name='int_ior' value='1.5'/><float name='ext_ior' value='1'/>"
+                     "<float name='alpha' value='0.2'/></bsdf>"),
+            "g.rough_glass(1.5, (1, 1, 1), (1, 1, 1), \"BECKMANN\", 0.2)");
+  EXPECT_EQ(material("<bsdf type='plastic'><float name='int_ior' value='1.5'/><float name='ext_ior' value='1'/>"
+                     "<boolean name='nonlinear' value='true'/></bsdf>"),
+            "g.sides(g.plastic(1.5, (0.5, 0.5, 0.5), (1, 1, 1), True), None)");
+  EXPECT_EQ(material("<bsdf type='phong'><float name='exponent' value='20'/></bsdf>"),
+            "g.sides(g.phong(20, (0.5, 0.5, 0.5), (0.2, 0.2, 0.2)), None)");
   EXPECT_EQ(material("<bsdf type='mask'><float name='opacity' value='0.25'/><bsdf type='diffuse'/></bsdf>"),
             "g.mix(g.clear(), g.sides(g.diffuse((0.5, 0.5, 0.5)), None), 0.25)");
   EXPECT_EQ(material("<bsdf type='blendbsdf'><float name='weight' value='0.25'/><bsdf type='diffuse'/><bsdf "
@@ -144,7 +156,9 @@ TEST(cycles_export, batches_share_the_samples_and_no_seed) {
 
 TEST(cycles_export, comments_cannot_be_left) {
   const std::string text =
-      exported(kCamera + "<shape type='sphere'><bsdf type='diffuse' id='a&#10;import os'/></shape>").text;
+      exported(kCamera +
+               "<emitter type='constant'/><shape type='sphere'><bsdf type='diffuse' id='a&#10;import os'/></shape>")
+          .text;
   EXPECT_NE(text.find("# material_0: bsdf 'a?import os'"), std::string::npos) << text;
   EXPECT_EQ(text.find("\nimport"), std::string::npos);
 }

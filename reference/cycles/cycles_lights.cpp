@@ -76,11 +76,6 @@ struct Lamp {
   void operator()(const IesLightDescription&) const { script.refuse(emitter.loc, "an IES light"); }
 };
 
-bool is_sky(const EmitterDescription& emitter) {
-  return std::holds_alternative<ConstantLightDescription>(emitter.light) ||
-         std::holds_alternative<EnvmapDescription>(emitter.light);
-}
-
 /// The medium around the camera, unless it is that of a body around it.
 void write_fog(CyclesScript& script) {
   const SceneDescription& scene = script.scene();
@@ -101,9 +96,8 @@ void write_fog(CyclesScript& script) {
 void write_lights(CyclesScript& script) {
   const SceneDescription& scene = script.scene();
   const bool hides = scene.integrator.limits().hide_emitters;
-  int number = 0, skies = 0;
+  int number = 0;
   for (const EmitterDescription& emitter : scene.emitters) {
-    if (is_sky(emitter) && ++skies > 1) script.refuse(emitter.loc, "a second light from all around");
     const std::string name = "light_" + std::to_string(number++);
     script.explain(name + " of " + scene.where(emitter.loc));
     std::visit(Lamp{script, emitter, name, hides}, emitter.light);

@@ -20,6 +20,17 @@ std::string scalar_py(CyclesScript& script, const Scalar& scalar) {
   return "g.luminance(" + colour_py(script, std::get<TextureIndex>(scalar)) + ")";
 }
 
+/// Distribution and alpha.
+template <class Rough>
+std::string facets_py(const CyclesScript& script, const BsdfDescription& bsdf, const std::string& what,
+                      const Rough& d) {
+  const auto *u = std::get_if<double>(&d.alpha_u), *v = std::get_if<double>(&d.alpha_v);
+  if (!u || !v) script.refuse(bsdf.loc, what + " whose alpha is a texture; a number can be written");
+  if (*u != *v) script.refuse(bsdf.loc, what + " that is rougher along one tangent than along the other");
+  return std::string(d.distribution == MicrofacetDistribution::ggx ? "\"GGX\"" : "\"BECKMANN\"") + ", " +
+         format_number(*u);
+}
+
 /// What one side of a surface reflects. Throws NotRepresentable where that is not known in Cycles' terms.
 struct Side {
   CyclesScript& script;
@@ -36,16 +47,11 @@ struct Side {
     return "g.conductor(" + py_tuple(d.ior->eta) + ", " + py_tuple(d.ior->k) + ", " + colour + ")";
   }
   std::string operator()(const RoughConductorDescription& d) const {
-    const auto *u = std::get_if<double>(&d.alpha_u), *v = std::get_if<double>(&d.alpha_v);
-    if (!u || !v) refuse("a rough conductor whose alpha is a texture; a number can be written");
-    if (*u != *v) refuse("a rough conductor that is rougher along one tangent than along the other");
-    if (d.ior)
-      refuse(
-          "a rough conductor with an index of refraction: Blender 3.4's glossy reflection has one colour at every "
-          "angle; material 'none' can be written");
-    const bool ggx = d.distribution == MicrofacetDistribution::ggx;
-    return "g.metal(" + colour_py(script, d.specular_reflectance) + ", " + (ggx ? "\"GGX\"" : "\"BECKMANN\"") + ", " +
-           format_number(*u) + ")";
+    const std::string facets = facets_py(script, bsdf, "a rough conductor", d);
+    const std::string colour = colour_py(script, d.specular_reflectance);
+    if (!d.ior) return "g.metal(" + colour + ", " + facets + ")";
+    return "g.rough_conductor(" + py_tuple(d.ior->eta) + ", " + py_tuple(d.ior->k) + ", " + colour + ", " + facets +
+           ")";
   }
   std::string operator()(const BlendDescription& d) const {
     const auto part = [&](BsdfIndex index) {
@@ -54,13 +60,18 @@ struct Side {
     };
     return "g.mix(" + part(d.first) + ", " + part(d.second) + ", " + scalar_py(script, d.weight) + ")";
   }
-  std::string operator()(const RoughDielectricDescription&) const {
-    refuse("a rough dielectric: Blender 3.4 takes Fresnel's share at the surface's normal, not at the facet's");
+  std::string operator()(const PlasticDescription& d) const {
+    return "g.plastic(" + format_number(d.int_ior / d.ext_ior) + ", " + colour_py(script, d.diffuse_reflectance) +
+           ", " + colour_py(script, d.specular_reflectance) + (d.nonlinear ? ", True)" : ", False)");
   }
-  std::string operator()(const PlasticDescription&) const { refuse(std::string("plastic: ") + coat); }
   std::string operator()(const RoughPlasticDescription&) const { refuse(std::string("a rough plastic: ") + coat); }
   std::string operator()(const LayeredDescription&) const { refuse(std::string("a lacquer: ") + coat); }
-  std::string operator()(const PhongDescription&) const { refuse("phong: Cycles has no such lobe"); }
+  std::string operator()(const PhongDescription& d) const {
+    const auto* exponent = std::get_if<double>(&d.exponent);
+    if (!exponent) refuse("phong whose exponent is a texture; a number can be written");
+    return "g.phong(" + format_number(*exponent) + ", " + colour_py(script, d.diffuse_reflectance) + ", " +
+           colour_py(script, d.specular_reflectance) + ")";
+  }
   std::string operator()(const BumpMapDescription&) const {
     refuse("a bump map: Cycles perturbs normals by another rule");
   }
@@ -105,6 +116,9 @@ struct Surface {
   std::string operator()(const DielectricDescription& d) const {
     if (d.priority) script.refuse(bsdf.loc, "a dielectric with a priority: Cycles knows no nested bodies");
     return "g.glass(" + optics(d) + ")";
+  }
+  std::string operator()(const RoughDielectricDescription& d) const {
+    return "g.rough_glass(" + optics(d) + ", " + facets_py(script, bsdf, "a rough dielectric", d) + ")";
   }
   std::string operator()(const ThinDielectricDescription& d) const { return "g.pane(" + optics(d) + ")"; }
   template <class Opaque>
@@ -171,12 +185,18 @@ CyclesTraits traits_of(const SceneDescription& scene, BsdfIndex index) {
   traits.pane = std::holds_alternative<ThinDielectricDescription>(bsdf.model);
   traits.clear = traits.pane || std::holds_alternative<ConductorDescription>(bsdf.model) ||
                  std::holds_alternative<DielectricDescription>(bsdf.model);
+  const auto* metal = std::get_if<RoughConductorDescription>(&bsdf.model);
+  traits.chance = (metal && metal->ior) || std::holds_alternative<RoughDielectricDescription>(bsdf.model) ||
+                  std::holds_alternative<PlasticDescription>(bsdf.model) ||
+                  std::holds_alternative<PhongDescription>(bsdf.model);
+  traits.clear |= traits.chance;
   traits.wide = std::holds_alternative<DiffuseDescription>(bsdf.model) ||
                 std::holds_alternative<RoughConductorDescription>(bsdf.model);
   for (const BsdfIndex inner : nested_bsdfs(bsdf)) {
     const CyclesTraits nested = traits_of(scene, inner);
     traits.pane |= nested.pane;
     traits.clear |= nested.clear;
+    traits.chance |= nested.chance;
     traits.wide |= nested.wide;
   }
   return traits;

@@ -31,9 +31,10 @@ bool is_nothing(const SceneDescription& scene, BsdfIndex index);
 
 /// Of a BSDF and what it nests.
 struct CyclesTraits {
-  bool pane = false;   ///< a thin dielectric, whose straight light Cycles does not count as part of a path
-  bool clear = false;  ///< mirrors or refracts in one direction alone
-  bool wide = false;   ///< scatters into many
+  bool pane = false;    ///< a thin dielectric, whose straight light Cycles does not count as part of a path
+  bool clear = false;   ///< mirrors or refracts in one direction alone
+  bool chance = false;  ///< Cycles draws a direction and cannot aim at lamps
+  bool wide = false;    ///< scatters into many
 };
 CyclesTraits traits_of(const SceneDescription& scene, BsdfIndex index);
 

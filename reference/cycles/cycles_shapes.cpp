@@ -173,6 +173,8 @@ class Shapes {
     return name;
   }
 
+  const auto& model_of(const Placed& placed) const { return scene_.bsdfs[placed.shape->bsdf.value].model; }
+
   /// Cycles' choice of directions towards a triangle loses light where that is wide and near: -0.1 % where a lamp of
   /// `parallel-planes` is 200 times as wide as it is far, -1 % at 2000 times. Such a lamp is easily met by chance.
   bool can_be_aimed_at(const Placed& placed) const {
@@ -194,8 +196,12 @@ class Shapes {
 
   Form form_of(const Placed& placed, const SphereDescription& sphere) const {
     // Facets of a lamp are lamps of their own, of which a scene may have many.
-    const bool glows = placed.shape->radiance.has_value();
-    const int segments = glows ? (glowing_ > 16 ? 32 : 128) : (balls_ > 64 ? 128 : 512);
+    const std::optional<Colour>& radiance = placed.shape->radiance;
+    if (radiance && std::holds_alternative<RgbD>(*radiance) &&
+        std::holds_alternative<DiffuseDescription>(model_of(placed)))
+      return {form_py("icosphere", placed.shape->flip_normals, glowing_ > 16 ? ", 4" : ", 6"),
+              placed.to_world * frame_of(sphere)};
+    const int segments = radiance ? 128 : balls_ > 64 ? 128 : 512;
     return {form_py("sphere", placed.shape->flip_normals, ", " + std::to_string(segments)),
             placed.to_world * frame_of(sphere)};
   }
