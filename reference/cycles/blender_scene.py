@@ -592,6 +592,10 @@ class Graph:
     def sides(self, front, back):
         return self.mix(front, back, self.geometry("Backfacing"))
 
+    def seen(self, surface):
+        """Black where the shading normal is turned away from the viewer, for whom Cycles shades it all the same."""
+        return self.mix(None, surface, self.positive(self.dot(self.geometry("Normal"), self.geometry("Incoming"))))
+
     def glow(self, radiance, hidden=False):
         """Cycles' emission of strength 1 is a radiance. Where it is hidden, the camera sees a dark surface."""
         seen = self.node("ShaderNodeLightPath").outputs["Is Camera Ray"] if hidden else 0.0
@@ -677,6 +681,18 @@ def spot_light(name, columns, intensity, cutoff, beam):
         fall = graph.math("DIVIDE", graph.math("SUBTRACT", cutoff, theta), max(cutoff - beam, 1e-7))
         share = graph.math("MINIMUM", 1.0, graph.math("MAXIMUM", 0.0, fall))
         return graph.scaled(intensity, share)
+    lamp(name, "POINT", columns, None, shader)
+
+
+def ies_light(name, columns, intensity, file, width, height):
+    """Candela by direction: the image's columns go once around z from x towards y, its rows from -z up to +z."""
+    def shader(graph):
+        x, y, z = graph.parts(graph.vector("NORMALIZE", graph.node("ShaderNodeTexCoord").outputs["Normal"]))
+        u = graph.math("MULTIPLY_ADD", graph.math("ARCTAN2", y, x), 0.5 / math.pi, 0.5 / width)
+        level = graph.math("ARCTAN2", z, graph.math("SQRT", graph.math("ADD", graph.math("MULTIPLY", x, x),
+                                                                     graph.math("MULTIPLY", y, y))))
+        v = graph.math("MULTIPLY_ADD", level, -(height - 1) / height / math.pi, 0.5)
+        return graph.vector("MULTIPLY", graph.look_up(file, graph.combine(u, v), "REPEAT", "Linear"), intensity)
     lamp(name, "POINT", columns, None, shader)
 
 

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <string>
 #include <variant>
 
 #include "reference/cycles/cycles_shaders.h"
+#include "reference/cycles/ies_image.h"
 #include "reference/cycles/python_text.h"
 #include "scenes/description/overloaded.h"
 #include "scenes/text/text_numbers.h"
@@ -73,7 +75,12 @@ struct Lamp {
                   "a sun and its sky: Cycles' sky is of another model; an envmap and a directional light can "
                   "be written");
   }
-  void operator()(const IesLightDescription&) const { script.refuse(emitter.loc, "an IES light"); }
+  void operator()(const IesLightDescription& light) const {
+    const auto image = std::make_shared<const Image>(ies_image(*light.profile));
+    script.line(head("ies_light") + py_columns(rigid(light.to_world)) + ", " + py_tuple(light.intensity) + ", " +
+                py_string(script.file_of(image)) + ", " + std::to_string(image->width) + ", " +
+                std::to_string(image->height) + ")");
+  }
 };
 
 /// The medium around the camera, unless it is that of a body around it.

@@ -145,7 +145,7 @@ TEST(cycles_refuses, textures_that_are_mirrored_beyond_their_edges) {
     FAIL();
   } catch (const NotRepresentable& error) {
     EXPECT_EQ(error.summary(),
-              folder + "scene.xml:2:44:" + kNot +
+              folder + "scene.xml:2:43:" + kNot +
                   "a texture that is mirrored beyond its edges; repeated and clamped ones can be written");
   }
 }

@@ -92,10 +92,11 @@ struct Side {
 struct Surface {
   CyclesScript& script;
   const BsdfDescription& bsdf;
+  bool leaning = false;
 
   std::string of(BsdfIndex index) const {
     const BsdfDescription& nested = script.scene().bsdfs[index.value];
-    return std::visit(Surface{script, nested}, nested.model);
+    return std::visit(Surface{script, nested, leaning}, nested.model);
   }
   std::string side(BsdfIndex index) const {
     const BsdfDescription& nested = script.scene().bsdfs[index.value];
@@ -123,7 +124,8 @@ struct Surface {
   std::string operator()(const ThinDielectricDescription& d) const { return "g.pane(" + optics(d) + ")"; }
   template <class Opaque>
   std::string operator()(const Opaque& d) const {
-    return "g.sides(" + Side{script, bsdf}(d) + ", None)";  // black from behind
+    const std::string text = "g.sides(" + Side{script, bsdf}(d) + ", None)";  // black from behind
+    return leaning ? "g.seen(" + text + ")" : text;
   }
 
  private:
@@ -165,7 +167,7 @@ std::string medium_py(const CyclesScript& script, MediumIndex index) {
 
 std::string material_py(CyclesScript& script, const std::string& name, const CyclesMaterial& material) {
   const BsdfDescription& bsdf = script.scene().bsdfs[material.bsdf.value];
-  std::string surface = std::visit(Surface{script, bsdf}, bsdf.model);
+  std::string surface = std::visit(Surface{script, bsdf, material.leaning}, bsdf.model);
   const bool hides = script.scene().integrator.limits().hide_emitters;
   if (material.radiance)
     surface = "g.sum(g.sides(g.glow(" + colour_py(script, *material.radiance) + (hides ? ", True" : "") + "), None), " +

@@ -19,7 +19,8 @@ struct CyclesMaterial {
   BsdfIndex bsdf;
   std::optional<Colour> radiance;
   std::optional<MediumIndex> interior;
-  bool sampled = true;  ///< the lamp is aimed at, and not only found by chance; either is unbiased
+  bool leaning = false;  ///< its shading normals are not the surface's own
+  bool sampled = true;   ///< the lamp is aimed at, and not only found by chance; either is unbiased
   friend bool operator==(const CyclesMaterial&, const CyclesMaterial&) = default;
 };
 

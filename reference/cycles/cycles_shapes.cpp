@@ -162,7 +162,8 @@ class Shapes {
   /// The name of the variable that holds the shape's material, which is written when it is met first.
   std::string material_of(const Placed& placed) {
     const ShapeDescription& shape = *placed.shape;
-    const CyclesMaterial material{shape.bsdf, shape.radiance, shape.interior, can_be_aimed_at(placed)};
+    const CyclesMaterial material{shape.bsdf, shape.radiance, shape.interior, has_leaning_normals(shape),
+                                  can_be_aimed_at(placed)};
     for (const auto& [known, name] : materials_)
       if (known == material) return name;
     const BsdfDescription& bsdf = scene_.bsdfs[shape.bsdf.value];
@@ -171,6 +172,12 @@ class Shapes {
     script_.line(name + " = " + material_py(script_, name, material));
     materials_.emplace_back(material, name);
     return name;
+  }
+
+  static bool has_leaning_normals(const ShapeDescription& shape) {
+    const auto* mesh = std::get_if<MeshDescription>(&shape.geometry);
+    const auto* field = std::get_if<HeightfieldDescription>(&shape.geometry);
+    return (mesh && !mesh->face_normals) || (field && !field->face_normals);
   }
 
   const auto& model_of(const Placed& placed) const { return scene_.bsdfs[placed.shape->bsdf.value].model; }
