@@ -305,6 +305,7 @@ class Graph:
 
     def __init__(self, tree):
         self.tree = tree
+        self.place = None  # u and v that are not those of a surface
 
     def node(self, kind, inputs=(), **choices):
         node = self.tree.nodes.new(kind)
@@ -356,7 +357,7 @@ class Graph:
                          interpolation=interpolation).outputs[0]
 
     def uv(self, matrix):
-        u, v, _ = self.parts(self.node("ShaderNodeUVMap", uv_map="uv").outputs[0])
+        u, v = self.place or self.parts(self.node("ShaderNodeUVMap", uv_map="uv").outputs[0])[:2]
         return [self.math("MULTIPLY_ADD", u, row[0], self.math("MULTIPLY_ADD", v, row[1], row[2])) for row in matrix]
 
     def checkerboard(self, first, second, matrix):
@@ -671,16 +672,22 @@ def sun(name, columns, irradiance):
     lamp(name, "SUN", columns, irradiance)
 
 
-def spot_light(name, columns, intensity, cutoff, beam):
+def spot_light(name, columns, intensity, cutoff, beam, texture=None):
     """Along +z of its columns, in full within `beam`, falling with the angle to nothing at `cutoff` (radians). Cycles'
-    own spot falls by another rule, so this is a point lamp whose emission depends on the direction."""
+    own spot falls by another rule, so this is a point lamp whose emission depends on the direction. `texture`, a
+    function of a Graph, fills the square about the cone."""
     def shader(graph):
         away = graph.node("ShaderNodeTexCoord").outputs["Normal"]
         cosine = graph.dot(away, (0, 0, 1))
         theta = graph.math("ARCCOSINE", graph.math("MINIMUM", 1.0, graph.math("MAXIMUM", -1.0, cosine)))
         fall = graph.math("DIVIDE", graph.math("SUBTRACT", cutoff, theta), max(cutoff - beam, 1e-7))
         share = graph.math("MINIMUM", 1.0, graph.math("MAXIMUM", 0.0, fall))
-        return graph.scaled(intensity, share)
+        if not texture:
+            return graph.scaled(intensity, share)
+        x, y, z = graph.parts(away)
+        wide = graph.math("MULTIPLY", graph.math("MAXIMUM", 1e-6, z), 2 * math.tan(cutoff))
+        graph.place = [graph.math("ADD", 0.5, graph.math("DIVIDE", part, wide)) for part in (x, y)]
+        return graph.vector("MULTIPLY", graph.scaled(intensity, share), texture(graph))
     lamp(name, "POINT", columns, None, shader)
 
 

@@ -50,9 +50,9 @@ struct Lamp {
     script.line(head("point_light") + py_tuple(point.position) + ", " + py_tuple(point.intensity) + ")");
   }
   void operator()(const SpotLightDescription& spot) const {
-    if (spot.texture) script.refuse(emitter.loc, "a spot light with a texture");
     script.line(head("spot_light") + py_columns(rigid(spot.to_world)) + ", " + py_tuple(spot.intensity) + ", " +
-                format_number(spot.cutoff_degrees * kDegree) + ", " + format_number(spot.beam_degrees * kDegree) + ")");
+                format_number(spot.cutoff_degrees * kDegree) + ", " + format_number(spot.beam_degrees * kDegree) +
+                (spot.texture ? ", lambda g: " + colour_py(script, *spot.texture) + ")" : ")"));
   }
   void operator()(const DirectionalLightDescription& beam) const {
     script.line(head("sun") + py_columns(along_minus_z(beam.direction)) + ", " + py_tuple(beam.irradiance) + ")");

@@ -73,8 +73,6 @@ TEST(cycles_refuses, lights_it_has_no_equal_of) {
   EXPECT_EQ(refusal("<emitter type='sunsky'/>"),
             "2:1:" + kNot +
                 "a sun and its sky: Cycles' sky is of another model; an envmap and a directional light can be written");
-  EXPECT_EQ(refusal("<emitter type='spot'><texture name='texture' type='checkerboard'/></emitter>"),
-            "2:1:" + kNot + "a spot light with a texture");
 }
 
 TEST(cycles_refuses, lamps_that_its_paths_cannot_find) {
