@@ -11,6 +11,7 @@
 #include "scenes/description/output_files.h"
 #include "scenes/text/input_error.h"
 #include "scenes/text/timer.h"
+#include "scenes/text/utf8.h"
 
 namespace photonproof {
 namespace fs = std::filesystem;
@@ -62,9 +63,9 @@ int interruptibly(const std::function<int()>& run) {
   try {
     return run();
   } catch (const EngineFailure& failure) {
-    if (failure.kind != EngineFailure::Kind::interrupted) throw;
-    std::fprintf(stderr, "interrupted: nothing was written\n");
-    return 130;
+    const bool interrupted = failure.kind == EngineFailure::Kind::interrupted;
+    std::fprintf(stderr, "%s: nothing was written\n", interrupted ? "interrupted" : printable(failure.what()).c_str());
+    return interrupted ? 130 : failed_engine_exit_code;
   }
 }
 

@@ -5,7 +5,11 @@
 #include <thread>
 #include <variant>
 
+#include "blender_facets_text.h"
+#include "blender_lights_text.h"
 #include "blender_scene_text.h"
+#include "blender_shaders_text.h"
+#include "blender_shapes_text.h"
 #include "reference/cycles/cycles_lights.h"
 #include "reference/cycles/cycles_shaders.h"
 #include "reference/cycles/cycles_shapes.h"
@@ -138,7 +142,11 @@ CyclesExport export_cycles(const SceneDescription& scene, const CyclesOptions& o
 }
 
 std::string whole_script(const CyclesExport& scene) {
-  return blender_scene_text + ("\n\n# The scene\n\n" + scene.text);
+  std::string text;
+  for (const char* part :
+       {blender_scene_text, blender_shapes_text, blender_shaders_text, blender_facets_text, blender_lights_text})
+    text += std::string(part) + "\n\n";
+  return text + "# The scene\n\n" + scene.text;
 }
 
 void write_script(const CyclesExport& scene, const std::filesystem::path& target) {

@@ -25,7 +25,7 @@ struct CyclesExport {
 /// Throws NotRepresentable with the place of what Cycles cannot express.
 CyclesExport export_cycles(const SceneDescription& scene, const CyclesOptions& options);
 
-/// What the lines are made of (blender_scene.py) followed by the lines: what `blender -b --python` runs.
+/// What the lines are made of (blender_*.py) followed by the lines: what `blender -b --python` runs.
 std::string whole_script(const CyclesExport& scene);
 
 /// Writes the whole script to a file and what it reads beside it, each whole or not at all. Throws InputError when one

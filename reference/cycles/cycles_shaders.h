@@ -1,4 +1,4 @@
-// Surfaces and media as Cycles' shaders: expressions of the Graph of blender_scene.py.
+// Surfaces and media as Cycles' shaders: expressions of the Graph of blender_shaders.py.
 #pragma once
 
 #include <optional>
