@@ -80,7 +80,9 @@ void add_cycles_verb(CLI::App& program, int& exit_code) {
   verb->add_option("-o,--output", arguments->output, "EXR to write")->required();
   verb->add_option("--spp", arguments->options.samples, "samples a pixel (default: the scene's)")
       ->transform(whole_number(1, 1 << 24));
-  verb->add_option("--seed", arguments->options.seed, "same seed, same bits")->check(is_seed);
+  verb->add_option("--seed", arguments->options.seed,
+                   "same seed, same samples; last bits may differ, as Blender adds up a ball's normals in any order")
+      ->check(is_seed);
   verb->add_option("--threads", arguments->options.threads, "default: every core")->check(CLI::Range(1, 1024));
   verb->add_option("--stats", arguments->stats_path, "stats JSON to write (default: beside the EXR, .stats.json)");
   verb->add_flag("--json", arguments->json, "print the stats as JSON");
