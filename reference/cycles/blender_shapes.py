@@ -99,7 +99,10 @@ def icosphere_mesh(name, halvings):
     return as_large(mesh, 4 * math.pi)
 
 
-def rectangle_mesh(name):
+def rectangle_mesh(name, cells=1):
+    """Of cells x cells squares."""
+    if cells > 1:
+        return grid(name, lambda u, v: ((2 * u - 1, 2 * v - 1, 0), (0, 0, 1)), cells, cells)
     return polygons(name, array.array("f", (-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0)), array.array("i", range(4)), 4,
                     array.array("f", (0, 0, 1, 0, 1, 1, 0, 1)))
 
@@ -173,7 +176,7 @@ def form(kind, flip=False, *arguments):
         elif kind == "file":
             file_mesh(name, *arguments)
         else:
-            FORMS[kind](name)
+            FORMS[kind](name, *arguments)
     return bpy.data.meshes[name]
 
 

@@ -182,6 +182,16 @@ class Shapes {
 
   const auto& model_of(const Placed& placed) const { return scene_.bsdfs[placed.shape->bsdf.value].model; }
 
+  /// Where the square of a triangle's longest edge is above that of (distance from its plane / twice its area), Blender
+  /// 3.4 samples it by solid angle, and loses light: -0.75 % of what the lamp of `roughness` does in two triangles,
+  /// -0.2 % in 4 x 4 squares, nothing that shows in 16 x 16. Squares of edge a are sampled by area from distances of
+  /// a^3 sqrt(2) on; here from a hundredth of the scene's diagonal.
+  int cells_of(const Transform& to_world) const {
+    const double edge = std::cbrt(length(all_.high - all_.low) / 100 / std::sqrt(2.0));
+    const double side = 2 * std::max(length(to_world.vector({1, 0, 0})), length(to_world.vector({0, 1, 0})));
+    return static_cast<int>(std::clamp(std::ceil(side / edge), 1.0, 64.0));
+  }
+
   /// Cycles' choice of directions towards a triangle loses light where that is wide and near: -0.1 % where a lamp of
   /// `parallel-planes` is 200 times as wide as it is far, -1 % at 2000 times. Such a lamp is easily met by chance.
   bool can_be_aimed_at(const Placed& placed) const {
@@ -216,7 +226,9 @@ class Shapes {
     return {form_py("cylinder", placed.shape->flip_normals), placed.to_world * frame_of(cylinder)};
   }
   Form form_of(const Placed& placed, const RectangleDescription&) const {
-    return {form_py("rectangle", placed.shape->flip_normals), placed.to_world};
+    const int cells = placed.shape->radiance ? cells_of(placed.to_world) : 1;
+    return {form_py("rectangle", placed.shape->flip_normals, cells > 1 ? ", " + std::to_string(cells) : ""),
+            placed.to_world};
   }
   Form form_of(const Placed& placed, const CubeDescription&) const {
     return {form_py("cube", placed.shape->flip_normals), placed.to_world};
