@@ -136,6 +136,36 @@ TEST(cycles_export, lenses_filters_depths_and_hidden_lamps_are_told) {
   EXPECT_NE(text.find("g.glow((1, 1, 1), True)"), std::string::npos) << text;
 }
 
+// The scene's box is 2 x 2 x 4 with the camera in it, its diagonal sqrt(24): squares of at most (sqrt(24) / 100 /
+// sqrt(2))^(1/3) = 0.326, so 7 of them across 2. A lamp as wide as 30 times the thinnest side of everything is not
+// aimed at.
+TEST(cycles_export, rectangular_lamps_are_squares_and_wide_ones_are_met_by_chance) {
+  const auto lamp = [](const std::string& scale) {
+    return exported(kCamera + "<shape type='rectangle'><transform name='to_world'><scale value='" + scale +
+                    "'/><translate z='4'/></transform><emitter type='area'/></shape>")
+        .text;
+  };
+  EXPECT_NE(lamp("1").find("form(\"rectangle\", False, 7)"), std::string::npos) << lamp("1");
+  EXPECT_EQ(lamp("1").find("sampled=False"), std::string::npos);
+  EXPECT_NE(lamp("61").find(", sampled=False)"), std::string::npos) << lamp("61");
+}
+
+TEST(cycles_export, spots_and_skies_are_told_by_their_angles_and_axes) {
+  const std::string text =
+      exported(
+          kCamera +
+          "<emitter type='spot'><float name='cutoff_angle' value='45'/><float name='beam_width' value='0'/><texture "
+          "name='texture' type='checkerboard'/></emitter><emitter type='directional'><vector name='direction' "
+          "value='0,0,-2'/></emitter>")
+          .text;
+  EXPECT_NE(text.find("spot_light(\"light_0\", ((1, 0, 0), (0, 1, 0), (0, 0, 1), (0, 0, 0)), (1, 1, 1), "
+                      "0.7853981633974483, 0, lambda g: g.checkerboard("),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("sun(\"light_1\", ((0, -1, 0), (1, 0, 0), (0, 0, 1), (0, 0, 0)), (1, 1, 1))"), std::string::npos)
+      << text;
+}
+
 TEST(cycles_export, batches_share_the_samples_and_no_seed) {
   const auto sizes = [](int samples) {
     std::vector<int> result;
