@@ -7,7 +7,8 @@
 Every scene is rendered by the engine (size and quality or samples as below, one thread) and by an integrator that shares
 no code with it, for as long as `--seconds` says; the pictures stay in the folder that `--keep` names, and references that
 are there are used again. Printed is a line a scene. With --update the figures go to [povray] or [cycles] of the scenes'
-expect.toml, whose `cause` is kept, and the table to reports/published/povray.md or cycles.md.
+expect.toml, whose `cause` is kept, and what all of them declare to the table in reports/published/povray.md or cycles.md, measured by the
+same options or not.
 """
 
 import argparse
@@ -16,6 +17,7 @@ import pathlib
 import re
 import subprocess
 import sys
+import tomllib
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 LIBRARY = ROOT / "scenes" / "library"
@@ -125,7 +127,15 @@ def table_row(scene, found, engine):
             f"{found['seconds']:.1f} |")
 
 
-def write_table(rows, options):
+def declared(scene, engine):
+    """What the scene's expect.toml says of the engine: figures, a refusal, or nothing."""
+    expect = tomllib.loads((LIBRARY / scene / "expect.toml").read_text())
+    return expect.get(engine) or expect.get("unsupported", {}).get(engine)
+
+
+def write_table(options):
+    found = {path.parent.name: declared(path.parent.name, options.engine) for path in sorted(LIBRARY.glob("*/scene.xml"))}
+    rows = [table_row(scene, figures, options.engine) for scene, figures in found.items() if figures]
     name, budget = options.engine, f"{BUDGET[options.engine]} {budget_of(options)}"
     chosen = "" if name == "povray" else f"--engine {name} "
     noise = "The references have noise of their own."
@@ -154,15 +164,13 @@ def main():
     options = parser.parse_intermixed_args()
     options.keep.mkdir(parents=True, exist_ok=True)
     scenes = options.scenes or sorted(path.parent.name for path in LIBRARY.glob("*/scene.xml"))
-    rows = []
     for scene in scenes:
         found = measure(options.program, scene, options)
         if options.update:
             update_expect(scene, found, options)
-        rows.append(table_row(scene, found, options.engine))
-        print(rows[-1], flush=True)
-    if options.update and not options.scenes:
-        write_table(rows, options)
+        print(table_row(scene, found, options.engine), flush=True)
+    if options.update:
+        write_table(options)
 
 
 if __name__ == "__main__":
