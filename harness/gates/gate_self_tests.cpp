@@ -25,7 +25,9 @@ int runs_of(const Variant& variant, const SelfTestOptions& options) {
   return variant.is_mutant() || variant.draws_its_own() ? options.runs : nulls_a_mutant * options.runs;
 }
 
-bool is_ours(const Engine& engine) { return engine.command.front() == "{photonproof}" && engine.name != "povray"; }
+bool is_ours(const Engine& engine) {
+  return engine.command.front() == "{photonproof}" && engine.name != "povray" && engine.name != "cycles";
+}
 
 /// The value of --integrator; empty without.
 std::string integrator_of(const Engine& engine) {

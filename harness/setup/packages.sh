@@ -8,6 +8,9 @@ build_packages="g++ cmake ninja-build pkg-config libembree-dev libopenimageio-de
 check_packages="libgtest-dev libgmock-dev libboost-math-dev clang-format chromium libxml2-utils shellcheck python3-yaml
   universal-ctags zstd xz-utils bzip2"
 
+# What ./run --with-cycles installs: a second unbiased engine to compare with. Nothing needs it.
+cycles_packages="blender"
+
 # What ./run --bench needs on top: the benchmark library, and a peer to be measured against.
 bench_packages="libbenchmark-dev libnanoflann-dev"
 

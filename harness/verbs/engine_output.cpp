@@ -6,9 +6,12 @@
 #include <filesystem>
 #include <optional>
 
+#include "reference/engines/engine_run.h"
+#include "reference/engines/not_representable.h"
 #include "scenes/description/output_files.h"
 #include "scenes/text/input_error.h"
 #include "scenes/text/timer.h"
+#include "scenes/text/utf8.h"
 
 namespace photonproof {
 namespace fs = std::filesystem;
@@ -45,6 +48,25 @@ std::string checked_stats_path(const std::string& asked, const std::string& imag
   check_outputs({image, stats}, {{scene, "the scene itself"}});
   if (same_file(stats, image)) throw InputError(stats, "the stats cannot go to the image's own file");
   return stats;
+}
+
+int refusing_with_3(const std::function<int()>& run) {
+  try {
+    return run();
+  } catch (const NotRepresentable& refusal) {
+    std::fprintf(stderr, "%s\n", refusal.summary().c_str());
+    return 3;
+  }
+}
+
+int interruptibly(const std::function<int()>& run) {
+  try {
+    return run();
+  } catch (const EngineFailure& failure) {
+    const bool interrupted = failure.kind == EngineFailure::Kind::interrupted;
+    std::fprintf(stderr, "%s: nothing was written\n", interrupted ? "interrupted" : printable(failure.what()).c_str());
+    return interrupted ? 130 : failed_engine_exit_code;
+  }
 }
 
 }  // namespace photonproof

@@ -37,6 +37,7 @@ int main(int argc, char** argv) {
   add_render_verb(program, exit_code);
   add_export_verb(program, exit_code);
   add_povray_verb(program, exit_code);
+  add_cycles_verb(program, exit_code);
   add_compare_verb(program, exit_code);
   add_bench_verb(program, exit_code);
   add_gate_verb(program, exit_code);

@@ -1,9 +1,6 @@
 #include "harness/verbs/povray_arguments.h"
 
 #include <CLI/CLI.hpp>
-#include <cstdio>
-
-#include "reference/povray/unrepresentable.h"
 
 namespace photonproof {
 
@@ -18,15 +15,6 @@ void add_povray_arguments(CLI::App& verb, PovrayArguments& arguments, const std:
       ->check(CLI::Range(1, 3));
   verb.add_option("--seed", arguments.options.seed, "of the places of light samples: same seed, same bits")
       ->check(is_seed);
-}
-
-int refusing_with_3(const std::function<int()>& run) {
-  try {
-    return run();
-  } catch (const Unrepresentable& refusal) {
-    std::fprintf(stderr, "%s\n", refusal.summary().c_str());
-    return 3;
-  }
 }
 
 }  // namespace photonproof

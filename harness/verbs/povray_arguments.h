@@ -1,7 +1,6 @@
 // What the two verbs that turn a scene into POV-Ray's language have in common.
 #pragma once
 
-#include <functional>
 #include <string>
 
 #include "harness/verbs/scene_options.h"
@@ -17,8 +16,5 @@ struct PovrayArguments {
 
 /// The scene's options, -o, --grid, --quality, --seed.
 void add_povray_arguments(CLI::App& verb, PovrayArguments& arguments, const std::string& output_help);
-
-/// The exit code of `run`, or 3 with the reason on stderr's last line when the scene is not representable.
-int refusing_with_3(const std::function<int()>& run);
 
 }  // namespace photonproof

@@ -1,4 +1,4 @@
-// photonproof export: a scene file to POV-Ray's scene description language, or a refusal.
+// photonproof export: a scene file to POV-Ray's scene description language or Blender's Python, or a refusal.
 
 #include <CLI/CLI.hpp>
 #include <cctype>
@@ -6,13 +6,27 @@
 #include <filesystem>
 #include <memory>
 
+#include "harness/verbs/engine_output.h"
 #include "harness/verbs/povray_arguments.h"
 #include "harness/verbs/verbs.h"
+#include "reference/cycles/cycles_export.h"
 #include "reference/povray/povray_export.h"
 #include "scenes/description/output_files.h"
 
 namespace photonproof {
 namespace {
+
+int export_python(const SceneDescription& description, const PovrayArguments& arguments, const std::string& stem) {
+  CyclesOptions options;
+  options.seed = arguments.options.seed;
+  options.stem = stem;
+  write_script(export_cycles(description, options), arguments.output);
+  std::printf(
+      "%s: render with: blender -b --factory-startup --python-exit-code 1 --python %s\n"
+      "then average batch_*.exr, weighed by their samples\n",
+      arguments.output.c_str(), std::filesystem::absolute(arguments.output).c_str());
+  return 0;
+}
 
 int run_export(const PovrayArguments& arguments) {
   const SceneDescription description = load_scene(arguments.scene);
@@ -21,6 +35,8 @@ int run_export(const PovrayArguments& arguments) {
   options.stem = std::filesystem::path(arguments.output).stem().string();
   for (char& c : options.stem)  // it stands between quotes in the text
     if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
+  if (std::filesystem::path(arguments.output).extension() == ".py")
+    return export_python(description, arguments, options.stem);
   const PovrayExport scene = export_povray(description, options);
   write_sdl(scene, arguments.output);
   std::string antialias;
@@ -43,9 +59,11 @@ int run_export(const PovrayArguments& arguments) {
 
 void add_export_verb(CLI::App& program, int& exit_code) {
   auto arguments = std::make_shared<PovrayArguments>();
-  CLI::App* verb = program.add_subcommand(
-      "export", "Write a scene as POV-Ray SDL with every conversion explained; exit 3 when it is not representable");
-  add_povray_arguments(*verb, *arguments, "SDL to write");
+  CLI::App* verb = program.add_subcommand("export",
+                                          "Write a scene as POV-Ray SDL, or where the name ends in .py as Python for "
+                                          "Blender's Cycles, with every conversion "
+                                          "explained; exit 3 when it is not representable");
+  add_povray_arguments(*verb, *arguments, "SDL or .py to write");
   verb->callback([arguments, &exit_code] { exit_code = refusing_with_3([&] { return run_export(*arguments); }); });
 }
 

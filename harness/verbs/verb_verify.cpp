@@ -103,8 +103,8 @@ void add_verify_verb(CLI::App& program, int& exit_code) {
   verb->add_option("--size", arguments->size,
                    "WxH of all pictures (default: the stored reference's, else 64 on the longer side)");
   verb->add_option("--engine", arguments->engines,
-                   "this one alone; may be repeated (default: path, bdpt, ptracer, volpath, photonmapper, povray and "
-                   "those of --engines)")
+                   "this one alone; may be repeated (default: path, bdpt, ptracer, volpath, photonmapper, povray, "
+                   "cycles and those of --engines)")
       ->allow_extra_args(false);
   verb->add_option("--engines", arguments->rows, "TOML with further [[engine]] rows, as a suite has them");
   verb->add_flag("--quick", arguments->quick, "an error of 5 % is to be seen, in 5 s an engine and scene");

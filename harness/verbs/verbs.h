@@ -12,6 +12,7 @@ void add_generate_verb(CLI::App& program, int& exit_code);
 void add_render_verb(CLI::App& program, int& exit_code);
 void add_export_verb(CLI::App& program, int& exit_code);
 void add_povray_verb(CLI::App& program, int& exit_code);
+void add_cycles_verb(CLI::App& program, int& exit_code);
 void add_compare_verb(CLI::App& program, int& exit_code);
 void add_bench_verb(CLI::App& program, int& exit_code);
 void add_gate_verb(CLI::App& program, int& exit_code);

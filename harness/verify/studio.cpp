@@ -28,6 +28,9 @@ constexpr std::uint64_t seeds_of_a_series = 1000;
 /// The image's own variance, or none.
 bool has_noise_layer(const Rendering& rendering) { return rendering.variance.has_value(); }
 
+/// An engine's own variance may be from few batches of it.
+bool is_of_few_batches(const Rendering& rendering) { return rendering.metadata.contains("photonproof:batches"); }
+
 /// Pixels' variances from few pictures, none less certain than its block is on the whole.
 void steady_by_blocks(Image& variance) {
   const Image raw = variance;
@@ -63,7 +66,8 @@ Rendering pooled(const std::vector<std::pair<Rendering, double>>& parts) {
     out.mean.rgb[i] = static_cast<float>(mean);
     out.variance->rgb[i] = static_cast<float>(variance);
   }
-  if (!layers) steady_by_blocks(*out.variance);
+  if (!layers || std::ranges::any_of(parts, [](const auto& part) { return is_of_few_batches(part.first); }))
+    steady_by_blocks(*out.variance);
   MeanError error;
   error.passes = 0;
   for (const auto& [part, samples] : parts) {

@@ -27,9 +27,9 @@ struct EngineChoice {
   std::filesystem::path program;   ///< stands for {photonproof}
 };
 
-/// Those that are exact or declare what they are off by: path, bdpt, ptracer, volpath, photonmapper, povray, and every
-/// row of the file. Each is asked for its version. Throws InputError for a file that cannot be read and a name that no
-/// row has.
+/// Those that are exact or declare what they are off by: path, bdpt, ptracer, volpath, photonmapper, povray, cycles,
+/// and every row of the file. Each is asked for its version. Throws InputError for a file that cannot be read and a
+/// name that no row has.
 std::vector<VerifyEngine> verify_engines(const EngineChoice& choice);
 
 /// Why the picture of an engine of this sampling of the scene lacks light that it cannot find by any number of samples;

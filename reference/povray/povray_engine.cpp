@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "reference/engines/engine_run.h"
 #include "reference/process/process.h"
 #include "scenes/text/atomic_file.h"
 #include "scenes/text/scratch_folder.h"
@@ -12,12 +13,6 @@ namespace photonproof {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string joined(const std::vector<std::string>& argv) {
-  std::string line;
-  for (const std::string& word : argv) line += (line.empty() ? "" : " ") + word;
-  return line;
-}
 
 std::vector<std::string> command(const PovrayExport& scene, const std::string& program) {
   // +FE linear half floats; -D no window; -P no pause; +V progress; +WT1 one thread, which makes it repeatable.
@@ -34,29 +29,6 @@ std::vector<std::string> command(const PovrayExport& scene, const std::string& p
                                 "+GSstatistics.txt"};
   argv.insert(argv.end(), scene.antialias.begin(), scene.antialias.end());
   return argv;
-}
-
-[[noreturn]] void report_failure(const ProcessOutcome& outcome, const std::string& program) {
-  using End = ProcessOutcome::End;
-  if (outcome.end == End::not_started)
-    throw InputError(program, "POV-Ray cannot be run (" + outcome.cause + "); on Debian: apt install povray");
-  if (outcome.end == End::interrupted) throw PovrayFailure(PovrayFailure::Kind::interrupted, "POV-Ray was interrupted");
-  if (outcome.end == End::timed_out || outcome.end == End::out_of_memory)
-    throw PovrayFailure(PovrayFailure::Kind::limit, "POV-Ray was " + outcome.sentence());
-  const std::string said = povray_errors(outcome.standard_error);
-  throw PovrayFailure(PovrayFailure::Kind::failed, "POV-Ray " + outcome.sentence() + (said.empty() ? "" : ": " + said));
-}
-
-std::vector<std::string> find_non_finite(const Image& image) {
-  std::size_t bad = 0, first = 0;
-  for (std::size_t i = 0; i < image.rgb.size(); ++i) {
-    if (std::isfinite(image.rgb[i])) continue;
-    if (bad++ == 0) first = i / 3;
-  }
-  if (bad == 0) return {};
-  const auto width = static_cast<std::size_t>(image.width);
-  return {std::to_string(bad) + " values are not finite, the first in pixel (" + std::to_string(first % width) + ", " +
-          std::to_string(first / width) + "): brighter than half floats reach"};
 }
 
 void add(const PovrayRun& part, PovrayRun& run) {
@@ -153,11 +125,12 @@ PovrayRun render_povray(const PovrayExport& scene, const PovrayRunOptions& optio
     if (const auto done = povray_progress(chunk)) options.progress(*done, "POV-Ray");
   };
   const ProcessOutcome outcome = run_process(argv, process);
-  if (!outcome.ok()) report_failure(outcome, options.program);
+  if (!outcome.ok())
+    report_failure({"POV-Ray", options.program, "povray"}, outcome, povray_errors(outcome.standard_error));
 
   PovrayRun run;
   run.version = "POV-Ray " + povray_version(banner);
-  run.command = joined(argv);
+  run.command = command_line(argv);
   run.statistics = parse_povray_statistics(read_file(folder.path() / "statistics.txt"));
   run.wall_seconds = outcome.wall_seconds;
   run.cpu_seconds = outcome.cpu_seconds;
@@ -166,7 +139,7 @@ PovrayRun render_povray(const PovrayExport& scene, const PovrayRunOptions& optio
   run.rendering.metadata["photonproof:version"] = run.version;
   run.rendering.metadata["photonproof:command"] = run.command;
   for (const PovrayExport& part : scene.besides) add(render_povray(part, options), run);
-  run.defects = find_non_finite(run.rendering.mean);
+  run.defects = find_non_finite(run.rendering.mean, "brighter than half floats reach");
   return run;
 }
 

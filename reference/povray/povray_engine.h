@@ -4,9 +4,9 @@
 #include <atomic>
 #include <functional>
 #include <optional>
-#include <stdexcept>
 #include <string>
 
+#include "reference/engines/engine_run.h"
 #include "reference/povray/povray_export.h"
 #include "reference/povray/povray_statistics.h"
 #include "scenes/images/image.h"
@@ -33,16 +33,8 @@ struct PovrayRun {
   std::vector<std::string> defects;  ///< of the image: values that are not finite
 };
 
-/// POV-Ray ran and did not finish with an image: its own message, or the limit that ended it.
-class PovrayFailure : public std::runtime_error {
- public:
-  enum class Kind { failed, limit, interrupted };
-  PovrayFailure(Kind what_kind, const std::string& message) : std::runtime_error(message), kind(what_kind) {}
-  Kind kind;
-};
-
 /// One thread, so that the same scene gives the same bits. Throws InputError when POV-Ray is not installed,
-/// PovrayFailure when it does not finish. The temporary folder is gone in every case.
+/// EngineFailure when it does not finish. The temporary folder is gone in every case.
 PovrayRun render_povray(const PovrayExport& scene, const PovrayRunOptions& options = {});
 
 /// The mean of each grid x grid block of pixels, times `gain`. Precondition: grid divides the size.

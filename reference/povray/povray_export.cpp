@@ -140,7 +140,7 @@ PovrayExport export_povray(const SceneDescription& description, const PovrayOpti
   if (options.margin > 0 && options.grid == 0) options.grid = filter_grid;
   if (has_patterns(scene) && options.grid == 0) options.grid = pattern_grid;
   PovPlan plan = make_plan(scene, options);
-  const PovCamera camera = lower_camera(description, options.width, options.height, options.margin);
+  const PovCamera camera = lower_camera(description, options.width, options.height, options.margin, "POV-Ray");
   apply_clip_planes(camera, scene);
   const double thinnest = thinnest_lamp(camera, scene, options.width, options.height);
   plan.shows_lamps = !options.lamps_apart || given.grid > 0 || thinnest > thin_lamp;

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <sstream>
 
-#include "reference/povray/unrepresentable.h"
+#include "reference/engines/not_representable.h"
 #include "scenes/description/expect.h"
 #include "scenes/parser/parser.h"
 #include "scenes/text/atomic_file.h"
@@ -41,7 +41,7 @@ std::string why_refused(const std::string& scene) {
   try {
     exported(scene);
     return "";
-  } catch (const Unrepresentable& error) {
+  } catch (const NotRepresentable& error) {
     const std::string message = error.summary(), start = "not representable in POV-Ray: ";
     return message.substr(message.find(start) + start.size());
   }

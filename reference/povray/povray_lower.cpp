@@ -4,7 +4,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "reference/povray/povray_heightfield.h"
+#include "reference/engines/heightfield_mesh.h"
 #include "reference/povray/povray_overlap.h"
 #include "reference/povray/povray_scene.h"
 #include "reference/povray/unrepresentable.h"
@@ -200,8 +200,8 @@ class Lowering {
   }
 
   void place(const PovSurface& surface, const HeightfieldDescription& field) {
-    add(surface, place_mesh(*surface.shape, heightfield_mesh(*scene_.description, field), !field.face_normals,
-                            scene_.surfaces.size()));
+    add(surface, place_mesh(*surface.shape, heightfield_mesh(*scene_.description, field, "POV-Ray"),
+                            !field.face_normals, scene_.surfaces.size()));
   }
 
   void place(PovSurface surface, const DiskDescription&) {

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "reference/povray/povray_export.h"
-#include "reference/povray/unrepresentable.h"
+#include "reference/engines/not_representable.h"
 #include "scenes/parser/parser.h"
 
 namespace photonproof {
@@ -220,7 +220,7 @@ TEST(povray_refuses, skewed_cameras) {
   try {
     export_povray(scene, {});
     FAIL();
-  } catch (const Unrepresentable& error) {
+  } catch (const NotRepresentable& error) {
     EXPECT_EQ(error.summary(), kScene + ":1:24:" + kNot + "a camera whose axes are not perpendicular");
   }
 }

@@ -1,18 +1,15 @@
-// A scene that another engine cannot express. Refusing is an answer: it is never approximated silently.
+// A scene that POV-Ray cannot express.
 #pragma once
 
 #include <string>
 
-#include "scenes/text/input_error.h"
+#include "reference/engines/not_representable.h"
 
 namespace photonproof {
 
-/// `summary()` is "file:line:col: error: not representable in POV-Ray: why". An InputError, so that code that knows
-/// nothing of engines reports it as bad input; the verbs give it an exit code of its own.
-class Unrepresentable : public InputError {
+class Unrepresentable : public NotRepresentable {
  public:
-  Unrepresentable(const std::string& where, const std::string& why)
-      : InputError(where, "not representable in POV-Ray: " + why) {}
+  Unrepresentable(const std::string& where, const std::string& why) : NotRepresentable("POV-Ray", where, why) {}
 };
 
 }  // namespace photonproof

@@ -96,6 +96,7 @@ class ExpectReader {
     if (const toml::node* node = table.find("unsupported")) expect.unsupported = unsupported(table, *node);
     if (const toml::node* node = table.find("tolerance")) expect.tolerances = tolerances(table, *node);
     if (const toml::node* node = table.find("povray")) expect.povray = povray(table, *node);
+    if (const toml::node* node = table.find("cycles")) expect.cycles = cycles(table, *node);
     table.check_no_other_keys();
     return expect;
   }
@@ -154,17 +155,35 @@ class ExpectReader {
   PovrayResidual povray(const Table& parent, const toml::node& node) const {
     Table table(text_, path_, as_table(parent, node, "[povray]"), "[povray]");
     PovrayResidual result;
-    result.size = static_cast<int>(table.number("size"));
     result.quality = static_cast<int>(table.number("quality"));
+    read_residual(table, result);
+    if (!result.is_small() && !result.cause)
+      table.fail(node.source(), "[povray] needs a 'cause': its mean is off by more than 0.5 % or its ssim below 0.98");
+    return result;
+  }
+
+  CyclesResidual cycles(const Table& parent, const toml::node& node) const {
+    Table table(text_, path_, as_table(parent, node, "[cycles]"), "[cycles]");
+    CyclesResidual result;
+    result.spp = static_cast<int>(table.number("spp"));
+    result.noise_percent = table.number("noise_percent");
+    read_residual(table, result);
+    if (!result.is_small() && !result.cause)
+      table.fail(node.source(),
+                 "[cycles] needs a 'cause': its mean is off by more than 0.3 % and by more than three standard errors");
+    return result;
+  }
+
+  /// What the residuals of all engines have.
+  template <class Residual>
+  static void read_residual(Table& table, Residual& result) {
+    result.size = static_cast<int>(table.number("size"));
     result.mean_percent = table.number("mean_percent");
     result.relmse = table.number("relmse");
     result.ssim = table.number("ssim");
     result.seconds = table.number("seconds");
     if (table.find("cause")) result.cause = table.text("cause");
     table.check_no_other_keys();
-    if (!result.is_small() && !result.cause)
-      table.fail(node.source(), "[povray] needs a 'cause': its mean is off by more than 0.5 % or its ssim below 0.98");
-    return result;
   }
 
   std::vector<Tolerance> tolerances(const Table& parent, const toml::node& node) const {

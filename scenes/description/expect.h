@@ -24,8 +24,26 @@ struct Tolerance {
   std::string reason;
 };
 
+/// How far the scene's picture by Cycles is from ours, measured once by the same script, and what it costs.
+struct CyclesResidual {
+  int size = 0;              ///< pixels across and down
+  int spp = 0;               ///< samples a pixel
+  double mean_percent = 0;   ///< signed difference of the means
+  double noise_percent = 0;  ///< standard error of Cycles' mean, as its batches say
+  double relmse = 0;
+  double ssim = 0;
+  double seconds = 0;                ///< of processor time
+  std::optional<std::string> cause;  ///< why it is more than is aimed for, where it is
+
+  /// What is aimed for: a mean within 0.3 % of ours, or within three standard errors where those are wider.
+  bool is_small() const {
+    const double most = 3 * noise_percent > 0.3 ? 3 * noise_percent : 0.3;
+    return mean_percent >= -most && mean_percent <= most;
+  }
+};
+
 /// How far the scene's picture by POV-Ray is from the truth by our reference integrators, measured once
-/// (reference/povray/measure_library.py), and what it costs.
+/// (reference/measure_library.py), and what it costs.
 struct PovrayResidual {
   int size = 0;             ///< pixels across and down
   int quality = 0;          ///< the preset
@@ -47,6 +65,7 @@ struct Expect {
   std::map<std::string, std::string> unsupported;  ///< engine -> why it cannot render the scene
   std::vector<Tolerance> tolerances;
   std::optional<PovrayResidual> povray;  ///< where POV-Ray can render the scene
+  std::optional<CyclesResidual> cycles;  ///< where Cycles can
 };
 
 /// Throws InputError, with file:line:col where TOML gives a position, when the file is missing, malformed, lacks a

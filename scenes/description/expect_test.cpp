@@ -76,7 +76,7 @@ TEST_F(expect_toml, is_refused_with_the_place_and_what_was_expected) {
             ":2:12: error: 'exposure' must be a finite number\n  exposure = nan\n             ^");
   EXPECT_EQ(message(kLeast + "exposures = 2\n"),
             ":3:1: error: expect.toml has no key 'exposures' (did you mean 'exposure'?), expected purpose, exposure, "
-            "hdr_flip_exposures, analytic, unsupported, tolerance or povray\n  exposures = 2\n  ^");
+            "hdr_flip_exposures, analytic, unsupported, tolerance, povray or cycles\n  exposures = 2\n  ^");
   EXPECT_EQ(message(kLeast + "hdr_flip_exposures = 4\n"),
             ":3:22: error: 'hdr_flip_exposures' must be a list of start, stop and count\n  hdr_flip_exposures = 4\n"
             "                       ^");
@@ -125,6 +125,24 @@ TEST_F(expect_toml, says_how_far_povray_is_off_and_why_where_that_is_much) {
   EXPECT_EQ(message(kLeast + kPovray + "mean_percent = -0.6\nssim = 0.99\n"), needs);
   EXPECT_EQ(message(kLeast + kPovray + "mean_percent = 0\nssim = 0.97\n"), needs);
   EXPECT_EQ(read(kLeast + kPovray + "mean_percent = 0\nssim = 0.97\ncause = \"noise\"\n").povray->cause, "noise");
+}
+
+const std::string kCycles = "[cycles]\nsize = 64\nspp = 1024\nrelmse = 1e-3\nssim = 0.9\nseconds = 9\n";
+
+TEST_F(expect_toml, says_how_far_cycles_is_off_beside_its_noise) {
+  const Expect small = read(kLeast + kCycles + "mean_percent = -0.3\nnoise_percent = 0.05\n");
+  ASSERT_TRUE(small.cycles.has_value());
+  EXPECT_EQ(small.cycles->size, 64);
+  EXPECT_EQ(small.cycles->spp, 1024);
+  EXPECT_EQ(small.cycles->mean_percent, -0.3);
+  EXPECT_EQ(small.cycles->noise_percent, 0.05);
+  EXPECT_EQ(small.cycles->seconds, 9);
+  EXPECT_TRUE(read(kLeast + kCycles + "mean_percent = 2.9\nnoise_percent = 1\n").cycles->is_small());
+  const std::string far = kLeast + kCycles + "mean_percent = 0.31\nnoise_percent = 0.1\n";
+  EXPECT_EQ(message(far),
+            ":3:1: error: [cycles] needs a 'cause': its mean is off by more than 0.3 % and by more than three standard "
+            "errors\n  [cycles]\n  ^");
+  EXPECT_EQ(read(far + "cause = \"facets\"\n").cycles->cause, "facets");
 }
 
 TEST_F(expect_toml, that_is_no_toml_is_refused_with_its_place) {

@@ -1,9 +1,9 @@
-#include "reference/povray/povray_heightfield.h"
+#include "reference/engines/heightfield_mesh.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "reference/povray/unrepresentable.h"
+#include "reference/engines/not_representable.h"
 #include "scenes/generators/gradient_noise.h"
 
 namespace photonproof {
@@ -24,7 +24,8 @@ double mean_channel(const Image& image, double u, double v) {
   return sum;
 }
 
-double height_at(const SceneDescription& scene, const HeightfieldDescription& field, double u, double v) {
+double height_at(const SceneDescription& scene, const HeightfieldDescription& field, double u, double v,
+                 const std::string& engine) {
   if (const auto* noise = std::get_if<HeightfieldNoise>(&field.height)) {
     double greatest = 0;  // 1 + 1/2 + 1/4 ...
     for (int octave = 0; octave < noise->octaves; ++octave) greatest += std::ldexp(1.0, -octave);
@@ -35,15 +36,15 @@ double height_at(const SceneDescription& scene, const HeightfieldDescription& fi
   const auto* bitmap = std::get_if<BitmapDescription>(&texture.pattern);
   if (!bitmap || bitmap->filter != TextureFilter::bilinear || bitmap->wrap != TextureWrap::repeat ||
       !(bitmap->to_uv == Transform()))
-    throw Unrepresentable(scene.where(texture.loc),
-                          "a heightfield of another texture than a bilinear bitmap that repeats, without to_uv");
+    throw NotRepresentable(engine, scene.where(texture.loc),
+                           "a heightfield of another texture than a bilinear bitmap that repeats, without to_uv");
   return field.amplitude * mean_channel(*bitmap->image, u, v);
 }
 
 }  // namespace
 
-std::shared_ptr<const TriangleMesh> heightfield_mesh(const SceneDescription& scene,
-                                                     const HeightfieldDescription& field) {
+std::shared_ptr<const TriangleMesh> heightfield_mesh(const SceneDescription& scene, const HeightfieldDescription& field,
+                                                     const std::string& engine) {
   const auto columns = static_cast<std::uint32_t>(field.columns), rows = static_cast<std::uint32_t>(field.rows);
   auto mesh = std::make_shared<TriangleMesh>();
   mesh->resize_positions(std::size_t{columns + 1} * (rows + 1));
@@ -51,7 +52,7 @@ std::shared_ptr<const TriangleMesh> heightfield_mesh(const SceneDescription& sce
     for (std::uint32_t i = 0; i <= columns; ++i) {
       const double u = static_cast<double>(i) / columns, v = static_cast<double>(j) / rows;
       mesh->positions[std::size_t{j} * (columns + 1) + i] =
-          Vec3f(Vec3d{2 * u - 1, 2 * v - 1, height_at(scene, field, u, v)});
+          Vec3f(Vec3d{2 * u - 1, 2 * v - 1, height_at(scene, field, u, v, engine)});
     }
   for (std::uint32_t j = 0; j < rows; ++j)
     for (std::uint32_t i = 0; i < columns; ++i) {

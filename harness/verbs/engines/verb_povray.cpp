@@ -77,17 +77,6 @@ int run_povray(const PovrayVerbArguments& arguments) {
   return 0;
 }
 
-/// A verb that was stopped wrote nothing; a limit or a failure of POV-Ray is not the scene's fault and goes up to main.
-int run_interruptibly(const PovrayVerbArguments& arguments) {
-  try {
-    return run_povray(arguments);
-  } catch (const PovrayFailure& failure) {
-    if (failure.kind != PovrayFailure::Kind::interrupted) throw;
-    std::fprintf(stderr, "interrupted: nothing was written\n");
-    return 130;
-  }
-}
-
 }  // namespace
 
 void add_povray_verb(CLI::App& program, int& exit_code) {
@@ -98,8 +87,9 @@ void add_povray_verb(CLI::App& program, int& exit_code) {
   verb->add_option("--stats", arguments->stats_path, "stats JSON to write (default: beside the EXR, .stats.json)");
   verb->add_flag("--json", arguments->json, "print the stats as JSON");
   verb->add_flag("--quiet", arguments->quiet, "no progress line");
-  verb->callback(
-      [arguments, &exit_code] { exit_code = refusing_with_3([&] { return run_interruptibly(*arguments); }); });
+  verb->callback([arguments, &exit_code] {
+    exit_code = refusing_with_3([&] { return interruptibly([&] { return run_povray(*arguments); }); });
+  });
 }
 
 }  // namespace photonproof

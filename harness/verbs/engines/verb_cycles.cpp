@@ -1,0 +1,95 @@
+// photonproof cycles: a scene file rendered by Blender's Cycles to an EXR with a variance layer, and a stats JSON in
+// the form of the render verb's.
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "harness/verbs/engine_output.h"
+#include "harness/verbs/interrupt.h"
+#include "harness/verbs/scene_options.h"
+#include "harness/verbs/verbs.h"
+#include "reference/cycles/cycles_engine.h"
+#include "scenes/description/output_files.h"
+#include "scenes/text/atomic_file.h"
+#include "scenes/text/json_text.h"
+
+namespace photonproof {
+namespace {
+
+struct CyclesArguments {
+  SceneOptions scene;
+  std::string output;
+  CyclesOptions options;
+  std::string stats_path;
+  bool json = false;
+  bool quiet = false;
+};
+
+nlohmann::ordered_json cycles_stats_json(const CyclesArguments& arguments, const CyclesExport& scene,
+                                         const CyclesRun& run) {
+  return {{"schema_version", 1},
+          {"engine", "cycles"},
+          {"version", run.version},
+          {"scene", arguments.scene.path},
+          {"width", scene.width},
+          {"height", scene.height},
+          {"seed", arguments.options.seed},
+          {"threads", scene.threads},
+          {"samples_per_pixel", scene.samples},
+          {"batches", scene.batches.size()},
+          {"interrupted", false},
+          {"wall_seconds", run.wall_seconds},
+          {"cpu_seconds", run.cpu_seconds},
+          {"peak_bytes", run.peak_bytes},
+          {"relative_standard_error", run.relative_standard_error},
+          {"defects", run.defects}};
+}
+
+int run_cycles(const CyclesArguments& arguments) {
+  const std::string stats_path = checked_stats_path(arguments.stats_path, arguments.output, arguments.scene.path);
+  const SceneDescription description = load_scene(arguments.scene);
+  check_outputs({arguments.output, stats_path}, scene_inputs(description));
+  const CyclesExport scene = export_cycles(description, arguments.options);
+  CyclesRunOptions options;
+  options.interrupt = &interrupt_flag();
+  options.progress = progress_line(arguments.quiet);
+  const CyclesRun run = render_cycles(scene, options);
+
+  write_exr(arguments.output, run.rendering);
+  const nlohmann::ordered_json json = cycles_stats_json(arguments, scene, run);
+  write_file_atomically(stats_path, json_text(json) + "\n");
+  if (arguments.json)
+    std::printf("%s\n", json_text(json).c_str());
+  else
+    std::printf("%s: Cycles of %s, %dx%d, %d samples a pixel, %.2f s\n", arguments.output.c_str(), run.version.c_str(),
+                scene.width, scene.height, scene.samples, run.wall_seconds);
+  for (const std::string& defect : run.defects)
+    std::fprintf(stderr, "%s: %s\n", arguments.output.c_str(), defect.c_str());
+  return 0;
+}
+
+}  // namespace
+
+void add_cycles_verb(CLI::App& program, int& exit_code) {
+  auto arguments = std::make_shared<CyclesArguments>();
+  CLI::App* verb = program.add_subcommand(
+      "cycles", "Render a scene with Blender's Cycles to an EXR and a stats JSON; exit 3 when it is not representable");
+  add_scene_options(*verb, arguments->scene);
+  verb->add_option("-o,--output", arguments->output, "EXR to write")->required();
+  verb->add_option("--spp", arguments->options.samples, "samples a pixel (default: the scene's)")
+      ->transform(whole_number(1, 1 << 24));
+  verb->add_option("--seed", arguments->options.seed,
+                   "same seed, same samples; last bits may differ, as Blender adds up a ball's normals in any order")
+      ->check(is_seed);
+  verb->add_option("--threads", arguments->options.threads, "default: every core")->check(CLI::Range(1, 1024));
+  verb->add_option("--stats", arguments->stats_path, "stats JSON to write (default: beside the EXR, .stats.json)");
+  verb->add_flag("--json", arguments->json, "print the stats as JSON");
+  verb->add_flag("--quiet", arguments->quiet, "no progress line");
+  verb->callback([arguments, &exit_code] {
+    exit_code = refusing_with_3([&] { return interruptibly([&] { return run_cycles(*arguments); }); });
+  });
+}
+
+}  // namespace photonproof

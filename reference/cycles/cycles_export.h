@@ -1,0 +1,35 @@
+// Lowers a scene to Python for Blender 3.4, whose Cycles is a second unbiased path tracer that shares no code with
+// ours. Everything that is written is meant to be physically equal to the scene; what cannot be is refused by name.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "reference/cycles/cycles_options.h"
+#include "reference/cycles/cycles_script.h"
+#include "scenes/description/description.h"
+
+namespace photonproof {
+
+struct CyclesExport {
+  std::string text;                       ///< the scene's own lines
+  std::vector<CyclesFile> files;          ///< that the lines read from the text's own folder
+  std::vector<std::string> explanations;  ///< every conversion; the comments of `text`
+  int width = 0, height = 0;
+  int samples = 0;
+  int threads = 0;
+  std::vector<CyclesBatch> batches;  ///< picture i goes to batch_i.exr in the text's own folder
+};
+
+/// Throws NotRepresentable with the place of what Cycles cannot express.
+CyclesExport export_cycles(const SceneDescription& scene, const CyclesOptions& options);
+
+/// What the lines are made of (blender_*.py) followed by the lines: what `blender -b --python` runs.
+std::string whole_script(const CyclesExport& scene);
+
+/// Writes the whole script to a file and what it reads beside it, each whole or not at all. Throws InputError when one
+/// cannot be written.
+void write_script(const CyclesExport& scene, const std::filesystem::path& target);
+
+}  // namespace photonproof

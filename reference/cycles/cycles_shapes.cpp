@@ -1,0 +1,296 @@
+#include "reference/cycles/cycles_shapes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "reference/cycles/cycles_shaders.h"
+#include "reference/cycles/python_text.h"
+#include "reference/engines/heightfield_mesh.h"
+#include "scenes/description/overloaded.h"
+
+namespace photonproof {
+namespace {
+
+/// A shape where it is: itself, or as an instance puts it.
+struct Placed {
+  const ShapeDescription* shape;
+  Transform to_world;
+};
+
+struct Bounds {
+  Vec3d low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
+  void add(const Vec3d& p) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  bool overlaps(const Bounds& b) const {
+    return low.x < b.high.x && b.low.x < high.x && low.y < b.high.y && b.low.y < high.y && low.z < b.high.z &&
+           b.low.z < high.z;
+  }
+};
+
+void flatten(const SceneDescription& scene, const ShapeDescription& shape, const Transform& outer,
+             std::vector<Placed>& placed) {
+  const Transform to_world = outer * shape.to_world;
+  if (const auto* instance = std::get_if<InstanceDescription>(&shape.geometry)) {
+    for (const ShapeDescription& of : scene.groups[instance->group.value].shapes) flatten(scene, of, to_world, placed);
+    return;
+  }
+  placed.push_back({&shape, to_world});
+}
+
+/// From the unit ball, or the unit cylinder along z from 0 to 1, to the shape's local space.
+Transform frame_of(const SphereDescription& sphere) {
+  return Transform::translate(sphere.center) * Transform::scale(Vec3d(sphere.radius));
+}
+Transform frame_of(const CylinderDescription& cylinder) {
+  const Vec3d axis = cylinder.p1 - cylinder.p0, z = normalize(axis);
+  // Where the angle of uv begins: the frame of Duff et al. 2017.
+  const double sign = std::copysign(1.0, z.z), a = -1 / (sign + z.z), b = z.x * z.y * a, r = cylinder.radius;
+  const Vec3d x = Vec3d{1 + sign * z.x * z.x * a, sign * b, -sign * z.x} * r;
+  const Vec3d y = Vec3d{b, sign + z.y * z.y * a, -z.y} * r;
+  Transform t;
+  t.m = {x.x, y.x, axis.x, cylinder.p0.x, x.y, y.y, axis.y, cylinder.p0.y, x.z, y.z, axis.z, cylinder.p0.z, 0, 0, 0, 1};
+  return t;
+}
+
+/// With the uv of scenes/FORMAT.md, which are the square's.
+std::shared_ptr<const TriangleMesh> with_uv(const TriangleMesh& heights) {
+  auto mesh = std::make_shared<TriangleMesh>(heights);
+  mesh->uvs.clear();
+  for (const Vec3f& p : mesh->positions) mesh->uvs.push_back({(p.x + 1) / 2, (p.y + 1) / 2});
+  return mesh;
+}
+
+class Shapes {
+ public:
+  explicit Shapes(CyclesScript& script) : script_(script), scene_(script.scene()) {}
+
+  void write() {
+    for (const ShapeDescription& shape : scene_.shapes) flatten(scene_, shape, Transform(), placed_);
+    for (const Placed& placed : placed_) {
+      if (!std::holds_alternative<HeightfieldDescription>(placed.shape->geometry)) continue;
+      const auto& field = std::get<HeightfieldDescription>(placed.shape->geometry);
+      heights_[placed.shape] = with_uv(*heightfield_mesh(scene_, field, "Cycles"));
+    }
+    for (const Placed& placed : placed_) check_media(placed);
+    bound();
+    count_balls();
+    for (const Placed& placed : placed_) write(placed);
+  }
+
+ private:
+  Bounds bounds_of(const Placed& placed) const {
+    Bounds bounds;
+    const auto corners = [&](const Transform& t, const Vec3d& low, const Vec3d& high) {
+      for (int i = 0; i < 8; ++i)
+        bounds.add(
+            t.point({(i & 1) != 0 ? high.x : low.x, (i & 2) != 0 ? high.y : low.y, (i & 4) != 0 ? high.z : low.z}));
+    };
+    const auto vertices = [&](const TriangleMesh& mesh) {
+      for (const Vec3f& p : mesh.positions) bounds.add(placed.to_world.point(Vec3d(p)));
+    };
+    std::visit(Overloaded{[&](const SphereDescription& s) {
+                            const Vec3d center = placed.to_world.point(s.center);
+                            const Vec3d reach(s.radius * placed.to_world.similarity_scale());
+                            bounds.add(center - reach);
+                            bounds.add(center + reach);
+                          },
+                          [&](const CylinderDescription& c) {
+                            corners(placed.to_world * frame_of(c), {-1, -1, 0}, {1, 1, 1});
+                          },
+                          [&](const CubeDescription&) { corners(placed.to_world, Vec3d(-1.0), Vec3d(1.0)); },
+                          [&](const MeshDescription& m) { vertices(*m.mesh); },
+                          [&](const HeightfieldDescription&) { vertices(*heights_.at(placed.shape)); },
+                          [&](const PlaneDescription&) {},
+                          [&](const auto&) {
+                            corners(placed.to_world, {-1, -1, 0}, {1, 1, 0});
+                          }},
+               placed.shape->geometry);
+    return bounds;
+  }
+
+  /// Cycles adds up media that overlap, where a scene's surface ends one and begins the other.
+  void check_media(const Placed& placed) {
+    const ShapeDescription& shape = *placed.shape;
+    if (shape.exterior && shape.exterior != shape.interior)
+      script_.refuse(shape.loc, "a medium before a surface: Cycles' volumes are inside of bodies");
+    if (!shape.interior) return;
+    const Bounds bounds = bounds_of(placed);
+    for (const Bounds& other : media_)
+      if (bounds.overlaps(other))
+        script_.refuse(shape.loc, "a medium where another is: Cycles adds up media that overlap");
+    media_.push_back(bounds);
+  }
+
+  void bound() {
+    for (const Placed& placed : placed_) {
+      const Bounds bounds = bounds_of(placed);
+      if (bounds.low.x <= bounds.high.x) all_.add(bounds.low), all_.add(bounds.high);
+    }
+    if (all_.low.x > all_.high.x) all_ = {Vec3d(-1.0), Vec3d(1.0)};
+    all_.add(scene_.sensor.to_world.point({0, 0, 0}));
+  }
+
+  void count_balls() {
+    for (const Placed& placed : placed_)
+      if (std::holds_alternative<SphereDescription>(placed.shape->geometry))
+        ++(placed.shape->radiance ? glowing_ : balls_);
+  }
+
+  void write(const Placed& placed) {
+    const ShapeDescription& shape = *placed.shape;
+    if (is_nothing(scene_, shape.bsdf) && !shape.interior && !shape.radiance) return;
+    const std::string name = "shape_" + std::to_string(written_++);
+    script_.explain(name + " of " + scene_.where(shape.loc));
+    const auto [form, frame] =
+        std::visit([&](const auto& geometry) { return form_of(placed, geometry); }, shape.geometry);
+    script_.line("shape(" + py_string(name) + ", " + form + ", " + py_columns(frame) + ", " + material_of(placed) +
+                 ")");
+  }
+
+  /// The name of the variable that holds the shape's material, which is written when it is met first.
+  std::string material_of(const Placed& placed) {
+    const ShapeDescription& shape = *placed.shape;
+    const CyclesMaterial material{shape.bsdf, shape.radiance, shape.interior, has_leaning_normals(shape),
+                                  can_be_aimed_at(placed)};
+    for (const auto& [known, name] : materials_)
+      if (known == material) return name;
+    const BsdfDescription& bsdf = scene_.bsdfs[shape.bsdf.value];
+    const std::string name = "material_" + std::to_string(materials_.size());
+    script_.explain(name + ": bsdf '" + bsdf.id + "' of " + scene_.where(bsdf.loc));
+    script_.line(name + " = " + material_py(script_, name, material));
+    materials_.emplace_back(material, name);
+    return name;
+  }
+
+  static bool has_leaning_normals(const ShapeDescription& shape) {
+    const auto* mesh = std::get_if<MeshDescription>(&shape.geometry);
+    const auto* field = std::get_if<HeightfieldDescription>(&shape.geometry);
+    return (mesh && !mesh->face_normals) || (field && !field->face_normals);
+  }
+
+  const auto& model_of(const Placed& placed) const { return scene_.bsdfs[placed.shape->bsdf.value].model; }
+
+  /// Where the square of a triangle's longest edge is above that of (distance from its plane / twice its area), Blender
+  /// 3.4 samples it by solid angle, and loses light: -0.75 % of what the lamp of `roughness` does in two triangles,
+  /// -0.2 % in 4 x 4 squares, nothing that shows in 16 x 16. Squares of edge a are sampled by area from distances of
+  /// a^3 sqrt(2) on; here from a hundredth of the scene's diagonal.
+  int cells_of(const Transform& to_world) const {
+    const double edge = std::cbrt(length(all_.high - all_.low) / 100 / std::sqrt(2.0));
+    const double side = 2 * std::max(length(to_world.vector({1, 0, 0})), length(to_world.vector({0, 1, 0})));
+    return static_cast<int>(std::clamp(std::ceil(side / edge), 1.0, 64.0));
+  }
+
+  /// Cycles' choice of directions towards a triangle loses light where that is wide and near: -0.1 % where a lamp of
+  /// `parallel-planes` is 200 times as wide as it is far, -1 % at 2000 times. Such a lamp is easily met by chance.
+  bool can_be_aimed_at(const Placed& placed) const {
+    if (!placed.shape->radiance) return true;
+    constexpr double too_wide = 30;
+    double thinnest = std::numeric_limits<double>::infinity();
+    for (const double side : {all_.high.x - all_.low.x, all_.high.y - all_.low.y, all_.high.z - all_.low.z})
+      if (side > 0) thinnest = std::min(thinnest, side);
+    const Bounds bounds = bounds_of(placed);
+    const Vec3d size = bounds.high - bounds.low;
+    return std::max({size.x, size.y, size.z}) <= too_wide * thinnest;
+  }
+
+  using Form = std::pair<std::string, Transform>;
+
+  static std::string form_py(const std::string& kind, bool flip, const std::string& more = "") {
+    return "form(" + py_string(kind) + ", " + (flip ? "True" : "False") + more + ")";
+  }
+
+  Form form_of(const Placed& placed, const SphereDescription& sphere) const {
+    // Facets of a lamp are lamps of their own, of which a scene may have many.
+    const std::optional<Colour>& radiance = placed.shape->radiance;
+    if (radiance && std::holds_alternative<RgbD>(*radiance) &&
+        std::holds_alternative<DiffuseDescription>(model_of(placed)))
+      return {form_py("icosphere", placed.shape->flip_normals, glowing_ > 16 ? ", 4" : ", 6"),
+              placed.to_world * frame_of(sphere)};
+    const int segments = radiance ? 128 : balls_ > 64 ? 128 : 512;
+    return {form_py("sphere", placed.shape->flip_normals, ", " + std::to_string(segments)),
+            placed.to_world * frame_of(sphere)};
+  }
+  Form form_of(const Placed& placed, const CylinderDescription& cylinder) const {
+    return {form_py("cylinder", placed.shape->flip_normals), placed.to_world * frame_of(cylinder)};
+  }
+  Form form_of(const Placed& placed, const RectangleDescription&) const {
+    const int cells = placed.shape->radiance ? cells_of(placed.to_world) : 1;
+    return {form_py("rectangle", placed.shape->flip_normals, cells > 1 ? ", " + std::to_string(cells) : ""),
+            placed.to_world};
+  }
+  Form form_of(const Placed& placed, const CubeDescription&) const {
+    return {form_py("cube", placed.shape->flip_normals), placed.to_world};
+  }
+  Form form_of(const Placed& placed, const DiskDescription&) const {
+    return {form_py("disk", placed.shape->flip_normals), placed.to_world};
+  }
+  Form form_of(const Placed& placed, const MeshDescription& mesh) {
+    // A mirroring to_world turns a mesh, other than what Blender's objects do.
+    const bool turned = placed.shape->flip_normals != (placed.to_world.determinant() < 0);
+    if (turned != placed.shape->flip_normals && !mesh.face_normals && !mesh.mesh->normals.empty())
+      script_.refuse(placed.shape->loc, "a mesh with normals that is mirrored");
+    return {mesh_py(mesh.mesh, turned, mesh.flip_tex_coords, !mesh.face_normals), placed.to_world};
+  }
+  Form form_of(const Placed& placed, const HeightfieldDescription& field) {
+    const bool turned = placed.shape->flip_normals != (placed.to_world.determinant() < 0);
+    return {mesh_py(heights_.at(placed.shape), turned, false, !field.face_normals), placed.to_world};
+  }
+  /// A square far beyond everything, in the plane's own uv.
+  Form form_of(const Placed& placed, const PlaneDescription&) {
+    const auto inverse = placed.to_world.inverse();
+    if (!inverse) script_.refuse(placed.shape->loc, "a plane whose to_world has no inverse");
+    const Vec3d middle = inverse->point((all_.low + all_.high) * 0.5);
+    const double unit = std::min(length(placed.to_world.vector({1, 0, 0})), length(placed.to_world.vector({0, 1, 0})));
+    const double half = 1000 * length(all_.high - all_.low) / unit;
+    auto mesh = std::make_shared<TriangleMesh>();
+    for (const auto& [x, y] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}) {
+      const Vec3f p(Vec3d{middle.x + x * half, middle.y + y * half, 0});
+      mesh->positions.push_back(p);
+      mesh->uvs.push_back({p.x, p.y});
+    }
+    mesh->triangles = {{0, 1, 2}, {0, 2, 3}};
+    return {mesh_py(mesh, placed.shape->flip_normals, false, false), placed.to_world};
+  }
+  Form form_of(const Placed&, const InstanceDescription&) { throw std::logic_error("instances are flattened"); }
+
+  std::string mesh_py(const std::shared_ptr<const TriangleMesh>& mesh, bool turned, bool flip_v, bool smooth) {
+    CyclesFile file;
+    file.mesh = mesh;
+    file.turned = turned;
+    file.flip_v = flip_v;
+    const auto flag = [](bool value) { return value ? ", True" : ", False"; };
+    const bool normals = smooth && !mesh->normals.empty();
+    // The file has its triangles in the right order already.
+    return form_py("file", false,
+                   ", " + py_string(script_.file_of(file)) + ", " + std::to_string(mesh->positions.size()) + ", " +
+                       std::to_string(mesh->triangles.size()) + flag(!mesh->uvs.empty()) + flag(normals) +
+                       flag(smooth));
+  }
+
+  CyclesScript& script_;
+  const SceneDescription& scene_;
+  std::vector<Placed> placed_;
+  std::map<const ShapeDescription*, std::shared_ptr<const TriangleMesh>> heights_;
+  std::vector<std::pair<CyclesMaterial, std::string>> materials_;
+  std::vector<Bounds> media_;
+  Bounds all_;
+  int balls_ = 0, glowing_ = 0, written_ = 0;
+};
+
+}  // namespace
+
+void write_shapes(CyclesScript& script) { Shapes(script).write(); }
+
+}  // namespace photonproof

@@ -1,0 +1,17 @@
+// A heightfield as a triangle mesh. Written after scenes/FORMAT.md, and not after the renderer's, which it is to
+// witness.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "scenes/description/description.h"
+
+namespace photonproof {
+
+/// columns x rows cells over [-1,1]^2 of the shape's local xy plane, each cut from (0,0) to (1,1), facing +z. Throws
+/// NotRepresentable, with the engine's name, for heights that are no plain bitmap.
+std::shared_ptr<const TriangleMesh> heightfield_mesh(const SceneDescription& scene, const HeightfieldDescription& field,
+                                                     const std::string& engine);
+
+}  // namespace photonproof

@@ -1,0 +1,177 @@
+#!/usr/bin/env python3
+"""Measures another engine's pictures of the scene library against our reference integrators.
+
+  reference/measure_library.py build/release/bin/photonproof --keep out/povray [--update] [SCENE ...]
+  reference/measure_library.py build/release/bin/photonproof --engine cycles --keep out/cycles [--update] [SCENE ...]
+
+Every scene is rendered by the engine (size and quality or samples as below, one thread) and by an integrator that shares
+no code with it, for as long as `--seconds` says; the pictures stay in the folder that `--keep` names, and references that
+are there are used again. Printed is a line a scene. With --update the figures go to [povray] or [cycles] of the scenes'
+expect.toml, whose `cause` is kept, and what all of them declare to the table in reports/published/povray.md or cycles.md, measured by the
+same options or not.
+"""
+
+import argparse
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import tomllib
+
+ROOT = pathlib.Path(__file__).resolve().parents[1]
+LIBRARY = ROOT / "scenes" / "library"
+NAMES = {"povray": "POV-Ray", "cycles": "Cycles"}
+# The budget's option; whether a residual needs no cause; what the table says of the way it was measured.
+BUDGET = {"povray": "quality", "cycles": "spp"}
+SMALL = {
+    "povray": lambda found: abs(found["mean_percent"]) <= 0.5 and found["ssim"] >= 0.98,
+    "cycles": lambda found: abs(found["mean_percent"]) <= max(0.3, 3 * found["noise_percent"]),
+}
+
+# Who finds the light of a scene; path where nothing is said.
+INTEGRATORS = {
+    "bdpt": ["cornell-spheres", "course-1", "caustic-glass", "mirror-light", "keyhole", "corridor", "course-2", "course-3",
+             "pool", "ball-lens", "water-caustic"],
+    "volpath": ["absorption", "albedo-one", "fog", "furnace-null", "haze", "milk", "mist"],
+}
+
+
+def integrator_of(scene):
+    return next((name for name, scenes in INTEGRATORS.items() if scene in scenes), "path")
+
+
+def budget_of(options):
+    return options.quality if options.engine == "povray" else options.spp
+
+
+def run(words):
+    return subprocess.run([str(word) for word in words], capture_output=True, text=True, check=False)
+
+
+def reference_of(program, scene, options):
+    image = options.keep / f"{scene}-reference-{options.size}.exr"
+    if not image.exists():
+        done = run([program, "render", LIBRARY / scene / "scene.xml", "-o", image, "--integrator", integrator_of(scene),
+                    "--size", f"{options.size}x{options.size}", "--seconds", options.seconds, "--seed", 7, "--quiet"])
+        if done.returncode != 0:
+            sys.exit(f"{scene}: {done.stderr.strip()}")
+    return image
+
+
+def measure(program, scene, options):
+    """Figures of a scene, or the sentence by which it is refused."""
+    image = options.keep / f"{scene}.exr"
+    words = [program, options.engine, LIBRARY / scene / "scene.xml", "-o", image, "--size",
+             f"{options.size}x{options.size}", "--quiet", "--json", f"--{BUDGET[options.engine]}", budget_of(options)]
+    done = run(words + (["--threads", 1] if options.engine == "cycles" else []))
+    if done.returncode == 3:
+        return done.stderr.strip().split("\n")[-1].split(f"not representable in {NAMES[options.engine]}: ")[1]
+    if done.returncode != 0:
+        sys.exit(f"{scene}: {done.stderr.strip()}")
+    stats = json.loads(done.stdout)
+    compared = run([program, "compare", reference_of(program, scene, options), image, "--json", "--metrics",
+                    "bias,relmse,ssim"])
+    metrics = {row["name"]: row["value"] for row in json.loads(compared.stdout)["metrics"]}
+    found = {"mean_percent": round(100 * metrics["bias"], 2) + 0.0, "relmse": float(f"{metrics['relmse']:.1e}"),
+             "ssim": round(metrics["ssim"], 4), "seconds": round(stats["cpu_seconds"], 1)}
+    if options.engine == "cycles":
+        found["noise_percent"] = round(100 * stats["relative_standard_error"], 3)
+    return found
+
+
+def without_table(text, name):
+    return re.sub(rf"(?ms)^\n?\[{name}\]\n.*?(?=^\n?\[|\Z)", "", text)
+
+
+def update_expect(scene, found, options):
+    path = LIBRARY / scene / "expect.toml"
+    text = path.read_text()
+    name = options.engine
+    cause = cause_in(text, name)
+    text = without_table(text, name)
+    text = re.sub(rf"(?m)^{name} = .*\n", "", text)
+    text = re.sub(r"(?m)\n?^\[unsupported\]\n(?=\n?\[|\Z)", "", text)
+    if isinstance(found, str):
+        line = f"{name} = {json.dumps(found)}\n"
+        if "[unsupported]\n" in text:
+            text = text.replace("[unsupported]\n", "[unsupported]\n" + line)
+        else:
+            text = text.rstrip("\n") + "\n\n[unsupported]\n" + line
+    else:
+        table = f"[{name}]\nsize = {options.size}\n{BUDGET[name]} = {budget_of(options)}\n"
+        table += "".join(f"{key} = {value}\n" for key, value in found.items())
+        if cause and not (name == "cycles" and SMALL[name](found)):
+            table += f"cause = {cause}\n"
+        if name == "cycles" and "[povray]\n" in text:
+            text = text.replace("[povray]\n", table + "\n[povray]\n")
+        else:
+            text = text.rstrip("\n") + "\n\n" + table
+    path.write_text(text)
+
+
+def cause_in(text, engine):
+    """In its quotes; nothing where none is given."""
+    table = re.search(rf"(?ms)^\[{engine}\]\n(.*?)(?=^\[|\Z)", text)
+    cause = table and re.search(r"(?m)^cause = (.*)$", table.group(1))
+    return cause and cause.group(1)
+
+
+def table_row(scene, found, engine):
+    if isinstance(found, str):
+        return f"| `{scene}` | refused: {found} | | | |"
+    cause = cause_in((LIBRARY / scene / "expect.toml").read_text(), engine)
+    why = f" ({json.loads(cause)})" if cause and not SMALL[engine](found) else ""
+    noise = f" ± {found['noise_percent']:.2f}" if engine == "cycles" else ""
+    return (f"| `{scene}` | {found['mean_percent']:+.2f}{noise} %{why} | {found['ssim']:.4f} | {found['relmse']:.1e} | "
+            f"{found['seconds']:.1f} |")
+
+
+def declared(scene, engine):
+    """What the scene's expect.toml says of the engine: figures, a refusal, or nothing."""
+    expect = tomllib.loads((LIBRARY / scene / "expect.toml").read_text())
+    return expect.get(engine) or expect.get("unsupported", {}).get(engine)
+
+
+def write_table(options):
+    found = {path.parent.name: declared(path.parent.name, options.engine) for path in sorted(LIBRARY.glob("*/scene.xml"))}
+    rows = [table_row(scene, figures, options.engine) for scene, figures in found.items() if figures]
+    name, budget = options.engine, f"{BUDGET[options.engine]} {budget_of(options)}"
+    chosen = "" if name == "povray" else f"--engine {name} "
+    noise = "The references have noise of their own."
+    if name == "cycles":
+        noise = ("Behind ± is the standard error of Cycles' mean, as the spread of its 16 batches says; the references "
+                 "have noise of their own.")
+    (ROOT / "reports" / "published" / f"{name}.md").write_text(
+        f"# {NAMES[name]} on the scene library\n\n```sh\nreference/measure_library.py build/release/bin/photonproof "
+        f"{chosen}--keep out/{name} --update --size {options.size} --{budget}\n```\n\n"
+        f"At {options.size}x{options.size}, {budget}, one thread: the mean against `path` (`bdpt` where mirrors or narrow "
+        "holes hide the light, `volpath` where there are media), ssim, relmse and seconds of processor time. "
+        f"{noise}\n\n| scene | mean | ssim | relmse | s |\n|---|--:|--:|--:|--:|\n" + "\n".join(rows) + "\n")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("program", type=pathlib.Path)
+    parser.add_argument("--engine", choices=list(NAMES), default="povray")
+    parser.add_argument("--keep", type=pathlib.Path, required=True)
+    parser.add_argument("--size", type=int, default=96)
+    parser.add_argument("--quality", type=int, default=2)
+    parser.add_argument("--spp", type=int, default=1024)
+    parser.add_argument("--seconds", type=float, default=20)
+    parser.add_argument("--update", action="store_true")
+    parser.add_argument("scenes", nargs="*")
+    options = parser.parse_intermixed_args()
+    options.keep.mkdir(parents=True, exist_ok=True)
+    scenes = options.scenes or sorted(path.parent.name for path in LIBRARY.glob("*/scene.xml"))
+    for scene in scenes:
+        found = measure(options.program, scene, options)
+        if options.update:
+            update_expect(scene, found, options)
+        print(table_row(scene, found, options.engine), flush=True)
+    if options.update:
+        write_table(options)
+
+
+if __name__ == "__main__":
+    main()
