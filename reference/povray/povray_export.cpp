@@ -122,7 +122,7 @@ PovrayExport export_scene(const PovScene& scene, const PovPlan& plan, const PovC
 /// grid is one of which several lines pass through every lamp.
 PovrayExport export_lamps(const PovScene& scene, PovPlan plan, const PovCamera& camera, const PovrayOptions& options,
                           double thinnest) {
-  plan.point_lights = plan.radiosity = plan.photons = false;
+  plan.point_lights = plan.radiosity = plan.photons = plan.shows_sky = false;
   plan.brightness = 1;
   PovrayExport lamps = export_scene(scene, plan, camera, options);
   lamps.grid = std::clamp(static_cast<int>(std::ceil(2 * thin_lamp / thinnest)), 2, finest_lamp_grid);

@@ -70,7 +70,7 @@ std::string kind(const PovSurface& surface) {
 
 std::string photon_target(const PovSurface& surface) {
   return std::string(" photons{target reflection on refraction ") + (is_glass(surface) ? "on" : "off") +
-         " collect off}";
+         (is_diffuse(surface) ? "}" : " collect off}");
 }
 
 std::string outline(const PovSurface& surface, const PovPlan& plan) {

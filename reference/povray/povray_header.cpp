@@ -54,10 +54,11 @@ void write_header(const PovScene& scene, const PovPlan& plan, SdlWriter& out) {
   if (plan.radiosity) out.line(radiosity_sdl(scene, plan));
   if (plan.photons) out.line(photons_sdl(scene, plan));
   out.line("}");
-  if (scene.sky)
+  if (scene.sky && plan.shows_sky)
     out.explain("light from all around, of " + scene.description->where(scene.sky->loc) +
-                ": what rays see where nothing is; radiosity's rays find it");
-  out.line(sky_sdl(scene, plan.exposure, plan.stem));
+                (scene.sky_as_lights ? ": a ball far away, which is only seen; it lights by parallel lights"
+                                     : ": what rays see where nothing is; radiosity's rays find it"));
+  out.line(plan.shows_sky ? sky_sdl(scene, plan.exposure, plan.scale, plan.stem) : "background{rgb 0}");
   out.line("#default{finish{ambient 0 diffuse 1/Brightness emission 0}}");
 }
 

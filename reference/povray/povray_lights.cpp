@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "reference/povray/povray_shades.h"
+#include "reference/povray/povray_sky.h"
 #include "scenes/description/overloaded.h"
 #include "scenes/text/text_numbers.h"
 
@@ -153,10 +154,11 @@ struct LightWriter {
     out.line(ies_shade(light, plan.scale));
     point(at, light.intensity * greatest_candela(*light.profile), "");
   }
-  void operator()(const DirectionalLightDescription& light) const {
-    const Vec3d from = scene.center - light.direction * (4 * scene.radius);
-    out.line("light_source{" + sdl_vector(from * plan.scale) + " " +
-             sdl_rgb(light.irradiance * (plan.exposure / std::numbers::pi)) + "*Brightness parallel point_at " +
+  void operator()(const DirectionalLightDescription& light) const { parallel(-light.direction, light.irradiance); }
+  void parallel(const Vec3d& from, const RgbD& irradiance) const {
+    const Vec3d at = scene.center + from * (4 * scene.radius);
+    out.line("light_source{" + sdl_vector(at * plan.scale) + " " +
+             sdl_rgb(irradiance * (plan.exposure / std::numbers::pi)) + "*Brightness parallel point_at " +
              sdl_vector(scene.center * plan.scale) + with_photons(plan) + "}");
   }
   template <class Other>
@@ -164,6 +166,22 @@ struct LightWriter {
     throw std::logic_error("skies are no light_sources");
   }
 };
+
+void write_sky_lights(const PovScene& scene, const PovPlan& plan, const PovrayLightPoints& points, std::uint64_t seed,
+                      SdlWriter& out) {
+  const LightWriter writer{scene, plan, out};
+  if (scene.sun) {
+    out.explain("the sun of " + scene.description->where(scene.sky->loc) +
+                ": parallel lights from all over its disc, which itself is not drawn");
+    for (const PovSkyLight& light : sun_lights(*scene.sun, points.sun, seed))
+      writer.parallel(light.from, light.irradiance);
+  }
+  if (!scene.sky_as_lights) return;
+  const auto lights = sky_lights(std::get<EnvmapDescription>(scene.sky->light), points.sky, seed);
+  out.explain("the sky of " + scene.description->where(scene.sky->loc) + ": " + std::to_string(lights.size()) +
+              " parallel lights, each with the same share of its flux");
+  for (const PovSkyLight& light : lights) writer.parallel(light.from, light.irradiance);
+}
 
 const char* kind_of(const EmitterDescription& emitter) {
   return std::visit(
@@ -216,10 +234,11 @@ void write_spot_macro(const PovPlan& plan, SdlWriter& out) {
 void write_lights(const PovScene& scene, const PovPlan& plan, const PovrayLightPoints& points, std::uint64_t seed,
                   SdlWriter& out) {
   for (const EmitterDescription& emitter : scene.description->emitters) {
-    if (&emitter == scene.sky) continue;
+    if (is_sky(emitter)) continue;
     out.explain("light '" + emitter.id + "' of " + scene.description->where(emitter.loc) + ": " + kind_of(emitter));
     std::visit(LightWriter{scene, plan, out}, emitter.light);
   }
+  write_sky_lights(scene, plan, points, seed, out);
   std::uint64_t number = 0;
   for (const PovSurface& surface : scene.surfaces)
     if (surface.emission == PovSurface::Emission::spots)

@@ -7,6 +7,7 @@
 #include "reference/povray/povray_heightfield.h"
 #include "reference/povray/povray_overlap.h"
 #include "reference/povray/povray_scene.h"
+#include "reference/povray/povray_sky.h"
 #include "reference/povray/unrepresentable.h"
 #include "scenes/description/overloaded.h"
 
@@ -32,13 +33,7 @@ bool emits(const SceneDescription& scene, const ShapeDescription& shape) {
 }
 
 void check_emitters(const SceneDescription& scene) {
-  const auto refuse = [&](const EmitterDescription& emitter, const std::string& why) {
-    throw Unrepresentable(scene.where(emitter.loc), why);
-  };
   for (const EmitterDescription& emitter : scene.emitters) {
-    if (std::holds_alternative<SunSkyDescription>(emitter.light))
-      refuse(emitter,
-             "a sun and its sky: POV-Ray has no model of them; an envmap and a directional light can be written");
     const auto* spot = std::get_if<SpotLightDescription>(&emitter.light);
     if (spot && spot->texture) range_of(scene, *spot->texture);
   }
@@ -76,21 +71,34 @@ class Lowering {
     check_emitters(description);
     check_film(description);
     for (const ShapeDescription& shape : description.shapes) add_shape(shape);
-    for (const EmitterDescription& emitter : description.emitters) {
-      const bool sky = std::holds_alternative<ConstantLightDescription>(emitter.light) ||
-                       std::holds_alternative<EnvmapDescription>(emitter.light);
-      if (!sky) continue;
-      if (scene_.sky) throw Unrepresentable(description.where(emitter.loc), "a second light from all around");
-      scene_.sky = &emitter;
-    }
+    add_sky();
     bound();
     for (const ShapeDescription* plane : planes_) add_plane(*plane);
     check_whole();
+    // Mirrors and glass would need the lights' photons: there radiosity's rays find the sky, through them, too.
+    const auto any = [&](bool (*is)(const PovSurface&)) {
+      return std::any_of(scene_.surfaces.begin(), scene_.surfaces.end(), is);
+    };
+    scene_.sky_as_lights = scene_.sky && std::holds_alternative<EnvmapDescription>(scene_.sky->light) &&
+                           any(is_diffuse) && !any(is_specular);
     refuse_overlaps_with_glass(scene_);
     return std::move(scene_);
   }
 
  private:
+  void add_sky() {
+    const SceneDescription& description = *scene_.description;
+    for (const EmitterDescription& emitter : description.emitters) {
+      if (!is_sky(emitter)) continue;
+      if (scene_.sky) throw Unrepresentable(description.where(emitter.loc), "a second light from all around");
+      scene_.sky = &emitter;
+      scene_.sun = std::get_if<SunSkyDescription>(&emitter.light);
+      if (!scene_.sun) continue;
+      scene_.baked_sky = std::make_shared<const EmitterDescription>(sky_without_sun(emitter));
+      scene_.sky = scene_.baked_sky.get();
+    }
+  }
+
   void add_shape(const ShapeDescription& shape) {
     if (const auto* instance = std::get_if<InstanceDescription>(&shape.geometry)) {
       for (const ShapeDescription& of : scene_.description->groups[instance->group.value].shapes) {

@@ -12,8 +12,8 @@ PovrayPreset povray_preset(int quality) {
   PovrayPreset preset{};
   switch (quality) {
     case 1:
-      preset.image_points = {.rectangle = 6, .sphere = 64};
-      preset.photon_points = {.rectangle = 5, .sphere = 25};
+      preset.image_points = {.rectangle = 6, .sphere = 64, .sky = 16, .sun = 4};
+      preset.photon_points = {.rectangle = 5, .sphere = 25, .sky = 16, .sun = 4};
       preset.radiosity_points = {.rectangle = 2, .sphere = 12};
       preset.radiosity_count = 192;
       preset.nearest_count = 4;
@@ -25,8 +25,8 @@ PovrayPreset povray_preset(int quality) {
       preset.photon_radius = 0.03;
       return preset;
     case 2:
-      preset.image_points = {.rectangle = 8, .sphere = 144};
-      preset.photon_points = {.rectangle = 6, .sphere = 36};
+      preset.image_points = {.rectangle = 8, .sphere = 144, .sky = 20, .sun = 5};
+      preset.photon_points = {.rectangle = 6, .sphere = 36, .sky = 20, .sun = 5};
       preset.radiosity_points = {.rectangle = 3, .sphere = 24};
       preset.radiosity_count = 384;
       preset.nearest_count = 6;
@@ -38,8 +38,8 @@ PovrayPreset povray_preset(int quality) {
       preset.photon_radius = 0.02;
       return preset;
     case 3:
-      preset.image_points = {.rectangle = 12, .sphere = 400};
-      preset.photon_points = {.rectangle = 6, .sphere = 36};
+      preset.image_points = {.rectangle = 12, .sphere = 400, .sky = 28, .sun = 6};
+      preset.photon_points = {.rectangle = 6, .sphere = 36, .sky = 20, .sun = 5};
       preset.radiosity_points = {.rectangle = 4, .sphere = 40};
       preset.radiosity_count = 768;
       preset.nearest_count = 8;

@@ -17,10 +17,13 @@ struct PovrayOptions {
   std::string stem = "scene";  ///< starts the names of images that the text reads from its folder
 };
 
-/// How lights become points: a rectangle n x n of them, a sphere `sphere` of them.
+/// How lights become points: a rectangle n x n of them, a sphere `sphere` of them; a sky n x n directions, the sun's
+/// disc, too.
 struct PovrayLightPoints {
   int rectangle;
   int sphere;
+  int sky = 8;
+  int sun = 2;
 };
 
 /// Settings of POV-Ray's radiosity (an irradiance cache) and photons, and how lights become points.

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "reference/povray/povray_shades.h"
+#include "reference/povray/povray_sky.h"
 #include "reference/povray/sdl_text.h"
 #include "reference/povray/unrepresentable.h"
 #include "scenes/description/overloaded.h"
@@ -48,8 +49,9 @@ struct Facts {
 
 Facts find_facts(const PovScene& scene) {
   Facts facts;
-  for (const EmitterDescription& emitter : scene.description->emitters) facts.spots |= &emitter != scene.sky;
-  facts.surrounding = scene.sky != nullptr;
+  for (const EmitterDescription& emitter : scene.description->emitters) facts.spots |= !is_sky(emitter);
+  facts.spots |= scene.sky_as_lights || scene.sun;
+  facts.surrounding = scene.sky && !scene.sky_as_lights;
   RgbD albedo_area(0.0);
   double diffuse_area = 0;
   for (const PovSurface& surface : scene.surfaces) {
@@ -58,7 +60,7 @@ Facts find_facts(const PovScene& scene) {
     facts.surrounding |= surface.emission == PovSurface::Emission::radiosity;
     if (!is_diffuse(surface)) continue;
     facts.diffuse = true;
-    facts.indirect |= scene.sky != nullptr;
+    facts.indirect |= scene.sky && !scene.sky_as_lights;
     facts.albedo = std::max(facts.albedo, surface.optics.diffuse.greatest);
     // What stands for a plane counts as far as it is near the rest.
     const double counted = surface.endless ? std::numbers::pi * scene.radius * scene.radius : area(surface);
@@ -102,6 +104,8 @@ double choose_exposure(const PovScene& scene, const Facts& facts) {
     if (const auto* parallel = std::get_if<DirectionalLightDescription>(&emitter.light))
       irradiance += max_component(parallel->irradiance);
   }
+  if (scene.sun)
+    for (const PovSkyLight& light : sun_lights(*scene.sun, 2, 1)) irradiance += max_component(light.irradiance);
   if (scene.sky) surrounding = std::max(surrounding, max_component(mean_radiance(*scene.sky)));
   const double albedo = std::min(facts.albedo, 0.95);
   double radiance = surrounding / (1 - albedo);
@@ -191,6 +195,8 @@ PovPlan make_plan(const PovScene& scene, const PovrayOptions& options) {
     plan.losses.emplace_back(
         "caustics are a density of photons over a disc: blurred by its radius, and 0.5 to 1.5 % low in flux");
   }
+  if (scene.sun)
+    plan.losses.emplace_back("the sun's disc is not drawn: it lights, and neither camera nor mirrors see it");
   if (depth >= 0 && facts.specular)
     plan.losses.push_back("max_depth " + std::to_string(depth) + " is applied to diffuse bounces only");
   return plan;
