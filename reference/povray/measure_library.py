@@ -3,9 +3,10 @@
 
   reference/povray/measure_library.py build/release/bin/photonproof --keep out/povray [--update] [SCENE ...]
 
-Every scene is rendered by POV-Ray (size and quality as below, one thread) and by an integrator that shares no code with
-it, for as long as `--seconds` says; the pictures stay in the folder that `--keep` names, and references that are there
-are used again. Printed is a line a scene. With --update the figures go to [povray] of the scenes' expect.toml, whose
+Every scene is rendered by POV-Ray (size and quality as below, one thread) and compared with the library's own reference
+where the scene has a square one, of whose size it then is, or else with an integrator that shares no code with it, for
+as long as `--seconds` says; the pictures stay in the folder that `--keep` names, and references that are there are used
+again. Printed is a line a scene. With --update the figures go to [povray] of the scenes' expect.toml, whose
 `cause` is kept, and the table to reports/published/povray.md.
 """
 
@@ -36,7 +37,24 @@ def run(words):
     return subprocess.run([str(word) for word in words], capture_output=True, text=True, check=False)
 
 
+def stored_reference(scene):
+    """The size and file of a square reference in the scene's folder."""
+    for image in sorted((LIBRARY / scene).glob("reference-*.exr")):
+        width, height = re.fullmatch(r"reference-(\d+)x(\d+)", image.stem).groups()
+        if width == height:
+            return int(width), image
+    return None
+
+
+def size_of(scene, options):
+    stored = stored_reference(scene)
+    return stored[0] if stored else options.size
+
+
 def reference_of(program, scene, options):
+    stored = stored_reference(scene)
+    if stored:
+        return stored[1]
     image = options.keep / f"{scene}-reference-{options.size}.exr"
     if not image.exists():
         done = run([program, "render", LIBRARY / scene / "scene.xml", "-o", image, "--integrator", integrator_of(scene),
@@ -49,8 +67,9 @@ def reference_of(program, scene, options):
 def measure(program, scene, options):
     """Figures of a scene, or the sentence by which it is refused."""
     image = options.keep / f"{scene}.exr"
+    size = size_of(scene, options)
     done = run([program, "povray", LIBRARY / scene / "scene.xml", "-o", image, "--quality", options.quality, "--size",
-                f"{options.size}x{options.size}", "--quiet", "--json"])
+                f"{size}x{size}", "--quiet", "--json"])
     if done.returncode == 3:
         return done.stderr.strip().split("\n")[-1].split(REFUSAL)[1]
     if done.returncode != 0:
@@ -81,7 +100,7 @@ def update_expect(scene, found, options):
         else:
             text = text.rstrip("\n") + "\n\n[unsupported]\n" + line
     else:
-        text = text.rstrip("\n") + "\n\n[povray]\n" + f"size = {options.size}\nquality = {options.quality}\n"
+        text = text.rstrip("\n") + "\n\n[povray]\n" + f"size = {size_of(scene, options)}\nquality = {options.quality}\n"
         text += "".join(f"{key} = {value}\n" for key, value in found.items())
         if cause:
             text += cause.group(1) + "\n"

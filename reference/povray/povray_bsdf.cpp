@@ -55,10 +55,6 @@ struct Check {
     require_constant(scene, bsdf, d.specular_reflectance);
     require_constant(scene, bsdf, d.specular_transmittance);
     if (d.priority) refuse(scene, bsdf, "the priority of a dielectric: POV-Ray knows none");
-    if (!(d.specular_reflectance == Colour(RgbD(1.0))))
-      refuse(scene, bsdf,
-             "a dielectric with specular_reflectance other than 1: POV-Ray's conserve_energy would transmit "
-             "what the surface does not reflect");
   }
   void operator()(const ThinDielectricDescription& d) const {
     require_constant(scene, bsdf, d.specular_reflectance);

@@ -123,7 +123,8 @@ void explain_lamp(const PovSurface& surface, SdlWriter& out) {
     case PovSurface::Emission::none:
       return;
     case PovSurface::Emission::radiosity:
-      return out.explain("  emits inwards: radiosity's rays find it, so it needs no light_source");
+      return out.explain(
+          "  emits from all around what it lights: radiosity's rays find it, so it needs no light_source");
     case PovSurface::Emission::picture:
       return out.explain("  emits, and lights nothing that reflects: what is seen of it is all there is");
     case PovSurface::Emission::spots:

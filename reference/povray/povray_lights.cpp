@@ -3,24 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <random>
 #include <stdexcept>
 
+#include "reference/optics/point_sets.h"
+#include "reference/optics/sky_lights.h"
 #include "reference/povray/povray_shades.h"
-#include "reference/povray/povray_sky.h"
 #include "scenes/description/overloaded.h"
 #include "scenes/text/text_numbers.h"
 
 namespace photonproof {
 namespace {
-
-/// A permutation of 0..n-1. The engine's output is specified by the C++ standard, std::shuffle's use of it is not.
-std::vector<int> permutation(int n, std::mt19937_64& random) {
-  std::vector<int> order(static_cast<std::size_t>(n));
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<int>(i);
-  for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random() % i]);
-  return order;
-}
 
 std::string spot(const Vec3d& position, const Vec3d& normal) {
   return "Spot(" + sdl_vector(position) + ", " + sdl_vector(position + normal) + ")";
@@ -173,14 +165,14 @@ void write_sky_lights(const PovScene& scene, const PovPlan& plan, const PovrayLi
   if (scene.sun) {
     out.explain("the sun of " + scene.description->where(scene.sky->loc) +
                 ": parallel lights from all over its disc, which itself is not drawn");
-    for (const PovSkyLight& light : sun_lights(*scene.sun, points.sun, seed))
+    for (const SkyLight& light : sun_lights(*scene.sun, points.sun, seed))
       writer.parallel(light.from, light.irradiance);
   }
   if (!scene.sky_as_lights) return;
   const auto lights = sky_lights(std::get<EnvmapDescription>(scene.sky->light), points.sky, seed);
   out.explain("the sky of " + scene.description->where(scene.sky->loc) + ": " + std::to_string(lights.size()) +
               " parallel lights, each with the same share of its flux");
-  for (const PovSkyLight& light : lights) writer.parallel(light.from, light.irradiance);
+  for (const SkyLight& light : lights) writer.parallel(light.from, light.irradiance);
 }
 
 const char* kind_of(const EmitterDescription& emitter) {
@@ -194,32 +186,6 @@ const char* kind_of(const EmitterDescription& emitter) {
 }
 
 }  // namespace
-
-std::vector<Vec2<double>> square_points(int n, std::uint64_t seed) {
-  std::mt19937_64 random(seed);
-  const std::vector<int> columns = permutation(n, random);
-  const std::vector<int> rows = permutation(n, random);
-  std::vector<Vec2<double>> points;
-  for (int j = 0; j < n; ++j)
-    for (int i = 0; i < n; ++i)
-      points.push_back({(i + (columns[static_cast<std::size_t>(j)] + 0.5) / n) / n,
-                        (j + (rows[static_cast<std::size_t>(i)] + 0.5) / n) / n});
-  return points;
-}
-
-std::vector<Vec3d> sphere_points(int count, std::uint64_t seed) {
-  std::mt19937_64 random(seed);
-  const double turn = 2 * std::numbers::pi * static_cast<double>(random() >> 11) * 0x1p-53;
-  const double golden_angle = std::numbers::pi * (3 - std::sqrt(5.0));
-  std::vector<Vec3d> points;
-  for (int i = 0; i < count; ++i) {
-    const double z = 1 - (2 * i + 1.0) / count;
-    const double r = std::sqrt(1 - z * z);
-    const double phi = turn + golden_angle * i;
-    points.emplace_back(r * std::cos(phi), r * std::sin(phi), z);
-  }
-  return points;
-}
 
 void write_spot_macro(const PovPlan& plan, SdlWriter& out) {
   out.explain("POV-Ray dims by 2/(1+(d/Near)^2): times Fade that is 1/(pi d^2), and a surface shows intensity times");

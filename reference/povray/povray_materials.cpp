@@ -30,15 +30,15 @@ double cosine_of_step(int step) {
 
 /// A texture by the angle of incidence. POV-Ray's pattern `aoi` is 1 where the surface is met head on and a half where
 /// it is grazed, or the same from 0 up, depending on the side: both are given.
-std::string by_incidence_step(const std::function<std::string(int step)>& texture) {
+std::string by_incidence_step(const std::function<std::string(int step, bool from_behind)>& texture) {
   std::string entries;
   for (int i = -kIncidences; i <= kIncidences; ++i)
-    entries += "[" + format_number(0.5 + 0.5 * i / kIncidences) + " " + texture(std::abs(i)) + "]";
+    entries += "[" + format_number(0.5 + 0.5 * i / kIncidences) + " " + texture(std::abs(i), i < 0) + "]";
   return "aoi texture_map{" + entries + "}";
 }
 
 std::string by_incidence(const std::function<std::string(double cosine)>& texture) {
-  return by_incidence_step([&](int step) { return texture(cosine_of_step(step)); });
+  return by_incidence_step([&](int step, bool) { return texture(cosine_of_step(step)); });
 }
 
 std::string mirror(const RgbD& reflectance) {
@@ -116,6 +116,20 @@ struct Writer {
             ""};
   }
   Material operator()(const DielectricDescription& glass) const {
+    const double index = glass.int_ior / glass.ext_ior;
+    const RgbD reflected = constant(glass.specular_reflectance);
+    if (!(reflected == RgbD(1.0)))
+      return {
+          "dielectric that reflects other than Fresnel's share: that, and what passes, by a table of the angle on "
+          "either side",
+          by_incidence_step([&](int step, bool from_behind) {
+            const double cosine = cosine_of_step(step), into = from_behind ? 1 / index : index;
+            const bool passes = cosine > 1e-9 && 1 - cosine * cosine < into * into;
+            const double share = passes ? fresnel_reflectance(cosine, into) : 1;
+            return filter(constant(glass.specular_transmittance) * (1 - share)) +
+                   " finish{ambient 0 diffuse 0 reflection{" + sdl_rgb(reflected * share) + "}}";
+          }),
+          "ior " + format_number(index)};
     // A filter multiplies what passes a surface by the pigment, once a crossing and not on total internal reflection:
     // just what specular_transmittance does.
     return {
@@ -168,7 +182,7 @@ struct Writer {
     return {
         "a diffuse base under a clear coat: what enters as a sum of powers of the light's cosine (brilliance), what "
         "leaves and what is mirrored by a table of the eye's",
-        by_incidence_step([&](int step) { return name + std::to_string(step); }), "", before};
+        by_incidence_step([&](int step, bool) { return name + std::to_string(step); }), "", before};
   }
   template <class Other>
   Material operator()(const Other&) const {

@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-#include "reference/povray/povray_sky.h"
+#include "reference/optics/sky_lights.h"
 #include "reference/povray/sdl_text.h"
 #include "scenes/description/overloaded.h"
 #include "scenes/text/text_numbers.h"

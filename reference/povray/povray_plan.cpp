@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "reference/optics/sky_lights.h"
 #include "reference/povray/povray_shades.h"
-#include "reference/povray/povray_sky.h"
 #include "reference/povray/sdl_text.h"
 #include "reference/povray/unrepresentable.h"
 #include "scenes/description/overloaded.h"
@@ -105,7 +105,7 @@ double choose_exposure(const PovScene& scene, const Facts& facts) {
       irradiance += max_component(parallel->irradiance);
   }
   if (scene.sun)
-    for (const PovSkyLight& light : sun_lights(*scene.sun, 2, 1)) irradiance += max_component(light.irradiance);
+    for (const SkyLight& light : sun_lights(*scene.sun, 2, 1)) irradiance += max_component(light.irradiance);
   if (scene.sky) surrounding = std::max(surrounding, max_component(mean_radiance(*scene.sky)));
   const double albedo = std::min(facts.albedo, 0.95);
   double radiance = surrounding / (1 - albedo);

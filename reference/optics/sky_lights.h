@@ -11,7 +11,7 @@
 namespace photonproof {
 
 /// Light that comes from a direction, unit length and world space, with its irradiance on what it meets head on.
-struct PovSkyLight {
+struct SkyLight {
   Vec3d from;
   RgbD irradiance;
 };
@@ -25,9 +25,9 @@ std::shared_ptr<const Image> sky_image(const EnvmapDescription& map, double gain
 
 /// side x side lights of an envmap: directions by its radiance, a stratum each; together they have its flux in every
 /// channel. The same seed gives the same lights. Empty where the map is black.
-std::vector<PovSkyLight> sky_lights(const EnvmapDescription& map, int side, std::uint64_t seed);
+std::vector<SkyLight> sky_lights(const EnvmapDescription& map, int side, std::uint64_t seed);
 
 /// side x side lights of the disc of a sunsky's sun; empty when it has set.
-std::vector<PovSkyLight> sun_lights(const SunSkyDescription& sunsky, int side, std::uint64_t seed);
+std::vector<SkyLight> sun_lights(const SunSkyDescription& sunsky, int side, std::uint64_t seed);
 
 }  // namespace photonproof

@@ -1,10 +1,10 @@
-#include "reference/povray/povray_sky.h"
+#include "reference/optics/sky_lights.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "reference/povray/povray_lights.h"
+#include "reference/optics/point_sets.h"
 #include "scenes/sky/clear_sky.h"
 
 namespace photonproof {
@@ -113,11 +113,11 @@ std::shared_ptr<const Image> sky_image(const EnvmapDescription& map, double gain
   return result;
 }
 
-std::vector<PovSkyLight> sky_lights(const EnvmapDescription& map, int side, std::uint64_t seed) {
+std::vector<SkyLight> sky_lights(const EnvmapDescription& map, int side, std::uint64_t seed) {
   const std::shared_ptr<const Image> image = sky_image(map, 1);
   const CellSums sums = sum_cells(*image);
   if (!(sums.by_row.back() > 0)) return {};
-  std::vector<PovSkyLight> lights;
+  std::vector<SkyLight> lights;
   RgbD together(0.0);
   for (const Vec2<double>& s : square_points(side, seed)) {
     const Place row = place_of(sums.by_row, s.y);
@@ -134,18 +134,18 @@ std::vector<PovSkyLight> sky_lights(const EnvmapDescription& map, int side, std:
   }
   const auto share = [](double part, double whole) { return whole > 0 ? part / whole : 1; };
   const RgbD all{share(sums.flux.x, together.x), share(sums.flux.y, together.y), share(sums.flux.z, together.z)};
-  for (PovSkyLight& light : lights) light.irradiance = light.irradiance * all;
+  for (SkyLight& light : lights) light.irradiance = light.irradiance * all;
   return lights;
 }
 
-std::vector<PovSkyLight> sun_lights(const SunSkyDescription& sunsky, int side, std::uint64_t seed) {
+std::vector<SkyLight> sun_lights(const SunSkyDescription& sunsky, int side, std::uint64_t seed) {
   const Vec3d sun = normalize(sunsky.sun_direction);
   const double aperture = sunsky.sun_aperture_degrees * sky_pi / 180;
   const RgbD radiance = sun_radiance(sun.z, sunsky.turbidity, aperture) * sunsky.sun_scale;
   if (!(max_component(radiance) > 0)) return {};
   const Vec3d x = normalize(cross(std::abs(sun.x) < 0.5 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0}, sun)), y = cross(sun, x);
   const double least = std::cos(aperture / 2);
-  std::vector<PovSkyLight> lights;
+  std::vector<SkyLight> lights;
   for (const Vec2<double>& s : square_points(side, seed)) {
     const double z = 1 - s.x * (1 - least), r = std::sqrt(std::max(0.0, 1 - z * z)), phi = 2 * sky_pi * s.y;
     const Vec3d local = sun * z + x * (r * std::cos(phi)) + y * (r * std::sin(phi));
