@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "reference/povray/povray_lights.h"
 #include "reference/povray/povray_materials.h"
 #include "reference/povray/povray_pigments.h"
 #include "scenes/description/overloaded.h"
@@ -154,6 +155,7 @@ void write_surface(const PovScene& scene, const PovSurface& surface, const PovPl
   // behind it.
   const bool counted = surface.emission == PovSurface::Emission::spots;
   if (plan.radiosity && (counted || has_twin(surface, plan))) object += " no_radiosity";
+  if (counted && std::holds_alternative<PovSphere>(surface.geometry) && has_many_lights(scene)) object += " no_shadow";
   object += "}";
   out.line(object);
 }

@@ -18,13 +18,17 @@ std::string spot(const Vec3d& position, const Vec3d& normal) {
   return "Spot(" + sdl_vector(position) + ", " + sdl_vector(position + normal) + ")";
 }
 
-/// `points` shared out: all area lights keep within the number for one, but none gets fewer than 4.
+std::ptrdiff_t area_lights(const PovScene& scene) {
+  return std::count_if(scene.surfaces.begin(), scene.surfaces.end(),
+                       [](const PovSurface& surface) { return surface.emission == PovSurface::Emission::spots; });
+}
+
+/// `points` shared out: all area lights keep within the number for one, but none gets fewer than 4, and of more than
+/// kManyLights a rectangle has one.
 PovrayLightPoints share(const PovrayLightPoints& points, const PovScene& scene) {
-  const auto lights = std::count_if(scene.surfaces.begin(), scene.surfaces.end(), [](const PovSurface& surface) {
-    return surface.emission == PovSurface::Emission::spots;
-  });
-  const auto count = static_cast<double>(std::max<std::ptrdiff_t>(lights, 1));
-  return {std::max(2, static_cast<int>(std::lround(points.rectangle / std::sqrt(count)))),
+  const auto count = static_cast<double>(std::max<std::ptrdiff_t>(area_lights(scene), 1));
+  const int least = has_many_lights(scene) ? 1 : 2;
+  return {std::max(least, static_cast<int>(std::lround(points.rectangle / std::sqrt(count)))),
           std::max(4, static_cast<int>(std::lround(points.sphere / count)))};
 }
 
@@ -99,26 +103,6 @@ std::vector<Patch> patches(const PovBox&, const PovrayLightPoints&, std::uint64_
   throw std::logic_error("cubes that shine are written side by side");
 }
 
-void write_area_light(const PovScene& scene, const PovSurface& surface, const PovPlan& plan,
-                      const PovrayLightPoints& points, std::uint64_t seed, SdlWriter& out) {
-  std::vector<Patch> found =
-      std::visit([&](const auto& geometry) { return patches(geometry, points, seed); }, surface.geometry);
-  // Each is a small patch of the surface: intensity L A cos(angle), of equal patches the whole over their number.
-  for (Patch& patch : found)
-    if (patch.area == 0) patch.area = area(surface) / static_cast<double>(found.size());
-  out.explain("light of " + scene.description->where(surface.shape->loc) + ": " + std::to_string(found.size()) +
-              " points on its surface, each with its share of the flux and the cosine law");
-  double declared = 0;
-  for (const Patch& patch : found) {
-    if (patch.area != declared)
-      out.line("#declare Intensity = " +
-               sdl_rgb(constant(*surface.shape->radiance) * (patch.area * plan.scale * plan.scale * plan.exposure)) +
-               ";");
-    declared = patch.area;
-    out.line(spot(patch.position * plan.scale, patch.normal));
-  }
-}
-
 std::string with_photons(const PovPlan& plan) { return plan.photons ? " photons{reflection on refraction on}" : ""; }
 
 struct LightWriter {
@@ -159,6 +143,34 @@ struct LightWriter {
   }
 };
 
+void write_area_light(const PovScene& scene, const PovSurface& surface, const PovPlan& plan,
+                      const PovrayLightPoints& points, std::uint64_t seed, double gain, SdlWriter& out) {
+  if (const auto* ball = std::get_if<PovSphere>(&surface.geometry); ball && has_many_lights(scene)) {
+    out.explain("light of " + scene.description->where(surface.shape->loc) +
+                ": a point in its middle, pi radius^2 times its radiance, which its body lets through");
+    LightWriter{scene, plan, out}.point(
+        ball->center, constant(*surface.shape->radiance) * (std::numbers::pi * ball->radius * ball->radius * gain), "");
+    return;
+  }
+  std::vector<Patch> found =
+      std::visit([&](const auto& geometry) { return patches(geometry, points, seed); }, surface.geometry);
+  // Each is a small patch of the surface: intensity L A cos(angle), of equal patches the whole over their number.
+  for (Patch& patch : found)
+    if (patch.area == 0) patch.area = area(surface) / static_cast<double>(found.size());
+  out.explain("light of " + scene.description->where(surface.shape->loc) + ": " + std::to_string(found.size()) +
+              " points on its surface, each with its share of the flux and the cosine law");
+  double declared = 0;
+  for (const Patch& patch : found) {
+    if (patch.area != declared)
+      out.line(
+          "#declare Intensity = " +
+          sdl_rgb(constant(*surface.shape->radiance) * (patch.area * gain * plan.scale * plan.scale * plan.exposure)) +
+          ";");
+    declared = patch.area;
+    out.line(spot(patch.position * plan.scale, patch.normal));
+  }
+}
+
 void write_sky_lights(const PovScene& scene, const PovPlan& plan, const PovrayLightPoints& points, std::uint64_t seed,
                       SdlWriter& out) {
   const LightWriter writer{scene, plan, out};
@@ -187,6 +199,12 @@ const char* kind_of(const EmitterDescription& emitter) {
 
 }  // namespace
 
+bool has_many_lights(const PovScene& scene) { return area_lights(scene) > kManyLights; }
+
+std::size_t lights_for_one(const PovScene& scene) {
+  return static_cast<std::size_t>((area_lights(scene) + kManyLights - 1) / kManyLights);
+}
+
 void write_spot_macro(const PovPlan& plan, SdlWriter& out) {
   out.explain("POV-Ray dims by 2/(1+(d/Near)^2): times Fade that is 1/(pi d^2), and a surface shows intensity times");
   out.explain("albedo times cosine over pi d^2");
@@ -205,10 +223,15 @@ void write_lights(const PovScene& scene, const PovPlan& plan, const PovrayLightP
     std::visit(LightWriter{scene, plan, out}, emitter.light);
   }
   write_sky_lights(scene, plan, points, seed, out);
+  const std::size_t every = points.fewer ? lights_for_one(scene) : 1;
   std::uint64_t number = 0;
-  for (const PovSurface& surface : scene.surfaces)
-    if (surface.emission == PovSurface::Emission::spots)
-      write_area_light(scene, surface, plan, share(points, scene), seed + 0x9e3779b97f4a7c15u * number++, out);
+  for (const PovSurface& surface : scene.surfaces) {
+    if (surface.emission != PovSurface::Emission::spots) continue;
+    if (number % every == 0)
+      write_area_light(scene, surface, plan, share(points, scene), seed + 0x9e3779b97f4a7c15u * number,
+                       static_cast<double>(every), out);
+    ++number;
+  }
 }
 
 }  // namespace photonproof

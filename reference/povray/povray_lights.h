@@ -8,6 +8,13 @@
 
 namespace photonproof {
 
+/// More area lights than this are many: rectangles and balls are one point each then, and radiosity's rays see one of
+/// every few, which shines for all of them.
+constexpr std::ptrdiff_t kManyLights = 64;
+bool has_many_lights(const PovScene& scene);
+/// For how many lights one of them shines.
+std::size_t lights_for_one(const PovScene& scene);
+
 /// The macro that write_lights uses.
 void write_spot_macro(const PovPlan& plan, SdlWriter& out);
 
