@@ -2,7 +2,7 @@
 
     apt-get source --download-only blender     (Debian 12, source lines of apt enabled)
     tar xJf blender_3.4.1+dfsg.orig.tar.xz --wildcards '*/intern/sky/source/sky_model_data.h'
-    python3 harness/oracles/sky_oracle.py table HEADER > renderer/lights/sky_hosek_wilkie_table.cpp
+    python3 harness/oracles/sky_oracle.py table HEADER > scenes/sky/sky_hosek_wilkie_table.cpp
     python3 harness/oracles/sky_oracle.py expected HEADER
 
 HEADER is the authors' own file of data for the XYZ version of their model, 1.4a (BSD-3-Clause), which Blender carries
@@ -39,7 +39,7 @@ LICENCE = """\
 // SERVICES; LOSS OF USE, DATA, OR PROFITS; OR BUSINESS INTERRUPTION) HOWEVER CAUSED AND ON ANY THEORY OF LIABILITY,
 // WHETHER IN CONTRACT, STRICT LIABILITY, OR TORT (INCLUDING NEGLIGENCE OR OTHERWISE) ARISING IN ANY WAY OUT OF THE USE
 // OF THIS SOFTWARE, EVEN IF ADVISED OF THE POSSIBILITY OF SUCH DAMAGE.
-#include "renderer/lights/sky_hosek_wilkie.h"
+#include "scenes/sky/sky_hosek_wilkie.h"
 
 namespace photonproof {
 // clang-format off

@@ -1,4 +1,4 @@
-"""Sunlight on the ground by wavelength: prints what sky_test.cpp expects of renderer/lights/sun_spectrum.cpp.
+"""Sunlight on the ground by wavelength: prints what sky_test.cpp expects of scenes/sky/sun_spectrum.cpp.
 
     python3 harness/oracles/sun_spectrum_oracle.py
 

@@ -55,10 +55,6 @@ struct Check {
     require_constant(scene, bsdf, d.specular_reflectance);
     require_constant(scene, bsdf, d.specular_transmittance);
     if (d.priority) refuse(scene, bsdf, "the priority of a dielectric: POV-Ray knows none");
-    if (!(d.specular_reflectance == Colour(RgbD(1.0))))
-      refuse(scene, bsdf,
-             "a dielectric with specular_reflectance other than 1: POV-Ray's conserve_energy would transmit "
-             "what the surface does not reflect");
   }
   void operator()(const ThinDielectricDescription& d) const {
     require_constant(scene, bsdf, d.specular_reflectance);
@@ -77,13 +73,21 @@ struct Check {
     refuse(scene, bsdf,
            "phong: POV-Ray's is without the cosine of the light's incidence and answers light_sources only");
   }
-  void operator()(const PlasticDescription&) const {
-    refuse(scene, bsdf,
-           "plastic: what enters its coat depends on the light's direction, and POV-Ray's diffuse reflection does not");
+  void operator()(const PlasticDescription& d) const {
+    require_constant(scene, bsdf, d.diffuse_reflectance);
+    require_constant(scene, bsdf, d.specular_reflectance);
+    require_denser(d);
   }
-  void operator()(const LayeredDescription&) const {
-    refuse(scene, bsdf,
-           "a lacquer: what enters it depends on the light's direction, and POV-Ray's diffuse reflection does not");
+  void operator()(const LayeredDescription& d) const {
+    require_constant(scene, bsdf, d.specular_reflectance);
+    require_denser(d);
+    const auto* base = std::get_if<DiffuseDescription>(&scene.bsdfs[d.base.value].model);
+    if (!base) refuse(scene, bsdf, "a lacquer over something else than a diffuse base");
+    require_constant(scene, bsdf, base->reflectance);
+  }
+  template <class Coated>
+  void require_denser(const Coated& d) const {
+    if (d.int_ior < d.ext_ior) refuse(scene, bsdf, "a coat of a lower index than what is above it");
   }
   void operator()(const BumpMapDescription&) const {
     refuse(scene, bsdf, "a bump map: POV-Ray perturbs normals by another rule");
@@ -159,10 +163,25 @@ PovOptics optics_of(const SceneDescription& scene, const BsdfDescription& side) 
                                [](const DielectricDescription&) {
                                  return PovOptics{{}, true, true};
                                },
-                               [](const auto&) {
-                                 return PovOptics{{}, true, false};
+                               [&](const auto&) {
+                                 PovOptics optics{{}, true, false};
+                                 if (const auto coat = coat_on(scene, side)) {
+                                   optics.diffuse.mean = coat->diffuse_albedo();
+                                   optics.diffuse.greatest = max_component(optics.diffuse.mean);
+                                 }
+                                 return optics;
                                }},
                     side.model);
+}
+
+std::optional<Coat> coat_on(const SceneDescription& scene, const BsdfDescription& side) {
+  if (const auto* plastic = std::get_if<PlasticDescription>(&side.model))
+    return coat_of(*plastic, constant(plastic->diffuse_reflectance), constant(plastic->specular_reflectance));
+  if (const auto* lacquer = std::get_if<LayeredDescription>(&side.model)) {
+    const auto& base = std::get<DiffuseDescription>(scene.bsdfs[lacquer->base.value].model);
+    return coat_of(*lacquer, constant(base.reflectance), constant(lacquer->specular_reflectance));
+  }
+  return std::nullopt;
 }
 
 bool is_textured(const SceneDescription& scene, const BsdfDescription& side) {

@@ -1,6 +1,9 @@
 // What a surface is made of, as far as POV-Ray can show it: wrappers undone, colours known.
 #pragma once
 
+#include <optional>
+
+#include "reference/optics/coat.h"
 #include "scenes/description/description.h"
 
 namespace photonproof {
@@ -30,6 +33,9 @@ struct PovOptics {
   bool refracts = false;
 };
 PovOptics optics_of(const SceneDescription& scene, const BsdfDescription& side);
+
+/// Of a plastic, or of a lacquer over a diffuse base, both of constant colours.
+std::optional<Coat> coat_on(const SceneDescription& scene, const BsdfDescription& side);
 
 /// Whether a texture's colours are looked up anywhere in a side.
 bool is_textured(const SceneDescription& scene, const BsdfDescription& side);

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "reference/povray/povray_lights.h"
 #include "reference/povray/povray_materials.h"
 #include "reference/povray/povray_pigments.h"
 #include "scenes/description/overloaded.h"
@@ -70,7 +71,7 @@ std::string kind(const PovSurface& surface) {
 
 std::string photon_target(const PovSurface& surface) {
   return std::string(" photons{target reflection on refraction ") + (is_glass(surface) ? "on" : "off") +
-         " collect off}";
+         (is_diffuse(surface) ? "}" : " collect off}");
 }
 
 std::string outline(const PovSurface& surface, const PovPlan& plan) {
@@ -123,7 +124,8 @@ void explain_lamp(const PovSurface& surface, SdlWriter& out) {
     case PovSurface::Emission::none:
       return;
     case PovSurface::Emission::radiosity:
-      return out.explain("  emits inwards: radiosity's rays find it, so it needs no light_source");
+      return out.explain(
+          "  emits from all around what it lights: radiosity's rays find it, so it needs no light_source");
     case PovSurface::Emission::picture:
       return out.explain("  emits, and lights nothing that reflects: what is seen of it is all there is");
     case PovSurface::Emission::spots:
@@ -153,6 +155,7 @@ void write_surface(const PovScene& scene, const PovSurface& surface, const PovPl
   // behind it.
   const bool counted = surface.emission == PovSurface::Emission::spots;
   if (plan.radiosity && (counted || has_twin(surface, plan))) object += " no_radiosity";
+  if (counted && std::holds_alternative<PovSphere>(surface.geometry) && has_many_lights(scene)) object += " no_shadow";
   object += "}";
   out.line(object);
 }

@@ -22,7 +22,8 @@ std::string radiosity_sdl(const PovScene& scene, const PovPlan& plan) {
   const double maximum_reuse = reuse_by_camera_distance(scene, preset.maximum_reuse);
   return "  radiosity{count " + std::to_string(preset.radiosity_count) + ",20000 nearest_count " +
          std::to_string(preset.nearest_count) + " error_bound " + format_number(preset.error_bound) +
-         " low_error_factor 0.8 recursion_limit " + std::to_string(plan.recursion_limit) +
+         " low_error_factor " + format_number(preset.low_error_factor) + " recursion_limit " +
+         std::to_string(plan.recursion_limit) +
          " gray_threshold 0 brightness Brightness adc_bailout 1e-3 minimum_reuse " + format_number(maximum_reuse / 3) +
          " maximum_reuse " + format_number(maximum_reuse) + " pretrace_start 0.08 pretrace_end " +
          format_number(preset.pretrace_end) + " normal off media off}";
@@ -54,10 +55,11 @@ void write_header(const PovScene& scene, const PovPlan& plan, SdlWriter& out) {
   if (plan.radiosity) out.line(radiosity_sdl(scene, plan));
   if (plan.photons) out.line(photons_sdl(scene, plan));
   out.line("}");
-  if (scene.sky)
+  if (scene.sky && plan.shows_sky)
     out.explain("light from all around, of " + scene.description->where(scene.sky->loc) +
-                ": what rays see where nothing is; radiosity's rays find it");
-  out.line(sky_sdl(scene, plan.exposure, plan.stem));
+                (scene.sky_as_lights ? ": a ball far away, which is only seen; it lights by parallel lights"
+                                     : ": what rays see where nothing is; radiosity's rays find it"));
+  out.line(plan.shows_sky ? sky_sdl(scene, plan.exposure, plan.scale, plan.stem) : "background{rgb 0}");
   out.line("#default{finish{ambient 0 diffuse 1/Brightness emission 0}}");
 }
 

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <random>
 #include <stdexcept>
 
+#include "reference/optics/point_sets.h"
+#include "reference/optics/sky_lights.h"
 #include "reference/povray/povray_shades.h"
 #include "scenes/description/overloaded.h"
 #include "scenes/text/text_numbers.h"
@@ -13,25 +14,21 @@
 namespace photonproof {
 namespace {
 
-/// A permutation of 0..n-1. The engine's output is specified by the C++ standard, std::shuffle's use of it is not.
-std::vector<int> permutation(int n, std::mt19937_64& random) {
-  std::vector<int> order(static_cast<std::size_t>(n));
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<int>(i);
-  for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random() % i]);
-  return order;
-}
-
 std::string spot(const Vec3d& position, const Vec3d& normal) {
   return "Spot(" + sdl_vector(position) + ", " + sdl_vector(position + normal) + ")";
 }
 
-/// `points` shared out: all area lights keep within the number for one, but none gets fewer than 4.
+std::ptrdiff_t area_lights(const PovScene& scene) {
+  return std::count_if(scene.surfaces.begin(), scene.surfaces.end(),
+                       [](const PovSurface& surface) { return surface.emission == PovSurface::Emission::spots; });
+}
+
+/// `points` shared out: all area lights keep within the number for one, but none gets fewer than 4, and of more than
+/// kManyLights a rectangle has one.
 PovrayLightPoints share(const PovrayLightPoints& points, const PovScene& scene) {
-  const auto lights = std::count_if(scene.surfaces.begin(), scene.surfaces.end(), [](const PovSurface& surface) {
-    return surface.emission == PovSurface::Emission::spots;
-  });
-  const auto count = static_cast<double>(std::max<std::ptrdiff_t>(lights, 1));
-  return {std::max(2, static_cast<int>(std::lround(points.rectangle / std::sqrt(count)))),
+  const auto count = static_cast<double>(std::max<std::ptrdiff_t>(area_lights(scene), 1));
+  const int least = has_many_lights(scene) ? 1 : 2;
+  return {std::max(least, static_cast<int>(std::lround(points.rectangle / std::sqrt(count)))),
           std::max(4, static_cast<int>(std::lround(points.sphere / count)))};
 }
 
@@ -106,26 +103,6 @@ std::vector<Patch> patches(const PovBox&, const PovrayLightPoints&, std::uint64_
   throw std::logic_error("cubes that shine are written side by side");
 }
 
-void write_area_light(const PovScene& scene, const PovSurface& surface, const PovPlan& plan,
-                      const PovrayLightPoints& points, std::uint64_t seed, SdlWriter& out) {
-  std::vector<Patch> found =
-      std::visit([&](const auto& geometry) { return patches(geometry, points, seed); }, surface.geometry);
-  // Each is a small patch of the surface: intensity L A cos(angle), of equal patches the whole over their number.
-  for (Patch& patch : found)
-    if (patch.area == 0) patch.area = area(surface) / static_cast<double>(found.size());
-  out.explain("light of " + scene.description->where(surface.shape->loc) + ": " + std::to_string(found.size()) +
-              " points on its surface, each with its share of the flux and the cosine law");
-  double declared = 0;
-  for (const Patch& patch : found) {
-    if (patch.area != declared)
-      out.line("#declare Intensity = " +
-               sdl_rgb(constant(*surface.shape->radiance) * (patch.area * plan.scale * plan.scale * plan.exposure)) +
-               ";");
-    declared = patch.area;
-    out.line(spot(patch.position * plan.scale, patch.normal));
-  }
-}
-
 std::string with_photons(const PovPlan& plan) { return plan.photons ? " photons{reflection on refraction on}" : ""; }
 
 struct LightWriter {
@@ -153,10 +130,11 @@ struct LightWriter {
     out.line(ies_shade(light, plan.scale));
     point(at, light.intensity * greatest_candela(*light.profile), "");
   }
-  void operator()(const DirectionalLightDescription& light) const {
-    const Vec3d from = scene.center - light.direction * (4 * scene.radius);
-    out.line("light_source{" + sdl_vector(from * plan.scale) + " " +
-             sdl_rgb(light.irradiance * (plan.exposure / std::numbers::pi)) + "*Brightness parallel point_at " +
+  void operator()(const DirectionalLightDescription& light) const { parallel(-light.direction, light.irradiance); }
+  void parallel(const Vec3d& from, const RgbD& irradiance) const {
+    const Vec3d at = scene.center + from * (4 * scene.radius);
+    out.line("light_source{" + sdl_vector(at * plan.scale) + " " +
+             sdl_rgb(irradiance * (plan.exposure / std::numbers::pi)) + "*Brightness parallel point_at " +
              sdl_vector(scene.center * plan.scale) + with_photons(plan) + "}");
   }
   template <class Other>
@@ -164,6 +142,50 @@ struct LightWriter {
     throw std::logic_error("skies are no light_sources");
   }
 };
+
+void write_area_light(const PovScene& scene, const PovSurface& surface, const PovPlan& plan,
+                      const PovrayLightPoints& points, std::uint64_t seed, double gain, SdlWriter& out) {
+  if (const auto* ball = std::get_if<PovSphere>(&surface.geometry); ball && has_many_lights(scene)) {
+    out.explain("light of " + scene.description->where(surface.shape->loc) +
+                ": a point in its middle, pi radius^2 times its radiance, which its body lets through");
+    LightWriter{scene, plan, out}.point(
+        ball->center, constant(*surface.shape->radiance) * (std::numbers::pi * ball->radius * ball->radius * gain), "");
+    return;
+  }
+  std::vector<Patch> found =
+      std::visit([&](const auto& geometry) { return patches(geometry, points, seed); }, surface.geometry);
+  // Each is a small patch of the surface: intensity L A cos(angle), of equal patches the whole over their number.
+  for (Patch& patch : found)
+    if (patch.area == 0) patch.area = area(surface) / static_cast<double>(found.size());
+  out.explain("light of " + scene.description->where(surface.shape->loc) + ": " + std::to_string(found.size()) +
+              " points on its surface, each with its share of the flux and the cosine law");
+  double declared = 0;
+  for (const Patch& patch : found) {
+    if (patch.area != declared)
+      out.line(
+          "#declare Intensity = " +
+          sdl_rgb(constant(*surface.shape->radiance) * (patch.area * gain * plan.scale * plan.scale * plan.exposure)) +
+          ";");
+    declared = patch.area;
+    out.line(spot(patch.position * plan.scale, patch.normal));
+  }
+}
+
+void write_sky_lights(const PovScene& scene, const PovPlan& plan, const PovrayLightPoints& points, std::uint64_t seed,
+                      SdlWriter& out) {
+  const LightWriter writer{scene, plan, out};
+  if (scene.sun) {
+    out.explain("the sun of " + scene.description->where(scene.sky->loc) +
+                ": parallel lights from all over its disc, which itself is not drawn");
+    for (const SkyLight& light : sun_lights(*scene.sun, points.sun, seed))
+      writer.parallel(light.from, light.irradiance);
+  }
+  if (!scene.sky_as_lights) return;
+  const auto lights = sky_lights(std::get<EnvmapDescription>(scene.sky->light), points.sky, seed);
+  out.explain("the sky of " + scene.description->where(scene.sky->loc) + ": " + std::to_string(lights.size()) +
+              " parallel lights, each with the same share of its flux");
+  for (const SkyLight& light : lights) writer.parallel(light.from, light.irradiance);
+}
 
 const char* kind_of(const EmitterDescription& emitter) {
   return std::visit(
@@ -177,30 +199,10 @@ const char* kind_of(const EmitterDescription& emitter) {
 
 }  // namespace
 
-std::vector<Vec2<double>> square_points(int n, std::uint64_t seed) {
-  std::mt19937_64 random(seed);
-  const std::vector<int> columns = permutation(n, random);
-  const std::vector<int> rows = permutation(n, random);
-  std::vector<Vec2<double>> points;
-  for (int j = 0; j < n; ++j)
-    for (int i = 0; i < n; ++i)
-      points.push_back({(i + (columns[static_cast<std::size_t>(j)] + 0.5) / n) / n,
-                        (j + (rows[static_cast<std::size_t>(i)] + 0.5) / n) / n});
-  return points;
-}
+bool has_many_lights(const PovScene& scene) { return area_lights(scene) > kManyLights; }
 
-std::vector<Vec3d> sphere_points(int count, std::uint64_t seed) {
-  std::mt19937_64 random(seed);
-  const double turn = 2 * std::numbers::pi * static_cast<double>(random() >> 11) * 0x1p-53;
-  const double golden_angle = std::numbers::pi * (3 - std::sqrt(5.0));
-  std::vector<Vec3d> points;
-  for (int i = 0; i < count; ++i) {
-    const double z = 1 - (2 * i + 1.0) / count;
-    const double r = std::sqrt(1 - z * z);
-    const double phi = turn + golden_angle * i;
-    points.emplace_back(r * std::cos(phi), r * std::sin(phi), z);
-  }
-  return points;
+std::size_t lights_for_one(const PovScene& scene) {
+  return static_cast<std::size_t>((area_lights(scene) + kManyLights - 1) / kManyLights);
 }
 
 void write_spot_macro(const PovPlan& plan, SdlWriter& out) {
@@ -216,14 +218,20 @@ void write_spot_macro(const PovPlan& plan, SdlWriter& out) {
 void write_lights(const PovScene& scene, const PovPlan& plan, const PovrayLightPoints& points, std::uint64_t seed,
                   SdlWriter& out) {
   for (const EmitterDescription& emitter : scene.description->emitters) {
-    if (&emitter == scene.sky) continue;
+    if (is_sky(emitter)) continue;
     out.explain("light '" + emitter.id + "' of " + scene.description->where(emitter.loc) + ": " + kind_of(emitter));
     std::visit(LightWriter{scene, plan, out}, emitter.light);
   }
+  write_sky_lights(scene, plan, points, seed, out);
+  const std::size_t every = points.fewer ? lights_for_one(scene) : 1;
   std::uint64_t number = 0;
-  for (const PovSurface& surface : scene.surfaces)
-    if (surface.emission == PovSurface::Emission::spots)
-      write_area_light(scene, surface, plan, share(points, scene), seed + 0x9e3779b97f4a7c15u * number++, out);
+  for (const PovSurface& surface : scene.surfaces) {
+    if (surface.emission != PovSurface::Emission::spots) continue;
+    if (number % every == 0)
+      write_area_light(scene, surface, plan, share(points, scene), seed + 0x9e3779b97f4a7c15u * number,
+                       static_cast<double>(every), out);
+    ++number;
+  }
 }
 
 }  // namespace photonproof

@@ -2,19 +2,18 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "reference/povray/povray_plan.h"
 #include "reference/povray/sdl_text.h"
 
 namespace photonproof {
 
-/// N x N points of the unit square, one in every cell of an N x N grid and one in every column and row of an N^2 grid
-/// (correlated multi-jittered sampling, Kensler 2013), for every N of at least 1. The same seed gives the same points.
-std::vector<Vec2<double>> square_points(int n, std::uint64_t seed);
-
-/// Unit vectors spread evenly over the sphere along a Fibonacci spiral (Swinbank and Purser 2006), turned by the seed.
-std::vector<Vec3d> sphere_points(int count, std::uint64_t seed);
+/// More area lights than this are many: rectangles and balls are one point each then, and radiosity's rays see one of
+/// every few, which shines for all of them.
+constexpr std::ptrdiff_t kManyLights = 64;
+bool has_many_lights(const PovScene& scene);
+/// For how many lights one of them shines.
+std::size_t lights_for_one(const PovScene& scene);
 
 /// The macro that write_lights uses.
 void write_spot_macro(const PovPlan& plan, SdlWriter& out);

@@ -1,14 +1,18 @@
 // From a scene's description to PovScene.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <stdexcept>
 
 #include "reference/engines/heightfield_mesh.h"
+#include "reference/optics/sky_lights.h"
 #include "reference/povray/povray_overlap.h"
 #include "reference/povray/povray_scene.h"
 #include "reference/povray/unrepresentable.h"
 #include "scenes/description/overloaded.h"
+#include "scenes/meshes/convex_clip.h"
 
 namespace photonproof {
 namespace {
@@ -32,13 +36,7 @@ bool emits(const SceneDescription& scene, const ShapeDescription& shape) {
 }
 
 void check_emitters(const SceneDescription& scene) {
-  const auto refuse = [&](const EmitterDescription& emitter, const std::string& why) {
-    throw Unrepresentable(scene.where(emitter.loc), why);
-  };
   for (const EmitterDescription& emitter : scene.emitters) {
-    if (std::holds_alternative<SunSkyDescription>(emitter.light))
-      refuse(emitter,
-             "a sun and its sky: POV-Ray has no model of them; an envmap and a directional light can be written");
     const auto* spot = std::get_if<SpotLightDescription>(&emitter.light);
     if (spot && spot->texture) range_of(scene, *spot->texture);
   }
@@ -67,6 +65,53 @@ Transform uv_of_cube_face(const Transform& to_world, std::size_t face) {
   return to_world * t;
 }
 
+/// Share of the light of a uniform sky that comes from a flat lamp, by its front: what of it is above the surface at
+/// `p`, by Lambert's sum over its edges (Lambert 1760), with nothing in between.
+double share_of_sky(const Vec3d& p, const Vec3d& n, const PovParallelogram& lamp) {
+  if (dot(lamp.normal(), p - lamp.corner) <= 0) return 0;
+  const auto vertices = lamp.vertices();
+  const std::array<HalfSpace, 1> above{HalfSpace{-n, -dot(n, p)}};
+  const std::vector<Vec3d> seen = clip_polygon({vertices.begin(), vertices.end()}, above);
+  double sum = 0;
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    const Vec3d a = normalize(seen[i] - p), b = normalize(seen[(i + 1) % seen.size()] - p), across = cross(a, b);
+    const double sine = length(across);
+    if (sine > 0) sum += std::atan2(sine, dot(a, b)) / sine * dot(across, n);
+  }
+  return std::abs(sum) / (2 * std::numbers::pi);
+}
+
+/// The least share among places spread over the flat diffuse surfaces, of those that see any of it; 0 where a surface
+/// is of another kind, or none sees it.
+double least_share(const PovScene& scene, const PovParallelogram& lamp) {
+  constexpr int side = 8;
+  double least = 1;
+  bool seen = false;
+  for (const PovSurface& surface : scene.surfaces) {
+    if (!is_diffuse(surface)) continue;
+    const auto* face = std::get_if<PovParallelogram>(&surface.geometry);
+    if (!face) return 0;
+    for (int i = 0; i < side * side; ++i) {
+      const double u = (i % side + 0.5) / side, v = (i / side + 0.5) / side;
+      const double share = share_of_sky(face->corner + face->edge_u * u + face->edge_v * v, face->normal(), lamp);
+      if (share <= 0) continue;
+      seen = true;
+      least = std::min(least, share);
+    }
+  }
+  return seen ? least : 0;
+}
+
+/// A lamp that fills half the sky of whatever it lights is found by radiosity's rays, as one around the scene is, while
+/// points on it would be as far from one another as from what they light.
+void leave_wide_lamps_to_radiosity(PovScene& scene) {
+  for (PovSurface& surface : scene.surfaces) {
+    const auto* face = std::get_if<PovParallelogram>(&surface.geometry);
+    if (surface.emission == PovSurface::Emission::spots && face && least_share(scene, *face) >= 0.5)
+      surface.emission = PovSurface::Emission::radiosity;
+  }
+}
+
 class Lowering {
  public:
   explicit Lowering(const SceneDescription& description) { scene_.description = &description; }
@@ -76,21 +121,35 @@ class Lowering {
     check_emitters(description);
     check_film(description);
     for (const ShapeDescription& shape : description.shapes) add_shape(shape);
-    for (const EmitterDescription& emitter : description.emitters) {
-      const bool sky = std::holds_alternative<ConstantLightDescription>(emitter.light) ||
-                       std::holds_alternative<EnvmapDescription>(emitter.light);
-      if (!sky) continue;
-      if (scene_.sky) throw Unrepresentable(description.where(emitter.loc), "a second light from all around");
-      scene_.sky = &emitter;
-    }
+    add_sky();
     bound();
     for (const ShapeDescription* plane : planes_) add_plane(*plane);
+    leave_wide_lamps_to_radiosity(scene_);
     check_whole();
+    // Mirrors and glass would need the lights' photons: there radiosity's rays find the sky, through them, too.
+    const auto any = [&](bool (*is)(const PovSurface&)) {
+      return std::any_of(scene_.surfaces.begin(), scene_.surfaces.end(), is);
+    };
+    scene_.sky_as_lights = scene_.sky && std::holds_alternative<EnvmapDescription>(scene_.sky->light) &&
+                           any(is_diffuse) && !any(is_specular);
     refuse_overlaps_with_glass(scene_);
     return std::move(scene_);
   }
 
  private:
+  void add_sky() {
+    const SceneDescription& description = *scene_.description;
+    for (const EmitterDescription& emitter : description.emitters) {
+      if (!is_sky(emitter)) continue;
+      if (scene_.sky) throw Unrepresentable(description.where(emitter.loc), "a second light from all around");
+      scene_.sky = &emitter;
+      scene_.sun = std::get_if<SunSkyDescription>(&emitter.light);
+      if (!scene_.sun) continue;
+      scene_.baked_sky = std::make_shared<const EmitterDescription>(sky_without_sun(emitter));
+      scene_.sky = scene_.baked_sky.get();
+    }
+  }
+
   void add_shape(const ShapeDescription& shape) {
     if (const auto* instance = std::get_if<InstanceDescription>(&shape.geometry)) {
       for (const ShapeDescription& of : scene_.description->groups[instance->group.value].shapes) {
@@ -274,6 +333,15 @@ void Lowering::check(const PovSurface& surface) const {
   if (is_glass(surface) && open)
     throw Unrepresentable(where,
                           "an open surface of dielectric: POV-Ray's index of refraction belongs to a closed body");
+  if (is_glass(surface)) {
+    const auto& glass = std::get<DielectricDescription>(surface.sides.front->model);
+    // What enters a ball of a higher index leaves it: the angles inside are the same.
+    const bool never_total = std::holds_alternative<PovSphere>(surface.geometry) && glass.int_ior >= glass.ext_ior;
+    if (!never_total && !(constant(glass.specular_reflectance) == RgbD(1.0)))
+      throw Unrepresentable(where,
+                            "a dielectric with specular_reflectance other than 1 that is no ball: POV-Ray reflects "
+                            "totally all the same");
+  }
   const bool emitting = surface.emission != PovSurface::Emission::none;
   if (emitting && (is_specular(surface) || surface.sides.opacity < 1))
     throw Unrepresentable(where, "an area light on a specular surface; its bsdf must be diffuse");

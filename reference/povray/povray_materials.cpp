@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <functional>
 #include <numbers>
 #include <set>
 #include <stdexcept>
 
+#include "reference/optics/coat.h"
 #include "reference/povray/povray_pigments.h"
 #include "scenes/text/text_numbers.h"
 
@@ -18,27 +18,27 @@ struct Material {
   std::string explanation;
   std::string texture;   ///< what stands between the braces
   std::string interior;  ///< empty when there is none
+  std::string before{};  ///< lines that declare what the texture names
 };
 
-/// Unpolarised reflectance at the boundary to a medium of this index, relative to the one before it.
-double fresnel(double cosine, const std::complex<double>& index) {
-  const std::complex<double> inside = std::sqrt(index * index - (1 - cosine * cosine));
-  const std::complex<double> across = (cosine - inside) / (cosine + inside);
-  const std::complex<double> along = (index * index * cosine - inside) / (index * index * cosine + inside);
-  return (std::norm(across) + std::norm(along)) / 2;
+constexpr int kIncidences = 120;  // half of the 256 entries that a map may have
+
+/// Of steps from 0, grazing, to kIncidences, head on, which are equal in angle.
+double cosine_of_step(int step) {
+  return step == kIncidences ? 1 : std::cos(std::numbers::pi * (0.5 - 0.5 * step / kIncidences));
 }
 
 /// A texture by the angle of incidence. POV-Ray's pattern `aoi` is 1 where the surface is met head on and a half where
 /// it is grazed, or the same from 0 up, depending on the side: both are given.
-std::string by_incidence(const std::function<std::string(double cosine)>& texture) {
-  constexpr int steps = 120;  // half of the 256 entries that a map may have
+std::string by_incidence_step(const std::function<std::string(int step, bool from_behind)>& texture) {
   std::string entries;
-  for (int i = -steps; i <= steps; ++i) {
-    const double value = 0.5 + 0.5 * i / steps;
-    const double cosine = std::cos(std::numbers::pi * std::min(value, 1 - value));
-    entries += "[" + format_number(value) + " " + texture(std::abs(i) == steps ? 1 : cosine) + "]";
-  }
+  for (int i = -kIncidences; i <= kIncidences; ++i)
+    entries += "[" + format_number(0.5 + 0.5 * i / kIncidences) + " " + texture(std::abs(i), i < 0) + "]";
   return "aoi texture_map{" + entries + "}";
+}
+
+std::string by_incidence(const std::function<std::string(double cosine)>& texture) {
+  return by_incidence_step([&](int step, bool) { return texture(cosine_of_step(step)); });
 }
 
 std::string mirror(const RgbD& reflectance) {
@@ -50,9 +50,50 @@ std::string filter(const RgbD& t) {
   return "pigment{rgbf <" + format_number(t.x) + "," + format_number(t.y) + "," + format_number(t.z) + ",1>}";
 }
 
+/// A diffuse layer whose light from lamps goes by cos^brilliance, and whose light from radiosity does not heed it.
+struct CoatLayer {
+  RgbD colour{0.0};
+  std::string brilliance;
+};
+
+/// What of the light enters the coat. POV-Ray's `brilliance` b has the diffuse light of a lamp go by cos^b: a sum of
+/// powers of its cosine, some of them with negative pigments. Radiosity adds all layers up as if light came head on:
+/// one that lamps light only within a hundredth of a degree of it makes the sum the mean over all directions.
+std::vector<CoatLayer> entering_layers(const Coat& coat) {
+  std::vector<CoatLayer> layers;
+  RgbD rest = coat.mean_crossing();
+  const auto powers = crossing_by_powers(coat);
+  for (std::size_t k = 0; k < powers.size(); ++k) {
+    layers.push_back({powers[k], std::to_string(k + 2)});
+    rest += powers[k] * -1.0;
+  }
+  layers.push_back({rest, "1e7"});
+  return layers;
+}
+
+/// A coat's texture at a cosine of the eye's. Each layer shows through the next, which covers a thousandth. The last,
+/// which POV-Ray asks first, is positive: it then has radiosity's light at hand, which it does not fetch for a negative
+/// one.
+std::string coat_texture(const Coat& coat, const std::vector<CoatLayer>& layers, double cosine) {
+  constexpr double covers = 1.0 / 1024;
+  const RgbD shown = coat.base * coat.crossing(cosine);
+  std::string text;
+  for (std::size_t k = layers.size(); k-- > 0;) {
+    const bool lowest = k == layers.size() - 1;
+    const RgbD colour =
+        layers[k].colour * shown * (std::pow(1 - covers, -static_cast<double>(k)) / (lowest ? 1 : covers));
+    const std::string rgb = format_number(colour.x) + "," + format_number(colour.y) + "," + format_number(colour.z);
+    text += "texture{pigment{rgbt <" + rgb + "," + format_number(lowest ? 0 : 1 - covers) +
+            ">} finish{ambient 0 diffuse 1/Brightness brilliance " + layers[k].brilliance +
+            (k == 0 ? " reflection{" + sdl_rgb(coat.mirror(cosine)) + "}" : "") + "}}";
+  }
+  return text;
+}
+
 struct Writer {
   const SceneDescription& scene;
   const std::string& stem;
+  const BsdfDescription* self;
   PovUv uv = PovUv::flat;
 
   Material operator()(const DiffuseDescription& diffuse) const {
@@ -67,13 +108,28 @@ struct Writer {
     const ComplexIor& ior = *conductor.ior;
     return {"conductor: Fresnel's reflectance of its complex index, a table by the angle of incidence",
             by_incidence([&](double cosine) {
-              const RgbD f{fresnel(cosine, {ior.eta.x, ior.k.x}), fresnel(cosine, {ior.eta.y, ior.k.y}),
-                           fresnel(cosine, {ior.eta.z, ior.k.z})};
+              const RgbD f{fresnel_reflectance(cosine, {ior.eta.x, ior.k.x}),
+                           fresnel_reflectance(cosine, {ior.eta.y, ior.k.y}),
+                           fresnel_reflectance(cosine, {ior.eta.z, ior.k.z})};
               return mirror(f * factor);
             }),
             ""};
   }
   Material operator()(const DielectricDescription& glass) const {
+    const double index = glass.int_ior / glass.ext_ior;
+    const RgbD reflected = constant(glass.specular_reflectance);
+    if (!(reflected == RgbD(1.0)))
+      return {
+          "dielectric that reflects other than Fresnel's share: that, and what passes, by a table of the angle on "
+          "either side",
+          by_incidence_step([&](int step, bool from_behind) {
+            const double cosine = cosine_of_step(step), into = from_behind ? 1 / index : index;
+            const bool passes = cosine > 1e-9 && 1 - cosine * cosine < into * into;
+            const double share = passes ? fresnel_reflectance(cosine, into) : 1;
+            return filter(constant(glass.specular_transmittance) * (1 - share)) +
+                   " finish{ambient 0 diffuse 0 reflection{" + sdl_rgb(reflected * share) + "}}";
+          }),
+          "ior " + format_number(index)};
     // A filter multiplies what passes a surface by the pigment, once a crossing and not on total internal reflection:
     // just what specular_transmittance does.
     return {
@@ -89,7 +145,7 @@ struct Writer {
         "pane: both boundaries at once reflect 2F / (1 + F) and pass the rest straight on; a table by the angle of "
         "incidence",
         by_incidence([&](double cosine) {
-          const double once = cosine < 1e-9 ? 1 : fresnel(cosine, {index, 0});
+          const double once = cosine < 1e-9 ? 1 : fresnel_reflectance(cosine, {index, 0});
           const double both = 2 * once / (1 + once);
           return filter(constant(pane.specular_transmittance) * (1 - both)) +
                  " finish{ambient 0 diffuse 0 reflection{" + sdl_rgb(constant(pane.specular_reflectance) * both) + "}}";
@@ -98,11 +154,35 @@ struct Writer {
   }
   Material operator()(const BlendDescription& blend) const {
     const double weight = std::get<double>(blend.weight);
-    const auto part = [&](BsdfIndex index) { return std::visit(*this, scene.bsdfs[index.value].model).texture; };
+    std::string before;
+    const auto part = [&](BsdfIndex index) {
+      const BsdfDescription& of = scene.bsdfs[index.value];
+      const Material m = std::visit(Writer{scene, stem, &of, uv}, of.model);
+      if (!m.before.empty()) before += (before.empty() ? "" : "\n") + m.before;
+      return m.texture;
+    };
+    const std::string first = part(blend.first), second = part(blend.second);
     return {"blend: the mean of two textures by their weights",
-            "average texture_map{[" + format_number(1 - weight) + " " + part(blend.first) + "][" +
-                format_number(weight) + " " + part(blend.second) + "]}",
-            ""};
+            "average texture_map{[" + format_number(1 - weight) + " " + first + "][" + format_number(weight) + " " +
+                second + "]}",
+            "", before};
+  }
+  Material operator()(const PlasticDescription&) const { return coated_material(); }
+  Material operator()(const LayeredDescription&) const { return coated_material(); }
+  Material coated_material() const {
+    // Layers and no `average`, of which radiosity leaves out the negative ones.
+    const Coat coat = *coat_on(scene, *self);
+    const std::vector<CoatLayer> layers = entering_layers(coat);
+    const std::string name = "Coat_" + std::to_string(self - scene.bsdfs.data()) + "_";
+    std::string before;
+    for (int step = 0; step <= kIncidences; ++step)
+      before +=
+          "#declare " + name + std::to_string(step) + " = " + coat_texture(coat, layers, cosine_of_step(step)) + "\n";
+    before.pop_back();
+    return {
+        "a diffuse base under a clear coat: what enters as a sum of powers of the light's cosine (brilliance), what "
+        "leaves and what is mirrored by a table of the eye's",
+        by_incidence_step([&](int step, bool) { return name + std::to_string(step); }), "", before};
   }
   template <class Other>
   Material operator()(const Other&) const {
@@ -178,8 +258,9 @@ void write_materials(const PovScene& scene, const PovPlan& plan, SdlWriter& out)
   out.line("#declare Clear = texture{pigment{rgbt 1} finish{ambient 0 diffuse 0 emission 0}}");
   for (const auto& [i, uv] : used) {
     const BsdfDescription& bsdf = scene.description->bsdfs[i];
-    const Material m = std::visit(Writer{*scene.description, plan.stem, uv}, bsdf.model);
+    const Material m = std::visit(Writer{*scene.description, plan.stem, &bsdf, uv}, bsdf.model);
     out.explain("bsdf '" + bsdf.id + "' of " + scene.description->where(bsdf.loc) + ": " + m.explanation);
+    if (!m.before.empty()) out.line(m.before);
     out.line("#declare " + name_of(scene, bsdf, uv) + " = texture{" + m.texture + "}");
     if (!m.interior.empty()) out.line("#declare Interior_" + std::to_string(i) + " = interior{" + m.interior + "}");
   }

@@ -17,10 +17,14 @@ struct PovrayOptions {
   std::string stem = "scene";  ///< starts the names of images that the text reads from its folder
 };
 
-/// How lights become points: a rectangle n x n of them, a sphere `sphere` of them.
+/// How lights become points: a rectangle n x n of them, a sphere `sphere` of them; a sky n x n directions, the sun's
+/// disc, too.
 struct PovrayLightPoints {
   int rectangle;
   int sphere;
+  int sky = 8;
+  int sun = 2;
+  bool fewer = false;  ///< of many area lights every few are one
 };
 
 /// Settings of POV-Ray's radiosity (an irradiance cache) and photons, and how lights become points.
@@ -31,6 +35,7 @@ struct PovrayPreset {
   int radiosity_count;                 ///< rays a cache sample
   int nearest_count;                   ///< cache samples interpolated
   double error_bound;                  ///< how far a cache sample is reused, relative to the distance of other surfaces
+  double low_error_factor = 0.8;       ///< of the error bound while the cache is filled in advance
   double maximum_reuse;  ///< caps that distance, as a fraction of the radius of the scene's bounding sphere
   double pretrace_end;   ///< of the image's width: spacing of the finest pass that fills the cache in advance
   double truncation;     ///< bounces are added until about this fraction of the light is missing

@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "reference/optics/sky_lights.h"
 #include "reference/povray/sdl_text.h"
 #include "scenes/description/overloaded.h"
 #include "scenes/text/text_numbers.h"
@@ -16,6 +17,10 @@ namespace {
 std::string file_name(std::size_t texture, const std::string& stem) {
   return stem + "_texture_" + std::to_string(texture) + ".exr";
 }
+
+/// Of the ball on which a sky is seen that lights by other means, in radii of the scene: beyond every plane, which end
+/// at a thousand.
+constexpr double kSkyDistance = 2500;
 
 std::string sky_name(const std::string& stem) { return stem + "_sky.exr"; }
 
@@ -50,39 +55,6 @@ void collect(const SceneDescription& scene, const BsdfDescription& side, std::se
   if (const auto* diffuse = std::get_if<DiffuseDescription>(&side.model)) collect(scene, diffuse->reflectance, used);
   if (const auto* blend = std::get_if<BlendDescription>(&side.model))
     for (const BsdfIndex part : {blend->first, blend->second}) collect(scene, scene.bsdfs[part.value], used);
-}
-
-/// The radiance of an envmap's image, its first row at the zenith and its last at the nadir, `u` once around.
-RgbD radiance_at(const Image& image, double u, double v) {
-  const double x = u * image.width - 0.5, y = v * (image.height - 1);
-  const double left = std::floor(x), top = std::min(std::floor(y), image.height - 2.0);
-  RgbD sum(0.0);
-  for (const int j : {0, 1})
-    for (const int i : {0, 1}) {
-      const int column = ((static_cast<int>(left) + i) % image.width + image.width) % image.width;
-      const float* rgb = image.pixel(column, static_cast<int>(top) + j);
-      const double weight = (i == 1 ? x - left : 1 - x + left) * (j == 1 ? y - top : 1 - y + top);
-      sum += RgbD(double{rgb[0]}, double{rgb[1]}, double{rgb[2]}) * weight;
-    }
-  return sum;
-}
-
-/// The same image with its rows inside the edges, as POV-Ray has them, and so fine that how it interpolates at the
-/// poles does not matter.
-std::shared_ptr<const Image> sky_image(const EnvmapDescription& map, double exposure) {
-  const Image& image = *map.image;
-  const int fine = std::clamp(1024 / std::max(image.width, 1), 1, 32);
-  auto result = std::make_shared<Image>(image.width * fine, std::max(image.height * fine, 2));
-  for (int y = 0; y < result->height; ++y)
-    for (int x = 0; x < result->width; ++x) {
-      const RgbD rgb =
-          radiance_at(image, (x + 0.5) / result->width, (y + 0.5) / result->height) * (map.scale * exposure);
-      float* out = result->pixel(x, y);
-      out[0] = static_cast<float>(rgb.x);
-      out[1] = static_cast<float>(rgb.y);
-      out[2] = static_cast<float>(rgb.z);
-    }
-  return result;
 }
 
 /// As Mitsuba has them: u and v of a place on the unit sphere, disc or cylinder (from z = 0 to 1) about z.
@@ -155,7 +127,7 @@ std::string pigment_sdl(const SceneDescription& scene, const Colour& colour, con
       scene.textures[index].pattern);
 }
 
-std::string sky_sdl(const PovScene& scene, double exposure, const std::string& stem) {
+std::string sky_sdl(const PovScene& scene, double exposure, double scale, const std::string& stem) {
   if (!scene.sky) return "background{rgb 0}";
   const auto* map = std::get_if<EnvmapDescription>(&scene.sky->light);
   if (!map) return "background{" + sdl_rgb(mean_radiance(*scene.sky) * exposure) + "}";
@@ -163,9 +135,14 @@ std::string sky_sdl(const PovScene& scene, double exposure, const std::string& s
   const Transform turn = map->to_world;
   Transform only_turns = turn;
   for (const std::size_t i : {3u, 7u, 11u}) only_turns.m[i] = 0;
-  return "sky_sphere{pigment{image_map{exr \"" + sky_name(stem) +
-         "\" map_type 1 interpolate 2} matrix<0,0,-1, 0,1,0, 1,0,0, 0,0,0>" +
-         matrix_sdl(only_turns, 1 / turn.similarity_scale()) + "}}";
+  const std::string seen = "pigment{image_map{exr \"" + sky_name(stem) +
+                           "\" map_type 1 interpolate 2} matrix<0,0,-1, 0,1,0, 1,0,0, 0,0,0>" +
+                           matrix_sdl(only_turns, 1 / turn.similarity_scale()) + "}";
+  if (!scene.sky_as_lights) return "sky_sphere{" + seen + "}";
+  const Vec3d middle = scene.center * scale;
+  return "background{rgb 0} sphere{0, 1 hollow texture{" + seen + " finish{ambient 0 diffuse 0 emission 1}} scale " +
+         format_number(kSkyDistance * scene.radius * scale) + " translate " + sdl_vector(middle) +
+         " no_shadow no_radiosity}";
 }
 
 std::vector<PovFile> image_files(const PovScene& scene, double exposure, const std::string& stem) {

@@ -33,8 +33,9 @@ std::string mapped_pigment(TextureIndex texture, const std::string& u, const std
 /// " matrix<...>" of a transform; POV-Ray multiplies row vectors, so that its rows are the images of the axes.
 std::string matrix_sdl(const Transform& to, double scale = 1);
 
-/// What is seen of the sky where nothing else is, times `exposure`: a background or a sky_sphere.
-std::string sky_sdl(const PovScene& scene, double exposure, const std::string& stem);
+/// What is seen of the sky where nothing else is, times `exposure`, lengths times `scale`: a background, a sky_sphere
+/// or a ball far away.
+std::string sky_sdl(const PovScene& scene, double exposure, double scale, const std::string& stem);
 
 /// The files that surfaces and the sky need.
 std::vector<PovFile> image_files(const PovScene& scene, double exposure, const std::string& stem);

@@ -91,6 +91,12 @@ std::optional<Vec3d> position_of(const EmitterDescription& emitter) {
       emitter.light);
 }
 
+bool is_sky(const EmitterDescription& emitter) {
+  return std::holds_alternative<ConstantLightDescription>(emitter.light) ||
+         std::holds_alternative<EnvmapDescription>(emitter.light) ||
+         std::holds_alternative<SunSkyDescription>(emitter.light);
+}
+
 RgbD mean_radiance(const EmitterDescription& sky) {
   if (const auto* constant_sky = std::get_if<ConstantLightDescription>(&sky.light)) return constant_sky->radiance;
   const auto& map = std::get<EnvmapDescription>(sky.light);

@@ -72,8 +72,12 @@ struct PovScene {
   std::vector<PovSurface> surfaces;
   Vec3d center{0, 0, 0};  ///< of the bounding sphere of surfaces and point lights
   double radius = 1;      ///< of that sphere; never 0
-  /// The light from all around that is no surface's: constant or an envmap.
+  /// The light from all around that is no surface's: constant or an envmap, which may be `baked_sky`.
   const EmitterDescription* sky = nullptr;
+  std::shared_ptr<const EmitterDescription> baked_sky{};  ///< of a sunsky, without its sun
+  const SunSkyDescription* sun = nullptr;
+  /// The sky lights by parallel lights and is seen on a ball far away; else radiosity's rays find it.
+  bool sky_as_lights = false;
   bool hides_lamps = false;  ///< from the camera, which sees them black
   /// Shapes that no file spells out: those of instances.
   std::shared_ptr<std::list<ShapeDescription>> copies = std::make_shared<std::list<ShapeDescription>>();
@@ -100,7 +104,10 @@ std::optional<Vec3d> position_of(const EmitterDescription& emitter);
 /// The radiance of a constant sky or the mean of an envmap.
 RgbD mean_radiance(const EmitterDescription& sky);
 
-/// Throws Unrepresentable for what povray_bsdf.h refuses and: emitters that are not diffuse, suns, open surfaces or
+/// Whether an emitter is constant, an envmap or a sunsky.
+bool is_sky(const EmitterDescription& emitter);
+
+/// Throws Unrepresentable for what povray_bsdf.h refuses and: emitters that are not diffuse, open surfaces or
 /// meshes of glass, surfaces, lights or the camera inside glass (POV-Ray does not scale radiance by the squared index),
 /// media that scatter, textures on curved shapes and on lamps that light something.
 PovScene lower_scene(const SceneDescription& description);

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "renderer/lights/sky_sun.h"
-#include "renderer/lights/sun_spectrum.h"
+#include "scenes/sky/sun_spectrum.h"
 #include "scenes/description/spectrum.h"
 
 namespace photonproof {

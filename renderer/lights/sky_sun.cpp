@@ -4,44 +4,20 @@
 #include <cmath>
 
 #include "renderer/lanes/warp.h"
-#include "renderer/lights/sun_spectrum.h"
-#include "scenes/description/spectrum.h"
 
 namespace photonproof {
-namespace {
-
-constexpr double real_aperture = 0.5358 * pi_d / 180;  // full angle of the sun
-
-double cone(double full_angle) {
-  const double s = std::sin(full_angle / 4);
-  return 4 * pi_d * s * s;  // 2 pi (1 - cos(angle / 2))
-}
-
-RgbD not_negative(const RgbD& rgb) { return {std::max(rgb.x, 0.0), std::max(rgb.y, 0.0), std::max(rgb.z, 0.0)}; }
-
-/// A sun that has set leaves the sky it had on the horizon.
-double elevation(const Vec3d& sun) { return std::asin(std::clamp(sun.z, 0.0, 1.0)); }
-
-}  // namespace
 
 SunSky::SunSky(const SunSkySettings& settings)
-    : sky_scale_(settings.sky_scale),
+    : sky_(settings.turbidity, settings.albedo, normalize(settings.sun_direction), settings.sky_scale),
       x_(normalize(settings.to_world.vector({1, 0, 0}))),
       y_(normalize(settings.to_world.vector({0, 1, 0}))),
       z_(normalize(settings.to_world.vector({0, 0, 1}))),
       sun_(normalize(settings.sun_direction)) {
-  const RgbD& albedo = settings.albedo;
-  const double height = elevation(normalize(settings.sun_direction));
-  skies_.emplace_back(settings.turbidity, albedo.x, height);
-  if (albedo != RgbD(albedo.x))
-    for (const double other : {albedo.y, albedo.z}) skies_.emplace_back(settings.turbidity, other, height);
-
   const double aperture = settings.sun_aperture_radians;
   const double half = std::sin(aperture / 4);
   sun_one_minus_cos_ = static_cast<float>(2 * half * half);
   // Where the disc is on the horizon only its upper part shines, as bright as its middle.
-  sun_radiance_ = Rgb(sun_disc_radiance(double{sun_.z}, settings.turbidity) *
-                      (settings.sun_scale * cone(real_aperture) / cone(aperture)));
+  sun_radiance_ = Rgb(photonproof::sun_radiance(double{sun_.z}, settings.turbidity, aperture) * settings.sun_scale);
 
   std::vector<double> weights;
   RgbD total(0.0);
@@ -49,7 +25,7 @@ SunSky::SunSky(const SunSkySettings& settings)
   for (int row = 0; row < rows; ++row)
     for (int column = 0; column < columns; ++column) {
       const double z = (row + 0.5) / rows, r = std::sqrt(1 - z * z), phi = (column + 0.5) * 2 * pi_d / columns;
-      const RgbD value = sky({r * std::cos(phi), r * std::sin(phi), z});
+      const RgbD value = sky_.radiance({r * std::cos(phi), r * std::sin(phi), z});
       total += value * cell;
       weights.push_back((value.x + value.y + value.z) / 3 * cell);
     }
@@ -58,22 +34,12 @@ SunSky::SunSky(const SunSkySettings& settings)
   for (const double w : weights) sum += w;
   for (double& w : weights) w += 0.05 * sum / static_cast<double>(weights.size());
   cells_ = DiscreteDistribution(weights);
-  const RgbD from_sun = RgbD(sun_radiance_) * cone(aperture);
+  const RgbD from_sun = RgbD(sun_radiance_) * cone_solid_angle(aperture);
   const double sun_power = (from_sun.x + from_sun.y + from_sun.z) / 3;
   sun_probability_ = sun_power <= 0 ? 0.0f
                      : sum <= 0     ? 1.0f
                                     : static_cast<float>(std::clamp(sun_power / (sun_power + sum), 0.1, 0.9));
   irradiance_ = Rgb(total + from_sun);
-}
-
-RgbD SunSky::sky(const Vec3d& local) const {
-  if (local.z < 0 || sky_scale_ == 0) return RgbD(0.0);
-  const double cos_gamma = std::clamp(dot(local, Vec3d(sun_)), -1.0, 1.0);
-  const auto over = [&](const HosekWilkieSky& sky) {
-    return not_negative(rgb_of_xyz(sky.xyz(local.z, cos_gamma) * (sky_scale_ / cie_y_integral)));
-  };
-  if (skies_.size() == 1) return over(skies_[0]);
-  return {over(skies_[0]).x, over(skies_[1]).y, over(skies_[2]).z};
 }
 
 bool SunSky::in_sun(const Vec3f& local) const {
@@ -83,7 +49,7 @@ bool SunSky::in_sun(const Vec3f& local) const {
 
 Rgb SunSky::radiance(const Vec3f& towards_sky) const {
   const Vec3f local = to_local(towards_sky);
-  const Rgb above = Rgb(sky(Vec3d(local)));
+  const Rgb above = Rgb(sky_.radiance(Vec3d(local)));
   return in_sun(local) ? above + sun_radiance_ : above;
 }
 

@@ -1,18 +1,14 @@
-// Sun and clear sky: the sky of Hosek and Wilkie (sky_hosek_wilkie.h), the sun of Preetham, Shirley and Smits
-// (sun_spectrum.h). Local +z is up; there is nothing below the horizon. Units are those of Mitsuba's sunsky: radiance
-// per nanometre, W m^-2 sr^-1 nm^-1, as linear Rec. 709 of XYZ with the integral of the CIE 1931 y function divided out
-// (cie_y_integral).
+// Sun and clear sky (scenes/sky/clear_sky.h), looked up and sampled. Local +z is up; there is nothing below the
+// horizon.
 //
 // Mitsuba's sunsky has the same sky, by the authors' data for RGB instead of XYZ, and another sun (Hosek and Wilkie
 // 2013).
 #pragma once
 
-#include <vector>
-
 #include "renderer/core/discrete_distribution.h"
-#include "renderer/lights/sky_hosek_wilkie.h"
 #include "scenes/description/transform.h"
 #include "scenes/meshes/vec.h"
+#include "scenes/sky/clear_sky.h"
 
 namespace photonproof {
 
@@ -37,14 +33,11 @@ class SunSky {
  private:
   static constexpr int rows = 64, columns = 128;  ///< of the hemisphere: equal steps of height and azimuth
 
-  RgbD sky(const Vec3d& local) const;
   bool in_sun(const Vec3f& local) const;
   Vec3f to_local(const Vec3f& d) const { return {dot(d, x_), dot(d, y_), dot(d, z_)}; }
   Vec3f to_world(const Vec3f& d) const { return x_ * d.x + y_ * d.y + z_ * d.z; }
 
-  /// Over a ground of each component's albedo; one for all where it is grey.
-  std::vector<HosekWilkieSky> skies_;
-  double sky_scale_;
+  ClearSky sky_;
   Vec3f x_, y_, z_;  ///< local axes in the world, unit
   Vec3f sun_;        ///< local
   float sun_one_minus_cos_;

@@ -1,4 +1,4 @@
-#include "renderer/lights/sky_hosek_wilkie.h"
+#include "scenes/sky/sky_hosek_wilkie.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "renderer/lights/sun_spectrum.h"
+#include "scenes/sky/sun_spectrum.h"
 
 #include <algorithm>
 #include <cmath>

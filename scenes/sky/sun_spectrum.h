@@ -24,7 +24,7 @@ AirTransmittance air_transmittance(std::size_t sample, double air_mass, double t
 /// W m^-2 sr^-1 nm^-1, mean over the disc, for a sun that is up.
 std::array<double, sun_samples> sun_spectral_radiance(double cos_theta_sun, double turbidity);
 
-/// The same as linear Rec. 709, in the units of sky_sun.h; black for a sun below the horizon.
+/// The same as linear Rec. 709, in the units of clear_sky.h; black for a sun below the horizon.
 RgbD sun_disc_radiance(double cos_theta_sun, double turbidity);
 
 }  // namespace photonproof

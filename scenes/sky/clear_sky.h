@@ -1,0 +1,35 @@
+// What a `sunsky` of a scene shines with: the sky of Hosek and Wilkie (sky_hosek_wilkie.h) and the sun of Preetham,
+// Shirley and Smits (sun_spectrum.h), in the units of Mitsuba's sunsky: radiance per nanometre, W m^-2 sr^-1 nm^-1, as
+// linear Rec. 709 of XYZ with the integral of the CIE 1931 y function divided out (cie_y_integral). Local +z is up.
+#pragma once
+
+#include <vector>
+
+#include "scenes/meshes/vec.h"
+#include "scenes/sky/sky_hosek_wilkie.h"
+
+namespace photonproof {
+
+class ClearSky {
+ public:
+  /// `sun_direction` is of unit length, towards the sun; one that has set leaves the sky it had on the horizon. The
+  /// ground's albedo is a channel each. `scale` multiplies the radiance.
+  ClearSky(double turbidity, const RgbD& ground_albedo, const Vec3d& sun_direction, double scale);
+
+  /// Without the sun's disc; black below the horizon. Of a unit direction.
+  RgbD radiance(const Vec3d& local) const;
+
+ private:
+  /// Over a ground of each component's albedo; one for all where it is grey.
+  std::vector<HosekWilkieSky> skies_;
+  Vec3d sun_;
+  double scale_;
+};
+
+/// Steradians of a cone of this full angle, radians.
+double cone_solid_angle(double full_angle);
+
+/// Of a disc of this full angle, radians, whose irradiance is that of the sun of 0.5358 degrees.
+RgbD sun_radiance(double cos_theta_sun, double turbidity, double aperture);
+
+}  // namespace photonproof
