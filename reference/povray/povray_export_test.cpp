@@ -54,7 +54,7 @@ TEST(povray_export, refuses_scenes_of_the_library_for_what_they_say_and_has_a_re
     const Expect expect = read_expect((entry.path() / "expect.toml").string());
     const auto declared = expect.unsupported.find("povray");
     EXPECT_EQ(declared == expect.unsupported.end() ? "" : declared->second, why) << name;
-    EXPECT_EQ(expect.povray.has_value(), why.empty()) << name << ": reference/povray/measure_library.py --update";
+    EXPECT_EQ(expect.povray.has_value(), why.empty()) << name << ": reference/measure_library.py --update";
     rendered += why.empty() ? 1 : 0;
   }
   EXPECT_GE(rendered, 48);
