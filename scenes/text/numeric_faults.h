@@ -1,5 +1,5 @@
 // Faults of numbers that can be planted in the renderer: an epsilon that is a constant, a float where a double was, a
-// clamp that is missing, an origin that is not recentred. Ordinary scenes do not show them; each breaks one climb of
+// clamp that is missing, an origin that is not recentred. Ordinary scenes do not show them; each breaks climbs of
 // `photonproof stress` (harness/stress/numeric_faults_test.cpp). Planted as those of faults.h are.
 #pragma once
 
