@@ -89,6 +89,16 @@ TEST_F(PlantedFaults, roughness_that_is_squared_twice) {
   expect_blamed(odd_row("alpha", "path"), {"bdpt", "volpath"}, "mirror", "", "0.05");
 }
 
+// Two of ours share materials, and could share a mistake in one: Cycles has microfacets of its own.
+TEST_F(PlantedFaults, roughness_that_is_squared_twice_by_a_witness_that_shares_no_code) {
+  if (!run_process({"blender", "--version"}).ok())
+    GTEST_SKIP() << "Blender is not installed: ./run --with-cycles installs it";
+  put_scene(walls(R"(<bsdf type="roughconductor"><string name="material" value="none"/>
+    <float name="alpha" value="0.4"/></bsdf>)") +
+            lamp());
+  expect_blamed(odd_row("alpha", "path"), {"bdpt", "cycles"}, "mirror", "", "0.05");
+}
+
 TEST_F(PlantedFaults, texture_that_is_mirrored) {
   put_scene(walls(R"(<bsdf type="diffuse"><texture name="reflectance" type="checkerboard">
     <rgb name="color0" value="0.8,0.5,0.1"/><rgb name="color1" value="0.1,0.2,0.3"/></texture></bsdf>)") +

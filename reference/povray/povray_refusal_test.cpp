@@ -1,8 +1,8 @@
 // Every reason for which a scene is not written for POV-Ray, each with the whole message.
 #include <gtest/gtest.h>
 
-#include "reference/povray/povray_export.h"
 #include "reference/engines/not_representable.h"
+#include "reference/povray/povray_export.h"
 #include "scenes/parser/parser.h"
 
 namespace photonproof {
