@@ -4,7 +4,7 @@
   reference/povray/measure_library.py build/release/bin/photonproof --keep out/povray [--update] [SCENE ...]
 
 Every scene is rendered by POV-Ray (size and quality as below, one thread) and compared with the library's own reference
-where the scene has a square one, of whose size it then is, or else with an integrator that shares no code with it, for
+where the scene has one, of whose size it then is, or else with an integrator that shares no code with it, for
 as long as `--seconds` says; the pictures stay in the folder that `--keep` names, and references that are there are used
 again. Printed is a line a scene. With --update the figures go to [povray] of the scenes' expect.toml, whose
 `cause` is kept where the figures need one, and all scenes' to the table in reports/published/povray.md.
@@ -39,23 +39,23 @@ def run(words):
 
 
 def stored_reference(scene):
-    """The size and file of a square reference in the scene's folder."""
-    for image in sorted((LIBRARY / scene).glob("reference-*.exr")):
-        width, height = re.fullmatch(r"reference-(\d+)x(\d+)", image.stem).groups()
-        if width == height:
-            return int(width), image
-    return None
+    """Width, height and file of a reference in the scene's folder, the widest."""
+    stored = []
+    for image in (LIBRARY / scene).glob("reference-*.exr"):
+        width, height = map(int, re.fullmatch(r"reference-(\d+)x(\d+)", image.stem).groups())
+        stored.append((width, height, image))
+    return max(stored, default=None)
 
 
 def size_of(scene, options):
     stored = stored_reference(scene)
-    return stored[0] if stored else options.size
+    return stored[:2] if stored else (options.size, options.size)
 
 
 def reference_of(program, scene, options):
     stored = stored_reference(scene)
     if stored:
-        return stored[1]
+        return stored[2]
     image = options.keep / f"{scene}-reference-{options.size}.exr"
     if not image.exists():
         done = run([program, "render", LIBRARY / scene / "scene.xml", "-o", image, "--integrator", integrator_of(scene),
@@ -68,9 +68,9 @@ def reference_of(program, scene, options):
 def measure(program, scene, options):
     """Figures of a scene, or the sentence by which it is refused."""
     image = options.keep / f"{scene}.exr"
-    size = size_of(scene, options)
+    width, height = size_of(scene, options)
     done = run([program, "povray", LIBRARY / scene / "scene.xml", "-o", image, "--quality", options.quality, "--size",
-                f"{size}x{size}", "--quiet", "--json"])
+                f"{width}x{height}", "--quiet", "--json"])
     if done.returncode == 3:
         return done.stderr.strip().split("\n")[-1].split(REFUSAL)[1]
     if done.returncode != 0:
@@ -101,7 +101,7 @@ def update_expect(scene, found, options):
         else:
             text = text.rstrip("\n") + "\n\n[unsupported]\n" + line
     else:
-        text = text.rstrip("\n") + "\n\n[povray]\n" + f"size = {size_of(scene, options)}\nquality = {options.quality}\n"
+        text = text.rstrip("\n") + "\n\n[povray]\n" + f"size = {size_of(scene, options)[0]}\nquality = {options.quality}\n"
         text += "".join(f"{key} = {value}\n" for key, value in found.items())
         if cause and (abs(found["mean_percent"]) > 0.5 or found["ssim"] < 0.98):
             text += cause.group(1) + "\n"
@@ -142,15 +142,15 @@ def main():
         found = measure(options.program, scene, options)
         if options.update:
             update_expect(scene, found, options)
-        shown = found if isinstance(found, str) else {**found, "size": size_of(scene, options)}
+        shown = found if isinstance(found, str) else {**found, "size": size_of(scene, options)[0]}
         print(table_row(scene, shown, None), flush=True)
     if options.update:
         rows = [row for row in map(declared, sorted(path.parent.name for path in LIBRARY.glob("*/scene.xml"))) if row]
         TABLE.write_text(
             "# POV-Ray on the scene library\n\n```sh\nreference/povray/measure_library.py build/release/bin/photonproof "
             "--keep out/povray --update --quality 1\n```\n\n"
-            "Quality 1, one thread: the mean against the library's own reference at 64x64, or where it has none of that "
-            "shape at the size that the last column says against `path` (`bdpt` where mirrors or narrow holes hide the "
+            "Quality 1, one thread: the mean against the library's own reference, or where it has none (96 pixels across) "
+            "against `path` (`bdpt` where mirrors or narrow holes hide the "
             "light, `volpath` where a medium absorbs), ssim, relmse and seconds of processor time. The references have "
             "noise of their own. In brackets the cause, where the mean is off by more than 0.5 % or ssim is below "
             "0.98.\n\n| scene | mean | ssim | relmse | s | pixels across |\n|---|--:|--:|--:|--:|--:|\n" + "\n".join(rows) + "\n")
