@@ -5,7 +5,7 @@
   reference/measure_library.py build/release/bin/photonproof --engine cycles --keep out/cycles [--update] [SCENE ...]
 
 Every scene is rendered by the engine (size and quality or samples as below, one thread). POV-Ray's picture is compared with
-the library's own reference where the scene has a square one, of whose size it then is; all others with an integrator that
+the library's own reference where the scene has one, of whose size it then is; all others with an integrator that
 shares no code with the engine, for as long as `--seconds` says. The pictures stay in the folder that `--keep` names, and
 references that are there are used again. Printed is a line a scene. With --update the figures go to [povray] or [cycles] of the scenes'
 expect.toml, whose `cause` is kept, and what all of them declare to the table in reports/published/povray.md or cycles.md, measured by the
@@ -33,9 +33,13 @@ SMALL = {
 # Who finds the light of a scene; path where nothing is said.
 INTEGRATORS = {
     "bdpt": ["cornell-spheres", "course-1", "caustic-glass", "mirror-light", "keyhole", "corridor", "course-2", "course-3",
-             "pool", "ball-lens", "water-caustic"],
+             "pool", "water-caustic"],
+    "ptracer": ["ball-lens"],
     "volpath": ["absorption", "albedo-one", "fog", "furnace-null", "haze", "milk", "mist"],
 }
+
+# POV-Ray's fisheye is written for square pictures only.
+SQUARE = ["chart-fisheye"]
 
 
 def integrator_of(scene):
@@ -51,25 +55,25 @@ def run(words):
 
 
 def stored_reference(scene, options):
-    """The size and file of a square reference in the scene's folder. Cycles, which has no bias to be hidden by a
-    reference's noise, is held against a longer render."""
-    images = sorted((LIBRARY / scene).glob("reference-*.exr")) if options.engine == "povray" else []
-    for image in images:
-        width, height = re.fullmatch(r"reference-(\d+)x(\d+)", image.stem).groups()
-        if width == height:
-            return int(width), image
-    return None
+    """Width, height and file of a reference in the scene's folder, the widest. Cycles, which has no bias of its own, is
+    held against a longer render."""
+    stored = []
+    for image in (LIBRARY / scene).glob("reference-*.exr") if options.engine == "povray" else []:
+        width, height = map(int, re.fullmatch(r"reference-(\d+)x(\d+)", image.stem).groups())
+        if width == height or scene not in SQUARE:
+            stored.append((width, height, image))
+    return max(stored, default=None)
 
 
 def size_of(scene, options):
     stored = stored_reference(scene, options)
-    return stored[0] if stored else options.size
+    return stored[:2] if stored else (options.size, options.size)
 
 
 def reference_of(program, scene, options):
     stored = stored_reference(scene, options)
     if stored:
-        return stored[1]
+        return stored[2]
     image = options.keep / f"{scene}-reference-{options.size}.exr"
     if not image.exists():
         done = run([program, "render", LIBRARY / scene / "scene.xml", "-o", image, "--integrator", integrator_of(scene),
@@ -82,9 +86,9 @@ def reference_of(program, scene, options):
 def measure(program, scene, options):
     """Figures of a scene, or the sentence by which it is refused."""
     image = options.keep / f"{scene}.exr"
-    size = size_of(scene, options)
+    width, height = size_of(scene, options)
     words = [program, options.engine, LIBRARY / scene / "scene.xml", "-o", image, "--size",
-             f"{size}x{size}", "--quiet", "--json", f"--{BUDGET[options.engine]}", budget_of(options)]
+             f"{width}x{height}", "--quiet", "--json", f"--{BUDGET[options.engine]}", budget_of(options)]
     done = run(words + (["--threads", 1] if options.engine == "cycles" else []))
     if done.returncode == 3:
         return done.stderr.strip().split("\n")[-1].split(f"not representable in {NAMES[options.engine]}: ")[1]
@@ -120,7 +124,7 @@ def update_expect(scene, found, options):
         else:
             text = text.rstrip("\n") + "\n\n[unsupported]\n" + line
     else:
-        table = f"[{name}]\nsize = {size_of(scene, options)}\n{BUDGET[name]} = {budget_of(options)}\n"
+        table = f"[{name}]\nsize = {size_of(scene, options)[0]}\n{BUDGET[name]} = {budget_of(options)}\n"
         table += "".join(f"{key} = {value}\n" for key, value in found.items())
         if cause and not SMALL[name](found):
             table += f"cause = {cause}\n"
@@ -160,7 +164,7 @@ def write_table(options):
     name, budget = options.engine, f"{BUDGET[options.engine]} {budget_of(options)}"
     chosen = "" if name == "povray" else f"--engine {name} "
     noise = "The references have noise of their own."
-    truth = "the library's own reference where it has a square one, else " if name == "povray" else ""
+    truth = "the library's own reference where it has one, else " if name == "povray" else ""
     if name == "cycles":
         noise = ("Behind ± is the standard error of Cycles' mean, as the spread of its 16 batches says; the references "
                  "have noise of their own.")
@@ -168,7 +172,7 @@ def write_table(options):
         f"# {NAMES[name]} on the scene library\n\n```sh\nreference/measure_library.py build/release/bin/photonproof "
         f"{chosen}--keep out/{name} --update --size {options.size} --{budget}\n```\n\n"
         f"{budget}, one thread: the mean against {truth}`path` (`bdpt` where mirrors or narrow holes hide the light, "
-        "`volpath` where there are media), ssim, relmse and seconds of processor time, at the size that the last column "
+        "`ptracer` for `ball-lens`, `volpath` where there are media), ssim, relmse and seconds of processor time, at the size that the last column "
         f"says. {noise} In brackets the cause, where one is needed.\n\n"
         "| scene | mean | ssim | relmse | s | pixels across |\n|---|--:|--:|--:|--:|--:|\n" + "\n".join(rows) + "\n")
 
@@ -191,7 +195,7 @@ def main():
         found = measure(options.program, scene, options)
         if options.update:
             update_expect(scene, found, options)
-        shown = found if isinstance(found, str) else {**found, "size": size_of(scene, options)}
+        shown = found if isinstance(found, str) else {**found, "size": size_of(scene, options)[0]}
         print(table_row(scene, shown, options.engine), flush=True)
     if options.update:
         write_table(options)

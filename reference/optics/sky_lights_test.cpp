@@ -38,14 +38,14 @@ TEST(sky_lights, that_is_grey_lights_every_side_by_pi) {
 }
 
 TEST(sky_lights, shines_from_where_its_bright_texel_is_turned_with_the_map) {
-  // Of 8 columns the third has its middle at u = 2.5 / 8, a turn from -z by way of +x; of 5 rows the second is at
+  // Of 64 columns the 21st has its middle at u = 20.5 / 64, a turn from -z by way of +x; of 33 rows the ninth is at
   // 45 degrees from the zenith.
-  EnvmapDescription map = grey_map(8, 5, 0);
+  EnvmapDescription map = grey_map(64, 33, 0);
   auto image = std::make_shared<Image>(*map.image);
-  image->pixel(2, 1)[0] = 100;
+  image->pixel(20, 8)[0] = 100;
   map.image = image;
   map.scale = 2;
-  const double phi = 2 * std::numbers::pi * 2.5 / 8;
+  const double phi = 2 * std::numbers::pi * 20.5 / 64;
   const Vec3d local = Vec3d{std::sin(phi), 1, -std::cos(phi)} * std::sqrt(0.5);
   const auto mean_direction = [](const std::vector<SkyLight>& lights) {
     Vec3d sum(0.0);
@@ -90,7 +90,7 @@ TEST(sky_lights, of_a_sunsky_is_up_where_its_z_is) {
     EXPECT_GT(light.from.y, -0.01) << "nothing below the horizon";
     (light.from.x > 0 ? towards_sun : away) += light.irradiance.y;
   }
-  EXPECT_GT(towards_sun, 1.5 * away);
+  EXPECT_GT(towards_sun, 1.3 * away);
 }
 
 std::string sdl_of(const std::string& scene) {
@@ -104,7 +104,9 @@ TEST(sky_lights, becomes_lights_where_nothing_mirrors_and_is_then_hidden_from_ra
   EXPECT_NE(dial.find(": 256 parallel lights, each with the same share of its flux"), std::string::npos);
   EXPECT_EQ(dial.find("sky_sphere{"), std::string::npos);
   EXPECT_NE(dial.find(" no_shadow no_radiosity}"), std::string::npos);
-  EXPECT_NE(sdl_of("light-constant").find("background{rgb 1"), std::string::npos) << "radiosity finds it exactly";
+  const std::string constant = sdl_of("light-constant");  // radiosity finds it exactly
+  EXPECT_EQ(constant.find("light_source{"), std::string::npos);
+  EXPECT_EQ(constant.find("background{rgb 0}"), std::string::npos);
 }
 
 TEST(povray_lamps, that_fill_half_the_sky_of_what_they_light_are_left_to_radiosity) {

@@ -110,6 +110,24 @@ TEST(povray_export, shoots_photons_only_where_something_is_specular) {
   EXPECT_EQ(matte.skipped, std::vector<std::string>{"photons: nothing is specular"});
 }
 
+TEST(povray_export, has_a_point_for_each_of_many_lamps_and_fewer_for_radiosity) {
+  const std::string text = code(exported("many-lights"));
+  // 1000 lamps in the picture, and for radiosity every 16th, from the first on: 63.
+  EXPECT_EQ(count(text, "\nlight_source{") + count(text, "\nSpot("), 1000u + 63);
+}
+
+TEST(povray_export, fills_its_cache_densely_with_fewer_rays_where_bounces_are_many) {
+  EXPECT_EQ(count(code(exported("cornell")), "count 96,20000"), 1u);
+  EXPECT_EQ(count(code(exported("cornell")), "low_error_factor 0.3 "), 1u);
+  EXPECT_EQ(count(code(exported("million")), "count 192,20000"), 1u);
+  EXPECT_EQ(count(code(exported("million")), "low_error_factor 0.8 "), 1u);
+}
+
+TEST(povray_export, refines_the_edges_of_lamps_further) {
+  EXPECT_EQ(exported("cornell").antialias.at(2), "+R7");
+  EXPECT_EQ(exported("light-point").antialias.at(2), "+R5") << "its lamp has no body";
+}
+
 TEST(povray_export, keeps_what_a_scene_says_inside_comments) {
   SceneDescription scene = parse_scene_file(kScenes + "library/light-point/scene.xml");
   scene.shapes.at(0).id = "a\nsphere{0,1} // \x01";

@@ -45,7 +45,7 @@ struct CyclesResidual {
 /// How far the scene's picture by POV-Ray is from the truth by our reference integrators, measured once
 /// (reference/measure_library.py), and what it costs.
 struct PovrayResidual {
-  int size = 0;             ///< pixels across and down
+  int size = 0;             ///< pixels across; down as the library's reference has, or as many
   int quality = 0;          ///< the preset
   double mean_percent = 0;  ///< signed difference of the means
   double relmse = 0;
