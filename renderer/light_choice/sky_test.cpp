@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "renderer/lights/sky_sun.h"
-#include "scenes/sky/sun_spectrum.h"
 #include "scenes/description/spectrum.h"
+#include "scenes/sky/sun_spectrum.h"
 
 namespace photonproof {
 namespace {
