@@ -106,7 +106,7 @@ TEST_F(FaultyProgram, unknown_fault_is_one_error_at_the_start) {
       error += (error.back() == ' ' ? "" : ", ") + variant.name;
   error +=
       ", no-recentring, no-rescaling, float-faces, float-sphere, float-cylinder, lost-height, far-periods, "
-      "unclamped-metal\n";
+      "fixed-step, unclamped-metal\n";
   // volpath has none of this fault, and would not notice by itself.
   for (const char* integrator : {"path", "volpath"}) {
     const ProcessOutcome outcome = run(faulty, "dropped-cosin", scene, {"--integrator", integrator, "--spp", "1"});
