@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <string>
 
+#include "harness/diagnosis/middle_of.h"
+
 namespace photonproof {
 namespace {
 
@@ -35,8 +37,7 @@ double step_of(const Lines& lines, int line) {
     for (int c = 0; c < 3; ++c)
       steps.push_back(seen(lines.pixel(line, i)[c]) -
                       (seen(lines.pixel(line - 1, i)[c]) + seen(lines.pixel(line + 1, i)[c])) / 2);
-  std::nth_element(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2), steps.end());
-  return steps[steps.size() / 2];
+  return middle_of(std::move(steps));
 }
 
 /// Lines that are black though those a few beside them are not.
@@ -67,8 +68,7 @@ std::vector<int> seams(const Lines& lines, const Lines& expected) {
   for (int line = 1; line + 1 < lines.count(); ++line) steps.push_back(step_of(lines, line));
   std::vector<double> sizes;
   for (const double step : steps) sizes.push_back(std::abs(step));
-  std::nth_element(sizes.begin(), sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2), sizes.end());
-  const double usual = std::max(0.002, sizes[sizes.size() / 2]);
+  const double usual = std::max(0.002, middle_of(std::move(sizes)));
   for (int line = 2; line + 2 < lines.count(); ++line) {
     const double step = steps[static_cast<std::size_t>(line - 1)];
     if (std::abs(step) > 0.04 && std::abs(step) > 8 * usual && std::abs(step_of(expected, line)) < std::abs(step) / 3)

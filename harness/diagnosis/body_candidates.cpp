@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "harness/diagnosis/guess.h"
+#include "harness/diagnosis/middle_of.h"
 #include "harness/diagnosis/places.h"
 
 namespace photonproof {
@@ -27,13 +28,6 @@ struct Mean {
   double of(std::size_t c) const { return sum[c] / std::max(count, 1.0); }
 };
 
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /// Of the channel that differs most.
 double largest_ratio(const Mean& a, const Mean& b) {
   constexpr double dark = 0.004;
@@ -47,12 +41,11 @@ double largest_ratio(const Mean& a, const Mean& b) {
 
 class BodyCandidates {
  public:
-  BodyCandidates(const Guess& guess, const SceneKnowledge& knowledge, const Comparison& comparison,
-                 std::vector<Candidate>& candidates)
-      : guess_(guess), knowledge_(knowledge), comparison_(comparison), candidates_(candidates) {}
+  BodyCandidates(const Guess& guess, const SceneKnowledge& knowledge, const Comparison& comparison)
+      : guess_(guess), knowledge_(knowledge), comparison_(comparison) {}
 
   /// What is seen there continues what is seen around it, which it should not.
-  void add_missing() {
+  void add_missing(std::vector<Candidate>& candidates) const {
     if (!is_as_seen()) return;
     for (std::size_t mark = 1; mark <= knowledge_.landmarks.size(); ++mark) {
       const std::string& name = knowledge_.landmarks[mark - 1].name;
@@ -77,11 +70,11 @@ class BodyCandidates {
                          "it is not in the scene, or no ray finds it: what lies behind is seen",
                          {},
                          0}};
-      candidates_.push_back(std::move(candidate));
+      candidates.push_back(std::move(candidate));
     }
   }
 
-  void add_wrong(const Excess& excess) {
+  void add_wrong(const Excess& excess, std::vector<Candidate>& candidates) const {
     if (!is_as_seen()) return;
     for (std::size_t mark = 1; mark <= knowledge_.landmarks.size(); ++mark) {
       const std::string& name = knowledge_.landmarks[mark - 1].name;
@@ -93,7 +86,7 @@ class BodyCandidates {
           shows_others(name)
               ? words_of_wrong_view(name)
               : Finding{"object-wrong", "the " + name + " is shaded wrongly", "its normals, or its material", {}, 0}};
-      candidates_.push_back(std::move(candidate));
+      candidates.push_back(std::move(candidate));
     }
   }
 
@@ -101,7 +94,7 @@ class BodyCandidates {
   void say_distorted(std::vector<Finding>& findings) const {
     if (!is_as_seen()) return;
     const Image guess = predicted(guess_, comparison_.white());
-    const double usual = median(differences(guess, [this](std::size_t i) { return !shows_others(name_at(i)); }));
+    const double usual = middle_of(differences(guess, [this](std::size_t i) { return !shows_others(name_at(i)); }));
     for (std::size_t mark = 1; mark <= knowledge_.landmarks.size(); ++mark) {
       const std::string& name = knowledge_.landmarks[mark - 1].name;
       const auto says_it = [&](const Finding& f) { return f.sentence.find("the " + name) != std::string::npos; };
@@ -212,25 +205,23 @@ class BodyCandidates {
   const Guess& guess_;
   const SceneKnowledge& knowledge_;
   const Comparison& comparison_;
-  std::vector<Candidate>& candidates_;
 };
 
 }  // namespace
 
 void add_missing_objects(const Guess& guess, const SceneKnowledge& knowledge, const Comparison& comparison,
                          std::vector<Candidate>& candidates) {
-  BodyCandidates(guess, knowledge, comparison, candidates).add_missing();
+  BodyCandidates(guess, knowledge, comparison).add_missing(candidates);
 }
 
 void say_distorted_bodies(const Guess& guess, const SceneKnowledge& knowledge, const Comparison& comparison,
                           std::vector<Finding>& findings) {
-  std::vector<Candidate> none;
-  BodyCandidates(guess, knowledge, comparison, none).say_distorted(findings);
+  BodyCandidates(guess, knowledge, comparison).say_distorted(findings);
 }
 
 void add_wrong_bodies(const Guess& guess, const SceneKnowledge& knowledge, const Comparison& comparison,
                       const Excess& excess, std::vector<Candidate>& candidates) {
-  BodyCandidates(guess, knowledge, comparison, candidates).add_wrong(excess);
+  BodyCandidates(guess, knowledge, comparison).add_wrong(excess, candidates);
 }
 
 }  // namespace photonproof

@@ -9,6 +9,7 @@
 
 #include "harness/diagnosis/black_lines.h"
 #include "harness/diagnosis/luminance.h"
+#include "harness/diagnosis/middle_of.h"
 #include "harness/diagnosis/places.h"
 #include "scenes/text/text_numbers.h"
 
@@ -187,9 +188,7 @@ float middle_of_neighbours(const Image& image, int x, int y, const std::vector<s
       const float* p = image.pixel(nx, ny);
       around.push_back(std::min(1.0f, luminance_of_pixel(p)));
     }
-  if (around.empty()) return 0;
-  std::nth_element(around.begin(), around.begin() + static_cast<std::ptrdiff_t>(around.size() / 2), around.end());
-  return around[around.size() / 2];
+  return middle_of(std::move(around));
 }
 
 /// Single pixels that are far darker or brighter than those around them, where the reference's are not.
@@ -211,8 +210,7 @@ void find_specks(const Image& image, const SceneKnowledge& knowledge, Breakage& 
       if (value > 2 * around + 0.1f && expected < 1.4f * expected_around + 0.05f) bright[i] = 1;
     }
   if (spread.empty()) return;
-  std::nth_element(spread.begin(), spread.begin() + static_cast<std::ptrdiff_t>(spread.size() / 2), spread.end());
-  const double usual = spread[spread.size() / 2];  // half of all pixels differ less from their neighbours
+  const double usual = middle_of(std::move(spread));  // half of all pixels differ less from their neighbours
   const auto share_of_specks = [&](const std::vector<double>& specks) {
     return static_cast<double>(std::count(specks.begin(), specks.end(), 1.0)) / static_cast<double>(specks.size());
   };

@@ -5,17 +5,9 @@
 #include <limits>
 #include <utility>
 
+#include "harness/diagnosis/middle_of.h"
+
 namespace photonproof {
-namespace {
-
-double median_of(std::vector<float>& values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-}  // namespace
 
 Comparison::Comparison(const Image& submitted, std::optional<float> white, double tolerance,
                        std::vector<std::uint8_t> ignored)
@@ -131,8 +123,7 @@ double Comparison::variance_at(std::size_t value) const {
 
 double Comparison::noise_of(const Image& image) const {
   const std::vector<float> values = shown_of(image);
-  std::vector<float> variance = variances(values);
-  return std::sqrt(median_of(variance));
+  return std::sqrt(double{middle_of(variances(values))});
 }
 
 }  // namespace photonproof

@@ -287,14 +287,12 @@ std::vector<Finding> diagnose(const Image& submitted, const SceneKnowledge& know
   return findings;
 }
 
-std::optional<Finding> find_hidden_mistake(const Image& submitted, const SceneKnowledge& knowledge) {
-  std::vector<Finding> findings;
-  if (!as_expected_size(submitted, knowledge, findings)) return std::nullopt;
-  if (!std::all_of(submitted.rgb.begin(), submitted.rgb.end(), [](float v) { return std::isfinite(v); }))
-    return std::nullopt;
+std::vector<Finding> find_hidden_mistake(const Image& submitted, const SceneKnowledge& knowledge) {
+  std::vector<Finding> of_its_size;
+  if (!as_expected_size(submitted, knowledge, of_its_size)) return {};
+  if (!std::all_of(submitted.rgb.begin(), submitted.rgb.end(), [](float v) { return std::isfinite(v); })) return {};
   const Comparison comparison(submitted, knowledge.white, knowledge.tolerance, {});
-  findings = Search(submitted, knowledge, comparison, 1).pattern();
-  return findings.empty() ? std::nullopt : std::optional(findings.front());
+  return Search(submitted, knowledge, comparison, 1).pattern();
 }
 
 }  // namespace photonproof

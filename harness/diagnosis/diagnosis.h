@@ -66,6 +66,12 @@ struct SceneKnowledge {
   std::vector<std::pair<std::string, Image>> other_images;  ///< "scene 1": of the other scenes, in their own sizes
   /// Two right programs may differ by this much of a block's radiance.
   double tolerance = 0.08;
+
+  /// What probes and what-ifs differ from: our engine's picture, or the reference where there is none.
+  const Image& model() const {
+    const Image& ours = light.get().model;
+    return ours.rgb.empty() ? reference : ours;
+  }
 };
 
 struct Finding {
@@ -85,7 +91,7 @@ std::vector<Finding> diagnose(const Image& submitted, const SceneKnowledge& know
 /// Of a picture whose differences no bound minds: a mistake in a fine pattern, as of waves, or in what one body looks
 /// like, that is there in full and far above noise (faint.h). Broad changes are not looked for: what records of an
 /// irradiance cache are off by may look like them. As above; nothing is said of pictures of another size, or with
-/// values that are not finite.
-std::optional<Finding> find_hidden_mistake(const Image& submitted, const SceneKnowledge& knowledge);
+/// values that are not finite. At most one.
+std::vector<Finding> find_hidden_mistake(const Image& submitted, const SceneKnowledge& knowledge);
 
 }  // namespace photonproof

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <variant>
 
+#include "harness/diagnosis/middle_of.h"
+
 namespace photonproof {
 namespace {
 
@@ -95,8 +97,7 @@ std::vector<DirectMistake> direct_mistakes(const SceneDescription& scene, const 
       if (direct.rgb[3 * i + 1] > 0.01f) lit.push_back(factor[i]);
     }
     if (lit.size() < 16) return {};
-    std::nth_element(lit.begin(), lit.begin() + static_cast<std::ptrdiff_t>(lit.size() / 2), lit.end());
-    const double median = lit[lit.size() / 2];
+    const double median = middle_of(std::move(lit));
     mistakes.push_back({row.kind, row.sentence, row.cause, times_factors(direct, factor, 1 / median)});
     if (!row.has_unit) mistakes.push_back({row.kind, row.sentence, row.cause, times_factors(direct, factor, 1)});
   }

@@ -96,12 +96,6 @@ Image plus_change(const Image& light, const Image& change, double factor) {
   return sum;
 }
 
-Image change_of(const Image& to, const Image& from) {
-  Image change = to;
-  for (std::size_t i = 0; i < change.rgb.size(); ++i) change.rgb[i] -= from.rgb[i];
-  return change;
-}
-
 class FaintSearch {
  public:
   FaintSearch(const Guess& guess, const SceneKnowledge& knowledge, const Comparison& comparison)
@@ -112,23 +106,20 @@ class FaintSearch {
 
   void look_at_light() {
     const SceneLight& light = knowledge_.light.get();
-    const Image& model = light.model.rgb.empty() ? knowledge_.reference : light.model;
     for (const FeatureProbe& probe : light.probes)
       for (const double factor : {-1.0, 1.0})
         look(with_light(plus_change(guess_.light, probe.light, factor), probe.feature),
              {true, probe.feature == "caustic"},
              [&](double x) { return words_of_feature(probe.feature, std::max(0.0, 1 + factor * x)); });
-    for (const WhatIf& formula : light.formulas) look_at_what_if(formula, model);
+    for (const WhatIf& formula : light.formulas) look_at_what_if(formula);
     for (const WhatIf& what_if : knowledge_.what_ifs)
-      if (could_be_told(what_if.changes)) look_at_what_if(what_if, model);
+      if (could_be_told(what_if.changes)) look_at_what_if(what_if);
   }
 
   void look_at_patterns() {
     for (const WhatIf& what_if : knowledge_.what_ifs) {
       if (what_if.fine) look_at_fine(what_if);
-      if (!what_if.only_there || !could_be_told(what_if.changes)) continue;
-      const Image& model = knowledge_.light.get().model;
-      look_at_what_if(what_if, model.rgb.empty() ? knowledge_.reference : model);
+      if (what_if.only_there && could_be_told(what_if.changes)) look_at_what_if(what_if);
     }
   }
 
@@ -165,8 +156,9 @@ class FaintSearch {
     return other;
   }
 
-  void look_at_what_if(const WhatIf& what_if, const Image& model) {
+  void look_at_what_if(const WhatIf& what_if) {
     if (what_if.fine) return look_at_fine(what_if);
+    const Image& model = knowledge_.model();
     if (what_if.image.get().rgb.size() != model.rgb.size()) return;
     look_at_change(what_if, change_of(what_if.image.get(), model), {what_if.rough});
   }

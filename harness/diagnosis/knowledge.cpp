@@ -17,12 +17,6 @@
 namespace photonproof {
 namespace {
 
-Image sum_of(const Image& a, const Image& b, float factor) {
-  Image sum = a;
-  for (std::size_t i = 0; i < sum.rgb.size(); ++i) sum.rgb[i] += factor * b.rgb[i];
-  return sum;
-}
-
 Image not_negative(Image image) {
   for (float& v : image.rgb) v = std::max(0.0f, v);
   return image;
@@ -76,7 +70,7 @@ class KnowledgeMaker {
   Image fine_change_of(const Mistake& mistake) const {
     OwnRender render = whole();
     render.spp *= 16;
-    return resized(sum_of(rendered(mistake.scene, render), rendered(scene_, render), -1), width_, height_);
+    return resized(change_of(rendered(mistake.scene, render), rendered(scene_, render)), width_, height_);
   }
 
   /// After light().
@@ -145,7 +139,7 @@ class KnowledgeMaker {
 
   void add_features(SceneLight& light) {
     const Image caustic = view_of("caustics", -1), indirect = view_of("global", -1), first = view_of("global", 3);
-    const Image later = not_negative(sum_of(indirect, first, -1));
+    const Image later = not_negative(change_of(indirect, first));
     add_probe(light, "caustic", caustic);
     add_probe(light, "indirect", indirect);
     add_probe(light, "later bounces", later);

@@ -7,6 +7,7 @@
 
 #include "harness/diagnosis/faint.h"
 #include "harness/diagnosis/guess.h"
+#include "harness/diagnosis/picture_changes.h"
 
 namespace photonproof {
 namespace {
@@ -88,10 +89,9 @@ class LightCandidates {
 
  private:
   void add_what_if(const WhatIf& what_if) {
-    const Image& model = light_.model.rgb.empty() ? knowledge_.reference : light_.model;
+    const Image& model = knowledge_.model();
     if (guess_.has(what_if.kind + what_if.landmark) || what_if.image.get().rgb.size() != model.rgb.size()) return;
-    Image difference = what_if.image.get();
-    for (std::size_t i = 0; i < difference.rgb.size(); ++i) difference.rgb[i] -= model.rgb[i];
+    const Image difference = change_of(what_if.image.get(), model);
     for (const double amount : {1.0, 0.7}) {
       Candidate candidate;
       candidate.guess = with_light(difference, amount);

@@ -179,6 +179,12 @@ Image restrided(const Image& image, int longer, bool from_last) {
   });
 }
 
+Image change_of(const Image& to, const Image& from) {
+  Image change = to;
+  for (std::size_t i = 0; i < change.rgb.size(); ++i) change.rgb[i] -= from.rgb[i];
+  return change;
+}
+
 Image blurred(const Image& image, double deviation) {
   const int reach = static_cast<int>(std::ceil(3 * deviation));
   std::vector<double> taps;

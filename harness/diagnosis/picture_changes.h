@@ -41,6 +41,9 @@ struct ToneRow {
 std::span<const ToneRow> tone_rows();
 Image toned(const Image& image, const ToneRow& row, double white);
 
+/// What is added to `from`, of the same size, where it becomes `to`.
+Image change_of(const Image& to, const Image& from);
+
 /// Shifted by dx, dy pixels and enlarged about the middle; what comes from outside is NaN.
 Image viewed(const Image& image, double dx, double dy, double zoom);
 /// Read with rows that are so many pixels longer than they were stored with; the first or the last row stays. NaN where

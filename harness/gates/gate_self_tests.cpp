@@ -26,7 +26,7 @@ int runs_of(const Variant& variant, const SelfTestOptions& options) {
 }
 
 bool is_ours(const Engine& engine) {
-  return engine.command.front() == "{photonproof}" && engine.name != "povray" && engine.name != "cycles";
+  return engine.command.size() > 1 && engine.command[0] == "{photonproof}" && engine.command[1] == "render";
 }
 
 /// The value of --integrator; empty without.

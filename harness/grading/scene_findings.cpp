@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "harness/diagnosis/knowledge.h"
+#include "harness/statistics/deviations.h"
 #include "scenes/text/input_error.h"
 
 namespace photonproof {
@@ -11,17 +12,6 @@ namespace {
 
 /// What a right program's picture never shows, other than its noise.
 bool is_mistake(const Finding& finding) { return finding.kind != "noise" && finding.kind != "fireflies"; }
-
-/// Which has less noise than each of them.
-Image mean_of(const std::vector<Image>& images) {
-  Image mean = images.front();
-  for (std::size_t i = 0; i < mean.rgb.size(); ++i) {
-    double sum = 0;
-    for (const Image& image : images) sum += image.rgb[i];
-    mean.rgb[i] = static_cast<float>(sum / static_cast<double>(images.size()));
-  }
-  return mean;
-}
 
 bool is_undecided(const GradedCheck& check) { return check.side == GradedCheck::Side::undecided; }
 
@@ -52,8 +42,7 @@ SceneKnowledge SceneFindings::found_out(std::size_t scene) const {
   return known;
 }
 
-template <class Find>
-auto SceneFindings::found_in(const Image& image, std::size_t scene, const Find& find) {
+std::vector<Finding> SceneFindings::found_in(const Image& image, std::size_t scene, Find find) {
   const SceneKnowledge& known = knowledge(scene);
   try {
     return find(image, known);
@@ -80,14 +69,13 @@ std::vector<std::string> SceneFindings::problems() const {
 
 std::vector<Finding> SceneFindings::mistakes_in(const SceneWorkGrade& work, std::size_t scene) {
   if (work.grade.verdict == SceneVerdict::wrong) return found_in(work.images.front(), scene, diagnose);
-  const Image image = mean_of(work.images);
-  if (std::ranges::any_of(work.grade.checks, is_undecided)) {
-    std::vector<Finding> findings = found_in(image, scene, diagnose);
-    std::erase_if(findings, [](const Finding& finding) { return !is_mistake(finding); });
-    return findings;
-  }
-  const std::optional<Finding> hidden = found_in(image, scene, find_hidden_mistake);
-  return hidden ? std::vector{*hidden} : std::vector<Finding>{};
+  std::vector<const Image*> images;
+  for (const Image& image : work.images) images.push_back(&image);
+  const bool by_noise = std::ranges::any_of(work.grade.checks, is_undecided);
+  // Their mean has less noise than each.
+  std::vector<Finding> findings = found_in(mean_of(images), scene, by_noise ? diagnose : find_hidden_mistake);
+  std::erase_if(findings, [](const Finding& finding) { return !is_mistake(finding); });
+  return findings;
 }
 
 void SceneFindings::add(std::size_t scene, SceneWorkGrade& work) {

@@ -37,8 +37,8 @@ class SceneFindings {
 
  private:
   const SceneKnowledge& knowledge(std::size_t scene);
-  template <class Find>
-  auto found_in(const Image& image, std::size_t scene, const Find& find);
+  using Find = std::vector<Finding> (*)(const Image&, const SceneKnowledge&);
+  std::vector<Finding> found_in(const Image& image, std::size_t scene, Find find);
   std::vector<Finding> mistakes_in(const SceneWorkGrade& work, std::size_t scene);
   SceneKnowledge found_out(std::size_t scene) const;
 

@@ -47,13 +47,13 @@ state_of() {
 # as long by itself, by the processor's time.
 is_slow_alone() { (ulimit -t "$slowest" && "build/fuzz/bin/$1" "$2") >/dev/null 2>&1 && return 1 || return 0; }
 
-# fuzz TARGET CORPUS DICTIONARY: false on a find. Sets `runs` and `processor`, seconds that it had of it.
+# fuzz TARGET CORPUS DICTIONARY: false on a find; what it says goes to $log. Sets `runs` and `processor`, seconds that it had of it.
 fuzz() {
   local target=$1 corpus=$2 dictionary=$3 end=$((SECONDS + seconds)) clean=1
-  local inputs=build/fuzz/inputs/$target found=build/fuzz/found/$target log=build/fuzz/$target.log artifact used
+  local inputs=build/fuzz/inputs/$target found=build/fuzz/found/$target artifact used
   local more=()
   if [ -n "$quick" ]; then
-    inputs=build/fuzz/quick/$target log=build/fuzz/quick/$target.log more=(-seed=1)
+    inputs=build/fuzz/quick/$target more=(-seed=1)
     rm -rf "$inputs"
   fi
   mkdir -p "$inputs" "$found"

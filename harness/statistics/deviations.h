@@ -52,7 +52,7 @@ struct KnownNoise {
 Deviations measure_deviations(const Rendering& reference, std::span<const Image* const> images,
                               const KnownNoise& known);
 
-/// The mean of the images, as a float image. Preconditions as above.
+/// The mean of the images, at least one and of equal sizes, as a float image.
 Image mean_of(std::span<const Image* const> images);
 
 }  // namespace photonproof

@@ -46,30 +46,37 @@ Image batch_image(const CyclesExport& scene, const fs::path& folder, std::size_t
   return image;
 }
 
-/// Of batches weighed by their samples: mean, variance of the mean from their spread, and how certain the image's mean
-/// is. A batch's variance is taken to be in proportion to 1 / samples.
+/// A share of the samples.
+double weight_of(const CyclesExport& scene, std::size_t batch) {
+  return double(scene.batches[batch].samples) / scene.samples;
+}
+
+/// Variance of the weighed mean of what each of at least two batches gave, from their spread. A batch's variance is
+/// taken to be in proportion to 1 / samples.
+template <class Value>
+double variance_of_mean(const CyclesExport& scene, double mean, const Value& value) {
+  double sum = 0;
+  for (std::size_t i = 0; i < scene.batches.size(); ++i) sum += weight_of(scene, i) * std::pow(value(i) - mean, 2);
+  return sum / double(scene.batches.size() - 1);
+}
+
+/// Of batches weighed by their samples: mean, variance of the mean, and how certain the image's mean is.
 Rendering pooled_batches(const CyclesExport& scene, const std::vector<Image>& images) {
   Rendering out;
   out.mean = Image(scene.width, scene.height);
   const std::size_t count = images.size();
-  std::vector<double> weight(count);
-  for (std::size_t i = 0; i < count; ++i) weight[i] = double(scene.batches[i].samples) / scene.samples;
-  const auto spread = [&](const auto& value, double mean) {
-    double sum = 0;
-    for (std::size_t i = 0; i < count; ++i) sum += weight[i] * std::pow(value(i) - mean, 2);
-    return sum / double(count - 1);
-  };
   if (count > 1) out.variance = Image(scene.width, scene.height);
   std::vector<std::array<double, 3>> totals(count);
   for (std::size_t k = 0; k < out.mean.rgb.size(); ++k) {
     double mean = 0;
     for (std::size_t i = 0; i < count; ++i) {
-      mean += weight[i] * double{images[i].rgb[k]};
+      mean += weight_of(scene, i) * double{images[i].rgb[k]};
       totals[i][k % 3] += double{images[i].rgb[k]};
     }
     out.mean.rgb[k] = static_cast<float>(mean);
     if (count > 1)
-      out.variance->rgb[k] = static_cast<float>(spread([&](std::size_t i) { return double{images[i].rgb[k]}; }, mean));
+      out.variance->rgb[k] =
+          static_cast<float>(variance_of_mean(scene, mean, [&](std::size_t i) { return double{images[i].rgb[k]}; }));
   }
   if (count < 2) return out;
   MeanError error;
@@ -77,8 +84,9 @@ Rendering pooled_batches(const CyclesExport& scene, const std::vector<Image>& im
   const auto pixels = double(out.mean.pixels());
   for (std::size_t c = 0; c < 3; ++c) {
     double mean = 0;
-    for (std::size_t i = 0; i < count; ++i) mean += weight[i] * totals[i][c] / pixels;
-    error.standard_error[c] = std::sqrt(spread([&](std::size_t i) { return totals[i][c] / pixels; }, mean));
+    for (std::size_t i = 0; i < count; ++i) mean += weight_of(scene, i) * totals[i][c] / pixels;
+    error.standard_error[c] =
+        std::sqrt(variance_of_mean(scene, mean, [&](std::size_t i) { return totals[i][c] / pixels; }));
   }
   store_mean_error(out, error);
   return out;
@@ -104,18 +112,16 @@ struct Progress {
 
 /// Standard error of the mean over pixels and channels, as a share of it.
 double relative_error_of_mean(const CyclesExport& scene, const std::vector<Image>& images) {
-  double mean = 0, spread = 0;
+  double mean = 0;
   std::vector<double> totals;
   for (std::size_t i = 0; i < images.size(); ++i) {
     double total = 0;
     for (const float value : images[i].rgb) total += double{value};
     totals.push_back(total);
-    mean += total * scene.batches[i].samples / scene.samples;
+    mean += weight_of(scene, i) * total;
   }
   if (images.size() < 2 || !(mean > 0)) return 0;
-  for (std::size_t i = 0; i < images.size(); ++i)
-    spread += double(scene.batches[i].samples) / scene.samples * std::pow(totals[i] - mean, 2);
-  return std::sqrt(spread / double(images.size() - 1)) / mean;
+  return std::sqrt(variance_of_mean(scene, mean, [&](std::size_t i) { return totals[i]; })) / mean;
 }
 
 }  // namespace

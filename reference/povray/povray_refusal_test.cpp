@@ -2,33 +2,20 @@
 #include <gtest/gtest.h>
 
 #include "reference/engines/not_representable.h"
+#include "reference/engines/test_refusals.h"
 #include "reference/povray/povray_export.h"
 #include "scenes/parser/parser.h"
 
 namespace photonproof {
 namespace {
 
-// Shapes may name the meshes of this folder.
-const std::string kScene = PHOTONPROOF_SOURCE_DIR "/scenes/ply_corpus/scene.xml";
-
-const std::string kCamera =
-    "<sensor type='perspective'><transform name='to_world'><lookat origin='0 0 9' target='0 0 0' up='0 1 0'/>"
-    "</transform><film type='hdrfilm'><rfilter type='box'/></film></sensor>\n";
 const std::string kLamp = "<emitter type='point'><point name='position' value='0 5 0'/></emitter>\n";
 const std::string kGlass = "<shape type='sphere'><bsdf type='dielectric'/></shape>\n";
 
 /// What is said about a scene of a camera in line 1, `content` from line 2 on.
 std::string refusal(const std::string& content, const std::string& camera = kCamera,
                     const PovrayOptions& options = {}) {
-  const SceneDescription scene =
-      parse_scene_text("<scene version='3.0.0'>" + camera + content + "</scene>", kScene, {});
-  try {
-    export_povray(scene, options);
-    return "no refusal";
-  } catch (const InputError& error) {
-    const std::string message = error.summary();
-    return message.rfind(kScene, 0) == 0 ? message.substr(kScene.size() + 1) : message;
-  }
+  return refusal_by([&](const SceneDescription& scene) { export_povray(scene, options); }, content, camera);
 }
 
 const std::string kNot = " error: not representable in POV-Ray: ";
