@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <string>
 
-#include "harness/diagnosis/middle_of.h"
+#include "harness/pixels/middle_of.h"
 
 namespace photonproof {
 namespace {

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "harness/diagnosis/guess.h"
-#include "harness/diagnosis/middle_of.h"
 #include "harness/diagnosis/places.h"
+#include "harness/pixels/middle_of.h"
 
 namespace photonproof {
 namespace {

@@ -9,8 +9,8 @@
 
 #include "harness/diagnosis/black_lines.h"
 #include "harness/diagnosis/luminance.h"
-#include "harness/diagnosis/middle_of.h"
 #include "harness/diagnosis/places.h"
+#include "harness/pixels/middle_of.h"
 #include "scenes/text/text_numbers.h"
 
 namespace photonproof {

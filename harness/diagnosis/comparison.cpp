@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "harness/diagnosis/middle_of.h"
+#include "harness/pixels/middle_of.h"
 
 namespace photonproof {
 

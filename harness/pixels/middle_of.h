@@ -1,4 +1,4 @@
-// The value in the middle, which outliers do not move.
+// The value in the middle of what pixels have, which outliers do not move.
 #pragma once
 
 #include <algorithm>
