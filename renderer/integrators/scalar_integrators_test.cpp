@@ -140,6 +140,23 @@ TEST_P(Unbiased, furnace_is_two) {
   EXPECT_NEAR(mean / n, 2.0, 0.02);
 }
 
+/// A room that absorbs a hundredth: L = e / (1 - rho) = 1, of which camera paths' first 16 edges bring 15 %. Joins that
+/// are drawn there but not counted for those that are not would lose more than half of the rest's.
+TEST(bdpt, joins_long_paths_by_draws_and_loses_nothing) {
+  RenderJob job = job_with(64, 0, 11);
+  job.sampler = SamplerKind::independent;
+  const auto rendered = test::render(test::furnace(0.99, 0.01, size), "bdpt", job);
+  const std::optional<MeanError> error = stored_mean_error(rendered.image);
+  ASSERT_TRUE(error);
+  double mean = 0;
+  for (const float v : rendered.image.mean.rgb) mean += double{v};
+  mean /= static_cast<double>(rendered.image.mean.rgb.size());
+  EXPECT_NEAR(mean, 1, 4 * error->standard_error[0]);
+  EXPECT_LT(error->standard_error[0], 0.006);
+  // To a light's point, to the lens and, in the tail, to one more: not to all of a light path (30 rays a bounce).
+  EXPECT_LT(rendered.stats.counts.at("rays_shadow"), 8 * rendered.stats.counts.at("rays_bounce"));
+}
+
 INSTANTIATE_TEST_SUITE_P(scalar, Unbiased, testing::Values("bdpt", "ptracer", "volpath"),
                          [](const auto& name) { return std::string(name.param); });
 

@@ -1,7 +1,8 @@
 // Bidirectional path tracing (Veach 1997, chapter 10; Lafortune and Willems 1993): each camera sample has a light path
 // of its own, and every vertex of the one is joined to every vertex of the other,
 //   camera path meets a light (s = 0), next-event estimation (s = 1), light vertex to lens (t = 1), vertex to vertex,
-// weighted by bdpt_weights.h. What reaches the lens is splatted.
+// weighted by bdpt_weights.h. What reaches the lens is splatted. The tail of a long camera path is joined to one light
+// vertex each, drawn uniformly and counted for all: in a room that absorbs next to nothing, paths have thousands of vertices.
 
 #include "renderer/scalar/bdpt.h"
 
@@ -25,12 +26,15 @@ struct Vertex {
   float refraction_scale = 1;  ///< undoes the squared index ratios in the throughput, for roulette
 };
 
+/// Camera vertices of up to so many edges are joined to every light vertex.
+constexpr std::uint32_t joined_to_all = 16;
+
 /// What the draws of a history are for; light paths and camera paths have sequences of their own.
 namespace bdpt_dimension {
 constexpr std::uint32_t in_pixel = 0, lens = 1;
 constexpr std::uint32_t light = 0, position = 1, direction = 2;
 constexpr std::uint32_t first_vertex = 4, of_vertex = 6;
-constexpr std::uint32_t segment = 0x80000000u;
+constexpr std::uint32_t joined = 0x40000000u, segment = 0x80000000u;
 enum What : std::uint32_t { next, lobe, roulette, layer, end_choice, end_point };
 constexpr std::uint32_t at_vertex(std::uint32_t edges, What what) { return first_vertex + edges * of_vertex + what; }
 }  // namespace bdpt_dimension
@@ -105,8 +109,7 @@ class BidirectionalTracer : ScalarTracer {
       if (!within(v.edges + 1)) return radiance;
       if (has_smooth(v.at.bsdf)) {
         radiance += join_light(v, draws, work);
-        for (const Vertex& l : light_path)
-          if (within(v.edges + l.edges + 1)) radiance += join(v, l, draws, work);
+        radiance += join_light_path(v, light_path, draws, work);
       }
       if (!go_on(v, draws, TransportMode::radiance, 1, ray)) return radiance;
       ++work.rays.bounce;
@@ -260,6 +263,23 @@ class BidirectionalTracer : ScalarTracer {
     const double made = seen->density * cosine(v.at.ng, seen->wi);
     const double less = v.weights.ratio(made, scatter_pdf(at, seen->wi, v.back, TransportMode::radiance));
     work.splats.push_back({seen->raster, value * arrives * static_cast<float>(1 / (1 + less))});
+  }
+
+  /// A camera vertex and the light vertices that are within the limits, which are the path's first.
+  Rgb join_light_path(const Vertex& c, const std::vector<Vertex>& light_path, const Draws& draws,
+                      ScalarWork& work) const {
+    std::size_t count = light_path.size();
+    while (count > 0 && !within(c.edges + light_path[count - 1].edges + 1)) --count;
+    Rgb sum(0.0f);
+    if (c.edges > joined_to_all) {
+      if (count == 0) return sum;
+      const auto n = static_cast<float>(count);
+      const float u = draws.one(bdpt_dimension::joined + c.edges);
+      const std::size_t drawn = std::min(count - 1, static_cast<std::size_t>(u * n));
+      return join(c, light_path[drawn], draws, work) * n;
+    }
+    for (std::size_t i = 0; i < count; ++i) sum += join(c, light_path[i], draws, work);
+    return sum;
   }
 
   /// A camera vertex and a light vertex.
