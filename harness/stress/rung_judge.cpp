@@ -51,9 +51,18 @@ Rendering expected_rendering(const RungExpectation& expected, const Image& like)
   return flat;
 }
 
+/// Of the mean of the whole, where images tell it: pixels that look the same photons up err together.
+double common_deviation(const Rendering& reference, const Rendering& test) {
+  double largest = 0;
+  const std::optional<MeanError> a = stored_mean_error(reference), b = stored_mean_error(test);
+  for (std::size_t c = 0; c < 3; ++c)
+    largest = std::max(largest, std::hypot(a ? a->standard_error[c] : 0, b ? b->standard_error[c] : 0));
+  return largest;
+}
+
 /// Means of blocks and of the whole within a band about what is expected, which noise widens.
 RungVerdict judge_means(const Rendering& reference, const Rendering& test, double claimed_bias) {
-  const double sigmas = 4.5;
+  const double sigmas = 4.5, common = 3 * common_deviation(reference, test);
   RungVerdict verdict;
   verdict.outcome = RungOutcome::right;
   double worst = 0, all_difference = 0, all_expected = 0, all_variance = 0;
@@ -70,7 +79,8 @@ RungVerdict judge_means(const Rendering& reference, const Rendering& test, doubl
     all_difference += difference;
     all_expected += expects;
     all_variance += variance;
-    const double band = (biased_block + 4 * claimed_bias) * std::abs(expects) + 2 * sigmas * std::sqrt(variance);
+    const double deviation = std::max(std::sqrt(variance), common * block.pixels());
+    const double band = (biased_block + 4 * claimed_bias) * std::abs(expects) + 2 * sigmas * deviation;
     const double beyond = std::abs(difference) / std::max(band, 1e-300);
     if (std::abs(difference) <= band || beyond <= worst) continue;
     worst = beyond;
@@ -78,7 +88,7 @@ RungVerdict judge_means(const Rendering& reference, const Rendering& test, doubl
     verdict.sentence = fmt::format("the block at ({}, {}) is off by {:+.3g} % of {:.4g}", block.x0, block.y0,
                                    100 * difference / expects, expects / block.pixels() / 3);
   }
-  const double noise = sigmas * std::sqrt(all_variance);
+  const double noise = sigmas * std::max(std::sqrt(all_variance), common * test.mean.width * test.mean.height);
   const double band = (biased_mean + 4 * claimed_bias) * std::abs(all_expected) + noise;
   if (std::abs(all_difference) > band) {
     verdict.outcome = RungOutcome::silently_wrong;

@@ -114,6 +114,20 @@ TEST(rungs, of_engines_that_tell_no_variance_are_judged_by_their_means) {
   EXPECT_EQ(judge_rung(evidence, expected).outcome, RungOutcome::silently_wrong);
 }
 
+TEST(rungs, whose_pixels_err_together_may_be_off_by_that) {
+  RungEvidence evidence = showing(noisy(1.06f));
+  RungExpectation expected = exactly(noisy(1));
+  expected.is_exact = false;
+  EXPECT_EQ(judge_rung(evidence, expected).outcome, RungOutcome::silently_wrong);
+  store_mean_error(*evidence.picture, {{0.01, 0.01, 0.01}, 8});  // 4.5 of it, and the 3 % of a photon mapper
+  EXPECT_EQ(judge_rung(evidence, expected).outcome, RungOutcome::undecided);
+  store_mean_error(*evidence.picture, {{0.0075, 0.0075, 0.0075}, 8});
+  EXPECT_EQ(judge_rung(evidence, expected).outcome, RungOutcome::right);
+  evidence.picture = noisy(1.08f);
+  store_mean_error(*evidence.picture, {{0.01, 0.01, 0.01}, 8});
+  EXPECT_EQ(judge_rung(evidence, expected).outcome, RungOutcome::silently_wrong);
+}
+
 TEST(rungs, whose_noise_would_hide_an_error_are_undecided) {
   EXPECT_EQ(judge_rung(showing(noisy(1, 0.9f)), exactly(noisy(1, 0.9f))).outcome, RungOutcome::undecided);
 }

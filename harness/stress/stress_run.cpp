@@ -23,8 +23,11 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Changes when judging does, so that rungs are judged anew.
-constexpr const char* judging_version = "4";
+constexpr const char* judging_version = "5";
 constexpr int looks_at = 64, reference_samples = 512;  // a pixel
+/// As many looks at least where noise hides what a rung is, and more of small pictures, of up to so many camera samples.
+constexpr int looks_at_noise = 3;
+constexpr double samples_of_looks = 1e6;
 
 /// One ladder and one engine.
 struct Climb {
@@ -145,21 +148,29 @@ class Climber {
     return out;
   }
 
+  static bool looks_again(const RungVerdict& verdict, int looks, double samples_of_next) {
+    const bool is_wrong = verdict.outcome == RungOutcome::silently_wrong || verdict.outcome == RungOutcome::degraded;
+    const bool is_hidden = verdict.would_see && *verdict.would_see > rung_power &&
+                           (verdict.outcome == RungOutcome::undecided || verdict.outcome == RungOutcome::degraded);
+    if (is_hidden) return looks < looks_at_noise || samples_of_next <= samples_of_looks;
+    return is_wrong && looks < 2;
+  }
+
   /// What looks wrong is looked at again with four times the samples and another seed, and what noise hides with more.
   StressRung decided(const Climb& climb, const StressScene& asked, const RungExpectation& expected,
                      const std::string& key) {
     StressRung out;
     RungEvidence evidence;
     int samples = looks_at;
-    for (int look = 0; look < 3; ++look, samples *= 4) {
-      evidence = runner_.render(asked, {climb.engine, samples, static_cast<std::uint64_t>(2 + look)});
+    for (int looks = 1;; ++looks) {
+      evidence = runner_.render(asked, {climb.engine, samples, static_cast<std::uint64_t>(1 + looks)});
       const RungVerdict verdict = judge_rung(evidence, expected);
       out.outcome = verdict.outcome;
       out.sentence = verdict.sentence;
       out.would_see = verdict.would_see;
-      const bool again = out.outcome == RungOutcome::undecided ||
-                         (out.outcome == RungOutcome::silently_wrong && look < 1 && evidence.picture);
-      if (!again) break;
+      samples *= 4;
+      const double pixels = double(asked.width) * double(asked.height);
+      if (!evidence.picture || !looks_again(verdict, looks, samples * pixels)) break;
     }
     if (out.outcome != RungOutcome::right && evidence.picture) keep_pictures(*evidence.picture, expected, key, out);
     return out;
