@@ -12,6 +12,7 @@
 #include "renderer/lanes/test_chi_square.h"
 #include "renderer/media/phase.h"
 #include "renderer/scalar/bdpt_weights.h"
+#include "renderer/scalar/world.h"
 #include "scenes/images/mean_error.h"
 
 namespace photonproof {
@@ -324,6 +325,26 @@ SceneDescription ball_in_ball(const DielectricDescription& outer, const std::opt
   test::add_shape(scene, SphereDescription{{0, -0.3, 0}, 0.6}, {}, test::add_bsdf(scene, outer));
   if (inner) test::add_shape(scene, SphereDescription{{0, -0.3, 0}, 0.4}, {}, test::add_bsdf(scene, *inner));
   return scene;
+}
+
+TEST(straight_ways, come_to_an_end_where_coordinates_are_coarse) {
+  // Of a ball that lies at 2e5, where floats are 1/64 apart: moved off the ball, the ray started where it had started.
+  const Scene scene = test::compiled(test::furnace(0.5, 1, size), size, size);
+  const World world(scene);
+  const Vec3f start{-106496.453f, -131070.648f, 229376.688f}, direction{0.157587945f, 0.916875303f, -0.366750121f};
+  Interaction ball;
+  ball.p = {-106496.508f, -131070.609f, 229376.766f};
+  ball.ng = {-0.506111264f, 0.392672539f, 0.767892957f};
+  Ray ray{start, direction};
+  for (int surface = 0; surface < 100; ++surface) {
+    const Ray next = world.pass(ray, ball, direction);
+    ASSERT_GT(dot(Vec3d(next.origin) - Vec3d(ray.origin), Vec3d(direction)), 0) << surface;
+    ball.p = ball.p + (next.origin - ray.origin);
+    ray = next;
+  }
+  // Where moving off gets there, nothing is added.
+  const Ray far{start - direction, direction};
+  EXPECT_EQ(world.pass(far, ball, direction).origin, world.leave(ball, direction).origin);
 }
 
 TEST(nested_dielectrics, the_higher_priority_hides_what_it_holds) {

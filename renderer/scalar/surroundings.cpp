@@ -84,7 +84,7 @@ void follow(const World& world, Ray ray, float length_left, Surroundings& surrou
     length_left -= ray.way_to(at.p);
     if (length_left <= 0) return;
     surroundings.cross(world, at, ray.direction);
-    ray = world.leave(at, ray.direction);
+    ray = world.pass(ray, at, ray.direction);
   }
 }
 
@@ -138,7 +138,7 @@ Rgb transmittance(const World& world, const SegmentEnd& from, const SegmentEnd& 
     }
     if (!(max_component(left) > 0)) return Rgb(0.0f);
     surroundings.cross(world, at, ray.direction);
-    ray = world.leave(at, ray.direction);
+    ray = world.pass(ray, at, ray.direction);
   }
 }
 
@@ -154,7 +154,7 @@ bool travel(const World& world, Ray& ray, Surroundings& surroundings, float u_la
       return true;
     }
     surroundings.cross(world, at, ray.direction);
-    ray = world.leave(at, ray.direction);
+    ray = world.pass(ray, at, ray.direction);
   }
   if (surroundings.medium() != no_index)
     throughput *=

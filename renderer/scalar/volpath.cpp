@@ -113,7 +113,7 @@ class VolumetricTracer : ScalarTracer {
     const Crossing crossing = h.surroundings.crossing(world_, at, h.ray.direction);
     if (!crossing.is_boundary) {
       h.surroundings.cross(world_, at, h.ray.direction);
-      h.ray = world_.leave(at, h.ray.direction);
+      h.ray = world_.pass(h.ray, at, h.ray.direction);
       return true;
     }
     Surroundings::refract_as(crossing, at);
@@ -125,7 +125,7 @@ class VolumetricTracer : ScalarTracer {
     h.throughput *= next.weight;
     h.refraction_scale *= next.eta * next.eta;
     h.surroundings.leave(world_, at, wo, next.wi);
-    h.ray = world_.leave(at, next.wi);
+    h.ray = next.straight ? world_.pass(h.ray, at, next.wi) : world_.leave(at, next.wi);
     if (next.straight) return true;
     h.pdf = next.delta ? 0.0f : next.pdf;
     h.scattered_at = at.p;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "renderer/light_choice/scene_lights.h"
 #include "renderer/rays/rays.h"
@@ -96,6 +97,15 @@ bool World::visible(const SegmentEnd& from, const SegmentEnd& to) const {
 Ray World::leave(const SegmentEnd& at, const Vec3f& direction) const {
   const Vec3f origin = moved_off(at, direction, view().coordinate_floor);
   return {origin, direction, at.primitive, dot(origin - at.p, direction)};
+}
+
+Ray World::pass(const Ray& ray, const Interaction& at, const Vec3f& direction) const {
+  Ray next = leave(at, direction);
+  if (dot(next.origin - ray.origin, direction) > 0) return next;
+  const Vec3f& o = next.origin;
+  const float coarsest = std::max({std::abs(o.x), std::abs(o.y), std::abs(o.z)});
+  next.origin = o + direction * (8 * std::numeric_limits<float>::epsilon() * coarsest);
+  return next;
 }
 
 Rgb evaluate(const Interaction& at, const Vec3f& to_camera, const Vec3f& to_light, TransportMode mode) {

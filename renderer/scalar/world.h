@@ -79,6 +79,10 @@ class World {
   /// The ray that leaves a point along `direction`.
   Ray leave(const SegmentEnd& at, const Vec3f& direction) const;
   Ray leave(const Interaction& at, const Vec3f& direction) const { return leave(end_at(at), direction); }
+  /// The ray that goes on behind a surface which `ray` met and passes. It starts farther along `direction` than `ray`
+  /// did, even where coordinates are so coarse that moving off the surface does not get there: who follows a straight
+  /// way from surface to surface comes to its end.
+  Ray pass(const Ray& ray, const Interaction& at, const Vec3f& direction) const;
 
  private:
   void look_closer(const Vec3f& direction, TransportMode mode, Interaction& hit) const;
