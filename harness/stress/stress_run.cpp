@@ -25,7 +25,8 @@ namespace fs = std::filesystem;
 /// Changes when judging does, so that rungs are judged anew.
 constexpr const char* judging_version = "5";
 constexpr int looks_at = 64, reference_samples = 512;  // a pixel
-/// As many looks at least where noise hides what a rung is, and more of small pictures, of up to so many camera samples.
+/// As many looks at least where noise hides what a rung is, and more of small pictures, of up to so many camera
+/// samples.
 constexpr int looks_at_noise = 3;
 constexpr double samples_of_looks = 1e6;
 

@@ -2,7 +2,8 @@
 // of its own, and every vertex of the one is joined to every vertex of the other,
 //   camera path meets a light (s = 0), next-event estimation (s = 1), light vertex to lens (t = 1), vertex to vertex,
 // weighted by bdpt_weights.h. What reaches the lens is splatted. The tail of a long camera path is joined to one light
-// vertex each, drawn uniformly and counted for all: in a room that absorbs next to nothing, paths have thousands of vertices.
+// vertex each, drawn uniformly and counted for all: in a room that absorbs next to nothing, paths have thousands of
+// vertices.
 
 #include "renderer/scalar/bdpt.h"
 
