@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A render has so long, in seconds; one that takes longer hangs. (A closed room of albedo 0.9999 takes bdpt 150 on an
+/// A render has so long, in seconds; one that takes longer hangs. (A closed room of albedo 0.9999 takes bdpt 170 on an
 /// idle machine.)
 constexpr double render_limit = 600;
 

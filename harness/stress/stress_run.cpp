@@ -150,11 +150,11 @@ class Climber {
   }
 
   static bool looks_again(const RungVerdict& verdict, int looks, double samples_of_next) {
-    const bool is_wrong = verdict.outcome == RungOutcome::silently_wrong || verdict.outcome == RungOutcome::degraded;
-    const bool is_hidden = verdict.would_see && *verdict.would_see > rung_power &&
-                           (verdict.outcome == RungOutcome::undecided || verdict.outcome == RungOutcome::degraded);
-    if (is_hidden) return looks < looks_at_noise || samples_of_next <= samples_of_looks;
-    return is_wrong && looks < 2;
+    const bool is_wrong = verdict.outcome == RungOutcome::silently_wrong;
+    if (!is_wrong && verdict.outcome != RungOutcome::degraded && verdict.outcome != RungOutcome::undecided)
+      return false;
+    const bool is_hidden = !is_wrong && verdict.would_see.value_or(0) > rung_power;
+    return looks < 2 || (is_hidden && (looks < looks_at_noise || samples_of_next <= samples_of_looks));
   }
 
   /// What looks wrong is looked at again with four times the samples and another seed, and what noise hides with more.
@@ -162,16 +162,14 @@ class Climber {
                      const std::string& key) {
     StressRung out;
     RungEvidence evidence;
-    int samples = looks_at;
-    for (int looks = 1;; ++looks) {
+    const double pixels = static_cast<double>(asked.width) * asked.height;
+    for (int looks = 1, samples = looks_at;; ++looks, samples *= 4) {
       evidence = runner_.render(asked, {climb.engine, samples, static_cast<std::uint64_t>(1 + looks)});
       const RungVerdict verdict = judge_rung(evidence, expected);
       out.outcome = verdict.outcome;
       out.sentence = verdict.sentence;
       out.would_see = verdict.would_see;
-      samples *= 4;
-      const double pixels = double(asked.width) * double(asked.height);
-      if (!evidence.picture || !looks_again(verdict, looks, samples * pixels)) break;
+      if (!evidence.picture || !looks_again(verdict, looks, 4 * samples * pixels)) break;
     }
     if (out.outcome != RungOutcome::right && evidence.picture) keep_pictures(*evidence.picture, expected, key, out);
     return out;

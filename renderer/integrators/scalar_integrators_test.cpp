@@ -339,6 +339,7 @@ TEST(straight_ways, come_to_an_end_where_coordinates_are_coarse) {
   for (int surface = 0; surface < 100; ++surface) {
     const Ray next = world.pass(ray, ball, direction);
     ASSERT_GT(dot(Vec3d(next.origin) - Vec3d(ray.origin), Vec3d(direction)), 0) << surface;
+    EXPECT_NEAR(next.gap, dot(Vec3d(next.origin) - Vec3d(ball.p), Vec3d(direction)), 1e-3) << surface;
     ball.p = ball.p + (next.origin - ray.origin);
     ray = next;
   }

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <limits>
 
 #include "renderer/light_choice/scene_lights.h"
 #include "renderer/rays/rays.h"
 #include "renderer/scene/surface_detail.h"
+#include "renderer/shapes/shape.h"
 
 namespace photonproof {
 namespace {
@@ -102,9 +102,8 @@ Ray World::leave(const SegmentEnd& at, const Vec3f& direction) const {
 Ray World::pass(const Ray& ray, const Interaction& at, const Vec3f& direction) const {
   Ray next = leave(at, direction);
   if (dot(next.origin - ray.origin, direction) > 0) return next;
-  const Vec3f& o = next.origin;
-  const float coarsest = std::max({std::abs(o.x), std::abs(o.y), std::abs(o.z)});
-  next.origin = o + direction * (8 * std::numeric_limits<float>::epsilon() * coarsest);
+  next.origin = ray.origin + direction * static_cast<float>(0x1p-20 * largest_coordinate(Vec3d(ray.origin)));
+  next.gap = dot(next.origin - at.p, direction);
   return next;
 }
 

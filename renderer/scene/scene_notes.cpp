@@ -11,6 +11,7 @@
 #include "renderer/bsdfs/microfacet.h"
 #include "renderer/scene/close_faces.h"
 #include "renderer/scene/scene_focus.h"
+#include "renderer/shapes/shape.h"
 #include "scenes/text/text_numbers.h"
 
 namespace photonproof {
@@ -175,7 +176,7 @@ constexpr double part_of_what_is_seen = 1e-4, part_of_a_lamp = 0.1;
 void add_place_notes(const SceneDescription& description, Notes& notes) {
   const std::optional<SceneFocus> focus = scene_focus(description);
   if (!focus) return;
-  const double place = std::max({std::abs(focus->point.x), std::abs(focus->point.y), std::abs(focus->point.z)});
+  const double place = largest_coordinate(focus->point);
   if (place * double_step > part_of_what_is_seen * focus->size)
     notes.add(description.sensor.loc, "what is seen is " + short_number(focus->size) + " large and lies at " +
                                           short_number(place) + ", where coordinates in double precision are " +
