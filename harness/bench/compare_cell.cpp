@@ -17,7 +17,7 @@ std::string reference_problem(const Result* reference) {
          reference->detail + ")";
 }
 
-std::optional<Image> image_of(const Comparison& comparison, const Result& result) try {
+std::optional<Image> image_of(const CellComparison& comparison, const Result& result) try {
   return read_image((comparison.results_folder / result.image).string());
 } catch (const InputError&) {
   return std::nullopt;
@@ -25,7 +25,7 @@ std::optional<Image> image_of(const Comparison& comparison, const Result& result
 
 }  // namespace
 
-void compare_cell(const Comparison& comparison, Result& result) {
+void compare_cell(const CellComparison& comparison, Result& result) {
   std::erase_if(result.caveats, [](const std::string& caveat) { return caveat.starts_with(not_compared); });
   result.metrics.clear();
   result.pictures.clear();

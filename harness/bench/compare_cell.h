@@ -9,7 +9,7 @@
 
 namespace photonproof {
 
-struct Comparison {
+struct CellComparison {
   std::filesystem::path results_folder;
   std::string cell_folder;            ///< of the cell, relative to results_folder; receives the pictures
   const Result* reference = nullptr;  ///< null where there is none yet; the cell's own result for the reference itself
@@ -20,6 +20,6 @@ struct Comparison {
 /// Replaces `result`'s metrics, pictures and the caveat that says why there are none. The reference itself gets its
 /// picture and no metrics. A result whose image cannot be read becomes a bad image. Precondition: result.status is ok.
 /// Throws InputError when a picture cannot be written.
-void compare_cell(const Comparison& comparison, Result& result);
+void compare_cell(const CellComparison& comparison, Result& result);
 
 }  // namespace photonproof

@@ -63,7 +63,7 @@ constexpr FormulaRow formula_rows[] = {
 };
 
 /// The mean over lamps, by how much light they send there.
-double factor_at(const SeenPoint& point, const std::vector<Lamp>& lamps, const FormulaRow& row) {
+double factor_at(const SeenPlace& point, const std::vector<Lamp>& lamps, const FormulaRow& row) {
   double sum = 0, all = 0;
   for (const Lamp& lamp : lamps) {
     const Vec3d to = lamp.middle - point.position_world;
@@ -84,7 +84,7 @@ Image times_factors(Image direct, const std::vector<double>& factor, double by) 
 
 }  // namespace
 
-std::vector<DirectMistake> direct_mistakes(const SceneDescription& scene, const std::vector<SeenPoint>& points,
+std::vector<DirectMistake> direct_mistakes(const SceneDescription& scene, const std::vector<SeenPlace>& points,
                                            const Image& direct) {
   const std::vector<Lamp> lamps = plain_lamps(scene);
   std::vector<DirectMistake> mistakes;

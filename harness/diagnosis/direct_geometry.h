@@ -17,7 +17,7 @@ struct DirectMistake {
 
 /// Each as bright as the right one in the median of what is lit, and those of cosines also as bright as the formula
 /// then says. Empty where lamps are not rectangles. `direct` is the right one, of the points' image.
-std::vector<DirectMistake> direct_mistakes(const SceneDescription& scene, const std::vector<SeenPoint>& points,
+std::vector<DirectMistake> direct_mistakes(const SceneDescription& scene, const std::vector<SeenPlace>& points,
                                            const Image& direct);
 
 }  // namespace photonproof

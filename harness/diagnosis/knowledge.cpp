@@ -53,7 +53,7 @@ class KnowledgeMaker {
   /// Without their images.
   std::vector<Mistake> mistakes() const {
     std::vector<bool> visible(scene_.shapes.size());
-    for (const SeenPoint& point : points_)
+    for (const SeenPlace& point : points_)
       if (point.object > 0) visible[point.object - 1u] = true;
     std::vector<Mistake> all = mistakes_of(scene_, object_names(scene_), visible);
     all.push_back({"shadows-missing",
@@ -88,7 +88,7 @@ class KnowledgeMaker {
   std::vector<std::uint8_t> pixels_of(const std::vector<std::size_t>& shapes) const {
     std::vector<std::uint8_t> pixels;
     if (shapes.empty()) return pixels;
-    for (const SeenPoint& point : seen_points(scene_, width_, height_)) pixels.push_back(sees_any(point, shapes));
+    for (const SeenPlace& point : seen_points(scene_, width_, height_)) pixels.push_back(sees_any(point, shapes));
     return pixels;
   }
 
@@ -151,7 +151,7 @@ class KnowledgeMaker {
     add_probe(light, "direct", direct_);
   }
 
-  static bool sees_any(const SeenPoint& point, const std::vector<std::size_t>& shapes) {
+  static bool sees_any(const SeenPlace& point, const std::vector<std::size_t>& shapes) {
     return std::any_of(shapes.begin(), shapes.end(), [&](std::size_t shape) { return point.object == shape + 1; });
   }
 
@@ -161,7 +161,7 @@ class KnowledgeMaker {
               y = static_cast<int>(pixel / static_cast<std::size_t>(small_width_));
     for (int ny = std::max(0, y - 1); ny <= std::min(small_height_ - 1, y + 1); ++ny)
       for (int nx = std::max(0, x - 1); nx <= std::min(small_width_ - 1, x + 1); ++nx) {
-        const SeenPoint& point = points_[static_cast<std::size_t>(ny * small_width_ + nx)];
+        const SeenPlace& point = points_[static_cast<std::size_t>(ny * small_width_ + nx)];
         if (point.object > 0 && scene_.shapes[point.object - 1u].radiance) return true;
       }
     return false;
@@ -194,7 +194,7 @@ class KnowledgeMaker {
   OwnEngine engine_;
   KnowledgeOptions options_;
   int width_, height_, small_width_ = 0, small_height_ = 0;
-  std::vector<SeenPoint> points_;
+  std::vector<SeenPlace> points_;
   Image model_, direct_;
 };
 

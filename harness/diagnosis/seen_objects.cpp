@@ -94,9 +94,9 @@ Vec3d normal_of(const Transform& inverse, const Vec3d& n) {
                          m[2] * n.x + m[6] * n.y + m[10] * n.z});
 }
 
-SeenPoint first_seen(const SceneDescription& scene, const std::vector<Transform>& to_local, const Vec3d& origin,
+SeenPlace first_seen(const SceneDescription& scene, const std::vector<Transform>& to_local, const Vec3d& origin,
                      const Vec3d& direction) {
-  SeenPoint seen;
+  SeenPlace seen;
   double nearest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
     const LocalRay ray{to_local[i].point(origin), to_local[i].vector(direction)};
@@ -153,8 +153,8 @@ Look look_of(const SceneDescription& scene, const ShapeDescription& shape) {
                     scene.bsdfs[shape.bsdf.value].model);
 }
 
-std::vector<SeenPoint> seen_points(const SceneDescription& scene, int width, int height) {
-  std::vector<SeenPoint> points(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+std::vector<SeenPlace> seen_points(const SceneDescription& scene, int width, int height) {
+  std::vector<SeenPlace> points(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   const auto* camera = std::get_if<PerspectiveDescription>(&scene.sensor.camera);
   if (!camera) return points;
   std::vector<Transform> to_local;
@@ -192,7 +192,7 @@ std::vector<std::string> object_names(const SceneDescription& scene) {
   return names;
 }
 
-void set_landmarks(SceneKnowledge& knowledge, const SceneDescription& scene, const std::vector<SeenPoint>& points,
+void set_landmarks(SceneKnowledge& knowledge, const SceneDescription& scene, const std::vector<SeenPlace>& points,
                    int width, int height) {
   const std::vector<std::string> names = object_names(scene);
   struct Sum {
@@ -217,7 +217,7 @@ void set_landmarks(SceneKnowledge& knowledge, const SceneDescription& scene, con
     landmark_of[i + 1] = static_cast<std::uint16_t>(knowledge.landmarks.size());
   }
   knowledge.seen.clear();
-  for (const SeenPoint& point : points) knowledge.seen.push_back(landmark_of[point.object]);
+  for (const SeenPlace& point : points) knowledge.seen.push_back(landmark_of[point.object]);
 }
 
 }  // namespace photonproof

@@ -11,7 +11,7 @@
 
 namespace photonproof {
 
-struct SeenPoint {
+struct SeenPlace {
   std::uint16_t object = 0;  ///< 1 + its index in SceneDescription::shapes; 0: none
   Vec3d position_world{0, 0, 0};
   Vec3d normal_world{0, 0, 0};  ///< of length 1, towards the camera
@@ -19,7 +19,7 @@ struct SeenPoint {
 
 /// Row by row. Meshes count as the boxes around them, heightfields as level; other shapes than those of a room are not
 /// seen. All 0 where the camera is not a perspective one.
-std::vector<SeenPoint> seen_points(const SceneDescription& scene, int width, int height);
+std::vector<SeenPlace> seen_points(const SceneDescription& scene, int width, int height);
 
 /// Of each shape, "glass sphere", "left wall", "lamp", "water": by material, shape, and place in the camera's view.
 /// Where several have one name, "2nd glass sphere" counts from the left.
@@ -29,7 +29,7 @@ enum class Look { diffuse, mirror, glass, other };
 Look look_of(const SceneDescription& scene, const ShapeDescription& shape);
 
 /// Landmarks of the shapes that are seen in at least 4 pixels, and which is seen where.
-void set_landmarks(SceneKnowledge& knowledge, const SceneDescription& scene, const std::vector<SeenPoint>& points,
+void set_landmarks(SceneKnowledge& knowledge, const SceneDescription& scene, const std::vector<SeenPlace>& points,
                    int width, int height);
 
 }  // namespace photonproof

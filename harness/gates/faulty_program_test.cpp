@@ -101,7 +101,7 @@ TEST_F(FaultyProgram, half_photons_gives_the_image_of_half_the_photons) {
 TEST_F(FaultyProgram, unknown_fault_is_one_error_at_the_start) {
   const std::string scene = library + "cornell/scene.xml";
   std::string error = "PHOTONPROOF_FAULT: error: unknown fault 'dropped-cosin'; known: ";
-  for (const Variant& variant : gate_variants())
+  for (const GateVariant& variant : gate_variants())
     if (variant.planted == PlantedIn::renderer || variant.is_fault_of_harness())
       error += (error.back() == ' ' ? "" : ", ") + variant.name;
   error +=

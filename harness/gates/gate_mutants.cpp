@@ -77,8 +77,8 @@ Image swapped_channels(const Image& image) {
 
 const std::vector<std::string> with_kernels{"direct", "path", "photonmapper"};
 
-std::vector<Variant> all_variants() {
-  std::vector<Variant> variants;
+std::vector<GateVariant> all_variants() {
+  std::vector<GateVariant> variants;
   const auto renderer = [&](std::vector<std::string> integrators, const char* name, const char* what) {
     variants.push_back(
         {.name = name, .what = what, .planted = PlantedIn::renderer, .integrators = std::move(integrators)});
@@ -139,8 +139,8 @@ std::vector<Variant> all_variants() {
 
 }  // namespace
 
-std::span<const Variant> gate_variants() {
-  static const std::vector<Variant> variants = all_variants();
+std::span<const GateVariant> gate_variants() {
+  static const std::vector<GateVariant> variants = all_variants();
   return variants;
 }
 

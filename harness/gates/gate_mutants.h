@@ -14,7 +14,7 @@ namespace photonproof {
 enum class PlantedIn { renderer, drawing, judging, image, nothing };
 
 /// Something done to an engine's images, to the engine, or to us.
-struct Variant {
+struct GateVariant {
   std::string name{};  ///< "one-pixel shift"; of a fault, the one by which it is planted
   std::string what{};  ///< in plain words
   PlantedIn planted = PlantedIn::nothing;
@@ -33,7 +33,7 @@ struct Variant {
 };
 
 /// Mutants first: the renderer's, the harness's, edits of images.
-std::span<const Variant> gate_variants();
+std::span<const GateVariant> gate_variants();
 
 /// Arguments for those kernels that photonproof-faulty has faults in (renderer/CMakeLists.txt). None for integrators
 /// without.

@@ -102,7 +102,7 @@ struct Section {
 std::string mutants_table(const GateSuite& suite, const SelfTest& test, const Section& section) {
   std::string rows;
   for (std::size_t v = 0; v < test.variants.size(); ++v) {
-    const Variant& variant = test.variants[v];
+    const GateVariant& variant = test.variants[v];
     if (std::find(section.planted.begin(), section.planted.end(), variant.planted) == section.planted.end()) continue;
     if (test.any[v].runs == 0) continue;
     rows += fmt::format("| **{}**: {} | {} | {} |\n", variant.name, variant.what, percent(test.any[v]),

@@ -21,7 +21,7 @@ namespace {
 constexpr int nulls_a_mutant = 5;
 constexpr std::uint64_t seeds_apart = 1000;  // between the runs of variants that draw images of their own
 
-int runs_of(const Variant& variant, const SelfTestOptions& options) {
+int runs_of(const GateVariant& variant, const SelfTestOptions& options) {
   return variant.is_mutant() || variant.draws_its_own() ? options.runs : nulls_a_mutant * options.runs;
 }
 
@@ -36,7 +36,7 @@ std::string integrator_of(const Engine& engine) {
 }
 
 /// Whether the engine can have the fault, or knows the arguments.
-bool applies(const Variant& variant, const Engine& engine) {
+bool applies(const GateVariant& variant, const Engine& engine) {
   if (variant.is_fault_of_harness()) return can_have_faults;
   if (!variant.draws_its_own()) return true;
   const std::vector<std::string>& able = variant.integrators;
@@ -78,7 +78,7 @@ class SelfTestRun {
         lock_(options.gates.folder),
         copies_(options.gates.folder),
         host_(describe_host()) {
-    for (const Variant& variant : gate_variants()) test_.variants.push_back(variant);
+    for (const GateVariant& variant : gate_variants()) test_.variants.push_back(variant);
     test_.unpromised = suite.unpromised;
     gates_ = gates_named(suite, options.gates.only);
     for (const Gate* gate : gates_) {
@@ -89,7 +89,7 @@ class SelfTestRun {
     }
     test_.counts.assign(test_.variants.size(), std::vector<VerdictCounts>(gates_.size()));
     test_.any.resize(test_.variants.size());
-    for (const Variant& variant : test_.variants)
+    for (const GateVariant& variant : test_.variants)
       found_.emplace_back(static_cast<std::size_t>(runs_of(variant, options)), false);
   }
 
@@ -132,7 +132,7 @@ class SelfTestRun {
     if (version.problem) throw InputError(first.engine, *version.problem);
     Stream stream{first, label, load_reference(scene.path, scene.width, scene.height), viewing_of(scene), version.line};
     for (std::size_t v = 0; v < test_.variants.size() && !test_.interrupted; ++v) {
-      const Variant& variant = test_.variants[v];
+      const GateVariant& variant = test_.variants[v];
       if (!applies(variant, suite_.engine(first.engine))) continue;
       say(done, total, static_cast<double>(v) / static_cast<double>(test_.variants.size()),
           label + ", " + variant.name);
@@ -144,7 +144,7 @@ class SelfTestRun {
 
   /// Empty when interrupted, and where the variant changes nothing.
   std::optional<Pool> pool_of(Stream& stream, std::size_t v) {
-    const Variant& variant = test_.variants[v];
+    const GateVariant& variant = test_.variants[v];
     if (variant.planted == PlantedIn::nothing && variant.draws_its_own())
       return draw_pool(stream, variant, v + 1, nullptr, options_.other_pool.of(stream.label));
     if (variant.planted == PlantedIn::renderer) {
@@ -170,11 +170,11 @@ class SelfTestRun {
   }
 
   /// As many as make all runs of the variant disjoint.
-  std::size_t images_for(const Variant& variant) const {
+  std::size_t images_for(const GateVariant& variant) const {
     return static_cast<std::size_t>(runs_of(variant, options_)) * static_cast<std::size_t>(test_.seeds);
   }
 
-  static Pool changed(const Pool& healthy, const Variant& variant, std::size_t most) {
+  static Pool changed(const Pool& healthy, const GateVariant& variant, std::size_t most) {
     Pool pool;
     for (const Image& image : std::span(healthy.images).first(std::min(most, healthy.images.size()))) {
       pool.images.push_back(variant.change != nullptr ? variant.change(image) : image);
@@ -184,7 +184,7 @@ class SelfTestRun {
   }
 
   /// Of the `number`-th range of seeds. Empty when interrupted, and where the first look's are those of `sound`.
-  std::optional<Pool> draw_pool(const Stream& of, const Variant& variant, std::size_t number, const Pool* sound,
+  std::optional<Pool> draw_pool(const Stream& of, const GateVariant& variant, std::size_t number, const Pool* sound,
                                 int count) {
     GateSuite suite = suite_;
     if (variant.threads > 0) suite.limits.threads = variant.threads;

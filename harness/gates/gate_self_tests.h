@@ -42,7 +42,7 @@ struct VerdictCounts {
 
 struct SelfTest {
   std::vector<std::string> gates;
-  std::vector<Variant> variants;
+  std::vector<GateVariant> variants;
   std::vector<std::vector<VerdictCounts>> counts;  ///< by variant and gate; runs 0: it cannot have it
   /// By variant: at least one gate of the suite fails; runs 0: none can have it, or none was judged.
   std::vector<VerdictCounts> any;

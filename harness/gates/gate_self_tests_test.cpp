@@ -42,7 +42,7 @@ TEST_F(GateSelfTest, planted_faults_are_counted_as_found_and_healthy_runs_are_no
   // A shell script has no renderer's faults, no instruction sets, and does not ask for its budget.
   const std::set<std::string> not_here{"3 threads", "scalar kernels", "quarter-budget"};
   for (std::size_t v = 0; v < test.variants.size(); ++v) {
-    const Variant& variant = test.variants[v];
+    const GateVariant& variant = test.variants[v];
     if (variant.planted == PlantedIn::renderer || not_here.count(variant.name) > 0) {
       EXPECT_EQ(test.counts[v][0].runs, 0) << variant.name;
       EXPECT_EQ(test.any[v].runs, 0) << variant.name;

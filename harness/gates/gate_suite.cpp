@@ -121,7 +121,7 @@ struct MutantName {
 Unpromised unpromised_from_toml(const TomlTable& table) {
   Unpromised row{table.string("planted"), table.string("why")};
   std::vector<MutantName> known;
-  for (const Variant& variant : gate_variants())
+  for (const GateVariant& variant : gate_variants())
     if (variant.is_mutant()) known.push_back({variant.name});
   if (find_named(known, row.planted) == nullptr)
     throw table.error("planted", unknown_name("planted fault", row.planted, known));

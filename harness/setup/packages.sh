@@ -17,6 +17,10 @@ bench_packages="libbenchmark-dev libnanoflann-dev"
 # What the fuzzers need on top: a compiler that has libFuzzer and its sanitizers' libraries.
 fuzz_packages="clang libclang-rt-dev"
 
+# What sanitizers.sh needs on top: GCC 12 takes over six minutes for a kernel with checks of addresses, this half a minute
+# (and clang 14 does not know the standard library's packs).
+sanitizer_packages="clang-19 libclang-rt-19-dev llvm-19"
+
 # install_packages NAME...: quick when nothing is missing; without root and sudo it lists what is missing and goes on,
 # since the libraries may be there by other means.
 install_packages() {

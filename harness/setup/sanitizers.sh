@@ -9,7 +9,7 @@ source harness/setup/packages.sh
 quick=
 [ "${1:-}" = --quick ] && quick=1 && shift
 # shellcheck disable=SC2086,SC2154
-install_packages $build_packages
+install_packages $build_packages $sanitizer_packages
 # shellcheck disable=SC2086,SC2154
 [ -n "$quick" ] || install_packages $check_packages
 kinds=("$@")

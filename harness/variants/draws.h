@@ -7,10 +7,10 @@
 
 namespace photonproof {
 
-class Draws {
+class VariantDraws {
  public:
   /// Kinds draw from streams of their own, so that one seed gives different kinds different numbers.
-  Draws(std::uint64_t seed, std::uint64_t stream) : start_(splitmix64(seed, stream + 1)) {}
+  VariantDraws(std::uint64_t seed, std::uint64_t stream) : start_(splitmix64(seed, stream + 1)) {}
   double uniform() { return static_cast<double>(splitmix64(start_, ++count_) >> 11) * 0x1p-53; }
   double between(double low, double high) { return low + (high - low) * uniform(); }
   /// 0 to count - 1

@@ -104,7 +104,7 @@ View view_of(const SceneDescription& scene) {
   return {*to_camera, up * w / h, up, camera->near_clip};
 }
 
-const char* add_sphere(SceneDescription& scene, const Vec3d& middle, double radius, int material, Draws& draws) {
+const char* add_sphere(SceneDescription& scene, const Vec3d& middle, double radius, int material, VariantDraws& draws) {
   BsdfDescription bsdf;
   const char* name = "glass";
   if (material == 0) {
@@ -151,7 +151,7 @@ Room room_of(const SceneDescription& scene) {
 }  // namespace
 
 std::string add_spheres(SceneDescription& scene, std::uint64_t seed) {
-  Draws draws(seed, 8);
+  VariantDraws draws(seed, 8);
   Room room = room_of(scene);
   const Vec3d size = room.bounds.high - room.bounds.low;
   const double extent = std::max({size.x, size.y, size.z});

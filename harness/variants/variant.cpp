@@ -63,7 +63,7 @@ double scale_of(const SceneDescription& scene) {
   return far > 0 ? far : 1;
 }
 
-Transform drawn_turn(const SceneDescription& scene, Draws& draws, bool axis_aligned) {
+Transform drawn_turn(const SceneDescription& scene, VariantDraws& draws, bool axis_aligned) {
   if (axis_aligned) {
     // 90, 180 or 270 degrees are cosines of 0 and 1 exactly, which rotate() would miss by rounding.
     if (has_water(scene)) return {};
@@ -78,7 +78,7 @@ Transform drawn_turn(const SceneDescription& scene, Draws& draws, bool axis_alig
 }
 
 void make_rigid_move(Variant& variant, const VariantOptions& options) {
-  Draws draws(variant.seed, 2);
+  VariantDraws draws(variant.seed, 2);
   const Transform turn = drawn_turn(variant.scene, draws, options.axis_aligned);
   const double reach = scale_of(variant.scene) * 0.5;
   // To whole numbers where the scene is large enough, so that a course's file stays easy to read.
@@ -93,7 +93,7 @@ void make_rigid_move(Variant& variant, const VariantOptions& options) {
 }
 
 void make_light_scale(Variant& variant, const VariantOptions&) {
-  Draws draws(variant.seed, 3);
+  VariantDraws draws(variant.seed, 3);
   // More than 1: what was clamped at white stays so, and the prediction holds after clamping.
   const double factor = std::round(draws.between(1.25, 1.75) * 100) / 100;
   scale_lamps(variant.scene, factor);
@@ -113,7 +113,7 @@ void make_light_scale(Variant& variant, const VariantOptions&) {
 
 void make_colour_permutation(Variant& variant, const VariantOptions&) {
   static constexpr std::array<std::array<int, 3>, 5> orders{{{1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}}};
-  const std::array<int, 3> order = orders[static_cast<std::size_t>(Draws(variant.seed, 4).below(5))];
+  const std::array<int, 3> order = orders[static_cast<std::size_t>(VariantDraws(variant.seed, 4).below(5))];
   change_all_colours(variant.scene, [order](const RgbD& c) {
     const double from[] = {c.x, c.y, c.z};
     return RgbD(from[order[0]], from[order[1]], from[order[2]]);
@@ -128,7 +128,7 @@ void make_colour_permutation(Variant& variant, const VariantOptions&) {
 }
 
 void make_superposition(Variant& variant, const VariantOptions&) {
-  Draws draws(variant.seed, 5);
+  VariantDraws draws(variant.seed, 5);
   split_a_lamp(variant.scene, draws.below(1 << 16), draws.between(0.3, 0.7), draws.below(2) == 0);
   variant.says = "a lamp cut in two, which shine together: light adds up, and the image is the base's";
   predict_by(variant, same_image);
@@ -137,7 +137,7 @@ void make_superposition(Variant& variant, const VariantOptions&) {
 void make_object_order(Variant& variant, const VariantOptions&) {
   std::vector<ShapeDescription>& shapes = variant.scene.shapes;
   if (shapes.size() < 2) throw InputError("object-order", "the scene has fewer than two objects");
-  Draws draws(variant.seed, 6);
+  VariantDraws draws(variant.seed, 6);
   // Sattolo: one cycle, so that no object keeps its place.
   for (std::size_t i = shapes.size() - 1; i > 0; --i)
     std::swap(shapes[i], shapes[static_cast<std::size_t>(draws.below(static_cast<int>(i)))]);
@@ -160,7 +160,7 @@ void make_resolution(Variant& variant, const VariantOptions&) {
     if (variant.width % side == 0 && variant.height % side == 0 && std::min(variant.width, variant.height) / side >= 8)
       sides.push_back(side);
   if (sides.empty()) throw InputError("resolution", "neither 2, 3 nor 4 divides the image's width and height");
-  Draws draws(variant.seed, 7);
+  VariantDraws draws(variant.seed, 7);
   const int side = sides[static_cast<std::size_t>(draws.below(static_cast<int>(sides.size())))];
   variant.width /= side;
   variant.height /= side;
@@ -178,7 +178,7 @@ void make_resolution(Variant& variant, const VariantOptions&) {
 void make_crop(Variant& variant, const VariantOptions& options) {
   auto* camera = std::get_if<PerspectiveDescription>(&variant.scene.sensor.camera);
   if (!camera) throw InputError("crop", "only the view of a perspective camera is narrowed");
-  Draws draws(variant.seed, 9);
+  VariantDraws draws(variant.seed, 9);
   const int quarters[] = {6, 8};  // of the base's size to the variant's, in quarters
   const int by = quarters[draws.below(2)];
   if (variant.width % 4 != 0 || variant.height % 4 != 0)

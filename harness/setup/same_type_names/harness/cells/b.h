@@ -1,0 +1,6 @@
+namespace photonproof {
+namespace {
+struct Once {};
+}  // namespace
+class Twice {};
+}  // namespace photonproof
