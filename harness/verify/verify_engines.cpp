@@ -61,10 +61,10 @@ bool looks_at_clear_surfaces(const SceneDescription& scene) {
       if (is_clear(scene, shape.bsdf)) return true;
   if (std::ranges::find(clear, true) == clear.end()) return false;
   constexpr int side = 64;
-  const std::vector<SeenPoint> points = seen_points(scene, side, side);
-  if (std::ranges::all_of(points, [](const SeenPoint& point) { return point.object == 0; })) return true;
+  const std::vector<SeenPlace> points = seen_points(scene, side, side);
+  if (std::ranges::all_of(points, [](const SeenPlace& point) { return point.object == 0; })) return true;
   return std::ranges::any_of(points,
-                             [&](const SeenPoint& point) { return point.object > 0 && clear[point.object - 1u]; });
+                             [&](const SeenPlace& point) { return point.object > 0 && clear[point.object - 1u]; });
 }
 
 VerifyEngine verifying(Engine row, const fs::path& folder, const fs::path& program) {
