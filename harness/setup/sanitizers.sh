@@ -2,7 +2,7 @@
 # Builds with sanitizers and runs under them; fails where one of them says anything, in whatever process.
 #   harness/setup/sanitizers.sh [--quick] [address] [thread]     default: both; address is address and undefined behaviour
 # --quick: the program alone is built, and renders a small scene by every integrator and mode, benchmarks, gates, compares
-# and reports. Without it: every test of the suite, which takes hours on two cores.
+# and reports. Without it: every test of the suite (address: 20 minutes to build and 45 to run, on two cores).
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 source harness/setup/packages.sh
@@ -24,6 +24,10 @@ watched() {
     UBSAN_OPTIONS="exitcode=99:log_path=$log:print_stacktrace=1:halt_on_error=1" \
     TSAN_OPTIONS="exitcode=99:log_path=$log" "$@"
 }
+
+# Tests that the address checks stand in the way of: limits of address space, of which they map terabytes; what malloc
+# holds, which is theirs; and libfaketime, which is loaded before them and ends in a recursion.
+without=(--exclude-regex 'Escapes.fail/take_memory|what_does_not_fit_in_memory|needs_memory_for_a_band|Soak.of_a_sound_program|Soak.within_one_process|Faults.of_every_kind')
 
 # The program does what it is for, once by every integrator and mode.
 run_quickly() {
@@ -60,7 +64,8 @@ for kind in "${kinds[@]}"; do
     set -e
     [ "$ended" = 0 ] || said_something=1
   else
-    watched "$log" ctest --test-dir "build/$preset" --timeout 3600 --output-on-failure || said_something=1
+    watched "$log" ctest --test-dir "build/$preset" -j "$(nproc)" --timeout 3600 --output-on-failure "${without[@]}" ||
+      said_something=1
   fi
   for file in "$log".*; do
     [ -e "$file" ] || continue

@@ -153,7 +153,8 @@ inline SceneDescription textured_mesh(int size) {
   const TextureIndex stripes = add_texture(scene, 8, 8, true, [](int x, int y) {
     return (x + y) % 2 == 0 ? Rgb{0.8f, 0.7f, 0.2f} : Rgb{0.1f, 0.2f, 0.5f};
   });
-  return with_mesh_floor(scene, add_bsdf(scene, DiffuseDescription{stripes}), 3);
+  const BsdfIndex floor = add_bsdf(scene, DiffuseDescription{stripes});
+  return with_mesh_floor(scene, floor, 3);
 }
 
 /// Waves of the floor, as bumps of a flat mesh: normals lean up to 17 degrees.
@@ -163,7 +164,8 @@ inline SceneDescription bumped_mesh(int size) {
     return Rgb(static_cast<float>(0.5 + 0.5 * std::sin(2 * 3.14159265 * (x + 0.5) / 16)));
   });
   const BsdfIndex grey = add_bsdf(scene, DiffuseDescription{RgbD(0.7)});
-  return with_mesh_floor(scene, add_bsdf(scene, BumpMapDescription{waves, 0.05, grey}), 2);
+  const BsdfIndex floor = add_bsdf(scene, BumpMapDescription{waves, 0.05, grey});
+  return with_mesh_floor(scene, floor, 2);
 }
 
 /// Every normal of the floor leans 20 degrees to one side.
@@ -174,7 +176,8 @@ inline SceneDescription normal_mapped_mesh(int size) {
     return Rgb{static_cast<float>(0.5 + 0.5 * std::sin(lean)), 0.5f, static_cast<float>(0.5 + 0.5 * std::cos(lean))};
   });
   const BsdfIndex grey = add_bsdf(scene, DiffuseDescription{RgbD(0.7)});
-  return with_mesh_floor(scene, add_bsdf(scene, NormalMapDescription{leaning, grey}), 2);
+  const BsdfIndex floor = add_bsdf(scene, NormalMapDescription{leaning, grey});
+  return with_mesh_floor(scene, floor, 2);
 }
 
 inline SceneDescription heightfield(int size) {

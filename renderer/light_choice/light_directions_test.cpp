@@ -42,23 +42,27 @@ std::vector<NamedSky> skies() {
   std::uint64_t seed = 600;
   for (const auto& [width, height] : {std::pair(2, 3), {3, 3}, {5, 9}, {16, 8}, {24, 12}}) {
     Random r(++seed);
-    const Transform turned = Transform::rotate(unit(r), 360 * double{r.next()});
+    const Vec3d axis = unit(r);
+    const Transform turned = Transform::rotate(axis, 360 * double{r.next()});
     all.push_back({"envmap " + std::to_string(width) + "x" + std::to_string(height),
                    EnvmapSky(random_image(width, height, seed), 1, turned), DirectionCells()});
   }
-  // The real sun and the smallest and largest: a small one is looked at through a cone that is twice as wide.
+  // The real sun and the smallest and largest: a small one is looked at through a cone that is twice as wide. Its limb
+  // is in the middle of cells: between two, what rounds beyond it would count against a cell that expects next to none.
   constexpr double degree = std::numbers::pi / 180;
   for (const double aperture : {0.1 * degree, 0.5358 * degree, 3 * degree, 20 * degree, 60 * degree})
     for (const double height : {1.0, 0.5, 0.02}) {
       Random r(++seed);
       const double phi = 2 * std::numbers::pi * double{r.next()}, across = std::sqrt(1 - height * height);
       const Vec3d sun{across * std::cos(phi), across * std::sin(phi), height};
-      const Transform turned = Transform::rotate(unit(r), 360 * double{r.next()});
+      const Vec3d axis = unit(r);
+      const Transform turned = Transform::rotate(axis, 360 * double{r.next()});
       const SunSkySettings settings{
           sun, 1 + 9 * double{r.next()}, {0.3, 0.2, 0.6}, double{r.next()}, double{r.next()}, aperture, turned};
-      const double versine = 1 - std::cos(aperture);
-      all.push_back({"sunsky " + std::to_string(aperture) + " at " + std::to_string(height), SunSky(settings),
-                     aperture < 10 * degree ? DirectionCells(Vec3f(turned.vector(sun)), versine) : DirectionCells()});
+      const double limb = 1 - std::cos(aperture / 2);
+      all.push_back(
+          {"sunsky " + std::to_string(aperture) + " at " + std::to_string(height), SunSky(settings),
+           aperture < 10 * degree ? DirectionCells(Vec3f(turned.vector(sun)), limb / (4.5 / 20)) : DirectionCells()});
     }
   return all;
 }

@@ -37,7 +37,7 @@ class Cells {
     for (std::size_t i = 1; i < patches_.size(); ++i)
       if (dot(patches_[i].facing, n) > dot(patches_[patch].facing, n)) patch = i;
     const Vec2<double> uv = patches_[patch].uv(p);
-    const auto step = [&](double x) { return std::clamp(static_cast<int>(std::floor(x * side_)), 0, side_ - 1); };
+    const auto step = [&](double x) { return static_cast<int>(std::clamp(std::floor(x * side_), 0.0, side_ - 1.0)); };
     return patch * static_cast<std::size_t>(side_ * side_) + static_cast<std::size_t>(step(uv.y) * side_ + step(uv.x));
   }
   /// Calls value(point, column) at the nodes of a cell; the integral over it of what that gives per du dv.
