@@ -9,7 +9,7 @@ import re
 import sys
 from pathlib import Path
 
-from source_tags import room_sources, tags
+from source_tags import room_sources, tags, tell
 
 most_lines = 60
 
@@ -26,10 +26,7 @@ def main(ctags, root):
     found = list(functions(ctags, root, files))
     problems = [f"{path}:{line}: {name} has {lines} lines, more than {most_lines}"
                 for path, line, name, lines in found if lines > most_lines]
-    if not found:
-        problems = ["ctags found no functions"]
-    print("\n".join(problems) or f"{len(found)} functions in {len(files)} files")
-    return 1 if problems else 0
+    return tell(problems if found else ["ctags found no functions"], f"{len(found)} functions in {len(files)} files")
 
 
 if __name__ == "__main__":

@@ -10,7 +10,7 @@ import re
 import sys
 from pathlib import Path
 
-from source_tags import room_sources, tags
+from source_tags import defined_twice, room_sources, tags, tell
 
 alone = re.compile(r"(_(test|bench|fuzz)\.cpp|/test_[^/]*)$")
 
@@ -25,16 +25,9 @@ def local_names(ctags, root, files):
 
 def main(ctags, root):
     files = [path for path in room_sources(root, ".cpp") if not alone.search(path)]
-    names, problems = {}, []
-    for path, line, name in local_names(ctags, root, files):
-        room = path.rpartition("/")[0]
-        first = names.setdefault((room, name), path)
-        if first != path:
-            problems.append(f"{path}:{line}: {name} is also in {first}")
-    if not names:
-        problems = ["ctags found no local names"]
-    print("\n".join(problems) or f"{len(names)} local names in {len(files)} files")
-    return 1 if problems else 0
+    found = list(local_names(ctags, root, files))
+    problems = defined_twice(found, lambda path, name: (path.rpartition("/")[0], name))
+    return tell(problems if found else ["ctags found no local names"], f"{len(found)} local names in {len(files)} files")
 
 
 if __name__ == "__main__":

@@ -15,3 +15,16 @@ def tags(ctags, root, files, kinds, fields):
     command = [ctags, "--language-force=C++", "--c++-kinds=" + kinds, "--fields=" + fields, "--excmd=number", "-L", "-",
                "-f", "-"]
     return subprocess.run(command, input="\n".join(files), cwd=root, capture_output=True, text=True, check=True).stdout
+
+
+def defined_twice(found, key):
+    """A problem for each (path, line, name) whose key(path, name) another path had before."""
+    first = {}
+    return [f"{path}:{line}: {name} is also in {first[key(path, name)]}" for path, line, name in found
+            if first.setdefault(key(path, name), path) != path]
+
+
+def tell(problems, summary):
+    """The exit code."""
+    print("\n".join(problems) or summary)
+    return 1 if problems else 0

@@ -10,7 +10,7 @@ import re
 import sys
 from pathlib import Path
 
-from source_tags import room_sources, tags
+from source_tags import defined_twice, room_sources, tags, tell
 
 
 def type_names(ctags, root, files):
@@ -25,15 +25,9 @@ def type_names(ctags, root, files):
 
 def main(ctags, root):
     files = room_sources(root, ".h", ".cpp")
-    names, problems = {}, []
-    for path, line, name in type_names(ctags, root, files):
-        first = names.setdefault(name, path)
-        if first != path:
-            problems.append(f"{path}:{line}: {name} is also in {first}")
-    if not names:
-        problems = ["ctags found no types"]
-    print("\n".join(problems) or f"{len(names)} types in {len(files)} files")
-    return 1 if problems else 0
+    found = list(type_names(ctags, root, files))
+    problems = defined_twice(found, lambda _, name: name)
+    return tell(problems if found else ["ctags found no types"], f"{len(found)} types in {len(files)} files")
 
 
 if __name__ == "__main__":

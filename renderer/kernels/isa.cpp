@@ -15,7 +15,7 @@ PHOTONPROOF_ENTRIES(kernels_scalar)
 #if defined(__x86_64__)
 PHOTONPROOF_ENTRIES(kernels_v2)
 PHOTONPROOF_ENTRIES(kernels_v3)
-#if !defined(__clang__)  // kernel_levels in renderer/CMakeLists.txt
+#if !defined(PHOTONPROOF_NO_V4)
 PHOTONPROOF_ENTRIES(kernels_v4)
 #endif
 #else
@@ -28,7 +28,7 @@ namespace {
 std::vector<Kernels> kernels_of_this_processor() {
   std::vector<Kernels> list;
 #if defined(__x86_64__)
-#if !defined(__clang__)
+#if !defined(PHOTONPROOF_NO_V4)
   if (x86_64_level() >= 4) list.push_back({"v4", kernels_v4::path, kernels_v4::photon, kernels_v4::gather});
 #endif
   if (x86_64_level() >= 3) list.push_back({"v3", kernels_v3::path, kernels_v3::photon, kernels_v3::gather});

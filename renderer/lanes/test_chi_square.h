@@ -60,6 +60,8 @@ double integrate_rectangle(const G& g, double x, double y, double width, double 
 /// Directions within a cone, in coordinates whose cells have equal solid angles.
 class DirectionCells {
  public:
+  static constexpr int rows = 20, columns = 24;
+
   /// `reach`: 1 - cos of the cone's half-angle; 2 is the sphere.
   explicit DirectionCells(const Vec3f& axis = {0, 0, 1}, double reach = 2) : reach_(reach), n_(normalize(Vec3d(axis))) {
     const Vec3d aside = std::abs(n_.z) < 0.9 ? Vec3d(0, 0, -1) : Vec3d(0, 1, 0);
@@ -96,7 +98,7 @@ class DirectionCells {
 template <class Draw, class Density>
 double direction_p_value(const Draw& draw, const Density& density, std::uint64_t seed, int samples = 200'000,
                          int sub = 8, const DirectionCells& cells = DirectionCells()) {
-  constexpr int rows = 20, columns = 24;
+  constexpr int rows = DirectionCells::rows, columns = DirectionCells::columns;
   std::vector<double> observed(rows * columns + 1), expected(rows * columns + 1);  // the last is beside the cone
   for (int i = 0; i < samples; ++i) {
     Random random(seed, static_cast<std::uint64_t>(i));

@@ -59,10 +59,9 @@ std::vector<NamedSky> skies() {
       const Transform turned = Transform::rotate(axis, 360 * double{r.next()});
       const SunSkySettings settings{
           sun, 1 + 9 * double{r.next()}, {0.3, 0.2, 0.6}, double{r.next()}, double{r.next()}, aperture, turned};
-      const double limb = 1 - std::cos(aperture / 2);
-      all.push_back(
-          {"sunsky " + std::to_string(aperture) + " at " + std::to_string(height), SunSky(settings),
-           aperture < 10 * degree ? DirectionCells(Vec3f(turned.vector(sun)), limb / (4.5 / 20)) : DirectionCells()});
+      const double reach = (1 - std::cos(aperture / 2)) / (4.5 / DirectionCells::rows);
+      all.push_back({"sunsky " + std::to_string(aperture) + " at " + std::to_string(height), SunSky(settings),
+                     aperture < 10 * degree ? DirectionCells(Vec3f(turned.vector(sun)), reach) : DirectionCells()});
     }
   return all;
 }
