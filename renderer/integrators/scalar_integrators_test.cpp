@@ -115,6 +115,16 @@ TEST_P(Unbiased, agrees_with_the_path_tracer_under_a_sky) {
   expect_same(blocks_of(scene, "path", 64, 100), blocks_of(scene, GetParam(), 64, 200), 1, GetParam());
 }
 
+TEST_P(Unbiased, agrees_with_the_path_tracer_on_what_the_clip_planes_cut) {
+  SceneDescription scene = unlit_lamp_room(false);
+  std::get<PathDescription>(scene.integrator.method).hide_emitters = false;
+  auto& camera = std::get<PerspectiveDescription>(scene.sensor.camera);
+  camera.near_clip = 3.3;  // the walls' first fifth
+  camera.far_clip = 4.5;   // the back wall, and their last: the sky is seen there
+  scene.emitters.push_back({{}, "", ConstantLightDescription{RgbD(0.5)}});
+  expect_same(blocks_of(scene, "path", 64, 100), blocks_of(scene, GetParam(), 64, 200), 1, GetParam());
+}
+
 TEST_P(Unbiased, is_the_same_bits_at_1_2_and_7_threads) {
   const SceneDescription scene = test::room(40, true);
   const auto with_threads = [&](int threads) {

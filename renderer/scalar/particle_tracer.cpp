@@ -81,7 +81,8 @@ class ParticleTracer : ScalarTracer {
     Rgb throughput(1.0f);
     Surroundings around = around_camera_;
     Interaction at;
-    if (travel(world_, *ray, around, draws.one(ptracer_dimension::layer), TransportMode::radiance, throughput, at))
+    if (travel(world_, *ray, around, draws.one(ptracer_dimension::layer), TransportMode::radiance, throughput, at) &&
+        !camera_.beyond_far_plane(at.p))
       return Rgb(0.0f);
     return throughput * lights_->environment_radiance(ray->direction);
   }
