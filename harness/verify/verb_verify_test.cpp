@@ -98,6 +98,15 @@ TEST_F(VerbVerify, closed_form_decides_between_two) {
   EXPECT_NE(verified().sentence.find("red only against the closed form"), std::string::npos) << verified().sentence;
 }
 
+TEST_F(VerbVerify, light_tracing_is_no_witness_of_a_plane_without_end_under_a_sky) {
+  put_scene(R"(<shape type="plane">)" + diffuse("0.5") + R"(</shape>)" +
+            R"(<emitter type="constant"><rgb name="radiance" value="1"/></emitter>)");
+  EXPECT_EQ(verify({"--engine", "path", "--engine", "volpath", "--engine", "ptracer"}).exit_code, 0);
+  ASSERT_EQ(verified().pictures.size(), 3u);
+  EXPECT_EQ(verified().pictures[1].status, "unsupported");
+  EXPECT_NE(verified().pictures[1].detail.find("a plane without end"), std::string::npos);
+}
+
 /// A reference is kept that the scene's lamp has outgrown by 5 %, though its content is the scene's.
 TEST_F(VerbVerify, stored_reference_that_is_off_to_one_side_is_stale) {
   const ProcessOutcome made = run_process(

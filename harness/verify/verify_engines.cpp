@@ -67,6 +67,22 @@ bool looks_at_clear_surfaces(const SceneDescription& scene) {
                              [&](const SeenPlace& point) { return point.object > 0 && clear[point.object - 1u]; });
 }
 
+bool has_endless_plane_under_far_light(const SceneDescription& scene) {
+  const auto is_endless = [](const ShapeDescription& shape) {
+    return std::holds_alternative<PlaneDescription>(shape.geometry);
+  };
+  const auto is_far = [](const EmitterDescription& emitter) {
+    return std::visit(
+        [](const auto& light) {
+          using Light = std::decay_t<decltype(light)>;
+          return std::is_same_v<Light, ConstantLightDescription> || std::is_same_v<Light, EnvmapDescription> ||
+                 std::is_same_v<Light, SunSkyDescription> || std::is_same_v<Light, DirectionalLightDescription>;
+        },
+        emitter.light);
+  };
+  return std::ranges::any_of(scene.shapes, is_endless) && std::ranges::any_of(scene.emitters, is_far);
+}
+
 VerifyEngine verifying(Engine row, const fs::path& folder, const fs::path& program) {
   VerifyEngine engine;
   engine.sampling = sampling_of_row(row);
@@ -96,8 +112,12 @@ std::vector<VerifyEngine> verify_engines(const EngineChoice& choice) {
 }
 
 std::string what_is_not_shown(const std::string& sampling, const SceneDescription& scene) {
-  if (sampling != "ptracer" || !looks_at_clear_surfaces(scene)) return {};
-  return "light paths do not reach the eye by the mirrors, clear glass, coats or holes that it looks at";
+  if (sampling != "ptracer") return {};
+  if (looks_at_clear_surfaces(scene))
+    return "light paths do not reach the eye by the mirrors, clear glass, coats or holes that it looks at";
+  if (has_endless_plane_under_far_light(scene))
+    return "light paths miss a plane without end, from afar, where light from infinity falls on it";
+  return {};
 }
 
 }  // namespace photonproof

@@ -34,7 +34,7 @@ std::vector<VerifyEngine> verify_engines(const EngineChoice& choice);
 
 /// Why the picture of an engine of this sampling of the scene lacks light that it cannot find by any number of samples;
 /// empty where it finds all: light paths never reach the eye by mirrors, clear glass, clear coats or holes that it
-/// looks at.
+/// looks at, nor the far parts of a plane without end under a sky.
 std::string what_is_not_shown(const std::string& sampling, const SceneDescription& scene);
 
 }  // namespace photonproof

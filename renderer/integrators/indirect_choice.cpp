@@ -214,15 +214,9 @@ IndirectChoice choose_indirect(const IndirectPilot& pilot, const RenderBudget& b
   return choice;
 }
 
-bool maps_miss_light(const Scene& scene) {
-  const auto is_endless = [](const Surface& s) { return std::holds_alternative<photonproof::Plane>(s.geometry); };
-  const auto is_far = [](const Light& light) { return is_infinite(light); };
-  return std::ranges::any_of(scene.surfaces, is_endless) && std::ranges::any_of(scene.lights, is_far);
-}
-
 IndirectChoice choose_indirect(const PhotonSource& source, const PhotonMaps& maps, const RenderPlan& plan,
                                const Tile& window, RenderStats& stats) {
-  if (maps_miss_light(source.scene))
+  if (emission_misses_planes(source.scene.surfaces, source.scene.lights))
     return {IndirectLight::path, true, std::string("indirect light by path tracing: ") + light_that_maps_miss};
   const PhaseTimer phase(stats.phases["pilot"]);
   const PathSettings settings = camera_path_settings(source.settings, plan);

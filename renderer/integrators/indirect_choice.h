@@ -46,10 +46,7 @@ struct IndirectChoice {
 /// Another way than the maps must be plainly first.
 IndirectChoice choose_indirect(const IndirectPilot& pilot, const RenderBudget& budget, std::int64_t samples);
 
-/// Whether light from infinity falls on a plane without end. Light paths start across the ball around all that ends
-/// (scene_ball.h), so that no map has what the plane throws back from beyond it.
-bool maps_miss_light(const Scene& scene);
-/// A clause about that.
+/// A clause about maps of a scene whose emission_misses_planes (light_choice/scene_lights.h).
 inline constexpr const char* light_that_maps_miss =
     "photon maps miss what a plane without end throws back, from afar, of light from infinity";
 

@@ -170,7 +170,7 @@ void choose_way(const PhotonSource& source, PhotonMaps& maps, const RenderPlan& 
     maps.caustic.wanted = maps.caustic.wanted && choice.caustic_map;
     stats.choices.push_back(choice.why);
   }
-  if (settings.indirect != IndirectLight::path && maps_miss_light(source.scene))
+  if (settings.indirect != IndirectLight::path && emission_misses_planes(source.scene.surfaces, source.scene.lights))
     stats.losses.emplace_back(light_that_maps_miss);
 }
 

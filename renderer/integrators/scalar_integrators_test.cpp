@@ -396,6 +396,19 @@ TEST(film, variances_of_splats_are_those_that_seeds_show) {
   }
 }
 
+TEST(ptracer, says_that_light_from_infinity_does_not_reach_a_plane_to_its_horizon) {
+  SceneDescription scene;
+  const BsdfIndex grey = test::add_bsdf(scene, DiffuseDescription{RgbD(0.5)});
+  test::add_shape(scene, PlaneDescription{}, Transform::rotate({1, 0, 0}, -90), grey);
+  test::add_shape(scene, SphereDescription{{0, 0.5, 0}, 0.5}, {}, grey);
+  test::set_camera(scene, Transform::look_at({0, 1, 4}, {0, 0.5, 0}, {0, 1, 0}), 40, 16);
+  scene.emitters.push_back({{}, "", PointLightDescription{{0, 3, 0}, RgbD(1)}});
+  const auto losses = [&] { return test::render(scene, "ptracer", job_with(256)).stats.losses; };
+  EXPECT_THAT(losses(), testing::Not(testing::Contains(testing::HasSubstr("plane without end"))));
+  scene.emitters.push_back({{}, "", ConstantLightDescription{RgbD(1)}});
+  EXPECT_THAT(losses(), testing::Contains(testing::HasSubstr("plane without end")));
+}
+
 // Pixels that share light paths or photons vary together. Over 60 seeds the variance of the image's mean is known to
 // sqrt(2/59) = 18 %; a stated one that is off by 60 % would be seen. What the pixels alone say is printed beside it.
 TEST(ptracer, says_when_few_light_paths_arrive_or_none) {

@@ -154,4 +154,10 @@ float SceneLights::environment_pdf(const Vec3f& p, const Vec3f& direction) const
          std::get<EnvironmentLight>(lights_[*environment_]).pdf_direction(direction);
 }
 
+bool emission_misses_planes(const std::vector<Surface>& surfaces, const std::vector<Light>& lights) {
+  const auto is_endless = [](const Surface& s) { return std::holds_alternative<Plane>(s.geometry); };
+  const auto is_far = [](const Light& light) { return is_infinite(light); };
+  return std::ranges::any_of(surfaces, is_endless) && std::ranges::any_of(lights, is_far);
+}
+
 }  // namespace photonproof

@@ -128,4 +128,7 @@ class SceneLights {
   std::unique_ptr<LightTree> tree_;
 };
 
+/// Whether light from infinity falls on a plane without end: light paths do not reach it outside of the ball.
+bool emission_misses_planes(const std::vector<Surface>& surfaces, const std::vector<Light>& lights);
+
 }  // namespace photonproof

@@ -144,6 +144,9 @@ class ParticleTracer : ScalarTracer {
   }
 };
 
+constexpr const char* light_paths_miss_planes =
+    "light paths miss a plane without end, from afar, where light from infinity falls on it: it is too dark there";
+
 /// In a pixel that light paths reach at all, fewer on average say nothing of those that none has reached yet.
 constexpr double few_paths_a_pixel = 8;
 
@@ -203,7 +206,6 @@ void plan_particle_tracer(const IntegratorDescription& description, Planner& pla
   planner.rays_one_by_one();
   if (planner.facts().any_delta_bsdf)
     planner.run("cannot see", "what mirrors and smooth glass show: no light path meets the lens by itself");
-  if (planner.facts().any_environment) planner.run("cannot see", "the environment itself, only what it lights");
 }
 
 void render_particle_tracer(const Scene& scene, const RenderPlan& plan, const RenderJob& job, Film& film,
@@ -220,6 +222,7 @@ void render_particle_tracer(const Scene& scene, const RenderPlan& plan, const Re
     };
   });
   say_if_few_arrive(tracer, job, film, stats);
+  if (emission_misses_planes(scene.surfaces, scene.lights)) stats.losses.emplace_back(light_paths_miss_planes);
 }
 
 }  // namespace photonproof
