@@ -10,6 +10,7 @@
 
 #include "reports/record/heatmap_magma.h"
 #include "scenes/text/input_error.h"
+#include "scenes/text/thread_handoff.h"
 
 namespace photonproof {
 namespace {
@@ -19,13 +20,18 @@ std::uint8_t shade(float position) { return static_cast<std::uint8_t>(255 * std:
 
 void write_rows(PngRows& file, int rows, std::size_t width, const float* values, std::uint8_t (*shade_of)(float)) {
   std::vector<std::uint8_t> bytes(3 * width * static_cast<std::size_t>(rows));
-  tbb::parallel_for(0, rows, [&](int y) {
+  const auto shade_row = [&](int y) PHOTONPROOF_CALLED_BY_LIBRARY {
+    takes_over(&file);
     const std::size_t first = static_cast<std::size_t>(y) * width;
     for (std::size_t i = first; i < first + width; ++i) {
       const std::uint32_t colour = magma_colours[shade_of(values[i])];
       for (std::size_t c = 0; c < 3; ++c) bytes[3 * i + c] = static_cast<std::uint8_t>(colour >> (16 - 8 * c));
     }
-  });
+    hands_over(&bytes);
+  };
+  hands_over(&file);
+  tbb::parallel_for(0, rows, shade_row);
+  takes_over(&bytes);
   file.add(rows, bytes.data());
 }
 
@@ -57,8 +63,15 @@ HeatmapWriter::HeatmapWriter(int width, int height, const std::filesystem::path&
       error_(files_.error.string(), width, height) {}
 
 void HeatmapWriter::add(int rows, const float* flip, const float* error) {
-  tbb::parallel_invoke([&] { write_rows(flip_, rows, width_, flip, flip_shade); },
-                       [&] { write_rows(error_, rows, width_, error, error_shade); });
+  const auto write = [&](PngRows& file, const float* values, std::uint8_t (*shade_of)(float)) {
+    takes_over(this);
+    write_rows(file, rows, width_, values, shade_of);
+    hands_over(&files_);
+  };
+  hands_over(this);
+  tbb::parallel_invoke([&]() PHOTONPROOF_CALLED_BY_LIBRARY { write(flip_, flip, flip_shade); },
+                       [&]() PHOTONPROOF_CALLED_BY_LIBRARY { write(error_, error, error_shade); });
+  takes_over(&files_);
 }
 
 HeatmapFiles HeatmapWriter::finish() {

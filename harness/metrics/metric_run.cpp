@@ -10,6 +10,7 @@
 
 #include "scenes/text/input_error.h"
 #include "scenes/text/size_text.h"
+#include "scenes/text/thread_handoff.h"
 
 namespace photonproof {
 namespace {
@@ -23,10 +24,14 @@ class Workers {
         arena_(count_) {}
 
   void for_each(std::size_t n, const TileBody& body) {
-    arena_.execute([&] {
-      tbb::parallel_for(
-          std::size_t{0}, n, [&](std::size_t i) { body(i, memories_.local()); }, tbb::simple_partitioner());
-    });
+    const auto work = [&](std::size_t i) PHOTONPROOF_CALLED_BY_LIBRARY {
+      takes_over(&arena_);
+      body(i, memories_.local());
+      hands_over(&memories_);
+    };
+    hands_over(&arena_);
+    arena_.execute([&] { tbb::parallel_for(std::size_t{0}, n, work, tbb::simple_partitioner()); });
+    takes_over(&memories_);
   }
 
  private:

@@ -193,7 +193,7 @@ void find_witness(const Job& job, const Rendering& rendering, Provenance& proven
   if (progress.means.batches() < least_batches) throw NoWitnessYet{progress};
   const Rendering second = progress.means.rendering();
   const PairTest test = test_witness(rendering, provenance.bias, second);
-  if (test.differs)
+  if (test.differs || test.by_few_samples)
     throw InputError(job.arguments.scene.path, provenance.estimator + " and " + witness +
                                                    " disagree, and one reference cannot be both: " + witness + " is " +
                                                    test.sentence + "; `photonproof verify` says which is wrong, " +

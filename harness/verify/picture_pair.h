@@ -20,6 +20,7 @@ inline constexpr double pair_alpha = 1e-4;
 
 struct PairTest {
   bool differs = false;
+  bool by_few_samples = false;      ///< they would, were it not for light that comes in few bright samples: see below
   std::array<double, 3> shift{};    ///< of the mean over the image, by channel, relative to the first's; 0 where black
   std::array<bool, 3> channels{};   ///< that differ
   bool whole_differs = false;       ///< the mean does, not places alone
@@ -40,6 +41,11 @@ double excess_of_block(const Deviations& deviations, const DeclaredError& declar
 /// What two engines may differ by.
 DeclaredError both_declare(const EnginePicture& first, const EnginePicture& second);
 
+/// Light that comes in samples worth f each, in units of a pixel's value, has a variance of f times the light; so what
+/// one of two pictures lacks of it, D, is D / f samples, and chance leaves out as many as chi^2 allows: about twenty of
+/// a whole image. A variance that was estimated where none arrived says less (agreement.h). f is the brightest sample
+/// of either picture anywhere, variance over value of the pixel where that is largest. A difference that so large
+/// samples explain is none that proves anything: `by_few_samples`, and `sentence` says what it is.
 PairTest test_pair(const EnginePicture& first, const EnginePicture& second, double alpha = pair_alpha);
 
 /// The picture's mean against the one that a closed form states, which counts as right to 1e-5.

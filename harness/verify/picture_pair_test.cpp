@@ -70,6 +70,45 @@ TEST(PairTest, place_and_channel_of_a_difference_are_named) {
   EXPECT_EQ(test.channels, (std::array<bool, 3>{true, false, false}));
 }
 
+/// An even picture with next to no noise, besides light in samples worth 1, a hundredth a pixel on average.
+EnginePicture with_fireflies(std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  std::poisson_distribution<int> hits(0.01);
+  EnginePicture picture = noisy(seed + 1000, 1, 1e-4);
+  for (std::size_t pixel = 0; pixel < picture.rendering.mean.pixels(); ++pixel) {
+    const int n = hits(random);
+    for (std::size_t c = 0; c < 3; ++c) {
+      picture.rendering.mean.rgb[3 * pixel + c] += static_cast<float>(n);
+      picture.rendering.variance->rgb[3 * pixel + c] += static_cast<float>(n);
+    }
+  }
+  return picture;
+}
+
+// The expected picture has a hundredth more everywhere: two thirds of the blocks of 64 pixels met some of that light,
+// the others say that they are certain of having none.
+TEST(PairTest, light_that_comes_in_few_bright_samples_proves_nothing_where_it_is_missing) {
+  EnginePicture expected = noisy(1, 1, 1e-4);
+  for (float& v : expected.rendering.mean.rgb) v += 0.01f;
+  int unwidened = 0;
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    const PairTest test = test_pair(expected, with_fireflies(seed));
+    EXPECT_FALSE(test.differs) << seed << ": " << test.sentence;
+    unwidened += test.by_few_samples ? 1 : 0;
+  }
+  EXPECT_GT(unwidened, 50);  // by their variances alone they would differ
+}
+
+TEST(PairTest, more_than_bright_samples_carry_differs_beside_them) {
+  EnginePicture expected = noisy(1, 1, 1e-4);
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth / 2; ++x)
+      for (std::size_t c = 0; c < 3; ++c) expected.rendering.mean.pixel(x, y)[c] *= 0.5f;  // 384 pixels of 0.2 less
+  const PairTest test = test_pair(expected, with_fireflies(1));
+  EXPECT_TRUE(test.differs);
+  EXPECT_FALSE(test.by_few_samples);
+}
+
 TEST(PairTest, of_a_closed_form_is_of_the_mean) {
   // Channels are next to each other in the gradient.
   const auto mean = [](int c) { return 0.3 + 0.5 * (3.0 * (kWidth - 1) / 2 + c) / (3 * kWidth); };

@@ -13,6 +13,7 @@
 #include "harness/verify/picture_pair.h"
 #include "harness/verify/probes.h"
 #include "harness/verify/stale_reference.h"
+#include "reference/store/half_rounding.h"
 #include "reference/store/reference_store.h"
 #include "scenes/text/input_error.h"
 #include "scenes/text/timer.h"
@@ -99,6 +100,7 @@ class SceneJudge {
       EnginePicture picture;
       picture.engine = kStored;
       picture.rendering = stored.rendering;
+      widen_to_half_rounding(picture.rendering);
       if (stored.provenance.bias > 0)
         picture.declared = {stored.provenance.bias, 2 * stored.provenance.bias, "as its provenance says"};
       sides_.push_back({{kStored, sampling_of(stored.provenance.estimator), false}, nullptr, {{0, picture}}, {}});
@@ -134,7 +136,7 @@ class SceneJudge {
     // Chance has one more try; what differs differs again.
     if (result.differs) result = test(sides_[i], sides_[j], 1);
     const double asked = 1.5 * studio_.options().power + declared_by(sides_[i]) + declared_by(sides_[j]);
-    const bool is_seen = result.would_see && *result.would_see <= asked;
+    const bool is_seen = result.would_see && *result.would_see <= asked && !result.by_few_samples;
     const PairVerdict verdict = result.differs ? PairVerdict::differ
                                 : is_seen      ? PairVerdict::agree
                                                : PairVerdict::undecided;
@@ -297,10 +299,13 @@ class SceneJudge {
     out_.verdict = "agree";
     out_.sentence = fmt::format("{} agree; an error of {:.2g} % of the mean would have been seen by every pair of them",
                                 listed(out_.believed), 100 * worst);
+    std::vector<std::string> undecided;
     for (std::size_t p = 0; p < pairs_.size(); ++p)
       if (pairs_[p].verdict == PairVerdict::undecided && sides_[pairs_[p].first].engine != nullptr)
-        out_.notes.push_back("noise: " + out_.pairs[p].first + " and " + out_.pairs[p].second +
-                             " do not differ by more than it explains, which would hide a larger error than is asked");
+        undecided.push_back(out_.pairs[p].first + " with " + out_.pairs[p].second);
+    if (!undecided.empty())
+      out_.notes.push_back("noise: it explains what differs and would hide a larger error than is asked: " +
+                           listed(undecided));
     if (!stale_) return;
     out_.verdict = "stale reference";
     out_.sentence = out_.notes.front() + "; " + out_.sentence;

@@ -84,7 +84,7 @@ Rendering pooled(const std::vector<std::pair<Rendering, double>>& parts) {
 
 /// The next picture's samples, a power of two, so that a run that goes on asks for the same; 0: enough, or no time.
 double next_samples(double had, double seen, double power, double spent, double allowed) {
-  if (seen <= power) return 0;
+  if (seen <= power || spent >= allowed) return 0;
   const double needed = had * std::pow(seen / power, 2) * 1.1 - had;
   const double wanted = std::min(needed, 15 * had);
   const double rate = spent / had, left = allowed - spent;

@@ -67,6 +67,15 @@ TEST_F(VerbVerify, goes_on_from_what_is_drawn) {
   EXPECT_GE(before, 3);
 }
 
+TEST_F(VerbVerify, ends_where_one_picture_takes_longer_than_it_has) {
+  const ProcessOutcome outcome =
+      run_process({sound, "verify", path("scene.xml"), "-o", path("out"), "--size", "24x24", "--seconds", "0.01",
+                   "--power", "0.0001", "--no-probes", "--engine", "path", "--engine", "bdpt"},
+                  {.wall_limit_seconds = 60});
+  EXPECT_EQ(outcome.exit_code, 3) << outcome.standard_error;
+  EXPECT_EQ(verified().verdict, "inconclusive");
+}
+
 TEST_F(VerbVerify, one_engine_alone_is_inconclusive) {
   EXPECT_EQ(verify({"--engine", "path"}).exit_code, 3);
   EXPECT_EQ(verified().sentence, "only path renders this scene: no other way to compare");

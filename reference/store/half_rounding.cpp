@@ -44,4 +44,11 @@ Rendering rounded_to_halves(const Rendering& rendering) {
   return rounded;
 }
 
+void widen_to_half_rounding(Rendering& rounded) {
+  for (std::size_t i = 0; i < rounded.mean.rgb.size(); ++i) {
+    const float most = std::ldexp(rounded.mean.rgb[i], -11);
+    rounded.variance->rgb[i] = std::max(rounded.variance->rgb[i], most * most);
+  }
+}
+
 }  // namespace photonproof

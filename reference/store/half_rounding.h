@@ -22,4 +22,8 @@ float half_above(float x);  ///< the smallest that is not below it
 /// Preconditions: there is a variance; values are finite, and means no half float can hold are not there.
 Rendering rounded_to_halves(const Rendering& rendering);
 
+/// Of such a mean: no pixel's variance less than rounding can have at most. One that is rounded up once in a thousand
+/// says that it is certain, and is off by 2^-10 where it was.
+void widen_to_half_rounding(Rendering& rounded);
+
 }  // namespace photonproof

@@ -60,5 +60,14 @@ TEST(HalfRounding, variance_below_the_least_half_survives) {
   EXPECT_NEAR(rounded.variance->rgb[0], 1e-12, 1e-12 * 0x1p-11);
 }
 
+TEST(half_rounding, rounded_values_are_as_uncertain_as_rounding_can_make_them) {
+  Rendering rendering{Image(2, 1), Image(2, 1), {}};
+  std::fill(rendering.mean.rgb.begin(), rendering.mean.rgb.end(), 2.0f);
+  rendering.variance->rgb[5] = 0.25f;
+  widen_to_half_rounding(rendering);
+  EXPECT_FLOAT_EQ(rendering.variance->rgb[0], 0x1p-20f);  // half floats above 2 are 2^-9 apart: at most (2^-10)^2
+  EXPECT_FLOAT_EQ(rendering.variance->rgb[5], 0.25f);
+}
+
 }  // namespace
 }  // namespace photonproof

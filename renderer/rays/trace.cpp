@@ -17,6 +17,7 @@
 
 #include "renderer/rays/trace_tables.h"
 #include "renderer/shapes/face_normal.h"
+#include "scenes/text/thread_handoff.h"
 
 namespace photonproof {
 namespace {
@@ -44,6 +45,7 @@ ShapeRay shape_ray(const RTCRay& ray) {
 
 template <class Shape>
 void bounds_callback(const RTCBoundsFunctionArguments* args) {
+  takes_over(args->geometryUserPtr);
   const ShapeBox box = box_around(*static_cast<const ShapeTable<Shape>*>(args->geometryUserPtr)->shapes[args->primID]);
   const Vec3f margin = (box.high - box.low) * 0x1p-21f;  // what rounding could leave outside
   const Vec3f low = box.low - margin, high = box.high + margin;
@@ -257,6 +259,7 @@ void Tracer::Impl::attach_shapes(ShapeTable<Shape>& table, unsigned id) {
   rtcSetGeometryBoundsFunction(geometry, bounds_callback<Shape>, nullptr);
   rtcSetGeometryIntersectFunction(geometry, intersect_callback<Shape>);
   rtcSetGeometryOccludedFunction(geometry, occluded_callback<Shape>);
+  hands_over(&table);
   attach(scene, geometry, id);
 }
 
