@@ -13,6 +13,7 @@
 #include "harness/verbs/verbs.h"
 #include "harness/verify/verify_run.h"
 #include "renderer/core/version.h"
+#include "scenes/text/atomic_file.h"
 #include "scenes/text/shell_text.h"
 
 namespace photonproof {
@@ -22,7 +23,7 @@ namespace fs = std::filesystem;
 
 struct VerifyArguments {
   std::vector<std::string> scenes, engines;
-  std::string output = "out/verify", rows, size;
+  std::string output = "out/verify", rows, size, markdown, csv;
   double power = 0, seconds = 0;  // 0: by --quick
   int threads = 0;
   bool quick = false, probes = true, json = false;
@@ -78,6 +79,8 @@ int verify(const VerifyArguments& arguments) {
   const VerifyRecord record = run_verify(options);
   const fs::path folder = options.studio.folder, page = folder / "verify.html";
   write_verify_page(record, folder, page);
+  if (!arguments.markdown.empty()) write_file_atomically(arguments.markdown, verify_markdown(record));
+  if (!arguments.csv.empty()) write_file_atomically(arguments.csv, verify_csv(record));
   if (arguments.json) {
     std::printf("%s", verify_record_text(record).c_str());
   } else {
@@ -116,6 +119,8 @@ void add_verify_verb(CLI::App& program, int& exit_code) {
   verb->add_option("--threads", arguments->threads, "of each engine (default: every core)")->check(CLI::Range(0, 1024));
   verb->add_flag("--probes,!--no-probes", arguments->probes,
                  "fit every engine to micro-scenes with closed forms first (default)");
+  verb->add_option("--markdown", arguments->markdown, "write a table of the scenes there, too");
+  verb->add_option("--csv", arguments->csv, "write a row of every pair there, too");
   verb->add_flag("--json", arguments->json, "print the record as JSON (reports/verify/verify.schema.json)");
   verb->callback([arguments, &exit_code] { exit_code = verify(*arguments); });
 }

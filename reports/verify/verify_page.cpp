@@ -59,14 +59,6 @@ data picture_card(const VerifyPicture& picture, const VerifyScene& scene, const 
   return card;
 }
 
-const VerifyPair* pair_of(const VerifyScene& scene, const std::string& a, const std::string& b, bool& turned) {
-  for (const VerifyPair& pair : scene.pairs) {
-    turned = pair.second == a;
-    if ((pair.first == a && pair.second == b) || (pair.first == b && pair.second == a)) return &pair;
-  }
-  return nullptr;
-}
-
 data pair_cell(const VerifyPair* pair, bool turned, bool is_self) {
   data cell;
   cell.set("self", is_self);
@@ -95,9 +87,8 @@ void set_matrix(data& out, const VerifyScene& scene) {
     data row, cells(data::type::list);
     row.set("name", printable(first));
     for (const std::string& second : names) {
-      bool turned = false;
-      const VerifyPair* pair = first == second ? nullptr : pair_of(scene, second, first, turned);
-      cells.push_back(pair_cell(pair, turned, first == second));
+      const VerifyPair* pair = first == second ? nullptr : pair_between(scene, second, first);
+      cells.push_back(pair_cell(pair, pair != nullptr && pair->second == second, first == second));
     }
     row.set("cells", cells);
     rows.push_back(row);

@@ -21,6 +21,12 @@ double VerifyPair::worst_shift() const {
   return worst;
 }
 
+const VerifyPair* pair_between(const VerifyScene& scene, const std::string& a, const std::string& b) {
+  for (const VerifyPair& pair : scene.pairs)
+    if ((pair.first == a && pair.second == b) || (pair.first == b && pair.second == a)) return &pair;
+  return nullptr;
+}
+
 std::string error_words(const std::optional<double>& error) {
   if (!error) return "–";
   return std::isfinite(*error) ? fmt::format("{:.2g} %", 100 * *error) : "all";

@@ -66,6 +66,9 @@ struct VerifyScene {
   std::vector<std::string> notes{};
 };
 
+/// In either order; null where they were not compared.
+const VerifyPair* pair_between(const VerifyScene& scene, const std::string& a, const std::string& b);
+
 /// One micro-scene by one engine, fitted to its closed form: image = gain * closed form + offset.
 struct VerifyProbe {
   std::string engine, kind, what;                  ///< kind: "light", "material", "camera", "medium"
@@ -101,6 +104,11 @@ std::optional<VerifyProbe> verify_probe_from(const std::string& text);
 
 /// The table for a terminal.
 std::string verify_table(const VerifyRecord& record);
+
+/// A row a scene, engines beside each other: for people.
+std::string verify_markdown(const VerifyRecord& record);
+/// RFC 4180, a row a pair: its bias, relmse and ssim, and the error that it would have shown, all relative.
+std::string verify_csv(const VerifyRecord& record);
 
 /// One file that needs no other; pictures are read from `folder`.
 void write_verify_page(const VerifyRecord& record, const std::filesystem::path& folder,

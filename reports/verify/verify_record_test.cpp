@@ -115,5 +115,37 @@ TEST(VerifyTable, says_each_pair_and_what_it_would_have_seen) {
   EXPECT_NE(table.find("1.2 %"), std::string::npos) << table;
 }
 
+TEST(VerifyTables, have_a_row_a_scene_and_one_a_pair) {
+  VerifyRecord record = record_with("differ");
+  record.program = "photonproof 1";
+  record.engines.push_back({"povray", "POV-Ray", "POV-Ray 3.7"});
+  VerifyScene& scene = record.scenes[0];
+  VerifyPicture base;
+  base.engine = "path";
+  base.status = "ok";
+  base.seconds = 0.5;
+  scene.pictures.push_back(base);
+  scene.pairs[0].ssim = 0.9876;
+  scene.believed = {"path"};
+  scene.seconds = 12.4;
+  const std::string table = verify_markdown(record);
+  EXPECT_NE(table.find("| scene | verdict | path | povray | closed form | stored reference | seen | s |"),
+            std::string::npos)
+      << table;
+  EXPECT_NE(table.find("| `cornell` | differ | base | -2.00 % 0.988 ✗ | – | – | – | 12 |"), std::string::npos) << table;
+  EXPECT_NE(table.find("Of 1 scenes: 1 differ. Of 1 pairs 0 agree. 0 scenes have a witness"), std::string::npos)
+      << table;
+  EXPECT_NE(table.find("- `cornell`: differ: povray is wrong"), std::string::npos) << table;
+  EXPECT_NE(verify_csv(record).find("cornell,path,povray,differ,-0.02,0.012,,0.9876,0.50,0.00\n"), std::string::npos)
+      << verify_csv(record);
+  scene.pairs[0].verdict = "agree";
+  EXPECT_NE(verify_markdown(record).find("1 scenes have a witness"), std::string::npos);
+  // Relative to the base, whichever of a pair comes first.
+  scene.pairs[0].first = "povray";
+  scene.pairs[0].second = "path";
+  scene.pairs[0].shift = {0, 0.25, 0};
+  EXPECT_NE(verify_markdown(record).find("| -20.00 % 0.988 |"), std::string::npos) << verify_markdown(record);
+}
+
 }  // namespace
 }  // namespace photonproof
