@@ -88,7 +88,7 @@ void set_matrix(data& out, const VerifyScene& scene) {
     row.set("name", printable(first));
     for (const std::string& second : names) {
       const VerifyPair* pair = first == second ? nullptr : pair_between(scene, second, first);
-      cells.push_back(pair_cell(pair, pair != nullptr && pair->second == second, first == second));
+      cells.push_back(pair_cell(pair, pair != nullptr && pair->second == first, first == second));
     }
     row.set("cells", cells);
     rows.push_back(row);

@@ -107,6 +107,12 @@ TEST(VerifyPage, holds_engines_pairs_and_the_pass_and_no_markup_of_others) {
                            "spot light: POV-Ray 1x closed form"})
     EXPECT_NE(page.find(held), std::string::npos) << held;
   EXPECT_EQ(page.find("<script>alert"), std::string::npos);
+  // The column's against the row's: povray has 2 % less than path, path 2 % more than povray.
+  const std::size_t of_path = page.find("<th scope=\"row\">path</th>"),
+                    of_povray = page.find("<th scope=\"row\">povray</th>");
+  ASSERT_LT(of_path, of_povray);
+  EXPECT_NE(page.substr(of_path, of_povray - of_path).find("✗ -2 %"), std::string::npos);
+  EXPECT_NE(page.substr(of_povray).find("✗ +2 %"), std::string::npos);
 }
 
 TEST(VerifyTable, says_each_pair_and_what_it_would_have_seen) {
