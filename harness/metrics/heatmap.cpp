@@ -1,7 +1,6 @@
 #include "harness/metrics/heatmap.h"
 
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,19 +18,12 @@ namespace {
 std::uint8_t shade(float position) { return static_cast<std::uint8_t>(255 * std::clamp(position, 0.0f, 1.0f) + 0.5f); }
 
 void write_rows(PngRows& file, int rows, std::size_t width, const float* values, std::uint8_t (*shade_of)(float)) {
-  std::vector<std::uint8_t> bytes(3 * width * static_cast<std::size_t>(rows));
-  const auto shade_row = [&](int y) PHOTONPROOF_CALLED_BY_LIBRARY {
-    takes_over(&file);
-    const std::size_t first = static_cast<std::size_t>(y) * width;
-    for (std::size_t i = first; i < first + width; ++i) {
-      const std::uint32_t colour = magma_colours[shade_of(values[i])];
-      for (std::size_t c = 0; c < 3; ++c) bytes[3 * i + c] = static_cast<std::uint8_t>(colour >> (16 - 8 * c));
-    }
-    hands_over(&bytes);
-  };
-  hands_over(&file);
-  tbb::parallel_for(0, rows, shade_row);
-  takes_over(&bytes);
+  const std::size_t pixels = width * static_cast<std::size_t>(rows);
+  std::vector<std::uint8_t> bytes(3 * pixels);
+  for (std::size_t i = 0; i < pixels; ++i) {
+    const std::uint32_t colour = magma_colours[shade_of(values[i])];
+    for (std::size_t c = 0; c < 3; ++c) bytes[3 * i + c] = static_cast<std::uint8_t>(colour >> (16 - 8 * c));
+  }
   file.add(rows, bytes.data());
 }
 
@@ -63,14 +55,16 @@ HeatmapWriter::HeatmapWriter(int width, int height, const std::filesystem::path&
       error_(files_.error.string(), width, height) {}
 
 void HeatmapWriter::add(int rows, const float* flip, const float* error) {
-  const auto write = [&](PngRows& file, const float* values, std::uint8_t (*shade_of)(float)) {
+  const auto write = [&](int which) PHOTONPROOF_CALLED_BY_LIBRARY {
     takes_over(this);
-    write_rows(file, rows, width_, values, shade_of);
+    if (which == 0)
+      write_rows(flip_, rows, width_, flip, flip_shade);
+    else
+      write_rows(error_, rows, width_, error, error_shade);
     hands_over(&files_);
   };
   hands_over(this);
-  tbb::parallel_invoke([&]() PHOTONPROOF_CALLED_BY_LIBRARY { write(flip_, flip, flip_shade); },
-                       [&]() PHOTONPROOF_CALLED_BY_LIBRARY { write(error_, error, error_shade); });
+  tbb::parallel_for(0, 2, write, tbb::simple_partitioner());
   takes_over(&files_);
 }
 

@@ -25,6 +25,7 @@ constexpr const char* kChannels[] = {"R", "G", "B"};
 struct Differences {
   int width, height;
   std::vector<double> difference, variance;
+  std::vector<double> shared{};  ///< what a pixel adds to the variance of a sum: more where splats span pixels
 
   std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
@@ -33,6 +34,7 @@ struct Differences {
 
 Differences differences(const Rendering& reference, const Rendering& test, std::size_t channel) {
   Differences d{reference.mean.width, reference.mean.height, {}, {}};
+  const double of_reference = pixels_a_splat(reference), of_test = pixels_a_splat(test);
   const std::size_t pixels = reference.mean.pixels();
   d.difference.reserve(pixels);
   d.variance.reserve(pixels);
@@ -40,7 +42,9 @@ Differences differences(const Rendering& reference, const Rendering& test, std::
     const double r = double{reference.mean.rgb[i]}, x = double{test.mean.rgb[i]};
     const double rounding = rounding_deviation * std::max(std::abs(r), std::abs(x));
     d.difference.push_back(x - r);
-    d.variance.push_back(double{reference.variance->rgb[i]} + double{test.variance->rgb[i]} + rounding * rounding);
+    const double reference_variance = double{reference.variance->rgb[i]}, test_variance = double{test.variance->rgb[i]};
+    d.variance.push_back(reference_variance + test_variance + rounding * rounding);
+    d.shared.push_back(of_reference * reference_variance + of_test * test_variance + rounding * rounding);
   }
   return d;
 }
@@ -66,7 +70,7 @@ double relative_spread_of_variance(const Block& block, const Differences& d) {
 }
 
 Deviation block_deviation(const Block& block, const Differences& d) {
-  const KnownVariance known = known_over(block, [&](int x, int y) { return d.variance[d.index(x, y)]; });
+  const KnownVariance known = known_over(block, [&](int x, int y) { return d.shared[d.index(x, y)]; });
   Deviation deviation;
   deviation.difference = sum_over(block, d, d.difference);
   deviation.standard_error = std::sqrt(known.variance);

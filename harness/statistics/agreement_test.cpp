@@ -203,6 +203,43 @@ TEST(agreement, takes_an_images_word_for_how_pixels_vary_together) {
   EXPECT_GE(found, 970);
 }
 
+/// Even light whose noise is spread over 3 x 3 pixels by 1/4, 1/2, 1/4 along either axis: a pixel has (3/8)^2 of the
+/// spread variance, a sum over many pixels all of it.
+Rendering spread_noise(int size, std::uint64_t seed, bool says_so) {
+  constexpr double deviation = 0.05, kernel[] = {0.25, 0.5, 0.25}, of_a_pixel = 9.0 / 64;
+  Generator g(seed);
+  std::normal_distribution<double> normal(0, deviation);
+  std::vector<double> white(static_cast<std::size_t>((size + 2) * (size + 2)));
+  for (double& v : white) v = normal(g);
+  Rendering image{Image(size, size), Image(size, size), {}};
+  for (int y = 0; y < size; ++y)
+    for (int x = 0; x < size; ++x) {
+      double sum = 1;
+      for (int j = 0; j < 9; ++j)
+        sum += kernel[j / 3] * kernel[j % 3] * white[static_cast<std::size_t>((y + j / 3) * (size + 2) + x + j % 3)];
+      for (int c = 0; c < 3; ++c) {
+        image.mean.pixel(x, y)[c] = static_cast<float>(sum);
+        image.variance->pixel(x, y)[c] = static_cast<float>(of_a_pixel * deviation * deviation);
+      }
+    }
+  const double of_mean = deviation / size;
+  store_mean_error(image, {{of_mean, of_mean, of_mean}, 64});
+  if (says_so) store_pixels_a_splat(image, 1 / of_a_pixel);
+  return image;
+}
+
+TEST(agreement, takes_an_images_word_for_how_neighbours_vary_together) {
+  Failures failures;
+  int unsaid = 0;
+  for (std::uint64_t pair = 0; pair < kPairs; ++pair) {
+    failures.count(test_agreement(spread_noise(24, 2 * pair + 1, true), spread_noise(24, 2 * pair + 2, true)));
+    unsaid +=
+        test_agreement(spread_noise(24, 2 * pair + 1, false), spread_noise(24, 2 * pair + 2, false)).pass() ? 0 : 1;
+  }
+  expect_level(failures, "noise over 3 x 3 pixels", 64);
+  EXPECT_GT(unsaid, kPairs / 2);
+}
+
 TEST(agreement, compares_blocks_without_what_all_pixels_are_high_by_together) {
   // What is common has five times the deviation of a pixel's own noise, 0.1 and 0.02 of it. A block is held to the
   // variance of both, as if pixels were independent: sqrt(2 (0.1^2 + 0.02^2)) / 8 = 1.8 %, some 14 of which are found.

@@ -51,6 +51,15 @@ void widen_by_mean_error(Deviation& whole, const EnginePicture& picture, std::si
   whole.freedom = std::min(whole.freedom, std::max(1.0, stored->passes - 1));
 }
 
+/// Neighbours that a light path's splat spans vary together.
+void widen_by_splats(Deviation& sum, const EnginePicture& picture, const Block& block, std::size_t channel) {
+  const double more = pixels_a_splat(picture.rendering) - 1;
+  if (!(more > 0)) return;
+  double variance = 0;
+  for_each_pixel(block, [&](int x, int y) { variance += double{picture.rendering.variance->pixel(x, y)[channel]}; });
+  sum.standard_error = std::sqrt(std::pow(sum.standard_error, 2) + more * variance);
+}
+
 double whole_level() { return sidak(pair_alpha, 6); }
 
 /// The least shift of the mean, relative, that shows beyond what is declared.
@@ -142,7 +151,10 @@ Deviations deviations_between(const EnginePicture& first, const EnginePicture& s
       pixel.standard_error = std::sqrt(variance_of(first, i) + variance_of(second, i) + rounding * rounding);
       d.pixels[c].push_back(pixel);
     }
-    for (const Block& block : d.places) d.blocks[c].push_back(sum_of(d, block, c));
+    for (const Block& block : d.places) {
+      d.blocks[c].push_back(sum_of(d, block, c));
+      for (const EnginePicture* picture : {&first, &second}) widen_by_splats(d.blocks[c].back(), *picture, block, c);
+    }
     d.whole[c] = sum_of(d, {0, 0, a.width, a.height}, c);
     for (const EnginePicture* picture : {&first, &second}) widen_by_mean_error(d.whole[c], *picture, c);
   }

@@ -68,6 +68,7 @@ Rendering pooled(const std::vector<std::pair<Rendering, double>>& parts) {
   }
   if (!layers || std::ranges::any_of(parts, [](const auto& part) { return is_of_few_batches(part.first); }))
     steady_by_blocks(*out.variance);
+  store_pixels_a_splat(out, pixels_a_splat(parts.front().first));
   MeanError error;
   error.passes = 0;
   for (const auto& [part, samples] : parts) {

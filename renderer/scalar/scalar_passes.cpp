@@ -71,6 +71,7 @@ void render_splats(const Scene& scene, const RenderJob& job, Stream stream, cons
     std::vector<RgbD> radiance;  ///< of the tile's pixels
   };
   SplatImage pass(window, scene.filter);
+  film.set_pixels_a_splat(FilterKernel(scene.filter).pixels_a_splat());
   RenderLoop loop(job, threads, film, stats, {.phase = phase, .longest = longest_pass(job, film)});
   loop.keep(pass.sums());
   std::vector<Slot> slots(loop.slots());

@@ -274,6 +274,10 @@ TEST(filters, splats_of_evenly_spread_points_give_every_pixel_one) {
 
 TEST(filters, a_box_splat_falls_into_the_pixel_that_holds_it) {
   const FilterKernel box(ReconstructionFilter{ReconstructionFilter::Kind::box, 0.5, 1});
+  EXPECT_NEAR(box.pixels_a_splat(), 1, 1e-9);
+  // Of the tent the integral of w^2 is 2/3 along an axis.
+  EXPECT_NEAR(FilterKernel(ReconstructionFilter{ReconstructionFilter::Kind::tent, 0.5, 1}).pixels_a_splat(), 2.25,
+              1e-4);
   for (const Vec2<float> at : {Vec2<float>{3.0f, 4.5f}, Vec2<float>{3.999f, 4.0f}}) {
     int count = 0;
     box.for_each_pixel(at, 10, 10, [&](int x, int y, float weight) {

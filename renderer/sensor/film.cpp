@@ -67,6 +67,7 @@ Rendering Film::develop() const {
     store_mean_error(rendering,
                      {{std::sqrt(v.x), std::sqrt(v.y), std::sqrt(v.z)}, static_cast<double>(passes_.estimates)});
   }
+  if (pixels_a_splat_ > 1) store_pixels_a_splat(rendering, pixels_a_splat_);
   return rendering;
 }
 

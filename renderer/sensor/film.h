@@ -42,6 +42,8 @@ class Film {
   /// After every pass of `samples` a pixel whose pixels share light paths or photons: they vary together, so that how
   /// certain the image's mean is only the passes show. A pass that was broken off does not count before it is whole.
   void end_shared_pass(double samples);
+  /// Of light paths that are added by a filter wider than a pixel (scenes/images/mean_error.h).
+  void set_pixels_a_splat(double pixels) { pixels_a_splat_ = pixels; }
 
   /// Mean and, where every pixel has at least two estimates, the variance of the mean:
   /// sum w (x - m)^2 / ((n - 1) sum w), unbiased where an estimate's variance is inverse to its weight. By the same
@@ -95,6 +97,7 @@ class Film {
   std::vector<Pixel> pixels_;
   Pixel passes_;       ///< of the image's mean, each shared pass an estimate
   Pixel before_pass_;  ///< sums over all pixels when the last pass had ended
+  double pixels_a_splat_ = 1;
 };
 
 }  // namespace photonproof

@@ -53,6 +53,13 @@ double FilterKernel::half_integral(double distance) const {
          inverse_integral_;
 }
 
+double FilterKernel::pixels_a_splat() const {
+  constexpr int steps = 512;
+  double squares = 0;
+  for (int i = 0; i < steps; ++i) squares += std::pow((*this)(radius_ * (2 * (i + 0.5) / steps - 1)), 2);
+  return std::pow(steps / (2 * radius_ * squares), 2);
+}
+
 FilterView compile_filter(const ReconstructionFilter& filter) {
   const FilterKernel kernel(filter);
   FilterView view;

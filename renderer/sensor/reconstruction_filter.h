@@ -19,6 +19,8 @@ class FilterKernel {
 
   double radius() const { return radius_; }
   double operator()(double distance) const;
+  /// Over how many pixels a splat is spread: 1 / (integral of the filter's square)^2.
+  double pixels_a_splat() const;
   /// Integral from 0 to `distance`, at most 1/2.
   double half_integral(double distance) const;
 

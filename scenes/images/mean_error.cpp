@@ -6,6 +6,7 @@ namespace photonproof {
 namespace {
 
 constexpr const char* key = "photonproof:mean_standard_error_and_passes";
+constexpr const char* splat_key = "photonproof:pixels_a_splat";
 
 }  // namespace
 
@@ -26,6 +27,18 @@ std::optional<MeanError> stored_mean_error(const Rendering& rendering) {
   }
   if (numbers.size() != 4 || numbers[3] < 2) return std::nullopt;
   return MeanError{{numbers[0], numbers[1], numbers[2]}, numbers[3]};
+}
+
+void store_pixels_a_splat(Rendering& rendering, double pixels) {
+  rendering.metadata[splat_key] = format_number(pixels);
+}
+
+double pixels_a_splat(const Rendering& rendering) {
+  const auto found = rendering.metadata.find(splat_key);
+  if (found == rendering.metadata.end()) return 1;
+  const Parsed<double> pixels = parse_number(found->second);
+  constexpr double most = 1e4;  // a filter of a hundred pixels; also what files of others may say
+  return pixels.value && *pixels.value >= 1 && *pixels.value <= most ? *pixels.value : 1;
 }
 
 }  // namespace photonproof

@@ -18,4 +18,10 @@ void store_mean_error(Rendering& rendering, const MeanError& error);
 /// Empty where the image says nothing of it, or nothing that can be read.
 std::optional<MeanError> stored_mean_error(const Rendering& rendering);
 
+/// Of an image to which light paths were added by a reconstruction filter w that is wider than a pixel, so that
+/// neighbours vary together: 1 / (integral of w^2)^2 pixels. A sum over many pixels varies so much more than the sum of
+/// their variances says; 1 where the image says nothing of it.
+void store_pixels_a_splat(Rendering& rendering, double pixels);
+double pixels_a_splat(const Rendering& rendering);
+
 }  // namespace photonproof
