@@ -41,6 +41,7 @@ struct Side {
   const VerifyEngine* engine = nullptr;
   std::map<int, EnginePicture> pictures{};  ///< by series; one without noise has the first alone
   std::optional<RgbD> closed_form{};
+  bool is_set_aside = false;  ///< says nothing of the scene: in no pair
 };
 
 class SceneJudge {
@@ -62,6 +63,7 @@ class SceneJudge {
       sides_.push_back({{kClosedForm, kClosedForm, true}, nullptr, {}, scene_.expect->analytic->mean});
     add_stored_reference();
     compare_all();
+    set_aside_who_cannot_show_caustics();
     decide();
     out_.seconds = timer.seconds();
     return std::move(out_);
@@ -136,7 +138,10 @@ class SceneJudge {
     // Chance has one more try; what differs differs again.
     if (result.differs) result = test(sides_[i], sides_[j], 1);
     const double asked = 1.5 * studio_.options().power + declared_by(sides_[i]) + declared_by(sides_[j]);
-    const bool is_seen = result.would_see && *result.would_see <= asked && !result.by_few_samples;
+    // Who may be off by a quarter witnesses nothing.
+    constexpr double most_declared = 0.25;
+    const bool says_little = std::max(declared_by(sides_[i]), declared_by(sides_[j])) > most_declared;
+    const bool is_seen = result.would_see && *result.would_see <= asked && !result.by_few_samples && !says_little;
     const PairVerdict verdict = result.differs ? PairVerdict::differ
                                 : is_seen      ? PairVerdict::agree
                                                : PairVerdict::undecided;
@@ -194,6 +199,46 @@ class SceneJudge {
     }
     const FaultLocator locator(studio_, scene_, description_);
     out_.faults.push_back(locator.locate({*side.engine, side.pictures.at(0)}, believed));
+  }
+
+  std::vector<std::size_t> who_differs_from(std::size_t side) const {
+    std::vector<std::size_t> others;
+    for (const WitnessPair& pair : pairs_)
+      if (pair.verdict == PairVerdict::differ && (pair.first == side || pair.second == side))
+        others.push_back(pair.first == side ? pair.second : pair.first);
+    return others;
+  }
+
+  /// Where what one differs by is first seen in the caustics that its way of finding light cannot show, it says nothing
+  /// of the scene, rather than being wrong.
+  void set_aside_who_cannot_show_caustics() {
+    const auto blind = [&](std::size_t side) {
+      const VerifyEngine* engine = sides_[side].engine;
+      return engine != nullptr ? caustics_that_are_not_shown(engine->sampling, description_) : std::string();
+    };
+    for (std::size_t side = 0; side < sides_.size(); ++side) {
+      const std::string why = blind(side);
+      if (why.empty()) continue;
+      std::vector<std::size_t> others = who_differs_from(side);
+      std::erase_if(others, [&](std::size_t other) { return !blind(other).empty(); });
+      const std::vector<Believed> seeing = believed_engines(others);
+      if (seeing.empty()) continue;
+      const FaultLocator locator(studio_, scene_, description_);
+      if (locator.locate({*sides_[side].engine, sides_[side].pictures.at(0)}, seeing).pass == "caustic")
+        set_aside(side, why);
+    }
+  }
+
+  void set_aside(std::size_t side, const std::string& why) {
+    sides_[side].is_set_aside = true;
+    const std::string& name = sides_[side].witness.name;
+    std::erase_if(pairs_, [&](const WitnessPair& pair) { return pair.first == side || pair.second == side; });
+    std::erase_if(out_.pairs, [&](const VerifyPair& pair) { return pair.first == name || pair.second == name; });
+    for (VerifyPicture& picture : out_.pictures) {
+      if (picture.engine != name) continue;
+      picture.status = to_string(Status::unsupported);
+      picture.detail = why;
+    }
   }
 
   void judge_reference(std::size_t reference, const std::vector<std::size_t>& right) {
@@ -280,11 +325,7 @@ class SceneJudge {
     out_.verdict = "cannot tell which";
     const std::vector<std::string> names = names_of(odd.odd);
     for (const std::size_t side : odd.odd) {
-      std::vector<std::size_t> others;
-      for (const WitnessPair& pair : pairs_)
-        if (pair.verdict == PairVerdict::differ && (pair.first == side || pair.second == side))
-          others.push_back(pair.first == side ? pair.second : pair.first);
-      if (out_.faults.empty()) add_fault(side, others);  // the pass is the same from either side
+      if (out_.faults.empty()) add_fault(side, who_differs_from(side));  // the pass is the same from either side
     }
     std::string where;
     if (!out_.faults.empty()) where = ": " + out_.faults.front().engine + " is " + out_.faults.front().sentence;
@@ -313,11 +354,12 @@ class SceneJudge {
 
   void say_what_is_missing() {
     out_.verdict = "inconclusive";
-    std::size_t drawn = 0;
-    for (const Side& side : sides_) drawn += side.engine != nullptr ? 1 : 0;
-    out_.sentence = drawn == 0 ? "no engine renders this scene"
-                    : drawn == 1
-                        ? "only " + sides_.front().witness.name + " renders this scene: no other way to compare"
+    std::vector<std::string> drawn;
+    for (const Side& side : sides_)
+      if (side.engine != nullptr && !side.is_set_aside) drawn.push_back(side.witness.name);
+    out_.sentence = drawn.empty() ? "no engine renders this scene"
+                    : drawn.size() == 1
+                        ? "only " + drawn.front() + " renders this scene: no other way to compare"
                         : "noise: no pair by two ways of finding light would have shown an error as asked";
   }
 

@@ -131,7 +131,7 @@ Result Studio::cell(const StudioScene& scene, const VerifyEngine& engine, const 
   SuiteCommon suite;
   suite.folder = options_.rows.empty() ? fs::path(".") : fs::absolute(options_.rows).parent_path();
   suite.limits.threads = options_.threads;
-  suite.limits.seconds = 4 * options_.seconds + 60;
+  suite.limits.seconds = 4 * options_.seconds + 120;
   suite.limits.memory_mb = 4096;
   suite.engines = {engine.row};
   SuiteScene row;

@@ -116,6 +116,29 @@ TEST_F(VerbVerify, light_tracing_is_no_witness_of_a_plane_without_end_under_a_sk
   EXPECT_NE(verified().pictures[1].detail.find("a plane without end"), std::string::npos);
 }
 
+TEST_F(VerbVerify, camera_paths_are_set_aside_where_they_cannot_show_a_caustic) {
+  put_scene(walls(diffuse("0.5")) + glass_ball() + point_lamp());
+  verify({"--engine", "path", "--engine", "volpath", "--engine", "bdpt"});
+  const VerifyScene scene = verified();
+  EXPECT_EQ(scene.verdict, "inconclusive") << scene.sentence;
+  EXPECT_EQ(scene.sentence, "only bdpt renders this scene: no other way to compare");
+  for (const VerifyPicture& picture : scene.pictures)
+    EXPECT_EQ(picture.status, picture.engine == "bdpt" ? "ok" : "unsupported") << picture.engine;
+  EXPECT_TRUE(scene.pairs.empty());
+}
+
+TEST_F(VerbVerify, who_may_be_off_by_half_witnesses_nothing) {
+  const auto verdict = [&](const std::string& bias) {
+    put("expect.toml",
+        "purpose = 'test'\nexposure = 0\n[[tolerance]]\nengine = 'photonmapper'\nmetric = 'bias'\nvalue = " + bias +
+            "\nreason = 'declared'\n");
+    verify({"--engine", "volpath", "--engine", "photonmapper"});
+    return verified().pairs.at(0).verdict;
+  };
+  EXPECT_EQ(verdict("0.02"), "agree");
+  EXPECT_EQ(verdict("0.5"), "undecided");
+}
+
 /// A reference is kept that the scene's lamp has outgrown by 5 %, though its content is the scene's.
 TEST_F(VerbVerify, stored_reference_that_is_off_to_one_side_is_stale) {
   const ProcessOutcome made = run_process(
