@@ -119,7 +119,9 @@ std::string channel_names(const std::array<bool, 3>& channels) {
 
 std::string relative_text(double difference, double expected) {
   if (expected == 0) return fmt::format("{:+.2g} (reference 0)", difference);
-  return fmt::format("{:+.2g} %", 100 * difference / std::abs(expected));
+  const double percent = 100 * difference / std::abs(expected);
+  return std::abs(percent) >= 100 && std::abs(percent) < 1e4 ? fmt::format("{:+.0f} %", percent)
+                                                             : fmt::format("{:+.2g} %", percent);
 }
 
 std::vector<FailingTile> failing_tiles(const Deviations& deviations, const BlockScore& score) {

@@ -3,120 +3,30 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 
-#include "reports/verify/verify_record.h"
+#include "reports/verify/verify_overview.h"
 
 namespace photonproof {
-namespace {
-
-/// Beside an engine's pictures: what stands for one (harness/verify/scene_verdict.cpp).
-constexpr const char* kOthers[] = {"closed form", "stored reference"};
-
-const VerifyPicture* drawn_by(const VerifyScene& scene, const std::string& engine) {
-  const auto found = std::ranges::find(scene.pictures, engine, &VerifyPicture::engine);
-  return found != scene.pictures.end() ? &*found : nullptr;
-}
-
-/// Whom the others are compared with: of those who are believed the first that declares no error, else the first.
-std::string base_of(const VerifyScene& scene) {
-  for (const std::string& name : scene.believed) {
-    const VerifyPicture* picture = drawn_by(scene, name);
-    if (picture != nullptr && picture->declared_whole == 0) return name;
-  }
-  for (const VerifyPicture& picture : scene.pictures)
-    if (picture.status == "ok") return picture.engine;
-  return {};
-}
-
-std::string cell_words(const VerifyScene& scene, const std::string& base, const std::string& name) {
-  if (name == base) return "base";
-  const VerifyPair* pair = pair_between(scene, base, name);
-  if (pair == nullptr) {
-    const VerifyPicture* picture = drawn_by(scene, name);
-    const bool refused = picture == nullptr || picture->status == "unsupported";
-    return refused ? "–" : picture->status;
-  }
-  const double shift = pair->first == base ? pair->worst_shift() : -pair->worst_shift() / (1 + pair->worst_shift());
-  const std::string mark = pair->verdict == "differ" ? " ✗" : pair->verdict == "undecided" ? " ?" : "";
-  return fmt::format("{:+.2f} %{}{}", 100 * shift + 0.0, pair->ssim ? fmt::format(" {:.3f}", *pair->ssim) : "", mark);
-}
-
-/// The largest of those that pairs of the believed would have seen.
-std::string power_words(const VerifyScene& scene) {
-  double worst = 0;
-  bool known = false;
-  for (const VerifyPair& pair : scene.pairs) {
-    const auto believed = [&](const std::string& name) {
-      return std::ranges::find(scene.believed, name) != scene.believed.end();
-    };
-    if (pair.verdict != "agree" || !pair.would_see || !believed(pair.first) || !believed(pair.second)) continue;
-    worst = std::max(worst, *pair.would_see);
-    known = true;
-  }
-  return known ? error_words(worst) : "–";
-}
-
-/// Whether one agrees with an engine of this program that shares no code with it: another's, or a closed form.
-bool has_other_witness(const VerifyRecord& record, const VerifyScene& scene) {
-  const auto is_ours = [&](const std::string& name) {
-    return std::ranges::any_of(record.engines, [&](const VerifyEngineRecord& engine) {
-      return engine.name == name && engine.version == record.program;
-    });
-  };
-  const auto is_other = [&](const std::string& name) { return name != "stored reference" && !is_ours(name); };
-  return std::ranges::any_of(scene.pairs, [&](const VerifyPair& pair) {
-    return pair.verdict == "agree" &&
-           ((is_ours(pair.first) && is_other(pair.second)) || (is_ours(pair.second) && is_other(pair.first)));
-  });
-}
-
-std::string totals_of(const VerifyRecord& record) {
-  std::map<std::string, int> verdicts;
-  int witnessed = 0, pairs = 0, agreeing = 0;
-  for (const VerifyScene& scene : record.scenes) {
-    ++verdicts[scene.verdict];
-    witnessed += has_other_witness(record, scene) ? 1 : 0;
-    pairs += static_cast<int>(scene.pairs.size());
-    agreeing += static_cast<int>(std::ranges::count(scene.pairs, "agree", &VerifyPair::verdict));
-  }
-  std::string words;
-  for (const auto& [verdict, scenes] : verdicts)
-    words += fmt::format("{}{} {}", words.empty() ? "" : ", ", scenes, verdict);
-  return fmt::format(
-      "Of {} scenes: {}. Of {} pairs {} agree. {} scenes have a witness that shares no code with this program's "
-      "engines: another renderer or a closed form.",
-      record.scenes.size(), words, pairs, agreeing, witnessed);
-}
-
-}  // namespace
 
 std::string verify_markdown(const VerifyRecord& record) {
-  std::vector<std::string> columns;
-  for (const VerifyEngineRecord& engine : record.engines) columns.push_back(engine.name);
-  for (const char* other : kOthers) columns.emplace_back(other);
-  std::string text =
-      fmt::format("{:.0f} s on {}, {}. {}\n\n", record.seconds, record.host, record.program, totals_of(record));
+  const VerifyOverview overview = verify_overview(record);
+  std::string text = fmt::format("{:.0f} s on {}, {}. {}\n\n{}\n", record.seconds, record.host, record.program,
+                                 overview.totals, verify_overview_words);
   text +=
-      "Behind a scene: the mean of the image relative to the base's, of the channel that is off most, and ssim. ✗ "
-      "differs by "
-      "more than noise and what is declared explain, ? is not known, – is not rendered. `seen`: the least error of the "
-      "mean "
-      "that every pair of those who agree would have shown; `s`: of all engines, pairs and passes.\n\n| scene | "
-      "verdict |";
-  for (const std::string& column : columns) text += " " + column + " |";
+      "`seen`: the least error of the mean that every pair of those who agree would have shown; `s`: of all engines, "
+      "pairs and passes.\n\n| scene | verdict |";
+  for (const std::string& column : overview.columns) text += " " + column + " |";
   text += " seen | s |\n|---|---|";
-  for (std::size_t i = 0; i < columns.size() + 2; ++i) text += "--:|";
+  for (std::size_t i = 0; i < overview.columns.size() + 2; ++i) text += "--:|";
   text += "\n";
-  for (const VerifyScene& scene : record.scenes) {
-    const std::string base = base_of(scene);
-    text += fmt::format("| `{}` | {} |", scene.name, scene.verdict);
-    for (const std::string& column : columns) text += " " + cell_words(scene, base, column) + " |";
-    text += fmt::format(" {} | {:.0f} |\n", power_words(scene), scene.seconds);
-  }
   std::string others;
-  for (const VerifyScene& scene : record.scenes)
+  for (const OverviewRow& row : overview.rows) {
+    const VerifyScene& scene = *row.scene;
+    text += fmt::format("| `{}` | {} |", scene.name, scene.verdict);
+    for (const OverviewCell& cell : row.cells) text += " " + cell.words + " |";
+    text += fmt::format(" {} | {:.0f} |\n", row.seen, scene.seconds);
     if (scene.verdict != "agree") others += fmt::format("- `{}`: {}: {}\n", scene.name, scene.verdict, scene.sentence);
+  }
   return others.empty() ? text : text + "\nNot all agree:\n\n" + others;
 }
 
@@ -126,8 +36,8 @@ std::string verify_csv(const VerifyRecord& record) {
   for (const VerifyScene& scene : record.scenes)
     for (const VerifyPair& pair : scene.pairs) {
       const auto seconds = [&](const std::string& name) {
-        const VerifyPicture* picture = drawn_by(scene, name);
-        return picture != nullptr ? fmt::format("{:.2f}", picture->seconds) : "";
+        const auto picture = std::ranges::find(scene.pictures, name, &VerifyPicture::engine);
+        return picture != scene.pictures.end() ? fmt::format("{:.2f}", picture->seconds) : "";
       };
       text += fmt::format("{},{},{},{},{:.4g},{},{},{},{},{}\n", scene.name, pair.first, pair.second, pair.verdict,
                           pair.worst_shift(), number(pair.would_see), number(pair.relmse), number(pair.ssim),

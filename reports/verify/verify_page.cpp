@@ -7,7 +7,7 @@
 #include "reports/page/page_parts.h"
 #include "reports/page/picture.h"
 #include "reports/page/templates.h"
-#include "reports/verify/verify_record.h"
+#include "reports/verify/verify_overview.h"
 #include "reports/verify/verify_templates.h"
 #include "reports/view/view.h"
 #include "scenes/text/atomic_file.h"
@@ -49,13 +49,12 @@ data picture_card(const VerifyPicture& picture, const VerifyScene& scene, const 
   card.set("is_odd", is_odd);
   card.set("facts", fmt::format("{}{:.2g} s", picture.samples > 0 ? fmt::format("{} samples, ", picture.samples) : "",
                                 picture.seconds));
-  const bool declares = picture.declared_whole > 0;
-  card.set("declares", declares);
-  card.set("declared", declares ? fmt::format("may be off by {} ({}): {}", error_words(picture.declared_whole),
-                                              error_words(picture.declared_block) + " of a block",
-                                              printable(picture.declared_reason))
-                                : "");
-  card.set("losses", list_of(picture.losses));
+  std::vector<std::string> remarks = picture.losses;
+  if (picture.declared_whole > 0)
+    remarks.insert(remarks.begin(),
+                   fmt::format("may be off by {} ({} of a block): {}", error_words(picture.declared_whole),
+                               error_words(picture.declared_block), picture.declared_reason));
+  card.set("remarks", list_of(remarks));
   return card;
 }
 
@@ -159,6 +158,31 @@ data probe_data(const VerifyProbe& probe) {
   return out;
 }
 
+/// One look at all scenes, where they are more than one.
+void set_overview(data& page, const VerifyOverview& overview) {
+  data rows(data::type::list);
+  for (const OverviewRow& row : overview.rows) {
+    data out, cells(data::type::list);
+    out.set("name", printable(row.scene->name));
+    out.set("verdict", row.scene->verdict);
+    out.set("chip", chip_of(row.scene->verdict));
+    for (const OverviewCell& cell : row.cells) {
+      data shown;
+      shown.set("words", printable(cell.words));
+      shown.set("state", cell.state);
+      cells.push_back(shown);
+    }
+    out.set("cells", cells);
+    out.set("seen", row.seen);
+    out.set("seconds", fmt::format("{:.0f}", row.scene->seconds));
+    rows.push_back(out);
+  }
+  page.set("has_overview", overview.rows.size() > 1);
+  page.set("overview_words", verify_overview_words);
+  page.set("columns", list_of(overview.columns));
+  page.set("overview", rows);
+}
+
 int rank_of(const VerifyScene& scene) {
   const std::string& verdict = scene.verdict;
   return verdict == "agree" ? 2 : verdict == "inconclusive" ? 1 : 0;
@@ -172,11 +196,7 @@ void write_verify_page(const VerifyRecord& record, const fs::path& folder, const
       page, std::string(reports::templates::style) + std::string(reports::verify_templates::verify_style),
       reports::verify_templates::script, reports::verify_templates::script_sha256);
   std::vector<const VerifyScene*> sorted;
-  std::size_t agree = 0;
-  for (const VerifyScene& scene : record.scenes) {
-    sorted.push_back(&scene);
-    agree += scene.verdict == "agree" ? 1 : 0;
-  }
+  for (const VerifyScene& scene : record.scenes) sorted.push_back(&scene);
   std::ranges::stable_sort(sorted, {}, [](const VerifyScene* scene) { return rank_of(*scene); });
   for (const VerifyScene* scene : sorted) scenes.push_back(scene_data(*scene, folder));
   for (const VerifyEngineRecord& engine : record.engines) {
@@ -186,8 +206,9 @@ void write_verify_page(const VerifyRecord& record, const fs::path& folder, const
     engines.push_back(row);
   }
   for (const VerifyProbe& probe : record.probes) probes.push_back(probe_data(probe));
-  page.set("totals", fmt::format("{} of {} scenes: all engines agree{}", agree, record.scenes.size(),
-                                 record.interrupted ? "; interrupted" : ""));
+  const VerifyOverview overview = verify_overview(record);
+  set_overview(page, overview);
+  page.set("totals", (record.interrupted ? "Interrupted. " : "") + overview.totals);
   page.set("fails", exit_code_of(record) == 1);
   page.set("created", printable(reports::time_text(record.created)));
   page.set("seconds", fmt::format("{:.0f}", record.seconds));
