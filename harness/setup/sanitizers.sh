@@ -22,7 +22,7 @@ watched() {
   shift
   ASAN_OPTIONS="exitcode=99:log_path=$log:detect_odr_violation=0:allocator_may_return_null=1" \
     UBSAN_OPTIONS="exitcode=99:log_path=$log:print_stacktrace=1:halt_on_error=1" \
-    TSAN_OPTIONS="exitcode=99:log_path=$log:ignore_noninstrumented_modules=1:suppressions=$PWD/harness/setup/threads_suppressed.txt" "$@"
+    TSAN_OPTIONS="exitcode=99:log_path=$log:report_thread_leaks=0:ignore_noninstrumented_modules=1:suppressions=$PWD/harness/setup/threads_suppressed.txt" "$@"
 }
 
 # Tests that the address checks stand in the way of: limits of address space, of which they map terabytes; what malloc

@@ -95,6 +95,11 @@ double next_samples(double had, double seen, double power, double spent, double 
   return next >= had / 4 ? next : 0;
 }
 
+/// What is asked for, or what the scene was found to need.
+double quality_of(const StudioScene& scene, double asked) {
+  return scene.expect && scene.expect->povray ? std::max<double>(asked, scene.expect->povray->quality) : asked;
+}
+
 double stated_bias(const Result& result) {
   const auto found = result.counts.find("relative_bias");
   return found == result.counts.end() ? 0 : found->second;
@@ -177,7 +182,7 @@ Shot Studio::shoot_samples(const StudioScene& scene, const VerifyEngine& engine,
   std::uint64_t seed = 1 + static_cast<std::uint64_t>(series) * seeds_of_a_series;
   const bool takes_seed = mentions(engine.row.command, "{seed}");
   const auto of_engine = [&](const char* kind) { return engine.budget_kind == kind; };
-  const double amount = of_engine("quality") ? options_.quality : 1;
+  const double amount = of_engine("quality") ? quality_of(scene, options_.quality) : 1;
   while (samples > 0) {
     const Budget budget{engine.budget_kind, engine.counts_samples() ? samples : amount};
     const Result result = cell(scene, engine, budget, seed++);
