@@ -22,6 +22,7 @@
 #include "renderer/integrators/indirect_choice.h"
 #include "renderer/integrators/photon_dots.h"
 #include "renderer/integrators/photon_maps.h"
+#include "renderer/light_choice/scene_lights.h"
 #include "renderer/passes/irradiance_cache.h"
 #include "renderer/passes/look_up_area.h"
 #include "renderer/passes/look_up_bias.h"
