@@ -31,7 +31,7 @@ TEST_P(CyclesProbes, is_the_closed_form) {
   const SceneDescription scene = parse_scene_text(probe.scene, probe.what);
   EnginePicture picture;
   picture.rendering =
-      render_cycles(export_cycles(scene, {.width = 32, .height = 32, .samples = 256, .threads = 1})).rendering;
+      render_cycles(export_cycles(scene, {.width = 32, .height = 32, .samples = 512, .threads = 1})).rendering;
   const ProbeFit fit = fit_probe(probe, picture);
   std::printf("%s: Cycles %.5f +- %.5f x closed form, offset %.5f\n", probe.what.c_str(), fit.gain, fit.gain_error,
               fit.offset);

@@ -80,6 +80,23 @@ double cosine(double x, double y, double fov_degrees) {
   const double t = std::tan(fov_degrees * kPi / 360);
   return 1 / std::sqrt(1 + t * t * (x * x + y * y));
 }
+/// Below a coat, lit from all around by 1: what the coat mirrors, and what got in, was thrown back and forth and got
+/// out. Of light from all sides the coat's inside throws back `inside` = 1 - (1 - outside) / n^2.
+RgbD under_coat(double x, double y) {
+  constexpr double ior = 1.5;
+  constexpr int steps = 2000;
+  double outside = 0;
+  for (int i = 0; i < steps; ++i) {
+    const double angle = (i + 0.5) / steps * kPi / 2;
+    outside += fresnel_reflectance(angle, ior).unpolarised() * std::sin(2 * angle) * kPi / 2 / steps;
+  }
+  const double inside = 1 - (1 - outside) / (ior * ior);
+  const double F = fresnel_reflectance(std::acos(cosine(x, y, kFov)), ior).unpolarised();
+  return RgbD(F + (1 - F) * (1 - inside) * kAlbedo / (1 - kAlbedo * inside));
+}
+/// A third of it is not there, and the sky shines through.
+RgbD behind_mask(double, double) { return RgbD(2 * kAlbedo / 3 + 1.0 / 3); }
+RgbD blended(double, double) { return {0.75 * 0.8 + 0.25 * 0.2, 0.75 * 0.4 + 0.25 * 0.6, 0.75 * 0.1 + 0.25 * 0.9}; }
 RgbD through_pane(double x, double y) {
   return RgbD(slab_transmittance(fresnel_reflectance(std::acos(cosine(x, y, 100)), 1.5).unpolarised()));
 }
@@ -137,6 +154,28 @@ std::vector<Probe> materials() {
         <float name="int_ior" value="1.5"/><float name="ext_ior" value="1"/></bsdf></shape>)" +
            wall_of_light() + "</scene>",
        through_pane},
+      {"material", "thin glass",
+       along_z(100) + R"(<shape type="rectangle"><transform name="to_world">
+        <scale value="2000"/><translate z="1"/></transform><bsdf type="thindielectric">
+        <float name="int_ior" value="1.5"/><float name="ext_ior" value="1"/></bsdf></shape>)" +
+           wall_of_light() + "</scene>",
+       through_pane},
+      {"material", "plastic",
+       camera() + floor_of(R"(<bsdf type="plastic"><float name="int_ior" value="1.5"/><float name="ext_ior" value="1"/>
+        <rgb name="diffuse_reflectance" value="0.5"/><boolean name="nonlinear" value="true"/></bsdf>)") +
+           sky("1") + "</scene>",
+       under_coat},
+      {"material", "mask",
+       camera() +
+           floor_of(R"(<bsdf type="mask"><float name="opacity" value="0.6666666667"/>)" + diffuse("0.5") + "</bsdf>") +
+           sky("1") + "</scene>",
+       behind_mask},
+      {"material", "blend",
+       camera() +
+           floor_of(R"(<bsdf type="blendbsdf"><float name="weight" value="0.25"/>)" + diffuse("0.8,0.4,0.1") +
+                    diffuse("0.2,0.6,0.9") + "</bsdf>") +
+           sky("1") + "</scene>",
+       blended},
       {"material", "lossless glass",
        camera(40) + R"(<shape type="sphere"><bsdf type="dielectric">
         <float name="int_ior" value="1.5"/><float name="ext_ior" value="1"/></bsdf></shape>)" +

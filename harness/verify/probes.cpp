@@ -143,7 +143,10 @@ class Kinds {
       std::visit(
           Overloaded{[&](const DiffuseDescription&) { add("diffuse"); },
                      [&](const ConductorDescription&) { add("mirror"); },
-                     [&](const DielectricDescription&) { add("glass"), add("lossless glass"); }, [](const auto&) {}},
+                     [&](const DielectricDescription&) { add("glass"), add("lossless glass"); },
+                     [&](const ThinDielectricDescription&) { add("thin glass"); },
+                     [&](const PlasticDescription&) { add("plastic"); }, [&](const MaskDescription&) { add("mask"); },
+                     [&](const BlendDescription&) { add("blend"); }, [](const auto&) {}},
           bsdf.model);
     std::visit(Overloaded{[&](const PerspectiveDescription&) { add("perspective camera"); },
                           [&](const ThinLensDescription&) { add("thin lens"); },
@@ -171,20 +174,21 @@ ProbeFit fit_probe(const Probe& probe, const EnginePicture& picture) {
   const Sums s = sums_of(expected, picture);
   const double mean = s.c / s.n, spread = s.cc - s.c * s.c / s.n;
   ProbeFit fit;
+  const double independent = s.n / 3;  // a pixel's channels may be by the same samples
   constexpr double least_variation = 0.1;  // relative deviation over the image
   fit.has_offset = std::sqrt(std::max(0.0, spread / s.n)) > least_variation * mean;
   if (!fit.has_offset) {
     fit.gain = s.y / s.c;
     const double variance = std::max(s.noise / s.n, residual_variance(expected, picture, fit.gain, 0));
-    fit.gain_error = std::sqrt(variance / s.n) / mean;
+    fit.gain_error = std::sqrt(variance / independent) / mean;
     return fit;
   }
   fit.gain = (s.cy - s.c * s.y / s.n) / spread;
   const double offset = (s.y - fit.gain * s.c) / s.n;
   const double variance = std::max(s.noise / s.n, residual_variance(expected, picture, fit.gain, offset));
-  fit.gain_error = std::sqrt(variance / spread);
+  fit.gain_error = std::sqrt(3 * variance / spread);
   fit.offset = offset / mean;
-  fit.offset_error = std::sqrt(variance * (1 / s.n + mean * mean / spread)) / mean;
+  fit.offset_error = std::sqrt(variance * (1 / independent + 3 * mean * mean / spread)) / mean;
   return fit;
 }
 
