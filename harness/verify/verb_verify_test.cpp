@@ -3,6 +3,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
+#include <future>
 #include <iterator>
 
 #include "harness/cells/test_program.h"
@@ -212,6 +213,27 @@ TEST_F(VerbVerify, second_run_in_a_folder_is_refused_while_the_first_is_at_work)
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_NE(outcome.standard_error.find("wait for it or choose another folder"), std::string::npos)
       << outcome.standard_error;
+}
+
+TEST_F(VerbVerify, two_runs_on_one_cache_of_probes_agree_and_a_third_takes_what_they_found) {
+  put_scene(walls(diffuse("0.5")) + point_lamp());
+  const auto run = [&](const std::string& out) {
+    return run_process({sound, "verify", path("scene.xml"), "-o", path(out), "--size", "24x24", "--seconds", "3",
+                        "--engine", "path", "--engine", "bdpt"},
+                       {.wall_limit_seconds = 200});
+  };
+  auto first = std::async(std::launch::async, [&] { return run("out1"); });
+  const ProcessOutcome second = run("out2");
+  EXPECT_EQ(first.get().exit_code, 0);
+  EXPECT_EQ(second.exit_code, 0) << second.standard_output << second.standard_error;
+  EXPECT_TRUE(has("out1/probes"));
+  EXPECT_EQ(run("out3").exit_code, 0);
+  EXPECT_FALSE(has("out3/probes"));
+  const auto probes = [&](const std::string& out) { return read_verify_record(path(out + "/verify.json")).probes; };
+  const auto of_second = probes("out2"), of_third = probes("out3");
+  ASSERT_GE(of_third.size(), 4u);  // a lamp, a material and a camera by two engines
+  ASSERT_EQ(of_third.size(), of_second.size());
+  for (std::size_t i = 0; i < of_third.size(); ++i) EXPECT_EQ(of_third[i].gain, of_second[i].gain);
 }
 
 TEST_F(VerbVerify, ctrl_c_ends_it_with_130_and_keeps_what_is_drawn) {
