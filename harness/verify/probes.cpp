@@ -174,7 +174,7 @@ ProbeFit fit_probe(const Probe& probe, const EnginePicture& picture) {
   const Sums s = sums_of(expected, picture);
   const double mean = s.c / s.n, spread = s.cc - s.c * s.c / s.n;
   ProbeFit fit;
-  const double independent = s.n / 3;  // a pixel's channels may be by the same samples
+  const double independent = s.n / 3;      // a pixel's channels may be by the same samples
   constexpr double least_variation = 0.1;  // relative deviation over the image
   fit.has_offset = std::sqrt(std::max(0.0, spread / s.n)) > least_variation * mean;
   if (!fit.has_offset) {
