@@ -86,7 +86,8 @@ def reference_of(program, scene, options):
 def measure(program, scene, options):
     """Figures of a scene at the least budget that is enough, or the sentence by which it is refused."""
     best = None
-    for budget in qualities(options) if options.engine == "povray" else [options.spp]:
+    budgets = range(options.quality, HIGHEST_QUALITY + 1) if options.engine == "povray" else [options.spp]
+    for budget in budgets:
         found = measure_at(program, scene, budget, options)
         if isinstance(found, str):
             return found
@@ -95,10 +96,6 @@ def measure(program, scene, options):
         if SMALL[options.engine](best) or found["seconds"] * TIMES_A_QUALITY > MOST_SECONDS:
             break
     return best
-
-
-def qualities(options):
-    return range(options.quality, HIGHEST_QUALITY + 1)
 
 
 def measure_at(program, scene, budget, options):
@@ -115,8 +112,8 @@ def measure_at(program, scene, budget, options):
     compared = run([program, "compare", reference_of(program, scene, options), image, "--json", "--metrics",
                     "bias,relmse,ssim"])
     metrics = {row["name"]: row["value"] for row in json.loads(compared.stdout)["metrics"]}
-    found = {BUDGET[options.engine]: budget, "mean_percent": round(100 * metrics["bias"], 2) + 0.0, "relmse": float(f"{metrics['relmse']:.1e}"),
-             "ssim": round(metrics["ssim"], 4), "seconds": round(stats["cpu_seconds"], 1)}
+    found = {BUDGET[options.engine]: budget, "mean_percent": round(100 * metrics["bias"], 2) + 0.0,
+             "relmse": float(f"{metrics['relmse']:.1e}"), "ssim": round(metrics["ssim"], 4), "seconds": round(stats["cpu_seconds"], 1)}
     if options.engine == "cycles":
         found["noise_percent"] = round(100 * stats["relative_standard_error"], 3)
     return found
@@ -178,7 +175,9 @@ def declared(scene, engine):
 def write_table(options):
     found = {path.parent.name: declared(path.parent.name, options.engine) for path in sorted(LIBRARY.glob("*/scene.xml"))}
     rows = [table_row(scene, figures, options.engine) for scene, figures in found.items() if figures]
-    name, budget = options.engine, f"{BUDGET[options.engine]} {options.quality if options.engine == 'povray' else options.spp}"
+    name = options.engine
+    budget = f"{BUDGET[name]} {getattr(options, BUDGET[name])}"
+    how = "The least quality that is enough" if name == "povray" else budget
     chosen = "" if name == "povray" else f"--engine {name} "
     noise = "The references have noise of their own."
     truth = "the library's own reference where it has one, else " if name == "povray" else ""
@@ -188,7 +187,7 @@ def write_table(options):
     (ROOT / "reports" / "published" / f"{name}.md").write_text(
         f"# {NAMES[name]} on the scene library\n\n```sh\nreference/measure_library.py build/release/bin/photonproof "
         f"{chosen}--keep out/{name} --update --size {options.size} --{budget}\n```\n\n"
-        f"{'The least quality that is enough' if name == 'povray' else budget}, one thread: the mean against {truth}`path` (`bdpt` where mirrors or narrow holes hide the light, "
+        f"{how}, one thread: the mean against {truth}`path` (`bdpt` where mirrors or narrow holes hide the light, "
         "`ptracer` for `ball-lens`, `volpath` where there are media), ssim, relmse and seconds of processor time, at the size that the last column "
         f"says. {noise} In brackets the cause, where one is needed.\n\n"
         f"| scene | mean | ssim | relmse | s | {BUDGET[name]} | pixels across |\n|---|--:|--:|--:|--:|--:|--:|\n" + "\n".join(rows) + "\n")

@@ -11,6 +11,7 @@
 #include "harness/pixels/repeated_images.h"
 #include "harness/statistics/deviations.h"
 #include "harness/statistics/error_shares.h"
+#include "reference/store/half_rounding.h"
 #include "scenes/description/expect.h"
 #include "scenes/text/input_error.h"
 
@@ -27,8 +28,8 @@ std::optional<Image> variance_by_reference(const Budget& budget, const StoredRef
   if (samples / static_cast<double>(provenance.seeds.size()) < budget.amount) return std::nullopt;
   Image least = *reference.rendering.variance;
   for (std::size_t i = 0; i < least.rgb.size(); ++i) {
-    const double rounding = std::ldexp(double{reference.rendering.mean.rgb[i]}, -11);
-    const double noise = std::max(0.0, double{least.rgb[i]} - rounding * rounding);
+    const double rounding = most_rounding_variance(double{reference.rendering.mean.rgb[i]});
+    const double noise = std::max(0.0, double{least.rgb[i]} - rounding);
     least.rgb[i] = static_cast<float>(noise * samples / budget.amount);
   }
   return least;

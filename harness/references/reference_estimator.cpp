@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "scenes/description/emitter_kinds.h"
 #include "scenes/text/input_error.h"
 
 namespace photonproof {
@@ -21,16 +22,11 @@ bool focuses(const BsdfDescription& bsdf) {
          std::holds_alternative<RoughDielectricDescription>(m) || std::holds_alternative<ThinDielectricDescription>(m);
 }
 
-/// Light that comes from all around is found by following directions, and from far away badly by following photons.
-bool surrounds(const EmitterDescription& emitter) {
-  return std::holds_alternative<ConstantLightDescription>(emitter.light) ||
-         std::holds_alternative<EnvmapDescription>(emitter.light);
-}
-
 }  // namespace
 
 std::vector<std::string> estimators_for(const SceneDescription& scene) {
   if (std::any_of(scene.media.begin(), scene.media.end(), scatters)) return {"volpath"};
+  // Light that comes from all around is found by following directions, and from far away badly by following photons.
   const bool only_surrounded = std::any_of(scene.emitters.begin(), scene.emitters.end(), surrounds) &&
                                std::all_of(scene.emitters.begin(), scene.emitters.end(), surrounds) &&
                                std::none_of(scene.shapes.begin(), scene.shapes.end(),

@@ -60,8 +60,7 @@ struct Agreement {
 ///   weight is taken from neighbours whose noise it does not share: weighed by their own variances, samples that are
 ///   high by chance would count too little.
 /// - Neighbours that a splat of a light path spans vary together: a block's variance is so many times its pixels' as
-/// the
-///   image says (scenes/images/mean_error.h).
+///   the image says (scenes/images/mean_error.h).
 /// - That mean's variance is its pixels', unless the image says that they vary together (scenes/images/mean_error.h).
 ///   Blocks are then compared without what all pixels are high or low by together.
 /// It holds its level from 64 estimates a pixel on, from 16 on where samples are no wilder than exponential

@@ -4,6 +4,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "scenes/description/emitter_kinds.h"
 #include "scenes/description/overloaded.h"
 
 namespace photonproof {
@@ -53,11 +54,6 @@ class PassMaker {
 
  private:
   using Model = decltype(BsdfDescription::model);
-
-  static bool surrounds(const EmitterDescription& emitter) {
-    return std::holds_alternative<ConstantLightDescription>(emitter.light) ||
-           std::holds_alternative<EnvmapDescription>(emitter.light);
-  }
 
   /// Textures keep their values, for a file's cannot be scaled by a word of the scene.
   Colour albedo(const Colour& colour) const {

@@ -23,17 +23,19 @@ double variance_of(const EnginePicture& picture, std::size_t value) {
   return picture.rendering.variance ? double{picture.rendering.variance->rgb[value]} : 0;
 }
 
+const Deviation& pixel_of(const Deviations& d, int x, int y, std::size_t channel) {
+  return d
+      .pixels[channel][static_cast<std::size_t>(y) * static_cast<std::size_t>(d.width) + static_cast<std::size_t>(x)];
+}
+
 Deviation sum_of(const Deviations& d, const Block& block, std::size_t channel) {
   Deviation sum;
   for_each_pixel(block, [&](int x, int y) {
-    const auto i = static_cast<std::size_t>(y) * static_cast<std::size_t>(d.width) + static_cast<std::size_t>(x);
-    sum.difference += d.pixels[channel][i].difference;
-    sum.expected += d.pixels[channel][i].expected;
+    sum.difference += pixel_of(d, x, y, channel).difference;
+    sum.expected += pixel_of(d, x, y, channel).expected;
   });
-  const KnownVariance known = known_over(block, [&](int x, int y) {
-    const auto i = static_cast<std::size_t>(y) * static_cast<std::size_t>(d.width) + static_cast<std::size_t>(x);
-    return std::pow(d.pixels[channel][i].standard_error, 2);
-  });
+  const KnownVariance known =
+      known_over(block, [&](int x, int y) { return std::pow(pixel_of(d, x, y, channel).standard_error, 2); });
   sum.standard_error = std::sqrt(known.variance);
   sum.freedom = known.freedom;
   return sum;
@@ -228,8 +230,7 @@ EnginePicture widened_by_few_samples(const EnginePicture& first, const EnginePic
       const double of_all = std::max(std::abs(d.whole[c].difference) / pixels,
                                      std::abs(d.blocks[c][b].difference) / d.places[b].pixels());
       for_each_pixel(d.places[b], [&](int x, int y) {
-        const Deviation& pixel =
-            d.pixels[c][static_cast<std::size_t>(y) * static_cast<std::size_t>(d.width) + static_cast<std::size_t>(x)];
+        const Deviation& pixel = pixel_of(d, x, y, c);
         const double off = std::abs(pixel.difference);
         const double light = off > far_off * pixel.standard_error ? std::max(off, of_all) : of_all;
         float& known = variance.pixel(x, y)[c];

@@ -21,9 +21,6 @@
 namespace photonproof {
 namespace {
 
-constexpr const char* kClosedForm = "closed form";
-constexpr const char* kStored = "stored reference";
-
 std::string listed(const std::vector<std::string>& names) {
   std::string text;
   for (std::size_t i = 0; i < names.size(); ++i)
@@ -60,7 +57,7 @@ class SceneJudge {
     const Timer timer;
     for (const VerifyEngine& engine : engines) add_engine(engine);
     if (scene_.expect && scene_.expect->analytic && scene_.expect->analytic->mean)
-      sides_.push_back({{kClosedForm, kClosedForm, true}, nullptr, {}, scene_.expect->analytic->mean});
+      sides_.push_back({{closed_form_side, closed_form_side, true}, nullptr, {}, scene_.expect->analytic->mean});
     add_stored_reference();
     compare_all();
     set_aside_who_cannot_show_caustics();
@@ -100,12 +97,13 @@ class SceneJudge {
     try {
       const StoredReference stored = load_reference(scene_.file, scene_.width, scene_.height);
       EnginePicture picture;
-      picture.engine = kStored;
+      picture.engine = stored_reference_side;
       picture.rendering = stored.rendering;
       widen_to_half_rounding(picture.rendering);
       if (stored.provenance.bias > 0)
         picture.declared = {stored.provenance.bias, 2 * stored.provenance.bias, "as its provenance says"};
-      sides_.push_back({{kStored, sampling_of(stored.provenance.estimator), false}, nullptr, {{0, picture}}, {}});
+      sides_.push_back(
+          {{stored_reference_side, sampling_of(stored.provenance.estimator), false}, nullptr, {{0, picture}}, {}});
     } catch (const InputError& error) {
       out_.notes.push_back("stale reference: " + error.summary());
       stale_ = true;
@@ -192,7 +190,7 @@ class SceneJudge {
     if (believed.empty()) {
       VerifyFault fault;
       fault.engine = side.witness.name;
-      fault.sentence = sentence_with(odd, kClosedForm) + " against the closed form";
+      fault.sentence = sentence_with(odd, closed_form_side) + " against the closed form";
       fault.pass_words = "no other engine renders the scene, to look for the pass with";
       out_.faults.push_back(std::move(fault));
       return;
@@ -288,7 +286,7 @@ class SceneJudge {
   void say_who_is_odd(const OddOnes& odd) {
     std::vector<std::size_t> engines;
     for (const std::size_t side : odd.odd) {
-      if (sides_[side].witness.name == kStored)
+      if (sides_[side].witness.name == stored_reference_side)
         judge_reference(side, odd.believed);
       else
         engines.push_back(side);

@@ -95,9 +95,10 @@ double next_samples(double had, double seen, double power, double spent, double 
   return next >= had / 4 ? next : 0;
 }
 
-/// What is asked for, or what the scene was found to need.
-double quality_of(const StudioScene& scene, double asked) {
-  return scene.expect && scene.expect->povray ? std::max<double>(asked, scene.expect->povray->quality) : asked;
+/// What is asked for, or what POV-Ray was found to need of the scene.
+double quality_of(const StudioScene& scene, const VerifyEngine& engine, double asked) {
+  const bool is_measured = engine.row.name == "povray" && scene.expect && scene.expect->povray;
+  return is_measured ? std::max<double>(asked, scene.expect->povray->quality) : asked;
 }
 
 double stated_bias(const Result& result) {
@@ -121,7 +122,7 @@ DeclaredError declared_error(const VerifyEngine& engine, const std::optional<Exp
   for (const Tolerance& tolerance : expect->tolerances) {
     if (tolerance.engine != engine.row.name || tolerance.metric != "bias") continue;
     declared.whole = tolerance.value;
-    declared.block = std::max(biased_block, 2 * tolerance.value);
+    declared.block = tolerance.block.value_or(std::max(biased_block, 2 * tolerance.value));
     declared.reason = tolerance.reason;
   }
   return declared;
@@ -182,7 +183,7 @@ Shot Studio::shoot_samples(const StudioScene& scene, const VerifyEngine& engine,
   std::uint64_t seed = 1 + static_cast<std::uint64_t>(series) * seeds_of_a_series;
   const bool takes_seed = mentions(engine.row.command, "{seed}");
   const auto of_engine = [&](const char* kind) { return engine.budget_kind == kind; };
-  const double amount = of_engine("quality") ? quality_of(scene, options_.quality) : 1;
+  const double amount = of_engine("quality") ? quality_of(scene, engine, options_.quality) : 1;
   while (samples > 0) {
     const Budget budget{engine.budget_kind, engine.counts_samples() ? samples : amount};
     const Result result = cell(scene, engine, budget, seed++);

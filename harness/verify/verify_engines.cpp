@@ -7,6 +7,7 @@
 #include "harness/diagnosis/seen_objects.h"
 #include "harness/gates/independence.h"
 #include "harness/suites/suite_rows.h"
+#include "scenes/description/emitter_kinds.h"
 #include "scenes/text/atomic_file.h"
 
 namespace photonproof {
@@ -71,16 +72,7 @@ bool has_endless_plane_under_far_light(const SceneDescription& scene) {
   const auto is_endless = [](const ShapeDescription& shape) {
     return std::holds_alternative<PlaneDescription>(shape.geometry);
   };
-  const auto is_far = [](const EmitterDescription& emitter) {
-    return std::visit(
-        [](const auto& light) {
-          using Light = std::decay_t<decltype(light)>;
-          return std::is_same_v<Light, ConstantLightDescription> || std::is_same_v<Light, EnvmapDescription> ||
-                 std::is_same_v<Light, SunSkyDescription> || std::is_same_v<Light, DirectionalLightDescription>;
-        },
-        emitter.light);
-  };
-  return std::ranges::any_of(scene.shapes, is_endless) && std::ranges::any_of(scene.emitters, is_far);
+  return std::ranges::any_of(scene.shapes, is_endless) && std::ranges::any_of(scene.emitters, is_infinitely_far);
 }
 
 VerifyEngine verifying(Engine row, const fs::path& folder, const fs::path& program) {
@@ -122,11 +114,6 @@ std::string what_is_not_shown(const std::string& sampling, const SceneDescriptio
 
 std::string caustics_that_are_not_shown(const std::string& sampling, const SceneDescription& scene) {
   if (sampling != "path" && sampling != "volpath") return {};
-  const auto is_without_size = [](const EmitterDescription& emitter) {
-    return !std::holds_alternative<ConstantLightDescription>(emitter.light) &&
-           !std::holds_alternative<EnvmapDescription>(emitter.light) &&
-           !std::holds_alternative<SunSkyDescription>(emitter.light);
-  };
   const auto is_smooth = [](const BsdfDescription& bsdf) {
     return std::holds_alternative<ConductorDescription>(bsdf.model) ||
            std::holds_alternative<DielectricDescription>(bsdf.model) ||

@@ -15,6 +15,7 @@
 #include "reference/cycles/cycles_shapes.h"
 #include "reference/cycles/python_text.h"
 #include "reference/engines/lowered_camera.h"
+#include "scenes/description/emitter_kinds.h"
 #include "scenes/text/atomic_file.h"
 #include "scenes/text/text_numbers.h"
 
@@ -52,10 +53,7 @@ void check_lamps(const CyclesScript& script) {
   for (const ShapeGroupDescription& group : scene.groups)
     std::for_each(group.shapes.begin(), group.shapes.end(), look_at);
   for (const EmitterDescription& emitter : scene.emitters) {
-    const bool small = std::holds_alternative<PointLightDescription>(emitter.light) ||
-                       std::holds_alternative<SpotLightDescription>(emitter.light) ||
-                       std::holds_alternative<DirectionalLightDescription>(emitter.light) ||
-                       std::holds_alternative<IesLightDescription>(emitter.light);
+    const bool small = is_without_size(emitter);
     if (small && chance)
       script.refuse(
           emitter.loc,

@@ -30,6 +30,8 @@ float short_variance(double v) {
 
 }  // namespace
 
+double most_rounding_variance(double x) { return std::ldexp(x * x, -22); }
+
 float half_below(float x) { return std::floor(x / spacing_at(x)) * spacing_at(x); }
 float half_above(float x) { return std::ceil(x / spacing_at(x)) * spacing_at(x); }
 
@@ -46,8 +48,8 @@ Rendering rounded_to_halves(const Rendering& rendering) {
 
 void widen_to_half_rounding(Rendering& rounded) {
   for (std::size_t i = 0; i < rounded.mean.rgb.size(); ++i) {
-    const float most = std::ldexp(rounded.mean.rgb[i], -11);
-    rounded.variance->rgb[i] = std::max(rounded.variance->rgb[i], most * most);
+    const auto most = static_cast<float>(most_rounding_variance(double{rounded.mean.rgb[i]}));
+    rounded.variance->rgb[i] = std::max(rounded.variance->rgb[i], most);
   }
 }
 

@@ -14,6 +14,9 @@
 namespace photonproof {
 
 inline constexpr float largest_half = 65504;
+/// The largest variance that rounding a mean so can have: (2^-11 x)^2.
+double most_rounding_variance(double x);
+
 /// |x| must not be larger than the largest half.
 float half_below(float x);  ///< the largest half float that is not above x
 float half_above(float x);  ///< the smallest that is not below it

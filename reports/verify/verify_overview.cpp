@@ -8,9 +8,6 @@
 namespace photonproof {
 namespace {
 
-/// Beside an engine's pictures: what stands for one (harness/verify/scene_verdict.cpp).
-constexpr const char* kOthers[] = {"closed form", "stored reference"};
-
 const VerifyPicture* drawn_by(const VerifyScene& scene, const std::string& engine) {
   const auto found = std::ranges::find(scene.pictures, engine, &VerifyPicture::engine);
   return found != scene.pictures.end() ? &*found : nullptr;
@@ -68,7 +65,7 @@ bool has_other_witness(const VerifyRecord& record, const VerifyScene& scene) {
       return engine.name == name && engine.version == record.program;
     });
   };
-  const auto is_other = [&](const std::string& name) { return name != "stored reference" && !is_ours(name); };
+  const auto is_other = [&](const std::string& name) { return name != stored_reference_side && !is_ours(name); };
   return std::ranges::any_of(scene.pairs, [&](const VerifyPair& pair) {
     return pair.verdict == "agree" &&
            ((is_ours(pair.first) && is_other(pair.second)) || (is_ours(pair.second) && is_other(pair.first)));
@@ -98,7 +95,7 @@ std::string totals_of(const VerifyRecord& record) {
 VerifyOverview verify_overview(const VerifyRecord& record) {
   VerifyOverview overview;
   for (const VerifyEngineRecord& engine : record.engines) overview.columns.push_back(engine.name);
-  for (const char* other : kOthers) overview.columns.emplace_back(other);
+  for (const char* side : {closed_form_side, stored_reference_side}) overview.columns.emplace_back(side);
   for (const VerifyScene& scene : record.scenes) {
     OverviewRow row{&scene, {}, power_words(scene)};
     const std::string base = base_of(scene);

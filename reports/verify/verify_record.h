@@ -31,8 +31,11 @@ struct VerifyPicture {
   std::string picture;  ///< PNG, relative to the record
 };
 
+/// What stands beside engines in pairs.
+inline constexpr const char *closed_form_side = "closed form", *stored_reference_side = "stored reference";
+
 struct VerifyPair {
-  std::string first, second;  ///< engines, "closed form", "stored reference"
+  std::string first, second;  ///< engines, and those two
   std::string verdict;        ///< "agree", "differ", "undecided"
   std::string sentence;       ///< how they differ
   std::array<double, 3> shift{};

@@ -191,8 +191,11 @@ class ExpectReader {
     std::vector<Tolerance> result;
     for (const toml::node& entry : *node.as_array()) {
       Table table(text_, path_, *entry.as_table(), "[[tolerance]]");
-      result.push_back({table.text("engine"), table.text("metric"), table.number("value"), table.text("reason")});
-      if (!(result.back().value > 0)) table.fail(entry.source(), "'value' must be more than 0");
+      Tolerance tolerance{table.text("engine"), table.text("metric"), table.number("value"), table.text("reason")};
+      if (table.find("block")) tolerance.block = table.number("block");
+      if (!(tolerance.value > 0)) table.fail(entry.source(), "'value' must be more than 0");
+      if (tolerance.block && !(*tolerance.block > 0)) table.fail(entry.source(), "'block' must be more than 0");
+      result.push_back(std::move(tolerance));
       table.check_no_other_keys();
     }
     return result;

@@ -22,6 +22,7 @@ struct Tolerance {
   std::string metric;  ///< a name of the metrics table
   double value = 0;    ///< largest allowed magnitude
   std::string reason;
+  std::optional<double> block{};  ///< of blocks of 8 x 8 pixels, relative to their mean, where verify compares them
 };
 
 /// How far the scene's picture by Cycles is from ours, measured once by the same script, and what it costs.

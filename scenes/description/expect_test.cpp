@@ -52,13 +52,16 @@ TEST_F(expect_toml, is_read_whole) {
            "hdr_flip_exposures = [-2.5, 3, 6]\n"
            "[analytic]\nformula = \"L = 2\"\nmean = [2, 2.5, 3]\n"
            "[unsupported]\npovray = \"no such lens\"\n"
-           "[[tolerance]]\nengine = \"povray\"\nmetric = \"bias\"\nvalue = 0.02\nreason = \"caustics\"\n");
+           "[[tolerance]]\nengine = \"povray\"\nmetric = \"bias\"\nvalue = 0.02\nreason = \"caustics\"\n"
+           "[[tolerance]]\nengine = \"cycles\"\nmetric = \"bias\"\nvalue = 0.01\nblock = 0.2\nreason = \"noise\"\n");
   EXPECT_EQ(expect.hdr_exposures, (ExposureRange{-2.5, 3, 6}));
   ASSERT_TRUE(expect.analytic.has_value());
   EXPECT_EQ(expect.analytic->formula, "L = 2");
   EXPECT_EQ(*expect.analytic->mean, RgbD(2, 2.5, 3));
   EXPECT_EQ(expect.unsupported, (std::map<std::string, std::string>{{"povray", "no such lens"}}));
-  ASSERT_EQ(expect.tolerances.size(), 1u);
+  ASSERT_EQ(expect.tolerances.size(), 2u);
+  EXPECT_FALSE(expect.tolerances[0].block);
+  EXPECT_EQ(expect.tolerances[1].block, 0.2);
   EXPECT_EQ(expect.tolerances[0].engine, "povray");
   EXPECT_EQ(expect.tolerances[0].metric, "bias");
   EXPECT_EQ(expect.tolerances[0].value, 0.02);
@@ -102,6 +105,8 @@ TEST_F(expect_toml, is_refused_with_the_place_and_what_was_expected) {
             ":3:1: error: [[tolerance]] must be a list of tables\n  [tolerance]\n  ^");
   EXPECT_EQ(message(kLeast + "[[tolerance]]\nengine = \"e\"\nmetric = \"m\"\nvalue = 0\nreason = \"r\"\n"),
             ":3:1: error: 'value' must be more than 0\n  [[tolerance]]\n  ^");
+  EXPECT_EQ(message(kLeast + "[[tolerance]]\nengine = \"e\"\nmetric = \"m\"\nvalue = 1\nblock = 0\nreason = \"r\"\n"),
+            ":3:1: error: 'block' must be more than 0\n  [[tolerance]]\n  ^");
   EXPECT_EQ(message(kLeast + "[unsupported]\npovray = true\n"),
             ":4:10: error: 'povray' must be a text that is not empty\n  povray = true\n           ^");
 }
