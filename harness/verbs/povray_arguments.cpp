@@ -11,8 +11,9 @@ void add_povray_arguments(CLI::App& verb, PovrayArguments& arguments, const std:
                   "average the centres of KxK sub-pixels (default: refine where there is an edge)")
       ->check(CLI::Range(1, 64));
   verb.add_option("--quality", arguments.options.quality,
-                  "1 seconds, 2 tens of seconds, 3 for comparisons that claim agreement")
-      ->check(CLI::Range(1, 3));
+                  "1 seconds, 2 tens of seconds, 3 for comparisons that claim agreement, 4 by paths without a cache: "
+                  "noise in place of bias, for light that arrives after many bounces")
+      ->check(CLI::Range(1, 4));
   verb.add_option("--seed", arguments.options.seed, "of the places of light samples: same seed, same bits")
       ->check(is_seed);
 }

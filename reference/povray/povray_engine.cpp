@@ -60,6 +60,24 @@ Image box_downsample(const Image& image, int grid, double gain) {
   return result;
 }
 
+Image variance_of_blocks(const Image& image, int grid, double gain) {
+  Image result(image.width / grid, image.height / grid);
+  const double count = static_cast<double>(grid) * grid;
+  for (int y = 0; y < result.height; ++y)
+    for (int x = 0; x < result.width; ++x)
+      for (int c = 0; c < 3; ++c) {
+        double sum = 0, squares = 0;
+        for (int j = 0; j < grid; ++j)
+          for (int i = 0; i < grid; ++i) {
+            const double value = gain * double{image.pixel(x * grid + i, y * grid + j)[c]};
+            sum += value;
+            squares += value * value;
+          }
+        result.pixel(x, y)[c] = static_cast<float>(std::max(0.0, squares - sum * sum / count) / (count * (count - 1)));
+      }
+  return result;
+}
+
 namespace {
 
 /// A filter's value at a distance in pixels, up to a factor.
@@ -135,7 +153,10 @@ PovrayRun render_povray(const PovrayExport& scene, const PovrayRunOptions& optio
   run.wall_seconds = outcome.wall_seconds;
   run.cpu_seconds = outcome.cpu_seconds;
   run.peak_bytes = outcome.peak_bytes;
-  run.rendering.mean = filtered(read_image((folder.path() / "scene.exr").string()), scene);
+  const Image image = read_image((folder.path() / "scene.exr").string());
+  run.rendering.mean = filtered(image, scene);
+  if (scene.is_noisy && scene.margin == 0 && scene.grid > 1)
+    run.rendering.variance = variance_of_blocks(image, scene.grid, 1 / scene.exposure);
   run.rendering.metadata["photonproof:version"] = run.version;
   run.rendering.metadata["photonproof:command"] = run.command;
   for (const PovrayExport& part : scene.besides) add(render_povray(part, options), run);

@@ -23,7 +23,9 @@ struct PovrayRunOptions {
 };
 
 struct PovrayRun {
-  Rendering rendering;  ///< in the scene's radiance; no variance: POV-Ray makes one deterministic estimate
+  /// In the scene's radiance. A variance where paths were followed and no filter blurs the sub-pixels, as their spread
+  /// says (edges count as noise); else POV-Ray makes one deterministic estimate.
+  Rendering rendering;
   std::string version;  ///< "POV-Ray 3.7.0.10.unofficial"
   std::string command;  ///< as one would type it
   PovrayStatistics statistics;
@@ -39,5 +41,8 @@ PovrayRun render_povray(const PovrayExport& scene, const PovrayRunOptions& optio
 
 /// The mean of each grid x grid block of pixels, times `gain`. Precondition: grid divides the size.
 Image box_downsample(const Image& image, int grid, double gain);
+
+/// The variance of that mean, as the spread within each block says. Precondition: grid is at least 2.
+Image variance_of_blocks(const Image& image, int grid, double gain);
 
 }  // namespace photonproof

@@ -9,6 +9,7 @@
 #include "reference/povray/povray_header.h"
 #include "reference/povray/povray_lights.h"
 #include "reference/povray/povray_materials.h"
+#include "reference/povray/povray_paths.h"
 #include "scenes/text/atomic_file.h"
 
 namespace photonproof {
@@ -38,6 +39,7 @@ void write_radiosity_group(const PovScene& scene, const PovPlan& plan, std::uint
   out.explain("without the light that light_sources stand for, lest it count twice");
   out.line("light_group{");
   write_lights(scene, plan, plan.preset.radiosity_points, ~seed, out);
+  if (plan.paths) write_fate(seed, out);
   write_twins(scene, plan, out);
   out.line("global_lights off}");
 }
@@ -121,6 +123,7 @@ PovrayExport export_scene(const PovScene& scene, const PovPlan& plan, const PovC
   result.grid = std::max(1, options.grid);
   result.antialias = antialias(options, camera.kind == PovCamera::Kind::thin_lens, shows_bright_lamps(scene, plan));
   result.margin = options.margin;
+  result.is_noisy = plan.paths;
   result.filter = description.sensor.film.filter;
   result.files = image_files(scene, plan.exposure, plan.stem);
   result.exposure = plan.exposure;
@@ -134,7 +137,7 @@ PovrayExport export_scene(const PovScene& scene, const PovPlan& plan, const PovC
 /// grid is one of which several lines pass through every lamp.
 PovrayExport export_lamps(const PovScene& scene, PovPlan plan, const PovCamera& camera, const PovrayOptions& options,
                           double thinnest) {
-  plan.point_lights = plan.radiosity = plan.photons = plan.shows_sky = false;
+  plan.point_lights = plan.radiosity = plan.paths = plan.photons = plan.shows_sky = false;
   plan.brightness = 1;
   PovrayExport lamps = export_scene(scene, plan, camera, options);
   lamps.grid = std::clamp(static_cast<int>(std::ceil(2 * thin_lamp / thinnest)), 2, finest_lamp_grid);
@@ -153,10 +156,14 @@ PovrayExport export_povray(const SceneDescription& description, const PovrayOpti
   if (options.grid == 0 && options.margin > 0) options.grid = lens ? lens_filter_grid : filter_grid;
   if (options.grid == 0 && has_patterns(scene) && !lens) options.grid = pattern_grid;
   PovPlan plan = make_plan(scene, options);
+  if (plan.paths && options.grid == 0)
+    options.grid = plan.photons ? plan.preset.paths->photon_grid : plan.preset.paths->grid;
   const PovCamera camera = lower_camera(description, options.width, options.height, options.margin, "POV-Ray");
   apply_clip_planes(camera, scene);
   const double thinnest = thinnest_lamp(camera, scene, options.width, options.height);
-  plan.shows_lamps = !options.lamps_apart || given.grid > 0 || thinnest > thin_lamp;
+  // Beside paths' noise the edge of a lamp would count as noise, too.
+  const bool apart = thinnest <= thin_lamp || (plan.paths && shows_bright_lamps(scene, plan));
+  plan.shows_lamps = !options.lamps_apart || given.grid > 0 || !apart;
   PovrayExport result = export_scene(scene, plan, camera, options);
   if (plan.shows_lamps) return result;
   plan.shows_lamps = true;

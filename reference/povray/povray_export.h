@@ -21,6 +21,7 @@ struct PovrayExport {
   ReconstructionFilter filter{.kind = ReconstructionFilter::Kind::box};
   std::vector<PovFile> files{};           ///< images that the text reads from its own folder
   std::vector<std::string> antialias;     ///< POV-Ray's options for how it samples its pixels
+  bool is_noisy = false;                  ///< of paths: sub-pixels differ by chance
   double exposure = 1;                    ///< POV-Ray's pixels are the scene's radiance times this power of two
   std::vector<std::string> explanations;  ///< every conversion; the comments of `sdl`
   std::vector<std::string> skipped;       ///< passes POV-Ray need not run, with the reason

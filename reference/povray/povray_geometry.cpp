@@ -4,6 +4,7 @@
 
 #include "reference/povray/povray_lights.h"
 #include "reference/povray/povray_materials.h"
+#include "reference/povray/povray_paths.h"
 #include "reference/povray/povray_pigments.h"
 #include "scenes/description/overloaded.h"
 #include "scenes/text/text_numbers.h"
@@ -185,8 +186,10 @@ void write_twins(const PovScene& scene, const PovPlan& plan, SdlWriter& out) {
       std::visit([&](auto& geometry) { geometry = behind(geometry, kBehind / plan.scale); }, surface.geometry);
     // Mirrors must show a light's body and not its dark twin; of other surfaces either will do.
     const bool emits = surface.emission != PovSurface::Emission::none;
-    out.line(outline(surface, plan) + material_of(scene, surface, plan) + (hides_behind(plan) ? "" : " no_image") +
-             " no_shadow" + (emits ? " no_reflection}" : "}"));
+    const std::string material =
+        plan.paths ? mortal_material_of(scene, surface, plan) : material_of(scene, surface, plan);
+    out.line(outline(surface, plan) + material + (hides_behind(plan) ? "" : " no_image") + " no_shadow" +
+             (emits ? " no_reflection}" : "}"));
   }
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reference/povray/povray_paths.h"
 #include "reference/povray/povray_pigments.h"
 #include "scenes/text/text_numbers.h"
 
@@ -18,6 +19,7 @@ double reuse_by_camera_distance(const PovScene& scene, double by_scene_radius) {
 }
 
 std::string radiosity_sdl(const PovScene& scene, const PovPlan& plan) {
+  if (plan.paths) return path_radiosity_sdl(plan);
   const PovrayPreset& preset = plan.preset;
   const double maximum_reuse = reuse_by_camera_distance(scene, preset.maximum_reuse);
   return "  radiosity{count " + std::to_string(preset.radiosity_count) + ",20000 nearest_count " +
@@ -29,10 +31,14 @@ std::string radiosity_sdl(const PovScene& scene, const PovPlan& plan) {
          format_number(preset.pretrace_end) + " normal off media off}";
 }
 
+/// The most photons that one look-up finds, which must never be reached; POV-Ray allocates for as many each time, past
+/// some from the kernel, which took two fifths of the time of paths.
+std::string most_photons(const PovPlan& plan) { return plan.paths ? "2000" : "20000"; }
+
 std::string photons_sdl(const PovScene& scene, const PovPlan& plan) {
   return "  photons{count " + std::to_string(plan.preset.photons) + " radius " +
-         format_number(plan.preset.photon_radius * scene.radius * plan.scale) +
-         " gather 1,20000 expand_thresholds 0,0 autostop 0 jitter 1 max_trace_level 12 adc_bailout 1e-4}";
+         format_number(plan.preset.photon_radius * scene.radius * plan.scale) + " gather 1," + most_photons(plan) +
+         " expand_thresholds 0,0 autostop 0 jitter 1 max_trace_level 12 adc_bailout 1e-4}";
 }
 
 }  // namespace
@@ -60,7 +66,8 @@ void write_header(const PovScene& scene, const PovPlan& plan, SdlWriter& out) {
                 (scene.sky_as_lights ? ": a ball far away, which is only seen; it lights by parallel lights"
                                      : ": what rays see where nothing is; radiosity's rays find it"));
   out.line(plan.shows_sky ? sky_sdl(scene, plan.exposure, plan.scale, plan.stem) : "background{rgb 0}");
-  out.line("#default{finish{ambient 0 diffuse 1/Brightness emission 0}}");
+  out.line("#default{finish{ambient 0 diffuse 1/Brightness emission 0}" + (plan.paths ? importance_sdl(plan) : "") +
+           "}");
 }
 
 }  // namespace photonproof

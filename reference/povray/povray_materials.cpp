@@ -201,15 +201,6 @@ std::string name_of(const PovScene& scene, const BsdfDescription& side, PovUv uv
   return name + (uv == PovUv::sphere ? "_sphere" : uv == PovUv::disk ? "_disk" : "_cylinder");
 }
 
-/// A side's texture in its place on the surface.
-std::string placed(const PovScene& scene, const PovSurface& surface, const BsdfDescription& side, const PovPlan& plan) {
-  std::string texture = name_of(scene, side, surface.uv_kind);
-  if (is_textured(*scene.description, side)) texture += matrix_sdl(surface.uv, plan.scale);
-  if (surface.sides.opacity >= 1) return texture;
-  return "average texture_map{[" + format_number(surface.sides.opacity) + " " + texture + "][" +
-         format_number(1 - surface.sides.opacity) + " Clear]}";
-}
-
 std::string interior_of(const PovScene& scene, const PovSurface& surface, const PovPlan& plan) {
   std::string inside;
   if (is_glass(surface)) inside = "Interior_" + std::to_string(number_of(scene, *surface.sides.front));
@@ -266,9 +257,18 @@ void write_materials(const PovScene& scene, const PovPlan& plan, SdlWriter& out)
   }
 }
 
+std::string placed_texture(const PovScene& scene, const PovSurface& surface, const BsdfDescription& side,
+                           const PovPlan& plan) {
+  std::string texture = name_of(scene, side, surface.uv_kind);
+  if (is_textured(*scene.description, side)) texture += matrix_sdl(surface.uv, plan.scale);
+  if (surface.sides.opacity >= 1) return texture;
+  return "average texture_map{[" + format_number(surface.sides.opacity) + " " + texture + "][" +
+         format_number(1 - surface.sides.opacity) + " Clear]}";
+}
+
 std::string material_of(const PovScene& scene, const PovSurface& surface, const PovPlan& plan) {
   if (surface.sides.nothing) return " texture{Clear}" + interior_of(scene, surface, plan);
-  return " texture{" + placed(scene, surface, *surface.sides.front, plan) + "}" + back_of(scene, surface, plan);
+  return " texture{" + placed_texture(scene, surface, *surface.sides.front, plan) + "}" + back_of(scene, surface, plan);
 }
 
 std::string lamp_texture(const PovScene& scene, const PovSurface& surface, const PovPlan& plan) {
@@ -294,7 +294,7 @@ std::string back_of(const PovScene& scene, const PovSurface& surface, const PovP
   if (is_glass(surface)) return interior_of(scene, surface, plan);
   if (surface.clear_back) return " interior_texture{Clear} interior{ior 1}";
   if (surface.sides.back)
-    return " interior_texture{" + placed(scene, surface, *surface.sides.back, plan) + "}" +
+    return " interior_texture{" + placed_texture(scene, surface, *surface.sides.back, plan) + "}" +
            interior_of(scene, surface, plan);
   const bool pane = std::holds_alternative<ThinDielectricDescription>(surface.sides.front->model);
   if (pane) return interior_of(scene, surface, plan);

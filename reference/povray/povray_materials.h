@@ -11,6 +11,10 @@ namespace photonproof {
 /// away and where nothing is.
 void write_materials(const PovScene& scene, const PovPlan& plan, SdlWriter& out);
 
+/// The name of a side's texture, and where it lies on the surface: what is between "texture{" and "}".
+std::string placed_texture(const PovScene& scene, const PovSurface& surface, const BsdfDescription& side,
+                           const PovPlan& plan);
+
 /// " texture{...} interior_texture{...}" of a surface, and an interior where its inside differs from the air.
 std::string material_of(const PovScene& scene, const PovSurface& surface, const PovPlan& plan);
 

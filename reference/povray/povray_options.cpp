@@ -51,8 +51,16 @@ PovrayPreset povray_preset(int quality) {
       preset.photons = 1'000'000;
       preset.photon_radius = 0.015;
       return preset;
+    case 4:
+      preset = povray_preset(3);
+      preset.image_points = {.rectangle = 8, .sphere = 144, .sky = 20, .sun = 5};
+      preset.radiosity_points = {.rectangle = 2, .sphere = 12, .fewer = true};
+      preset.photons = 100'000;
+      preset.photon_radius = 0.01;
+      preset.paths = PovrayPaths{.count = 20, .importance = 0.2, .directions = 20011, .grid = 5, .photon_grid = 3};
+      return preset;
     default:
-      throw InputError("--quality", std::to_string(quality) + " is not a preset, expected 1, 2 or 3");
+      throw InputError("--quality", std::to_string(quality) + " is not a preset, expected 1, 2, 3 or 4");
   }
 }
 

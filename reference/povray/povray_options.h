@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace photonproof {
@@ -11,7 +12,7 @@ struct PovrayOptions {
   int height = 0;   ///< pixels; 0: the scene's film
   int margin = 0;   ///< pixels around the picture that are rendered, too
   int grid = 0;     ///< k: each pixel is the mean of k x k sub-pixel centres; 0: POV-Ray refines where it sees an edge
-  int quality = 1;  ///< 1 seconds, 2 tens of seconds, 3 for comparisons that claim agreement
+  int quality = 1;  ///< 1 seconds, 2 tens of seconds, 3 for comparisons that claim agreement, 4 paths without a cache
   bool lamps_apart = false;    ///< what is seen of lamps that are thin in the picture is rendered besides, and added
   std::uint64_t seed = 1;      ///< of the places of light samples; POV-Ray's own sample directions are fixed
   std::string stem = "scene";  ///< starts the names of images that the text reads from its folder
@@ -25,6 +26,15 @@ struct PovrayLightPoints {
   int sky = 8;
   int sun = 2;
   bool fewer = false;  ///< of many area lights every few are one
+};
+
+/// Radiosity without its cache follows paths: noise in place of bias (povray_paths.h).
+struct PovrayPaths {
+  int count;          ///< rays from what is seen; half as many from what they meet, and so on down to five
+  double importance;  ///< share of a point's rays that go on
+  int directions;     ///< in the sequence that rays take theirs from
+  int grid;           ///< k: k x k sub-pixels, each with rays of its own
+  int photon_grid;    ///< the same in scenes with photons, which every ray's end gathers
 };
 
 /// Settings of POV-Ray's radiosity (an irradiance cache) and photons, and how lights become points.
@@ -41,9 +51,10 @@ struct PovrayPreset {
   double truncation;     ///< bounces are added until about this fraction of the light is missing
   std::int64_t photons;  ///< aimed at specular objects
   double photon_radius;  ///< of the gather disc, as a fraction of the radius of the scene's bounding sphere
+  std::optional<PovrayPaths> paths{};  ///< in place of the cache
 };
 
-/// Throws InputError unless `quality` is 1, 2 or 3.
+/// Throws InputError unless `quality` is 1, 2, 3 or 4.
 PovrayPreset povray_preset(int quality);
 
 }  // namespace photonproof

@@ -20,6 +20,7 @@ struct PovPlan {
   /// POV-Ray takes a bounce to halve a ray's weight times `brightness`, and widens its error bound for light rays. With
   /// 2 they keep their weight; as surfaces are made diffuse 1/2 and lights twice as bright, nothing else changes.
   double brightness = 1;
+  bool paths = false;  ///< radiosity without its cache
   bool photons = false;
   std::string stem;                  ///< of the images' names
   bool shows_lamps = true;           ///< lamps are seen; false where that is added from elsewhere

@@ -216,7 +216,7 @@ TEST(povray_refuses, skewed_cameras) {
 }
 
 TEST(povray_refuses, unknown_quality) {
-  EXPECT_EQ(refusal(kLamp, kCamera, {.quality = 4}), "--quality: error: 4 is not a preset, expected 1, 2 or 3");
+  EXPECT_EQ(refusal(kLamp, kCamera, {.quality = 5}), "--quality: error: 5 is not a preset, expected 1, 2, 3 or 4");
 }
 
 }  // namespace
