@@ -112,6 +112,69 @@ RgbD by_point_in_fisheye(double x, double y) {
   return by_point(at * x, at * y);
 }
 
+/// GGX of roughness 0.3 times its masking, Smith's, of both directions apart, over 4 cosines (Walter et al. 2007): a
+/// reflectance but for Fresnel's.
+double facets(const Vec3d& lamp, const Vec3d& eye) {
+  constexpr double a2 = 0.3 * 0.3;
+  const auto seen = [](double c) { return 2 / (1 + std::sqrt(1 + a2 * (1 - c * c) / (c * c))); };
+  const double h = normalize(lamp + eye).z, below = h * h * (a2 - 1) + 1;
+  return a2 / (kPi * below * below) * seen(lamp.z) * seen(eye.z) / (4 * lamp.z * eye.z);
+}
+Vec3d to_eye(double x, double y) { return normalize(Vec3d{-x, -y, 4}); }
+RgbD by_rough_metal(double x, double y) {
+  const Vec3d lamp = Vec3d{-1, 0, 2} / std::sqrt(5.0);
+  return RgbD{0.9, 0.6, 0.3} * (facets(lamp, to_eye(x, y)) * 2 * lamp.z);
+}
+/// What it mirrors; what it lets through falls on nothing.
+double rough_glass(const Vec3d& lamp, const Vec3d& eye) {
+  const double angle = std::acos(std::min(1.0, dot(lamp, normalize(lamp + eye))));
+  return fresnel_reflectance(angle, 1.5).unpolarised() * facets(lamp, eye);
+}
+/// (n + 2) / (2 pi) cos^n of the angle to the mirrored eye (Lafortune and Willems 1994).
+double lobe(const Vec3d& lamp, const Vec3d& eye) {
+  constexpr int exponent = 20;
+  const double off_mirror = dot(lamp, Vec3d{-eye.x, -eye.y, eye.z});
+  return (exponent + 2) / (2 * kPi) * std::pow(std::max(0.0, off_mirror), exponent);
+}
+/// Of light 1 from the whole upper half what a floor that reflects by `f` throws to the eye: by the midpoint rule.
+template <double (*f)(const Vec3d& lamp, const Vec3d& eye)>
+double under_bright_ceiling(double x, double y) {
+  constexpr int steps = 150, eyes = 9;
+  constexpr double farthest = 0.06;  // 1 - cosine of the eye in the picture's corner
+  static const std::vector<double> reflected = [] {
+    std::vector<double> table;
+    for (int e = 0; e < eyes; ++e) {
+      const double c = 1 - farthest * e / (eyes - 1);
+      const Vec3d eye{std::sqrt(1 - c * c), 0, c};
+      double sum = 0;
+      for (int i = 0; i < steps * steps; ++i) {
+        const double z = (i / steps + 0.5) / steps, azimuth = (i % steps + 0.5) / steps * kPi, r = std::sqrt(1 - z * z);
+        sum += f({r * std::cos(azimuth), r * std::sin(azimuth), z}, eye) * z * 2 * kPi / (steps * steps);
+      }
+      table.push_back(sum);
+    }
+    return table;
+  }();
+  const double at = (1 - to_eye(x, y).z) / farthest * (eyes - 1);
+  const std::size_t below = std::min<std::size_t>(static_cast<std::size_t>(at), eyes - 2);
+  const double share = at - static_cast<double>(below);
+  return reflected[below] * (1 - share) + reflected[below + 1] * share;
+}
+RgbD by_rough_glass(double x, double y) { return RgbD(under_bright_ceiling<rough_glass>(x, y)); }
+RgbD by_phong(double x, double y) {
+  return RgbD{0.3, 0.2, 0.1} + RgbD{0.2, 0.4, 0.6} * under_bright_ceiling<lobe>(x, y);
+}
+/// Fields of 0.5 by 1, from the floor's corner at (-4, -4) on.
+RgbD chequered(double x, double y) {
+  const auto second_half = [](double u) { return u - std::floor(u) >= 0.5; };
+  return second_half(x + 4) == second_half((y + 4) / 2) ? RgbD{0.8, 0.4, 0.1} : RgbD{0.2, 0.6, 0.9};
+}
+
+std::string beam() {
+  return R"(<emitter type="directional"><vector name="direction" value="1,0,-2"/><rgb name="irradiance" value="2"/>
+    </emitter>)";
+}
+
 std::vector<Probe> lights() {
   const std::string grey = camera() + floor_of(diffuse("0.5"));
   const auto far = [](const std::string& type, const std::string& scale) {
@@ -124,9 +187,7 @@ std::vector<Probe> lights() {
         <float name="cutoff_angle" value="25"/><float name="beam_width" value="10"/><transform name="to_world">
         <lookat origin="0.1,0,3" target="0.1,0,0" up="0,1,0"/></transform></emitter></scene>)",
        by_spot},
-      {"light", "directional light", grey + R"(<emitter type="directional"><vector name="direction" value="1,0,-2"/>
-        <rgb name="irradiance" value="2"/></emitter></scene>)",
-       by_beam},
+      {"light", "directional light", grey + beam() + "</scene>", by_beam},
       {"light", "rectangular light", grey + lamp(far("rectangle", "0.4"), 10) + "</scene>", by_rectangle},
       {"light", "spherical light",
        grey +
@@ -184,6 +245,40 @@ std::vector<Probe> materials() {
   };
 }
 
+std::vector<Probe> glossy_materials() {
+  const std::string ggx = R"(<string name="distribution" value="ggx"/><float name="alpha" value="0.3"/>)";
+  const std::string ceiling = wall_of_light(5) + "</scene>";
+  return {
+      {"material", "rough metal",
+       camera() +
+           floor_of(R"(<bsdf type="roughconductor">
+        <string name="material" value="none"/><rgb name="specular_reflectance" value="0.9,0.6,0.3"/>)" +
+                    ggx + "</bsdf>") +
+           beam() + "</scene>",
+       by_rough_metal},
+      {"material", "rough glass",
+       camera() +
+           floor_of(R"(<bsdf type="roughdielectric">
+        <float name="int_ior" value="1.5"/><float name="ext_ior" value="1"/>)" +
+                    ggx + "</bsdf>") +
+           ceiling,
+       by_rough_glass},
+      {"material", "phong", camera() + floor_of(R"(<bsdf type="phong"><float name="exponent" value="20"/>
+        <rgb name="diffuse_reflectance" value="0.3,0.2,0.1"/><rgb name="specular_reflectance" value="0.2,0.4,0.6"/>
+        </bsdf>)") + ceiling,
+       by_phong},
+  };
+}
+
+std::vector<Probe> textures() {
+  return {{"material", "checkerboard",
+           camera() + floor_of(R"(<bsdf type="diffuse"><texture type="checkerboard" name="reflectance">
+        <rgb name="color0" value="0.8,0.4,0.1"/><rgb name="color1" value="0.2,0.6,0.9"/>
+        <transform name="to_uv"><scale x="8" y="4"/></transform></texture></bsdf>)") +
+               sky("1") + "</scene>",
+           chequered}};
+}
+
 /// The same floor in the same light through every camera.
 std::vector<Probe> cameras() {
   const std::string scenery = floor_of(diffuse("0.5")) + point_lamp() + "</scene>";
@@ -223,7 +318,7 @@ std::vector<Probe> media() {
 const std::vector<Probe>& probe_rows() {
   static const std::vector<Probe> rows = [] {
     std::vector<Probe> all;
-    for (std::vector<Probe> part : {lights(), materials(), cameras(), media()})
+    for (std::vector<Probe> part : {lights(), materials(), glossy_materials(), textures(), cameras(), media()})
       for (Probe& probe : part) all.push_back(std::move(probe));
     return all;
   }();

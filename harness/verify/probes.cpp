@@ -146,8 +146,13 @@ class Kinds {
                      [&](const DielectricDescription&) { add("glass"), add("lossless glass"); },
                      [&](const ThinDielectricDescription&) { add("thin glass"); },
                      [&](const PlasticDescription&) { add("plastic"); }, [&](const MaskDescription&) { add("mask"); },
-                     [&](const BlendDescription&) { add("blend"); }, [](const auto&) {}},
+                     [&](const BlendDescription&) { add("blend"); },
+                     [&](const RoughConductorDescription&) { add("rough metal"); },
+                     [&](const RoughDielectricDescription&) { add("rough glass"); },
+                     [&](const PhongDescription&) { add("phong"); }, [](const auto&) {}},
           bsdf.model);
+    for (const TextureDescription& texture : scene.textures)
+      if (std::holds_alternative<CheckerboardDescription>(texture.pattern)) add("checkerboard");
     std::visit(Overloaded{[&](const PerspectiveDescription&) { add("perspective camera"); },
                           [&](const ThinLensDescription&) { add("thin lens"); },
                           [&](const OrthographicDescription&) { add("orthographic camera"); },
@@ -177,16 +182,20 @@ ProbeFit fit_probe(const Probe& probe, const EnginePicture& picture) {
   const double independent = s.n / 3;      // a pixel's channels may be by the same samples
   constexpr double least_variation = 0.1;  // relative deviation over the image
   fit.has_offset = std::sqrt(std::max(0.0, spread / s.n)) > least_variation * mean;
-  if (!fit.has_offset) {
-    fit.gain = s.y / s.c;
-    const double variance = std::max(s.noise / s.n, residual_variance(expected, picture, fit.gain, 0));
-    fit.gain_error = std::sqrt(variance / independent) / mean;
-    return fit;
-  }
+  const auto gain_alone = [&] {
+    ProbeFit alone;
+    alone.gain = s.y / s.c;
+    const double variance = std::max(s.noise / s.n, residual_variance(expected, picture, alone.gain, 0));
+    alone.gain_error = std::sqrt(variance / independent) / mean;
+    return alone;
+  };
+  if (!fit.has_offset) return gain_alone();
   fit.gain = (s.cy - s.c * s.y / s.n) / spread;
   const double offset = (s.y - fit.gain * s.c) / s.n;
   const double variance = std::max(s.noise / s.n, residual_variance(expected, picture, fit.gain, offset));
   fit.gain_error = std::sqrt(3 * variance / spread);
+  constexpr double told_apart = 0.1;  // noise hides which of the two it is
+  if (fit.gain_error > told_apart) return gain_alone();
   fit.offset = offset / mean;
   fit.offset_error = std::sqrt(variance * (1 / independent + 3 * mean * mean / spread)) / mean;
   return fit;

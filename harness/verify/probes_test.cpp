@@ -52,6 +52,16 @@ TEST(Probes, of_even_light_have_a_gain_alone) {
   EXPECT_NEAR(fit.gain, 0.5, 1e-6);
 }
 
+// The colours of Phong's floor differ, its places hardly: under much noise a gain beside an offset is anything.
+TEST(Probes, of_much_noise_have_a_gain_alone) {
+  const Probe& probe = probe_of("phong");
+  ASSERT_TRUE(fit_probe(probe, picture_of(probe, 1.1, 0)).has_offset);
+  const ProbeFit fit = fit_probe(probe, picture_of(probe, 1.1, 0, 1));
+  EXPECT_FALSE(fit.has_offset);
+  EXPECT_NEAR(fit.gain, 1.1, 4 * fit.gain_error);
+  EXPECT_LT(fit.gain_error, 0.1);
+}
+
 // Of 3072 values of about 0.4 the mean is known to 0.02 / sqrt(3072) / 0.4 = 0.09 %; the gain beside an offset less.
 TEST(Probes, errors_of_a_fit_are_those_of_noise) {
   const Probe& probe = probe_of("point light");
