@@ -181,7 +181,7 @@ def write_table(options):
     rows = [table_row(scene, figures, options.engine) for scene, figures in found.items() if figures]
     name = options.engine
     budget = f"{BUDGET[name]} {getattr(options, BUDGET[name])}"
-    how = "The least quality that is enough" if name == "povray" else budget
+    how = "The least quality that is enough, 4 where paths are nearer than the cache" if name == "povray" else budget
     chosen = "" if name == "povray" else f"--engine {name} "
     noise = "The references have noise of their own."
     truth = "the library's own reference where it has one, else " if name == "povray" else ""
