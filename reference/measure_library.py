@@ -98,7 +98,7 @@ def measure(program, scene, options):
             break
     if options.engine == "povray" and abs(best["mean_percent"]) > 0.5:
         found = measure_at(program, scene, BY_PATHS, options)
-        best = min(best, found, key=lambda figures: abs(figures["mean_percent"]))
+        best = min(best, found, key=lambda figures: figures["relmse"])
     return best
 
 

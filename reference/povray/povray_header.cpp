@@ -25,8 +25,8 @@ std::string radiosity_sdl(const PovScene& scene, const PovPlan& plan) {
   return "  radiosity{count " + std::to_string(preset.radiosity_count) + ",20000 nearest_count " +
          std::to_string(preset.nearest_count) + " error_bound " + format_number(preset.error_bound) +
          " low_error_factor " + format_number(preset.low_error_factor) + " recursion_limit " +
-         std::to_string(plan.recursion_limit) +
-         " gray_threshold 0 brightness Brightness adc_bailout 1e-3 minimum_reuse " + format_number(maximum_reuse / 3) +
+         std::to_string(plan.recursion_limit) + " gray_threshold 0 brightness Brightness adc_bailout " +
+         format_number(preset.radiosity_bailout) + " minimum_reuse " + format_number(maximum_reuse / 3) +
          " maximum_reuse " + format_number(maximum_reuse) + " pretrace_start 0.08 pretrace_end " +
          format_number(preset.pretrace_end) + " normal off media off}";
 }

@@ -46,11 +46,12 @@ struct PovrayPreset {
   int nearest_count;                   ///< cache samples interpolated
   double error_bound;                  ///< how far a cache sample is reused, relative to the distance of other surfaces
   double low_error_factor = 0.8;       ///< of the error bound while the cache is filled in advance
-  double maximum_reuse;  ///< caps that distance, as a fraction of the radius of the scene's bounding sphere
-  double pretrace_end;   ///< of the image's width: spacing of the finest pass that fills the cache in advance
-  double truncation;     ///< bounces are added until about this fraction of the light is missing
-  std::int64_t photons;  ///< aimed at specular objects
-  double photon_radius;  ///< of the gather disc, as a fraction of the radius of the scene's bounding sphere
+  double maximum_reuse;      ///< caps that distance, as a fraction of the radius of the scene's bounding sphere
+  double pretrace_end;       ///< of the image's width: spacing of the finest pass that fills the cache in advance
+  double truncation;         ///< bounces are added until about this fraction of the light is missing
+  std::int64_t photons;      ///< aimed at specular objects
+  double photon_radius;      ///< of the gather disc, as a fraction of the radius of the scene's bounding sphere
+  double radiosity_bailout;  ///< weight below which glass and mirrors end what a ray of radiosity's meets
   std::optional<PovrayPaths> paths{};  ///< in place of the cache
 };
 

@@ -35,7 +35,8 @@ std::string path_radiosity_sdl(const PovPlan& plan) {
   const PovrayPaths& paths = *plan.preset.paths;
   return "  radiosity{count " + std::to_string(paths.count) + "," + std::to_string(paths.directions) +
          " nearest_count 1 error_bound 1e-6 recursion_limit " + std::to_string(plan.recursion_limit) +
-         " gray_threshold 0 brightness Brightness adc_bailout 1e-2 minimum_reuse 1e-9 maximum_reuse 1e12"
+         " gray_threshold 0 brightness Brightness adc_bailout " + format_number(plan.preset.radiosity_bailout) +
+         " minimum_reuse 1e-9 maximum_reuse 1e12"
          " pretrace_start 1 pretrace_end 1 normal off media off}";
 }
 
