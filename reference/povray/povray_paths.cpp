@@ -1,6 +1,7 @@
 #include "reference/povray/povray_paths.h"
 
 #include <array>
+#include <random>
 #include <variant>
 
 #include "reference/povray/povray_materials.h"
@@ -9,8 +10,8 @@
 namespace photonproof {
 namespace {
 
-/// Edge of a cell, in POV-Ray's lengths, where the scene's radius is about 64; cells within cells are a quarter of it.
-/// Odd numbers, so that neither lies along walls.
+/// Edge of a cell, in POV-Ray's lengths, where the scene's radius is about 64; and of the cells within a cell. Odd
+/// numbers, so that neither lie along walls.
 constexpr double kCell = 0.0371, kInnerCell = 0.00863;
 
 /// Radius of a ball around everything, in POV-Ray's lengths; what stands for an endless plane ends before.
@@ -21,14 +22,6 @@ bool is_plainly_diffuse(const BsdfDescription* side) {
   return side == nullptr || std::holds_alternative<DiffuseDescription>(side->model);
 }
 
-/// A number from 0 to 1 by splitmix64 (Steele et al. 2014).
-double next_number(std::uint64_t& state) {
-  std::uint64_t z = (state += 0x9e3779b97f4a7c15u);
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-  return static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1p-53;
-}
-
 }  // namespace
 
 std::string path_radiosity_sdl(const PovPlan& plan) {
@@ -36,8 +29,7 @@ std::string path_radiosity_sdl(const PovPlan& plan) {
   return "  radiosity{count " + std::to_string(paths.count) + "," + std::to_string(paths.directions) +
          " nearest_count 1 error_bound 1e-6 recursion_limit " + std::to_string(plan.recursion_limit) +
          " gray_threshold 0 brightness Brightness adc_bailout " + format_number(plan.preset.radiosity_bailout) +
-         " minimum_reuse 1e-9 maximum_reuse 1e12"
-         " pretrace_start 1 pretrace_end 1 normal off media off}";
+         " minimum_reuse 1e-9 maximum_reuse 1e12 pretrace_start 1 pretrace_end 1 normal off media off}";
 }
 
 std::string importance_sdl(const PovPlan& plan) {
@@ -49,9 +41,9 @@ void write_fate(std::uint64_t seed, SdlWriter& out) {
       "whatever a ray of radiosity's does not meet is black, and has a distance: what nothing is near of is kept");
   out.line("sphere{0, " + format_number(kAround) +
            " inverse texture{Black} no_image no_shadow no_reflection photons{collect off}}");
-  std::uint64_t state = seed;
+  std::mt19937_64 random(seed);
   std::array<double, 3> shift{};
-  for (double& s : shift) s = next_number(state);
+  for (double& s : shift) s = static_cast<double>(random() >> 11) * 0x1p-53;
   out.explain("a quarter of every twin is black, in tiny cells, and the rest 4/3 as bright: there paths end by chance");
   out.line("#declare Fate = pigment{checker pigment{checker rgb 0 rgb 1 scale " + format_number(kInnerCell / kCell) +
            "} pigment{rgb 1} scale " + format_number(kCell) + " translate <" + format_number(shift[0]) + "," +

@@ -163,11 +163,13 @@ void plan_radiosity(PovPlan& plan, const Facts& facts, int depth) {
       plan.preset.pretrace_end *= 2;
     }
     if (!ends_early) plan.losses.push_back(truncation_loss(facts, plan.recursion_limit));
+    if (plan.preset.paths && !plan.paths)
+      plan.skipped.emplace_back("paths: light from all around is left to radiosity's cache");
     if (!plan.paths && plan.recursion_limit > kBouncesTheCacheIsGoodFor)
       plan.losses.push_back(
           "radiosity's cache reaches twice as far with every bounce: too bright where most light arrives after more "
           "than " +
-          std::to_string(kBouncesTheCacheIsGoodFor) + "; quality 4 has no cache");
+          std::to_string(kBouncesTheCacheIsGoodFor) + (facts.surrounding ? "" : "; quality 4 follows paths instead"));
   }
 }
 
