@@ -2,7 +2,7 @@
 # Builds with sanitizers and runs under them; fails where one of them says anything, in whatever process.
 #   harness/setup/sanitizers.sh [--quick] [address] [thread]     default: both; address is address and undefined behaviour
 # --quick: the program alone is built, and renders a small scene by every integrator and mode, benchmarks, gates, compares
-# and reports. Without it: every test of the suite (address: 20 minutes to build and 45 to run, on two cores).
+# and reports. Without it: every test of the suite (address: 20 minutes to build and 45 to run, on two cores; thread: 20 and 90).
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 source harness/setup/packages.sh
@@ -29,6 +29,9 @@ watched() {
 # holds, which is theirs; and libfaketime, which is loaded before them and ends in a recursion.
 not_by_address='Escapes.fail/take_memory(_in_many_processes)? |what_does_not_fit_in_memory|needs_memory_for_a_band'
 not_by_address+='|Soak.of_a_sound_program|Soak.within_one_process|Faults.of_every_kind'
+# The thread sanitizer maps and allocates as much, and is five to twenty times as slow: what has to be done in a stated
+# time is not, and what diagnoses pictures, by hundreds of renders, takes hours.
+not_by_thread="$not_by_address|Faults.find|PlantedFaults.index_of_refraction|Diagnosis|HiddenMistakes|StudentMistakes"
 
 # The program does what it is for, once by every integrator and mode.
 run_quickly() {
@@ -67,6 +70,7 @@ for kind in "${kinds[@]}"; do
   else
     without=()
     [ "$kind" = address ] && without=(--exclude-regex "$not_by_address")
+    [ "$kind" = thread ] && without=(--exclude-regex "$not_by_thread")
     watched "$log" ctest --test-dir "build/$preset" -j "$(nproc)" --timeout 3600 --output-on-failure "${without[@]}" ||
       said_something=1
   fi
