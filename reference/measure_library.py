@@ -8,8 +8,9 @@ Every scene is rendered by the engine (size and quality or samples as below, one
 the library's own reference where the scene has one, of whose size it then is; all others with an integrator that
 shares no code with the engine, for as long as `--seconds` says. The pictures stay in the folder that `--keep` names, and
 references that are there are used again. POV-Ray's quality is raised, up to 3, until the residual is small or the next would
-take more than 20 s; where the mean is off by more than 0.5 % then, paths are tried (4). Printed is a line a scene. With --update the figures go to [povray] or [cycles] of the scenes'
-expect.toml, whose `cause` is kept, and what all of them declare to the table in reports/published/povray.md or cycles.md, measured by the
+take more than 20 s; where the mean is off by more than 0.5 % then, paths are tried (4), and kept where their relmse is
+lower. Printed is a line a scene. With --update the figures go to [povray] or [cycles] of the scenes' expect.toml, whose
+`cause` is kept, and what all of them declare to the table in reports/published/povray.md or cycles.md, measured by the
 same options or not.
 """
 

@@ -14,7 +14,8 @@ void add_povray_arguments(CLI::App& verb, PovrayArguments& arguments, const std:
                   "1 seconds, 2 tens of seconds, 3 for comparisons that claim agreement, 4 by paths without a cache: "
                   "noise in place of bias, for light that arrives after many bounces")
       ->check(CLI::Range(1, 4));
-  verb.add_option("--seed", arguments.options.seed, "of the places of light samples: same seed, same bits")
+  verb.add_option("--seed", arguments.options.seed,
+                  "of the places of light samples, and of paths: same seed, same bits")
       ->check(is_seed);
 }
 

@@ -38,7 +38,7 @@ std::string importance_sdl(const PovPlan& plan) {
 
 void write_fate(std::uint64_t seed, SdlWriter& out) {
   out.explain(
-      "whatever a ray of radiosity's does not meet is black, and has a distance: what nothing is near of is kept");
+      "a black ball around everything, so that every ray of radiosity's meets something: else its cache is used");
   out.line("sphere{0, " + format_number(kAround) +
            " inverse texture{Black} no_image no_shadow no_reflection photons{collect off}}");
   std::mt19937_64 random(seed);

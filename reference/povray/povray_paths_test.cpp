@@ -28,8 +28,8 @@ SceneDescription ball(double albedo, const std::string& more = "") {
   return parse_scene_text(text, "ball.xml");
 }
 
-/// A floor and a wall in the open. What is seen is the wall, which the lamp is behind: all of its light is by the
-/// floor.
+/// A floor and a wall in the open, lit by a spot that points at the floor: most of the wall's light is by the floor,
+/// and most of its rays meet nothing.
 const std::string kCorner = R"(<scene version="3.0.0"><integrator type="path"/>
     <sensor type="perspective"><float name="fov" value="40"/>
       <transform name="to_world"><lookat origin="0, 1, 3" target="0, 1, 0" up="0, 1, 0"/></transform>
@@ -100,8 +100,8 @@ TEST(povray_paths, find_light_that_comes_around_corners) {
   EXPECT_LT(mean.standard_error, 0.04 * 0.01292);
 }
 
-// Rays that meet nothing would be kept as samples, which others then find: two squares, back to back with nothing, were
-// black from some pixel on.
+// Without the ball around everything, samples whose rays all miss are kept, and found from then on: a wall that most of
+// its rays see nothing from was black from some pixel on.
 TEST(povray_paths, of_an_open_scene_find_its_light_in_every_part_of_the_picture) {
   const Rendering picture = by_paths(parse_scene_text(kCorner, "corner.xml"));
   const Rendering cached =
