@@ -1,11 +1,10 @@
-// The probes as data: what a scene of a few lines shows, and the formula of it. Where a floor is lit it is the plane
-// z = 0, seen from (0, 0, 4) so that the image spans x and y from -1 to 1.
+// The probes as data: what a scene of a few lines shows, and the formula of it. Those with files are in
+// probe_files.cpp.
 
 #include <cmath>
-#include <numbers>
 #include <vector>
 
-#include "harness/verify/probes.h"
+#include "harness/verify/probe_scenes.h"
 #include "reference/closed_forms/closed_forms_glass.h"
 #include "reference/closed_forms/closed_forms_lights.h"
 #include "reference/closed_forms/closed_forms_media.h"
@@ -13,43 +12,11 @@
 namespace photonproof {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kAlbedo = 0.5, kFov = 28.072486935852957;  // 2 atan(1/4), so that the floor's edges are at +-1
-constexpr double kFarLamp = 1.8;                            // x of lamps, outside of the view at their height of 1.5
+using namespace probe_scenes;
 
-std::string film() {
-  return R"(<film type="hdrfilm"><integer name="width" value="32"/><integer name="height" value="32"/>
-    <rfilter type="box"/></film></sensor>)";
-}
-std::string look_down() { return R"(<lookat origin="0,0,4" target="0,0,0" up="0,1,0"/>)"; }
-std::string camera(double fov = kFov, const std::string& transform = look_down()) {
-  return R"(<scene version="3.0.0"><integrator type="path"/><sensor type="perspective"><float name="fov" value=")" +
-         std::to_string(fov) + R"("/><transform name="to_world">)" + transform + "</transform>" + film();
-}
-std::string diffuse(const std::string& albedo) {
-  return R"(<bsdf type="diffuse"><rgb name="reflectance" value=")" + albedo + R"("/></bsdf>)";
-}
-std::string floor_of(const std::string& bsdf) {
-  return R"(<shape type="rectangle"><transform name="to_world"><scale value="4"/></transform>)" + bsdf + "</shape>";
-}
-std::string lamp(const std::string& shape, double radiance) {
-  return shape + diffuse("0") + R"(<emitter type="area"><rgb name="radiance" value=")" + std::to_string(radiance) +
-         R"("/></emitter></shape>)";
-}
-std::string sky(const std::string& radiance) {
-  return R"(<emitter type="constant"><rgb name="radiance" value=")" + radiance + R"("/></emitter>)";
-}
-/// All that is seen through what is in front of it, 2 away.
-std::string wall_of_light(double z = 2) {
-  return lamp(R"(<shape type="rectangle"><transform name="to_world"><scale value="2000"/><rotate y="1" angle="180"/>
-    <translate z=")" +
-                  std::to_string(z) + R"("/></transform>)",
-              1);
-}
-std::string along_z(double fov) { return camera(fov, R"(<lookat origin="0,0,0" target="0,0,1" up="0,1,0"/>)"); }
+constexpr double kFarLamp = 1.8;  // x of lamps, outside of the view at their height of 1.5
 
 SurfacePoint floor_at(double x, double y) { return {{x, y, 0}, {0, 0, 1}}; }
-RgbD lit(double irradiance) { return RgbD(kAlbedo * irradiance / kPi); }
 
 const Vec3d kPoint{0.4, 0.2, 1.5};
 RgbD by_point(double x, double y) { return lit(irradiance_of_point(5, kPoint, floor_at(x, y))); }
@@ -69,6 +36,10 @@ RgbD by_rectangle(double x, double y) {
 RgbD by_ball(double x, double y) { return lit(irradiance_of_sphere(12, {kFarLamp, 0, 1.5}, 0.4, floor_at(x, y))); }
 RgbD by_disc(double x, double y) {
   return lit(irradiance_of_parallel_disc(10, 0.45, 1.5, std::hypot(x - kFarLamp, y)));
+}
+const Vec3d kTubeEnds[] = {{kFarLamp, -0.5, 1.5}, {kFarLamp, 0.5, 1.5}};
+RgbD by_tube(double x, double y) {
+  return lit(irradiance_of_cylinder(20, kTubeEnds[0], kTubeEnds[1], 0.2, floor_at(x, y)));
 }
 RgbD under_sky(double, double) { return RgbD{1, 0.8, 0.6} * kAlbedo; }
 RgbD tinted(double, double) { return {0.7, 0.45, 0.2}; }
@@ -197,6 +168,13 @@ std::vector<Probe> lights() {
            "</scene>",
        by_ball},
       {"light", "disk light", grey + lamp(far("disk", "0.45"), 10) + "</scene>", by_disc},
+      {"light", "cylindrical light",
+       grey +
+           lamp(R"(<shape type="cylinder"><point name="p0" value="1.8,-0.5,1.5"/>
+        <point name="p1" value="1.8,0.5,1.5"/><float name="radius" value="0.2"/>)",
+                20) +
+           "</scene>",
+       by_tube},
       {"light", "constant sky", grey + sky("1,0.8,0.6") + "</scene>", under_sky},
   };
 }
@@ -204,11 +182,7 @@ std::vector<Probe> lights() {
 std::vector<Probe> materials() {
   return {
       {"material", "diffuse", camera() + floor_of(diffuse("0.7,0.45,0.2")) + sky("1") + "</scene>", tinted},
-      {"material", "mirror",
-       camera() + floor_of(R"(<bsdf type="conductor"><string name="material" value="none"/>
-        <rgb name="specular_reflectance" value="0.9,0.6,0.3"/></bsdf>)") +
-           sky("1") + "</scene>",
-       mirrored},
+      {"material", "mirror", camera() + floor_of(mirror("0.9,0.6,0.3")) + sky("1") + "</scene>", mirrored},
       {"material", "glass",
        along_z(100) + R"(<shape type="cube"><transform name="to_world">
         <scale x="2000" y="2000" z="0.05"/><translate z="1"/></transform><bsdf type="dielectric">
@@ -318,7 +292,8 @@ std::vector<Probe> media() {
 const std::vector<Probe>& probe_rows() {
   static const std::vector<Probe> rows = [] {
     std::vector<Probe> all;
-    for (std::vector<Probe> part : {lights(), materials(), glossy_materials(), textures(), cameras(), media()})
+    for (std::vector<Probe> part :
+         {lights(), materials(), glossy_materials(), textures(), cameras(), media(), probes_with_files()})
       for (Probe& probe : part) all.push_back(std::move(probe));
     return all;
   }();

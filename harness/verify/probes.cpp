@@ -81,12 +81,28 @@ VerifyProbe judged(const Probe& probe, const VerifyEngine& engine, const EngineP
   return out;
 }
 
+/// The scene with its files.
+std::string content_of(const Probe& probe) {
+  std::vector<std::string> parts{probe.scene};
+  for (const ProbeFile& file : probe.files) {
+    parts.push_back(file.name);
+    if (const auto* text = std::get_if<std::string>(&file.content)) {
+      parts.push_back(*text);
+      continue;
+    }
+    const Image& image = std::get<Image>(file.content);
+    parts.push_back(std::to_string(image.width));
+    parts.emplace_back(reinterpret_cast<const char*>(image.rgb.data()), image.rgb.size() * sizeof(float));
+  }
+  return length_prefixed(parts);
+}
+
 /// Empty where nothing can be kept: without a home, or of an engine that tells no version.
 fs::path cache_file(const Probe& probe, const VerifyEngine& engine, double power) {
   if (engine.version.line.empty()) return {};
   try {
-    const std::string key = content_key({{"probe", "1"},
-                                         {"scene", probe.scene},
+    const std::string key = content_key({{"probe", "2"},
+                                         {"scene", content_of(probe)},
                                          {"engine", length_prefixed(engine.row.command)},
                                          {"version", engine.version.line},
                                          {"power", std::to_string(power)}});
@@ -104,9 +120,9 @@ VerifyProbe probed(const Studio& studio, const Probe& probe, const VerifyEngine&
   std::ranges::replace(name, ' ', '-');
   const fs::path file = studio.options().folder / "probes" / (name + ".xml");
   fs::create_directories(file.parent_path());
-  write_file_atomically(file, probe.scene);
-  const SceneDescription description = parse_scene_text(probe.scene, file.string());
-  const StudioScene scene{"probe-" + name, file, content_key({{"probe", probe.scene}}), kSide, kSide, {}, &description};
+  const SceneDescription description = write_probe(probe, file);
+  const StudioScene scene{"probe-" + name, file, content_key({{"probe", content_of(probe)}}), kSide, kSide, {},
+                          &description};
   const Shot shot = studio.shoot(scene, engine);
   if (!shot.picture) {
     VerifyProbe refused{engine.row.name, probe.kind, probe.what, "not rendered", shot.detail, {}, {}, {}};
@@ -130,13 +146,18 @@ class Kinds {
       std::visit(Overloaded{[&](const PointLightDescription&) { add("point light"); },
                             [&](const SpotLightDescription&) { add("spot light"); },
                             [&](const DirectionalLightDescription&) { add("directional light"); },
-                            [&](const ConstantLightDescription&) { add("constant sky"); }, [](const auto&) {}},
+                            [&](const ConstantLightDescription&) { add("constant sky"); },
+                            [&](const EnvmapDescription&) { add("image sky"); },
+                            [&](const SunSkyDescription&) { add("sun and sky"); },
+                            [&](const IesLightDescription&) { add("IES light"); }},
                  emitter.light);
     for (const ShapeDescription& shape : scene.shapes) {
       if (!shape.radiance) continue;
       std::visit(Overloaded{[&](const RectangleDescription&) { add("rectangular light"); },
                             [&](const SphereDescription&) { add("spherical light"); },
-                            [&](const DiskDescription&) { add("disk light"); }, [](const auto&) {}},
+                            [&](const DiskDescription&) { add("disk light"); },
+                            [&](const CylinderDescription&) { add("cylindrical light"); },
+                            [&](const MeshDescription&) { add("mesh light"); }, [](const auto&) {}},
                  shape.geometry);
     }
     for (const BsdfDescription& bsdf : scene.bsdfs)
@@ -152,7 +173,9 @@ class Kinds {
                      [&](const PhongDescription&) { add("phong"); }, [](const auto&) {}},
           bsdf.model);
     for (const TextureDescription& texture : scene.textures)
-      if (std::holds_alternative<CheckerboardDescription>(texture.pattern)) add("checkerboard");
+      std::visit(Overloaded{[&](const CheckerboardDescription&) { add("checkerboard"); },
+                            [&](const BitmapDescription&) { add("bitmap"); }},
+                 texture.pattern);
     std::visit(Overloaded{[&](const PerspectiveDescription&) { add("perspective camera"); },
                           [&](const ThinLensDescription&) { add("thin lens"); },
                           [&](const OrthographicDescription&) { add("orthographic camera"); },
@@ -173,6 +196,19 @@ class Kinds {
 }  // namespace
 
 std::vector<std::string> kinds_in(const SceneDescription& scene) { return Kinds(scene).names(); }
+
+SceneDescription write_probe(const Probe& probe, const fs::path& file) {
+  for (const ProbeFile& beside : probe.files) {
+    const fs::path path = file.parent_path() / beside.name;
+    std::visit(Overloaded{[&](const std::string& text) { write_file_atomically(path, text); },
+                          [&](const Image& image) {
+                            write_exr(path.string(), {image, {}, {}});
+                          }},
+               beside.content);
+  }
+  write_file_atomically(file, probe.scene);
+  return parse_scene_text(probe.scene, file.string());
+}
 
 ProbeFit fit_probe(const Probe& probe, const EnginePicture& picture) {
   const Image expected = expected_image(probe, picture.rendering.mean.width, picture.rendering.mean.height);

@@ -3,14 +3,23 @@
 // closed form" before any whole scene is compared.
 #pragma once
 
+#include <filesystem>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "harness/verify/studio.h"
 #include "reports/verify/verify_record.h"
 #include "scenes/description/description.h"
+#include "scenes/images/image.h"
 
 namespace photonproof {
+
+/// What a probe's scene names: a text, or an image that is written as EXR.
+struct ProbeFile {
+  std::string name;
+  std::variant<std::string, Image> content;
+};
 
 struct Probe {
   std::string kind;   ///< "light", "material", "camera", "medium"
@@ -18,9 +27,13 @@ struct Probe {
   std::string scene;  ///< XML
   /// Of the direction through the image at (x, y), both in [-1, 1], x to the right and y up.
   RgbD (*radiance)(double x, double y) = nullptr;
+  std::vector<ProbeFile> files{};  ///< beside the scene
 };
 
 const std::vector<Probe>& probe_rows();
+
+/// The scene as this file, and the probe's files beside it; reads it. Throws InputError where it cannot be written.
+SceneDescription write_probe(const Probe& probe, const std::filesystem::path& file);
 
 /// The probes' names of what the scene holds.
 std::vector<std::string> kinds_in(const SceneDescription& scene);

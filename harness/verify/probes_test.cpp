@@ -7,6 +7,7 @@
 #include <random>
 
 #include "scenes/parser/parser.h"
+#include "scenes/text/scratch_folder.h"
 
 namespace photonproof {
 namespace {
@@ -79,9 +80,10 @@ TEST(Probes, are_those_of_what_a_scene_holds) {
 }
 
 TEST(Probes, have_names_and_scenes_of_their_own) {
+  const ScratchFolder folder("probes");
   for (const Probe& probe : probe_rows()) {
     EXPECT_EQ(std::ranges::count(probe_rows(), probe.what, &Probe::what), 1);
-    const SceneDescription scene = parse_scene_text(probe.scene, probe.what);
+    const SceneDescription scene = write_probe(probe, folder.path() / "probe.xml");
     EXPECT_GT(probe.radiance(0.1, 0.1).x, 0) << probe.what;
     // A lossless ball is in the scene of glass, too.
     EXPECT_TRUE(probe.what == "lossless glass" || std::ranges::count(kinds_in(scene), probe.what) == 1) << probe.what;

@@ -44,6 +44,29 @@ double irradiance_of_sphere(double radiance, const Vec3d& center, double radius,
   return std::numbers::pi * radiance * radius * radius / d2 * dot(at.normal, to_light) / std::sqrt(d2);
 }
 
+double irradiance_of_cylinder(double radiance, const Vec3d& p0, const Vec3d& p1, double radius,
+                              const SurfacePoint& at) {
+  // Seen is the side up to where a tangent from the point touches, acos(R / rho) from the point's own azimuth, at the
+  // distance rho from the axis; as the outside of a convex body, nothing of it is hidden.
+  constexpr int along = 4, around = 16;
+  const double gauss = 0.5 / std::sqrt(3.0);
+  const auto node = [&](int i) { return i / 2 + 0.5 + (i % 2 == 0 ? -gauss : gauss); };
+  const Vec3d axis = p1 - p0, off = at.position - p0, y = normalize(axis), across = off - y * dot(off, y);
+  const double rho = length(across), reach = std::acos(radius / rho);
+  const Vec3d towards = across / rho, beside = cross(y, towards);
+  double sum = 0;
+  for (int j = 0; j < 2 * around; ++j) {
+    const double phi = reach * (2 * node(j) / around - 1);
+    const Vec3d normal = towards * std::cos(phi) + beside * std::sin(phi);
+    for (int i = 0; i < 2 * along; ++i) {
+      const Vec3d d = p0 + axis * (node(i) / along) + normal * radius - at.position;
+      const double d2 = length_squared(d);
+      sum += dot(at.normal, d) * -dot(normal, d) / (d2 * d2);
+    }
+  }
+  return radiance * sum * (2 * reach * radius * length(axis) / (4 * along * around));
+}
+
 double irradiance_of_spot(double intensity, const Vec3d& light, const Vec3d& axis, const SpotCone& cone,
                           const SurfacePoint& at) {
   const double angle = std::acos(std::clamp(dot(normalize(at.position - light), axis), -1.0, 1.0));

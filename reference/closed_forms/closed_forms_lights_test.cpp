@@ -54,6 +54,29 @@ TEST(ClosedForms, polygon_is_clipped_at_the_horizon) {
   EXPECT_NEAR(irradiance_of_polygon(7, ceiling, at), expected, 1e-5 * expected);
 }
 
+// Prisms of n sides, in the tube and around it, whose deviations of order 1/n^2 are 1 : -2.
+TEST(ClosedForms, cylinder_is_the_limit_of_prisms) {
+  const Vec3d p0{-0.4, 2.5, 0}, p1{0.6, 2.2, 0.3};
+  const SurfacePoint at{{0.8, 0, -0.6}, normalize(Vec3d{0.1, 1, 0.2})};
+  constexpr double radius = 0.3;
+  const Vec3d axis = normalize(p1 - p0), u = normalize(cross(axis, {0, 1, 0})), v = cross(axis, u);
+  const auto of_prism = [&](double r, int n) {
+    const auto corner = [&](const Vec3d& end, int i) {
+      return end + (u * std::cos(2 * pi * i / n) + v * std::sin(2 * pi * i / n)) * r;
+    };
+    double sum = 0;
+    for (int i = 0; i < n; ++i)
+      sum +=
+          irradiance_of_polygon(7, Rectangle{corner(p0, i), corner(p0, i + 1), corner(p1, i + 1), corner(p1, i)}, at);
+    return sum;
+  };
+  constexpr int sides = 3000;
+  const double inner = of_prism(radius, sides), outer = of_prism(radius / std::cos(pi / sides), sides);
+  const double expected = (2 * inner + outer) / 3;
+  EXPECT_GT(expected, 0.1);
+  EXPECT_NEAR(irradiance_of_cylinder(7, p0, p1, radius, at), expected, 3e-6 * expected);
+}
+
 TEST(ClosedForms, polygon_shines_on_one_side_and_only_above_the_horizon) {
   EXPECT_EQ(irradiance_of_polygon(7, ceiling, {{0, 3, 0}, {0, -1, 0}}), 0) << "behind the light";
   EXPECT_EQ(irradiance_of_polygon(7, ceiling, {{0, 0, 0}, {0, -1, 0}}), 0) << "facing away";

@@ -100,28 +100,8 @@ TEST(library_mean, of_light_cylinder) {
   const auto scene = load("light-cylinder");
   const ShapeDescription& lamp = lamp_of(scene);
   const auto& tube = std::get<CylinderDescription>(lamp.geometry);
-  const Vec3d axis = tube.p1 - tube.p0;
-  // E = L int cos cos' / d^2 dA over the side that faces the point: the outside of a convex body, so nothing hides it.
-  // That side reaches to where a tangent from the point touches, acos(R / rho) from the point's own azimuth, at the
-  // distance rho from the axis. In between all is smooth: Gauss's two points in each of the cells.
-  constexpr int along = 4, around = 16;
-  const double radius = tube.radius, gauss = 0.5 / std::sqrt(3.0);
-  const auto node = [&](int i) { return i / 2 + 0.5 + (i % 2 == 0 ? -gauss : gauss); };
   const auto irradiance = [&](const SurfacePoint& at) {
-    const Vec3d off = at.position - tube.p0, y = normalize(axis), across = off - y * dot(off, y);
-    const double rho = length(across), reach = std::acos(radius / rho);
-    const Vec3d towards = across / rho, beside = cross(y, towards);
-    double sum = 0;
-    for (int j = 0; j < 2 * around; ++j) {
-      const double phi = reach * (2 * node(j) / around - 1);
-      const Vec3d normal = towards * std::cos(phi) + beside * std::sin(phi);
-      for (int i = 0; i < 2 * along; ++i) {
-        const Vec3d d = tube.p0 + axis * (node(i) / along) + normal * radius - at.position;
-        const double d2 = length_squared(d);
-        sum += dot(at.normal, d) * -dot(normal, d) / (d2 * d2);
-      }
-    }
-    return radiance_of(lamp) * sum * (2 * reach * radius * length(axis) / (4 * along * around));
+    return irradiance_of_cylinder(radiance_of(lamp), tube.p0, tube.p1, tube.radius, at);
   };
   expect_stated_mean("light-cylinder", mean_of_plane(scene, irradiance));
 }

@@ -15,20 +15,27 @@
 namespace photonproof {
 namespace {
 
-/// POV-Ray's command-line words for where a pixel is sampled.
-std::vector<std::string> antialias(const PovrayOptions& options, bool lens, bool lamps) {
-  if (options.grid > 0 || lens) return {"-A"};  // one ray through the centre of each of grid x grid sub-pixels
-  // Corners first, and wherever they differ by a tenth (of a gamma-encoded channel) a finer grid, at most 16 x 16
-  // cells: the trapezoidal rule over the pixel, in linear light and without clipping. Where lamps are seen 64 x 64: the
-  // lamp of `cornell` is 12 pixels wide and 40 times as bright as the mean, and 1/32 of a pixel at its edges made the
-  // image's mean 0.45 % too high.
-  return {"+AM2", "+A0.1", lamps ? "+R7" : "+R5", "-J"};
-}
+/// POV-Ray's command-line words for rays through the centres of pixels alone.
+const std::vector<std::string> through_centres{"-A"};
+
+/// Those for corners first, and wherever they differ by a tenth (of a gamma-encoded channel) a finer grid, of at most
+/// 2^halvings cells across a pixel: the trapezoidal rule over the pixel, in linear light and without clipping.
+std::vector<std::string> refined(int halvings) { return {"+AM2", "+A0.1", "+R" + std::to_string(halvings), "-J"}; }
 
 bool shows_bright_lamps(const PovScene& scene, const PovPlan& plan) {
   return plan.shows_lamps && !scene.hides_lamps &&
          std::any_of(scene.surfaces.begin(), scene.surfaces.end(),
                      [](const PovSurface& surface) { return surface.emission == PovSurface::Emission::spots; });
+}
+
+/// Where lamps are seen cells are fine: the lamp of `cornell` is 12 pixels wide and 40 times as bright as the mean, and
+/// 1/32 of a pixel at its edges made the image's mean 0.45 % too high.
+/// Where every ray's end is lit by many, edges are coarse: `many-lights` as well in two fifths of the time.
+constexpr int ordinary_halvings = 5, lamp_halvings = 7, many_lights_halvings = 2;
+
+int halvings(const PovScene& scene, const PovPlan& plan) {
+  if (shows_bright_lamps(scene, plan)) return lamp_halvings;
+  return plan.point_lights && has_many_lights(scene) ? many_lights_halvings : ordinary_halvings;
 }
 
 /// What radiosity's rays see instead of the surfaces above. A ray of theirs is one of hundreds, so its shadow rays need
@@ -121,7 +128,8 @@ PovrayExport export_scene(const PovScene& scene, const PovPlan& plan, const PovC
 
   result.sdl = out.text();
   result.grid = std::max(1, options.grid);
-  result.antialias = antialias(options, camera.kind == PovCamera::Kind::thin_lens, shows_bright_lamps(scene, plan));
+  const bool centres = options.grid > 0 || camera.kind == PovCamera::Kind::thin_lens;  // of grid x grid sub-pixels
+  result.antialias = centres ? through_centres : refined(halvings(scene, plan));
   result.margin = options.margin;
   result.is_noisy = plan.paths;
   result.filter = description.sensor.film.filter;
@@ -141,6 +149,9 @@ PovrayExport export_lamps(const PovScene& scene, PovPlan plan, const PovCamera& 
   plan.brightness = 1;
   PovrayExport lamps = export_scene(scene, plan, camera, options);
   lamps.grid = std::clamp(static_cast<int>(std::ceil(2 * thin_lamp / thinnest)), 2, finest_lamp_grid);
+  // Of the lamp of `caustic-glass` 0.13 % are missing then, in a third of the time that leaves 0.11.
+  const bool is_fine = lamps.grid >= 8 && camera.kind != PovCamera::Kind::thin_lens;
+  if (is_fine) lamps.antialias = refined(lamp_halvings - 1);
   return lamps;
 }
 

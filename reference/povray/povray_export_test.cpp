@@ -100,7 +100,7 @@ TEST(povray_export, asks_for_radiosity_only_where_surfaces_see_each_other) {
   EXPECT_EQ(count(code(exported("cornell-spheres")), "radiosity{"), 1u);
   const PovrayExport plane = exported("light-area");
   EXPECT_EQ(count(code(plane), "radiosity{"), 0u);
-  EXPECT_EQ(plane.skipped.at(0), "radiosity: no two diffuse surfaces see each other");
+  EXPECT_EQ(std::ranges::count(plane.skipped, "radiosity: no two diffuse surfaces see each other"), 1);
 }
 
 TEST(povray_export, shoots_photons_only_where_something_is_specular) {
@@ -112,8 +112,9 @@ TEST(povray_export, shoots_photons_only_where_something_is_specular) {
 
 TEST(povray_export, has_a_point_for_each_of_many_lamps_and_fewer_for_radiosity) {
   const std::string text = code(exported("many-lights"));
-  // 1000 lamps in the picture, and for radiosity every 16th, from the first on: 63.
-  EXPECT_EQ(count(text, "\nlight_source{") + count(text, "\nSpot("), 1000u + 63);
+  // 1000 lamps in the picture, and for radiosity every fourth, from the first on: 250.
+  EXPECT_EQ(count(text, "\nlight_source{") + count(text, "\nSpot("), 1000u + 250);
+  EXPECT_EQ(count(text, "count 24,20000"), 1u) << "by fewer rays";
 }
 
 TEST(povray_export, fills_its_cache_densely_with_fewer_rays_where_bounces_are_many) {
@@ -121,11 +122,16 @@ TEST(povray_export, fills_its_cache_densely_with_fewer_rays_where_bounces_are_ma
   EXPECT_EQ(count(code(exported("cornell")), "low_error_factor 0.3 "), 1u);
   EXPECT_EQ(count(code(exported("million")), "count 192,20000"), 1u);
   EXPECT_EQ(count(code(exported("million")), "low_error_factor 0.8 "), 1u);
+  EXPECT_EQ(count(code(exported("caustic-glass")), "count 96,20000"), 1u);
+  EXPECT_EQ(count(code(exported("caustic-glass")), "low_error_factor 0.8 "), 1u) << "beside photons";
 }
 
 TEST(povray_export, refines_the_edges_of_lamps_further) {
+  const PovrayOptions apart{.width = 64, .height = 64, .lamps_apart = true};
   EXPECT_EQ(exported("cornell").antialias.at(2), "+R7");
   EXPECT_EQ(exported("light-point").antialias.at(2), "+R5") << "its lamp has no body";
+  EXPECT_EQ(exported("many-lights", apart).antialias.at(2), "+R2") << "every sample costs a thousand shadow rays";
+  EXPECT_EQ(exported("caustic-glass", apart).besides.at(0).antialias.at(2), "+R6") << "of 13 x 13 sub-pixels";
 }
 
 TEST(povray_export, keeps_what_a_scene_says_inside_comments) {

@@ -38,7 +38,7 @@ std::string most_photons(const PovPlan& plan) { return plan.paths ? "2000" : "20
 std::string photons_sdl(const PovScene& scene, const PovPlan& plan) {
   return "  photons{count " + std::to_string(plan.preset.photons) + " radius " +
          format_number(plan.preset.photon_radius * scene.radius * plan.scale) + " gather 1," + most_photons(plan) +
-         " expand_thresholds 0,0 autostop 0 jitter 1 max_trace_level 12 adc_bailout 1e-4}";
+         " expand_thresholds 0,0 autostop 0 jitter 1 max_trace_level 50 adc_bailout 1e-4}";
 }
 
 }  // namespace
@@ -57,7 +57,9 @@ void write_header(const PovScene& scene, const PovPlan& plan, SdlWriter& out) {
     out.explain(
         "Brightness leaves radiances as they are and has POV-Ray's radiosity take every bounce for as important");
   out.line("#declare Brightness = " + format_number(plan.brightness) + ";");
-  out.line("global_settings{assumed_gamma 1.0 max_trace_level 20 adc_bailout 1e-5");
+  out.explain(
+      "light that is reflected totally, in facets of glass, leaves after dozens of bounces: adc_bailout ends rays");
+  out.line("global_settings{assumed_gamma 1.0 max_trace_level 100 adc_bailout 1e-5");
   if (plan.radiosity) out.line(radiosity_sdl(scene, plan));
   if (plan.photons) out.line(photons_sdl(scene, plan));
   out.line("}");

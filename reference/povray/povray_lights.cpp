@@ -202,7 +202,7 @@ const char* kind_of(const EmitterDescription& emitter) {
 bool has_many_lights(const PovScene& scene) { return area_lights(scene) > kManyLights; }
 
 std::size_t lights_for_one(const PovScene& scene) {
-  return static_cast<std::size_t>((area_lights(scene) + kManyLights - 1) / kManyLights);
+  return static_cast<std::size_t>((area_lights(scene) + kLightsForRays - 1) / kLightsForRays);
 }
 
 void write_spot_macro(const PovPlan& plan, SdlWriter& out) {

@@ -8,9 +8,11 @@
 
 namespace photonproof {
 
-/// More area lights than this are many: rectangles and balls are one point each then, and radiosity's rays see one of
-/// every few, which shines for all of them.
+/// More area lights than this are many: rectangles and balls are one point each then.
 constexpr std::ptrdiff_t kManyLights = 64;
+/// Radiosity's rays see as many of them, one of every few that shines for all of those. Fewer rays that see more are
+/// better: of `many-lights` 24 and 256 have a fifth of relmse of 192 and 64 in a third of the time.
+constexpr std::ptrdiff_t kLightsForRays = 256;
 bool has_many_lights(const PovScene& scene);
 /// For how many lights one of them shines.
 std::size_t lights_for_one(const PovScene& scene);

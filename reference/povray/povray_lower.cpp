@@ -211,10 +211,6 @@ class Lowering {
       throw Unrepresentable(description.where(shape.loc),
                             "a medium that scatters: POV-Ray scatters light once at most; one that only absorbs can be "
                             "written");
-    const bool closed = std::holds_alternative<SphereDescription>(shape.geometry) ||
-                        std::holds_alternative<CubeDescription>(shape.geometry);
-    if (!closed || shape.flip_normals)
-      throw Unrepresentable(description.where(shape.loc), "a medium in another shape than a sphere or a cube");
     return medium.sigma_t * medium.scale;
   }
 
@@ -323,14 +319,18 @@ class Lowering {
 void Lowering::check(const PovSurface& surface) const {
   const SceneDescription& description = *scene_.description;
   const std::string where = description.where(surface.shape->loc);
-  const bool mesh = std::holds_alternative<PovMesh>(surface.geometry);
-  if (is_glass(surface) && mesh)
+  const auto* mesh = std::get_if<PovMesh>(&surface.geometry);
+  const bool closed = std::holds_alternative<PovSphere>(surface.geometry) ||
+                      std::holds_alternative<PovBox>(surface.geometry) ||
+                      (mesh && (is_glass(surface) || surface.absorption) && mesh->is_body());
+  if (surface.absorption && (!closed || (!mesh && surface.shape->flip_normals)))
     throw Unrepresentable(where,
-                          "a triangle mesh of dielectric: POV-Ray's index of refraction belongs to a closed body, and "
-                          "nothing says that the mesh is one");
-  const bool open =
-      !std::holds_alternative<PovSphere>(surface.geometry) && !std::holds_alternative<PovBox>(surface.geometry);
-  if (is_glass(surface) && open)
+                          "a medium in another shape than a sphere, a cube or a closed mesh, their front outside");
+  if (is_glass(surface) && mesh && !closed)
+    throw Unrepresentable(where,
+                          "a triangle mesh of dielectric that is open, or whose front is inside: POV-Ray's index of "
+                          "refraction belongs to a closed body");
+  if (is_glass(surface) && !closed)
     throw Unrepresentable(where,
                           "an open surface of dielectric: POV-Ray's index of refraction belongs to a closed body");
   if (is_glass(surface)) {

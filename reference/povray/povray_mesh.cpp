@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <ostream>
 #include <utility>
 
@@ -64,6 +65,26 @@ bool PovMesh::any_triangle(const std::function<bool(const std::array<Vec3d, 3>&)
   for (std::size_t i = 0; i < mesh->triangles.size(); ++i)
     if (holds(triangle(i))) return true;
   return false;
+}
+
+bool PovMesh::is_body() const {
+  std::map<std::array<float, 3>, std::uint32_t> places;
+  std::vector<std::uint32_t> place_of;
+  for (const Vec3f& p : mesh->positions)
+    place_of.push_back(places.try_emplace({p.x, p.y, p.z}, static_cast<std::uint32_t>(places.size())).first->second);
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> passed;  // from the lower to the higher, less the other way
+  double volume = 0;
+  for (std::size_t i = 0; i < mesh->triangles.size(); ++i) {
+    const auto& corners = mesh->triangles[i];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t a = place_of[corners[k]], b = place_of[corners[(k + 1) % 3]];
+      passed[std::minmax(a, b)] += a < b ? 1 : -1;
+    }
+    const auto [a, b, c] = triangle(i);
+    volume += dot(a - low, cross(b - low, c - low));
+  }
+  const auto is_balanced = [](const auto& edge) { return edge.second == 0 || edge.first.first == edge.first.second; };
+  return volume > 0 && std::ranges::all_of(passed, is_balanced);
 }
 
 std::vector<Vec3d> vertex_normals(const TriangleMesh& mesh) {

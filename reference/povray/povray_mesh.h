@@ -25,6 +25,9 @@ struct PovMesh {
   std::array<Vec3d, 8> box_corners() const;
   /// World space, counter-clockwise seen from the front.
   std::array<Vec3d, 3> triangle(std::size_t i) const;
+  /// Whether it bounds a body and its front is outside: of vertices that are told apart by their places, every edge is
+  /// passed as often in one direction as in the other, and the volume is positive.
+  bool is_body() const;
   /// Whether any triangle satisfies `holds`.
   bool any_triangle(const std::function<bool(const std::array<Vec3d, 3>&)>& holds) const;
 };

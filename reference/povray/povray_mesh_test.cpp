@@ -1,11 +1,21 @@
 // POV-Ray itself on meshes: it has to show the side that Mitsuba's rules make the front, as bright as anything else.
+#include "reference/povray/povray_mesh.h"
+
 #include <gtest/gtest.h>
 
+#include <array>
+#include <utility>
+
+#include "reference/engines/not_representable.h"
 #include "reference/povray/povray_engine.h"
 #include "scenes/parser/parser.h"
 
 namespace photonproof {
 namespace {
+
+MeshDescription described(const TriangleMesh& mesh, bool face_normals) {
+  return {MeshDescription::Format::ply, "cube.ply", face_normals, false, std::make_shared<const TriangleMesh>(mesh)};
+}
 
 /// The plane of the scene light-point, [-1,1]^2 times 4, as two triangles that face +z before to_world.
 SceneDescription mesh_plane() {
@@ -14,8 +24,7 @@ SceneDescription mesh_plane() {
   mesh.resize_positions(4);
   mesh.positions = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
   mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
-  scene.shapes.at(0).geometry = MeshDescription{MeshDescription::Format::ply, "plane.ply", true, false,
-                                                std::make_shared<const TriangleMesh>(mesh)};
+  scene.shapes.at(0).geometry = described(mesh, true);
   return scene;
 }
 
@@ -41,6 +50,91 @@ TEST(povray_mesh_render, is_black_from_behind_when_flipped_or_mirrored) {
   EXPECT_EQ(mean(mirrored), 0) << "other than a rectangle, a mesh turns over";
   mirrored.shapes.at(0).flip_normals = true;
   EXPECT_GT(mean(mirrored), 0);
+}
+
+/// [-1,1]^3, outward; with `split` every face has vertices of its own.
+TriangleMesh cube_mesh(bool split) {
+  constexpr std::array<std::array<std::uint32_t, 4>, 6> faces{
+      {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}};
+  TriangleMesh mesh;
+  mesh.resize_positions(split ? 24 : 8);
+  const auto corner = [](std::uint32_t i) {
+    return Vec3f{(i & 1) != 0 ? 1.0f : -1.0f, (i & 2) != 0 ? 1.0f : -1.0f, (i & 4) != 0 ? 1.0f : -1.0f};
+  };
+  for (std::uint32_t f = 0; f < 6; ++f) {
+    std::array<std::uint32_t, 4> v{};
+    for (std::uint32_t k = 0; k < 4; ++k) {
+      v[k] = split ? 4 * f + k : faces[f][k];
+      mesh.positions[v[k]] = corner(faces[f][k]);
+    }
+    mesh.triangles.push_back({v[0], v[1], v[2]});
+    mesh.triangles.push_back({v[0], v[2], v[3]});
+  }
+  return mesh;
+}
+
+TEST(povray_mesh, is_a_body_where_it_is_closed_and_its_front_outside) {
+  ShapeDescription shape;
+  const auto is_body = [&](const TriangleMesh& mesh) {
+    return place_mesh(shape, std::make_shared<const TriangleMesh>(mesh), false, 0).is_body();
+  };
+  TriangleMesh cube = cube_mesh(false);
+  EXPECT_TRUE(is_body(cube));
+  EXPECT_TRUE(is_body(cube_mesh(true)));
+  std::swap(cube.triangles[5][0], cube.triangles[5][1]);
+  EXPECT_FALSE(is_body(cube)) << "a face turned over";
+  cube = cube_mesh(false);
+  cube.triangles.pop_back();
+  EXPECT_FALSE(is_body(cube)) << "a hole";
+  shape.flip_normals = true;
+  EXPECT_FALSE(is_body(cube_mesh(false))) << "inside out";
+  shape.to_world = Transform::scale({-1, 1, 1});
+  EXPECT_TRUE(is_body(cube_mesh(false))) << "and mirrored";
+}
+
+/// A cube of ink, and of glass too, under a bright sky.
+SceneDescription ink(const std::string& bsdf) {
+  return parse_scene_text(R"(<scene version="3.0.0"><integrator type="path"/><sensor type="perspective">
+    <float name="fov" value="50"/><transform name="to_world"><lookat origin="2,3,5" target="0,0,0" up="0,1,0"/></transform>
+    <film type="hdrfilm"><rfilter type="box"/></film></sensor><emitter type="constant"/>
+    <medium type="homogeneous" id="ink"><rgb name="sigma_t" value="0.1,0.3,1"/><rgb name="albedo" value="0"/></medium>
+    <shape type="cube"><transform name="to_world"><rotate x="1" y="2" z="3" angle="40"/><scale x="1.2"/></transform>
+    <bsdf type=")" + bsdf + R"("/><ref name="interior" id="ink"/></shape></scene>)",
+                          "ink.xml");
+}
+
+Image shown(const SceneDescription& scene) {
+  return render_povray(export_povray(scene, {.width = 32, .height = 32, .grid = 2})).rendering.mean;
+}
+
+TEST(povray_mesh_render, of_glass_and_ink_is_what_a_cube_of_them_is) {
+  for (const std::string bsdf : {"dielectric", "null"}) {
+    SceneDescription scene = ink(bsdf);
+    const Image box = shown(scene);
+    EXPECT_LT(box.pixel(16, 16)[2], 0.5) << "the ink is seen";
+    scene.shapes.at(0).geometry = described(cube_mesh(false), true);
+    const Image mesh = shown(scene);
+    for (std::size_t i = 0; i < box.rgb.size(); ++i) ASSERT_NEAR(mesh.rgb[i], box.rgb[i], 1e-3) << bsdf << " " << i;
+  }
+}
+
+TEST(povray_mesh, of_glass_has_nothing_in_the_box_around_it) {
+  SceneDescription scene = ink("dielectric");
+  scene.shapes.at(0).geometry = described(cube_mesh(false), true);
+  ShapeDescription ball;
+  ball.geometry = SphereDescription{{0, 0, 4}, 1};
+  ball.bsdf = scene.shapes.at(0).bsdf;
+  scene.shapes.push_back(ball);
+  EXPECT_NO_THROW(export_povray(scene, {}));
+  std::get<SphereDescription>(scene.shapes.at(1).geometry) = {{1.4, 1.4, 1.4}, 0.2};
+  try {
+    export_povray(scene, {});
+    FAIL();
+  } catch (const NotRepresentable& refusal) {
+    EXPECT_NE(std::string(refusal.what()).find("a surface inside or across the box around the dielectric of ink.xml"),
+              std::string::npos)
+        << refusal.what();
+  }
 }
 
 }  // namespace

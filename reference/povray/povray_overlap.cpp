@@ -15,7 +15,7 @@ namespace {
 // Bodies that rest on one another touch up to rounding; an overlap must be deeper than this fraction of the body.
 constexpr double kTouch = 1e-6;
 
-/// What glass may be: check_shape and check_mesh let nothing else through.
+/// What is asked for things inside, of the kinds of glass that lower_scene lets through.
 using Body = std::variant<PovSphere, PovBox>;
 
 Body body_of(const PovSurface& glass) {
@@ -23,7 +23,12 @@ Body body_of(const PovSurface& glass) {
       Overloaded{[](const PovSphere& ball) -> Body { return ball; }, [](const PovBox& box) -> Body { return box; },
                  [](const PovParallelogram&) -> Body { throw std::logic_error("glass without an inside"); },
                  [](const PovRound&) -> Body { throw std::logic_error("glass without an inside"); },
-                 [](const PovMesh&) -> Body { throw std::logic_error("glass without an inside"); }},
+                 // The box around it: what is in that and not in the mesh is refused, too.
+                 [](const PovMesh& mesh) -> Body {
+                   return PovBox{Transform::translate((mesh.low + mesh.high) * 0.5) *
+                                     Transform::scale((mesh.high - mesh.low) * 0.5),
+                                 false};
+                 }},
       glass.geometry);
 }
 
@@ -118,7 +123,9 @@ void refuse_overlaps_with_glass(const PovScene& scene) {
     const Body body = body_of(glass);
     const auto holds = [&](const Vec3d& p) { return std::visit([&](const auto& b) { return contains(b, p); }, body); };
     const auto reached_by = [&](const auto& other, const auto& b) { return reaches_into(other, b); };
-    const std::string inside = " inside or across the dielectric of " + description.where(glass.shape->loc) +
+    const bool mesh = std::holds_alternative<PovMesh>(glass.geometry);
+    const std::string inside = std::string(" inside or across the ") + (mesh ? "box around the " : "") +
+                               "dielectric of " + description.where(glass.shape->loc) +
                                ": POV-Ray does not scale radiance by the squared index of refraction";
     for (const PovSurface& other : scene.surfaces) {
       if (other.shape == glass.shape) continue;

@@ -44,9 +44,10 @@ struct Facts {
   bool diffuse = false, specular = false;
   bool spots = false;        ///< lights written as points
   bool surrounding = false;  ///< lights left to radiosity
-  bool indirect = false;   ///< light can go from diffuse surface to diffuse surface, or comes from a surrounding light
-  double albedo = 0;       ///< largest of any diffuse surface
-  double mean_albedo = 0;  ///< of the diffuse surfaces by area, in the channel where it is largest
+  bool indirect = false;  ///< light can go from diffuse surface to diffuse surface, or comes from a surrounding light
+  bool many_lights = false;  ///< has_many_lights
+  double albedo = 0;         ///< largest of any diffuse surface
+  double mean_albedo = 0;    ///< of the diffuse surfaces by area, in the channel where it is largest
 };
 
 Facts find_facts(const PovScene& scene) {
@@ -54,6 +55,7 @@ Facts find_facts(const PovScene& scene) {
   for (const EmitterDescription& emitter : scene.description->emitters) facts.spots |= !is_sky(emitter);
   facts.spots |= scene.sky_as_lights || scene.sun;
   facts.surrounding = scene.sky && !scene.sky_as_lights;
+  facts.many_lights = has_many_lights(scene);
   RgbD albedo_area(0.0);
   double diffuse_area = 0;
   for (const PovSurface& surface : scene.surfaces) {
@@ -154,13 +156,18 @@ void plan_radiosity(PovPlan& plan, const Facts& facts, int depth) {
     plan.recursion_limit = plan.paths ? kMostBounces : bounces_for(facts.mean_albedo, plan.preset.truncation);
     const bool ends_early = depth >= 0 && depth - edges <= plan.recursion_limit;
     if (ends_early) plan.recursion_limit = depth - edges;  // where the scene asks for it
-    // The fourth and later bounces come out low, by 1.5 % and more each, unless the cache is dense; half the rays pay
-    // for it. `concentric-spheres`: -0.48 % in 6.8 s for -1.01 % in 10 s; `cornell`: -0.18 % in 5.2 s for 0.17 % in 8.3
-    // s.
-    if (plan.recursion_limit > 12 && !plan.paths) {
+    if (facts.many_lights && !plan.paths) {
+      plan.preset.radiosity_count /= 8;  // for what they see; kLightsForRays
+    } else if (plan.recursion_limit > 12 && !plan.paths) {
+      // The fourth and later bounces come out low, by 1.5 % and more each, unless the cache is dense; half the rays pay
+      // for it. `concentric-spheres`: -0.48 % in 6.8 s for -1.01 % in 10 s; `cornell`: -0.18 % in 5.2 s for 0.17 % in
+      // 8.3 s. Beside photons the rays are halved alone, for what is lit comes out right then: `caustic-glass` +0.0 %
+      // in 14 s for -0.7 % in 16 s, `cornell-spheres` +0.0 % in 20 s for -0.4 % in 23 s.
       plan.preset.radiosity_count /= 2;
-      plan.preset.low_error_factor = 0.3;
-      plan.preset.pretrace_end *= 2;
+      if (!plan.photons) {
+        plan.preset.low_error_factor = 0.3;
+        plan.preset.pretrace_end *= 2;
+      }
     }
     if (!ends_early) plan.losses.push_back(truncation_loss(facts, plan.recursion_limit));
     if (plan.preset.paths && !plan.paths)
@@ -199,7 +206,6 @@ PovPlan make_plan(const PovScene& scene, const PovrayOptions& options) {
                           "max_depth " + std::to_string(depth) +
                               " with mirrors or glass: POV-Ray does not count specular bounces as part of a path");
   plan.point_lights = facts.spots && depth != 0 && depth != 1;
-  plan_radiosity(plan, facts, depth);
 
   if (!facts.specular) {
     plan.skipped.emplace_back("photons: nothing is specular");
@@ -212,7 +218,8 @@ PovPlan make_plan(const PovScene& scene, const PovrayOptions& options) {
     plan.losses.emplace_back(
         "caustics are a density of photons over a disc: blurred by its radius, and 0.5 to 1.5 % low in flux");
   }
-  if (plan.radiosity && plan.point_lights && has_many_lights(scene))
+  plan_radiosity(plan, facts, depth);
+  if (plan.radiosity && plan.point_lights && has_many_lights(scene) && lights_for_one(scene) > 1)
     plan.losses.push_back("radiosity's rays see every " + std::to_string(lights_for_one(scene)) +
                           "th of the lamps, as bright as so many: a coarser pattern of indirect light");
   if (scene.sun)

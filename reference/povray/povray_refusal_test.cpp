@@ -147,13 +147,17 @@ TEST(povray_refuses, meshes_inside_glass_but_not_beside_it) {
   EXPECT_EQ(refusal(box + mesh("<translate x='1.1'/>")), "no refusal");
 }
 
-TEST(povray_refuses, meshes_that_refract) {
-  EXPECT_EQ(
-      refusal("<shape type='ply'><string name='filename' value='ascii_quad.ply'/><bsdf type='dielectric'/></shape>" +
-              kLamp),
-      "2:1:" + kNot +
-          "a triangle mesh of dielectric: POV-Ray's index of refraction belongs to a closed body, and nothing "
-          "says that the mesh is one");
+TEST(povray_refuses, open_meshes_that_refract_or_absorb) {
+  const std::string quad = "<shape type='ply'><string name='filename' value='ascii_quad.ply'/>";
+  EXPECT_EQ(refusal(quad + "<bsdf type='dielectric'/></shape>" + kLamp),
+            "2:1:" + kNot +
+                "a triangle mesh of dielectric that is open, or whose front is inside: POV-Ray's index of refraction "
+                "belongs to a closed body");
+  EXPECT_EQ(refusal(quad +
+                    "<bsdf type='null'/><medium type='homogeneous' name='interior'><float name='albedo' "
+                    "value='0'/></medium></shape>" +
+                    kLamp),
+            "2:1:" + kNot + "a medium in another shape than a sphere, a cube or a closed mesh, their front outside");
 }
 
 TEST(povray_refuses, path_lengths_that_it_cannot_cut_at) {

@@ -107,8 +107,8 @@ RgbD mean_radiance(const EmitterDescription& sky);
 /// Whether an emitter is constant, an envmap or a sunsky.
 bool is_sky(const EmitterDescription& emitter);
 
-/// Throws Unrepresentable for what povray_bsdf.h refuses and: emitters that are not diffuse, open surfaces or
-/// meshes of glass, surfaces, lights or the camera inside glass (POV-Ray does not scale radiance by the squared index),
+/// Throws Unrepresentable for what povray_bsdf.h refuses and: emitters that are not diffuse, open surfaces
+/// of glass, surfaces, lights or the camera inside glass (POV-Ray does not scale radiance by the squared index),
 /// media that scatter, textures on curved shapes and on lamps that light something.
 PovScene lower_scene(const SceneDescription& description);
 
