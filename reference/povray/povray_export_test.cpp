@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <sstream>
 
@@ -100,7 +99,7 @@ TEST(povray_export, asks_for_radiosity_only_where_surfaces_see_each_other) {
   EXPECT_EQ(count(code(exported("cornell-spheres")), "radiosity{"), 1u);
   const PovrayExport plane = exported("light-area");
   EXPECT_EQ(count(code(plane), "radiosity{"), 0u);
-  EXPECT_EQ(std::ranges::count(plane.skipped, "radiosity: no two diffuse surfaces see each other"), 1);
+  EXPECT_EQ(plane.skipped.at(0), "radiosity: no two diffuse surfaces see each other");
 }
 
 TEST(povray_export, shoots_photons_only_where_something_is_specular) {
@@ -122,8 +121,6 @@ TEST(povray_export, fills_its_cache_densely_with_fewer_rays_where_bounces_are_ma
   EXPECT_EQ(count(code(exported("cornell")), "low_error_factor 0.3 "), 1u);
   EXPECT_EQ(count(code(exported("million")), "count 192,20000"), 1u);
   EXPECT_EQ(count(code(exported("million")), "low_error_factor 0.8 "), 1u);
-  EXPECT_EQ(count(code(exported("caustic-glass")), "count 96,20000"), 1u);
-  EXPECT_EQ(count(code(exported("caustic-glass")), "low_error_factor 0.8 "), 1u) << "beside photons";
 }
 
 TEST(povray_export, refines_the_edges_of_lamps_further) {

@@ -38,7 +38,7 @@ std::string most_photons(const PovPlan& plan) { return plan.paths ? "2000" : "20
 std::string photons_sdl(const PovScene& scene, const PovPlan& plan) {
   return "  photons{count " + std::to_string(plan.preset.photons) + " radius " +
          format_number(plan.preset.photon_radius * scene.radius * plan.scale) + " gather 1," + most_photons(plan) +
-         " expand_thresholds 0,0 autostop 0 jitter 1 max_trace_level 50 adc_bailout 1e-4}";
+         " expand_thresholds 0,0 autostop 0 jitter 1 max_trace_level 12 adc_bailout 1e-4}";
 }
 
 }  // namespace

@@ -161,13 +161,10 @@ void plan_radiosity(PovPlan& plan, const Facts& facts, int depth) {
     } else if (plan.recursion_limit > 12 && !plan.paths) {
       // The fourth and later bounces come out low, by 1.5 % and more each, unless the cache is dense; half the rays pay
       // for it. `concentric-spheres`: -0.48 % in 6.8 s for -1.01 % in 10 s; `cornell`: -0.18 % in 5.2 s for 0.17 % in
-      // 8.3 s. Beside photons the rays are halved alone, for what is lit comes out right then: `caustic-glass` +0.0 %
-      // in 14 s for -0.7 % in 16 s, `cornell-spheres` +0.0 % in 20 s for -0.4 % in 23 s.
+      // 8.3 s.
       plan.preset.radiosity_count /= 2;
-      if (!plan.photons) {
-        plan.preset.low_error_factor = 0.3;
-        plan.preset.pretrace_end *= 2;
-      }
+      plan.preset.low_error_factor = 0.3;
+      plan.preset.pretrace_end *= 2;
     }
     if (!ends_early) plan.losses.push_back(truncation_loss(facts, plan.recursion_limit));
     if (plan.preset.paths && !plan.paths)
@@ -206,6 +203,7 @@ PovPlan make_plan(const PovScene& scene, const PovrayOptions& options) {
                           "max_depth " + std::to_string(depth) +
                               " with mirrors or glass: POV-Ray does not count specular bounces as part of a path");
   plan.point_lights = facts.spots && depth != 0 && depth != 1;
+  plan_radiosity(plan, facts, depth);
 
   if (!facts.specular) {
     plan.skipped.emplace_back("photons: nothing is specular");
@@ -218,7 +216,6 @@ PovPlan make_plan(const PovScene& scene, const PovrayOptions& options) {
     plan.losses.emplace_back(
         "caustics are a density of photons over a disc: blurred by its radius, and 0.5 to 1.5 % low in flux");
   }
-  plan_radiosity(plan, facts, depth);
   if (plan.radiosity && plan.point_lights && has_many_lights(scene) && lights_for_one(scene) > 1)
     plan.losses.push_back("radiosity's rays see every " + std::to_string(lights_for_one(scene)) +
                           "th of the lamps, as bright as so many: a coarser pattern of indirect light");
