@@ -216,6 +216,14 @@ PovPlan make_plan(const PovScene& scene, const PovrayOptions& options) {
     plan.losses.emplace_back(
         "caustics are a density of photons over a disc: blurred by its radius, and 0.5 to 1.5 % low in flux");
   }
+  const auto is_smooth = [](const PovSurface& surface) {
+    const auto* mesh = std::get_if<PovMesh>(&surface.geometry);
+    return mesh && mesh->smooth && is_glass(surface);
+  };
+  if (plan.photons && std::ranges::any_of(scene.surfaces, is_smooth))
+    plan.losses.emplace_back(
+        "photons take a mesh's interpolated normals for its own: caustics of few facets are too dark, by a tenth of a "
+        "ball's of 168");
   if (plan.radiosity && plan.point_lights && has_many_lights(scene) && lights_for_one(scene) > 1)
     plan.losses.push_back("radiosity's rays see every " + std::to_string(lights_for_one(scene)) +
                           "th of the lamps, as bright as so many: a coarser pattern of indirect light");
