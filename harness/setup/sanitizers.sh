@@ -1,13 +1,22 @@
 #!/usr/bin/env bash
 # Builds with sanitizers and runs under them; fails where one of them says anything, in whatever process.
-#   harness/setup/sanitizers.sh [--quick] [address] [thread]     default: both; address is address and undefined behaviour
+#   harness/setup/sanitizers.sh [--quick | --part K/N] [address] [thread]     default: both; address is address and
+#                                                                            undefined behaviour
 # --quick: the program alone is built, and renders a small scene by every integrator and mode, benchmarks, gates, compares
 # and reports. Without it: every test of the suite (address: 20 minutes to build and 45 to run, on two cores; thread: 20 and 90).
+# --part K/N: every Nth test from the Kth on; parts 1/N to N/N, on as many machines or evenings, are the suite.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 source harness/setup/packages.sh
-quick=
-[ "${1:-}" = --quick ] && quick=1 && shift
+quick='' part=''
+case ${1:-} in
+  --quick) quick=1 && shift ;;
+  --part)
+    if ! [[ ${2:-} =~ ^([1-9][0-9]*)/([1-9][0-9]*)$ ]] || [ "${BASH_REMATCH[1]}" -gt "${BASH_REMATCH[2]}" ]; then
+      echo "--part takes K/N, such as 2/4, not '${2:-}'" >&2 && exit 2
+    fi
+    part=${BASH_REMATCH[1]},,${BASH_REMATCH[2]} && shift 2 ;;
+esac
 # shellcheck disable=SC2086,SC2154
 install_packages $build_packages $sanitizer_packages
 # shellcheck disable=SC2086,SC2154
@@ -71,7 +80,8 @@ for kind in "${kinds[@]}"; do
     without=()
     [ "$kind" = address ] && without=(--exclude-regex "$not_by_address")
     [ "$kind" = thread ] && without=(--exclude-regex "$not_by_thread")
-    watched "$log" ctest --test-dir "build/$preset" -j "$(nproc)" --timeout 3600 --output-on-failure "${without[@]}" ||
+    watched "$log" ctest --test-dir "build/$preset" -j "$(nproc)" --timeout 3600 --output-on-failure "${without[@]}" \
+      ${part:+-I "$part"} ||
       said_something=1
   fi
   for file in "$log".*; do
