@@ -36,7 +36,7 @@ watched() {
 
 # Tests that the address checks stand in the way of: limits of address space, of which they map terabytes; what malloc
 # holds, which is theirs; libfaketime, which is loaded before them and ends in a recursion; and eight kills that have to
-# fall after a cell is finished, where the program starts so slowly that none does.
+# fall after a cell is finished, of which in a program so slow none was seen to.
 not_by_address='Escapes.fail/take_memory(_in_many_processes)? |what_does_not_fit_in_memory|needs_memory_for_a_band'
 not_by_address+='|Soak.of_a_sound_program|Soak.within_one_process|Faults.of_every_kind|Faults.find_a_program_that_loses'
 # The thread sanitizer maps and allocates as much, and is five to twenty times as slow: what has to be done in a stated
