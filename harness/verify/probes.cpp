@@ -97,12 +97,12 @@ std::string content_of(const Probe& probe) {
   return length_prefixed(parts);
 }
 
-/// Empty where nothing can be kept: without a home, or of an engine that tells no version.
-fs::path cache_file(const Probe& probe, const VerifyEngine& engine, double power) {
+/// Of a probe of this content. Empty where nothing can be kept: without a home, or of an engine that tells no version.
+fs::path cache_file(const std::string& content, const VerifyEngine& engine, double power) {
   if (engine.version.line.empty()) return {};
   try {
     const std::string key = content_key({{"probe", "2"},
-                                         {"scene", content_of(probe)},
+                                         {"scene", content},
                                          {"engine", length_prefixed(engine.row.command)},
                                          {"version", engine.version.line},
                                          {"power", std::to_string(power)}});
@@ -113,7 +113,8 @@ fs::path cache_file(const Probe& probe, const VerifyEngine& engine, double power
 }
 
 VerifyProbe probed(const Studio& studio, const Probe& probe, const VerifyEngine& engine) {
-  const fs::path kept = cache_file(probe, engine, studio.options().power);
+  const std::string content = content_of(probe);
+  const fs::path kept = cache_file(content, engine, studio.options().power);
   if (!kept.empty() && fs::exists(kept))
     if (auto known = verify_probe_from(read_file(kept)); known && known->engine == engine.row.name) return *known;
   std::string name = probe.what;
@@ -121,8 +122,7 @@ VerifyProbe probed(const Studio& studio, const Probe& probe, const VerifyEngine&
   const fs::path file = studio.options().folder / "probes" / (name + ".xml");
   fs::create_directories(file.parent_path());
   const SceneDescription description = write_probe(probe, file);
-  const StudioScene scene{"probe-" + name, file, content_key({{"probe", content_of(probe)}}), kSide, kSide, {},
-                          &description};
+  const StudioScene scene{"probe-" + name, file, content_key({{"probe", content}}), kSide, kSide, {}, &description};
   const Shot shot = studio.shoot(scene, engine);
   if (!shot.picture) {
     VerifyProbe refused{engine.row.name, probe.kind, probe.what, "not rendered", shot.detail, {}, {}, {}};

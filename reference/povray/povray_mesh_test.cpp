@@ -29,11 +29,14 @@ SceneDescription mesh_plane() {
   return scene;
 }
 
-double mean(const SceneDescription& scene) {
-  const Image image = render_povray(export_povray(scene, {.width = 24, .height = 24, .grid = 1})).rendering.mean;
+double mean_of(const Image& image) {
   double sum = 0;
   for (const float v : image.rgb) sum += static_cast<double>(v);
   return sum / static_cast<double>(image.rgb.size());
+}
+
+double mean(const SceneDescription& scene) {
+  return mean_of(render_povray(export_povray(scene, {.width = 24, .height = 24, .grid = 1})).rendering.mean);
 }
 
 TEST(povray_mesh_render, shows_the_front_as_it_shows_a_rectangle) {
@@ -134,15 +137,12 @@ TEST(povray_mesh_render, of_glass_facets_loses_no_light) {
   SceneDescription scene = ink("dielectric");
   scene.shapes.at(0).interior.reset();
   scene.shapes.at(0).geometry = described(ball_mesh(1), true);
-  const Image image = shown(scene);
-  double sum = 0;
-  for (const float v : image.rgb) sum += static_cast<double>(v);
-  EXPECT_NEAR(sum / static_cast<double>(image.rgb.size()), 1, 5e-4);
+  EXPECT_NEAR(mean_of(shown(scene)), 1, 5e-4);
 }
 
 // A lamp behind the ball is seen in slivers, which may lie between a pixel's corners.
 TEST(povray_mesh_render, of_glass_facets_shows_all_of_a_lamp) {
-  const SceneDescription parsed = parse_scene_text(R"(<scene version="3.0.0"><integrator type="path"/>
+  SceneDescription scene = parse_scene_text(R"(<scene version="3.0.0"><integrator type="path"/>
     <sensor type="perspective"><float name="fov" value="40"/><transform name="to_world">
     <lookat origin="1,3,5" target="0,0,0" up="0,1,0"/></transform><film type="hdrfilm"><rfilter type="box"/></film></sensor>
     <shape type="sphere"><bsdf type="dielectric"/></shape>
@@ -150,22 +150,16 @@ TEST(povray_mesh_render, of_glass_facets_shows_all_of_a_lamp) {
     </transform><bsdf type="diffuse"><rgb name="reflectance" value="0"/></bsdf><emitter type="area"/></shape>
     <shape type="rectangle"><transform name="to_world"><rotate x="1" angle="-90"/><scale value="6"/>
     <translate y="-1.3"/></transform></shape></scene>)",
-                                                   "lamp.xml");
-  SceneDescription scene = parsed;
+                                            "lamp.xml");
   scene.shapes.at(0).geometry = described(ball_mesh(1), true);
-  const auto mean_of = [](const PovrayExport& lamps) {
-    double sum = 0;
-    const Image image = render_povray(lamps).rendering.mean;
-    for (const float v : image.rgb) sum += static_cast<double>(v);
-    return sum;
-  };
   const PovrayExport apart = export_povray(scene, {.width = 32, .height = 32, .lamps_apart = true});
   ASSERT_EQ(apart.besides.size(), 1u);
   PovrayExport finer = apart.besides.at(0);
   finer.grid = 32;
-  const double expected = mean_of(finer);
+  const double expected = mean_of(render_povray(finer).rendering.mean);
   EXPECT_GT(expected, 0);
-  EXPECT_NEAR(mean_of(apart.besides.at(0)), expected, 0.04 * expected) << "16 for 32 lines";
+  EXPECT_NEAR(mean_of(render_povray(apart.besides.at(0)).rendering.mean), expected, 0.04 * expected)
+      << "16 for 32 lines";
 }
 
 TEST(povray_mesh, of_glass_has_nothing_in_the_box_around_it) {

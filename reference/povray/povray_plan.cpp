@@ -224,7 +224,7 @@ PovPlan make_plan(const PovScene& scene, const PovrayOptions& options) {
     plan.losses.emplace_back(
         "photons take a mesh's interpolated normals for its own: caustics of few facets are too dark, by a tenth of a "
         "ball's of 168");
-  if (plan.radiosity && plan.point_lights && has_many_lights(scene) && lights_for_one(scene) > 1)
+  if (plan.radiosity && plan.point_lights && lights_for_one(scene) > 1)
     plan.losses.push_back("radiosity's rays see every " + std::to_string(lights_for_one(scene)) +
                           "th of the lamps, as bright as so many: a coarser pattern of indirect light");
   if (scene.sun)
