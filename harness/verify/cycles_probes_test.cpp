@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 
@@ -20,12 +22,12 @@ class CyclesProbes : public testing::TestWithParam<std::size_t> {};
 std::string name_of(const testing::TestParamInfo<std::size_t>& info) {
   std::string name = probe_rows()[info.param].what;
   for (char& c : name)
-    if (c == ' ') c = '_';
+    if (c == ' ' || c == '-') c = '_';
   return name;
 }
 
 /// What Cycles has no equal of.
-constexpr const char* kRefused = "sun and sky";
+constexpr std::array kRefused{"sun and sky", "lacquer", "rough plastic", "normal map", "bump map"};
 
 // An unbiased engine's gain is right within 0.3 % and four standard errors, as verify judges it.
 TEST_P(CyclesProbes, is_the_closed_form) {
@@ -34,7 +36,7 @@ TEST_P(CyclesProbes, is_the_closed_form) {
   const Probe& probe = probe_rows()[GetParam()];
   const ScratchFolder folder("cycles-probe");
   const SceneDescription scene = write_probe(probe, folder.path() / "probe.xml");
-  if (probe.what == kRefused) {
+  if (std::ranges::find(kRefused, probe.what) != kRefused.end()) {
     EXPECT_THROW(export_cycles(scene, {}), NotRepresentable);
     return;
   }

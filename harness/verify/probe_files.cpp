@@ -118,6 +118,39 @@ RgbD of_fields(double x, double y) {
   return {0.1 + 0.05 * (4 * row + column), 0.8 - 0.15 * column, 0.2 + 0.15 * row};
 }
 
+// Normals of a map, in four fields over the floor whose borders are in the middle of the view; lit by a slanting beam.
+const std::array<Vec3d, 4> kNormals{normalize(Vec3d{0.2, 0.1, 1}), normalize(Vec3d{-0.3, 0.1, 1}),
+                                    normalize(Vec3d{0.2, -0.4, 1}), normalize(Vec3d{-0.3, -0.2, 1})};
+
+Image normal_map() {
+  Image image(2, 2);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double values[] = {kNormals[i].x, kNormals[i].y, kNormals[i].z};
+    for (std::size_t c = 0; c < 3; ++c)
+      image.pixel(static_cast<int>(i % 2), static_cast<int>(i / 2))[c] = static_cast<float>((1 + values[c]) / 2);
+  }
+  return image;
+}
+
+/// Of a floor whose normals are bent to `n`: bumps shadow each other by 2 / (1 + sqrt(1 + a^2 tan^2)), a^2 an eighth of
+/// the squared tangent of the bend, the other that of the light's slant (Estevez et al. 2019).
+RgbD of_bent(const Vec3d& n) {
+  const Vec3d to_lamp = normalize(Vec3d{-1, -1, 2});
+  const auto squared_tangent = [](double cosine) { return 1 / (cosine * cosine) - 1; };
+  const double shadow = 2 / (1 + std::sqrt(1 + squared_tangent(n.z) / 8 * squared_tangent(to_lamp.z)));
+  return lit(2 * dot(n, to_lamp) * shadow);
+}
+RgbD of_normal_map(double x, double y) { return of_bent(kNormals[(y > 0 ? 2u : 0u) + (x > 0 ? 1u : 0u)]); }
+
+// Heights of a map, over the texels' middles 4 units apart: a slope of 0.3 along x and -0.2 along y where it is seen.
+Image heights() {
+  Image image(2, 2);
+  for (int i = 0; i < 4; ++i)
+    for (int c = 0; c < 3; ++c) image.pixel(i % 2, i / 2)[c] = static_cast<float>(1 + i % 2 * 1.2 - i / 2 * 0.8);
+  return image;
+}
+RgbD of_heights(double, double) { return of_bent(normalize(Vec3d{-0.3, 0.2, 1})); }
+
 // A tent of light: two slopes and two gables, open below. The front of a face is where it is counter-clockwise.
 constexpr std::array<Vec3d, 6> kTent{Vec3d{1.6, -0.4, 1.6}, {2.2, -0.4, 1.6}, {2.2, 0.4, 1.6},
                                      {1.6, 0.4, 1.6},       {1.9, -0.4, 1.2}, {1.9, 0.4, 1.2}};
@@ -149,6 +182,8 @@ RgbD by_tent(double x, double y) {
 
 std::vector<Probe> probes_with_files() {
   const std::string grey = camera() + floor_of(diffuse("0.5"));
+  const std::string slanting_beam = R"(<emitter type="directional"><vector name="direction" value="1,1,-2"/>
+    <rgb name="irradiance" value="2"/></emitter></scene>)";
   return {
       {"light",
        "IES light",
@@ -181,6 +216,24 @@ std::vector<Probe> probes_with_files() {
            sky("1") + "</scene>",
        of_fields,
        {{"fields.exr", fields()}}},
+      {"material",
+       "normal map",
+       camera() +
+           floor_of(R"(<bsdf type="normalmap"><texture type="bitmap" name="normalmap">
+        <string name="filename" value="normals.exr"/><string name="filter_type" value="nearest"/></texture>)" +
+                    diffuse("0.5") + "</bsdf>") +
+           slanting_beam,
+       of_normal_map,
+       {{"normals.exr", normal_map()}}},
+      {"material",
+       "bump map",
+       camera() +
+           floor_of(R"(<bsdf type="bumpmap"><texture type="bitmap">
+        <string name="filename" value="heights.exr"/></texture>)" +
+                    diffuse("0.5") + "</bsdf>") +
+           slanting_beam,
+       of_heights,
+       {{"heights.exr", heights()}}},
   };
 }
 

@@ -51,19 +51,41 @@ double cosine(double x, double y, double fov_degrees) {
   const double t = std::tan(fov_degrees * kPi / 360);
   return 1 / std::sqrt(1 + t * t * (x * x + y * y));
 }
-/// Below a coat, lit from all around by 1: what the coat mirrors, and what got in, was thrown back and forth and got
-/// out. Of light from all sides the coat's inside throws back `inside` = 1 - (1 - outside) / n^2.
-RgbD under_coat(double x, double y) {
-  constexpr double ior = 1.5;
-  constexpr int steps = 2000;
-  double outside = 0;
-  for (int i = 0; i < steps; ++i) {
-    const double angle = (i + 0.5) / steps * kPi / 2;
-    outside += fresnel_reflectance(angle, ior).unpolarised() * std::sin(2 * angle) * kPi / 2 / steps;
+/// A clear coat of index 1.5, of which a way straight through absorbs exp(-depth), over what is diffuse.
+class Coat {
+ public:
+  explicit Coat(double depth) : depth_(depth) {
+    constexpr int steps = 4000;
+    for (int i = 0; i < steps; ++i) {
+      const double angle = (i + 0.5) / steps * kPi / 2, sine = std::sin(angle);
+      const double weight = std::sin(2 * angle) * kPi / 2 / steps;
+      entered_ += (1 - mirrored(sine)) * absorbed(sine / kIndex) * weight;
+      inside_ += (sine < 1 / kIndex ? mirrored(kIndex * sine) : 1) * std::pow(absorbed(sine), 2) * weight;
+    }
   }
-  const double inside = 1 - (1 - outside) / (ior * ior);
-  const double F = fresnel_reflectance(std::acos(cosine(x, y, kFov)), ior).unpolarised();
-  return RgbD(F + (1 - F) * (1 - inside) * kAlbedo / (1 - kAlbedo * inside));
+  /// Lit from all around by 1: what the coat mirrors, and what got in, was thrown back and forth and got out.
+  double seen(double x, double y) const {
+    const double sine = std::sin(std::acos(cosine(x, y, kFov))), F = mirrored(sine);
+    const double below = entered_ * kAlbedo / (1 - kAlbedo * inside_);
+    return F + (1 - F) * absorbed(sine / kIndex) * below / (kIndex * kIndex);
+  }
+
+ private:
+  static constexpr double kIndex = 1.5;
+  static double mirrored(double sine) { return fresnel_reflectance(std::asin(sine), kIndex).unpolarised(); }
+  double absorbed(double sine_within) const { return std::exp(-depth_ / std::sqrt(1 - sine_within * sine_within)); }
+
+  double depth_;
+  double entered_ = 0;  ///< share of diffuse light from above
+  double inside_ = 0;   ///< share of diffuse light from below that comes back
+};
+RgbD by_plastic(double x, double y) {
+  static const Coat coat(0);
+  return RgbD(coat.seen(x, y));
+}
+RgbD by_lacquer(double x, double y) {
+  static const Coat red(0.1), green(0.3), blue(0.8);
+  return {red.seen(x, y), green.seen(x, y), blue.seen(x, y)};
 }
 /// A third of it is not there, and the sky shines through.
 RgbD behind_mask(double, double) { return RgbD(2 * kAlbedo / 3 + 1.0 / 3); }
@@ -100,6 +122,11 @@ RgbD by_rough_metal(double x, double y) {
 double rough_glass(const Vec3d& lamp, const Vec3d& eye) {
   const double angle = std::acos(std::min(1.0, dot(lamp, normalize(lamp + eye))));
   return fresnel_reflectance(angle, 1.5).unpolarised() * facets(lamp, eye);
+}
+/// Black but for its coat.
+RgbD by_rough_coat(double x, double y) {
+  const Vec3d lamp = Vec3d{-1, 0, 2} / std::sqrt(5.0);
+  return RgbD(rough_glass(lamp, to_eye(x, y)) * 2 * lamp.z);
 }
 /// (n + 2) / (2 pi) cos^n of the angle to the mirrored eye (Lafortune and Willems 1994).
 double lobe(const Vec3d& lamp, const Vec3d& eye) {
@@ -199,7 +226,24 @@ std::vector<Probe> materials() {
        camera() + floor_of(R"(<bsdf type="plastic"><float name="int_ior" value="1.5"/><float name="ext_ior" value="1"/>
         <rgb name="diffuse_reflectance" value="0.5"/><boolean name="nonlinear" value="true"/></bsdf>)") +
            sky("1") + "</scene>",
-       under_coat},
+       by_plastic},
+      {"material", "lacquer",
+       camera() +
+           floor_of(R"(<bsdf type="layered"><float name="int_ior" value="1.5"/><float name="ext_ior" value="1"/>
+        <rgb name="sigma_a" value="0.2,0.6,1.6"/><float name="thickness" value="0.5"/>)" +
+                    diffuse("0.5") + "</bsdf>") +
+           sky("1") + "</scene>",
+       by_lacquer},
+      {"material", "two-sided",
+       camera() +
+           R"(<shape type="rectangle"><transform name="to_world"><scale value="4"/><rotate y="1" angle="180"/>
+        </transform><bsdf type="twosided">)" +
+           diffuse("0") + diffuse("0.7,0.45,0.2") + "</bsdf></shape>" + sky("1") + "</scene>",
+       tinted},
+      {"material", "null",
+       camera() + floor_of(diffuse("0.7,0.45,0.2")) + R"(<shape type="sphere"><bsdf type="null"/></shape>)" + sky("1") +
+           "</scene>",
+       tinted},
       {"material", "mask",
        camera() +
            floor_of(R"(<bsdf type="mask"><float name="opacity" value="0.6666666667"/>)" + diffuse("0.5") + "</bsdf>") +
@@ -237,6 +281,13 @@ std::vector<Probe> glossy_materials() {
                     ggx + "</bsdf>") +
            ceiling,
        by_rough_glass},
+      {"material", "rough plastic",
+       camera() +
+           floor_of(R"(<bsdf type="roughplastic"><rgb name="diffuse_reflectance" value="0"/>
+        <float name="int_ior" value="1.5"/><float name="ext_ior" value="1"/>)" +
+                    ggx + "</bsdf>") +
+           beam() + "</scene>",
+       by_rough_coat},
       {"material", "phong", camera() + floor_of(R"(<bsdf type="phong"><float name="exponent" value="20"/>
         <rgb name="diffuse_reflectance" value="0.3,0.2,0.1"/><rgb name="specular_reflectance" value="0.2,0.4,0.6"/>
         </bsdf>)") + ceiling,

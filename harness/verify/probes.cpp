@@ -162,15 +162,19 @@ class Kinds {
     }
     for (const BsdfDescription& bsdf : scene.bsdfs)
       std::visit(
-          Overloaded{[&](const DiffuseDescription&) { add("diffuse"); },
-                     [&](const ConductorDescription&) { add("mirror"); },
-                     [&](const DielectricDescription&) { add("glass"), add("lossless glass"); },
-                     [&](const ThinDielectricDescription&) { add("thin glass"); },
-                     [&](const PlasticDescription&) { add("plastic"); }, [&](const MaskDescription&) { add("mask"); },
-                     [&](const BlendDescription&) { add("blend"); },
-                     [&](const RoughConductorDescription&) { add("rough metal"); },
-                     [&](const RoughDielectricDescription&) { add("rough glass"); },
-                     [&](const PhongDescription&) { add("phong"); }, [](const auto&) {}},
+          Overloaded{
+              [&](const DiffuseDescription&) { add("diffuse"); }, [&](const ConductorDescription&) { add("mirror"); },
+              [&](const DielectricDescription&) { add("glass"), add("lossless glass"); },
+              [&](const ThinDielectricDescription&) { add("thin glass"); },
+              [&](const PlasticDescription&) { add("plastic"); }, [&](const MaskDescription&) { add("mask"); },
+              [&](const BlendDescription&) { add("blend"); },
+              [&](const RoughConductorDescription&) { add("rough metal"); },
+              [&](const RoughDielectricDescription&) { add("rough glass"); },
+              [&](const RoughPlasticDescription&) { add("rough plastic"); },
+              [&](const PhongDescription&) { add("phong"); }, [&](const LayeredDescription&) { add("lacquer"); },
+              [&](const NormalMapDescription&) { add("normal map"); },
+              [&](const BumpMapDescription&) { add("bump map"); },
+              [&](const TwoSidedDescription&) { add("two-sided"); }, [&](const NullDescription&) { add("null"); }},
           bsdf.model);
     for (const TextureDescription& texture : scene.textures)
       std::visit(Overloaded{[&](const CheckerboardDescription&) { add("checkerboard"); },
