@@ -20,13 +20,11 @@ std::vector<int> permutation(int n, std::mt19937_64& random) {
 
 std::vector<Vec2<double>> square_points(int n, std::uint64_t seed) {
   std::mt19937_64 random(seed);
-  const std::vector<int> columns = permutation(n, random);
-  const std::vector<int> rows = permutation(n, random);
+  const std::vector<int> order = permutation(n, random);
+  const auto shift = [&](int i) { return (order[static_cast<std::size_t>(i)] + 0.5) / n; };
   std::vector<Vec2<double>> points;
   for (int j = 0; j < n; ++j)
-    for (int i = 0; i < n; ++i)
-      points.push_back({(i + (columns[static_cast<std::size_t>(j)] + 0.5) / n) / n,
-                        (j + (rows[static_cast<std::size_t>(i)] + 0.5) / n) / n});
+    for (int i = 0; i < n; ++i) points.push_back({(i + 1 - shift(j)) / n, (j + shift(i)) / n});
   return points;
 }
 

@@ -174,14 +174,25 @@ class ExpectReader {
     return result;
   }
 
+  PairsResidual pairs(const Table& parent, const toml::node& node) const {
+    Table table(text_, path_, as_table(parent, node, "'pairs'"), "'pairs'");
+    PairsResidual result;
+    result.count = static_cast<int>(table.number("count"));
+    result.mean_percent = table.number("mean_percent");
+    result.noise_percent = table.number("noise_percent");
+    table.check_no_other_keys();
+    return result;
+  }
+
   /// What the residuals of all engines have.
   template <class Residual>
-  static void read_residual(Table& table, Residual& result) {
+  void read_residual(Table& table, Residual& result) const {
     result.size = static_cast<int>(table.number("size"));
     result.mean_percent = table.number("mean_percent");
     result.relmse = table.number("relmse");
     result.ssim = table.number("ssim");
     result.seconds = table.number("seconds");
+    if (const toml::node* node = table.find("pairs")) result.pairs = pairs(table, *node);
     if (table.find("cause")) result.cause = table.text("cause");
     table.check_no_other_keys();
   }

@@ -150,6 +150,22 @@ TEST_F(expect_toml, says_how_far_cycles_is_off_beside_its_noise) {
   EXPECT_EQ(read(far + "cause = \"facets\"\n").cycles->cause, "facets");
 }
 
+TEST_F(expect_toml, says_how_far_the_means_of_several_images_are_off) {
+  const std::string noisy = kLeast + kCycles + "mean_percent = 2.9\nnoise_percent = 1\n";
+  const Expect expect = read(noisy + "pairs = {count = 9, mean_percent = -0.3, noise_percent = 0.05}\n");
+  ASSERT_TRUE(expect.cycles->pairs.has_value());
+  EXPECT_EQ(expect.cycles->pairs->count, 9);
+  EXPECT_EQ(expect.cycles->pairs->mean_percent, -0.3);
+  EXPECT_EQ(expect.cycles->pairs->noise_percent, 0.05);
+  EXPECT_FALSE(read(noisy).cycles->pairs.has_value());
+  EXPECT_EQ(message(noisy + "pairs = {count = 9, mean_percent = -0.31, noise_percent = 0.1}\n"),
+            ":3:1: error: [cycles] needs a 'cause': its mean is off by more than 0.3 % and by more than three standard "
+            "errors\n  [cycles]\n  ^");
+  EXPECT_EQ(
+      message(noisy + "pairs = {count = 9, mean_percent = 0}\n"),
+      ":11:9: error: 'pairs' needs the key 'noise_percent'\n  pairs = {count = 9, mean_percent = 0}\n          ^");
+}
+
 TEST_F(expect_toml, that_is_no_toml_is_refused_with_its_place) {
   EXPECT_EQ(message("purpose = \"x\"\nexposure 0\n").rfind(":2:", 0), 0u) << message("purpose = \"x\"\nexposure 0\n");
 }
