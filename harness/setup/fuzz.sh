@@ -47,7 +47,8 @@ state_of() {
 # as long by itself, by the processor's time.
 is_slow_alone() { (ulimit -t "$slowest" && "build/fuzz/bin/$1" "$2") >/dev/null 2>&1 && return 1 || return 0; }
 
-# fuzz TARGET CORPUS DICTIONARY: false on a find; what it says goes to $log. Sets `runs` and `processor`, seconds that it had of it.
+# fuzz TARGET CORPUS DICTIONARY: false on a find; what it says goes to $log. Sets `runs`, `processor`, seconds that it had
+# of it, and `interrupted`, by Ctrl-C, which is no find.
 fuzz() {
   local target=$1 corpus=$2 dictionary=$3 end=$((SECONDS + seconds)) clean=1
   local inputs=build/fuzz/inputs/$target found=build/fuzz/found/$target artifact used
@@ -58,8 +59,8 @@ fuzz() {
   fi
   mkdir -p "$inputs" "$found"
   : >"$log"
-  runs=0 processor=0
-  while [ "$clean" = 1 ] && [ "$SECONDS" -lt "$end" ]; do
+  runs=0 processor=0 interrupted=''
+  while [ "$clean" = 1 ] && [ -z "$interrupted" ] && [ "$SECONDS" -lt "$end" ]; do
     local arguments=(-max_total_time=$((end - SECONDS)) -timeout=60 -report_slow_units=60 -rss_limit_mb=2560
       -max_len=16384 "-artifact_prefix=$found/" -reload=0 "${more[@]}")
     [ "$dictionary" = none ] || arguments+=(-dict="build/fuzz/$dictionary")
@@ -70,6 +71,7 @@ fuzz() {
     runs=$((runs + $(executed "$log.part" || echo 0)))
     processor=$(awk -v a="$processor" '{ print a + $1 + $2 }' <<<"$used")
     cat "$log.part" >>"$log"
+    ! grep -q 'libFuzzer: run interrupted' "$log.part" || { interrupted=1 && clean=1; }
     [ "$clean" = 0 ] || break
     artifact=$(grep -o 'Test unit written to .*' "$log.part" | tail -n 1 | sed 's/Test unit written to //') || true
     case $artifact in
@@ -137,5 +139,6 @@ while read -r target corpus dictionary covers; do
     echo "$target: found something, see build/fuzz/found/$target and $log"
     grep -m 3 -E 'ERROR|SUMMARY|runtime error' "$log" || tail -n 3 "$log"
   fi
+  [ -z "$interrupted" ] || exit 130
 done <build/fuzz/fuzzers.txt
 exit "$((finds > 0))"
