@@ -27,7 +27,8 @@ std::string point_lamp() {
 RgbD by_spot(double x, double y) {
   return lit(irradiance_of_spot(9, {0.1, 0, 3}, {0, 0, -1}, {10 * kPi / 180, 25 * kPi / 180}, floor_at(x, y)));
 }
-RgbD by_beam(double, double) { return lit(irradiance_of_beam(2, Vec3d{1, 0, -2} / std::sqrt(5.0), {0, 0, 1})); }
+const Vec3d kToBeam = Vec3d{-1, 0, 2} / std::sqrt(5.0);
+RgbD by_beam(double, double) { return lit(irradiance_of_beam(2, -kToBeam, {0, 0, 1})); }
 RgbD by_rectangle(double x, double y) {
   const double a = kFarLamp - 0.4, b = kFarLamp + 0.4;
   const Vec3d corners[] = {{a, 0.4, 1.5}, {b, 0.4, 1.5}, {b, -0.4, 1.5}, {a, -0.4, 1.5}};
@@ -115,8 +116,7 @@ double facets(const Vec3d& lamp, const Vec3d& eye) {
 }
 Vec3d to_eye(double x, double y) { return normalize(Vec3d{-x, -y, 4}); }
 RgbD by_rough_metal(double x, double y) {
-  const Vec3d lamp = Vec3d{-1, 0, 2} / std::sqrt(5.0);
-  return RgbD{0.9, 0.6, 0.3} * (facets(lamp, to_eye(x, y)) * 2 * lamp.z);
+  return RgbD{0.9, 0.6, 0.3} * (facets(kToBeam, to_eye(x, y)) * 2 * kToBeam.z);
 }
 /// What it mirrors; what it lets through falls on nothing.
 double rough_glass(const Vec3d& lamp, const Vec3d& eye) {
@@ -124,10 +124,7 @@ double rough_glass(const Vec3d& lamp, const Vec3d& eye) {
   return fresnel_reflectance(angle, 1.5).unpolarised() * facets(lamp, eye);
 }
 /// Black but for its coat.
-RgbD by_rough_coat(double x, double y) {
-  const Vec3d lamp = Vec3d{-1, 0, 2} / std::sqrt(5.0);
-  return RgbD(rough_glass(lamp, to_eye(x, y)) * 2 * lamp.z);
-}
+RgbD by_rough_coat(double x, double y) { return RgbD(rough_glass(kToBeam, to_eye(x, y)) * 2 * kToBeam.z); }
 /// (n + 2) / (2 pi) cos^n of the angle to the mirrored eye (Lafortune and Willems 1994).
 double lobe(const Vec3d& lamp, const Vec3d& eye) {
   constexpr int exponent = 20;
