@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <system_error>
 
 #include "harness/grading/assignment_rows.h"
 #include "harness/suites/engine_command.h"
@@ -55,7 +56,8 @@ void read_build(const TomlTable& document, Assignment& assignment) {
   check_placeholders(table, "command", assignment.build_command, {"threads"});
   if (table.has("overwrite")) {
     assignment.overwrite = assignment.folder / table.string("overwrite");
-    if (!fs::is_directory(assignment.overwrite))
+    std::error_code unreachable;  // a name that is too long, say
+    if (!fs::is_directory(assignment.overwrite, unreachable))
       throw table.error("overwrite", "no such folder: " + assignment.overwrite.string());
   }
   assignment.build_limits = limits_of(table, assignment.build_limits);
@@ -194,7 +196,8 @@ Assignment read_assignment(const fs::path& file) {
   assignment.image = image_of_assignment(document.table("image"));
   const TomlTable baseline = document.table("baseline");
   assignment.baseline = assignment.folder / baseline.string("submission");
-  if (!fs::exists(assignment.baseline))
+  std::error_code unreachable;
+  if (!fs::exists(assignment.baseline, unreachable))
     throw baseline.error("submission", "no such file or folder: " + assignment.baseline.string());
   baseline.expect_no_other_keys();
   if (document.has("reference")) assignment.reference = reference_source(document.table("reference"));

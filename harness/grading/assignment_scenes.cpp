@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <filesystem>
+#include <system_error>
 
 #include "harness/grading/assignment_rows.h"
 #include "harness/suites/engine_command.h"
@@ -17,7 +18,8 @@ const std::vector<std::string> variant_kinds{"mirror",        "rigid-move",   "l
 void file_if_given(const TomlTable& table, const char* key, const Assignment& assignment, fs::path& file) {
   if (!table.has(key)) return;
   file = (assignment.folder / table.string(key)).lexically_normal();
-  if (!fs::is_regular_file(file)) throw table.error(key, "no such file: " + file.string());
+  std::error_code unreachable;  // a name that is too long, say
+  if (!fs::is_regular_file(file, unreachable)) throw table.error(key, "no such file: " + file.string());
 }
 
 // The run's own folder is all that a file may be put into.

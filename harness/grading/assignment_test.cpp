@@ -64,6 +64,9 @@ TEST_F(AssignmentFile, what_contradicts_itself_is_refused_with_its_place) {
   EXPECT_EQ(error_with("name = \"b\"", "name = \"b\"\nof = \"a\"\nvariant = \"mirror\""),
             "bad.toml:30:6: error: a variant is made of scene 'a', which has no 'path' to a description");
   EXPECT_EQ(error_with("\"handout\"", "\"nothing\""), "bad.toml:14:14: error: no such file or folder: nothing");
+  const std::string endless(300, 'n');  // longer than any file's name
+  EXPECT_EQ(error_with("\"handout\"", '"' + endless + '"'),
+            "bad.toml:14:14: error: no such file or folder: " + endless);
   EXPECT_EQ(error_with("name = \"b\"", "name = \"b\"\nparams = \"course.toml\"\nparams_place = \"../x\""),
             "bad.toml:31:16: error: 'params_place' must stay inside the run's folder");
 }

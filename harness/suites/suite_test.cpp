@@ -130,6 +130,8 @@ TEST_F(SuiteFile, mistakes_are_named_with_their_place) {
             "s.toml:4:1: error: unknown key 'secs'; known here: memory_mb, seconds, threads");
   EXPECT_EQ(with("[[scene]]", "[limits]\nseconds = 0\n[[scene]]"), "s.toml:4:11: error: 'seconds' must be positive");
   EXPECT_EQ(with("a.xml", "c.xml"), "s.toml:5:8: error: no such file: c.xml");
+  const std::string endless(300, 'n');  // longer than any file's name
+  EXPECT_EQ(with("a.xml", endless), "s.toml:5:8: error: no such file: " + endless);
   EXPECT_EQ(with("width = 8", "width = 0"), "s.toml:6:9: error: 'width' must lie between 1 and 16384");
   EXPECT_EQ(with("width = 8", "width = 'x'"), "s.toml:6:9: error: 'width' must be an integer, not a string");
   EXPECT_EQ(with("'spp=64'", "'spp=0'"),
