@@ -196,7 +196,7 @@ Assignment read_assignment(const fs::path& file) {
   assignment.image = image_of_assignment(document.table("image"));
   const TomlTable baseline = document.table("baseline");
   assignment.baseline = assignment.folder / baseline.string("submission");
-  std::error_code unreachable;
+  std::error_code unreachable;  // a name that is too long, say
   if (!fs::exists(assignment.baseline, unreachable))
     throw baseline.error("submission", "no such file or folder: " + assignment.baseline.string());
   baseline.expect_no_other_keys();

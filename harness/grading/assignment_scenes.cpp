@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <filesystem>
-#include <system_error>
 
 #include "harness/grading/assignment_rows.h"
 #include "harness/suites/engine_command.h"
@@ -16,10 +15,7 @@ const std::vector<std::string> variant_kinds{"mirror",        "rigid-move",   "l
                                              "more-spheres"};
 
 void file_if_given(const TomlTable& table, const char* key, const Assignment& assignment, fs::path& file) {
-  if (!table.has(key)) return;
-  file = (assignment.folder / table.string(key)).lexically_normal();
-  std::error_code unreachable;  // a name that is too long, say
-  if (!fs::is_regular_file(file, unreachable)) throw table.error(key, "no such file: " + file.string());
+  if (table.has(key)) file = existing_file(table, key, assignment.folder);
 }
 
 // The run's own folder is all that a file may be put into.

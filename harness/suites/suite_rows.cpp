@@ -1,6 +1,5 @@
 #include "harness/suites/suite_rows.h"
 
-#include <filesystem>
 #include <system_error>
 
 namespace photonproof {
@@ -34,16 +33,13 @@ Limits limits_from_toml(const TomlTable& document) {
   return limits;
 }
 
-namespace {
-
-std::filesystem::path file_of(const TomlTable& table, const std::string& key, const SuiteCommon& suite) {
-  std::filesystem::path file = (suite.folder / table.string(key)).lexically_normal();
+std::filesystem::path existing_file(const TomlTable& table, const std::string& key,
+                                    const std::filesystem::path& folder) {
+  std::filesystem::path file = (folder / table.string(key)).lexically_normal();
   std::error_code unreachable;  // a name that is too long, say
   if (!std::filesystem::is_regular_file(file, unreachable)) throw table.error(key, "no such file: " + file.string());
   return file;
 }
-
-}  // namespace
 
 SuiteScene scene_row(const TomlTable& table, const SuiteCommon& suite) {
   SuiteScene scene;
@@ -51,13 +47,13 @@ SuiteScene scene_row(const TomlTable& table, const SuiteCommon& suite) {
   if (find_named(suite.scenes, scene.name) != nullptr)
     throw table.error("name", "there is a scene '" + scene.name + "' already");
   scene.given_path = table.string("path");
-  scene.path = file_of(table, "path", suite);
+  scene.path = existing_file(table, "path", suite.folder);
   if (table.has("files")) {
     const TomlTable files = table.table("files");
     for (const std::string& engine : files.keys()) {
       if (find_named(suite.engines, engine) == nullptr)
         throw files.error(engine, unknown_name("engine", engine, suite.engines));
-      scene.files[engine] = file_of(files, engine, suite);
+      scene.files[engine] = existing_file(files, engine, suite.folder);
     }
   }
   scene.width = bounded_integer(table, "width", 1, max_side);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -46,6 +47,10 @@ int bounded_integer(const TomlTable& table, const std::string& key, std::int64_t
 
 /// Letters, digits, '_', '.' and '-': fit to name a file.
 std::string file_name(const TomlTable& table, const std::string& key);
+
+/// The file that the key's path leads to from `folder`, which is there.
+std::filesystem::path existing_file(const TomlTable& table, const std::string& key,
+                                    const std::filesystem::path& folder);
 
 /// The optional table [limits].
 Limits limits_from_toml(const TomlTable& document);
