@@ -12,7 +12,7 @@ class CourseTest : public FolderTest {
  protected:
   void SetUp() override {
     FolderTest::SetUp();
-    put_program("handout", 1, "sleep 0.3");
+    put_program("handout", 1);
     put("course.toml", course_text());
   }
 
