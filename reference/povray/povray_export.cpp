@@ -187,7 +187,11 @@ PovrayExport export_povray(const SceneDescription& description, const PovrayOpti
   // finely as lamps: `cornell-spheres` 14 s for 23.
   const bool apart = thinnest <= thin_lamp || ((plan.paths || plan.photons) && shows_bright_lamps(scene, plan));
   plan.shows_lamps = !options.lamps_apart || given.grid > 0 || !apart;
-  PovrayExport result = export_scene(scene, plan, camera, options);
+  PovCamera seen = camera;
+  if (plan.paths && options.grid > 1)
+    seen = with_moved_grid(camera, (options.width + 2 * options.margin) * options.grid,
+                           (options.height + 2 * options.margin) * options.grid, options.seed);
+  PovrayExport result = export_scene(scene, plan, seen, options);
   if (plan.shows_lamps) return result;
   plan.shows_lamps = true;
   result.besides.push_back(export_lamps(scene, plan, camera, options, thinnest));

@@ -17,6 +17,8 @@ constexpr double kCell = 0.0371, kInnerCell = 0.00863;
 /// Radius of a ball around everything, in POV-Ray's lengths; what stands for an endless plane ends before.
 constexpr double kAround = 1e6;
 
+double uniform(std::mt19937_64& random) { return static_cast<double>(random() >> 11) * 0x1p-53; }
+
 /// Of the plain diffuse sides of a surface; a back that is none is black.
 bool is_plainly_diffuse(const BsdfDescription* side) {
   return side == nullptr || std::holds_alternative<DiffuseDescription>(side->model);
@@ -36,6 +38,15 @@ std::string importance_sdl(const PovPlan& plan) {
   return " radiosity{importance " + format_number(plan.preset.paths->importance) + "}";
 }
 
+PovCamera with_moved_grid(PovCamera camera, int across, int down, std::uint64_t seed) {
+  if (camera.kind != PovCamera::Kind::perspective) return camera;
+  std::mt19937_64 random(~seed);  // other numbers than the fate's
+  const auto within_one = [&](int count) { return (2 * uniform(random) - 1) / count; };  // a sub-pixel is 2 / count
+  camera.middle_x += within_one(across);
+  camera.middle_y += within_one(down);
+  return camera;
+}
+
 void write_fate(std::uint64_t seed, SdlWriter& out) {
   out.explain(
       "a black ball around everything, so that every ray of radiosity's meets something: else its cache is used");
@@ -43,7 +54,7 @@ void write_fate(std::uint64_t seed, SdlWriter& out) {
            " inverse texture{Black} no_image no_shadow no_reflection photons{collect off}}");
   std::mt19937_64 random(seed);
   std::array<double, 3> shift{};
-  for (double& s : shift) s = static_cast<double>(random() >> 11) * 0x1p-53;
+  for (double& s : shift) s = uniform(random);
   out.explain("a quarter of every twin is black, in tiny cells, and the rest 4/3 as bright: there paths end by chance");
   out.line("#declare Fate = pigment{checker pigment{checker rgb 0 rgb 1 scale " + format_number(kInnerCell / kCell) +
            "} pigment{rgb 1} scale " + format_number(kCell) + " translate <" + format_number(shift[0]) + "," +

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -42,6 +43,18 @@ const std::string kCorner = R"(<scene version="3.0.0"><integrator type="path"/>
       <ref id="grey"/></shape>
     <emitter type="spot"><float name="cutoff_angle" value="30"/><rgb name="intensity" value="20"/>
       <transform name="to_world"><lookat origin="0, 2.5, 1" target="0, 0, 1" up="1, 0, 0"/></transform></emitter>
+  </scene>)";
+
+/// A wall that ends 0.55 across the middle of three pixels, evenly lit from far, and one out of sight, without which
+/// there are no paths.
+const std::string kEdge = R"(<scene version="3.0.0"><integrator type="path"/>
+    <sensor type="perspective"><float name="fov" value="73.739795"/>
+      <transform name="to_world"><lookat origin="0, 0, 2" target="0, 0, 0" up="0, 1, 0"/></transform>
+      <film type="hdrfilm"><rfilter type="box"/></film></sensor>
+    <shape type="rectangle"><transform name="to_world"><scale value="5"/><translate x="-4.95"/></transform></shape>
+    <shape type="rectangle"><transform name="to_world"><rotate y="1" angle="180"/><translate x="30" z="5"/></transform>
+      <bsdf type="diffuse"><rgb name="reflectance" value="0.001"/></bsdf></shape>
+    <emitter type="point"><point name="position" value="0, 0, 1000"/><rgb name="intensity" value="1e6"/></emitter>
   </scene>)";
 
 struct MeanOf {
@@ -133,6 +146,43 @@ TEST(povray_paths, say_how_far_their_mean_is_off) {
   // chi^2 of 7 degrees: more than 3.5 times the claim once in a thousand.
   EXPECT_LT(measured, 3.5 * claimed);
   EXPECT_GT(measured, 0.05 * claimed) << "seeds that change nothing";
+}
+
+// The grid's middles are anywhere in their sub-pixels, one as likely as the other: of 1,000 seeds the mean is 0 to 4 of
+// its deviations and the variance 1/12, of which 4 are 10 %; across and down have nothing to do with each other.
+TEST(povray_paths, move_their_grid_evenly_within_a_sub_pixel) {
+  constexpr int count = 1000, across = 80, down = 60;
+  PovCamera camera;
+  camera.middle_x = 0.25;
+  double x = 0, xx = 0, y = 0, yy = 0, xy = 0;
+  for (std::uint64_t seed = 0; seed < count; ++seed) {
+    const PovCamera moved = with_moved_grid(camera, across, down, seed);
+    const double dx = (moved.middle_x - 0.25) * across / 2, dy = moved.middle_y * down / 2;  // sub-pixels
+    ASSERT_LE(std::max(std::abs(dx), std::abs(dy)), 0.5);
+    x += dx / count, xx += dx * dx / count, y += dy / count, yy += dy * dy / count, xy += dx * dy / count;
+  }
+  const double deviation = std::sqrt(1.0 / 12 / count);
+  EXPECT_NEAR(x, 0, 4 * deviation);
+  EXPECT_NEAR(y, 0, 4 * deviation);
+  EXPECT_NEAR(xx, 1.0 / 12, 0.1 / 12);
+  EXPECT_NEAR(yy, 1.0 / 12, 0.1 / 12);
+  EXPECT_NEAR(xy, 0, 4.0 / 12 * deviation * std::sqrt(12.0));
+  camera.kind = PovCamera::Kind::fisheye;
+  EXPECT_EQ(with_moved_grid(camera, across, down, 1).middle_x, 0.25);
+}
+
+// 0.55 is between the third and the fourth of five lines: a fixed grid makes it 0.6, whatever the seed.
+TEST(povray_paths, show_an_edge_by_the_lines_of_their_grid_that_meet_the_wall) {
+  double least = 1, most = 0;
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    const double shift = with_moved_grid({}, 15, 15, seed).middle_x * 15 / 2;  // sub-pixels to the right
+    double expected = 0;
+    for (int line = 0; line < 5; ++line) expected += line + 0.5 + shift < 0.55 * 5 ? 0.2 : 0;
+    const Image picture = by_paths(parse_scene_text(kEdge, "edge.xml"), 3, seed).mean;
+    EXPECT_NEAR(picture.pixel(1, 1)[1] / picture.pixel(0, 1)[1], expected, 0.002) << "seed " << seed;
+    least = std::min(least, expected), most = std::max(most, expected);
+  }
+  EXPECT_LT(least, most) << "seeds that see the same";
 }
 
 TEST(povray_paths, are_of_quality_4_and_of_scenes_with_lamps_alone) {
