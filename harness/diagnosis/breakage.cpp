@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "harness/diagnosis/black_lines.h"
-#include "harness/diagnosis/luminance.h"
+#include "harness/diagnosis/pictures/luminance.h"
 #include "harness/diagnosis/places.h"
 #include "harness/pixels/middle_of.h"
 #include "scenes/text/text_numbers.h"

@@ -8,11 +8,11 @@
 
 #include "harness/diagnosis/breakage.h"
 #include "harness/diagnosis/common_causes.h"
-#include "harness/diagnosis/comparison.h"
 #include "harness/diagnosis/dark_lamps.h"
 #include "harness/diagnosis/faint.h"
 #include "harness/diagnosis/guess.h"
-#include "harness/diagnosis/picture_changes.h"
+#include "harness/diagnosis/pictures/comparison.h"
+#include "harness/diagnosis/pictures/picture_changes.h"
 #include "harness/diagnosis/places.h"
 #include "harness/diagnosis/self_shadowing.h"
 #include "harness/diagnosis/whole_picture.h"
@@ -115,7 +115,7 @@ class Search {
   /// noise: a picture that is brighter where it should be is also brighter as a whole.
   const Candidate* clearest_of(const std::vector<Candidate>& candidates) const {
     const Candidate* best = best_of(candidates);
-    constexpr double nearly_all = 0.15, far_nearer = 0.5;
+    constexpr double far_nearer = 0.5;
     if (!best || best->left > nearly_all * left_) return best;
     const auto mismatch = [&](const Candidate& c) {
       return c.handicap * comparison_.mismatch(predicted(c.guess, comparison_.white()));
@@ -139,14 +139,18 @@ class Search {
   /// What the light is made of, and how mistakes look, is rendered only where cheaper hypotheses leave something.
   std::vector<Candidate> candidates_of(bool first_round) {
     std::vector<Candidate> candidates;
-    add_arrangements(guess_, knowledge_, comparison_, first_round, candidates);
+    add_arrangements(guess_, comparison_, left_, first_round, candidates);
     if (first_round) {
-      if (explain_all(candidates)) return candidates;
+      if (explain_all(candidates)) {  // within the tolerance, as another brightness may
+        add_brightness(guess_, comparison_, left_, candidates);
+        return candidates;
+      }
       guess_.light = unclamped(knowledge_);
       candidates.clear();
-      add_arrangements(guess_, knowledge_, comparison_, true, candidates);
+      add_arrangements(guess_, comparison_, left_, true, candidates);
     }
-    add_views(guess_, knowledge_, comparison_, candidates);
+    add_brightness(guess_, comparison_, left_, candidates);
+    add_views(guess_, comparison_, left_, candidates);
     add_light_candidates(guess_, knowledge_, comparison_, candidates);
     add_missing_objects(guess_, knowledge_, comparison_, candidates);
     add_self_shadowing(guess_, knowledge_, comparison_, candidates);

@@ -15,7 +15,7 @@
 #include <thread>
 #include <variant>
 
-#include "harness/diagnosis/picture_changes.h"
+#include "harness/diagnosis/pictures/picture_changes.h"
 #include "harness/diagnosis/sub_pixel_shift.h"
 #include "harness/diagnosis/test_defects.h"
 #include "scenes/text/input_error.h"
@@ -430,6 +430,18 @@ TEST(Diagnosis, lazy_values_are_made_once_and_by_one_thread) {
   EXPECT_THROW(failing.get(), InputError);
   EXPECT_THROW(failing.get(), InputError);
   EXPECT_EQ(made, 2);
+}
+
+// Where values are about 0.43, v / (1 + v) is 0.7 of them to within the tolerance, and so is this picture.
+TEST(Diagnosis, a_dimmer_picture_is_no_tone_mapped_one) {
+  SceneKnowledge knowledge;
+  knowledge.reference = Image(32, 32);
+  for (std::size_t i = 0; i < knowledge.reference.rgb.size(); ++i)
+    knowledge.reference.rgb[i] = 0.33f + 0.2f * static_cast<float>(i % 96) / 95;
+  knowledge.white = 1.0f;
+  const auto kind = [&](const Image& image) { return diagnose(image, knowledge).at(0).kind; };
+  EXPECT_EQ(kind(times(knowledge.reference, 0.7f)), "exposure");
+  EXPECT_EQ(kind(tone(knowledge.reference, "tone-mapped")), "tone-mapped");
 }
 
 }  // namespace

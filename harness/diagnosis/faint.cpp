@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "harness/diagnosis/picture_changes.h"
+#include "harness/diagnosis/pictures/picture_changes.h"
 #include "harness/diagnosis/sub_pixel_shift.h"
 
 namespace photonproof {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "harness/diagnosis/picture_changes.h"
+#include "harness/diagnosis/pictures/picture_changes.h"
 
 namespace photonproof {
 

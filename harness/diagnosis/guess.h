@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "harness/diagnosis/comparison.h"
 #include "harness/diagnosis/diagnosis.h"
+#include "harness/diagnosis/pictures/comparison.h"
 #include "scenes/images/image.h"
 
 namespace photonproof {
@@ -40,13 +40,17 @@ struct Candidate {
   bool local = false;              ///< it concerns the part of the picture that differs
 };
 
+/// As much of what a guess leaves, and what comes after it explains nearly all.
+inline constexpr double nearly_all = 0.15;
+
 /// All changes of one thing. Of whole pictures (picture_changes.h), without what the scene's light is made of: turned,
 /// channels, tone, rows of another place; in the first round also turned, channels and tone together.
-void add_arrangements(const Guess& guess, const SceneKnowledge& knowledge, const Comparison& comparison,
-                      bool first_round, std::vector<Candidate>& candidates);
-/// Another brightness, another view, less sharp.
-void add_views(const Guess& guess, const SceneKnowledge& knowledge, const Comparison& comparison,
-               std::vector<Candidate>& candidates);
+/// `left`: by the guess. Those that leave more are not all among the candidates.
+void add_arrangements(const Guess& guess, const Comparison& comparison, double left, bool first_round,
+                      std::vector<Candidate>& candidates);
+/// Another brightness; another view, or less sharp. As above.
+void add_brightness(const Guess& guess, const Comparison& comparison, double left, std::vector<Candidate>& candidates);
+void add_views(const Guess& guess, const Comparison& comparison, double left, std::vector<Candidate>& candidates);
 /// Of light in the scene: features, formulas of direct light, objects.
 void add_light_candidates(const Guess& guess, const SceneKnowledge& knowledge, const Comparison& comparison,
                           std::vector<Candidate>& candidates);

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "harness/diagnosis/diagnosis.h"
-#include "harness/diagnosis/picture_changes.h"
+#include "harness/diagnosis/pictures/picture_changes.h"
 #include "harness/diagnosis/test_defects.h"
 #include "scenes/text/splitmix.h"
 

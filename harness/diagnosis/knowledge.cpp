@@ -11,7 +11,7 @@
 
 #include "harness/diagnosis/direct_geometry.h"
 #include "harness/diagnosis/mistakes.h"
-#include "harness/diagnosis/picture_changes.h"
+#include "harness/diagnosis/pictures/picture_changes.h"
 #include "harness/diagnosis/seen_objects.h"
 
 namespace photonproof {

@@ -7,7 +7,7 @@
 
 #include "harness/diagnosis/faint.h"
 #include "harness/diagnosis/guess.h"
-#include "harness/diagnosis/picture_changes.h"
+#include "harness/diagnosis/pictures/picture_changes.h"
 
 namespace photonproof {
 namespace {

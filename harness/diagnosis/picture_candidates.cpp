@@ -2,33 +2,40 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <string>
 #include <utility>
 
 #include "harness/diagnosis/guess.h"
-#include "harness/diagnosis/picture_changes.h"
+#include "harness/diagnosis/pictures/arranged_totals.h"
+#include "harness/diagnosis/pictures/picture_changes.h"
 
 namespace photonproof {
 namespace {
 
 class PictureCandidates {
  public:
-  PictureCandidates(const Guess& guess, const SceneKnowledge& knowledge, const Comparison& comparison,
-                    std::vector<Candidate>& candidates)
-      : guess_(guess), knowledge_(knowledge), comparison_(comparison), candidates_(candidates) {}
+  PictureCandidates(const Guess& guess, const Comparison& comparison, double left, std::vector<Candidate>& candidates)
+      : guess_(guess), comparison_(comparison), left_(left), candidates_(candidates) {}
 
-  /// Turned, with other channels, other values, and all of it at once.
+  /// Turned, with other channels, other values, and all of it at once. Of a thousand those are kept that explain nearly
+  /// all, and of those that change as many things the best.
   void add_combinations(bool first_round) {
-    for (std::size_t turn = 0; turn < turn_rows().size(); ++turn) {
-      if (turn_rows()[turn].swaps_sides && comparison_.width() != comparison_.height()) continue;
-      if (!first_round && turn != guess_.turn && guess_.turn != 0) continue;
-      for (std::size_t channels = 0; channels < channel_rows().size(); ++channels)
-        for (std::size_t tone = 0; tone < tone_rows().size(); ++tone) {
-          const int changed = (turn != guess_.turn) + (channels != guess_.channels) + (tone != guess_.tone);
-          if (changed == 0 || (!first_round && changed > 1)) continue;
-          add_combination(turn, channels, tone, changed);
-        }
+    std::vector<Combination> combinations = combinations_now(first_round);
+    const Image picture = predicted(arranged(0, 0, 0), comparison_.white());
+    ArrangedTotals totals(picture, comparison_);
+    for (std::size_t tone = 0; tone < tone_rows().size(); ++tone) {
+      totals.encode(tone);
+      for (Combination& c : combinations)
+        if (c.tone == tone) c.left = totals.total(c.turn, c.channels, left_);
     }
+    std::map<double, double> least;  // by the handicap
+    for (const Combination& c : combinations) {
+      const auto [best, is_first] = least.emplace(c.handicap, c.left);
+      if (!is_first) best->second = std::min(best->second, c.left);
+    }
+    for (const Combination& c : combinations)
+      if (c.left <= nearly_all * left_ || (c.left <= left_ && c.left == least.at(c.handicap))) add_combination(c);
   }
 
   void add_scale() {
@@ -38,7 +45,7 @@ class PictureCandidates {
     const auto look = [&](double scale) {
       Guess other = guess_;
       other.scale = scale;
-      const double now = comparison_.total(predicted(other, comparison_.white()));
+      const double now = comparison_.total(predicted(other, comparison_.white()), left);
       if (now < left) {
         left = now;
         best = other;
@@ -54,7 +61,7 @@ class PictureCandidates {
                     cause_of_scale(factor),
                     {},
                     0};
-    candidates_.push_back({std::move(best), left, 1.1, {finding}});
+    candidates_.push_back({std::move(best), left, 1.14, {finding}});
   }
 
   void add_views() {
@@ -66,7 +73,7 @@ class PictureCandidates {
       other.shift_x = dx;
       other.shift_y = dy;
       other.zoom = zoom;
-      const double now = comparison_.total(predicted(other, comparison_.white()));
+      const double now = comparison_.total(predicted(other, comparison_.white()), left);
       if (now < left) {
         left = now;
         best = std::move(other);
@@ -94,9 +101,12 @@ class PictureCandidates {
     if (guess_.turn + guess_.channels + guess_.tone != 0 || comparison_.height() < 16) return;
     const Image now = predicted(guess_, comparison_.white());
     const int height = comparison_.height();
+    const std::vector<float> expected = comparison_.shown_of(now);
+    std::vector<double> far_nearer;  // than the row that should be there
+    for (int y = 0; y < height; ++y) far_nearer.push_back(0.4 * row_distance(expected, y, y));
     RowRun best;
     for (int by = 3 - height; by <= height - 3; ++by)
-      if (std::abs(by) >= 3) best = std::max(best, longest_run(now, by));
+      if (std::abs(by) >= 3) best = std::max(best, longest_run(expected, far_nearer, by));
     if (best.rows < 3 || best.rows > height * 3 / 4) return;
     Guess other = guess_;
     const std::size_t row = static_cast<std::size_t>(now.width) * 3;
@@ -109,8 +119,8 @@ class PictureCandidates {
           "rows " + rows(best.first) + " repeat rows " + rows(best.first + best.by),
           "work is divided wrongly, or threads write a variable that they share (a race)",
           {},
-          0});
-    candidates_.back().local = true;
+          0},
+         true);
   }
 
   /// Pixels that were stored in rows of another length than they are read in, from the first row on or from the last.
@@ -147,22 +157,25 @@ class PictureCandidates {
     bool operator<(const RowRun& other) const { return rows < other.rows; }
   };
 
-  double row_distance(const Image& now, int y, int expected) const {
+  /// Of the submitted row y from an expected one, a value; not summed to the end where it is more than `most`.
+  double row_distance(const std::vector<float>& expected, int y, int other, double most = INFINITY) const {
+    const std::size_t values = 3 * static_cast<std::size_t>(comparison_.width());
+    const float* const row = &comparison_.shown_of_submitted()[static_cast<std::size_t>(y) * values];
+    const float* const from = &expected[static_cast<std::size_t>(other) * values];
     double sum = 0;
-    for (int x = 0; x < now.width; ++x)
-      for (std::size_t c = 0; c < 3; ++c) {
-        const double d =
-            comparison_.shown(comparison_.submitted().pixel(x, y)[c]) - comparison_.shown(now.pixel(x, expected)[c]);
-        if (std::isfinite(d)) sum += d * d;
-      }
-    return sum / now.width / 3;
+    for (std::size_t i = 0; i < values && sum <= most * static_cast<double>(values); ++i) {
+      const double d = double{row[i]} - double{from[i]};
+      if (std::isfinite(d)) sum += d * d;
+    }
+    return sum / static_cast<double>(values);
   }
 
   /// Of rows that are far nearer to what is expected this many rows below.
-  RowRun longest_run(const Image& now, int by) const {
+  RowRun longest_run(const std::vector<float>& expected, const std::vector<double>& far_nearer, int by) const {
     RowRun best, run{0, 0, by};
-    for (int y = std::max(0, -by); y < std::min(now.height, now.height - by); ++y) {
-      const bool elsewhere = row_distance(now, y, y + by) < 0.4 * row_distance(now, y, y);
+    for (int y = std::max(0, -by); y < comparison_.height() - std::max(0, by); ++y) {
+      const double most = far_nearer[static_cast<std::size_t>(y)];
+      const bool elsewhere = row_distance(expected, y, y + by, most) < most;
       if (elsewhere && run.rows++ == 0) run.first = y;
       if (!elsewhere) run.rows = 0;
       best = std::max(best, run);
@@ -170,25 +183,52 @@ class PictureCandidates {
     return best;
   }
 
-  void push(const Guess& guess, double handicap, const Finding& finding) {
-    candidates_.push_back({guess, comparison_.total(predicted(guess, comparison_.white())), handicap, {finding}});
+  /// What is no use is not pushed.
+  void push(const Guess& guess, double handicap, const Finding& finding, bool local = false) {
+    constexpr double useless = 2;  // times what is left without it
+    const double left = comparison_.total(predicted(guess, comparison_.white()), useless * left_);
+    if (std::isfinite(left))
+      candidates_.push_back({.guess = guess, .left = left, .handicap = handicap, .said = {finding}, .local = local});
   }
 
-  void add_combination(std::size_t turn, std::size_t channels, std::size_t tone, int changed) {
-    Candidate candidate;
-    candidate.guess = guess_;
-    candidate.guess.turn = turn;
-    candidate.guess.channels = channels;
-    candidate.guess.tone = tone;
-    candidate.handicap = std::pow(1.15, changed);
+  struct Combination {
+    std::size_t turn, channels, tone;
+    double handicap, left;
+  };
+
+  std::vector<Combination> combinations_now(bool first_round) const {
+    std::vector<Combination> combinations;
+    for (std::size_t turn = 0; turn < turn_rows().size(); ++turn) {
+      if (turn_rows()[turn].swaps_sides && comparison_.width() != comparison_.height()) continue;
+      if (!first_round && turn != guess_.turn && guess_.turn != 0) continue;
+      for (std::size_t channels = 0; channels < channel_rows().size(); ++channels)
+        for (std::size_t tone = 0; tone < tone_rows().size(); ++tone) {
+          const int changed = (turn != guess_.turn) + (channels != guess_.channels) + (tone != guess_.tone);
+          const bool says = (turn != guess_.turn && turn != 0) || (channels != guess_.channels && channels != 0) ||
+                            (tone != guess_.tone && tone != 0);
+          if (!says || (!first_round && changed > 1)) continue;
+          combinations.push_back({turn, channels, tone, std::pow(1.15, changed), left_});
+        }
+    }
+    return combinations;
+  }
+
+  Guess arranged(std::size_t turn, std::size_t channels, std::size_t tone) const {
+    Guess guess = guess_;
+    guess.turn = turn;
+    guess.channels = channels;
+    guess.tone = tone;
+    return guess;
+  }
+
+  void add_combination(const Combination& c) {
+    Candidate candidate{arranged(c.turn, c.channels, c.tone), c.left, c.handicap};
     const auto say = [&](std::size_t now, std::size_t before, const auto& row) {
       if (now != before && now != 0) candidate.said.push_back({row.kind, row.sentence, row.cause, {}, 0});
     };
-    say(turn, guess_.turn, turn_rows()[turn]);
-    say(channels, guess_.channels, channel_rows()[channels]);
-    say(tone, guess_.tone, tone_rows()[tone]);
-    if (candidate.said.empty()) return;
-    candidate.left = comparison_.total(predicted(candidate.guess, comparison_.white()));
+    say(c.turn, guess_.turn, turn_rows()[c.turn]);
+    say(c.channels, guess_.channels, channel_rows()[c.channels]);
+    say(c.tone, guess_.tone, tone_rows()[c.tone]);
     candidates_.push_back(std::move(candidate));
   }
 
@@ -233,25 +273,27 @@ class PictureCandidates {
   }
 
   const Guess& guess_;
-  const SceneKnowledge& knowledge_;
   const Comparison& comparison_;
+  double left_;  ///< by the guess
   std::vector<Candidate>& candidates_;
 };
 
 }  // namespace
 
-void add_arrangements(const Guess& guess, const SceneKnowledge& knowledge, const Comparison& comparison,
-                      bool first_round, std::vector<Candidate>& candidates) {
-  PictureCandidates add(guess, knowledge, comparison, candidates);
+void add_arrangements(const Guess& guess, const Comparison& comparison, double left, bool first_round,
+                      std::vector<Candidate>& candidates) {
+  PictureCandidates add(guess, comparison, left, candidates);
   add.add_combinations(first_round);
   add.add_copied_rows();
   if (first_round) add.add_strides();
 }
 
-void add_views(const Guess& guess, const SceneKnowledge& knowledge, const Comparison& comparison,
-               std::vector<Candidate>& candidates) {
-  PictureCandidates add(guess, knowledge, comparison, candidates);
-  add.add_scale();
+void add_brightness(const Guess& guess, const Comparison& comparison, double left, std::vector<Candidate>& candidates) {
+  PictureCandidates(guess, comparison, left, candidates).add_scale();
+}
+
+void add_views(const Guess& guess, const Comparison& comparison, double left, std::vector<Candidate>& candidates) {
+  PictureCandidates add(guess, comparison, left, candidates);
   add.add_views();
   add.add_sharpness();
 }

@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "harness/diagnosis/luminance.h"
+#include "harness/diagnosis/pictures/luminance.h"
 
 namespace photonproof {
 namespace {

@@ -13,7 +13,7 @@
 #include <variant>
 #include <vector>
 
-#include "harness/diagnosis/comparison.h"
+#include "harness/diagnosis/pictures/comparison.h"
 #include "harness/diagnosis/test_defects.h"
 #include "scenes/text/splitmix.h"
 

@@ -5,7 +5,7 @@
 
 #include <optional>
 
-#include "harness/diagnosis/comparison.h"
+#include "harness/diagnosis/pictures/comparison.h"
 
 namespace photonproof {
 

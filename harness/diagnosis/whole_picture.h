@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "harness/diagnosis/comparison.h"
 #include "harness/diagnosis/diagnosis.h"
+#include "harness/diagnosis/pictures/comparison.h"
 
 namespace photonproof {
 

@@ -74,8 +74,9 @@ TEST(ReadmeClaims, every_check_that_is_named_has_tests) {
 
 TEST(ReadmeClaims, every_benchmark_that_is_named_exists) {
   std::string benches;
-  for (const auto& file : fs::recursive_directory_iterator(source + "/renderer"))
-    if (file.path().filename().string().ends_with("_bench.cpp")) benches += read_file(file.path());
+  for (const char* folder : {"/renderer", "/harness"})
+    for (const auto& file : fs::recursive_directory_iterator(source + folder))
+      if (file.path().filename().string().ends_with("_bench.cpp")) benches += read_file(file.path());
   const std::vector<std::string> names = all(readme(), R"(`\./run --bench ([a-z_]+)`)");
   EXPECT_GE(names.size(), 4u);
   for (const std::string& name : names) EXPECT_NE(benches.find(name), std::string::npos) << name;

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "harness/diagnosis/picture_changes.h"
+#include "harness/diagnosis/pictures/picture_changes.h"
 
 namespace photonproof {
 namespace {

@@ -1,11 +1,11 @@
-#include "harness/diagnosis/picture_changes.h"
+#include "harness/diagnosis/pictures/picture_changes.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 
-#include "harness/diagnosis/luminance.h"
+#include "harness/diagnosis/pictures/luminance.h"
 #include "harness/pixels/display.h"
 
 namespace photonproof {

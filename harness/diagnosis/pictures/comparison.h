@@ -8,10 +8,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <limits>
 #include <optional>
 #include <vector>
 
-#include "harness/diagnosis/diagnosis.h"
 #include "scenes/images/image.h"
 
 namespace photonproof {
@@ -30,8 +31,13 @@ class Comparison {
   Comparison(const Image& submitted, std::optional<float> white, double tolerance, std::vector<std::uint8_t> ignored);
 
   /// `guess` is linear, not clamped; pixels that it does not know are NaN, and ignored.
-  Excess excess(const Image& guess) const;
-  double total(const Image& guess) const { return excess(guess).total; }
+  Excess excess(const Image& guess) const { return excess_by_rows(rows_of(guess), any); }
+  /// Infinite where it is more than `most`, which is known before all of the guess was looked at.
+  double total(const Image& guess, double most = any) const { return total_by_rows(rows_of(guess), most); }
+
+  /// Writes what is compared (shown()) of a guess's row, NaN where that is unknown: 3 values a pixel.
+  using Rows = std::function<void(int y, float* values)>;
+  double total_by_rows(const Rows& rows, double most) const { return excess_by_rows(rows, most).total; }
 
   /// Mean square of what differs, in units of noise, a value's at most 16: no tolerance, and what is wholly wrong
   /// counts no more than what is plainly wrong. Tells guesses apart that are all within the tolerance.
@@ -48,6 +54,9 @@ class Comparison {
 
   /// What is compared: sqrt(min(v, white) / white) of a linear value.
   double shown(double v) const;
+  /// Of an image's values; NaN of those that are not finite.
+  std::vector<float> shown_of(const Image& image) const;
+  const std::vector<float>& shown_of_submitted() const { return shown_; }
   /// Median over pixels of the noise in units of shown(), from differences of neighbours.
   double noise() const { return noise_; }
   double noise_of(const Image& image) const;
@@ -58,11 +67,18 @@ class Comparison {
   Image submitted_;
   double white_, tolerance_;
   std::vector<std::uint8_t> ignored_;
-  std::vector<float> shown_;           ///< of the submitted picture
-  std::vector<float> pixel_variance_;  ///< of its neighbours' differences, around each block and channel
+  std::vector<float> shown_;             ///< of the submitted picture
+  std::vector<float> known_;             ///< the same, NaN where ignored
+  std::vector<float> pixel_variance_;    ///< of its neighbours' differences, around each block and channel
+  std::vector<std::uint8_t> countable_;  ///< pixels of each block that are not ignored
   double noise_ = 0;
-  std::vector<float> shown_of(const Image& image) const;
+  std::size_t block_of(std::size_t pixel) const;
+  static constexpr double any = std::numeric_limits<double>::infinity();
+  std::size_t row_values() const { return 3 * static_cast<std::size_t>(width()); }
+  Rows rows_of(const Image& guess) const;
+  std::vector<float> without_ignored(std::vector<float> values) const;
   std::vector<float> variances(const std::vector<float>& values) const;
+  Excess excess_by_rows(const Rows& rows, double most) const;
 };
 
 }  // namespace photonproof
