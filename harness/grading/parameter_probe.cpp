@@ -11,7 +11,7 @@ namespace {
 
 // Of findings that say how much light there is, how well it is drawn, or that paths end too soon to bring it.
 bool may_come_of_parameters(std::string_view kind) {
-  constexpr std::array<std::string_view, 5> kinds{"noise", "fireflies", "coarse", "blurred", "differs"};
+  constexpr std::array<std::string_view, 6> kinds{"noise", "fireflies", "coarse", "blurred", "differs", "exposure"};
   constexpr std::array<std::string_view, 4> ends{"-energy", "-missing", "brightness", "-black"};
   return std::ranges::find(kinds, kind) != kinds.end() ||
          std::ranges::any_of(ends, [kind](std::string_view end) { return kind.ends_with(end); });
