@@ -40,7 +40,7 @@ struct Candidate {
   bool local = false;              ///< it concerns the part of the picture that differs
 };
 
-/// As much of what a guess leaves, and what comes after it explains nearly all.
+/// A candidate that leaves no more than this share of what the guess leaves explains nearly all.
 inline constexpr double nearly_all = 0.15;
 
 /// All changes of one thing. Of whole pictures (picture_changes.h), without what the scene's light is made of: turned,
