@@ -2,7 +2,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <map>
 #include <string>
 #include <utility>
 
@@ -29,13 +28,11 @@ class PictureCandidates {
       for (Combination& c : combinations)
         if (c.tone == tone) c.left = totals.total(c.turn, c.channels, left_);
     }
-    std::map<double, double> least;  // by the handicap
-    for (const Combination& c : combinations) {
-      const auto [best, is_first] = least.emplace(c.handicap, c.left);
-      if (!is_first) best->second = std::min(best->second, c.left);
-    }
+    std::array<double, 4> least;  // by how many things change
+    least.fill(left_);
+    for (const Combination& c : combinations) least[c.changed] = std::min(least[c.changed], c.left);
     for (const Combination& c : combinations)
-      if (c.left <= nearly_all * left_ || (c.left <= left_ && c.left == least.at(c.handicap))) add_combination(c);
+      if (c.left <= nearly_all * left_ || c.left == least[c.changed]) add_combination(c);
   }
 
   void add_scale() {
@@ -192,8 +189,8 @@ class PictureCandidates {
   }
 
   struct Combination {
-    std::size_t turn, channels, tone;
-    double handicap, left;
+    std::size_t turn, channels, tone, changed;
+    double left;
   };
 
   std::vector<Combination> combinations_now(bool first_round) const {
@@ -203,15 +200,18 @@ class PictureCandidates {
       if (!first_round && turn != guess_.turn && guess_.turn != 0) continue;
       for (std::size_t channels = 0; channels < channel_rows().size(); ++channels)
         for (std::size_t tone = 0; tone < tone_rows().size(); ++tone) {
-          const int changed = (turn != guess_.turn) + (channels != guess_.channels) + (tone != guess_.tone);
-          const bool says = (turn != guess_.turn && turn != 0) || (channels != guess_.channels && channels != 0) ||
-                            (tone != guess_.tone && tone != 0);
-          if (!says || (!first_round && changed > 1)) continue;
-          combinations.push_back({turn, channels, tone, std::pow(1.15, changed), left_});
+          const std::size_t changed =
+              std::size_t{turn != guess_.turn} + (channels != guess_.channels) + (tone != guess_.tone);
+          const bool says =
+              is_said(turn, guess_.turn) || is_said(channels, guess_.channels) || is_said(tone, guess_.tone);
+          if (says && (first_round || changed == 1)) combinations.push_back({turn, channels, tone, changed, left_});
         }
     }
     return combinations;
   }
+
+  /// To have nothing done any more is no mistake.
+  static bool is_said(std::size_t now, std::size_t before) { return now != before && now != 0; }
 
   Guess arranged(std::size_t turn, std::size_t channels, std::size_t tone) const {
     Guess guess = guess_;
@@ -222,9 +222,9 @@ class PictureCandidates {
   }
 
   void add_combination(const Combination& c) {
-    Candidate candidate{arranged(c.turn, c.channels, c.tone), c.left, c.handicap};
+    Candidate candidate{arranged(c.turn, c.channels, c.tone), c.left, std::pow(1.15, c.changed)};
     const auto say = [&](std::size_t now, std::size_t before, const auto& row) {
-      if (now != before && now != 0) candidate.said.push_back({row.kind, row.sentence, row.cause, {}, 0});
+      if (is_said(now, before)) candidate.said.push_back({row.kind, row.sentence, row.cause, {}, 0});
     };
     say(c.turn, guess_.turn, turn_rows()[c.turn]);
     say(c.channels, guess_.channels, channel_rows()[c.channels]);
