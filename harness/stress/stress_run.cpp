@@ -23,12 +23,12 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Changes when judging does, so that rungs are judged anew.
-constexpr const char* judging_version = "5";
+constexpr const char* judging_version = "6";
 constexpr int looks_at = 64, reference_samples = 512;  // a pixel
 /// As many looks at least where noise hides what a rung is, and more of small pictures, of up to so many camera
-/// samples.
+/// samples. What is expected is known from half as many as the look has, once that is more.
 constexpr int looks_at_noise = 3;
-constexpr double samples_of_looks = 1e6;
+constexpr double samples_of_looks = 1e7;
 
 /// One ladder and one engine.
 struct Climb {
@@ -87,7 +87,8 @@ class Climber {
     return height;
   }
 
-  RungExpectation expectation(const Climb& climb, double height) {
+  /// From so many samples a pixel.
+  RungExpectation expectation(const Climb& climb, double height, int samples) {
     const Ladder& ladder = *climb.ladder;
     RungExpectation expected;
     expected.factor = ladder.factor(height);
@@ -96,8 +97,8 @@ class Climber {
     expected.must_refuse = ladder.must_refuse;
     if (!ladder.alike) return expected;
     const std::string engine = ladder.compared_with.empty() ? climb.engine : ladder.compared_with;
-    expected.samples = reference_samples;
-    expected.picture = runner_.reference(ladder.alike(height), {engine, reference_samples, 1});
+    expected.samples = samples;
+    expected.picture = runner_.reference(ladder.alike(height), {engine, samples, 1});
     return expected;
   }
 
@@ -141,29 +142,38 @@ class Climber {
     if (fs::exists(kept))
       if (const auto known = rung_from_text(read_file(kept))) return *known;
     const Timer timer;
-    const RungExpectation expected = expectation(climb, height);
-    StressRung out = decided(climb, asked, expected, key);
-    out.height = height;
+    StressRung out = decided(climb, asked, height, key);
     out.seconds = timer.seconds();
     write_file_atomically(kept, rung_text(out));
     return out;
+  }
+
+  /// Whether looks with four times as many samples each, which halve the noise, can show what decides.
+  static bool noise_can_fall(double would_see, double samples_of_next) {
+    for (; samples_of_next <= samples_of_looks; samples_of_next *= 4)
+      if ((would_see /= 2) <= rung_power) return true;
+    return false;
   }
 
   static bool looks_again(const RungVerdict& verdict, int looks, double samples_of_next) {
     const bool is_wrong = verdict.outcome == RungOutcome::silently_wrong;
     if (!is_wrong && verdict.outcome != RungOutcome::degraded && verdict.outcome != RungOutcome::undecided)
       return false;
-    const bool is_hidden = !is_wrong && verdict.would_see.value_or(0) > rung_power;
-    return looks < 2 || (is_hidden && (looks < looks_at_noise || samples_of_next <= samples_of_looks));
+    if (looks < 2) return true;
+    const double would_see = verdict.would_see.value_or(0);
+    return !is_wrong && would_see > rung_power &&
+           (looks < looks_at_noise || noise_can_fall(would_see, samples_of_next));
   }
 
   /// What looks wrong is looked at again with four times the samples and another seed, and what noise hides with more.
-  StressRung decided(const Climb& climb, const StressScene& asked, const RungExpectation& expected,
-                     const std::string& key) {
+  StressRung decided(const Climb& climb, const StressScene& asked, double height, const std::string& key) {
     StressRung out;
+    out.height = height;
     RungEvidence evidence;
+    RungExpectation expected;
     const double pixels = static_cast<double>(asked.width) * asked.height;
     for (int looks = 1, samples = looks_at;; ++looks, samples *= 4) {
+      expected = expectation(climb, height, std::max(reference_samples, samples / 2));
       evidence = runner_.render(asked, {climb.engine, samples, static_cast<std::uint64_t>(1 + looks)});
       const RungVerdict verdict = judge_rung(evidence, expected);
       out.outcome = verdict.outcome;

@@ -71,6 +71,26 @@ TEST(photon_mapper, says_where_radii_are_wider_than_what_is_seen_and_where_photo
   }
 }
 
+TEST(photon_mapper, says_that_fixed_radii_have_much_wrong_unless_an_error_is_asked_for) {
+  const auto rendered = [](double radius, const RenderJob& job) {
+    return render(test::with_indirect(test::room(16, true), IndirectLight::map, radius), "photonmapper", job).stats;
+  };
+  const RenderJob job = job_with(16, 50'000);
+  EXPECT_THAT(rendered(0.1, job).losses, testing::IsEmpty());
+  const RenderStats wide = rendered(0.5, job);
+  EXPECT_GT(wide.counts.at("relative_bias"), 0.1);
+  char text[160];
+  std::snprintf(
+      text, sizeof text,
+      "the radii that the scene fixes have some %.2g %% of the image wrong, which does not fall with more samples",
+      100 * wide.counts.at("relative_bias"));
+  EXPECT_THAT(wide.losses, testing::ElementsAre(text));
+  RenderJob rough = job;
+  rough.budget = {};
+  rough.budget.target_error = 0.5;
+  EXPECT_THAT(rendered(0.5, rough).losses, testing::IsEmpty());
+}
+
 TEST(photon_mapper, skipping_the_maps_of_a_plane_changes_nothing) {
   // With a second plane far away that faces the first the maps cannot be skipped, yet add next to nothing: E of the far
   // plane is I/d^2 = 1e-4, of which its albedo and its solid angle over pi, 0.5 x 4/(pi 1e4), leave 6e-9 where the lamp

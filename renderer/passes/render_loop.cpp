@@ -19,6 +19,8 @@ constexpr std::int64_t most_samples = std::int64_t{1} << 32;
 constexpr std::int64_t least_samples_for_error = 16;
 // Of the squared bias that lasts, the squared error that is not worth more passes: these could take a tenth off it.
 constexpr double enough_of_lasting = 1.25;
+// A squared bias that lasts is said where no error was asked for and it is more than that: a tenth of the image.
+constexpr double much_that_lasts = 0.01;
 
 std::int64_t total_samples(const RenderJob& job) {
   return job.budget.target_error ? most_samples : job.budget.spp.value_or(job.sample_count);
@@ -77,14 +79,19 @@ bool RenderLoop::reached_target() {
   return *error_ <= *job_.budget.target_error || *error_ * *error_ <= enough_of_lasting * lasting;
 }
 
-void RenderLoop::say_if_missed() {
-  if (!job_.budget.target_error || !error_ || *error_ <= *job_.budget.target_error) return;
+void RenderLoop::say_what_lasts() {
+  const std::optional<double> target = job_.budget.target_error;
+  const double squared = plan_.lasting_bias ? plan_.lasting_bias() : 0;
+  if (target ? !error_ || *error_ <= *target : squared <= much_that_lasts) return;
   char text[320];
-  std::snprintf(
-      text, sizeof text,
-      "--target-error %.3g is not reached, the error is %.3g: %.3g of it is what %s wrong, and does not fall with "
-      "more samples",
-      *job_.budget.target_error, *error_, std::sqrt(plan_.lasting_bias()), plan_.lasting_bias_of().c_str());
+  if (target)
+    std::snprintf(text, sizeof text,
+                  "--target-error %.3g is not reached, the error is %.3g: %.3g of it is what %s wrong, and does not "
+                  "fall with more samples",
+                  *target, *error_, std::sqrt(squared), plan_.lasting_bias_of().c_str());
+  else
+    std::snprintf(text, sizeof text, "%s some %.2g %% of the image wrong, which does not fall with more samples",
+                  plan_.lasting_bias_of().c_str(), 100 * std::sqrt(squared));
   stats_.losses.emplace_back(text);
 }
 
@@ -112,7 +119,7 @@ bool RenderLoop::ended(bool interrupted) {
   if (job_.progress && !interrupted) job_.progress(1, plan_.phase);
   rays_.store(stats_);
   if (plan_.squared_bias) error();
-  if (!interrupted) say_if_missed();
+  if (!interrupted) say_what_lasts();
   stats_.counts["samples_per_pixel"] = static_cast<double>(schedule_.samples_done());
   return false;
 }

@@ -118,8 +118,8 @@ class RenderLoop {
   bool reached_target();
   /// Relative, of the image's pixels; empty where the film does not know it.
   std::optional<double> error();
-  /// Says why the target was not reached.
-  void say_if_missed();
+  /// Says why the target was not reached, or, where none was given, that much is wrong for good.
+  void say_what_lasts();
   double fraction(double part) const;
   bool writes() const { return job_.checkpoint && job_.checkpoint->interval_seconds > 0; }
   bool due() const { return writes() && since_write_.seconds() >= job_.checkpoint->interval_seconds; }
