@@ -14,6 +14,8 @@ std::vector<Ladder> shape_ladders(const std::filesystem::path& assets);
 std::vector<Ladder> material_ladders(const std::filesystem::path& assets);
 /// Lamps that are tiny, huge, near, far and grazing.
 std::vector<Ladder> light_ladders(const std::filesystem::path& assets);
+/// Lamps 12 above a floor, up to where their own points are known to no better.
+std::vector<Ladder> huge_lamp_ladders(const std::filesystem::path& assets);
 /// Fields of view, clipping planes, sizes of images.
 std::vector<Ladder> camera_ladders(const std::filesystem::path& assets);
 /// Numbers and radii of photons.

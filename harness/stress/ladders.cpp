@@ -92,8 +92,8 @@ const std::vector<std::string>& stress_engines() {
 std::vector<Ladder> stress_ladders(const std::filesystem::path& assets) {
   std::vector<Ladder> ladders;
   add_whole_scene_ladders(assets, ladders);
-  for (const auto& rows : {shape_ladders, material_ladders, light_ladders, camera_ladders, photon_ladders,
-                           input_ladders, metric_ladders, format_ladders})
+  for (const auto& rows : {shape_ladders, material_ladders, light_ladders, huge_lamp_ladders, camera_ladders,
+                           photon_ladders, input_ladders, metric_ladders, format_ladders})
     for (Ladder& ladder : rows(assets)) ladders.push_back(std::move(ladder));
   return ladders;
 }

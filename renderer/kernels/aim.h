@@ -28,10 +28,7 @@ AimedDirection<F> aim(const SceneView& scene, const Vec3<F>& p, const F& u_targe
   for (std::uint32_t k = 0; k < scene.aim_target_count; ++k) {
     const AimTarget& target = scene.aim_targets[k];
     const AimCone<F> cone = cone_towards(broadcast<F>(target.center), F(target.radius), p);
-    // The drawn cone holds the direction by construction, whatever rounding says.
-    const Mask<F> holds =
-        equal<F>(which, UInt<F>(k * AimTarget::stride)) || 1 - dot(direction, cone.axis) <= cone.one_minus_cos;
-    pdf += select(holds, 1 / cone.one_minus_cos, F(0.0f));
+    pdf += select(cone.holds(direction), 1 / cone.one_minus_cos, F(0.0f));
   }
   return {direction, pdf * (1 / (2 * pi * count))};
 }

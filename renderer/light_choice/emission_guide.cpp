@@ -53,10 +53,10 @@ struct Viewpoint {
     return center + axis * std::max(radius + side * away, 0.0f);
   }
   std::optional<Vec3f> of_shape(const QuadShape& s) const {
-    return (*this)(QuadLight<float>{s.corner, s.edge_u, s.edge_v, s.normal, s.area(), Rgb(0.0f)});
+    return (*this)(QuadLight<float>{s.corner, s.edge_u, s.edge_v, s.normal, s.area(), Rgb(0.0f), s.on});
   }
   std::optional<Vec3f> of_shape(const DiskShape& s) const {
-    return (*this)(DiskLight<float>{s.center, s.half_axis_u, s.half_axis_v, s.normal, s.area(), Rgb(0.0f)});
+    return (*this)(DiskLight<float>{s.center, s.half_axis_u, s.half_axis_v, s.normal, s.area(), Rgb(0.0f), s.on});
   }
   std::optional<Vec3f> of_shape(const SphereShape& s) const {
     return (*this)(SphereLight<float>{s.center, s.radius, s.sign, Rgb(0.0f)});
@@ -159,7 +159,7 @@ EmissionPdfs<float> EmissionGuide::pdfs(const Light& light, std::uint32_t index,
     if (!(cosine > 0)) continue;
     const double here = double{pdf(light, view.from, at)} * double{cosine} / double{distance2};
     const AimCone<float> cone = cone_towards<float>(view.ball.center, view.ball.radius, at.p);
-    const bool inside = 1 - dot(direction, cone.axis) <= cone.one_minus_cos;
+    const bool inside = cone.holds(direction);
     position += here;
     both += here * 0.5 * (double{even.second} + (inside ? 1 / (2 * std::numbers::pi * double{cone.one_minus_cos}) : 0));
   }

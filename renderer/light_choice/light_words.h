@@ -10,7 +10,7 @@ struct LightWords {
   float probability;      ///< of being chosen
   float alias_threshold;  ///< alias method (Vose 1991): below it the light itself, above it `alias`
   std::uint32_t alias;
-  std::uint32_t primitive;  ///< of a small scene, which its own shadow rays ignore
+  std::uint32_t primitive;  ///< of a small scene, which its own shadow rays ignore; else the lamp's first face (ray.h)
   static constexpr std::uint32_t stride = 5;
 };
 

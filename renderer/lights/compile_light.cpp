@@ -20,15 +20,27 @@ std::pair<Vec3f, Vec3f> across(const Vec3f& forward, const Vec3f& right) {
 
 // --- shapes ----------------------------------------------------------------------------------------------------------
 
-DiskShape disk_shape(const Disk& d) { return {d.center, d.axis_x, d.axis_y, d.normal}; }
+DiskShape disk_shape(const Disk& d) {
+  constexpr double far_away = 4096;
+  const Vec3d normal(d.normal), center(d.center);
+  const double offset = dot(normal, center);
+  const bool is_far = length(center) > far_away * std::abs(offset);
+  return {d.center, d.axis_x, d.axis_y, d.normal, is_far ? plane_near_origin(normal, offset).on : d.center};
+}
+
+QuadShape quad_shape(const Quad& q, const LongFace* face) {
+  return {q.corner, q.edge_u, q.edge_v, q.normal,
+          face != nullptr ? plane_near_origin(face->normal, face->offset).on : q.corner};
+}
 
 /// From the surface as rays meet it, and what that does not keep of the shape.
 struct LightShaper {
+  const Surface& surface;
   const ShapeDescription& shape;
   const Transform& to_world;
   const std::string& where;
 
-  LightShape operator()(const Quad& q) const { return QuadShape{q.corner, q.edge_u, q.edge_v, q.normal}; }
+  LightShape operator()(const Quad& q) const { return quad_shape(q, surface.long_face(0)); }
   LightShape operator()(const Disk& d) const { return disk_shape(d); }
   LightShape operator()(const Sphere& s) const {
     return SphereShape{Vec3f(s.center),           static_cast<float>(s.radius), axis(to_world, {1, 0, 0}),
@@ -39,31 +51,33 @@ struct LightShaper {
     std::vector<Vec2<float>> uvs = mesh.source->uvs;
     if (mesh.flip_v)
       for (Vec2<float>& uv : uvs) uv.y = 1 - uv.y;
-    return MeshShape(std::move(positions), mesh.source->triangles, std::move(uvs), mesh.inward);
+    return MeshShape(std::move(positions), mesh.source->triangles, std::move(uvs), mesh.inward, surface.long_faces);
   }
   LightShape operator()(const Plane&) const { refuse(); }
   LightShape operator()(const MeshInstance&) const { refuse(); }
-  LightShape operator()(const auto& surface) const { return light_shape(surface, shape, to_world); }
+  LightShape operator()(const auto& other) const { return light_shape(other, shape, to_world); }
 
  private:
   [[noreturn]] void refuse() const { throw InputError(where, "this shape cannot be a light"); }
 };
 
 /// Quads, spheres and disks have lanes where their radiance is one colour.
-Light plain_light(const Geometry& geometry, const LightShaper& shaper, const Rgb& radiance) {
+Light plain_light(const LightShaper& shaper, const Rgb& radiance) {
   return std::visit(
       Overloaded{
           [&](const Quad& q) -> Light {
-            return QuadLight<float>{q.corner, q.edge_u, q.edge_v, q.normal, q.area, radiance};
+            const QuadShape shape = quad_shape(q, shaper.surface.long_face(0));
+            return QuadLight<float>{q.corner, q.edge_u, q.edge_v, q.normal, q.area, radiance, shape.on};
           },
           [&](const Sphere& s) -> Light {
             return SphereLight<float>{Vec3f(s.center), static_cast<float>(s.radius), s.inward ? -1.0f : 1.0f, radiance};
           },
           [&](const Disk& d) -> Light {
-            return DiskLight<float>{d.center, d.axis_x, d.axis_y, d.normal, disk_shape(d).area(), radiance};
+            const DiskShape shape = disk_shape(d);
+            return DiskLight<float>{d.center, d.axis_x, d.axis_y, d.normal, shape.area(), radiance, shape.on};
           },
           [&](const auto& other) -> Light { return AreaLight(shaper(other), radiance); }},
-      geometry);
+      shaper.surface.geometry);
 }
 
 // --- emitters --------------------------------------------------------------------------------------------------------
@@ -128,12 +142,12 @@ Light with_usable_flux(Light light, const std::string& where) {
 
 }  // namespace
 
-Light compile_surface_light(const Geometry& geometry, const ShapeDescription& shape, const Transform& to_world,
+Light compile_surface_light(const Surface& surface, const ShapeDescription& shape, const Transform& to_world,
                             const TextureLookup& texture, const std::string& where) {
-  const LightShaper shaper{shape, to_world, where};
-  const auto compile =
-      Overloaded{[&](TextureIndex index) -> Light { return AreaLight(std::visit(shaper, geometry), texture(index)); },
-                 [&](const RgbD& radiance) { return plain_light(geometry, shaper, Rgb(radiance)); }};
+  const LightShaper shaper{surface, shape, to_world, where};
+  const auto compile = Overloaded{
+      [&](TextureIndex index) -> Light { return AreaLight(std::visit(shaper, surface.geometry), texture(index)); },
+      [&](const RgbD& radiance) { return plain_light(shaper, Rgb(radiance)); }};
   return with_usable_flux(std::visit(compile, *shape.radiance), where);
 }
 

@@ -15,7 +15,7 @@ using TextureLookup = std::function<LightTexture(TextureIndex)>;
 
 /// The light of an emitting shape's surface. `to_world` is the shape's, moved to the scene's origin. Throws InputError
 /// at `where` for shapes that cannot emit, or where the flux is beyond single precision.
-Light compile_surface_light(const Geometry& geometry, const ShapeDescription& shape, const Transform& to_world,
+Light compile_surface_light(const Surface& surface, const ShapeDescription& shape, const Transform& to_world,
                             const TextureLookup& texture, const std::string& where);
 
 /// `moved` is added to the description's coordinates. Throws InputError at `where`.

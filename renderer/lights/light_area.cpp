@@ -83,19 +83,23 @@ LightPoint<float> SphereShape::sample(const Vec2<float>& u) const {
 float SphereShape::area() const { return 4 * pi * radius * radius; }
 
 MeshShape::MeshShape(std::vector<Vec3f> positions, std::vector<Triangle> triangles, std::vector<Vec2<float>> uvs,
-                     bool flipped)
+                     bool flipped, LongFaces long_faces)
     : positions_(std::move(positions)),
       triangles_(std::move(triangles)),
       uvs_(std::move(uvs)),
-      sign_(flipped ? -1.0f : 1.0f) {
+      long_faces_(std::move(long_faces)) {
   std::vector<double> areas;
   std::vector<std::optional<LightBounds>> bounds;
   areas.reserve(triangles_.size());
   bounds.reserve(triangles_.size());
+  planes_.reserve(triangles_.size());
   for (const Triangle& t : triangles_) {
     const Vec3f &a = positions_[t[0]], &b = positions_[t[1]], &c = positions_[t[2]];
     areas.push_back(0.5 * length(cross(Vec3d(b) - Vec3d(a), Vec3d(c) - Vec3d(a))));
-    bounds.push_back(triangle_bounds(a, b, c, normal_of(t), static_cast<float>(areas.back())));
+    const LongFace* face = long_face(static_cast<std::uint32_t>(planes_.size()));
+    planes_.push_back(face != nullptr ? plane_near_origin(face->normal, face->offset)
+                                      : FacePlane{face_normal(b - a, c - a) * (flipped ? -1.0f : 1.0f), a});
+    bounds.push_back(triangle_bounds(a, b, c, planes_.back().normal, static_cast<float>(areas.back())));
   }
   by_area_ = DiscreteDistribution(areas);
   area_ = static_cast<float>(by_area_.total());

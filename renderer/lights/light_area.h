@@ -17,6 +17,7 @@
 #include "renderer/lights/light_quad.h"
 #include "renderer/lights/light_sample.h"
 #include "renderer/lights/light_sphere.h"
+#include "renderer/shapes/long_face.h"
 #include "renderer/textures/light_texture.h"
 
 namespace photonproof {
@@ -26,9 +27,19 @@ class LightTree;
 /// Shapes draw points uniformly by area, with their texture coordinates (`sample`), and as seen from p (`sample_from`,
 /// with the density `pdf_from`). Coordinates of a point are found by `uv_at`, where to they shine says `bounds`.
 
-/// corner + u edge_u + v edge_v; uv = (u, v).
+/// A face's plane.
+struct FacePlane {
+  Vec3f normal, on;  ///< `on`: a point of it, near what is looked at where the face goes far beyond
+};
+/// Of the point nearest to the origin, which is near what is looked at: differences from a corner far away would leave
+/// no digits of a height above the plane.
+inline FacePlane plane_near_origin(const Vec3d& normal, double offset) {
+  return {Vec3f(normal), Vec3f(normal * offset)};
+}
+
+/// corner + u edge_u + v edge_v; uv = (u, v). `on` as of a FacePlane.
 struct QuadShape {
-  Vec3f corner, edge_u, edge_v, normal;
+  Vec3f corner, edge_u, edge_v, normal, on;
   LightPoint<float> sample(const Vec2<float>& u) const { return {corner + edge_u * u.x + edge_v * u.y, normal, u}; }
   SeenPoint sample_from(const Vec3f& p, const Vec2<float>& u) const;
   float pdf_from(const Vec3f& p, const LightPoint<float>& at) const;
@@ -39,7 +50,7 @@ struct QuadShape {
 
 /// center + a half_axis_u + b half_axis_v, a^2 + b^2 <= 1; uv = (radius, angle / 2 pi) as Mitsuba's disk has it.
 struct DiskShape {
-  Vec3f center, half_axis_u, half_axis_v, normal;
+  Vec3f center, half_axis_u, half_axis_v, normal, on;
   LightPoint<float> sample(const Vec2<float>& u) const;
   SeenPoint sample_from(const Vec3f& p, const Vec2<float>& u) const;
   float pdf_from(const Vec3f& p, const LightPoint<float>& at) const;
@@ -67,8 +78,9 @@ class MeshShape {
  public:
   using Triangle = std::array<std::uint32_t, 3>;
   /// `uvs` per vertex or empty, when uv are the triangle's barycentric coordinates. `flipped`: normals are opposite to
-  /// the winding's. What is passed is copied.
-  MeshShape(std::vector<Vec3f> positions, std::vector<Triangle> triangles, std::vector<Vec2<float>> uvs, bool flipped);
+  /// the winding's. What is passed is copied. `long_faces`: of those that positions do not say exactly enough, or null.
+  MeshShape(std::vector<Vec3f> positions, std::vector<Triangle> triangles, std::vector<Vec2<float>> uvs, bool flipped,
+            LongFaces long_faces = nullptr);
   LightPoint<float> sample(const Vec2<float>& u) const;
   SeenPoint sample_from(const Vec3f& p, const Vec2<float>& u) const;
   float pdf_from(const Vec3f& p, const LightPoint<float>& at) const;
@@ -78,17 +90,22 @@ class MeshShape {
 
  private:
   Vec2<float> uv_of(const Triangle& t, float weight_b, float weight_c) const;
-  Vec3f normal_of(const Triangle& t) const;
   LightPoint<float> point_on(std::uint32_t triangle, const Vec2<float>& u) const;
+  /// The face as rays meet it, or null where positions say enough.
+  const LongFace* long_face(std::uint32_t triangle) const;
+  /// The triangle that a point is on which was met on this one: near an edge of a long face rays may take its
+  /// neighbour.
+  std::uint32_t triangle_at(const LightPoint<float>& at) const;
   /// Of a triangle that p is close to.
-  std::optional<CloseTriangle> close_triangle(const Triangle& t, const Vec3f& p) const;
+  std::optional<CloseTriangle> close_triangle(std::uint32_t triangle, const Vec3f& p) const;
   /// Density per solid angle at p of the point at this offset on a triangle that has been chosen.
-  float pdf_on(const Triangle& t, const Vec3f& p, const Vec3f& offset) const;
+  float pdf_on(std::uint32_t triangle, const Vec3f& p, const Vec3f& offset) const;
 
   std::vector<Vec3f> positions_;
   std::vector<Triangle> triangles_;
   std::vector<Vec2<float>> uvs_;
-  float sign_;
+  std::vector<FacePlane> planes_;  ///< of each triangle
+  LongFaces long_faces_;
   float area_;
   DiscreteDistribution by_area_;
   Vec3f center_;            ///< of the box around it

@@ -8,14 +8,15 @@
 #include "renderer/lanes/warp.h"
 #include "renderer/lights/light_area.h"
 #include "renderer/lights/light_tree.h"
-#include "renderer/shapes/face_normal.h"
 
 namespace photonproof {
 namespace {
 
-QuadLight<float> as_light(const QuadShape& s) { return {s.corner, s.edge_u, s.edge_v, s.normal, s.area(), Rgb(0.0f)}; }
+QuadLight<float> as_light(const QuadShape& s) {
+  return {s.corner, s.edge_u, s.edge_v, s.normal, s.area(), Rgb(0.0f), s.on};
+}
 DiskLight<float> as_light(const DiskShape& s) {
-  return {s.center, s.half_axis_u, s.half_axis_v, s.normal, s.area(), Rgb(0.0f)};
+  return {s.center, s.half_axis_u, s.half_axis_v, s.normal, s.area(), Rgb(0.0f), s.on};
 }
 SphereLight<float> as_light(const SphereShape& s) { return {s.center, s.radius, s.sign, Rgb(0.0f)}; }
 
@@ -36,10 +37,9 @@ float SphereShape::pdf_from(const Vec3f& p, const LightPoint<float>& at) const {
 
 // --- meshes ----------------------------------------------------------------------------------------------------------
 
-CloseTriangle::CloseTriangle(const Vec3f& p, const Vec3f& a, const Vec3f& b, const Vec3f& c, const Vec3f& normal) {
+CloseTriangle::CloseTriangle(const Vec3f& p, float height, const std::array<Vec3d, 3>& corner) {
   // Chords parallel to the edge that p is furthest beside. In double: where two large triangles meet above p, rounding
   // would leave a gap between them.
-  const std::array<Vec3d, 3> corner{Vec3d(a), Vec3d(b), Vec3d(c)};
   double furthest = -std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec3d &from = corner[i], edge = corner[(i + 1) % 3] - from, other = corner[(i + 2) % 3] - from;
@@ -48,7 +48,7 @@ CloseTriangle::CloseTriangle(const Vec3f& p, const Vec3f& a, const Vec3f& b, con
     const double y = dot(foot, up);
     if (-y <= furthest) continue;
     furthest = -y;
-    frame = {Vec3f(along), Vec3f(up), dot(p - a, normal), static_cast<float>(dot(foot, along)), static_cast<float>(y)};
+    frame = {Vec3f(along), Vec3f(up), height, static_cast<float>(dot(foot, along)), static_cast<float>(y)};
     length = static_cast<float>(dot(edge, along));
     apex = static_cast<float>(dot(other, along));
     y_low = static_cast<float>(-y);
@@ -56,9 +56,20 @@ CloseTriangle::CloseTriangle(const Vec3f& p, const Vec3f& a, const Vec3f& b, con
   }
 }
 
-Vec3f MeshShape::normal_of(const Triangle& t) const {
-  const Vec3f& a = positions_[t[0]];
-  return face_normal(positions_[t[1]] - a, positions_[t[2]] - a) * sign_;
+const LongFace* MeshShape::long_face(std::uint32_t triangle) const { return find_long_face(long_faces_, triangle); }
+
+std::uint32_t MeshShape::triangle_at(const LightPoint<float>& at) const {
+  const LongFace* met = long_face(at.triangle);
+  if (met == nullptr || holds(*met, Vec3d(at.p), 0)) return at.triangle;
+  // Single precision tells its edges apart to this part of their length; neighbours are in its plane up to rounding.
+  constexpr double unsure = 1e-6, same_plane = 0x1p-21;
+  for (const LongFace& face : *long_faces_) {
+    const double apart = dot(face.normal, Vec3d(at.p)) - face.offset;
+    if (std::abs(apart) <= same_plane * std::max(1.0, length(Vec3d(at.p))) && holds(face, Vec3d(at.p), 0) &&
+        dot(face.normal, met->normal) > 0 && holds(*met, Vec3d(at.p), unsure))
+      return face.primitive;
+  }
+  return at.triangle;
 }
 
 LightPoint<float> MeshShape::point_on(std::uint32_t triangle, const Vec2<float>& u) const {
@@ -67,21 +78,27 @@ LightPoint<float> MeshShape::point_on(std::uint32_t triangle, const Vec2<float>&
   // Uniform on the triangle (Turk 1990).
   const float root = std::sqrt(u.x);
   const float weight_b = root * (1 - u.y), weight_c = root * u.y;
-  return {a + (b - a) * weight_b + (c - a) * weight_c, normal_of(t), uv_of(t, weight_b, weight_c), triangle};
+  return {a + (b - a) * weight_b + (c - a) * weight_c, planes_[triangle].normal, uv_of(t, weight_b, weight_c),
+          triangle};
 }
 
-std::optional<CloseTriangle> MeshShape::close_triangle(const Triangle& t, const Vec3f& p) const {
+std::optional<CloseTriangle> MeshShape::close_triangle(std::uint32_t triangle, const Vec3f& p) const {
+  const Triangle& t = triangles_[triangle];
   const Vec3f &a = positions_[t[0]], &b = positions_[t[1]], &c = positions_[t[2]];
   const Vec3f middle = (a + b + c) * (1.0f / 3);
   const float reach2 = std::max({length_squared(a - middle), length_squared(b - middle), length_squared(c - middle)});
   if (!is_close<float>(p, middle, reach2)) return std::nullopt;
-  return CloseTriangle(p, a, b, c, normal_of(t));
+  const float height = dot(p - planes_[triangle].on, planes_[triangle].normal);
+  if (const LongFace* face = long_face(triangle))
+    return CloseTriangle(p, height, {face->corner, face->corner + face->edge_u, face->corner + face->edge_v});
+  return CloseTriangle(p, height, {Vec3d(a), Vec3d(b), Vec3d(c)});
 }
 
-float MeshShape::pdf_on(const Triangle& t, const Vec3f& p, const Vec3f& offset) const {
-  if (const auto close = close_triangle(t, p)) return close_pdf<float>(*close, offset);
+float MeshShape::pdf_on(std::uint32_t triangle, const Vec3f& p, const Vec3f& offset) const {
+  const Triangle& t = triangles_[triangle];
+  if (const auto close = close_triangle(triangle, p)) return close_pdf<float>(*close, offset);
   const Vec3f &a = positions_[t[0]], &b = positions_[t[1]], &c = positions_[t[2]];
-  return area_to_solid_angle<float>(2 / length(cross(b - a, c - a)), p, {p + offset, normal_of(t)});
+  return area_to_solid_angle<float>(2 / length(cross(b - a, c - a)), p, {p + offset, planes_[triangle].normal});
 }
 
 SeenPoint MeshShape::sample_from(const Vec3f& p, const Vec2<float>& u) const {
@@ -91,10 +108,9 @@ SeenPoint MeshShape::sample_from(const Vec3f& p, const Vec2<float>& u) const {
   }
   const std::optional<LightTree::Choice> chosen = by_importance_->choose(p, u.x);
   if (!chosen) return {sample(u), positions_[0] - p, 0};
-  const Triangle& t = triangles_[chosen->light];
   SeenPoint seen;
-  if (const auto close = close_triangle(t, p)) {
-    const Vec3f n = normal_of(t);
+  if (const auto close = close_triangle(chosen->light, p)) {
+    const Vec3f& n = planes_[chosen->light].normal;
     seen.offset = close_sample<float>(*close, n, {chosen->u, u.y}).offset;
     seen.at = {p + seen.offset, n, {}, chosen->light};
     seen.at.uv = uv_at(seen.at);
@@ -102,13 +118,14 @@ SeenPoint MeshShape::sample_from(const Vec3f& p, const Vec2<float>& u) const {
     seen.at = point_on(chosen->light, {chosen->u, u.y});
     seen.offset = seen.at.p - p;
   }
-  seen.pdf = chosen->probability * pdf_on(t, p, seen.offset);
+  seen.pdf = chosen->probability * pdf_on(chosen->light, p, seen.offset);
   return seen;
 }
 
 float MeshShape::pdf_from(const Vec3f& p, const LightPoint<float>& at) const {
   if (!is_close<float>(p, center_, half_extent2_)) return area_to_solid_angle<float>(1 / area_, p, at);
-  return by_importance_->probability(p, at.triangle) * pdf_on(triangles_[at.triangle], p, at.p - p);
+  const std::uint32_t triangle = triangle_at(at);
+  return by_importance_->probability(p, triangle) * pdf_on(triangle, p, at.p - p);
 }
 
 }  // namespace photonproof

@@ -16,6 +16,7 @@ struct DiskLight {
   Vec3<F> normal;
   F area;
   Vec3<F> radiance;  ///< W m^-2 sr^-1
+  Vec3<F> on;        ///< a point of its plane, as of a quad
 
   LightSample<F> sample(const Vec3<F>& p, const Vec2<F>& u) const {
     const Vec3<F> p_light = point(u);
@@ -36,8 +37,10 @@ struct DiskLight {
   Mask<F> is_close_to(const Vec3<F>& p) const { return is_close(p, center, most_half_extent2()); }
   /// The longest half axis is within the root of the sum of both squares.
   F most_half_extent2() const { return dot(half_axis_u, half_axis_u) + dot(half_axis_v, half_axis_v); }
-  Mask<F> is_in_front(const Vec3<F>& p) const { return dot(p - center, normal) > 0; }
-  CloseEllipse<F> shape_from(const Vec3<F>& p) const { return {Vec3<F>(p - center), half_axis_u, half_axis_v, normal}; }
+  F height(const Vec3<F>& p) const { return dot(p - on, normal); }
+  CloseEllipse<F> shape_from(const Vec3<F>& p) const {
+    return {Vec3<F>(p - center), height(p), half_axis_u, half_axis_v, normal};
+  }
   Emission<F> emit(const Vec2<F>& u_position, const Vec2<F>& u_direction) const {
     return {{point(u_position), normal}, Frame<F>(normal).to_world(square_to_cosine_hemisphere(u_direction)), flux()};
   }

@@ -10,6 +10,8 @@
 // for otherwise those near p would be drawn at grazing angles although the lamp does not come near.
 #pragma once
 
+#include <array>
+
 #include "renderer/lanes/lane_trig.h"
 #include "renderer/lights/light_sample.h"
 
@@ -103,25 +105,25 @@ void choose_close(LightSample<F>& s, const Mask<F>& close, const Vec3<F>& p, con
   s.pdf = select(close, c.pdf, s.pdf);
 }
 
-/// Of lamps with is_close_to(p), is_in_front(p) and shape_from(p). Few packs have close lanes: the code is out of the
+/// Of lamps with is_close_to(p), height(p) and shape_from(p). Few packs have close lanes: the code is out of the
 /// way of the others. Behind the lamp, on a ceiling around it say, densities are 0 whichever way they are found.
 template <class F, class Lamp>
 [[gnu::noinline]] void sample_close(const Lamp& lamp, const Vec3<F>& p, const Vec2<F>& u, LightSample<F>& s) {
-  const Mask<F> close = lamp.is_close_to(p) && lamp.is_in_front(p);
+  const Mask<F> close = lamp.is_close_to(p) && lamp.height(p) > 0;
   if (any(close)) choose_close(s, close, p, close_sample<F>(lamp.shape_from(p), lamp.normal, u));
 }
 template <class F, class Lamp>
 [[gnu::noinline]] void pdf_close(const Lamp& lamp, const Vec3<F>& p, const Vec3<F>& p_light, F& pdf) {
-  const Mask<F> close = lamp.is_close_to(p) && lamp.is_in_front(p);
+  const Mask<F> close = lamp.is_close_to(p) && lamp.height(p) > 0;
   if (any(close)) pdf = select(close, close_pdf<F>(lamp.shape_from(p), Vec3<F>(p_light - p)), pdf);
 }
 
-/// Axes with `along` on an edge, and where p is, given from their origin.
+/// Axes with `along` on an edge, and where p is, given from their origin and above the plane.
 template <class F>
-FlatFrame<F> flat_frame(const Vec3<F>& from_origin, const Vec3<F>& edge, const Vec3<F>& other, const Vec3<F>& normal) {
+FlatFrame<F> flat_frame(const Vec3<F>& from_origin, const F& height, const Vec3<F>& edge, const Vec3<F>& other) {
   const Vec3<F> along = normalize(edge);
   const Vec3<F> up = normalize(Vec3<F>(other - along * dot(other, along)));
-  return {along, up, dot(from_origin, normal), dot(from_origin, along), dot(from_origin, up)};
+  return {along, up, height, dot(from_origin, along), dot(from_origin, up)};
 }
 
 template <class F>
@@ -131,14 +133,15 @@ struct CloseParallelogram {
   F length, shear;  ///< of the chords; how far they move along for each unit of height
 
   /// `from_corner`: p from the corner.
-  CloseParallelogram(const Vec3<F>& from_corner, const Vec3<F>& edge_u, const Vec3<F>& edge_v, const Vec3<F>& normal) {
+  CloseParallelogram(const Vec3<F>& from_corner, const F& height, const Vec3<F>& edge_u, const Vec3<F>& edge_v,
+                     const Vec3<F>& normal) {
     // How far p is beside the strip between two opposite edges; twice the area cancels.
     const Vec3<F> across_u = cross(normal, edge_u), across_v = cross(edge_v, normal);
     const F beside_u = beside(F(dot(from_corner, across_u)), F(dot(edge_v, across_u))) / photonproof::length(edge_u);
     const F beside_v = beside(F(dot(from_corner, across_v)), F(dot(edge_u, across_v))) / photonproof::length(edge_v);
     const Mask<F> swap = beside_v > beside_u;
     const Vec3<F> edge = select(swap, edge_v, edge_u), other = select(swap, edge_u, edge_v);
-    frame = flat_frame(from_corner, edge, other, normal);
+    frame = flat_frame(from_corner, height, edge, other);
     const F width = dot(other, frame.up);
     length = dot(edge, frame.along);
     shear = dot(other, frame.along) / width;
@@ -165,7 +168,7 @@ struct CloseEllipse {
   F half, reach, shear;  ///< of the longest chord; of the heights; as above
 
   /// `from_center`: p from the centre. Any half axes that are conjugate do: the second is turned towards p.
-  CloseEllipse(const Vec3<F>& from_center, const Vec3<F>& half_axis_u, const Vec3<F>& half_axis_v,
+  CloseEllipse(const Vec3<F>& from_center, const F& height, const Vec3<F>& half_axis_u, const Vec3<F>& half_axis_v,
                const Vec3<F>& normal) {
     const F twice = dot(cross(half_axis_u, half_axis_v), normal);
     const F a = dot(cross(from_center, half_axis_v), normal) / twice;
@@ -175,7 +178,7 @@ struct CloseEllipse {
     const F c = select(beside, b / select(beside, r, F(1.0f)), F(1.0f));
     const F s = select(beside, a / select(beside, r, F(1.0f)), F(0.0f));
     const Vec3<F> towards = half_axis_u * s + half_axis_v * c, across = half_axis_u * c - half_axis_v * s;
-    frame = flat_frame(from_center, across, towards, normal);
+    frame = flat_frame(from_center, height, across, towards);
     half = dot(across, frame.along);
     reach = dot(towards, frame.up);
     shear = dot(towards, frame.along) / reach;
@@ -196,7 +199,7 @@ struct CloseTriangle {
   float y_low, y_high;
   float length, apex;  ///< of the longest chord, at y_low; the apex from its start
 
-  CloseTriangle(const Vec3f& p, const Vec3f& a, const Vec3f& b, const Vec3f& c, const Vec3f& normal);
+  CloseTriangle(const Vec3f& p, float height, const std::array<Vec3d, 3>& corner);
   Chord<float> chord(float y) const {
     const float t = (y - y_low) / (y_high - y_low);
     const float low = apex * t - frame.x;

@@ -16,6 +16,7 @@ struct QuadLight {
   Vec3<F> corner, edge_u, edge_v, normal;
   F area;
   Vec3<F> radiance;  ///< W m^-2 sr^-1
+  Vec3<F> on;        ///< a point of its plane: the corner, or one near what is looked at where that is far off
 
   LightSample<F> sample(const Vec3<F>& p, const Vec2<F>& u) const {
     const Vec3<F> p_light = point(has_fault(Fault::part_of_lamp) ? Vec2<F>{F(u.x * 0.9f), u.y} : u);
@@ -40,8 +41,10 @@ struct QuadLight {
   }
   /// No diagonal's half is longer than the root of this (the parallelogram law).
   F most_half_extent2() const { return 0.5f * (dot(edge_u, edge_u) + dot(edge_v, edge_v)); }
-  Mask<F> is_in_front(const Vec3<F>& p) const { return dot(p - corner, normal) > 0; }
-  CloseParallelogram<F> shape_from(const Vec3<F>& p) const { return {Vec3<F>(p - corner), edge_u, edge_v, normal}; }
+  F height(const Vec3<F>& p) const { return dot(p - on, normal); }
+  CloseParallelogram<F> shape_from(const Vec3<F>& p) const {
+    return {Vec3<F>(p - corner), height(p), edge_u, edge_v, normal};
+  }
   Emission<F> emit(const Vec2<F>& u_position, const Vec2<F>& u_direction) const {
     return {{point(u_position), normal}, Frame<F>(normal).to_world(square_to_cosine_hemisphere(u_direction)), flux()};
   }

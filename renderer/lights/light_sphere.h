@@ -60,7 +60,7 @@ struct SphereLight {
   /// the wall start a little off it, and must be weighed as the wall is.
   Mask<F> is_within(const Vec3<F>& p) const {
     const Vec3<F> d = p - center;
-    return side < 0 && dot(d, d) < 0.9999f * radius * radius;
+    return side < 0 && dot(d, d) < (1 - 4e-6f) * radius * radius;
   }
   F cone_one_minus_cos(const Vec3<F>& p) const {
     const Vec3<F> d = p - center;

@@ -7,17 +7,20 @@
 namespace photonproof {
 
 template <class F>
-void fill_block(RayBlock& block, const Vec3<F>& origin, const Vec3<F>& direction, const Mask<F>& active) {
+void fill_block(RayBlock& block, const Vec3<F>& origin, const Vec3<F>& direction, const UInt<F>& lamp,
+                const Mask<F>& active) {
   store_from(origin.x, block.origin_x);
   store_from(origin.y, block.origin_y);
   store_from(origin.z, block.origin_z);
   store_from(direction.x, block.direction_x);
   store_from(direction.y, block.direction_y);
   store_from(direction.z, block.direction_z);
+  store_from(lamp, block.lamp);
   block.active = to_bits(active);
 }
 
-/// Closest hits of the active lanes; directions are unit. `coherent`: neighbours in the pack go the same way.
+/// Closest hits of the active lanes; directions are unit. `from`: as small_scene.h has it, with a tracer the lamp that
+/// they leave (ray.h). `coherent`: neighbours in the pack go the same way.
 template <class F>
 SurfaceHit<F> closest_hit(const RayScene& scene, const Vec3<F>& origin, const Vec3<F>& direction, const UInt<F>& from,
                           const Mask<F>& active, bool coherent) {
@@ -32,7 +35,7 @@ SurfaceHit<F> closest_hit(const RayScene& scene, const Vec3<F>& origin, const Ve
     rays = {};
     hits = {};
   }
-  fill_block(rays, origin, direction, active);
+  fill_block(rays, origin, direction, from, active);
   scene.tracer->intersect(rays, hits, coherent);
   SurfaceHit<F> hit;
   load_into(hit.p.x, hits.p_x);
@@ -55,7 +58,8 @@ Mask<F> occluded(const RayScene& scene, const Vec3<F>& origin, const Vec3<F>& se
   if (scene.small) return active && occluded_small(scene.primitives, origin, segment, from, target);
   RayBlock rays;
   if constexpr (lane_count < F >> 1) rays = {};
-  fill_block(rays, origin, segment, active);
+  const Mask<F> to_lamp = as_mask<F>(UInt<F>(target - lamp_face) < UInt<F>(lamp_at_end));
+  fill_block(rays, origin, segment, UInt<F>(select(to_lamp, target | lamp_at_end, from)), active);
   std::uint32_t blocked[RayBlock::width];
   scene.tracer->occluded(rays, blocked);
   UInt<F> words;

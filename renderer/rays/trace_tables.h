@@ -9,14 +9,15 @@
 
 namespace photonproof {
 
-/// Shapes of one kind, each with the index of its surface.
+/// Shapes of one kind, each with the index of its surface and, where it is a lamp's face, that as rays name it (ray.h).
 template <class Shape>
 struct ShapeTable {
   std::vector<const Shape*> shapes;
-  std::vector<std::uint32_t> surface;
-  void add(const Shape& shape, std::uint32_t index) {
+  std::vector<std::uint32_t> surface, lamp;
+  void add(const Shape& shape, std::uint32_t index, std::uint32_t face = no_index) {
     shapes.push_back(&shape);
     surface.push_back(index);
+    lamp.push_back(face);
   }
 };
 

@@ -33,7 +33,7 @@ std::vector<Surface> box(const Vec3f& center) {
 Hit intersect(const Tracer& tracer, const Vec3f& origin, const Vec3f& direction) {
   RayBlock rays{};
   HitBlock hits;
-  fill_block<float>(rays, origin, direction, true);
+  fill_block<float>(rays, origin, direction, no_index, true);
   tracer.intersect(rays, hits, false);
   if (hits.surface[0] == no_index) return {};
   return {
@@ -43,7 +43,7 @@ Hit intersect(const Tracer& tracer, const Vec3f& origin, const Vec3f& direction)
 bool occluded(const Tracer& tracer, const Vec3f& origin, const Vec3f& segment) {
   RayBlock rays{};
   std::uint32_t blocked[RayBlock::width];
-  fill_block<float>(rays, origin, segment, true);
+  fill_block<float>(rays, origin, segment, no_index, true);
   tracer.occluded(rays, blocked);
   return blocked[0] == 1;
 }

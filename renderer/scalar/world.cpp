@@ -22,13 +22,6 @@ Vec3f moved_off(const SegmentEnd& end, const Vec3f& direction, float coordinate_
   return end.normal == Vec3f(0.0f) ? end.p : offset_from(end.p, end.normal, direction, coordinate_floor);
 }
 
-/// Whether a segment that arrives along `direction` comes to a convex body from its inside, having crossed it before.
-bool arrives_from_inside(const Scene& scene, const SegmentEnd& end, const Vec3f& direction) {
-  if (end.surface == no_index) return false;
-  const auto* sphere = std::get_if<Sphere>(&scene.surfaces[end.surface].geometry);
-  return sphere != nullptr && dot(Vec3d(end.p) - sphere->center, Vec3d(direction)) > 0;
-}
-
 }  // namespace
 
 World::World(const Scene& scene)
@@ -84,14 +77,9 @@ bool World::visible(const SegmentEnd& from, const SegmentEnd& to) const {
   const SceneView& scene = view();
   const Vec3f along = to.p - from.p;
   const Vec3f origin = moved_off(from, along, scene.coordinate_floor);
-  if (!scene.small)
-    return !occluded<float>(scene, origin, moved_off(to, -along, scene.coordinate_floor) - origin, no_index, no_index,
-                            true);
-  // What a segment ends on is no obstacle, unless it is a body that the segment crosses before.
-  if (to.primitive == no_index || (to.primitive != from.primitive && arrives_from_inside(scene_, to, along)))
-    return !occluded<float>(scene, origin, moved_off(to, -along, scene.coordinate_floor) - origin, from.primitive,
-                            no_index, true);
-  return !occluded<float>(scene, origin, to.p - origin, from.primitive, to.primitive, true);
+  const bool is_named = scene.small && to.primitive != no_index;
+  const Vec3f end = is_named ? to.p : moved_off(to, -along, scene.coordinate_floor);
+  return !occluded<float>(scene, origin, end - origin, from.primitive, to.primitive, true);
 }
 
 Ray World::leave(const SegmentEnd& at, const Vec3f& direction) const {

@@ -15,11 +15,7 @@ SegmentEnd WorldLights::end(std::uint32_t light, const LightPoint<float>& at) co
           lights_.is_infinite(light)};
 }
 
-SegmentEnd WorldLights::end(const LightStart& start) const {
-  SegmentEnd from = end(start.light, start.at);
-  if (std::holds_alternative<AreaLight>(lights_.light(start.light))) from.primitive = no_index;
-  return from;
-}
+SegmentEnd WorldLights::end(const LightStart& start) const { return end(start.light, start.at); }
 
 LightPoint<float> WorldLights::point(const Interaction& met) const {
   const std::uint32_t first = world_.view().small ? world_.view().light_words[met.light].primitive : 0;

@@ -15,7 +15,6 @@ class WorldLights {
   /// A light's point, as the end of a segment.
   SegmentEnd end(std::uint32_t light, const LightPoint<float>& at) const;
   SegmentEnd end(const LightSeen& seen) const { return end(seen.light, seen.at); }
-  /// From area lights paths go by their offset alone.
   SegmentEnd end(const LightStart& start) const;
   /// A light's point that a ray met.
   LightPoint<float> point(const Interaction& met) const;

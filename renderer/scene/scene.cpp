@@ -34,9 +34,10 @@ std::vector<SurfaceWords> words_of_surfaces(const SceneParts& parts) {
 /// `small`: null where there is none.
 std::vector<LightWords> words_of_lights(const SceneParts& parts, const SmallSceneTables* small) {
   std::vector<LightWords> words = light_table(parts.lights);
+  const std::vector<std::uint32_t> faces = lamp_faces(parts.surfaces);
   for (std::uint32_t i = 0; i < parts.surfaces.size(); ++i)
     if (const std::uint32_t light = parts.surfaces[i].light; light != no_index)
-      words[light].primitive = small != nullptr ? small->first_primitive(i) : no_index;
+      words[light].primitive = small != nullptr ? small->first_primitive(i) : lamp_face | faces[i];
   return words;
 }
 

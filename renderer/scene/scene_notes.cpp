@@ -183,8 +183,9 @@ void add_place_notes(const SceneDescription& description, Notes& notes) {
                                           short_number(place * double_step) + " apart");
   for (const ShapeDescription& shape : description.shapes) {
     const auto* ball = std::get_if<SphereDescription>(&shape.geometry);
-    if (ball == nullptr || !shape.radiance) continue;
-    const double radius = ball->radius * shape.to_world.similarity_scale();
+    const auto* pillar = std::get_if<CylinderDescription>(&shape.geometry);
+    if ((ball == nullptr && pillar == nullptr) || !shape.radiance) continue;
+    const double radius = (ball != nullptr ? ball->radius : pillar->radius) * shape.to_world.similarity_scale();
     if (radius * float_step > part_of_a_lamp * focus->size)
       notes.add(shape.loc, "the lamp has a radius of " + short_number(radius) +
                                ", and its points are known to single precision, " + short_number(radius * float_step) +

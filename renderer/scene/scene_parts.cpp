@@ -28,7 +28,7 @@ std::vector<Light> surface_lights(const SceneDescription& description, const Vec
     Surface& surface = shapes.surfaces[i];
     surface.light = static_cast<std::uint32_t>(lights.size());
     const Transform to_world = Transform::translate(moved) * shape.to_world;
-    lights.push_back(compile_surface_light(surface.geometry, shape, to_world, texture, description.where(shape.loc)));
+    lights.push_back(compile_surface_light(surface, shape, to_world, texture, description.where(shape.loc)));
   }
   return lights;
 }

@@ -18,6 +18,15 @@ template <class F>
 struct AimCone {
   Vec3<F> axis;     ///< unit
   F one_minus_cos;  ///< of the half-angle; 2, every direction, from within the ball
+
+  /// Of a unit direction; one that was drawn in it is, whatever rounding made of it. By the chord, since cosines near 1
+  /// tell no angles below 3e-4: |a - b|^2 = 2 (1 - cos).
+  Mask<F> holds(const Vec3<F>& direction) const {
+    constexpr float rounding = 4e-7f;
+    const Vec3<F> apart = direction - axis;
+    const F reach = lane_sqrt(F(2 * one_minus_cos)) + rounding;
+    return dot(apart, apart) <= reach * reach;
+  }
 };
 
 template <class F>

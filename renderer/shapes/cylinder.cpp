@@ -48,11 +48,14 @@ double hit_distance(const Cylinder& cylinder, const ShapeRay& ray) {
   const double root = std::sqrt(discriminant / a);
   const double largest = radius + largest_coordinate(cylinder.base) + cylinder.length;
   const double nearest_t = std::max(ray.t_near, grain_of_ray(ray, largest));
-  for (const double t : {middle - root, middle + root}) {
+  const auto meets = [&](double t) {
     const double height = along + t * climb;
-    if (t >= nearest_t && t <= ray.t_far && height >= 0 && height <= cylinder.length) return t;
-  }
-  return shape_missed;
+    return t >= nearest_t && t <= ray.t_far && height >= 0 && height <= cylinder.length;
+  };
+  const double near = middle - root, far = ray.on_lamp == OnLamp::starts ? 2 * middle : middle + root;
+  if (ray.on_lamp != OnLamp::starts && meets(near))
+    return ray.on_lamp == OnLamp::ends && middle > ray.t_far ? shape_missed : near;
+  return ray.on_lamp != OnLamp::ends && meets(far) ? far : shape_missed;
 }
 
 ShapePoint point_on(const Cylinder& cylinder, const Vec3d& near) {

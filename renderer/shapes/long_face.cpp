@@ -4,15 +4,27 @@
 
 namespace photonproof {
 
-double hit_distance(const LongFace& face, const ShapeRay& ray) {
-  const double t = (face.offset - dot(face.normal, ray.origin)) / dot(face.normal, ray.direction);
-  if (!(t > 0 && t >= ray.t_near && t <= ray.t_far)) return shape_missed;
-  const Vec3d q = ray.origin + ray.direction * t - face.corner, n = cross(face.edge_u, face.edge_v);
+const LongFace* find_long_face(const LongFaces& faces, std::size_t primitive) {
+  if (faces == nullptr) return nullptr;
+  const auto found = std::lower_bound(faces->begin(), faces->end(), primitive,
+                                      [](const LongFace& face, std::size_t p) { return face.primitive < p; });
+  return found != faces->end() && found->primitive == primitive ? &*found : nullptr;
+}
+
+bool holds(const LongFace& face, const Vec3d& p, double margin) {
+  const Vec3d q = p - face.corner, n = cross(face.edge_u, face.edge_v);
   // By volumes rather than in_basis, whose determinant cancels where the edges are nearly parallel.
   const double nn = dot(n, n), u = dot(n, cross(q, face.edge_v)) / nn, v = dot(n, cross(face.edge_u, q)) / nn;
-  constexpr double low = -1e-12, high = 1 - low;  // so that nothing slips between two faces that share an edge
-  const bool inside = u >= low && v >= low && (face.is_triangle ? u + v <= high : u <= high && v <= high);
-  return inside ? t : shape_missed;
+  const double low = -margin, high = 1 + margin;
+  return u >= low && v >= low && (face.is_triangle ? u + v <= high : u <= high && v <= high);
+}
+
+double hit_distance(const LongFace& face, const ShapeRay& ray) {
+  if (ray.on_lamp != OnLamp::no) return shape_missed;
+  const double t = (face.offset - dot(face.normal, ray.origin)) / dot(face.normal, ray.direction);
+  if (!(t > 0 && t >= ray.t_near && t <= ray.t_far)) return shape_missed;
+  constexpr double margin = 1e-12;  // so that nothing slips between two faces that share an edge
+  return holds(face, ray.origin + ray.direction * t, margin) ? t : shape_missed;
 }
 
 ShapePoint point_on(const LongFace& face, const Vec3d& near) {

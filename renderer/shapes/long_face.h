@@ -1,6 +1,9 @@
 // Faces too long for Embree.
 #pragma once
 
+#include <memory>
+#include <vector>
+
 #include "renderer/shapes/shape.h"
 
 namespace photonproof {
@@ -14,6 +17,13 @@ struct LongFace {
   bool is_triangle = false;
   std::uint32_t primitive = 0;  ///< the triangle of a mesh
 };
+
+/// Of a mesh, by primitive.
+using LongFaces = std::shared_ptr<const std::vector<LongFace>>;
+/// Null where that primitive is none, or there are none.
+const LongFace* find_long_face(const LongFaces& faces, std::size_t primitive);
+/// Whether a point of its plane is within its edges, up to this part of their length.
+bool holds(const LongFace& face, const Vec3d& p, double margin);
 
 double hit_distance(const LongFace& face, const ShapeRay& ray);
 ShapePoint point_on(const LongFace& face, const Vec3d& near);

@@ -1,7 +1,7 @@
 // What the kinds of shapes are asked. Each is a struct in a header of its own, which surface.h lists, with
 //   hit_distance(shape, ray)      where a ray meets it: the smallest t in [t_near, t_far], or a negative value. A ray
 //                                 that starts on a curved shape as far as single precision can tell does not meet it
-//                                 there
+//                                 there, nor one that is said to start or to end on the shape
 //   point_on(shape, near)         its point nearest to `near`, which is close to it
 //   box_around(shape)             a box that holds it; of an infinite shape an empty one
 //   local_geometry(shape, frame, p, normal)   at its point p; `frame` maps its own space, where it is of unit size, to
@@ -34,9 +34,14 @@ struct ShapePlace;
 template <class Shape>
 struct PlacedShape;
 
+/// What is known of a ray, whatever single precision makes of its ends: that the shape it is asked of is the lamp that
+/// it leaves, or the lamp where it ends at t = 1, on the front.
+enum class OnLamp { no, starts, ends };
+
 struct ShapeRay {
   Vec3d origin, direction;  ///< direction of any length
   double t_near = 0, t_far = 0;
+  OnLamp on_lamp = OnLamp::no;
 };
 
 /// What hit_distance says of a ray that does not meet the shape.

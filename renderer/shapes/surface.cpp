@@ -1,6 +1,7 @@
 #include "renderer/shapes/surface.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace photonproof {
 
@@ -22,11 +23,17 @@ const Mesh* mesh_of(const Geometry& geometry) {
   return std::get_if<Mesh>(&geometry);
 }
 
-const LongFace* Surface::long_face(std::size_t primitive) const {
-  if (long_faces == nullptr) return nullptr;
-  const auto found = std::lower_bound(long_faces->begin(), long_faces->end(), primitive,
-                                      [](const LongFace& face, std::size_t p) { return face.primitive < p; });
-  return found != long_faces->end() && found->primitive == primitive ? &*found : nullptr;
+std::vector<std::uint32_t> lamp_faces(const std::vector<Surface>& surfaces) {
+  std::vector<std::uint32_t> first(surfaces.size(), no_index);
+  std::size_t faces = 0;
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    if (surfaces[i].light == no_index) continue;
+    first[i] = static_cast<std::uint32_t>(faces);
+    const Mesh* mesh = mesh_of(surfaces[i].geometry);
+    faces += mesh != nullptr ? mesh->triangle_count() : 1;
+  }
+  if (faces >= lamp_at_end) throw std::length_error("the lamps have more than 2^30 faces");
+  return first;
 }
 
 }  // namespace photonproof

@@ -55,13 +55,17 @@ const Mesh* mesh_of(const Geometry& geometry);
 struct Surface {
   Geometry geometry;
   std::uint32_t bsdf = 0;
-  std::uint32_t light = no_index;                                ///< index into Scene::lights where it emits
-  std::uint32_t interior = no_index, exterior = no_index;        ///< media, by the description's indices
-  std::uint32_t uv_frame = no_index;                             ///< index into the detail's frames; a mesh has none
-  std::shared_ptr<const std::vector<LongFace>> long_faces = {};  ///< by primitive; null where there are none
+  std::uint32_t light = no_index;                          ///< index into Scene::lights where it emits
+  std::uint32_t interior = no_index, exterior = no_index;  ///< media, by the description's indices
+  std::uint32_t uv_frame = no_index;                       ///< index into the detail's frames; a mesh has none
+  LongFaces long_faces = {};                               ///< null where there are none
 
   /// Null where that primitive is none.
-  const LongFace* long_face(std::size_t primitive) const;
+  const LongFace* long_face(std::size_t primitive) const { return find_long_face(long_faces, primitive); }
 };
+
+/// Of each surface the number of its first face among those of all lamps, which are the triangles of meshes and other
+/// shapes as a whole; no_index where it does not emit.
+std::vector<std::uint32_t> lamp_faces(const std::vector<Surface>& surfaces);
 
 }  // namespace photonproof

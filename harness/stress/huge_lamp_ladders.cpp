@@ -1,0 +1,111 @@
+// Lamps of 10^k whose nearest point is 12 above the floor, which alone is seen: its irradiance is known whatever their
+// size. Flat ones are tilted, since what lies along the axes is spared most roundings.
+#include <cmath>
+#include <numbers>
+
+#include "harness/stress/ladder_rows.h"
+#include "harness/stress/stage.h"
+
+namespace photonproof {
+namespace {
+
+constexpr double above_floor = 12, lamp_tilt = 30, floor_albedo = 0.5;
+/// So many radii long a cylinder is endless, to 1e-4 of its light.
+constexpr double long_for_its_radius = 200;
+
+struct HugeLamp {
+  const char *shape, *climb;
+  std::vector<double> heights;
+  std::function<void(SceneDescription&, double size)> add;
+  /// Irradiance of the floor over pi times the radiance.
+  std::function<double(double size)> share;
+};
+
+ShapeDescription& add_lamp(SceneDescription& scene, const Geometry& geometry, const Transform& to_world) {
+  ShapeDescription& lamp = add_shape(scene, geometry, to_world, add_bsdf(scene, DiffuseDescription{RgbD(0.0)}));
+  lamp.radiance = RgbD(1.0);
+  return lamp;
+}
+
+/// Around the lamp's middle.
+Transform tilted() { return Transform::translate({0, above_floor, 0}) * Transform::rotate({0, 0, 1}, lamp_tilt); }
+
+/// An endless plane that is tilted by t takes (1 + cos t)/2 of the sky's light.
+double share_of_plane(double) { return (1 + std::cos(lamp_tilt * std::numbers::pi / 180)) / 2; }
+double all_around(double) { return 1; }
+
+Geometry along_the_floor(double radius, double middle) {
+  const double half = long_for_its_radius / 2 * radius;
+  return CylinderDescription{{-half, middle, 0}, {half, middle, 0}, radius};
+}
+
+std::vector<HugeLamp> huge_lamps(const std::filesystem::path& assets) {
+  const std::vector<double> round{2, 3, 4, 5, 6, 7, 8, 9, 11}, flat{4, 5, 6, 7, 8, 9, 11};
+  const auto plate = [=](const char* shape, const Geometry& geometry) {
+    return HugeLamp{shape, "huge and tilted", flat,
+                    [=](SceneDescription& s, double size) { add_lamp(s, geometry, tilted() * hanging({}, size)); },
+                    share_of_plane};
+  };
+  const MeshDescription square =
+      mesh_file(assets, "square", mesh_of({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}));
+  return {plate("rectangle", RectangleDescription{}),
+          plate("disk", DiskDescription{}),
+          plate("mesh", square),
+          {"cube", "huge and tilted", flat,
+           [](SceneDescription& s, double size) {
+             add_lamp(s, CubeDescription{}, tilted() * hanging({0, size, 0}, size));
+           },
+           share_of_plane},
+          {"sphere", "huge, over a floor", round,
+           [](SceneDescription& s, double size) {
+             add_lamp(s, SphereDescription{}, standing({0, size + above_floor, 0}, size));
+           },
+           [](double size) { return std::pow(size / (size + above_floor), 2); }},
+          {"sphere", "huge, around a floor", round,
+           [](SceneDescription& s, double size) {
+             add_lamp(s, SphereDescription{}, standing({0, above_floor - size, 0}, size)).flip_normals = true;
+           },
+           all_around},
+          {"cylinder", "huge, over a floor", round,
+           [](SceneDescription& s, double size) { add_lamp(s, along_the_floor(size, size + above_floor), {}); },
+           [](double size) { return size / (size + above_floor); }},
+          {"cylinder", "huge, around a floor", round,
+           [](SceneDescription& s, double size) {
+             add_lamp(s, along_the_floor(size, above_floor - size), {}).flip_normals = true;
+           },
+           all_around}};
+}
+
+/// In a corner, next to nothing in size, but no scene with it is small enough for a list.
+void add_what_asks_for_a_hierarchy(SceneDescription& scene) {
+  add_shape(scene, CylinderDescription{{7.9, 0, 7.9}, {7.9, 1e-3, 7.9}, 1e-3}, {}, {0});
+}
+
+}  // namespace
+
+std::vector<Ladder> huge_lamp_ladders(const std::filesystem::path& assets) {
+  std::vector<Ladder> ladders;
+  for (const HugeLamp& lamp : huge_lamps(assets))
+    for (const bool in_hierarchy : {false, true}) {
+      Ladder ladder;
+      ladder.feature = "light " + std::string(lamp.shape);
+      ladder.climb = std::string(lamp.climb) + (in_hierarchy ? ", in a hierarchy" : "");
+      ladder.measure = "a radius or half width of 10^k";
+      ladder.heights = lamp.heights;
+      ladder.wanted = 9;
+      ladder.rung = [=](double k) {
+        SceneDescription scene = stage_floor();
+        lamp.add(scene, std::pow(10.0, k));
+        if (in_hierarchy) add_what_asks_for_a_hierarchy(scene);
+        return StressScene{scene};
+      };
+      ladder.radiance = floor_albedo;
+      ladder.factor = [=](double k) { return lamp.share(std::pow(10.0, k)); };
+      ladder.engines = stress_engines();
+      ladder.engines.emplace_back("whitted");
+      ladders.push_back(std::move(ladder));
+    }
+  return ladders;
+}
+
+}  // namespace photonproof
