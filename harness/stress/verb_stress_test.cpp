@@ -78,6 +78,22 @@ TEST_F(Stress, looks_again_where_noise_hides_what_a_rung_is) {
   EXPECT_EQ(record().ladders[0].right_up_to(), 30);
 }
 
+TEST_F(Stress, lamps_of_every_size_light_a_floor_as_theory_says) {
+  // By paths that ask lamps and meet them, and by lamps alone; in a list of primitives and in a hierarchy. Of balls
+  // single precision knows no more than what is said.
+  const ProcessOutcome outcome = stress({"--engine", "path", "--engine", "whitted", "--only", "mesh, huge and tilted",
+                                         "--only", "light sphere, huge, over", "--only", "light sphere, huge, around"});
+  ASSERT_TRUE(outcome.ok()) << outcome.standard_output;
+  ASSERT_EQ(record().ladders.size(), 12u);
+  for (const StressLadder& ladder : record().ladders) {
+    const bool is_flat = ladder.feature == "light mesh", is_around = ladder.climb.find("around") != std::string::npos;
+    EXPECT_GE(ladder.right_up_to().value_or(0), is_flat     ? 9
+                                                : is_around ? 6
+                                                            : 7)
+        << ladder.climb << ", " << ladder.engine;
+  }
+}
+
 TEST_F(Stress, refuses_what_it_does_not_know_in_one_line) {
   for (const std::vector<std::string>& wrong :
        {std::vector<std::string>{"--engine", "nothing"}, {"--only", "nothing"}, {"--against", "nothing.json"}}) {

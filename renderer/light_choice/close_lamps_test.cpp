@@ -51,8 +51,8 @@ LightShape mesh_square(float s, int cells) {
 }
 
 std::vector<Lamp> lamps() {
-  const auto quad = [](float s) { return QuadShape{{-s, 1, -s}, {2 * s, 0, 0}, {0, 0, 2 * s}, {0, -1, 0}, {0, 1, 0}}; };
-  const auto disk = [](float s) { return DiskShape{{0, 1, 0}, {s, 0, 0}, {0, 0, s}, {0, -1, 0}, {0, 1, 0}}; };
+  const auto quad = [](float s) { return QuadShape{{-s, 1, -s}, {2 * s, 0, 0}, {0, 0, 2 * s}, {0, -1, 0}}; };
+  const auto disk = [](float s) { return DiskShape{{0, 1, 0}, {s, 0, 0}, {0, 0, s}, {0, -1, 0}}; };
   const auto sphere = [](float s) { return SphereShape{{0, 1 + s, 0}, s}; };
   const auto cylinder = [](float s) {
     const float length = 4000 * (1 + s);
@@ -64,13 +64,14 @@ std::vector<Lamp> lamps() {
   return {
       {"quad",
        [=](float s) {
-         return QuadLight<float>{{-s, 1, -s}, {2 * s, 0, 0}, {0, 0, 2 * s}, {0, -1, 0}, 4 * s * s, Rgb(1), {0, 1, 0}};
+         return QuadLight<float>{{-s, 1, -s}, {2 * s, 0, 0}, {0, 0, 2 * s}, {0, -1, 0},
+                                 4 * s * s,   Rgb(1),        told_by_corner};
        },
        share_of_square},
       {"textured quad", [=](float s) { return textured(quad(s)); }, share_of_square},
       {"disk",
        [=](float s) {
-         return DiskLight<float>{{0, 1, 0}, {s, 0, 0}, {0, 0, s}, {0, -1, 0}, pi * s * s, Rgb(1), {0, 1, 0}};
+         return DiskLight<float>{{0, 1, 0}, {s, 0, 0}, {0, 0, s}, {0, -1, 0}, pi * s * s, Rgb(1), told_by_corner};
        },
        share_of_disk},
       {"textured disk", [=](float s) { return textured(disk(s)); }, share_of_disk},

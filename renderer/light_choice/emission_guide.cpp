@@ -19,11 +19,13 @@ struct Viewpoint {
   const AimTarget& ball;
 
   std::optional<Vec3f> operator()(const QuadLight<float>& l) const {
-    const auto from = before_plane(l.corner, l.normal, length(l.edge_u + l.edge_v), length(l.edge_u - l.edge_v));
+    const auto from =
+        before_plane(l.height(ball.center), l.normal, length(l.edge_u + l.edge_v), length(l.edge_u - l.edge_v));
     return from && l.is_close_to(*from) ? from : std::nullopt;
   }
   std::optional<Vec3f> operator()(const DiskLight<float>& l) const {
-    const auto from = before_plane(l.center, l.normal, 2 * length(l.half_axis_u), 2 * length(l.half_axis_v));
+    const auto from =
+        before_plane(l.height(ball.center), l.normal, 2 * length(l.half_axis_u), 2 * length(l.half_axis_v));
     return from && l.is_close_to(*from) ? from : std::nullopt;
   }
   std::optional<Vec3f> operator()(const SphereLight<float>& l) const {
@@ -37,8 +39,7 @@ struct Viewpoint {
   operator()(const L&) const { return std::nullopt; }
 
  private:
-  std::optional<Vec3f> before_plane(const Vec3f& on, const Vec3f& normal, float diagonal, float other) const {
-    const float height = dot(ball.center - on, normal);
+  std::optional<Vec3f> before_plane(float height, const Vec3f& normal, float diagonal, float other) const {
     if (height <= -ball.radius) return std::nullopt;
     const float away = std::max(height, ball.radius);
     if (std::max(diagonal, other) < 2 * huge * away) return std::nullopt;
@@ -53,10 +54,10 @@ struct Viewpoint {
     return center + axis * std::max(radius + side * away, 0.0f);
   }
   std::optional<Vec3f> of_shape(const QuadShape& s) const {
-    return (*this)(QuadLight<float>{s.corner, s.edge_u, s.edge_v, s.normal, s.area(), Rgb(0.0f), s.on});
+    return (*this)(QuadLight<float>{s.corner, s.edge_u, s.edge_v, s.normal, s.area(), Rgb(0.0f), s.offset});
   }
   std::optional<Vec3f> of_shape(const DiskShape& s) const {
-    return (*this)(DiskLight<float>{s.center, s.half_axis_u, s.half_axis_v, s.normal, s.area(), Rgb(0.0f), s.on});
+    return (*this)(DiskLight<float>{s.center, s.half_axis_u, s.half_axis_v, s.normal, s.area(), Rgb(0.0f), s.offset});
   }
   std::optional<Vec3f> of_shape(const SphereShape& s) const {
     return (*this)(SphereLight<float>{s.center, s.radius, s.sign, Rgb(0.0f)});

@@ -49,12 +49,12 @@ struct Named {
 };
 
 std::vector<Named> surface_lights() {
-  return {{"quad", QuadLight<float>{{-1, -1, 1}, {2, 0, 0}, {0, 2, 0}, {0, 0, -1}, 4, Rgb(1), {0, 0, 1}}},
+  return {{"quad", QuadLight<float>{{-1, -1, 1}, {2, 0, 0}, {0, 2, 0}, {0, 0, -1}, 4, Rgb(1), told_by_corner}},
           {"sphere", SphereLight<float>{{0, 0, 1.5f}, 1.2f, 1, Rgb(1)}},
-          {"disk", DiskLight<float>{{0, 0, 1}, {1, 0, 0}, {0, 0.5f, 0}, {0, 0, -1}, pi / 2, Rgb(1), {0, 0, 1}}},
+          {"disk", DiskLight<float>{{0, 0, 1}, {1, 0, 0}, {0, 0.5f, 0}, {0, 0, -1}, pi / 2, Rgb(1), told_by_corner}},
           {"cylinder", AreaLight(cylinder(-1), Rgb(1))},
           {"mesh", AreaLight(tetrahedron(), Rgb(1))},
-          {"textured quad", AreaLight(QuadShape{{-1, -1, 1}, {2, 0, 0}, {0, 2, 0}, {0, 0, -1}, {0, 0, 1}}, stripes)}};
+          {"textured quad", AreaLight(QuadShape{{-1, -1, 1}, {2, 0, 0}, {0, 2, 0}, {0, 0, -1}}, stripes)}};
 }
 
 std::vector<Named> skies() {

@@ -93,10 +93,10 @@ inline void add_flat(std::vector<SurfaceLight>& all, const Vec3d& at, double siz
   const auto quad_seen = [=](const Vec3d& p) { return quad_from(p, corner, u, v, n); };
   const auto disk_seen = [=](const Vec3d& p) { return disk_from(p, center, u, v, n); };
   const Vec3f uf(u), vf(v), nf(n);
-  add("quad", QuadLight<float>{Vec3f(corner), uf, vf, nf, area, Rgb(1), Vec3f(corner)}, quad, quad_seen, false);
-  add("textured quad", AreaLight(QuadShape{Vec3f(corner), uf, vf, nf, Vec3f(corner)}, gaudy), quad, quad_seen, false);
-  add("disk", DiskLight<float>{Vec3f(center), uf, vf, nf, pi * area, Rgb(1), Vec3f(center)}, disk, disk_seen, true);
-  add("textured disk", AreaLight(DiskShape{Vec3f(center), uf, vf, nf, Vec3f(center)}, gaudy), disk, disk_seen, true);
+  add("quad", QuadLight<float>{Vec3f(corner), uf, vf, nf, area, Rgb(1), told_by_corner}, quad, quad_seen, false);
+  add("textured quad", AreaLight(QuadShape{Vec3f(corner), uf, vf, nf}, gaudy), quad, quad_seen, false);
+  add("disk", DiskLight<float>{Vec3f(center), uf, vf, nf, pi * area, Rgb(1), told_by_corner}, disk, disk_seen, true);
+  add("textured disk", AreaLight(DiskShape{Vec3f(center), uf, vf, nf}, gaudy), disk, disk_seen, true);
   // Textured ones share the others' code: almost touching, close and behind are enough.
   for (SurfaceLight& light : all)
     if (light.name.find("textured") == 0) light.places = {light.places[0], light.places[2], light.places[5]};

@@ -22,15 +22,14 @@ std::pair<Vec3f, Vec3f> across(const Vec3f& forward, const Vec3f& right) {
 
 DiskShape disk_shape(const Disk& d) {
   constexpr double far_away = 4096;
-  const Vec3d normal(d.normal), center(d.center);
-  const double offset = dot(normal, center);
+  const Vec3d center(d.center);
+  const double offset = dot(Vec3d(d.normal), center);
   const bool is_far = length(center) > far_away * std::abs(offset);
-  return {d.center, d.axis_x, d.axis_y, d.normal, is_far ? plane_near_origin(normal, offset).on : d.center};
+  return {d.center, d.axis_x, d.axis_y, d.normal, is_far ? static_cast<float>(offset) : told_by_corner};
 }
 
 QuadShape quad_shape(const Quad& q, const LongFace* face) {
-  return {q.corner, q.edge_u, q.edge_v, q.normal,
-          face != nullptr ? plane_near_origin(face->normal, face->offset).on : q.corner};
+  return {q.corner, q.edge_u, q.edge_v, q.normal, face != nullptr ? static_cast<float>(face->offset) : told_by_corner};
 }
 
 /// From the surface as rays meet it, and what that does not keep of the shape.
@@ -67,14 +66,14 @@ Light plain_light(const LightShaper& shaper, const Rgb& radiance) {
       Overloaded{
           [&](const Quad& q) -> Light {
             const QuadShape shape = quad_shape(q, shaper.surface.long_face(0));
-            return QuadLight<float>{q.corner, q.edge_u, q.edge_v, q.normal, q.area, radiance, shape.on};
+            return QuadLight<float>{q.corner, q.edge_u, q.edge_v, q.normal, q.area, radiance, shape.offset};
           },
           [&](const Sphere& s) -> Light {
             return SphereLight<float>{Vec3f(s.center), static_cast<float>(s.radius), s.inward ? -1.0f : 1.0f, radiance};
           },
           [&](const Disk& d) -> Light {
             const DiskShape shape = disk_shape(d);
-            return DiskLight<float>{d.center, d.axis_x, d.axis_y, d.normal, shape.area(), radiance, shape.on};
+            return DiskLight<float>{d.center, d.axis_x, d.axis_y, d.normal, shape.area(), radiance, shape.offset};
           },
           [&](const auto& other) -> Light { return AreaLight(shaper(other), radiance); }},
       shaper.surface.geometry);

@@ -97,8 +97,8 @@ MeshShape::MeshShape(std::vector<Vec3f> positions, std::vector<Triangle> triangl
     const Vec3f &a = positions_[t[0]], &b = positions_[t[1]], &c = positions_[t[2]];
     areas.push_back(0.5 * length(cross(Vec3d(b) - Vec3d(a), Vec3d(c) - Vec3d(a))));
     const LongFace* face = long_face(static_cast<std::uint32_t>(planes_.size()));
-    planes_.push_back(face != nullptr ? plane_near_origin(face->normal, face->offset)
-                                      : FacePlane{face_normal(b - a, c - a) * (flipped ? -1.0f : 1.0f), a});
+    planes_.push_back(face != nullptr ? FacePlane{Vec3f(face->normal), static_cast<float>(face->offset)}
+                                      : FacePlane{face_normal(b - a, c - a) * (flipped ? -1.0f : 1.0f)});
     bounds.push_back(triangle_bounds(a, b, c, planes_.back().normal, static_cast<float>(areas.back())));
   }
   by_area_ = DiscreteDistribution(areas);

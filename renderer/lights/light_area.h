@@ -27,19 +27,16 @@ class LightTree;
 /// Shapes draw points uniformly by area, with their texture coordinates (`sample`), and as seen from p (`sample_from`,
 /// with the density `pdf_from`). Coordinates of a point are found by `uv_at`, where to they shine says `bounds`.
 
-/// A face's plane.
+/// A face's plane, with `offset` as light_near.h has it.
 struct FacePlane {
-  Vec3f normal, on;  ///< `on`: a point of it, near what is looked at where the face goes far beyond
+  Vec3f normal;
+  float offset = told_by_corner;
 };
-/// Of the point nearest to the origin, which is near what is looked at: differences from a corner far away would leave
-/// no digits of a height above the plane.
-inline FacePlane plane_near_origin(const Vec3d& normal, double offset) {
-  return {Vec3f(normal), Vec3f(normal * offset)};
-}
 
-/// corner + u edge_u + v edge_v; uv = (u, v). `on` as of a FacePlane.
+/// corner + u edge_u + v edge_v; uv = (u, v). `offset` as of a FacePlane.
 struct QuadShape {
-  Vec3f corner, edge_u, edge_v, normal, on;
+  Vec3f corner, edge_u, edge_v, normal;
+  float offset = told_by_corner;
   LightPoint<float> sample(const Vec2<float>& u) const { return {corner + edge_u * u.x + edge_v * u.y, normal, u}; }
   SeenPoint sample_from(const Vec3f& p, const Vec2<float>& u) const;
   float pdf_from(const Vec3f& p, const LightPoint<float>& at) const;
@@ -50,7 +47,8 @@ struct QuadShape {
 
 /// center + a half_axis_u + b half_axis_v, a^2 + b^2 <= 1; uv = (radius, angle / 2 pi) as Mitsuba's disk has it.
 struct DiskShape {
-  Vec3f center, half_axis_u, half_axis_v, normal, on;
+  Vec3f center, half_axis_u, half_axis_v, normal;
+  float offset = told_by_corner;
   LightPoint<float> sample(const Vec2<float>& u) const;
   SeenPoint sample_from(const Vec3f& p, const Vec2<float>& u) const;
   float pdf_from(const Vec3f& p, const LightPoint<float>& at) const;

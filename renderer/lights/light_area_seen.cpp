@@ -13,10 +13,10 @@ namespace photonproof {
 namespace {
 
 QuadLight<float> as_light(const QuadShape& s) {
-  return {s.corner, s.edge_u, s.edge_v, s.normal, s.area(), Rgb(0.0f), s.on};
+  return {s.corner, s.edge_u, s.edge_v, s.normal, s.area(), Rgb(0.0f), s.offset};
 }
 DiskLight<float> as_light(const DiskShape& s) {
-  return {s.center, s.half_axis_u, s.half_axis_v, s.normal, s.area(), Rgb(0.0f), s.on};
+  return {s.center, s.half_axis_u, s.half_axis_v, s.normal, s.area(), Rgb(0.0f), s.offset};
 }
 SphereLight<float> as_light(const SphereShape& s) { return {s.center, s.radius, s.sign, Rgb(0.0f)}; }
 
@@ -88,7 +88,7 @@ std::optional<CloseTriangle> MeshShape::close_triangle(std::uint32_t triangle, c
   const Vec3f middle = (a + b + c) * (1.0f / 3);
   const float reach2 = std::max({length_squared(a - middle), length_squared(b - middle), length_squared(c - middle)});
   if (!is_close<float>(p, middle, reach2)) return std::nullopt;
-  const float height = dot(p - planes_[triangle].on, planes_[triangle].normal);
+  const float height = height_above<float>(p, a, planes_[triangle].normal, planes_[triangle].offset);
   if (const LongFace* face = long_face(triangle))
     return CloseTriangle(p, height, {face->corner, face->corner + face->edge_u, face->corner + face->edge_v});
   return CloseTriangle(p, height, {Vec3d(a), Vec3d(b), Vec3d(c)});

@@ -16,7 +16,7 @@ struct DiskLight {
   Vec3<F> normal;
   F area;
   Vec3<F> radiance;  ///< W m^-2 sr^-1
-  Vec3<F> on;        ///< a point of its plane, as of a quad
+  F offset;          ///< normal . x of its points, where the centre is too far off (light_near.h)
 
   LightSample<F> sample(const Vec3<F>& p, const Vec2<F>& u) const {
     const Vec3<F> p_light = point(u);
@@ -37,7 +37,7 @@ struct DiskLight {
   Mask<F> is_close_to(const Vec3<F>& p) const { return is_close(p, center, most_half_extent2()); }
   /// The longest half axis is within the root of the sum of both squares.
   F most_half_extent2() const { return dot(half_axis_u, half_axis_u) + dot(half_axis_v, half_axis_v); }
-  F height(const Vec3<F>& p) const { return dot(p - on, normal); }
+  F height(const Vec3<F>& p) const { return height_above(p, center, normal, offset); }
   CloseEllipse<F> shape_from(const Vec3<F>& p) const {
     return {Vec3<F>(p - center), height(p), half_axis_u, half_axis_v, normal};
   }

@@ -11,6 +11,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 
 #include "renderer/lanes/lane_trig.h"
 #include "renderer/lights/light_sample.h"
@@ -47,6 +48,14 @@ F at_angle(const F& u, const F& angle, const F& low, const F& high, const F& dis
   const F across = low * turn.cos + distance * turn.sin;
   const F x = distance * across / select(along > 0, along, F(1.0f));
   return select(along > 0, lane_min(lane_max(x, low), high), select(across > 0, high, low));
+}
+
+/// A lamp's `offset` where its corner tells heights above its plane.
+inline constexpr float told_by_corner = std::numeric_limits<float>::infinity();
+/// Of p above a plane. Differences from a corner far away leave no digits of it: there the plane's normal . x does.
+template <class F>
+F height_above(const Vec3<F>& p, const Vec3<F>& corner, const Vec3<F>& normal, const F& offset) {
+  return select(offset < told_by_corner, F(dot(p, normal) - offset), dot(p - corner, normal));
 }
 
 /// Where p is over the lamp's plane.

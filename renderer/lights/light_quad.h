@@ -16,7 +16,7 @@ struct QuadLight {
   Vec3<F> corner, edge_u, edge_v, normal;
   F area;
   Vec3<F> radiance;  ///< W m^-2 sr^-1
-  Vec3<F> on;        ///< a point of its plane: the corner, or one near what is looked at where that is far off
+  F offset;          ///< normal . x of its points, where the corner is too far off (light_near.h)
 
   LightSample<F> sample(const Vec3<F>& p, const Vec2<F>& u) const {
     const Vec3<F> p_light = point(has_fault(Fault::part_of_lamp) ? Vec2<F>{F(u.x * 0.9f), u.y} : u);
@@ -41,7 +41,7 @@ struct QuadLight {
   }
   /// No diagonal's half is longer than the root of this (the parallelogram law).
   F most_half_extent2() const { return 0.5f * (dot(edge_u, edge_u) + dot(edge_v, edge_v)); }
-  F height(const Vec3<F>& p) const { return dot(p - on, normal); }
+  F height(const Vec3<F>& p) const { return height_above(p, corner, normal, offset); }
   CloseParallelogram<F> shape_from(const Vec3<F>& p) const {
     return {Vec3<F>(p - corner), height(p), edge_u, edge_v, normal};
   }

@@ -13,7 +13,7 @@ namespace {
 Light square(float half, float height) {
   // Faces down from y = height.
   return QuadLight<float>{{-half, height, -half}, {2 * half, 0, 0}, {0, 0, 2 * half}, {0, -1, 0},
-                          4 * half * half,        Rgb(1),           {0, height, 0}};
+                          4 * half * half,        Rgb(1),           told_by_corner};
 }
 
 /// Irradiance at p with normal n by sampling the light, mean over `samples`.
@@ -112,7 +112,7 @@ TEST(surface_lights, sampled_directions_match_their_density) {
 
 TEST(lights, photons_leave_with_the_lights_flux_and_pattern) {
   // Quad: cosine about its normal; point: uniform. Flux: pi L A = 4 pi, pi L 4 pi R^2, 4 pi I.
-  const Light quad = QuadLight<float>{{-1, -1, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 1}, 4, Rgb(1), {}};
+  const Light quad = QuadLight<float>{{-1, -1, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 1}, 4, Rgb(1), told_by_corner};
   EXPECT_NEAR(flux(quad).x, 4 * pi, 1e-5f);
   EXPECT_NEAR(flux(Light(SphereLight<float>{{0, 0, 0}, 2, 1, Rgb(1)})).x, pi * 16 * pi, 1e-3f);
   EXPECT_NEAR(flux(Light(PointLight<float>{{}, Rgb(3)})).x, 12 * pi, 1e-4f);

@@ -26,7 +26,8 @@ std::vector<Light> many_lights(std::uint64_t seed, int count) {
         lights.emplace_back(PointLight<float>{at, power});
         break;
       case 1:
-        lights.emplace_back(QuadLight<float>{at, frame.s * size, frame.t * size, n, size * size, power, at});
+        lights.emplace_back(
+            QuadLight<float>{at, frame.s * size, frame.t * size, n, size * size, power, told_by_corner});
         break;
       case 2:
         lights.emplace_back(SphereLight<float>{at, size, 1, power});
