@@ -26,9 +26,10 @@ namespace fs = std::filesystem;
 constexpr const char* judging_version = "6";
 constexpr int looks_at = 64, reference_samples = 512;  // a pixel
 /// As many looks at least where noise hides what a rung is, and more of small pictures, of up to so many camera
-/// samples. What is expected is known from half as many as the look has, once that is more.
+/// samples; fewer where a quick climb only tells at which rung what is not right at its end begins. What is expected is
+/// known from half as many as the look has, once that is more.
 constexpr int looks_at_noise = 3;
-constexpr double samples_of_looks = 1e7;
+constexpr double samples_of_looks = 1e7, samples_of_short_looks = 1e6;
 
 /// One ladder and one engine.
 struct Climb {
@@ -62,13 +63,13 @@ class Climber {
     out.engine = climb.engine;
     try {
       if (options_.quick && !ladder.climbs_on) {
-        out.rungs.push_back(rung(climb, quick_height(ladder)));
+        out.rungs.push_back(rung(climb, quick_height(ladder), samples_of_looks));
         if (out.rungs.back().outcome == RungOutcome::right) return out;
         out.rungs.clear();  // where it breaks is further down
       }
       for (const double height : ladder.heights) {
         if (options_.quick && !ladder.climbs_on && height > quick_height(ladder)) break;
-        out.rungs.push_back(rung(climb, height));
+        out.rungs.push_back(rung(climb, height, options_.quick ? samples_of_short_looks : samples_of_looks));
         const RungOutcome outcome = out.rungs.back().outcome;
         if (is_failure(outcome) || (outcome == RungOutcome::refused && !ladder.climbs_on)) break;
       }
@@ -130,43 +131,45 @@ class Climber {
     return out;
   }
 
-  StressRung rung(const Climb& climb, double height) {
+  StressRung rung(const Climb& climb, double height, double most_samples) {
     if (climb.ladder->measured) return measured_rung(*climb.ladder, height);
     const StressScene asked = scene(climb, height);
     const std::string alike =
         climb.ladder->alike ? runner_.identity(climb.ladder->alike(height), {climb.engine, looks_at, 1}) : "";
     const std::string key = content_key({{"judging", judging_version},
                                          {"rung", runner_.identity(asked, {climb.engine, looks_at, 2})},
-                                         {"alike", alike}});
+                                         {"alike", alike},
+                                         {"most_samples", format_number(most_samples)}});
     const fs::path kept = options_.folder / "rungs" / (key + ".json");
     if (fs::exists(kept))
       if (const auto known = rung_from_text(read_file(kept))) return *known;
     const Timer timer;
-    StressRung out = decided(climb, asked, height, key);
+    StressRung out = decided(climb, asked, height, most_samples, key);
     out.seconds = timer.seconds();
     write_file_atomically(kept, rung_text(out));
     return out;
   }
 
   /// Whether looks with four times as many samples each, which halve the noise, can show what decides.
-  static bool noise_can_fall(double would_see, double samples_of_next) {
-    for (; samples_of_next <= samples_of_looks; samples_of_next *= 4)
+  static bool noise_can_fall(double would_see, double samples_of_next, double most_samples) {
+    for (; samples_of_next <= most_samples; samples_of_next *= 4)
       if ((would_see /= 2) <= rung_power) return true;
     return false;
   }
 
-  static bool looks_again(const RungVerdict& verdict, int looks, double samples_of_next) {
+  static bool looks_again(const RungVerdict& verdict, int looks, double samples_of_next, double most_samples) {
     const bool is_wrong = verdict.outcome == RungOutcome::silently_wrong;
     if (!is_wrong && verdict.outcome != RungOutcome::degraded && verdict.outcome != RungOutcome::undecided)
       return false;
     if (looks < 2) return true;
     const double would_see = verdict.would_see.value_or(0);
     return !is_wrong && would_see > rung_power &&
-           (looks < looks_at_noise || noise_can_fall(would_see, samples_of_next));
+           (looks < looks_at_noise || noise_can_fall(would_see, samples_of_next, most_samples));
   }
 
   /// What looks wrong is looked at again with four times the samples and another seed, and what noise hides with more.
-  StressRung decided(const Climb& climb, const StressScene& asked, double height, const std::string& key) {
+  StressRung decided(const Climb& climb, const StressScene& asked, double height, double most_samples,
+                     const std::string& key) {
     StressRung out;
     out.height = height;
     RungEvidence evidence;
@@ -179,7 +182,7 @@ class Climber {
       out.outcome = verdict.outcome;
       out.sentence = verdict.sentence;
       out.would_see = verdict.would_see;
-      if (!evidence.picture || !looks_again(verdict, looks, 4 * samples * pixels)) break;
+      if (!evidence.picture || !looks_again(verdict, looks, 4 * samples * pixels, most_samples)) break;
     }
     if (out.outcome != RungOutcome::right && evidence.picture) keep_pictures(*evidence.picture, expected, key, out);
     return out;
