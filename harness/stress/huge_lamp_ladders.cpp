@@ -76,9 +76,32 @@ std::vector<HugeLamp> huge_lamps(const std::filesystem::path& assets) {
            all_around}};
 }
 
-/// In a corner, next to nothing in size, but no scene with it is small enough for a list.
-void add_what_asks_for_a_hierarchy(SceneDescription& scene) {
-  add_shape(scene, CylinderDescription{{7.9, 0, 7.9}, {7.9, 1e-3, 7.9}, 1e-3}, {}, {0});
+/// What makes rays go another way: something in a corner, next to nothing in size.
+struct Company {
+  const char* name;
+  std::function<void(SceneDescription&)> add;
+  std::vector<std::string> engines;  ///< that it makes a difference to
+};
+
+ShapeDescription& add_in_a_corner(SceneDescription& scene, const Geometry& geometry, const BsdfModel& model) {
+  return add_shape(scene, geometry, Transform::translate({7.9, 1e-3, 7.9}) * Transform::scale(Vec3d(1e-3)),
+                   add_bsdf(scene, model));
+}
+
+std::vector<Company> companies() {
+  std::vector<std::string> all = stress_engines();
+  all.emplace_back("whitted");
+  return {
+      {"", [](SceneDescription&) {}, all},
+      {", in a hierarchy",  // no scene with a cylinder is a list of primitives
+       [](SceneDescription& scene) { add_in_a_corner(scene, CylinderDescription{}, DiffuseDescription{RgbD(0.0)}); },
+       all},
+      {", beside a medium",
+       [](SceneDescription& scene) {
+         scene.media.push_back({{}, "fog", HomogeneousDescription{RgbD(1.0), RgbD(0.0), 1, {}}});
+         add_in_a_corner(scene, SphereDescription{}, NullDescription{}).interior = MediumIndex{0};
+       },
+       {"volpath", "bdpt"}}};
 }
 
 }  // namespace
@@ -86,23 +109,22 @@ void add_what_asks_for_a_hierarchy(SceneDescription& scene) {
 std::vector<Ladder> huge_lamp_ladders(const std::filesystem::path& assets) {
   std::vector<Ladder> ladders;
   for (const HugeLamp& lamp : huge_lamps(assets))
-    for (const bool in_hierarchy : {false, true}) {
+    for (const Company& company : companies()) {
       Ladder ladder;
       ladder.feature = "light " + std::string(lamp.shape);
-      ladder.climb = std::string(lamp.climb) + (in_hierarchy ? ", in a hierarchy" : "");
+      ladder.climb = lamp.climb + std::string(company.name);
       ladder.measure = "a radius or half width of 10^k";
       ladder.heights = lamp.heights;
       ladder.wanted = 9;
       ladder.rung = [=](double k) {
         SceneDescription scene = stage_floor();
         lamp.add(scene, std::pow(10.0, k));
-        if (in_hierarchy) add_what_asks_for_a_hierarchy(scene);
+        company.add(scene);
         return StressScene{scene};
       };
       ladder.radiance = floor_albedo;
       ladder.factor = [=](double k) { return lamp.share(std::pow(10.0, k)); };
-      ladder.engines = stress_engines();
-      ladder.engines.emplace_back("whitted");
+      ladder.engines = company.engines;
       ladders.push_back(std::move(ladder));
     }
   return ladders;

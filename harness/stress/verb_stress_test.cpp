@@ -92,6 +92,9 @@ TEST_F(Stress, lamps_of_every_size_light_a_floor_as_theory_says) {
                                                             : 7)
         << ladder.climb << ", " << ladder.engine;
   }
+  ASSERT_TRUE(stress({"--engine", "volpath", "--only", "light sphere, huge, over a floor, beside a medium"}).ok());
+  ASSERT_EQ(record().ladders.size(), 1u);
+  EXPECT_GE(record().ladders[0].right_up_to().value_or(0), 7);
 }
 
 TEST_F(Stress, refuses_what_it_does_not_know_in_one_line) {

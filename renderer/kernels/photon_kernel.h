@@ -67,7 +67,7 @@ class PhotonKernel : public BatchKernel<PhotonKernel<F>, PhotonState, TransportM
       shine(GeneralLight<F>(*scene_.general_lights, choice.light, lanes), lanes);
     else
       for_each_light_kind<F>(scene_, choice.light, lanes, shine);
-    // A primitive of a small scene; elsewhere a lamp, or none that rays leave by their offset.
+    // A primitive of a small scene; elsewhere the lamp's face.
     s.from = select(equal<F>(choice.primitive, U(no_index)), choice.primitive, choice.primitive + start.at.triangle);
     s.flux = start.flux;
     s.direction = start.direction;

@@ -20,8 +20,9 @@ std::pair<Vec3f, Vec3f> across(const Vec3f& forward, const Vec3f& right) {
 
 // --- shapes ----------------------------------------------------------------------------------------------------------
 
+/// The centre of one may be far from what is looked at, which is near the origin.
 DiskShape disk_shape(const Disk& d) {
-  constexpr double far_away = 4096;
+  constexpr double far_away = 4096;  // times the plane's distance
   const Vec3d center(d.center);
   const double offset = dot(Vec3d(d.normal), center);
   const bool is_far = length(center) > far_away * std::abs(offset);

@@ -9,7 +9,7 @@
 
 namespace photonproof {
 
-/// Shapes of one kind, each with the index of its surface and, where it is a lamp's face, that as rays name it (ray.h).
+/// Shapes of one kind, each with the index of its surface and, of a lamp, the face as rays name it (ray.h).
 template <class Shape>
 struct ShapeTable {
   std::vector<const Shape*> shapes;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <variant>
 
 namespace photonproof {
 
@@ -88,6 +89,15 @@ void follow(const World& world, Ray ray, float length_left, Surroundings& surrou
   }
 }
 
+/// Whether what was met on the way to an end is that end: its surface, close to it, or the front of a round one, which
+/// is met once.
+bool is_end(const World& world, const Interaction& met, const SegmentEnd& end, const Vec3f& direction, bool is_close) {
+  if (met.surface != end.surface) return false;
+  const Geometry& geometry = world.scene().surfaces[met.surface].geometry;
+  const bool is_round = std::holds_alternative<Sphere>(geometry) || std::holds_alternative<Cylinder>(geometry);
+  return is_close || (is_round && dot(met.ng, direction) < 0 && dot(end.normal, direction) < 0);
+}
+
 }  // namespace
 
 std::uint32_t outer_medium(const World& world) {
@@ -126,7 +136,8 @@ Rgb transmittance(const World& world, const SegmentEnd& from, const SegmentEnd& 
     Interaction at;
     const bool met = world.intersect(ray, draws.one(dimension), TransportMode::radiance, at);
     const float step = met ? ray.way_to(at.p) : distance;
-    if (!met || step >= distance * segment_end || (at.surface == to.surface && distance - step < at_the_end * whole)) {
+    if (!met || step >= distance * segment_end ||
+        is_end(world, at, to, ray.direction, distance - step < at_the_end * whole)) {
       attenuate(to.at_infinity ? std::numeric_limits<float>::infinity() : distance);
       return left;
     }
