@@ -11,7 +11,8 @@ namespace {
 /// A lamp is huge where its half-extent is more than this many times its distance: below, what is gained by starting
 /// closer is not worth what is lost by starting there only every other time.
 constexpr float huge = 8;
-/// So much smaller than the scene, single precision would not hit a place from outside the scene.
+/// What is smaller than this part of the scene, single precision would not hit from outside it: what is aimed at is no
+/// less.
 constexpr float smallest_place = 0x1p-14f;
 
 /// Whence a ball sees a lamp: at least its radius away; nothing where that is not near for the lamp's size.
@@ -97,8 +98,9 @@ EmissionGuide::EmissionGuide(const std::vector<Light>& lights, const std::vector
   for (std::size_t i = 0; i < lights.size(); ++i) {
     for (const AimTarget& ball : seen) {
       if (is_infinite(lights[i])) {
-        if (huge * ball.radius < scene.radius && ball.radius > smallest_place * scene.radius)
-          views_[i].push_back({ball.center, ball});
+        AimTarget place = ball;
+        place.radius = std::max(ball.radius, smallest_place * scene.radius);
+        if (huge * place.radius < scene.radius) views_[i].push_back({place.center, place});
       } else if (const auto from = std::visit(Viewpoint{ball}, lights[i])) {
         views_[i].push_back({*from, ball});
       }
