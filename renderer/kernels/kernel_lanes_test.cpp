@@ -62,13 +62,18 @@ TEST(lanes, every_bsdf_agrees) {
   });
 }
 
-/// As flat lamps are compiled: the normal is that of the edges, and disks are round.
+/// As flat lamps are compiled: the normal is that of the edges, disks are round, and heights are told by the corner or
+/// by the plane's offset.
 template <class Light>
-void make_flat(Light& light) {
-  if constexpr (requires { light.edge_u; }) light.normal = normalize(cross(light.edge_u, light.edge_v));
+void make_flat(Light& light, bool by_corner) {
+  if constexpr (requires { light.edge_u; }) {
+    light.normal = normalize(cross(light.edge_u, light.edge_v));
+    light.offset = by_corner ? told_by_corner : dot(light.normal, light.corner);
+  }
   if constexpr (requires { light.half_axis_u; }) {
     light.normal = normalize(cross(light.half_axis_u, light.half_axis_v));
     light.half_axis_v = cross(light.normal, light.half_axis_u);
+    light.offset = by_corner ? told_by_corner : dot(light.normal, light.center);
   }
 }
 
@@ -102,7 +107,7 @@ TEST(lanes, every_light_agrees) {
       for (float& v : in) v = size * (4 * random.next() - 2);
       auto light = record_of<Kind<float>>(&in[0]);
       for (std::size_t k = n - 4; k < n; ++k) in[k] = test::unit(random);
-      make_flat(light);
+      make_flat(light, random.next() < 0.5f);
       std::memcpy(in.data(), &light, sizeof light);
       return in;
     });
