@@ -91,15 +91,19 @@ std::string stress_totals(const StressRecord& record) {
 
 std::string stress_table(const StressRecord& record) {
   const std::vector<std::string> engines = engines_of(record);
-  std::string text = fmt::format("{:16}", "right up to k of");
-  for (const std::string& engine : engines) text += fmt::format(" {:>14}", engine);
+  const std::string title = "right up to k of";
+  std::size_t widest = title.size();
   std::vector<std::string> climbs;
   const std::vector<ClimbSummary> all = summaries(record);
   for (const ClimbSummary& s : all)
-    if (s.climb != own_climb && std::find(climbs.begin(), climbs.end(), s.climb) == climbs.end())
+    if (s.climb != own_climb && std::find(climbs.begin(), climbs.end(), s.climb) == climbs.end()) {
       climbs.push_back(s.climb);
+      widest = std::max(widest, s.climb.size());
+    }
+  std::string text = fmt::format("{:{}}", title, widest);
+  for (const std::string& engine : engines) text += fmt::format(" {:>14}", engine);
   for (const std::string& climb : climbs) {
-    text += fmt::format("\n{:16}", climb);
+    text += fmt::format("\n{:{}}", climb, widest);
     for (const std::string& engine : engines) {
       const auto found = std::find_if(all.begin(), all.end(),
                                       [&](const ClimbSummary& s) { return s.climb == climb && s.engine == engine; });
