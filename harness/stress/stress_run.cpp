@@ -175,8 +175,12 @@ class Climber {
     RungEvidence evidence;
     RungExpectation expected;
     const double pixels = static_cast<double>(asked.width) * asked.height;
+    int expected_from = 0;
     for (int looks = 1, samples = looks_at;; ++looks, samples *= 4) {
-      expected = expectation(climb, height, std::max(reference_samples, samples / 2));
+      if (const int from = std::max(reference_samples, samples / 2); from != expected_from) {
+        expected = expectation(climb, height, from);
+        expected_from = from;
+      }
       evidence = runner_.render(asked, {climb.engine, samples, static_cast<std::uint64_t>(1 + looks)});
       const RungVerdict verdict = judge_rung(evidence, expected);
       out.outcome = verdict.outcome;

@@ -59,16 +59,15 @@ CloseTriangle::CloseTriangle(const Vec3f& p, float height, const std::array<Vec3
 const LongFace* MeshShape::long_face(std::uint32_t triangle) const { return find_long_face(long_faces_, triangle); }
 
 std::uint32_t MeshShape::triangle_at(const LightPoint<float>& at) const {
-  const LongFace* met = long_face(at.triangle);
-  if (met == nullptr || holds(*met, Vec3d(at.p), 0)) return at.triangle;
   // Single precision tells its edges apart to this part of their length; neighbours are in its plane up to rounding.
   constexpr double unsure = 1e-6, same_plane = 0x1p-21;
-  for (const LongFace& face : *long_faces_) {
-    const double apart = dot(face.normal, Vec3d(at.p)) - face.offset;
-    if (std::abs(apart) <= same_plane * std::max(1.0, length(Vec3d(at.p))) && holds(face, Vec3d(at.p), 0) &&
-        dot(face.normal, met->normal) > 0 && holds(*met, Vec3d(at.p), unsure))
+  const LongFace* met = long_face(at.triangle);
+  const Vec3d p(at.p);
+  if (met == nullptr || holds(*met, p, 0) || !holds(*met, p, unsure)) return at.triangle;
+  const double grain = same_plane * std::max(1.0, length(p));
+  for (const LongFace& face : *long_faces_)
+    if (std::abs(dot(face.normal, p) - face.offset) <= grain && dot(face.normal, met->normal) > 0 && holds(face, p, 0))
       return face.primitive;
-  }
   return at.triangle;
 }
 

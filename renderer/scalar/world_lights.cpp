@@ -15,8 +15,6 @@ SegmentEnd WorldLights::end(std::uint32_t light, const LightPoint<float>& at) co
           lights_.is_infinite(light)};
 }
 
-SegmentEnd WorldLights::end(const LightStart& start) const { return end(start.light, start.at); }
-
 LightPoint<float> WorldLights::point(const Interaction& met) const {
   const std::uint32_t first = world_.view().small ? world_.view().light_words[met.light].primitive : 0;
   return lights_.with_uv(met.light, {met.p, met.ng, {}, met.primitive - first});

@@ -15,7 +15,7 @@ class WorldLights {
   /// A light's point, as the end of a segment.
   SegmentEnd end(std::uint32_t light, const LightPoint<float>& at) const;
   SegmentEnd end(const LightSeen& seen) const { return end(seen.light, seen.at); }
-  SegmentEnd end(const LightStart& start) const;
+  SegmentEnd end(const LightStart& start) const { return end(start.light, start.at); }
   /// A light's point that a ray met.
   LightPoint<float> point(const Interaction& met) const;
 

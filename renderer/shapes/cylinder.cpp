@@ -52,10 +52,11 @@ double hit_distance(const Cylinder& cylinder, const ShapeRay& ray) {
     const double height = along + t * climb;
     return t >= nearest_t && t <= ray.t_far && height >= 0 && height <= cylinder.length;
   };
-  const double near = middle - root, far = ray.on_lamp == OnLamp::starts ? 2 * middle : middle + root;
-  if (ray.on_lamp != OnLamp::starts && meets(near))
-    return ray.on_lamp == OnLamp::ends && middle > ray.t_far ? shape_missed : near;
-  return ray.on_lamp != OnLamp::ends && meets(far) ? far : shape_missed;
+  const double near = middle - root, far = middle + root;
+  // As of a sphere.
+  if (ray.on_lamp == OnLamp::starts) return meets(2 * middle) ? 2 * middle : shape_missed;
+  if (ray.on_lamp == OnLamp::ends) return meets(near) && middle <= ray.t_far ? near : shape_missed;
+  return meets(near) ? near : meets(far) ? far : shape_missed;
 }
 
 ShapePoint point_on(const Cylinder& cylinder, const Vec3d& near) {
