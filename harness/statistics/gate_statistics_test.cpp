@@ -25,31 +25,51 @@ struct Setting {
   Noise noise;
 };
 
+/// 65,536 draws ahead, of which noise takes one at random: slow distributions are drawn from once, and what images and
+/// references are drawn from is the same still.
+std::vector<double> drawn_ahead(const std::function<double(Random&)>& distribution) {
+  Random random(3);
+  std::vector<double> draws(1 << 16);
+  for (double& draw : draws) draw = distribution(random);
+  return draws;
+}
+double one_of(const std::vector<double>& draws, Random& random) { return draws[random() >> 48]; }
+
+const std::vector<double>& gammas() {
+  static const auto draws =
+      drawn_ahead([](Random& random) { return std::gamma_distribution<double>(16, 1.0 / 16)(random); });
+  return draws;
+}
+
 // Mean of 16 samples of each kind, as a renderer with 16 samples a pixel would make them.
 std::vector<Setting> settings() {
+  const auto normals = drawn_ahead([](Random& random) { return std::normal_distribution<double>()(random); });
+  const auto log_normals = drawn_ahead([](Random& random) {
+    double sum = 0;
+    for (int i = 0; i < 16; ++i) sum += std::exp(std::normal_distribution<double>(-0.5, 1)(random));
+    return sum / 16;
+  });
   return {
       {"normal noise, a hundredfold variance beside a simple one",
-       [](Random& random, int x, int y, int c) {
+       [normals](Random& random, int x, int y, int c) {
          const double deviation = (x / 3) % 2 == 0 ? 0.02 : 0.2;
-         return static_cast<float>(expected(x, y, c) * (1 + deviation * std::normal_distribution<double>()(random)));
+         return static_cast<float>(expected(x, y, c) * (1 + deviation * one_of(normals, random)));
        }},
       {"mean of 16 exponential samples",
        [](Random& random, int x, int y, int c) {
-         return static_cast<float>(expected(x, y, c) * std::gamma_distribution<double>(16, 1.0 / 16)(random));
+         return static_cast<float>(expected(x, y, c) * one_of(gammas(), random));
        }},
       {"one sample in ten is bright, the others are black",
        [](Random& random, int x, int y, int c) {
          return static_cast<float>(expected(x, y, c) * 10 * std::binomial_distribution<int>(16, 0.1)(random) / 16);
        }},
       {"log-normal, sigma 1",
-       [](Random& random, int x, int y, int c) {
-         double sum = 0;
-         for (int i = 0; i < 16; ++i) sum += std::exp(std::normal_distribution<double>(-0.5, 1)(random));
-         return static_cast<float>(expected(x, y, c) * sum / 16);
+       [log_normals](Random& random, int x, int y, int c) {
+         return static_cast<float>(expected(x, y, c) * one_of(log_normals, random));
        }},
       {"a few pixels see a light that the others do not, one time in twenty",
        [](Random& random, int x, int y, int c) {
-         const double base = expected(x, y, c) * std::gamma_distribution<double>(16, 1.0 / 16)(random);
+         const double base = expected(x, y, c) * one_of(gammas(), random);
          if ((x + 5 * y) % 7 != 0) return static_cast<float>(base);
          return static_cast<float>(base / 2 +
                                    expected(x, y, c) / 2 * 20 * std::binomial_distribution<int>(16, 0.05)(random) / 16);
@@ -123,7 +143,7 @@ TEST(gate_statistics, agreement_holds_its_false_alarm_rate_over_all_looks) {
 Noise gamma_noise(double whole_factor, double block_factor) {
   return [=](Random& random, int x, int y, int c) {
     const double factor = whole_factor * (x >= 8 && x < 16 && y >= 8 ? block_factor : 1);
-    return static_cast<float>(factor * expected(x, y, c) * std::gamma_distribution<double>(16, 1.0 / 16)(random));
+    return static_cast<float>(factor * expected(x, y, c) * one_of(gammas(), random));
   };
 }
 

@@ -107,7 +107,7 @@ std::vector<Case> by_photon_mapper() {
 INSTANTIATE_TEST_SUITE_P(library, ClosedFormScene, testing::ValuesIn(by_path()), name_of);
 INSTANTIATE_TEST_SUITE_P(photons, ClosedFormScene, testing::ValuesIn(by_photon_mapper()), name_of);
 INSTANTIATE_TEST_SUITE_P(others, ClosedFormScene,
-                         testing::Values(Case{"ball-lens", "ptracer", 1024}, Case{"water-caustic", "ptracer", 4096},
+                         testing::Values(Case{"ball-lens", "ptracer", 1024}, Case{"water-caustic", "ptracer", 2048},
                                          Case{"absorption", "volpath", 64}, Case{"albedo-one", "volpath", 256}),
                          name_of);
 

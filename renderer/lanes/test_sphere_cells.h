@@ -2,7 +2,11 @@
 // what a cell should hold is integrated as finely as it takes. Test code only.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
 
 #include "renderer/lanes/test_chi_square.h"
 
@@ -42,9 +46,6 @@ struct SphereCell {
   bool upper = true;
   std::vector<SpherePoint> points;  ///< draws in and around it: where the integral must look closely
 
-  bool holds(const SpherePoint& p) const {
-    return p.upper == upper && p.a >= low[0] && p.a < high[0] && p.b >= low[1] && p.b < high[1];
-  }
   /// Within its own size around it.
   bool is_near(const SpherePoint& p) const {
     const double width = high[0] - low[0], height = high[1] - low[1];
@@ -92,38 +93,65 @@ double cell_mass(const SphereCell& cell, const Density& density, double toleranc
   return refine(refine, cell, rule(cell), tolerance, 0);
 }
 
-/// Halves the cells at the medians of the points in them, along the longer side, until few points are left in each.
-inline void split_cells(const SphereCell& cell, std::vector<SpherePoint>& points, std::size_t first, std::size_t last,
-                        std::size_t most, std::vector<SphereCell>& cells) {
-  const std::size_t axis = cell.high[0] - cell.low[0] >= cell.high[1] - cell.low[1] ? 0 : 1;
-  const auto at = [&](const SpherePoint& p) { return axis == 0 ? p.a : p.b; };
-  const std::size_t middle = (first + last) / 2;
-  if (last - first > most) {
-    const auto begin = points.begin();
-    std::nth_element(begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(middle),
-                     begin + static_cast<std::ptrdiff_t>(last),
-                     [&](const SpherePoint& a, const SpherePoint& b) { return at(a) < at(b); });
-    const double cut = at(points[middle]);
-    if (cut > cell.low[axis] && cut < cell.high[axis]) {
-      SphereCell below = cell, above = cell;
-      below.high[axis] = above.low[axis] = cut;
-      split_cells(below, points, first, middle, most, cells);
-      split_cells(above, points, middle, last, most, cells);
-      return;
-    }
+/// Cells halved at the medians of the points in them, along the longer side, until few points are left in each.
+class SphereCells {
+ public:
+  SphereCells(std::vector<SpherePoint> points, bool upper, std::size_t most) : points_(std::move(points)), most_(most) {
+    split({{-1, -1}, {1, 1}, upper, {}}, 0, points_.size());
   }
-  cells.push_back(cell);
-  for (const SpherePoint& p : points)
-    if (cell.is_near(p)) cells.back().points.push_back(p);
-}
+  const std::vector<SphereCell>& cells() const { return cells_; }
+  std::size_t of(const SpherePoint& p) const {
+    std::size_t at = 0;
+    while (nodes_[at].above != 0) at = (nodes_[at].axis == 0 ? p.a : p.b) < nodes_[at].cut ? at + 1 : nodes_[at].above;
+    return nodes_[at].cell;
+  }
+
+ private:
+  struct Node {  // what is below the cut comes next
+    std::size_t axis = 0;
+    double cut = 0;
+    std::size_t above = 0;  // 0: a cell
+    std::size_t cell = 0;
+  };
+
+  void split(const SphereCell& cell, std::size_t first, std::size_t last) {
+    const std::size_t axis = cell.high[0] - cell.low[0] >= cell.high[1] - cell.low[1] ? 0 : 1;
+    const auto at = [&](const SpherePoint& p) { return axis == 0 ? p.a : p.b; };
+    const std::size_t node = nodes_.size(), middle = (first + last) / 2;
+    nodes_.emplace_back();
+    if (last - first > most_) {
+      const auto begin = points_.begin();
+      std::nth_element(begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(middle),
+                       begin + static_cast<std::ptrdiff_t>(last),
+                       [&](const SpherePoint& a, const SpherePoint& b) { return at(a) < at(b); });
+      const double cut = at(points_[middle]);
+      if (cut > cell.low[axis] && cut < cell.high[axis]) {
+        SphereCell below = cell, above = cell;
+        below.high[axis] = above.low[axis] = cut;
+        split(below, first, middle);
+        nodes_[node] = {axis, cut, nodes_.size(), 0};
+        split(above, middle, last);
+        return;
+      }
+    }
+    nodes_[node].cell = cells_.size();
+    cells_.push_back(cell);
+    for (const SpherePoint& p : points_)
+      if (cell.is_near(p)) cells_.back().points.push_back(p);
+  }
+
+  std::vector<SpherePoint> points_;
+  std::size_t most_;
+  std::vector<Node> nodes_;
+  std::vector<SphereCell> cells_;
+};
 
 /// p-value of Pearson's test of draws against a density per solid angle. `draw(random, d)` returns false where nothing
 /// is drawn; the density integrates to the share of the others. Cells come from draws of their own.
 template <class Draw, class Density>
 double sphere_p_value(const Draw& draw, const Density& density, std::uint64_t seed, int samples = 1'000'000) {
-  std::vector<SphereCell> cells;
   constexpr std::uint64_t pilots = 20'000, in_a_cell = 160;
-  for (const bool upper : {true, false}) {
+  const auto half = [&](bool upper) {
     std::vector<SpherePoint> points;
     for (std::uint64_t i = 0; i < pilots; ++i) {
       Random random(seed, i, 1);
@@ -132,33 +160,25 @@ double sphere_p_value(const Draw& draw, const Density& density, std::uint64_t se
       const SpherePoint p = SpherePoint::of(d);
       if (p.upper == upper) points.push_back(p);
     }
-    split_cells({{-1, -1}, {1, 1}, upper, {}}, points, 0, points.size(), in_a_cell, cells);
-  }
-  // Found through a grid over each disc, whose entries list the cells that reach in.
-  constexpr int side = 256;
-  std::vector<std::vector<std::uint32_t>> grid(2 * side * side);
-  const auto row = [](double v) { return std::clamp(static_cast<int>((v + 1) / 2 * side), 0, side - 1); };
-  for (std::uint32_t c = 0; c < cells.size(); ++c)
-    for (int i = row(cells[c].low[0]); i <= row(cells[c].high[0]); ++i)
-      for (int j = row(cells[c].low[1]); j <= row(cells[c].high[1]); ++j)
-        grid[static_cast<std::size_t>((cells[c].upper ? 0 : side * side) + i * side + j)].push_back(c);
-
-  std::vector<double> observed(cells.size() + 1), expected(cells.size() + 1);
+    return SphereCells(std::move(points), upper, in_a_cell);
+  };
+  const SphereCells above = half(true), below = half(false);
+  const std::size_t cells_above = above.cells().size(), cells = cells_above + below.cells().size();
+  std::vector<double> observed(cells + 1), expected(cells + 1);
   for (int i = 0; i < samples; ++i) {
     Random random(seed, static_cast<std::uint64_t>(i), 2);
     Vec3f d;
-    std::size_t found = cells.size();
+    std::size_t found = cells;
     if (draw(random, d)) {
       const SpherePoint p = SpherePoint::of(d);
-      for (const std::uint32_t c :
-           grid[static_cast<std::size_t>((p.upper ? 0 : side * side) + row(p.a) * side + row(p.b))])
-        if (cells[c].holds(p)) found = c;
+      found = p.upper ? above.of(p) : cells_above + below.of(p);
     }
     observed[found] += 1;
   }
   double total = 0;
-  for (std::size_t c = 0; c < cells.size(); ++c) {
-    const double mass = cell_mass(cells[c], density, 2e-7);
+  for (std::size_t c = 0; c < cells; ++c) {
+    const SphereCell& cell = c < cells_above ? above.cells()[c] : below.cells()[c - cells_above];
+    const double mass = cell_mass(cell, density, 2e-7);
     expected[c] = samples * mass;
     total += mass;
   }
