@@ -40,7 +40,7 @@ Geometry along_the_floor(double radius, double middle) {
 }
 
 std::vector<HugeLamp> huge_lamps(const std::filesystem::path& assets) {
-  const std::vector<double> round{2, 3, 4, 5, 6, 7, 8, 9, 11}, flat{4, 5, 6, 7, 8, 9, 11};
+  const std::vector<double> round{2, 3, 4, 5, 6, 7, 8, 9, 11, 13}, flat{4, 5, 6, 7, 8, 9, 11};
   const auto plate = [=](const char* shape, const Geometry& geometry) {
     return HugeLamp{shape, "huge and tilted", flat,
                     [=](SceneDescription& s, double size) { add_lamp(s, geometry, tilted() * hanging({}, size)); },

@@ -88,26 +88,28 @@ std::vector<Ladder> point_lights() {
           flat};
 }
 
-/// A ball of radius 10^k whose nearest point is 12 above the floor, over the camera is a sky.
+/// A disk or square of half width 10^k above floor and camera: of 10^4 it is all but 1e-6 of the upper half of a sky.
+StressScene under_plate(const Geometry& geometry, double k) {
+  return {stage_under_shape(geometry, hanging({0, 12, 0}, power(k)), 1)};
+}
+Ladder huge_plate(const char* shape, const Geometry& geometry) {
+  const auto lamp = [=](double k) { return under_plate(geometry, k); };
+  return {"light " + std::string(shape),  "huge", "a half width of 10^k", {5, 6, 7, 9, 11, 13, 15}, 9, lamp,
+          [=](double) { return lamp(4); }};
+}
+
+/// A ball of radius 10^k whose nearest point is 12 above the floor: of 10^7 it is all but 1e-5 of such a plate. A sky
+/// would light the ball on the floor from below the horizon, too.
 Ladder huge_ball() {
   return {"light sphere",
           "huge",
-          "a radius of 10^k, as a sky",
+          "a radius of 10^k",
           {7, 9, 11, 13, 15},
           9,
           [](double k) {
             return StressScene{stage_under_shape(SphereDescription{}, standing({0, power(k) + 12, 0}, power(k)), 1)};
           },
-          [](double) { return StressScene{stage_under(ConstantLightDescription{})}; }};
-}
-
-/// A disk or square of half width 10^k above floor and camera: of 10^4 it is all but 1e-6 of the upper half of a sky.
-Ladder huge_plate(const char* shape, const Geometry& geometry) {
-  const auto lamp = [=](double k) {
-    return StressScene{stage_under_shape(geometry, hanging({0, 12, 0}, power(k)), 1)};
-  };
-  return {"light " + std::string(shape),  "huge", "a half width of 10^k", {5, 6, 7, 9, 11, 13, 15}, 9, lamp,
-          [=](double) { return lamp(4); }};
+          [](double) { return under_plate(DiskDescription{}, 4); }};
 }
 
 /// The floor's far side alone, 6 to 10 away from what is at x = -7.

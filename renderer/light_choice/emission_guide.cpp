@@ -30,7 +30,7 @@ struct Viewpoint {
     return from && l.is_close_to(*from) ? from : std::nullopt;
   }
   std::optional<Vec3f> operator()(const SphereLight<float>& l) const {
-    return around(ball.center - l.center, l.center, l.radius, l.side, l.radius);
+    return around(Vec3d(ball.center) - Vec3d(l.center), l.height(ball.center), l.side, l.radius);
   }
   std::optional<Vec3f> operator()(const AreaLight& l) const {
     return std::visit([&](const auto& shape) { return of_shape(shape); }, l.shape());
@@ -46,13 +46,13 @@ struct Viewpoint {
     if (std::max(diagonal, other) < 2 * huge * away) return std::nullopt;
     return ball.center + normal * (away - height);
   }
-  /// Before or within a round shape, from its centre or axis.
-  std::optional<Vec3f> around(const Vec3f& out, const Vec3f& center, float radius, float side, float extent) const {
-    const float distance = length(out);
-    const float away = std::max(side * (distance - radius), ball.radius);
-    if (side * (distance - radius) <= -ball.radius || extent < huge * away) return std::nullopt;
-    const Vec3f axis = distance > 0 ? out / distance : Vec3f(0.0f);
-    return center + axis * std::max(radius + side * away, 0.0f);
+  /// Before or within a round shape, `out` from its centre or axis and at this height on its front.
+  std::optional<Vec3f> around(const Vec3d& out, float height, float side, float extent) const {
+    const auto distance = static_cast<float>(length(out));
+    const float away = std::max(height, ball.radius);
+    if (height <= -ball.radius || extent < huge * away) return std::nullopt;
+    const Vec3f axis = distance > 0 ? Vec3f(normalize(out)) : Vec3f(0.0f);
+    return ball.center + axis * std::max(side * (away - height), -distance);
   }
   std::optional<Vec3f> of_shape(const QuadShape& s) const {
     return (*this)(QuadLight<float>{s.corner, s.edge_u, s.edge_v, s.normal, s.area(), Rgb(0.0f), s.offset});
@@ -61,14 +61,16 @@ struct Viewpoint {
     return (*this)(DiskLight<float>{s.center, s.half_axis_u, s.half_axis_v, s.normal, s.area(), Rgb(0.0f), s.offset});
   }
   std::optional<Vec3f> of_shape(const SphereShape& s) const {
-    return (*this)(SphereLight<float>{s.center, s.radius, s.sign, Rgb(0.0f)});
+    return (*this)(SphereLight<float>{s.center, s.radius, s.sign, Rgb(0.0f), s.offset});
   }
   std::optional<Vec3f> of_shape(const CylinderShape& s) const {
-    const float whole = length(s.axis);
-    const Vec3f along = s.axis / whole, from_base = ball.center - s.base;
-    const float z = dot(from_base, along);
+    const double whole = length(s.axis);
+    const Vec3d along = s.axis / whole, from_base = Vec3d(ball.center) - s.base;
+    const double z = dot(from_base, along);
     if (z < -ball.radius || z > whole + ball.radius) return std::nullopt;
-    return around(from_base - along * z, s.base + along * z, s.radius, s.sign, std::hypot(whole / 2, s.radius));
+    const Vec3d out = from_base - along * z;
+    return around(out, static_cast<float>(double{s.sign} * (length(out) - s.radius)), s.sign,
+                  static_cast<float>(std::hypot(whole / 2, s.radius)));
   }
   /// Any other's by the box around it: of a mesh, triangles are chosen from where the ball is.
   std::optional<Vec3f> of_shape(const auto& s) const {

@@ -161,7 +161,7 @@ inline void add_cylinders(std::vector<SurfaceLight>& all, const Vec3d& at, doubl
                                     place(1 - std::max(finest, 0.01), 0.7),
                                     place(0.9, 30)};
     const std::vector<Patch> whole{cylinder_sector(base, axis, start, radius, sign, 0, 2 * std::numbers::pi)};
-    const CylinderShape shape{Vec3f(base), Vec3f(axis), Vec3f(start), Vec3f(side), float(radius), float(sign)};
+    const CylinderShape shape{base, axis, Vec3f(start), Vec3f(side), radius, float(sign)};
     const std::string name = sign > 0 ? "cylinder" : "inward cylinder";
     all.push_back({name, AreaLight(shape, Rgb(1)), whole, seen, places});
     all.back().width = radius;

@@ -20,13 +20,18 @@ std::pair<Vec3f, Vec3f> across(const Vec3f& forward, const Vec3f& right) {
 
 // --- shapes ----------------------------------------------------------------------------------------------------------
 
-/// The centre of one may be far from what is looked at, which is near the origin.
+/// What a light has as offset: the centre may be far from what is looked at, which is near the origin.
+float offset_if_far(const Vec3d& center, double offset) {
+  constexpr double far_away = 4096;  // times the surface's distance
+  return length(center) > far_away * std::abs(offset) ? static_cast<float>(offset) : told_by_corner;
+}
 DiskShape disk_shape(const Disk& d) {
-  constexpr double far_away = 4096;  // times the plane's distance
-  const Vec3d center(d.center);
-  const double offset = dot(Vec3d(d.normal), center);
-  const bool is_far = length(center) > far_away * std::abs(offset);
-  return {d.center, d.axis_x, d.axis_y, d.normal, is_far ? static_cast<float>(offset) : told_by_corner};
+  return {d.center, d.axis_x, d.axis_y, d.normal,
+          offset_if_far(Vec3d(d.center), dot(Vec3d(d.normal), Vec3d(d.center)))};
+}
+float offset_of(const Sphere& s) {
+  const double distance = length(s.center);
+  return offset_if_far(s.center, (distance - s.radius) * ((distance + s.radius) / (2 * s.radius)));
 }
 
 QuadShape quad_shape(const Quad& q, const LongFace* face) {
@@ -43,8 +48,13 @@ struct LightShaper {
   LightShape operator()(const Quad& q) const { return quad_shape(q, surface.long_face(0)); }
   LightShape operator()(const Disk& d) const { return disk_shape(d); }
   LightShape operator()(const Sphere& s) const {
-    return SphereShape{Vec3f(s.center),           static_cast<float>(s.radius), axis(to_world, {1, 0, 0}),
-                       axis(to_world, {0, 1, 0}), axis(to_world, {0, 0, 1}),    s.inward ? -1.0f : 1.0f};
+    return SphereShape{Vec3f(s.center),
+                       static_cast<float>(s.radius),
+                       axis(to_world, {1, 0, 0}),
+                       axis(to_world, {0, 1, 0}),
+                       axis(to_world, {0, 0, 1}),
+                       s.inward ? -1.0f : 1.0f,
+                       offset_of(s)};
   }
   LightShape operator()(const Mesh& mesh) const {
     std::vector<Vec3f> positions(mesh.positions.begin(), mesh.positions.end() - 1);  // the last is a spare
@@ -63,21 +73,22 @@ struct LightShaper {
 
 /// Quads, spheres and disks have lanes where their radiance is one colour.
 Light plain_light(const LightShaper& shaper, const Rgb& radiance) {
-  return std::visit(
-      Overloaded{
-          [&](const Quad& q) -> Light {
-            const QuadShape shape = quad_shape(q, shaper.surface.long_face(0));
-            return QuadLight<float>{q.corner, q.edge_u, q.edge_v, q.normal, q.area, radiance, shape.offset};
-          },
-          [&](const Sphere& s) -> Light {
-            return SphereLight<float>{Vec3f(s.center), static_cast<float>(s.radius), s.inward ? -1.0f : 1.0f, radiance};
-          },
-          [&](const Disk& d) -> Light {
-            const DiskShape shape = disk_shape(d);
-            return DiskLight<float>{d.center, d.axis_x, d.axis_y, d.normal, shape.area(), radiance, shape.offset};
-          },
-          [&](const auto& other) -> Light { return AreaLight(shaper(other), radiance); }},
-      shaper.surface.geometry);
+  return std::visit(Overloaded{[&](const Quad& q) -> Light {
+                                 const QuadShape shape = quad_shape(q, shaper.surface.long_face(0));
+                                 return QuadLight<float>{q.corner, q.edge_u, q.edge_v,    q.normal,
+                                                         q.area,   radiance, shape.offset};
+                               },
+                               [&](const Sphere& s) -> Light {
+                                 return SphereLight<float>{Vec3f(s.center), static_cast<float>(s.radius),
+                                                           s.inward ? -1.0f : 1.0f, radiance, offset_of(s)};
+                               },
+                               [&](const Disk& d) -> Light {
+                                 const DiskShape shape = disk_shape(d);
+                                 return DiskLight<float>{d.center,     d.axis_x, d.axis_y,    d.normal,
+                                                         shape.area(), radiance, shape.offset};
+                               },
+                               [&](const auto& other) -> Light { return AreaLight(shaper(other), radiance); }},
+                    shaper.surface.geometry);
 }
 
 // --- emitters --------------------------------------------------------------------------------------------------------

@@ -63,6 +63,7 @@ struct SphereShape {
   float radius = 1;
   Vec3f start{1, 0, 0}, side{0, 1, 0}, up{0, 0, 1};  ///< unit
   float sign = 1;                                    ///< 1: outward, -1: inward
+  float offset = told_by_corner;                     ///< as of a SphereLight
   LightPoint<float> sample(const Vec2<float>& u) const;
   SeenPoint sample_from(const Vec3f& p, const Vec2<float>& u) const;
   float pdf_from(const Vec3f& p, const LightPoint<float>& at) const;

@@ -11,9 +11,9 @@ struct ShapeDescription;
 
 /// The curved side: base + radius (cos(2 pi u) start + sin(2 pi u) side) + v axis.
 struct CylinderShape {
-  Vec3f base, axis;   ///< `axis` reaches to the other end
+  Vec3d base, axis;   ///< `axis` reaches to the other end; in double, as the cylinder's (cylinder.h)
   Vec3f start, side;  ///< unit
-  float radius = 1;
+  double radius = 1;
   float sign = 1;  ///< 1: outward, -1: inward
   LightPoint<float> sample(const Vec2<float>& u) const;
   SeenPoint sample_from(const Vec3f& p, const Vec2<float>& u) const;

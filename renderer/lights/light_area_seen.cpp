@@ -18,7 +18,7 @@ QuadLight<float> as_light(const QuadShape& s) {
 DiskLight<float> as_light(const DiskShape& s) {
   return {s.center, s.half_axis_u, s.half_axis_v, s.normal, s.area(), Rgb(0.0f), s.offset};
 }
-SphereLight<float> as_light(const SphereShape& s) { return {s.center, s.radius, s.sign, Rgb(0.0f)}; }
+SphereLight<float> as_light(const SphereShape& s) { return {s.center, s.radius, s.sign, Rgb(0.0f), s.offset}; }
 
 template <class Shape>
 SeenPoint sample_as_light(const Shape& shape, const Vec3f& p, const Vec2<float>& u) {

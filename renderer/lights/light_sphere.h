@@ -1,10 +1,15 @@
 // Lambertian emission from a sphere, outward or inward. From outside, the visible cap is sampled uniformly by solid
 // angle (Shirley, Wang, Zimmerman 1996), however close it is. Where it emits inward, points of it are drawn uniformly
 // by area; from within also uniformly by solid angle, one sample in two, so that the wall close by is not left out.
+//
+// With d the distance of p from the centre, all that is close to the surface follows from the power of p,
+// d^2 - R^2 = |p|^2 - 2 p . center + (|center|^2 - R^2). Of a sphere that is huge for its distance from the origin,
+// near which what is looked at lies, the last term is known by `offset`; centre and radius leave no digits of it.
 #pragma once
 
 #include "renderer/lanes/warp.h"
 #include "renderer/lights/light_bounds.h"
+#include "renderer/lights/light_near.h"
 #include "renderer/lights/light_sample.h"
 
 namespace photonproof {
@@ -14,8 +19,9 @@ struct SphereLight {
   static constexpr bool is_delta = false, is_infinite = false;
   Vec3<F> center;
   F radius;
-  F side;            ///< 1: emits outward, -1: inward
-  Vec3<F> radiance;  ///< W m^-2 sr^-1
+  F side;                    ///< 1: emits outward, -1: inward
+  Vec3<F> radiance;          ///< W m^-2 sr^-1
+  F offset{told_by_corner};  ///< (|center|^2 - R^2) / 2R, where centre and radius say too little
 
   LightSample<F> sample(const Vec3<F>& p, const Vec2<F>& u) const {
     const Mask<F> cone = samples_cone(p);
@@ -48,24 +54,34 @@ struct SphereLight {
   }
   Vec3<F> flux() const { return radiance * (pi * area()); }
   LightBounds bounds() const { return round_bounds(center - Vec3f(radius), center + Vec3f(radius)); }
+  /// Of p above the surface, on the emitting side.
+  F height(const Vec3<F>& p) const {
+    const F s = power(p);
+    return side * s / (radius + lane_sqrt(lane_max(F(radius * radius + s), F(0.0f))));
+  }
 
  private:
   F area() const { return 4 * pi * radius * radius; }
-  /// Not from the surface itself, which sees nothing of its outer side: a point on it is off by two roundings or so.
-  Mask<F> samples_cone(const Vec3<F>& p) const {
+  Mask<F> is_told_by_offset() const { return offset < told_by_corner; }
+  F power(const Vec3<F>& p) const {
     const Vec3<F> d = p - center;
-    return side > 0 && dot(d, d) > 1.0000005f * radius * radius;
+    return select(is_told_by_offset(), F(dot(p, p) + 2 * (radius * offset - dot(p, center))),
+                  F(dot(d, d) - radius * radius));
   }
+  /// In proportion to what rounding leaves unknown of the power of p.
+  F grain(const Vec3<F>& p) const {
+    const F from_origin = length(p);
+    return select(is_told_by_offset(), F(from_origin * lane_max(from_origin, radius)), F(radius * radius));
+  }
+  /// Not from the surface itself, which sees nothing of its outer side: a point on it is off by two roundings or so.
+  Mask<F> samples_cone(const Vec3<F>& p) const { return side > 0 && power(p) > 5e-7f * grain(p); }
   /// Not on the wall itself, from where even area sampling is drawing by the cosine, the best there is. Rays that leave
   /// the wall start a little off it, and must be weighed as the wall is.
-  Mask<F> is_within(const Vec3<F>& p) const {
-    const Vec3<F> d = p - center;
-    return side < 0 && dot(d, d) < (1 - 4e-6f) * radius * radius;
-  }
+  Mask<F> is_within(const Vec3<F>& p) const { return side < 0 && power(p) < -4e-6f * grain(p); }
   F cone_one_minus_cos(const Vec3<F>& p) const {
     const Vec3<F> d = p - center;
-    const F sin2 = lane_min(F(radius * radius / dot(d, d)), F(1.0f));
-    return sin2 / (1 + lane_sqrt(F(1 - sin2)));
+    const F distance2 = dot(d, d), sin2 = lane_min(F(radius * radius / distance2), F(1.0f));
+    return sin2 / (1 + lane_sqrt(F(lane_max(power(p), F(0.0f)) / distance2)));
   }
   LightSample<F> sample_cone(const Vec3<F>& p, const Vec2<F>& u) const {
     const Vec3<F> to_center = center - p;
@@ -75,11 +91,12 @@ struct SphereLight {
     const Frame<F> frame(to_center * (1 / distance));
     // The normal in that frame: differences of world coordinates leave no digits of a distant sphere.
     const F drop2 = distance * distance * (local.x * local.x + local.y * local.y);
-    const F t = distance * local.z - lane_sqrt(lane_max(F(radius * radius - drop2), F(0.0f)));
+    const F t = power(p) / (distance * local.z + lane_sqrt(lane_max(F(radius * radius - drop2), F(0.0f))));
     const F x = local.x * t / radius, y = local.y * t / radius;
     const Vec3<F> normal = frame.to_world(Vec3<F>(x, y, -lane_sqrt(lane_max(F(1 - x * x - y * y), F(0.0f)))));
     const Vec3<F> wi = frame.to_world(local);
-    return {{advance(center, radius, normal), normal}, wi, radiance, 1 / (2 * pi * one_minus_cos)};
+    const Vec3<F> at = select(is_told_by_offset(), advance(p, t, wi), advance(center, radius, normal));
+    return {{at, normal}, wi, radiance, 1 / (2 * pi * one_minus_cos)};
   }
   LightSample<F> sample_inward(const Vec3<F>& p, const Vec2<F>& u) const {
     const Mask<F> within = is_within(p), by_direction = within && u.x < 0.5f;
@@ -87,11 +104,13 @@ struct SphereLight {
     const Vec3<F> random = square_to_sphere(Vec2<F>{select(within, select(by_direction, twice, twice - 1), u.x), u.y});
     // Where the direction leaves the sphere, from p on the inner side.
     const Vec3<F> from_center = p - center;
-    const F b = dot(from_center, random), c = dot(from_center, from_center) - radius * radius;
+    const F b = dot(from_center, random), c = power(p);
     const F root = lane_sqrt(lane_max(F(b * b - c), F(0.0f)));
     const F t = select(b > 0, -c / select(b > 0, b + root, F(1.0f)), root - b);
     const Vec3<F> outward = select(by_direction, Vec3<F>(advance(from_center, t, random) * (1 / radius)), random);
-    const LightPoint<F> at{advance(center, radius, outward), outward * side};
+    const LightPoint<F> at{
+        select(by_direction && is_told_by_offset(), advance(p, t, random), advance(center, radius, outward)),
+        outward * side};
     return {at, select(by_direction, random, normalize(at.p - p)), radiance, pdf(p, at)};
   }
 };

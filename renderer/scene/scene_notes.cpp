@@ -11,7 +11,10 @@
 #include "renderer/bsdfs/microfacet.h"
 #include "renderer/scene/close_faces.h"
 #include "renderer/scene/scene_focus.h"
+#include "renderer/shapes/cylinder.h"
+#include "renderer/shapes/extent.h"
 #include "renderer/shapes/shape.h"
+#include "renderer/shapes/sphere.h"
 #include "scenes/text/text_numbers.h"
 
 namespace photonproof {
@@ -185,11 +188,12 @@ void add_place_notes(const SceneDescription& description, Notes& notes) {
     const auto* ball = std::get_if<SphereDescription>(&shape.geometry);
     const auto* pillar = std::get_if<CylinderDescription>(&shape.geometry);
     if ((ball == nullptr && pillar == nullptr) || !shape.radiance) continue;
-    const double radius = (ball != nullptr ? ball->radius : pillar->radius) * shape.to_world.similarity_scale();
-    if (radius * float_step > part_of_a_lamp * focus->size)
-      notes.add(shape.loc, "the lamp has a radius of " + short_number(radius) +
-                               ", and its points are known to single precision, " + short_number(radius * float_step) +
-                               ": a constant emitter or a disk shines more exactly");
+    const Extent extent = ball != nullptr ? extent_of(*ball, shape.to_world) : extent_of(*pillar, shape.to_world);
+    const double reach = std::max(largest_coordinate(extent.low), largest_coordinate(extent.high));
+    if (reach * double_step > part_of_a_lamp * focus->size)
+      notes.add(shape.loc, "the lamp reaches to " + short_number(reach) +
+                               ", where coordinates in double precision are " + short_number(reach * double_step) +
+                               " apart: a constant emitter or a disk shines more exactly");
   }
 }
 

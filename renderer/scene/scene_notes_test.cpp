@@ -60,7 +60,10 @@ TEST(scene_notes, say_what_is_too_far_or_too_large_for_precision) {
   EXPECT_EQ(notes_of(far_or_large(1e5, 1e11, 4)), "");
   EXPECT_EQ(notes_of(far_or_large(1, 0, 1e5)), "");
   EXPECT_THAT(notes_of(far_or_large(1, 1e13, 4)), HasSubstr("coordinates in double precision are 0.0022 apart"));
-  EXPECT_THAT(notes_of(far_or_large(1e9, 0, 4)), HasSubstr("the lamp has a radius of 1e+09"));
+  EXPECT_EQ(notes_of(far_or_large(1e13, 0, 4)), "");
+  SceneDescription pipe = far_or_large(1, 0, 4);
+  pipe.shapes.back().geometry = CylinderDescription{{-1e16, 0, 6}, {1e16, 0, 6}, 1};
+  EXPECT_THAT(notes_of(pipe), HasSubstr("the lamp reaches to 1e+16, where coordinates in double precision are 2.2"));
   EXPECT_THAT(notes_of(far_or_large(1, 0, 1e6)), HasSubstr("a pixel is "));
 }
 
