@@ -1,5 +1,5 @@
 // Lamps of 10^k whose nearest point is 12 above the floor, which alone is seen: its irradiance is known whatever their
-// size. Flat ones are tilted, since what lies along the axes is spared most roundings.
+// size. They are tilted, since what lies along the axes is spared most roundings.
 #include <cmath>
 #include <numbers>
 
@@ -34,13 +34,17 @@ Transform tilted() { return Transform::translate({0, above_floor, 0}) * Transfor
 double share_of_plane(double) { return (1 + std::cos(lamp_tilt * std::numbers::pi / 180)) / 2; }
 double all_around(double) { return 1; }
 
-Geometry along_the_floor(double radius, double middle) {
-  const double half = long_for_its_radius / 2 * radius;
+/// Whose nearest line is that of height 0, above it, or below it where what shines is its inside.
+Geometry lying(double radius, bool inward) {
+  const double half = long_for_its_radius / 2 * radius, middle = inward ? -radius : radius;
   return CylinderDescription{{-half, middle, 0}, {half, middle, 0}, radius};
 }
+Transform straight() { return Transform::translate({0, above_floor, 0}); }
 
 std::vector<HugeLamp> huge_lamps(const std::filesystem::path& assets) {
   const std::vector<double> round{2, 3, 4, 5, 6, 7, 8, 9, 11, 13}, flat{4, 5, 6, 7, 8, 9, 11};
+  // Of 10^7 the round ones, too, are flat to a thousandth of their light.
+  const std::vector<double> all_but_flat{7, 8, 9, 11, 13};
   const auto plate = [=](const char* shape, const Geometry& geometry) {
     return HugeLamp{shape, "huge and tilted", flat,
                     [=](SceneDescription& s, double size) { add_lamp(s, geometry, tilted() * hanging({}, size)); },
@@ -58,21 +62,26 @@ std::vector<HugeLamp> huge_lamps(const std::filesystem::path& assets) {
            share_of_plane},
           {"sphere", "huge, over a floor", round,
            [](SceneDescription& s, double size) {
-             add_lamp(s, SphereDescription{}, standing({0, size + above_floor, 0}, size));
+             add_lamp(s, SphereDescription{}, straight() * standing({0, size, 0}, size));
            },
            [](double size) { return std::pow(size / (size + above_floor), 2); }},
+          {"sphere", "huge and tilted", all_but_flat,
+           [](SceneDescription& s, double size) {
+             add_lamp(s, SphereDescription{}, tilted() * standing({0, size, 0}, size));
+           },
+           share_of_plane},
           {"sphere", "huge, around a floor", round,
            [](SceneDescription& s, double size) {
-             add_lamp(s, SphereDescription{}, standing({0, above_floor - size, 0}, size)).flip_normals = true;
+             add_lamp(s, SphereDescription{}, tilted() * standing({0, -size, 0}, size)).flip_normals = true;
            },
            all_around},
           {"cylinder", "huge, over a floor", round,
-           [](SceneDescription& s, double size) { add_lamp(s, along_the_floor(size, size + above_floor), {}); },
+           [](SceneDescription& s, double size) { add_lamp(s, lying(size, false), straight()); },
            [](double size) { return size / (size + above_floor); }},
+          {"cylinder", "huge and tilted", all_but_flat,
+           [](SceneDescription& s, double size) { add_lamp(s, lying(size, false), tilted()); }, share_of_plane},
           {"cylinder", "huge, around a floor", round,
-           [](SceneDescription& s, double size) {
-             add_lamp(s, along_the_floor(size, above_floor - size), {}).flip_normals = true;
-           },
+           [](SceneDescription& s, double size) { add_lamp(s, lying(size, true), tilted()).flip_normals = true; },
            all_around}};
 }
 

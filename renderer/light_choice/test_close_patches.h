@@ -91,15 +91,43 @@ inline Patch disk_from(const Vec3d& p, const Vec3d& center, const Vec3d& u, cons
   return angle_patch(p, dot(p - center, n), n, o, std::numbers::pi * length(cross(u, v)));
 }
 
-/// The side of a cylinder that p sees, in equal steps of the angle from p's azimuth as the map phi/2 ->
+/// All of a cylinder as p within it sees it, in equal steps of the direction across the axis, then of the angle that
+/// heights are seen under.
+inline Patch cylinder_from_within(const Vec3d& p, const Vec3d& base, const Vec3d& axis, double radius) {
+  const Vec3d along = normalize(axis), s = any_across(along), t = cross(along, s);
+  const double height = dot(p - base, along), whole = length(axis);
+  const Vec3d out = p - base - along * height;
+  const auto angles = [=](double d) {
+    return std::array<double, 2>{std::atan2(-height, d), std::atan2(whole - height, d)};
+  };
+  return {[=](double a, double b) {
+            const double psi = 2 * std::numbers::pi * a;
+            const Vec3d d = s * std::cos(psi) + t * std::sin(psi);
+            const double nearer = dot(out, d);
+            const double far = -nearer + std::sqrt(nearer * nearer + radius * radius - dot(out, out));
+            const auto [low, high] = angles(far);
+            const double beta = low + b * (high - low);
+            return PatchPoint{p + d * far + along * (far * std::tan(beta)), (out + d * far) / -radius, along, 0,
+                              2 * std::numbers::pi * (high - low) * std::cos(beta)};
+          },
+          [=](const Vec3d& q) {
+            const Vec3d d = q - p;
+            const double x = dot(d, s), y = dot(d, t), across = std::hypot(x, y);
+            const auto [low, high] = angles(across);
+            return Vec2<double>{turn(y, x), (std::atan2(dot(d, along), across) - low) / (high - low)};
+          },
+          0};
+}
+
+/// The side of a cylinder that p sees from outside, in equal steps of the angle from p's azimuth as the map phi/2 ->
 /// atan(stretch tan(phi/2)) has it, then of the angle that heights are seen under.
 inline Patch cylinder_from(const Vec3d& p, const Vec3d& base, const Vec3d& axis, double radius, double sign) {
   const Vec3d along = normalize(axis), from_base = p - base;
   const double height = dot(from_base, along), whole = length(axis);
   const Vec3d out = from_base - along * height;
-  const double rho = length(out), stretch = (rho + radius) / std::abs(rho - radius);
+  const double rho = length(out), stretch = (rho + radius) / (rho - radius);
   const Vec3d s = out / rho, t = cross(along, s);
-  const double half = rho > radius ? std::atan(stretch * std::tan(std::acos(radius / rho) / 2)) : 0;
+  const double half = std::atan(stretch * std::tan(std::acos(radius / rho) / 2));
   const double first = sign > 0 ? -half : half, last = sign > 0 ? half : std::numbers::pi - half;
   const auto line = [=](double phi) {
     const double d = std::hypot(rho - radius * std::cos(phi), radius * std::sin(phi));

@@ -145,7 +145,10 @@ inline void add_cylinders(std::vector<SurfaceLight>& all, const Vec3d& at, doubl
   for (const double sign : {1.0, -1.0}) {
     const auto seen = [=](const Vec3d& p) -> Seen {
       const Vec3d from_axis = p - base - axis * (dot(p - base, axis) / dot(axis, axis));
-      if (sign > 0 && length(from_axis) < radius) return {};
+      if (length(from_axis) < radius) {
+        if (sign > 0) return {};
+        return {{cylinder_from_within(p, base, axis, radius)}, 1};
+      }
       return {{cylinder_from(p, base, axis, radius, sign)}, 1};
     };
     const auto place = [&](double radii, double height) {

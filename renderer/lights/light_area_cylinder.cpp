@@ -11,20 +11,22 @@
 namespace photonproof {
 namespace {
 
-/// A cylinder's points by the angle about the axis from where p is, phi, and the height z above p, along the axis. Both
-/// are drawn by the angle that they are seen under: with rho the distance of p from the axis and
-/// D^2 = rho^2 + R^2 - 2 rho R cos(phi) that of the line at phi,
-///   p(phi) ~ 1/D^2,   p(z | phi) ~ 1/(D^2 + z^2)
-/// whose integrals are arc tangents. In double: of a lamp far away the differences of those are small. By the gap
-/// rho - R and the versine 1 - cos(phi): of a lamp close by those are.
+/// A cylinder's points by the angle about the axis from where p is, phi, and the height z above p, along the axis. With
+/// rho the distance of p from the axis and D^2 = rho^2 + R^2 - 2 rho R cos(phi) that of the line at phi, z is drawn by
+/// the angle that it is seen under, p(z | phi) ~ 1/(D^2 + z^2), and phi
+///   from outside by p(phi) ~ 1/D^2, half of whose integral is t: tan(phi/2) = tan(t) / stretch
+///   from within by the angle psi that it is seen under, to the direction away from the axis
+/// In double: of a lamp far away the differences of arc tangents are small. By the gap rho - R and the versine
+/// 1 - cos(phi): of a lamp close by those are.
 struct SeenCylinder {
   Vec3d from_axis, side, along;  ///< unit: to p, and the other two axes
   double rho, radius, low, high;
-  double gap;          ///< rho - R
-  double least_gap;    ///< of p on the cylinder
-  double span;         ///< high - low, of which those two keep no digits where the lamp is a speck
-  double stretch;      ///< (rho + R) / |rho - R|: the half-angle phi/2 is atan(tan(t) / stretch), t uniform
-  double from, range;  ///< of t; empty where nothing shines on p
+  double gap;        ///< rho - R
+  double least_gap;  ///< of p on the cylinder
+  double span;       ///< high - low, of which those two keep no digits where the lamp is a speck
+  bool within;
+  double stretch = 0;          ///< from outside (rho + R) / (rho - R)
+  double from = 0, range = 0;  ///< of t or psi; empty where nothing shines on p
 
   SeenCylinder(const CylinderShape& s, const Vec3f& p) : radius(s.radius) {
     const Vec3d d = Vec3d(p) - s.base;
@@ -40,35 +42,44 @@ struct SeenCylinder {
     span = length(s.axis);
     high = span - height;
     if (has_fault(NumericFault::lost_height)) span = double{static_cast<float>(high) - static_cast<float>(low)};
-    if (s.sign > 0 && !(gap > 0)) {
-      stretch = from = range = 0;
+    within = !(gap > 0);
+    if (within && s.sign > 0) return;
+    if (within) {
+      range = 2 * pi_d;
       return;
     }
-    stretch = (rho + radius) / std::max(std::abs(gap), least_gap);
-    if (!(gap > 0)) {
-      from = -pi_d / 2;
-      range = pi_d;
-      return;
-    }
+    stretch = (rho + radius) / std::max(gap, least_gap);
     const double half = std::atan(std::sqrt(stretch));  // t at the silhouette, where cos(phi) = R / rho
     from = s.sign > 0 ? -half : half;
     range = s.sign > 0 ? 2 * half : pi_d - 2 * half;
   }
+  struct Line {
+    double versine, sin_phi;
+  };
+  Line line(double u) const {
+    const double angle = from + u * range, sine = std::sin(angle), cosine = std::cos(angle);
+    if (within) {  // where the ray at psi leaves the circle
+      const double b = rho * cosine, root = std::sqrt(std::max(radius * radius - rho * rho * sine * sine, 0.0));
+      const double distance = b > 0 ? -gap * (rho + radius) / (b + root) : root - b;
+      return {-(gap + distance * cosine) / radius, distance * sine / radius};
+    }
+    const double whole = std::hypot(sine, stretch * cosine);
+    const double sin_half = sine / whole, cos_half = stretch * cosine / whole;  // of phi
+    return {2 * sin_half * sin_half, 2 * sin_half * cos_half};
+  }
   double distance2(double versine) const {
     return std::max(gap * gap + 2 * rho * radius * versine, least_gap * least_gap);
   }
-  /// Per area at phi and z.
-  double density(double versine, double z) const {
-    if (!(range > 0)) return 0;
-    const double d2 = distance2(versine), d = std::sqrt(d2);
-    const double angle = std::atan2(d * span, d2 + low * high);
-    // dt/dphi = |rho^2 - R^2| / (2 D^2).
-    const double of_line = std::max(std::abs(gap), least_gap) * (rho + radius) / (2 * d2 * range);
-    return of_line * d / (angle * (d2 + z * z)) / radius;
-  }
+  /// The angle that the line is seen under, whose distance is d.
+  double angle(double d) const { return std::atan2(d * span, d * d + low * high); }
   double per_solid_angle(double versine, double z, double sign) const {
-    const double d2 = distance2(versine) + z * z, facing = sign * (gap - rho * versine);  // d cos at the lamp
-    return facing > 0 ? density(versine, z) * d2 * std::sqrt(d2) / facing : 0;
+    const double facing = sign * (gap - rho * versine);  // D times the cosine at the lamp, across the axis
+    if (!(range > 0 && facing > 0)) return 0;
+    const double d2 = distance2(versine), d = std::sqrt(d2), to_point = std::sqrt(d2 + z * z);
+    if (within) return to_point / (range * angle(d) * d);
+    // dt/dphi = (rho^2 - R^2) / (2 D^2).
+    const double of_line = std::max(gap, least_gap) * (rho + radius) / (2 * d2 * range);
+    return of_line * d / angle(d) / radius * to_point / facing;
   }
 };
 
@@ -93,12 +104,8 @@ SeenPoint CylinderShape::sample_from(const Vec3f& p, const Vec2<float>& u) const
     const LightPoint<float> point = sample(u);
     return {point, point.p - p, 0};
   }
-  const double t = seen.from + double{u.x} * seen.range;
-  const double opposite = std::sin(t), adjacent = seen.stretch * std::cos(t), whole = std::hypot(opposite, adjacent);
-  const double sin_half = opposite / whole, cos_half = adjacent / whole;  // of phi
-  const double versine = 2 * sin_half * sin_half, sin_phi = 2 * sin_half * cos_half;
-  const double d = std::sqrt(seen.distance2(versine));
-  const double angle = std::atan2(d * seen.span, d * d + seen.low * seen.high);
+  const auto [versine, sin_phi] = seen.line(double{u.x});
+  const double d = std::sqrt(seen.distance2(versine)), angle = seen.angle(d);
   const double z = std::clamp(d * std::tan(std::atan2(seen.low, d) + double{u.y} * angle), seen.low, seen.high);
   const Vec3d outward = seen.from_axis * (1 - versine) + seen.side * sin_phi;
   const Vec3d offset =

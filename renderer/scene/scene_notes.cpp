@@ -174,7 +174,7 @@ void add_camera_notes(const SceneDescription& description, Notes& notes) {
 }
 
 /// What steps of coordinates may be of what is seen, and those of a lamp, which is far away where it is large.
-constexpr double part_of_what_is_seen = 1e-4, part_of_a_lamp = 0.1;
+constexpr double part_of_what_is_seen = 1e-4, part_of_a_lamp = 0.01;
 
 void add_place_notes(const SceneDescription& description, Notes& notes) {
   const std::optional<SceneFocus> focus = scene_focus(description);
