@@ -61,18 +61,21 @@ class PhotonKernel : public BatchKernel<PhotonKernel<F>, PhotonState, TransportM
     const Vec2<F> u_direction = draw(s, 1u);
     Emission<F> start{};
     const auto shine = [&](const auto& light, const Mask<F>& of_kind) {
-      start = select(of_kind, emit(s, light, u_position, u_direction, of_kind), start);
+      start = select(of_kind, emit(s, light, choice.light, u_position, u_direction, of_kind), start);
     };
     if (scene_.guided_emission)
       shine(GeneralLight<F>(*scene_.general_lights, choice.light, lanes), lanes);
     else
       for_each_light_kind<F>(scene_, choice.light, lanes, shine);
     // A primitive of a small scene; elsewhere the lamp's face.
-    s.from = select(equal<F>(choice.primitive, U(no_index)), choice.primitive, choice.primitive + start.at.triangle);
+    const Mask<F> ahead = start.is_ahead > 0;
+    s.from =
+        select(ahead || equal<F>(choice.primitive, U(no_index)), U(no_index), choice.primitive + start.at.triangle);
     s.flux = start.flux;
     s.direction = start.direction;
     s.flux *= F(task_.share) / choice.probability;
-    s.origin = offset_from(start.at.p, start.at.normal, s.direction, scene_.coordinate_floor);
+    s.origin =
+        select(ahead, start.ahead, offset_from(start.at.p, start.at.normal, s.direction, scene_.coordinate_floor));
     s.weight = F(1.0f);
     s.edges = U(0u);
     s.bounced = U(0u);
@@ -144,17 +147,21 @@ class PhotonKernel : public BatchKernel<PhotonKernel<F>, PhotonState, TransportM
 
   /// Aimed where that is wanted; what comes from infinity goes where it goes.
   template <class Light>
-  Emission<F> emit(const PhotonState<F>& s, const Light& light, const Vec2<F>& u_position, const Vec2<F>& u_direction,
-                   const Mask<F>& lanes) const {
+  Emission<F> emit(const PhotonState<F>& s, const Light& light, const U& index, const Vec2<F>& u_position,
+                   const Vec2<F>& u_direction, const Mask<F>& lanes) const {
     Emission<F> start = light.emit(u_position, u_direction);
     if (!task_.aimed) return start;
     const Mask<F> finite = lanes && !is_infinite<F>(light);
     if (!any(finite)) return start;
     const F u_target = draw_independent<F>(U(task_.seed), U(s.path + task_.first), U(2u));
-    const AimedDirection<F> aimed = aim(scene_, start.at.p, u_target, u_direction);
-    const Vec3<F> flux = light.flux_towards(start.at, aimed.direction) * (1 / aimed.pdf) * (1 / start.crowding);
-    start.direction = select(finite, aimed.direction, start.direction);
+    const Aimed<F> aimed = aim(scene_, start.at.p, u_target, u_direction);
+    const Vec3<F>& direction = aimed.line.direction;
+    const Vec3<F> flux = light.flux_towards(start.at, direction) * (1 / aimed.pdf) * (1 / start.crowding);
+    start.direction = select(finite, direction, start.direction);
     start.flux = select(finite, flux, start.flux);
+    const PointAhead<F> ahead = point_ahead(*scene_.clear_ways, index, aimed.line, start.at.p);
+    start.ahead = select(finite, ahead.p, start.ahead);
+    start.is_ahead = select(finite, select(ahead.valid, F(1.0f), F(0.0f)), start.is_ahead);
     return start;
   }
 

@@ -11,9 +11,18 @@ namespace {
 /// A lamp is huge where its half-extent is more than this many times its distance: below, what is gained by starting
 /// closer is not worth what is lost by starting there only every other time.
 constexpr float huge = 8;
+/// A lamp is far away where it is so many times a ball's radius from it: of paths that go everywhere one in a million
+/// hits it.
+constexpr float far_away = 256;
 /// What is smaller than this part of the scene, single precision would not hit from outside it: what is aimed at is no
 /// less.
 constexpr float smallest_place = 0x1p-14f;
+
+/// From the box around a light to p.
+Vec3f apart_from(const LightBounds& box, const Vec3f& p) {
+  const auto beside = [](float low, float high, float x) { return std::max({low - x, x - high, 0.0f}); };
+  return {beside(box.low.x, box.high.x, p.x), beside(box.low.y, box.high.y, p.y), beside(box.low.z, box.high.z, p.z)};
+}
 
 /// Whence a ball sees a lamp: at least its radius away; nothing where that is not near for the lamp's size.
 struct Viewpoint {
@@ -75,13 +84,22 @@ struct Viewpoint {
   /// Any other's by the box around it: of a mesh, triangles are chosen from where the ball is.
   std::optional<Vec3f> of_shape(const auto& s) const {
     const LightBounds box = s.bounds();
-    const auto beside = [](float low, float high, float x) { return std::max({low - x, x - high, 0.0f}); };
-    const Vec3f apart{beside(box.low.x, box.high.x, ball.center.x), beside(box.low.y, box.high.y, ball.center.y),
-                      beside(box.low.z, box.high.z, ball.center.z)};
-    if (length(box.high - box.low) < 2 * huge * std::max(length(apart), ball.radius)) return std::nullopt;
+    if (length(box.high - box.low) < 2 * huge * std::max(length(apart_from(box, ball.center)), ball.radius))
+      return std::nullopt;
     return ball.center;
   }
 };
+
+bool is_far(const Light& light, const AimTarget& ball) {
+  const std::optional<LightBounds> bounds = light_bounds(light);
+  return bounds && length(apart_from(*bounds, ball.center)) > far_away * ball.radius;
+}
+
+/// A line that was drawn through the ball does, whatever rounding made of it.
+bool meets(const AimedLine<float>& line, const AimTarget& ball) {
+  constexpr float rounding = 1 + 1e-6f;
+  return length(cross(line.point - ball.center, line.direction)) <= rounding * ball.radius;
+}
 
 /// u < 1/2 or not, and what is left of it, uniform again.
 bool takes_second_half(float& u) {
@@ -95,8 +113,8 @@ GuidedStart guided(const Emission<float>& even) { return {even.at, even.directio
 }  // namespace
 
 EmissionGuide::EmissionGuide(const std::vector<Light>& lights, const std::vector<AimTarget>& seen,
-                             const SceneBall& scene)
-    : scene_(scene), views_(lights.size()) {
+                             const SceneBall& scene, ClearWays ways)
+    : scene_(scene), ways_(std::move(ways)), views_(lights.size()) {
   for (std::size_t i = 0; i < lights.size(); ++i) {
     for (const AimTarget& ball : seen) {
       if (is_infinite(lights[i])) {
@@ -105,6 +123,8 @@ EmissionGuide::EmissionGuide(const std::vector<Light>& lights, const std::vector
         if (huge * place.radius < scene.radius) views_[i].push_back({place.center, place});
       } else if (const auto from = std::visit(Viewpoint{ball}, lights[i])) {
         views_[i].push_back({*from, ball});
+      } else if (is_far(lights[i], ball)) {
+        views_[i].push_back({ball.center, ball, true});
       }
     }
     if (!views_[i].empty()) ++guided_;
@@ -131,42 +151,59 @@ std::optional<GuidedStart> EmissionGuide::start(const Light& light, std::uint32_
   u.x = std::min(scaled - static_cast<float>(which), 1 - 0x1p-24f);
   if (is_infinite(light)) return start_far(light, views[which].ball, u, u_direction);
 
-  const LightSample<float> s = sample(light, views[which].from, u);
-  if (!(s.pdf > 0)) return std::nullopt;
+  const View& view = views[which];
   GuidedStart start;
+  if (view.is_far) {
+    start = guided(emit(light, u, {0.5f, 0.5f}));
+    aim(index, view.ball, u_way, start);
+    return start;
+  }
+  const LightSample<float> s = sample(light, view.from, u);
+  if (!(s.pdf > 0)) return std::nullopt;
   start.at = with_uv(light, s.at);
   start.on_line = s.at.p;
-  if (takes_second_half(u_way.x)) {
-    const AimCone<float> cone = cone_towards<float>(views[which].ball.center, views[which].ball.radius, start.at.p);
-    start.direction = normalize(Frame<float>(cone.axis).to_world(square_to_cone(u_way, cone.one_minus_cos)));
-  } else {
+  if (takes_second_half(u_way.x))
+    aim(index, view.ball, u_way, start);
+  else
     start.direction = Frame<float>(start.at.normal).to_world(square_to_cosine_hemisphere(u_way));
-  }
   return start;
 }
 
+void EmissionGuide::aim(std::uint32_t light, const AimTarget& ball, const Vec2<float>& u, GuidedStart& start) const {
+  const AimedLine<float> line = aimed_line<float>(ball.center, ball.radius, start.at.p, u);
+  start.direction = line.direction;
+  start.on_line = line.point;
+  if (light >= ways_.others.size()) return;
+  const PointAhead<float> ahead = point_ahead<float>(ways_, light, line, start.at.p);
+  if (ahead.valid) start.ahead = ahead.p;
+}
+
 EmissionPdfs<float> EmissionGuide::pdfs(const Light& light, std::uint32_t index, const LightPoint<float>& at,
-                                        const Vec3f& direction, const EmissionPdfs<float>& even) const {
+                                        const AimedLine<float>& line, const EmissionPdfs<float>& even) const {
   const std::vector<View>& views = views_[index];
   const double share = 0.5 / static_cast<double>(views.size());
   if (is_infinite(light)) {
     double here = 0;
     for (const View& view : views) {
       const double r2 = double{view.ball.radius} * double{view.ball.radius};
-      if (double{length_squared(cross(at.p - view.from, direction))} <= r2) here += 1 / (std::numbers::pi * r2);
+      if (meets(line, view.ball)) here += 1 / (std::numbers::pi * r2);
     }
     return {even.first, static_cast<float>(0.5 * double{even.second} + share * here)};
   }
   double position = 0, both = 0;
   for (const View& view : views) {
+    const double aimed{aimed_pdf<float>(view.ball.center, view.ball.radius, at.p, line)};
+    if (view.is_far) {
+      position += double{even.first};
+      both += double{even.first} * aimed;
+      continue;
+    }
     const Vec3f d = view.from - at.p;
     const float distance2 = length_squared(d), cosine = dot(at.normal, d) / std::sqrt(distance2);
     if (!(cosine > 0)) continue;
     const double here = double{pdf(light, view.from, at)} * double{cosine} / double{distance2};
-    const AimCone<float> cone = cone_towards<float>(view.ball.center, view.ball.radius, at.p);
-    const bool inside = cone.holds(direction);
     position += here;
-    both += here * 0.5 * (double{even.second} + (inside ? 1 / (2 * std::numbers::pi * double{cone.one_minus_cos}) : 0));
+    both += here * 0.5 * (double{even.second} + aimed);
   }
   const double all = 0.5 * double{even.first} + share * position;
   const double joint = 0.5 * double{even.first} * double{even.second} + share * both;

@@ -7,6 +7,12 @@
 // A place is looked at from a distance from the lamp that is at least its ball's radius, so that the starts spread over
 // all that lights the ball.
 //
+// A lamp that is far away for the size of what is looked at, of which evenly started paths hit next to nothing, starts
+// them evenly and sends that half of them into the balls:
+//   p(x, w) = 1/2 1/A cos/pi + 1/(2V) sum over v of 1/A p_ball(w | x)
+// Directions in single precision miss a ball from a million times its radius on. Such a path is known by its line,
+// which goes through a point of the ball, and its ray begins where it has met nothing yet.
+//
 // Light from infinity starts evenly on the disc across the ball around the scene, of radius R. Where that is large for
 // the places, half of the paths start on the disc across one of their balls, whose radius is r; d is the distance of
 // v's middle from the path's line:
@@ -16,8 +22,8 @@
 #include <optional>
 #include <vector>
 
+#include "renderer/light_choice/clear_ways.h"
 #include "renderer/lights/light.h"
-#include "renderer/shapes/aim_cone.h"
 #include "renderer/shapes/scene_ball.h"
 
 namespace photonproof {
@@ -26,34 +32,40 @@ namespace photonproof {
 struct GuidedStart {
   LightPoint<float> at;
   Vec3f direction{0, 0, 1};
-  Vec3f on_line;  ///< a point of the path's line near what is looked at; at.p where the start is on a surface
+  Vec3f on_line;                    ///< a point of the path's line, as near what is looked at as is known
+  std::optional<Vec3f> ahead = {};  ///< as of an Emission
 };
 
 class EmissionGuide {
  public:
   EmissionGuide() = default;
-  /// `seen`: balls of what the camera sees. Lights that are not huge for their distance to any are left alone.
-  EmissionGuide(const std::vector<Light>& lights, const std::vector<AimTarget>& seen, const SceneBall& scene);
+  /// `seen`: balls of what the camera sees. Lights that are neither huge for their distance to any nor far away are
+  /// left alone.
+  EmissionGuide(const std::vector<Light>& lights, const std::vector<AimTarget>& seen, const SceneBall& scene,
+                ClearWays ways);
 
   bool empty() const { return guided_ == 0; }
   bool guides(std::uint32_t light) const { return light < views_.size() && !views_[light].empty(); }
   /// Nothing where the place drawn does not see the light. `light` is what `lights` has at `index`, which is guided.
   std::optional<GuidedStart> start(const Light& light, std::uint32_t index, const Vec2<float>& u_position,
                                    const Vec2<float>& u_direction) const;
-  /// Densities of that; of light from infinity, at.p is any point of the path's line. `even`: what they are without a
-  /// guide.
-  EmissionPdfs<float> pdfs(const Light& light, std::uint32_t index, const LightPoint<float>& at, const Vec3f& direction,
-                           const EmissionPdfs<float>& even) const;
+  /// Densities of that; `even`: what they are without a guide.
+  EmissionPdfs<float> pdfs(const Light& light, std::uint32_t index, const LightPoint<float>& at,
+                           const AimedLine<float>& line, const EmissionPdfs<float>& even) const;
 
  private:
   struct View {
     Vec3f from;
     AimTarget ball;
+    bool is_far = false;  ///< starts are even
   };
+  /// Sends it into the ball.
+  void aim(std::uint32_t light, const AimTarget& ball, const Vec2<float>& u, GuidedStart& start) const;
   GuidedStart start_far(const Light& light, const AimTarget& ball, const Vec2<float>& u_position,
                         const Vec2<float>& u_direction) const;
 
   SceneBall scene_;
+  ClearWays ways_;
   std::vector<std::vector<View>> views_;  ///< of each light
   std::size_t guided_ = 0;                ///< lights with views
 };

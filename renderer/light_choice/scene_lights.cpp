@@ -95,10 +95,11 @@ LightStart SceneLights::start_of(std::uint32_t index, const Vec2<float>& u_posit
   if (!drawn) return start;
   start.at = drawn->at;
   start.direction = drawn->direction;
-  LightPoint<float> on_line = drawn->at;
-  on_line.p = drawn->on_line;
-  start.pdfs = emit_pdfs_of(index, on_line, start.direction);
-  const float cosine = start.is_infinite ? 1 : std::max(dot(start.at.normal, start.direction), 0.0f);
+  start.pdfs = emit_pdfs_of(index, start.at, start.direction, drawn->on_line);
+  if (drawn->ahead) start.ahead = *drawn->ahead;
+  start.is_ahead = drawn->ahead ? 1 : 0;
+  const bool has_side = length_squared(start.at.normal) > 0 && !start.is_infinite;
+  const float cosine = has_side ? std::max(dot(start.at.normal, start.direction), 0.0f) : 1;
   start.flux = leaving(light, start.at, start.direction) * (cosine / (start.pdfs.first * start.pdfs.second));
   start.crowding = start.pdfs.first / photonproof::emit_pdfs(light, start.at, start.direction).first;
   return start;
@@ -114,20 +115,20 @@ LightStart SceneLights::emit(float u_choice, const Vec2<float>& u_position, cons
   return start;
 }
 
-EmissionPdfs<float> SceneLights::emit_pdfs_of(std::uint32_t light, const LightPoint<float>& at,
-                                              const Vec3f& direction) const {
+EmissionPdfs<float> SceneLights::emit_pdfs_of(std::uint32_t light, const LightPoint<float>& at, const Vec3f& direction,
+                                              const Vec3f& on_line) const {
   EmissionPdfs<float> pdfs = photonproof::emit_pdfs(lights_[light], at, direction);
   if (is_infinite(light)) {
-    const Vec3f from_axis = cross(at.p - ball_.center, direction);
+    const Vec3f from_axis = cross(on_line - ball_.center, direction);
     if (dot(from_axis, from_axis) > ball_.radius * ball_.radius) pdfs.second = 0;
   }
-  if (guide_.guides(light)) return guide_.pdfs(lights_[light], light, at, direction, pdfs);
+  if (guide_.guides(light)) return guide_.pdfs(lights_[light], light, at, {on_line, direction}, pdfs);
   return pdfs;
 }
 
-EmissionPdfs<float> SceneLights::emit_pdfs(std::uint32_t light, const LightPoint<float>& at,
-                                           const Vec3f& direction) const {
-  const EmissionPdfs<float> pdfs = emit_pdfs_of(light, at, direction);
+EmissionPdfs<float> SceneLights::emit_pdfs(std::uint32_t light, const LightPoint<float>& at, const Vec3f& direction,
+                                           const Vec3f& on_line) const {
+  const EmissionPdfs<float> pdfs = emit_pdfs_of(light, at, direction, on_line);
   return {pdfs.first * emission_probability(light), pdfs.second};
 }
 

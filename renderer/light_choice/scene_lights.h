@@ -86,10 +86,16 @@ class SceneLights {
   LightStart start_of(std::uint32_t light, const Vec2<float>& u_position, const Vec2<float>& u_direction) const;
   /// Chooses the light in proportion to its flux. The choice is in the flux and in pdfs.first.
   LightStart emit(float u_choice, const Vec2<float>& u_position, const Vec2<float>& u_direction) const;
-  /// Densities with which a photon of this light starts on the ray through that point in `direction`. The point is the
-  /// light's where it has a surface; of others it is any point of the ray.
-  EmissionPdfs<float> emit_pdfs_of(std::uint32_t light, const LightPoint<float>& at, const Vec3f& direction) const;
-  EmissionPdfs<float> emit_pdfs(std::uint32_t light, const LightPoint<float>& at, const Vec3f& direction) const;
+  /// Densities with which a photon of this light starts at its point `at` in `direction`. `on_line` is any point of
+  /// that ray, best one that it is to meet: from far away directions do not say exactly enough where it goes. Of light
+  /// from infinity `at` is not looked at.
+  EmissionPdfs<float> emit_pdfs_of(std::uint32_t light, const LightPoint<float>& at, const Vec3f& direction,
+                                   const Vec3f& on_line) const;
+  EmissionPdfs<float> emit_pdfs(std::uint32_t light, const LightPoint<float>& at, const Vec3f& direction,
+                                const Vec3f& on_line) const;
+  EmissionPdfs<float> emit_pdfs(std::uint32_t light, const LightPoint<float>& at, const Vec3f& direction) const {
+    return emit_pdfs(light, at, direction, at.p);
+  }
   /// The probability with which `emit` chooses this light.
   float emission_probability(std::uint32_t light) const { return words_[light].probability; }
   /// What a photon that starts there evenly carries towards `direction`, W sr^-1 (light_kinds.h).

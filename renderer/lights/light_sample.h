@@ -33,10 +33,12 @@ struct SeenPoint {
 /// A light path's start at a light that has been chosen.
 template <class F>
 struct Emission {
-  LightPoint<F> at;   ///< of an infinite light: on the disc before the scene
-  Vec3<F> direction;  ///< unit
-  Vec3<F> flux;       ///< W: what leaves the light, cosine inside, over the densities of position and direction
-  F crowding{1.0f};   ///< density of the position over that of an even one
+  LightPoint<F> at;    ///< of an infinite light: on the disc before the scene
+  Vec3<F> direction;   ///< unit
+  Vec3<F> flux;        ///< W: what leaves the light, cosine inside, over the densities of position and direction
+  F crowding{1.0f};    ///< density of the position over that of an even one
+  Vec3<F> ahead = {};  ///< where `is_ahead` is not 0: a point on its way up to which it meets nothing
+  F is_ahead{0.0f};
 };
 
 /// Densities of an emission's two draws in their order, of a light that has been chosen. Infinite lights begin with
@@ -64,8 +66,9 @@ LightSample<F> select(const M& m, const LightSample<F>& a, const LightSample<F>&
 
 template <class M, class F>
 Emission<F> select(const M& m, const Emission<F>& a, const Emission<F>& b) {
-  return {select(m, a.at, b.at), select(m, a.direction, b.direction), select(m, a.flux, b.flux),
-          select(m, a.crowding, b.crowding)};
+  return {select(m, a.at, b.at),       select(m, a.direction, b.direction),
+          select(m, a.flux, b.flux),   select(m, a.crowding, b.crowding),
+          select(m, a.ahead, b.ahead), select(m, a.is_ahead, b.is_ahead)};
 }
 
 /// Density per solid angle at `p` of a density `pdf_area` per area at a point of a surface light; 0 when that is seen

@@ -60,7 +60,7 @@ class BidirectionalTracer : ScalarTracer {
                                            draws.two(bdpt_dimension::direction));
     // Along the lamp's own surface its density is 0, which rounding draws once in some ten million.
     if (!(max_component(start.flux) > 0 && start.pdfs.second > 0 && start.pdfs.first > 0)) return;
-    Ray ray = world_.leave(lights_.end(start), start.direction);
+    Ray ray = first_ray(start);
     ++work.rays.photon;
     Vertex v;
     v.throughput = start.flux * arriving_from_infinity(world_, start.is_infinite, outer_);
@@ -203,7 +203,7 @@ class BidirectionalTracer : ScalarTracer {
     const Rgb emitted = lights_->radiance(v.at.light, point, v.back);
     if (!(max_component(emitted) > 0)) return Rgb(0.0f);
     if (v.edges == 1) return limits_.hide_emitters ? Rgb(0.0f) : v.throughput * emitted;
-    const EmissionPdfs<float> pdfs = lights_->emit_pdfs(v.at.light, point, v.back);
+    const EmissionPdfs<float> pdfs = lights_->emit_pdfs(v.at.light, point, v.back, before);
     const double g = cosine(v.at.ng, v.back) / length_squared(v.at.p - before);
     const double drawn_anew = g * lights_->pdf(v.at.light, before, point);
     // (d_0/b_0)^2 for s = 1, and for s > 1 what went before times (f_0 t_0/b_0 ...)^2.
@@ -237,9 +237,7 @@ class BidirectionalTracer : ScalarTracer {
 
     const double less =
         seen.is_delta ? 0.0 : scatter_pdf(v.at, v.back, seen.wi, TransportMode::radiance) / double{seen.pdf};
-    LightPoint<float> on_line = seen.at;
-    if (seen.is_infinite) on_line.p = v.at.p;
-    const EmissionPdfs<float> pdfs = lights_->emit_pdfs(seen.light, on_line, -seen.wi);
+    const EmissionPdfs<float> pdfs = lights_->emit_pdfs(seen.light, seen.at, -seen.wi, v.at.p);
     const double f1 = light_goes_on * first_step(pdfs, seen.is_infinite, seen.at.p, v.at, seen.wi);
     // f_0 over d_0: both per area, or both per direction at an infinite light, or both of the choice alone.
     double drawn = seen.pdf;

@@ -44,7 +44,7 @@ class ParticleTracer : ScalarTracer {
     Rgb throughput = start.flux * arriving_from_infinity(world_, start.is_infinite, outer_);
     if (!(max_component(throughput) > 0)) return;
     const Rgb first_throughput = throughput;
-    Ray ray = world_.leave(lights_.end(start), start.direction);
+    Ray ray = first_ray(start);
     Surroundings around = surroundings_at(world_, start.at.p, outer_);
     ++work.rays.photon;
     // `edges` from the light to the vertex; the one to the camera comes on top.

@@ -26,6 +26,13 @@ class ScalarTracer {
     return limits_.max_depth < 0 || edges <= static_cast<std::uint32_t>(limits_.max_depth);
   }
 
+  /// A light path's. Where nothing but a medium without end may be between the light and what is ahead, it begins
+  /// there.
+  Ray first_ray(const LightStart& start) const {
+    const bool ahead = start.is_ahead > 0 && outer_ == no_index;
+    return world_.leave(ahead ? SegmentEnd{start.ahead} : lights_.end(start), start.direction);
+  }
+
   World world_;
   WorldLights lights_;
   WorldCamera camera_;

@@ -8,6 +8,7 @@
 #include "renderer/rays/rays.h"
 #include "renderer/rays/small_scene_tables.h"
 #include "renderer/scene/aim_targets.h"
+#include "renderer/scene/find_clear_ways.h"
 #include "renderer/scene/looked_at.h"
 
 namespace photonproof {
@@ -52,10 +53,11 @@ Scene::Scene(SceneParts parts, const SceneChoices& choices)
       light_records_(light_records(lights)),
       light_words_(words_of_lights(*this, small_.get())),
       aim_targets_(aim_targets(surfaces, [&](const Surface& surface) { return bsdfs.is_specular(surface.bsdf); })),
+      clear_ways_(choices.light_paths ? find_clear_ways(*this) : ClearWays{}),
       detail_{surfaces, uv_frames, *textures, bsdfs, plain, small_ ? small_->triangles() : nullptr},
       scene_lights_(std::make_unique<SceneLights>(lights, light_words_, ball)),
       view_(view_of(choices)) {
-  if (choices.light_paths) scene_lights_->guide_emission(EmissionGuide(lights, looked_at(*this), ball));
+  if (choices.light_paths) scene_lights_->guide_emission(EmissionGuide(lights, looked_at(*this), ball, clear_ways_));
   view_.guided_emission = scene_lights_->has_guide();
 }
 
@@ -91,6 +93,7 @@ SceneView Scene::view_of(const SceneChoices& choices) const {
   view.one_light = choices.one_light;
   view.lights_by_position = choices.lights_by_position;
   view.dark_shadow_rays = choices.dark_shadow_rays;
+  view.clear_ways = &clear_ways_;
   view.aim_targets = aim_targets_.data();
   view.aim_target_count = static_cast<std::uint32_t>(aim_targets_.size());
   return view;

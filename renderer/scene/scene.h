@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "renderer/light_choice/clear_ways.h"
 #include "renderer/light_choice/light_words.h"
 #include "renderer/rays/trace.h"
 #include "renderer/scene/scene_choices.h"
@@ -46,6 +47,7 @@ class Scene : public SceneParts {
   const std::vector<float> bsdf_records_, light_records_;
   const std::vector<LightWords> light_words_;
   const std::vector<AimTarget> aim_targets_;
+  const ClearWays clear_ways_;
   const DetailTables detail_;
   const std::unique_ptr<SceneLights> scene_lights_;
   SceneView view_;

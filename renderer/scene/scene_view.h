@@ -12,6 +12,7 @@ namespace photonproof {
 
 class SceneLights;
 struct AimTarget;
+struct ClearWays;
 struct DetailTables;
 struct LightWords;
 
@@ -37,7 +38,8 @@ struct SceneView : RayScene {
   const SceneLights* general_lights = nullptr;  ///< all lights, for those that need tables
   bool lights_by_position = false;              ///< they are chosen by `general_lights`
   std::uint32_t environment = no_index;         ///< the light that rays see which leave the scene
-  const AimTarget* aim_targets = nullptr;       ///< one for each specular surface
+  const ClearWays* clear_ways = nullptr;
+  const AimTarget* aim_targets = nullptr;  ///< one for each specular surface
   std::uint32_t aim_target_count = 0;
   std::uint32_t bsdf_kinds = 0;  ///< bit k: a surface has a BSDF of kind k
   std::uint32_t light_kinds = 0;

@@ -1,0 +1,45 @@
+#include "renderer/scene/find_clear_ways.h"
+
+#include <variant>
+
+namespace photonproof {
+namespace {
+
+AimTarget ball_around_box(const ShapeBox& box) {
+  if (!(box.low.x <= box.high.x)) return {Vec3f(0.0f), 0};
+  return {(box.low + box.high) * 0.5f, length(box.high - box.low) * 0.5f};
+}
+
+}  // namespace
+
+ClearWays find_clear_ways(const SceneParts& scene) {
+  ClearWays ways;
+  const std::vector<Surface>& surfaces = scene.surfaces;
+  const std::size_t count = surfaces.size();
+  for (const Surface& surface : surfaces)
+    if (const auto* plane = std::get_if<Plane>(&surface.geometry))
+      ways.walls.push_back({Vec3f(plane->point), Vec3f(plane->normal)});
+
+  // Boxes around the first so many surfaces, and around those from some number on.
+  std::vector<ShapeBox> before(count + 1), from(count + 1);
+  for (std::size_t i = 0; i < count; ++i) {
+    from[i] = std::visit([](const auto& shape) { return box_around(shape); }, surfaces[i].geometry);
+    before[i + 1] = before[i];
+    before[i + 1].add(from[i]);
+  }
+  for (std::size_t i = count; i-- > 0;) from[i].add(from[i + 1]);
+
+  ways.others.assign(scene.lights.size(), ball_around_box(from[0]));
+  const auto leave_out = [&](std::size_t first, std::size_t last) {
+    ShapeBox rest = before[first];
+    rest.add(from[last]);
+    for (std::size_t i = first; i < last; ++i)
+      if (surfaces[i].light != no_index) ways.others[surfaces[i].light] = ball_around_box(rest);
+  };
+  for (std::size_t i = 0; i < count; ++i)
+    if (surfaces[i].light != no_index && mesh_of(surfaces[i].geometry) == nullptr) leave_out(i, i + 1);
+  for (const std::size_t cube : scene.cubes) leave_out(cube, cube + 6);
+  return ways;
+}
+
+}  // namespace photonproof

@@ -1,0 +1,11 @@
+// Fills ClearWays.
+#pragma once
+
+#include "renderer/light_choice/clear_ways.h"
+#include "renderer/scene/scene_parts.h"
+
+namespace photonproof {
+
+ClearWays find_clear_ways(const SceneParts& scene);
+
+}  // namespace photonproof
