@@ -38,14 +38,17 @@ TEST(photon_mapper, a_single_plane_needs_no_map) {
 }
 
 TEST(photon_mapper, says_when_few_photons_arrive_where_the_camera_looks) {
-  // A lamp between two planes lights them; at (1000, 0, 0), between two others, 1e-6 of its light arrives.
+  // A lamp between two planes lights them; at (1000, 0, 0), between two others and behind a wall, nothing arrives.
   SceneDescription d = test::floor_under_point_light(16);
   const auto facing_down = [](double x) { return Transform::translate({x, 6, 0}) * Transform::rotate({1, 0, 0}, 90); };
   const auto facing_up = Transform::translate({1000, 0, 0}) * Transform::rotate({1, 0, 0}, -90);
   test::add_shape(d, RectangleDescription{}, facing_down(0), {0});
   test::add_shape(d, RectangleDescription{}, facing_down(1000), {0});
   test::add_shape(d, RectangleDescription{}, facing_up, {0});
-  const RenderJob job = job_with(4, 200'000);
+  test::add_shape(d, RectangleDescription{},
+                  Transform::translate({990, 0, 0}) * Transform::rotate({0, 1, 0}, 90) * Transform::scale(Vec3d(20)),
+                  {0});
+  const RenderJob job = job_with(4, 400'000);
   const auto near = render(d, "photonmapper", job);
   EXPECT_THAT(near.stats.losses, testing::IsEmpty());
   EXPECT_GT(near.stats.counts.at("photons_in_disc_global"), 10);

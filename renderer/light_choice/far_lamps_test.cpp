@@ -37,8 +37,8 @@ std::vector<FarLamp> far_lamps(double distance) {
 }
 
 TEST(far_lamps, guided_photons_carry_what_crosses_what_is_seen_and_begin_before_it) {
-  // A ball of radius r takes pi r^2 of what passes. Half of the photons go into one of the two that are seen: an error of
-  // 6 % shows of any.
+  // A ball of radius r takes pi r^2 of what passes. Half of the photons go into one of the two that are seen: an error
+  // of 6 % shows of any.
   constexpr int draws = 200'000;
   const std::vector<AimTarget> seen{{{0, 0, 0}, 0.5f}, {{3, 0, 1}, 2}};
   const AimTarget others{{1, 1, 0}, 20};

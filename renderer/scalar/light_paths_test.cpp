@@ -116,7 +116,9 @@ TEST(ptracer, says_when_few_light_paths_arrive_or_none) {
   tall.sensor.film.width = 1;
   tall.sensor.film.height = 80;
   EXPECT_THAT(losses(tall, 64), ElementsAre(HasSubstr("they may be dark by chance")));
-  // One in 1e11 of the lamp's paths meets the floor.
+  test::add_shape(floor, RectangleDescription{},
+                  Transform::translate({0, 100, 0}) * Transform::rotate({1, 0, 0}, 90) * Transform::scale(Vec3d(100)),
+                  {0});
   std::get<PointLightDescription>(floor.emitters[0].light).position = {0, 1e6, 0};
   EXPECT_THAT(losses(floor, 4), ElementsAre(HasSubstr("no light path arrived where the camera looks")));
 }
