@@ -95,12 +95,6 @@ bool is_far(const Light& light, const AimTarget& ball) {
   return bounds && length(apart_from(*bounds, ball.center)) > far_away * ball.radius;
 }
 
-/// A line that was drawn through the ball does, whatever rounding made of it.
-bool meets(const AimedLine<float>& line, const AimTarget& ball) {
-  constexpr float rounding = 1 + 1e-6f;
-  return length(cross(line.point - ball.center, line.direction)) <= rounding * ball.radius;
-}
-
 /// u < 1/2 or not, and what is left of it, uniform again.
 bool takes_second_half(float& u) {
   const bool second = u >= 0.5f;
@@ -186,7 +180,7 @@ EmissionPdfs<float> EmissionGuide::pdfs(const Light& light, std::uint32_t index,
     double here = 0;
     for (const View& view : views) {
       const double r2 = double{view.ball.radius} * double{view.ball.radius};
-      if (meets(line, view.ball)) here += 1 / (std::numbers::pi * r2);
+      if (meets<float>(line, view.ball.center, view.ball.radius)) here += 1 / (std::numbers::pi * r2);
     }
     return {even.first, static_cast<float>(0.5 * double{even.second} + share * here)};
   }

@@ -51,6 +51,13 @@ struct AimedLine {
   Vec3<F> point, direction;  ///< unit
 };
 
+/// A line that was drawn through the ball does, whatever rounding made of it.
+template <class F>
+Mask<F> meets(const AimedLine<F>& line, const Vec3<F>& center, const F& radius) {
+  constexpr float rounding = 1 + 1e-6f;
+  return length(cross(Vec3<F>(line.point - center), line.direction)) <= rounding * radius;
+}
+
 /// Uniformly over the cone that the ball is seen in from p, as `aimed_pdf` says.
 template <class F>
 AimedLine<F> aimed_line(const Vec3<F>& center, const F& radius, const Vec3<F>& p, const Vec2<F>& u) {
@@ -67,11 +74,9 @@ AimedLine<F> aimed_line(const Vec3<F>& center, const F& radius, const Vec3<F>& p
 /// Per solid angle at p; of other lines from p `point` is any that is near the ball if it meets it.
 template <class F>
 F aimed_pdf(const Vec3<F>& center, const F& radius, const Vec3<F>& p, const AimedLine<F>& line) {
-  constexpr float rounding = 1 + 1e-6f;
   const AimCone<F> cone = cone_towards(center, radius, p);
   const Mask<F> too_far = length(Vec3<F>(center - p)) > too_far_for_directions * radius;
-  const Mask<F> meets = length(cross(Vec3<F>(line.point - center), line.direction)) <= rounding * radius;
-  const Mask<F> inside = (too_far && meets) || (!too_far && cone.holds(line.direction));
+  const Mask<F> inside = (too_far && meets(line, center, radius)) || (!too_far && cone.holds(line.direction));
   return select(inside, 1 / (2 * pi * cone.one_minus_cos), F(0.0f));
 }
 
