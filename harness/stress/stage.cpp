@@ -1,6 +1,8 @@
 #include "harness/stress/stage.h"
 
 #include <filesystem>
+#include <mutex>
+#include <set>
 
 #include "scenes/meshes/ply.h"
 
@@ -102,9 +104,23 @@ TriangleMesh mesh_of(const std::vector<Vec3f>& positions, const std::vector<Tria
   return mesh;
 }
 
+namespace {
+
+/// Ladders of several engines, which are climbed at the same time, share meshes.
+void write_once(const std::filesystem::path& file, const TriangleMesh& mesh) {
+  static std::mutex writing;
+  static std::set<std::filesystem::path> written;
+  const std::scoped_lock lock(writing);
+  if (written.contains(file) && std::filesystem::exists(file)) return;
+  write_ply(file, mesh);
+  written.insert(file);
+}
+
+}  // namespace
+
 MeshDescription mesh_file(const std::filesystem::path& folder, const std::string& name, TriangleMesh mesh) {
   const std::filesystem::path file = std::filesystem::absolute(folder / (name + ".ply"));
-  write_ply(file, mesh);
+  write_once(file, mesh);
   MeshDescription description;
   description.filename = file.string();
   description.face_normals = true;
