@@ -26,8 +26,7 @@ class ScalarTracer {
     return limits_.max_depth < 0 || edges <= static_cast<std::uint32_t>(limits_.max_depth);
   }
 
-  /// A light path's. Where nothing but a medium without end may be between the light and what is ahead, it begins
-  /// there.
+  /// A light path's. It begins at what is ahead, unless a medium without end takes light on the way.
   Ray first_ray(const LightStart& start) const {
     const bool ahead = start.is_ahead > 0 && outer_ == no_index;
     return world_.leave(ahead ? SegmentEnd{start.ahead} : lights_.end(start), start.direction);
