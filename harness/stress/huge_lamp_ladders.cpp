@@ -1,5 +1,5 @@
 // Lamps of 10^k whose nearest point is 12 above the floor, which alone is seen: its irradiance is known whatever their
-// size. They are tilted, since what lies along the axes is spared most roundings.
+// size. Most are tilted, since what lies along the axes is spared most roundings.
 #include <cmath>
 #include <numbers>
 

@@ -17,8 +17,7 @@ AimTarget ball_around(const Quad& quad) {
 /// By the box around it, of what there is no smaller ball for.
 template <class Shape>
 AimTarget ball_around(const Shape& shape) {
-  const ShapeBox box = box_around(shape);
-  return {(box.low + box.high) * 0.5f, length(box.high - box.low) * 0.5f};
+  return ball_around_box(box_around(shape));
 }
 
 AimTarget ball_around(const Disk& disk) { return {disk.center, std::hypot(length(disk.axis_x), length(disk.axis_y))}; }
@@ -39,6 +38,11 @@ AimTarget ball_around(const MeshInstance& copy) {
 }
 
 }  // namespace
+
+AimTarget ball_around_box(const ShapeBox& box) {
+  if (!(box.low.x <= box.high.x)) return {Vec3f(0.0f), 0};
+  return {(box.low + box.high) * 0.5f, length(box.high - box.low) * 0.5f};
+}
 
 std::vector<AimTarget> aim_targets(const std::vector<Surface>& surfaces,
                                    const std::function<bool(const Surface&)>& is_specular) {

@@ -13,6 +13,9 @@ namespace photonproof {
 /// More cones than this cost more to weigh than they save.
 inline constexpr std::size_t most_aim_targets = 16;
 
+/// Nothing around an empty box.
+AimTarget ball_around_box(const ShapeBox& box);
+
 /// One ball for each surface that is specular, which it holds.
 std::vector<AimTarget> aim_targets(const std::vector<Surface>& surfaces,
                                    const std::function<bool(const Surface&)>& is_specular);

@@ -2,15 +2,9 @@
 
 #include <variant>
 
+#include "renderer/scene/aim_targets.h"
+
 namespace photonproof {
-namespace {
-
-AimTarget ball_around_box(const ShapeBox& box) {
-  if (!(box.low.x <= box.high.x)) return {Vec3f(0.0f), 0};
-  return {(box.low + box.high) * 0.5f, length(box.high - box.low) * 0.5f};
-}
-
-}  // namespace
 
 ClearWays find_clear_ways(const SceneParts& scene) {
   ClearWays ways;
