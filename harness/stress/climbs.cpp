@@ -76,6 +76,11 @@ SceneDescription moved(SceneDescription scene, const Vec3d& by) {
   return scene;
 }
 
+SceneDescription turned(SceneDescription scene) {
+  move_everything(scene, Transform::rotate({1, 2, 3}, 40));
+  return scene;
+}
+
 SceneDescription brighter(SceneDescription scene, double by) {
   for (ShapeDescription& shape : scene.shapes)
     if (shape.radiance)

@@ -13,6 +13,9 @@ SceneDescription in_another_unit(SceneDescription scene, double by);
 /// Everything moved, camera and lamps too.
 SceneDescription moved(SceneDescription scene, const Vec3d& by);
 
+/// Turned as a whole by 40 degrees about (1, 2, 3), along which no face of a stage lies.
+SceneDescription turned(SceneDescription scene);
+
 /// Every lamp times `by`; so is the picture.
 SceneDescription brighter(SceneDescription scene, double by);
 

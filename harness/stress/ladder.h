@@ -39,6 +39,7 @@ struct Ladder {
   std::function<double(double)> factor = [](double) { return 1.0; };
   std::vector<std::string> engines{};  ///< empty: all
   bool climbs_on = false;              ///< beyond a rung that is refused: heights are a list, not a size
+  bool is_turned = false;              ///< no face lies along an axis
   bool must_refuse = false;            ///< a picture without a warning is wrong
   std::string compared_with{};         ///< the engine that renders `alike`; empty: the rung's own
   /// In place of a render: a rung that another verb of the program decides.
@@ -46,6 +47,10 @@ struct Ladder {
   double quick = std::numeric_limits<double>::quiet_NaN();  ///< the height that --quick climbs to; NaN: `wanted`
   std::string name() const { return feature + ", " + climb; }
 };
+
+/// Each rung's scene turned as a whole (climbs.h), what it is compared with not. Where a rung is text, it stays.
+/// Precondition: rungs are scenes.
+Ladder turned(Ladder ladder);
 
 /// The integrators that climb where nothing else is said.
 const std::vector<std::string>& stress_engines();

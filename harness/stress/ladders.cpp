@@ -84,6 +84,17 @@ void add_whole_scene_ladders(const std::filesystem::path& assets, std::vector<La
 
 }  // namespace
 
+Ladder turned(Ladder ladder) {
+  ladder.climb += ", turned";
+  ladder.is_turned = true;
+  ladder.rung = [straight = std::move(ladder.rung)](double k) {
+    StressScene scene = straight(k);
+    if (scene.replaced.empty()) scene.scene = turned(std::move(scene.scene));
+    return scene;
+  };
+  return ladder;
+}
+
 const std::vector<std::string>& stress_engines() {
   static const std::vector<std::string> engines{"path", "photonmapper", "bdpt", "ptracer", "volpath"};
   return engines;

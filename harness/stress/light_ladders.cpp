@@ -83,9 +83,16 @@ std::vector<Ladder> point_lights() {
   Ladder flat{"light directional",          "grazing", "at a sine of 10^-k above the floor",
               {1, 2, 3, 4, 5, 6, 7, 9, 12}, 6,         grazing};
   flat.radiance = irradiance * 0.5 / pi;
+  // Along no axis rounding of directions is 1e-7 of the sine. What that makes of 10^-3 is too little to be said, but
+  // engines without noise here would be found out by it.
+  Ladder tilted = turned(flat);
+  std::erase(tilted.heights, 3);
+  tilted.wanted = 2;
+  tilted.quick = 6;
   return {{"light point", "far", "10^k away, irradiance as of a beam", {4, 6, 9, 12, 15, 18}, 9, far_point, beam},
           {"light spot", "far", "10^k away, irradiance as of a beam", {4, 6, 9, 12, 15, 18}, 9, far_spot, beam},
-          flat};
+          flat,
+          tilted};
 }
 
 /// A disk or square of half width 10^k above floor and camera: of 10^4 it is all but 1e-6 of the upper half of a sky.
@@ -165,6 +172,12 @@ std::vector<Ladder> near_the_floor() {
                        rung,
                        [=](double) { return other(3); }});
     ladders.back().engines = {"path", "photonmapper", "bdpt", "volpath"};
+    // Along no axis a height is what single precision leaves of coordinates near 7.
+    Ladder tilted = turned(ladders.back());
+    tilted.heights.insert(tilted.heights.begin(), 3);
+    tilted.wanted = 3;
+    tilted.quick = 5;
+    ladders.push_back(std::move(tilted));
   };
   const auto square = shaped(RectangleDescription{}, 4, false), disk = shaped(DiskDescription{}, pi, false);
   add("point", point, point);

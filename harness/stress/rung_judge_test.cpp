@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <limits>
+#include <random>
 
 #include "scenes/images/mean_error.h"
 
@@ -126,6 +127,36 @@ TEST(rungs, whose_pixels_err_together_may_be_off_by_that) {
   evidence.picture = noisy(1.08f);
   store_mean_error(*evidence.picture, {{0.01, 0.01, 0.01}, 8});
   EXPECT_EQ(judge_rung(evidence, expected).outcome, RungOutcome::silently_wrong);
+}
+
+/// A row of 200 blocks of 8 x 8 pixels about 1, each pixel with a deviation of 10 %, and all of a block off by as much.
+Rendering of_common_errors() {
+  Rendering rendering;
+  rendering.mean = Image(1600, 8);
+  rendering.variance = Image(1600, 8);
+  std::mt19937 generator(1);
+  std::normal_distribution<float> error(0, 0.1f);
+  for (int block = 0; block < 200; ++block) {
+    const float value = 1 + error(generator);
+    for (int y = 0; y < 8; ++y)
+      for (int x = 8 * block; x < 8 * (block + 1); ++x)
+        for (int c = 0; c < 3; ++c) {
+          rendering.mean.pixel(x, y)[c] = value;
+          rendering.variance->pixel(x, y)[c] = 0.01f;
+        }
+  }
+  return rendering;
+}
+
+TEST(rungs, whose_blocks_err_as_a_whole_are_judged_by_how_blocks_do) {
+  RungExpectation one;
+  one.radiance = 1;
+  Rendering picture = of_common_errors();
+  const RungVerdict noise = judge_rung(showing(picture), one);
+  EXPECT_EQ(noise.outcome, RungOutcome::right) << noise.sentence;
+  for (int y = 0; y < 8; ++y)
+    for (int x = 800; x < 808; ++x) picture.mean.pixel(x, y)[0] = 4;
+  EXPECT_EQ(judge_rung(showing(picture), one).outcome, RungOutcome::silently_wrong);
 }
 
 TEST(rungs, whose_noise_would_hide_an_error_are_undecided) {

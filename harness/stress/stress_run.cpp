@@ -236,6 +236,14 @@ std::vector<Climb> chosen(const StressOptions& options, const std::vector<Ladder
   return climbs;
 }
 
+std::vector<Ladder> ladders_of(const StressOptions& options) {
+  std::vector<Ladder> ladders = stress_ladders(options.folder / "assets");
+  if (!options.turned) return ladders;
+  std::erase_if(ladders, [](const Ladder& ladder) { return ladder.measured != nullptr || ladder.is_turned; });
+  for (Ladder& ladder : ladders) ladder = turned(std::move(ladder));
+  return ladders;
+}
+
 void make_folders(const fs::path& folder) {
   for (const char* part : {"assets", "rungs", "references", "pictures"}) fs::create_directories(folder / part);
 }
@@ -263,7 +271,7 @@ std::vector<std::string> stress_ladder_names(const fs::path& scratch) {
 StressRecord run_stress(const StressOptions& options) {
   const FolderLock lock(options.folder);
   make_folders(options.folder);
-  const std::vector<Ladder> ladders = stress_ladders(options.folder / "assets");
+  const std::vector<Ladder> ladders = ladders_of(options);
   const std::vector<Climb> climbs = chosen(options, ladders);
   StressRunner runner(options.program, options.folder, options.others, options.interrupt);
   Climber climber(options, runner);

@@ -18,6 +18,7 @@ struct StressOptions {
   std::vector<std::string> only;     ///< ladders whose name contains one of these; empty: all
   std::vector<std::string> engines;  ///< these alone; empty: all that a ladder names
   std::vector<Engine> others{};      ///< engines that are no integrators, which `engines` may name
+  bool turned = false;               ///< every ladder's scenes, so that no face lies along an axis
   bool quick = false;                ///< the heights that are wanted, by path and photonmapper
   int jobs = 0;                      ///< renders at a time; 0: one a core
   std::string command, version;      ///< for the record

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <vector>
 
+#include "renderer/scene/nearest_point.h"
 #include "renderer/scene/scene_frame.h"
 #include "renderer/shapes/surface.h"
 #include "scenes/description/overloaded.h"
@@ -16,38 +17,8 @@ namespace {
 /// Vertices of a mesh with more triangles lie close enough to stand for them.
 constexpr std::size_t most_triangles_to_look_at = 4096;
 
-struct Nearest {
-  const Vec3d& to;
-  Vec3d point{0.0};
-  double distance = std::numeric_limits<double>::infinity();
-  void add(const Vec3d& p) {
-    const double d = length(p - to);
-    if (!(d < distance)) return;
-    distance = d;
-    point = p;
-  }
-};
-
-/// The point a + s u + t v, s, t >= 0, s + t <= 1 nearest to p; of a triangle without area, a point of it.
-Vec3d nearest_on_triangle(const Vec3d& p, const Vec3d& a, const Vec3d& u, const Vec3d& v) {
-  const Vec3d q = p - a;
-  const double uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), qu = dot(q, u), qv = dot(q, v);
-  const double determinant = uu * vv - uv * uv;
-  const double s = (qu * vv - qv * uv) / determinant, t = (qv * uu - qu * uv) / determinant;
-  if (s >= 0 && t >= 0 && s + t <= 1) return a + u * s + v * t;
-  Nearest nearest{p};
-  const auto on_edge = [&](const Vec3d& from, const Vec3d& along) {
-    const double share = dot(p - from, along) / dot(along, along);
-    nearest.add(from + along * (share > 0 ? std::min(share, 1.0) : 0.0));
-  };
-  on_edge(a, u);
-  on_edge(a, v);
-  on_edge(a + u, v - u);
-  return nearest.point;
-}
-
 /// Of a local square, disc or heightfield; of a box with a third axis. A stretched one's is not exactly the nearest.
-void add_box(Nearest& nearest, const Transform& to_world, bool solid) {
+void add_box(NearestPoint& nearest, const Transform& to_world, bool solid) {
   const auto clamped = [](double x) { return std::clamp(x, -1.0, 1.0); };
   Vec3d local{0, 0, 0};
   if (solid) {
@@ -63,11 +34,10 @@ void add_box(Nearest& nearest, const Transform& to_world, bool solid) {
     return;
   }
   const Vec3d u = to_world.vector({2, 0, 0}), v = to_world.vector({0, 2, 0}), corner = to_world.point({-1, -1, 0});
-  nearest.add(nearest_on_triangle(nearest.to, corner, u, v));
-  nearest.add(nearest_on_triangle(nearest.to, corner + u + v, -u, -v));
+  nearest.add(nearest_on_parallelogram(nearest.to, corner, u, v));
 }
 
-void add_mesh(Nearest& nearest, const TriangleMesh& mesh, const Transform& to_world) {
+void add_mesh(NearestPoint& nearest, const TriangleMesh& mesh, const Transform& to_world) {
   if (mesh.triangles.size() > most_triangles_to_look_at) {
     for (const Vec3f& p : mesh.positions) nearest.add(to_world.point(Vec3d(p)));
     return;
@@ -80,7 +50,7 @@ void add_mesh(Nearest& nearest, const TriangleMesh& mesh, const Transform& to_wo
   }
 }
 
-void add_shape(Nearest& nearest, const SceneDescription& scene, const ShapeDescription& shape,
+void add_shape(NearestPoint& nearest, const SceneDescription& scene, const ShapeDescription& shape,
                const Transform& to_world) {
   std::visit(Overloaded{[&](const RectangleDescription&) { add_box(nearest, to_world, false); },
                         [&](const HeightfieldDescription&) { add_box(nearest, to_world, false); },
@@ -155,7 +125,7 @@ std::optional<SceneFocus> scene_focus(const SceneDescription& description) {
   const View view(description.sensor);
   std::vector<Part> parts;
   for (const ShapeDescription& shape : description.shapes) {
-    Nearest nearest{view.origin};
+    NearestPoint nearest{view.origin};
     add_shape(nearest, description, shape, shape.to_world);
     if (!std::isfinite(nearest.distance)) continue;
     const Extent extent = extent_of(description, shape);

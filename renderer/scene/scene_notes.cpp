@@ -10,6 +10,7 @@
 #include "renderer/bsdfs/bsdf_phong.h"
 #include "renderer/bsdfs/microfacet.h"
 #include "renderer/scene/close_faces.h"
+#include "renderer/scene/grazing_lights.h"
 #include "renderer/scene/scene_focus.h"
 #include "renderer/shapes/cylinder.h"
 #include "renderer/shapes/extent.h"
@@ -123,6 +124,11 @@ std::string darkness(const ShapeDescription& shape) {
   return "its light is less than single precision can hold";
 }
 
+/// The number of surfaces that a shape becomes, each a light where the shape emits.
+std::size_t surfaces_of(const ShapeDescription& shape) {
+  return std::visit([]<class Kind>(const Kind&) -> std::size_t { return Kind::surfaces; }, shape.geometry);
+}
+
 void add_light_notes(const SceneDescription& description, const SceneParts& scene, Notes& notes) {
   const auto is_dark = [&](std::size_t light) { return !(max_component(flux(scene.lights[light])) > 0); };
   // Lights are those of the shapes, one a surface, and then the emitters.
@@ -130,9 +136,7 @@ void add_light_notes(const SceneDescription& description, const SceneParts& scen
   for (const ShapeDescription& shape : description.shapes) {
     if (!shape.radiance) continue;
     const std::size_t first = light;
-    const std::size_t surfaces =
-        std::visit([]<class Kind>(const Kind&) -> std::size_t { return Kind::surfaces; }, shape.geometry);
-    light += surfaces;
+    light += surfaces_of(shape);
     const auto* radiance = std::get_if<RgbD>(&*shape.radiance);
     if (radiance != nullptr && is_zero(*radiance)) continue;
     bool all_dark = true;
@@ -205,6 +209,30 @@ void add_close_face_notes(const SceneDescription& description, const SceneParts&
                   short_number(close.resolved) + " apart there light may take for one");
 }
 
+/// Of each of the scene's lights: those of the shapes, one a surface, and then the emitters.
+std::vector<SourceLoc> places_of_lights(const SceneDescription& description) {
+  std::vector<SourceLoc> places;
+  for (const ShapeDescription& shape : description.shapes)
+    if (shape.radiance) places.insert(places.end(), surfaces_of(shape), shape.loc);
+  for (const EmitterDescription& emitter : description.emitters) places.push_back(emitter.loc);
+  return places;
+}
+
+void add_grazing_notes(const SceneDescription& description, const SceneParts& scene, Notes& notes) {
+  const std::vector<GrazingLight> grazing = grazing_lights(scene);
+  if (grazing.empty()) return;
+  const std::vector<SourceLoc> places = places_of_lights(description);
+  for (const GrazingLight& light : grazing) {
+    const std::string height = short_number(light.height);
+    notes.add(places[light.light],
+              (light.from_one_side ? "the light's angle to a face has the sine " + height
+                                   : "the lamp is " + height + " above a surface") +
+                  ", which single precision knows to " + short_number(light.rounding) +
+                  ": light that grazes it there " +
+                  (light.loss() < 1 ? "may be off by " + short_number(100 * light.loss()) + " %" : "is not known"));
+  }
+}
+
 }  // namespace
 
 std::vector<SceneNote> scene_notes(const SceneDescription& description, const SceneParts& scene) {
@@ -215,6 +243,7 @@ std::vector<SceneNote> scene_notes(const SceneDescription& description, const Sc
   add_camera_notes(description, notes);
   add_place_notes(description, notes);
   add_close_face_notes(description, scene, notes);
+  add_grazing_notes(description, scene, notes);
   return std::move(notes.made);
 }
 

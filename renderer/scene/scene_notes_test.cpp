@@ -67,6 +67,26 @@ TEST(scene_notes, say_what_is_too_far_or_too_large_for_precision) {
   EXPECT_THAT(notes_of(far_or_large(1, 0, 1e6)), HasSubstr("a pixel is "));
 }
 
+TEST(scene_notes, say_what_grazes_more_exactly_than_precision) {
+  const Transform turn = Transform::rotate({1, 2, 3}, 40);
+  SceneDescription d;
+  d.files = {"s.xml"};
+  test::add_shape(d, RectangleDescription{}, turn, test::add_bsdf(d, DiffuseDescription{}));
+  test::set_camera(d, turn * Transform::look_at({0, 0, 4}, {0, 0, 0}, {0, 1, 0}), 30, 4);
+  d.emitters.push_back({{0, 4, 1}, "", PointLightDescription{turn.point({0.5, 0, 1e-5}), RgbD(1)}});
+  d.emitters.push_back({{0, 5, 1}, "", PointLightDescription{turn.point({0.5, 0, 1e-9}), RgbD(1)}});
+  d.emitters.push_back({{0, 6, 1}, "", DirectionalLightDescription{turn.vector({1, 0, -1e-5}), RgbD(1)}});
+  EXPECT_THAT(
+      notes_of(d),
+      testing::MatchesRegex(
+          "s.xml:4:1: the lamp is (1e-05|9.9e-06) above a surface, which single precision knows to [4-9].[0-9]*e-08: "
+          "light that grazes it there may be off by 0.[4-9][0-9]* %\n"
+          "s.xml:5:1: the lamp is [0-9.]+e-(08|09) above a surface, which single precision knows to [4-9].[0-9]*e-08: "
+          "light that grazes it there is not known\n"
+          "s.xml:6:1: the light's angle to a face has the sine 1e-05, which single precision knows to [0-9.]+e-08: "
+          "light that grazes it there may be off by [0-9.]+ %\n"));
+}
+
 /// A shape of this size in one of 1, both of a BSDF of their own kind.
 std::string notes_of_nested(const decltype(ShapeDescription::geometry)& shape, double size,
                             const decltype(BsdfDescription::model)& model) {

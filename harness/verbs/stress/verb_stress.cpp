@@ -29,7 +29,7 @@ namespace fs = std::filesystem;
 struct StressArguments {
   std::string output = "out/stress", engines_file, against, program, markdown;
   std::vector<std::string> only, engines;
-  bool quick = false, list = false;
+  bool quick = false, turned = false, list = false;
   int jobs = 0;
 };
 
@@ -56,6 +56,7 @@ StressOptions stress_options(const StressArguments& arguments) {
   options.only = arguments.only;
   options.engines = arguments.engines;
   options.quick = arguments.quick;
+  options.turned = arguments.turned;
   options.jobs = arguments.jobs;
   options.version = version_line();
   std::vector<std::string> command{"photonproof", "stress"};
@@ -63,6 +64,7 @@ StressOptions stress_options(const StressArguments& arguments) {
   for (const std::string& engine : arguments.engines) command.insert(command.end(), {"--engine", engine});
   if (!arguments.engines_file.empty()) command.insert(command.end(), {"--engines", arguments.engines_file});
   if (arguments.quick) command.push_back("--quick");
+  if (arguments.turned) command.push_back("--turned");
   command.insert(command.end(), {"-o", arguments.output});
   options.command = shell_line(command);
   options.interrupt = &interrupt_flag();
@@ -129,6 +131,8 @@ void add_stress_verb(CLI::App& program, int& exit_code) {
       ->allow_extra_args(false);
   verb->add_option("--engines", arguments->engines_file,
                    "a TOML file with [[engine]] rows, as suites have them: other programs that climb, by --engine");
+  verb->add_flag("--turned", arguments->turned,
+                 "each rung's scene turned as a whole, so that no face lies along an axis");
   verb->add_flag("--quick", arguments->quick,
                  "path and photonmapper alone, each ladder at the height that is wanted; only one that is not right "
                  "there is climbed from below");

@@ -1,0 +1,279 @@
+#include "renderer/scene/grazing_lights.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <map>
+#include <numbers>
+#include <optional>
+
+#include "renderer/lights/light.h"
+#include "renderer/scene/nearest_point.h"
+
+namespace photonproof {
+namespace {
+
+/// What a number in single precision may be off by, as a part of it.
+constexpr double half_step = 0x1p-24;
+/// Of a cosine: what may be lost without a word.
+constexpr double least_loss = 1e-3;
+
+struct FlatFace {
+  Vec3d corner, u, v;  ///< corner + s u + t v
+  bool is_triangle = false;
+};
+
+/// Calls visit(const FlatFace&) for all of a parallelogram, a mesh or an instance.
+template <class Visit>
+void for_each_face(const Surface& surface, Visit&& visit) {
+  const auto tell = [&](std::size_t primitive, const FlatFace& face) {
+    if (const LongFace* exact = surface.long_face(primitive))
+      visit(FlatFace{exact->corner, exact->edge_u, exact->edge_v, exact->is_triangle});
+    else
+      visit(face);
+  };
+  if (const auto* quad = std::get_if<Quad>(&surface.geometry))
+    tell(0, {Vec3d(quad->corner), Vec3d(quad->edge_u), Vec3d(quad->edge_v)});
+  const Mesh* mesh = mesh_of(surface.geometry);
+  if (mesh == nullptr) return;
+  const auto* copy = std::get_if<MeshInstance>(&surface.geometry);
+  for (std::size_t i = 0; i < mesh->triangle_count(); ++i) {
+    const auto corner = [&](std::size_t k) {
+      const Vec3f p = mesh->corner(i, k);
+      return Vec3d(copy != nullptr ? copy->placement->point(p) : p);
+    };
+    const Vec3d a = corner(0);
+    tell(i, {a, corner(1) - a, corner(2) - a, true});
+  }
+}
+
+struct Box {
+  Vec3d low, high;
+  bool holds(const Vec3d& p, double margin) const {
+    return p.x > low.x - margin && p.x < high.x + margin && p.y > low.y - margin && p.y < high.y + margin &&
+           p.z > low.z - margin && p.z < high.z + margin;
+  }
+};
+
+Box box_of(const FlatFace& face) {
+  const Vec3d a = face.corner, b = a + face.u, c = a + face.v, d = face.is_triangle ? a : b + face.v;
+  const auto range = [&](double Vec3d::*axis) { return std::minmax({a.*axis, b.*axis, c.*axis, d.*axis}); };
+  const auto x = range(&Vec3d::x), y = range(&Vec3d::y), z = range(&Vec3d::z);
+  return {{x.first, y.first, z.first}, {x.second, y.second, z.second}};
+}
+
+/// Lamps that are small and near surfaces.
+class LowLamps {
+ public:
+  /// `reach`: how far from the origin most of what is lit lies.
+  explicit LowLamps(double reach) : reach_(reach) {}
+
+  void add(std::size_t light, const LightBounds& bounds) {
+    const Vec3d low(bounds.low), high(bounds.high), at = (low + high) * 0.5;
+    const double size = largest_coordinate(high - low) * 0.5;
+    const double sees = half_step * std::numbers::sqrt3 * std::max(largest_coordinate(at), reach_) / least_loss;
+    if (size < sees) lamps_.push_back({at, sees, bounds, {light, false, 0, 0}});
+  }
+
+  bool empty() const { return lamps_.empty(); }
+
+  void look_at(const Surface& surface) {
+    const bool has_faces = std::holds_alternative<Quad>(surface.geometry) || mesh_of(surface.geometry) != nullptr;
+    const std::vector<Lamp*> near = lamps_near(surface);
+    if (near.empty()) return;
+    if (!has_faces) {
+      for (Lamp* lamp : near) {
+        const ShapePoint nearest = nearest_point(surface, lamp->at);
+        compare(*lamp, Vec3d(nearest.p), Vec3d(nearest.normal));
+      }
+      return;
+    }
+    for_each_face(surface, [&](const FlatFace& face) {
+      const Box box = box_of(face);
+      for (Lamp* lamp : near) {
+        if (!box.holds(lamp->at, lamp->sees)) continue;
+        const auto nearest = face.is_triangle ? nearest_on_triangle : nearest_on_parallelogram;
+        compare(*lamp, nearest(lamp->at, face.corner, face.u, face.v), normalize(cross(face.u, face.v)));
+      }
+    });
+  }
+
+  void tell(std::vector<GrazingLight>& found) const {
+    for (const Lamp& lamp : lamps_)
+      if (lamp.worst.rounding > 0) found.push_back(lamp.worst);
+  }
+
+ private:
+  struct Lamp {
+    Vec3d at;
+    double sees;  ///< how far away a surface may be
+    LightBounds bounds;
+    GrazingLight worst;
+  };
+
+  static ShapePoint nearest_point(const Surface& surface, const Vec3d& to) {
+    return std::visit(
+        [&](const auto& shape) {
+          if constexpr (requires { point_on(shape, to); })
+            return point_on(shape, to);
+          else
+            return ShapePoint{};
+        },
+        surface.geometry);
+  }
+
+  const ShapeBox& local_box(const Mesh& mesh) {
+    const auto [place, is_new] = boxes_.try_emplace(&mesh);
+    if (is_new) place->second = box_around(mesh);
+    return place->second;
+  }
+
+  std::vector<Lamp*> lamps_near(const Surface& surface) {
+    std::vector<Lamp*> near;
+    const auto* copy = std::get_if<MeshInstance>(&surface.geometry);
+    const bool has_end = !std::holds_alternative<Plane>(surface.geometry);
+    const ShapeBox box = copy != nullptr
+                             ? local_box(*copy->mesh)
+                             : std::visit([](const auto& shape) { return box_around(shape); }, surface.geometry);
+    for (Lamp& lamp : lamps_) {
+      Vec3d at = lamp.at;
+      double sees = lamp.sees;
+      if (copy != nullptr) {
+        const AffineMap& placement = *copy->placement;
+        at = Vec3d(placement.local_point(Vec3f(at)));
+        sees *= std::max({length(Vec3d(placement.to_x)), length(Vec3d(placement.to_y)), length(Vec3d(placement.to_z))});
+      }
+      if (!has_end || Box{Vec3d(box.low), Vec3d(box.high)}.holds(at, sees)) near.push_back(&lamp);
+    }
+    return near;
+  }
+
+  /// What rounding of both may change of the height of `at` above the plane through `point`: nothing along axes that
+  /// the plane is across and goes through the origin of.
+  double rounding(const Vec3d& point, const Vec3d& normal) const {
+    const auto along = [&](double n, double other, double another, double p) {
+      return std::abs(n) * std::max(std::abs(p), std::hypot(other, another) * reach_);
+    };
+    return half_step * (along(normal.x, normal.y, normal.z, point.x) + along(normal.y, normal.z, normal.x, point.y) +
+                        along(normal.z, normal.x, normal.y, point.z));
+  }
+
+  static bool shines_below(const LightBounds& bounds, const Vec3d& up) {
+    constexpr double slack = 2e-3;
+    return angle_between(bounds.axis, Vec3f(-up)) < pi / 2 + bounds.spread + bounds.emission - slack;
+  }
+
+  void compare(Lamp& lamp, const Vec3d& point, Vec3d normal) const {
+    const Vec3d apart = lamp.at - point;
+    const double height = length(apart), lost = rounding(point, normal);
+    if (!(height > 0) || !(lost > least_loss * height)) return;
+    if (height > lost ? dot(apart, normal) < 0 : dot(Vec3d(lamp.bounds.axis), normal) < 0) normal = -normal;
+    if (!shines_below(lamp.bounds, normal)) return;
+    if (lost / height <= lamp.worst.loss()) return;
+    lamp.worst.height = height;
+    lamp.worst.rounding = lost;
+  }
+
+  double reach_;
+  std::vector<Lamp> lamps_;
+  std::map<const Mesh*, ShapeBox> boxes_;  ///< of instances, in their local space
+};
+
+/// Light from one side, and lamps that are so far away that theirs is.
+class GrazingBeams {
+ public:
+  explicit GrazingBeams(double reach) : reach_(reach) {}
+
+  /// Lamps so many times as far away as most of what is lit shine from one side.
+  static constexpr double far_away = 256;
+
+  void add(std::size_t light, const Vec3d& direction) { beams_.push_back({direction, 0, {light, true, 0, 0}}); }
+  bool empty() const { return beams_.empty(); }
+
+  void look_at(const Surface& surface) {
+    const double most_area = far_away * reach_ * reach_;
+    if (const auto* plane = std::get_if<Plane>(&surface.geometry)) compare(plane->normal, most_area);
+    if (const auto* disk = std::get_if<Disk>(&surface.geometry))
+      compare(Vec3d(disk->normal), double{pi} * length(Vec3d(cross(disk->axis_x, disk->axis_y))));
+    constexpr std::size_t most_triangles = 4096;
+    const bool is_copy = std::holds_alternative<MeshInstance>(surface.geometry);
+    if (is_copy && mesh_of(surface.geometry)->triangle_count() > most_triangles) return;
+    for_each_face(surface, [&](const FlatFace& face) {
+      const Vec3d across = cross(face.u, face.v);
+      const double area = length(across);
+      if (area > 0) compare(across * (1 / area), std::min(face.is_triangle ? 0.5 * area : area, most_area));
+    });
+  }
+
+  void tell(std::vector<GrazingLight>& found) const {
+    // Less does not show beside what is lit at larger angles.
+    constexpr double least_share = 0.5;
+    for (const Beam& beam : beams_)
+      if (beam.grazed > 0 && beam.grazed >= least_share * area_) found.push_back(beam.worst);
+  }
+
+ private:
+  struct Beam {
+    Vec3d direction;
+    double grazed;  ///< area of faces
+    GrazingLight worst;
+  };
+
+  void compare(const Vec3d& n, double area) {
+    area_ += area;
+    for (Beam& beam : beams_) {
+      const Vec3d& d = beam.direction;
+      const double sine = std::abs(dot(n, d));
+      if (!(sine > 0)) continue;
+      const double lost = 2 * half_step * (std::abs(n.x * d.x) + std::abs(n.y * d.y) + std::abs(n.z * d.z));
+      if (!(lost > least_loss * sine)) continue;
+      beam.grazed += area;
+      if (lost / sine <= beam.worst.loss()) continue;
+      beam.worst.height = sine;
+      beam.worst.rounding = lost;
+    }
+  }
+
+  double reach_, area_ = 0;
+  std::vector<Beam> beams_;
+};
+
+}  // namespace
+
+std::vector<GrazingLight> grazing_lights(const SceneParts& scene) {
+  // What is lit and seen is about as far from the origin as the shapes or the camera are.
+  const double reach =
+      std::max(2 * double{scene.frame.coordinate_floor}, largest_coordinate(Vec3d(scene.camera.origin)));
+  LowLamps lamps(reach);
+  GrazingBeams beams(reach);
+  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+    if (const auto* beam = std::get_if<DirectionalLight<float>>(&scene.lights[i])) beams.add(i, Vec3d(beam->direction));
+    const std::optional<LightBounds> bounds = light_bounds(scene.lights[i]);
+    if (!bounds) continue;
+    const Vec3d low(bounds->low), high(bounds->high), at = (low + high) * 0.5;
+    if (const double away = length(at); away > GrazingBeams::far_away * reach && length(high - low) < least_loss * away)
+      beams.add(i, at * (1 / away));
+    else
+      lamps.add(i, *bounds);
+  }
+  std::vector<GrazingLight> found;
+  if (lamps.empty() && beams.empty()) return found;
+  for (const Surface& surface : scene.surfaces) {
+    if (surface.light != no_index) continue;  // what it is lit by does not show beside its own light
+    if (!scene.bsdfs.any_leaf(surface.bsdf, [](const Bsdf& leaf, bool) { return has_smooth(leaf); })) continue;
+    if (!lamps.empty()) lamps.look_at(surface);
+    if (!beams.empty()) beams.look_at(surface);
+  }
+  lamps.tell(found);
+  beams.tell(found);
+  std::sort(found.begin(), found.end(), [](const GrazingLight& a, const GrazingLight& b) { return a.light < b.light; });
+  for (GrazingLight& light : found) {
+    if (light.from_one_side) continue;
+    light.height /= scene.frame.scale;
+    light.rounding /= scene.frame.scale;
+  }
+  return found;
+}
+
+}  // namespace photonproof
