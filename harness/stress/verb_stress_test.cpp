@@ -97,6 +97,33 @@ TEST_F(Stress, lamps_of_every_size_light_a_floor_as_theory_says) {
   EXPECT_EQ(ladders, 16u);
 }
 
+TEST_F(Stress, light_that_grazes_turned_faces_is_right_or_said) {
+  const ProcessOutcome outcome =
+      stress({"--engine", "path", "--only", "near the floor, turned", "--only", "grazing, turned"});
+  ASSERT_TRUE(outcome.ok()) << outcome.standard_output;
+  ASSERT_EQ(record().ladders.size(), 6u);
+  for (const StressLadder& ladder : record().ladders) {
+    const std::string name = ladder.feature + ", " + ladder.climb + ", " + ladder.engine;
+    EXPECT_GE(ladder.right_up_to().value_or(0), ladder.wanted) << name;
+    for (const StressRung& rung : ladder.rungs)
+      if (rung.height >= 7 && rung.height <= 9) {  // at 12 radiances are beyond what a scene may say
+        EXPECT_EQ(rung.outcome, RungOutcome::degraded) << name << " " << rung.height;
+        EXPECT_NE(rung.sentence.find("light that grazes it there is not known"), std::string::npos) << rung.sentence;
+      }
+  }
+}
+
+TEST_F(Stress, turns_every_stage_where_asked_to) {
+  const ProcessOutcome outcome = stress({"--turned", "--quick", "--engine", "path", "--only", "light rectangle, near",
+                                         "--only", "shape mesh, translation"});
+  ASSERT_TRUE(outcome.ok()) << outcome.standard_output;
+  ASSERT_EQ(record().ladders.size(), 2u);
+  EXPECT_EQ(record().ladders[0].climb, "translation, turned");
+  EXPECT_EQ(record().ladders[0].right_up_to(), 9);
+  EXPECT_EQ(record().ladders[1].climb, "near the floor, turned");
+  EXPECT_EQ(record().ladders[1].rungs.back().outcome, RungOutcome::degraded);  // straight it is right
+}
+
 TEST_F(Stress, refuses_what_it_does_not_know_in_one_line) {
   for (const std::vector<std::string>& wrong :
        {std::vector<std::string>{"--engine", "nothing"}, {"--only", "nothing"}, {"--against", "nothing.json"}}) {

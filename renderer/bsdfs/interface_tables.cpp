@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <map>
+#include <mutex>
 #include <numbers>
+#include <tuple>
 
 namespace photonproof {
 namespace {
@@ -70,8 +73,10 @@ double rough_transmittance(const Microfacets<float>& facets, double cos_wo, doub
   });
 }
 
-RoughInterface rough_interface(Microfacets<float> facets, double eta) {
-  facets.sample_visible = 1;
+namespace {
+
+/// Of facets that are sampled as they are seen.
+RoughInterface integrated_interface(const Microfacets<float>& facets, double eta) {
   RoughInterface result;
   constexpr int nodes = 32;
   std::array<double, nodes> angle, through;
@@ -93,6 +98,37 @@ RoughInterface rough_interface(Microfacets<float> facets, double eta) {
   }
   result.internal_reflectance = static_cast<float>(inside / cosines);
   return result;
+}
+
+/// What was integrated lately, for any number of threads: a table takes a fifth of a second, and materials of a scene,
+/// and scenes of a run, are often alike.
+class KnownInterfaces {
+ public:
+  RoughInterface of(const Microfacets<float>& facets, double eta) {
+    const Key key{facets.raw_alpha_u, facets.raw_alpha_v, facets.is_ggx, eta};
+    {
+      const std::scoped_lock lock(mutex_);
+      if (const auto found = known_.find(key); found != known_.end()) return found->second;
+    }
+    const RoughInterface made = integrated_interface(facets, eta);
+    const std::scoped_lock lock(mutex_);
+    if (known_.size() >= most) known_.clear();
+    return known_.emplace(key, made).first->second;
+  }
+
+ private:
+  static constexpr std::size_t most = 256;
+  using Key = std::tuple<float, float, float, double>;
+  std::mutex mutex_;
+  std::map<Key, RoughInterface> known_;
+};
+
+}  // namespace
+
+RoughInterface rough_interface(Microfacets<float> facets, double eta) {
+  facets.sample_visible = 1;
+  static KnownInterfaces known;
+  return known.of(facets, eta);
 }
 
 }  // namespace photonproof

@@ -68,7 +68,7 @@ TEST(photon_mapper, says_where_radii_are_wider_than_what_is_seen_and_where_photo
       return render(room, "photonmapper", job_with(8, photons)).stats.losses;
     };
     EXPECT_THAT(losses(0.2, 200'000), IsEmpty()) << word_of(indirect);
-    EXPECT_THAT(losses(10, 200'000), ElementsAre(HasSubstr("global photons are looked up within 10")))
+    EXPECT_THAT(losses(10, 10'000), ElementsAre(HasSubstr("global photons are looked up within 10")))
         << word_of(indirect);
     EXPECT_THAT(losses(0, 20), ElementsAre(HasSubstr("of 20 photons"))) << word_of(indirect);
   }

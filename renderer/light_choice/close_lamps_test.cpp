@@ -188,7 +188,7 @@ void expect_flux_of_every_part(const Lamp& lamp, float s) {
   constexpr int samples = 150'000;
   const std::vector<AimTarget> seen{{{0, 0, 0}, 0.5f}, {{3, 0, 1}, 2}};
   test::Lights lights({lamp.light(s)});
-  lights.scene.guide_emission(EmissionGuide(lights.lights, seen, {}, {}));
+  lights.scene.guide_emission(EmissionGuide(lights.lights, seen, {}));
   ASSERT_TRUE(lights.scene.has_guide());
   constexpr std::array<double, 3> reach{1, 4, 16};
   std::array<double, 12> sum{}, squares{};
@@ -227,7 +227,7 @@ TEST(close_lamps, guided_photons_of_a_long_tube_carry_what_it_emits) {
   for (const float sign : {1.0f, -1.0f}) {
     test::Lights lights(
         {AreaLight(LightShape(CylinderShape{{-1e4f, 3, 0}, {2e4f, 0, 0}, {0, 1, 0}, {0, 0, 1}, 2, sign}), Rgb(1))});
-    lights.scene.guide_emission(EmissionGuide(lights.lights, {{{0, sign > 0 ? 0.0f : 2.0f, 0}, 0.5f}}, {}, {}));
+    lights.scene.guide_emission(EmissionGuide(lights.lights, {{{0, sign > 0 ? 0.0f : 2.0f, 0}, 0.5f}}, {}));
     ASSERT_TRUE(lights.scene.has_guide());
     for (const double z : {1.0, 10.0}) {
       constexpr int samples = 100'000;

@@ -107,8 +107,8 @@ GuidedStart guided(const Emission<float>& even) { return {even.at, even.directio
 }  // namespace
 
 EmissionGuide::EmissionGuide(const std::vector<Light>& lights, const std::vector<AimTarget>& seen,
-                             const SceneBall& scene, ClearWays ways)
-    : scene_(scene), ways_(std::move(ways)), views_(lights.size()) {
+                             const SceneBall& scene, const ClearWays* ways)
+    : scene_(scene), ways_(ways), views_(lights.size()) {
   for (std::size_t i = 0; i < lights.size(); ++i) {
     for (const AimTarget& ball : seen) {
       if (is_infinite(lights[i])) {
@@ -167,8 +167,8 @@ void EmissionGuide::aim(std::uint32_t light, const AimTarget& ball, const Vec2<f
   const AimedLine<float> line = aimed_line<float>(ball.center, ball.radius, start.at.p, u);
   start.direction = line.direction;
   start.on_line = line.point;
-  if (light >= ways_.others.size()) return;
-  const PointAhead<float> ahead = point_ahead<float>(ways_, light, line, start.at.p);
+  if (ways_ == nullptr || light >= ways_->others.size()) return;
+  const PointAhead<float> ahead = point_ahead<float>(*ways_, light, line, start.at.p);
   if (ahead.valid) start.ahead = ahead.p;
 }
 

@@ -40,9 +40,9 @@ class EmissionGuide {
  public:
   EmissionGuide() = default;
   /// `seen`: balls of what the camera sees. Lights that are neither huge for their distance to any nor far away are
-  /// left alone.
+  /// left alone. `ways`, if known, outlive this.
   EmissionGuide(const std::vector<Light>& lights, const std::vector<AimTarget>& seen, const SceneBall& scene,
-                ClearWays ways);
+                const ClearWays* ways = nullptr);
 
   bool empty() const { return guided_ == 0; }
   bool guides(std::uint32_t light) const { return light < views_.size() && !views_[light].empty(); }
@@ -65,7 +65,7 @@ class EmissionGuide {
                         const Vec2<float>& u_direction) const;
 
   SceneBall scene_;
-  ClearWays ways_;
+  const ClearWays* ways_ = nullptr;
   std::vector<std::vector<View>> views_;  ///< of each light
   std::size_t guided_ = 0;                ///< lights with views
 };

@@ -42,11 +42,12 @@ TEST(far_lamps, guided_photons_carry_what_crosses_what_is_seen_and_begin_before_
   constexpr int draws = 200'000;
   const std::vector<AimTarget> seen{{{0, 0, 0}, 0.5f}, {{3, 0, 1}, 2}};
   const AimTarget others{{1, 1, 0}, 20};
+  const ClearWays ways{{others}, {}};
   const std::vector<AimTarget> crossed{{{0, 0, 0}, 0.3f}, {{0.1f, 0, 0}, 0.39f}, {{3, 0, 1}, 1.5f}};
   for (const double distance : {1e4, 1e6, 1e8, 1e12})
     for (const FarLamp& lamp : far_lamps(distance)) {
       test::Lights lights({lamp.light});
-      lights.scene.guide_emission(EmissionGuide(lights.lights, seen, {}, {{others}, {}}));
+      lights.scene.guide_emission(EmissionGuide(lights.lights, seen, {}, &ways));
       ASSERT_TRUE(lights.scene.has_guide());
       std::vector<double> sum(crossed.size()), squares(crossed.size());
       for (int i = 0; i < draws; ++i) {

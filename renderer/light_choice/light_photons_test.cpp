@@ -153,7 +153,7 @@ TEST(light_photons, from_infinity_that_are_guided_carry_what_enters_everywhere) 
       return std::sqrt((squares / draws - mean * mean) / draws);
     };
     for (const bool guided : {false, true}) {
-      if (guided) lights.scene.guide_emission(EmissionGuide(lights.lights, seen, scene, {}));
+      if (guided) lights.scene.guide_emission(EmissionGuide(lights.lights, seen, scene));
       EXPECT_EQ(lights.scene.has_guide(), guided);
       for (std::size_t k = 0; k < places.size(); ++k) {
         const double rho = places[k].second, expected = std::numbers::pi * rho * rho * (sky ? 4 : 1);

@@ -1,7 +1,5 @@
 #include "renderer/scene/find_clear_ways.h"
 
-#include <variant>
-
 #include "renderer/scene/aim_targets.h"
 
 namespace photonproof {
@@ -15,11 +13,11 @@ ClearWays find_clear_ways(const SceneParts& scene) {
       ways.walls.push_back({Vec3f(plane->point), Vec3f(plane->normal)});
 
   // Boxes around the first so many surfaces, and around those from some number on.
-  std::vector<ShapeBox> before(count + 1), from(count + 1);
+  std::vector<ShapeBox> before(count + 1), from = scene.boxes;
+  from.emplace_back();
   for (std::size_t i = 0; i < count; ++i) {
-    from[i] = std::visit([](const auto& shape) { return box_around(shape); }, surfaces[i].geometry);
     before[i + 1] = before[i];
-    before[i + 1].add(from[i]);
+    before[i + 1].add(scene.boxes[i]);
   }
   for (std::size_t i = count; i-- > 0;) from[i].add(from[i + 1]);
 

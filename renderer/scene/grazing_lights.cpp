@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <map>
 #include <numbers>
 #include <optional>
 
@@ -78,9 +77,14 @@ class LowLamps {
 
   bool empty() const { return lamps_.empty(); }
 
-  void look_at(const Surface& surface) {
+  /// `around`: the box around it.
+  void look_at(const Surface& surface, const ShapeBox& around) {
     const bool has_faces = std::holds_alternative<Quad>(surface.geometry) || mesh_of(surface.geometry) != nullptr;
-    const std::vector<Lamp*> near = lamps_near(surface);
+    const bool has_end = !std::holds_alternative<Plane>(surface.geometry);
+    const Box whole{Vec3d(around.low), Vec3d(around.high)};
+    std::vector<Lamp*> near;
+    for (Lamp& lamp : lamps_)
+      if (!has_end || whole.holds(lamp.at, lamp.sees)) near.push_back(&lamp);
     if (near.empty()) return;
     if (!has_faces) {
       for (Lamp* lamp : near) {
@@ -123,32 +127,6 @@ class LowLamps {
         surface.geometry);
   }
 
-  const ShapeBox& local_box(const Mesh& mesh) {
-    const auto [place, is_new] = boxes_.try_emplace(&mesh);
-    if (is_new) place->second = box_around(mesh);
-    return place->second;
-  }
-
-  std::vector<Lamp*> lamps_near(const Surface& surface) {
-    std::vector<Lamp*> near;
-    const auto* copy = std::get_if<MeshInstance>(&surface.geometry);
-    const bool has_end = !std::holds_alternative<Plane>(surface.geometry);
-    const ShapeBox box = copy != nullptr
-                             ? local_box(*copy->mesh)
-                             : std::visit([](const auto& shape) { return box_around(shape); }, surface.geometry);
-    for (Lamp& lamp : lamps_) {
-      Vec3d at = lamp.at;
-      double sees = lamp.sees;
-      if (copy != nullptr) {
-        const AffineMap& placement = *copy->placement;
-        at = Vec3d(placement.local_point(Vec3f(at)));
-        sees *= std::max({length(Vec3d(placement.to_x)), length(Vec3d(placement.to_y)), length(Vec3d(placement.to_z))});
-      }
-      if (!has_end || Box{Vec3d(box.low), Vec3d(box.high)}.holds(at, sees)) near.push_back(&lamp);
-    }
-    return near;
-  }
-
   /// What rounding of both may change of the height of `at` above the plane through `point`: nothing along axes that
   /// the plane is across and goes through the origin of.
   double rounding(const Vec3d& point, const Vec3d& normal) const {
@@ -177,7 +155,6 @@ class LowLamps {
 
   double reach_;
   std::vector<Lamp> lamps_;
-  std::map<const Mesh*, ShapeBox> boxes_;  ///< of instances, in their local space
 };
 
 /// Light from one side, and lamps that are so far away that theirs is.
@@ -259,10 +236,11 @@ std::vector<GrazingLight> grazing_lights(const SceneParts& scene) {
   }
   std::vector<GrazingLight> found;
   if (lamps.empty() && beams.empty()) return found;
-  for (const Surface& surface : scene.surfaces) {
+  for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
+    const Surface& surface = scene.surfaces[i];
     if (surface.light != no_index) continue;  // what it is lit by does not show beside its own light
     if (!scene.bsdfs.any_leaf(surface.bsdf, [](const Bsdf& leaf, bool) { return has_smooth(leaf); })) continue;
-    if (!lamps.empty()) lamps.look_at(surface);
+    if (!lamps.empty()) lamps.look_at(surface, scene.boxes[i]);
     if (!beams.empty()) beams.look_at(surface);
   }
   lamps.tell(found);

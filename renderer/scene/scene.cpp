@@ -57,7 +57,7 @@ Scene::Scene(SceneParts parts, const SceneChoices& choices)
       detail_{surfaces, uv_frames, *textures, bsdfs, plain, small_ ? small_->triangles() : nullptr},
       scene_lights_(std::make_unique<SceneLights>(lights, light_words_, ball)),
       view_(view_of(choices)) {
-  if (choices.light_paths) scene_lights_->guide_emission(EmissionGuide(lights, looked_at(*this), ball, clear_ways_));
+  if (choices.light_paths) scene_lights_->guide_emission(EmissionGuide(lights, looked_at(*this), ball, &clear_ways_));
   view_.guided_emission = scene_lights_->has_guide();
 }
 

@@ -58,7 +58,8 @@ SceneParts::SceneParts(const SceneDescription& in_its_unit, int width_, int heig
   uv_frames = std::move(shapes.uv_frames);
   primitives = shapes.primitives;
   simple_primitives = shapes.simple;
-  ball = scene_ball(surfaces);
+  boxes = boxes_around(surfaces);
+  ball = scene_ball(boxes);
   for (const EmitterDescription& e : description.emitters)
     lights.push_back(compile_light(e, frame.moved, ball, texture_lookup(textures), description.where(e.loc)));
   lights_can_be_hit = std::ranges::any_of(lights, [](const Light& light) { return !is_delta(light); });

@@ -30,6 +30,7 @@ struct SceneParts {
   SceneMedia media;
   BsdfTable bsdfs;
   std::vector<Surface> surfaces;
+  std::vector<ShapeBox> boxes;       ///< around each surface; empty around infinite ones
   std::vector<std::size_t> cubes;    ///< the first of the six surfaces of each
   std::vector<AffineMap> uv_frames;  ///< by Surface::uv_frame
   std::size_t primitives = 0;        ///< of all shapes; those of a shape group count once, and each instance as one

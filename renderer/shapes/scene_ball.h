@@ -13,7 +13,9 @@ struct SceneBall {
   float radius = 1;
 };
 
-/// Holds all surfaces but infinite ones. With none, radius 1 around the origin.
-SceneBall scene_ball(const std::vector<Surface>& surfaces);
+/// Around each surface; empty around infinite ones.
+std::vector<ShapeBox> boxes_around(const std::vector<Surface>& surfaces);
+/// Holds all boxes. With none, radius 1 around the origin.
+SceneBall scene_ball(const std::vector<ShapeBox>& boxes);
 
 }  // namespace photonproof
