@@ -83,7 +83,7 @@ std::vector<BlockSums> sums_of_blocks(const Rendering& reference, const Renderin
 
 /// How much more the blocks deviate than pixels would that err by themselves: where pixels are small for the discs that
 /// photons are looked up in, neighbours err together. Of half the blocks, so that a part that is wrong does not count;
-/// fewer do not tell.
+/// where there are few it is 1.
 double errors_in_common(const std::vector<BlockSums>& blocks) {
   constexpr std::size_t tell = 100;
   constexpr double median_of_normal = 0.6745;  // of |x|
@@ -108,14 +108,15 @@ RungVerdict judge_means(const Rendering& reference, const Rendering& test, doubl
     all_difference += sums.difference;
     all_expected += sums.expected;
     all_variance += sums.variance;
-    const double deviation = std::max(wider * std::sqrt(sums.variance), common * sums.block.pixels());
+    const double pixels = sums.block.pixels();  // that all err as one make the block err by the root of their number
+    const double deviation = std::max(std::min(wider, std::sqrt(pixels)) * std::sqrt(sums.variance), common * pixels);
     const double band = (biased_block + 4 * claimed_bias) * std::abs(sums.expected) + 2 * sigmas * deviation;
     const double beyond = std::abs(sums.difference) / std::max(band, 1e-300);
     if (std::abs(sums.difference) <= band || beyond <= worst) continue;
     worst = beyond;
     verdict.outcome = RungOutcome::silently_wrong;
     verdict.sentence = fmt::format("the block at ({}, {}) is off by {:+.3g} % of {:.4g}", sums.block.x0, sums.block.y0,
-                                   100 * sums.difference / sums.expected, sums.expected / sums.block.pixels() / 3);
+                                   100 * sums.difference / sums.expected, sums.expected / pixels / 3);
   }
   const double noise = sigmas * std::max(std::sqrt(all_variance), common * test.mean.width * test.mean.height);
   const double band = (biased_mean + 4 * claimed_bias) * std::abs(all_expected) + noise;

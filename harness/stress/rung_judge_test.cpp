@@ -129,13 +129,14 @@ TEST(rungs, whose_pixels_err_together_may_be_off_by_that) {
   EXPECT_EQ(judge_rung(evidence, expected).outcome, RungOutcome::silently_wrong);
 }
 
-/// A row of 200 blocks of 8 x 8 pixels about 1, each pixel with a deviation of 10 %, and all of a block off by as much.
-Rendering of_common_errors() {
+/// A row of 200 blocks of 8 x 8 pixels about 1, each pixel with a deviation of 10 %, and all of a block off by as much
+/// or by `off`.
+Rendering of_common_errors(float off = 0.1f) {
   Rendering rendering;
   rendering.mean = Image(1600, 8);
   rendering.variance = Image(1600, 8);
   std::mt19937 generator(1);
-  std::normal_distribution<float> error(0, 0.1f);
+  std::normal_distribution<float> error(0, off);
   for (int block = 0; block < 200; ++block) {
     const float value = 1 + error(generator);
     for (int y = 0; y < 8; ++y)
@@ -157,6 +158,8 @@ TEST(rungs, whose_blocks_err_as_a_whole_are_judged_by_how_blocks_do) {
   for (int y = 0; y < 8; ++y)
     for (int x = 800; x < 808; ++x) picture.mean.pixel(x, y)[0] = 4;
   EXPECT_EQ(judge_rung(showing(picture), one).outcome, RungOutcome::silently_wrong);
+  // Blocks that are off by more than their pixels' noise are wrong however many are.
+  EXPECT_EQ(judge_rung(showing(of_common_errors(0.6f)), one).outcome, RungOutcome::silently_wrong);
 }
 
 TEST(rungs, whose_noise_would_hide_an_error_are_undecided) {

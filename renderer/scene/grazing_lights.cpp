@@ -1,14 +1,13 @@
 #include "renderer/scene/grazing_lights.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <iterator>
 #include <numbers>
 #include <optional>
 
 #include "renderer/lights/light.h"
 #include "renderer/scene/nearest_point.h"
+#include "renderer/shapes/extent.h"
 
 namespace photonproof {
 namespace {
@@ -47,20 +46,21 @@ void for_each_face(const Surface& surface, Visit&& visit) {
   }
 }
 
-struct Box {
-  Vec3d low, high;
-  bool holds(const Vec3d& p, double margin) const {
-    return p.x > low.x - margin && p.x < high.x + margin && p.y > low.y - margin && p.y < high.y + margin &&
-           p.z > low.z - margin && p.z < high.z + margin;
-  }
-};
-
-Box box_of(const FlatFace& face) {
-  const Vec3d a = face.corner, b = a + face.u, c = a + face.v, d = face.is_triangle ? a : b + face.v;
-  const auto range = [&](double Vec3d::*axis) { return std::minmax({a.*axis, b.*axis, c.*axis, d.*axis}); };
-  const auto x = range(&Vec3d::x), y = range(&Vec3d::y), z = range(&Vec3d::z);
-  return {{x.first, y.first, z.first}, {x.second, y.second, z.second}};
+Extent extent_of_face(const FlatFace& face) {
+  Extent box;
+  for (const Vec3d& p : {face.corner, face.corner + face.u, face.corner + face.v}) box.add(p);
+  if (!face.is_triangle) box.add(face.corner + face.u + face.v);
+  return box;
 }
+
+bool comes_near(const Extent& box, const Vec3d& p, double distance) {
+  const auto along = [&](double Vec3d::*axis) {
+    return p.*axis > box.low.*axis - distance && p.*axis < box.high.*axis + distance;
+  };
+  return along(&Vec3d::x) && along(&Vec3d::y) && along(&Vec3d::z);
+}
+
+Extent extent_of_lamp(const LightBounds& bounds) { return {Vec3d(bounds.low), Vec3d(bounds.high)}; }
 
 /// Lamps that are small and near surfaces.
 class LowLamps {
@@ -69,8 +69,9 @@ class LowLamps {
   explicit LowLamps(double reach) : reach_(reach) {}
 
   void add(std::size_t light, const LightBounds& bounds) {
-    const Vec3d low(bounds.low), high(bounds.high), at = (low + high) * 0.5;
-    const double size = largest_coordinate(high - low) * 0.5;
+    const Extent lamp = extent_of_lamp(bounds);
+    const Vec3d at = lamp.middle();
+    const double size = largest_coordinate(lamp.high - lamp.low) * 0.5;
     const double sees = half_step * std::numbers::sqrt3 * std::max(largest_coordinate(at), reach_) / least_loss;
     if (size < sees) lamps_.push_back({at, sees, bounds, {light, false, 0, 0}});
   }
@@ -79,28 +80,22 @@ class LowLamps {
 
   /// `around`: the box around it.
   void look_at(const Surface& surface, const ShapeBox& around) {
-    const bool has_faces = std::holds_alternative<Quad>(surface.geometry) || mesh_of(surface.geometry) != nullptr;
     const bool has_end = !std::holds_alternative<Plane>(surface.geometry);
-    const Box whole{Vec3d(around.low), Vec3d(around.high)};
+    const Extent whole{Vec3d(around.low), Vec3d(around.high)};
     std::vector<Lamp*> near;
     for (Lamp& lamp : lamps_)
-      if (!has_end || whole.holds(lamp.at, lamp.sees)) near.push_back(&lamp);
+      if (!has_end || comes_near(whole, lamp.at, lamp.sees)) near.push_back(&lamp);
     if (near.empty()) return;
-    if (!has_faces) {
-      for (Lamp* lamp : near) {
-        const ShapePoint nearest = nearest_point(surface, lamp->at);
-        compare(*lamp, Vec3d(nearest.p), Vec3d(nearest.normal));
-      }
-      return;
-    }
-    for_each_face(surface, [&](const FlatFace& face) {
-      const Box box = box_of(face);
-      for (Lamp* lamp : near) {
-        if (!box.holds(lamp->at, lamp->sees)) continue;
-        const auto nearest = face.is_triangle ? nearest_on_triangle : nearest_on_parallelogram;
-        compare(*lamp, nearest(lamp->at, face.corner, face.u, face.v), normalize(cross(face.u, face.v)));
-      }
-    });
+    const auto look_at_shape = [&](const auto& shape) {
+      if constexpr (requires(const Vec3d& to) { point_on(shape, to); })
+        for (Lamp* lamp : near) {
+          const ShapePoint nearest = point_on(shape, lamp->at);
+          compare(*lamp, Vec3d(nearest.p), Vec3d(nearest.normal));
+        }
+      else
+        look_at_faces(surface, near);
+    };
+    std::visit(look_at_shape, surface.geometry);
   }
 
   void tell(std::vector<GrazingLight>& found) const {
@@ -116,15 +111,15 @@ class LowLamps {
     GrazingLight worst;
   };
 
-  static ShapePoint nearest_point(const Surface& surface, const Vec3d& to) {
-    return std::visit(
-        [&](const auto& shape) {
-          if constexpr (requires { point_on(shape, to); })
-            return point_on(shape, to);
-          else
-            return ShapePoint{};
-        },
-        surface.geometry);
+  void look_at_faces(const Surface& surface, const std::vector<Lamp*>& near) const {
+    for_each_face(surface, [&](const FlatFace& face) {
+      const Extent box = extent_of_face(face);
+      for (Lamp* lamp : near) {
+        if (!comes_near(box, lamp->at, lamp->sees)) continue;
+        const auto nearest = face.is_triangle ? nearest_on_triangle : nearest_on_parallelogram;
+        compare(*lamp, nearest(lamp->at, face.corner, face.u, face.v), normalize(cross(face.u, face.v)));
+      }
+    });
   }
 
   /// What rounding of both may change of the height of `at` above the plane through `point`: nothing along axes that
@@ -228,8 +223,10 @@ std::vector<GrazingLight> grazing_lights(const SceneParts& scene) {
     if (const auto* beam = std::get_if<DirectionalLight<float>>(&scene.lights[i])) beams.add(i, Vec3d(beam->direction));
     const std::optional<LightBounds> bounds = light_bounds(scene.lights[i]);
     if (!bounds) continue;
-    const Vec3d low(bounds->low), high(bounds->high), at = (low + high) * 0.5;
-    if (const double away = length(at); away > GrazingBeams::far_away * reach && length(high - low) < least_loss * away)
+    const Extent lamp = extent_of_lamp(*bounds);
+    const Vec3d at = lamp.middle();
+    const double away = length(at);
+    if (away > GrazingBeams::far_away * reach && length(lamp.high - lamp.low) < least_loss * away)
       beams.add(i, at * (1 / away));
     else
       lamps.add(i, *bounds);

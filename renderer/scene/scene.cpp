@@ -101,7 +101,7 @@ SceneView Scene::view_of(const SceneChoices& choices) const {
 
 std::size_t Scene::memory_bytes() const {
   const auto bytes = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
-  std::size_t total = bytes(surfaces) + bytes(bsdfs.records) + bytes(lights) + bytes(surface_words_) +
+  std::size_t total = bytes(surfaces) + bytes(boxes) + bytes(bsdfs.records) + bytes(lights) + bytes(surface_words_) +
                       bytes(light_words_) + bytes(bsdf_records_) + bytes(light_records_) + bytes(uv_frames) +
                       bytes(plain) + textures->bytes();
   std::set<const void*> counted;  // what shapes share counts once
