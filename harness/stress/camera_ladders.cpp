@@ -80,6 +80,93 @@ Ladder clips() {
           [](double) { return StressScene{seen()}; }};
 }
 
+/// [-1,1]^2 of squares under a sky, seen from straight above, so that it fills the picture: by any lens the same.
+SceneDescription squares() {
+  SceneDescription scene = empty_stage();
+  scene.textures.push_back({{}, "squares", CheckerboardDescription{RgbD(0.8), RgbD(0.2), Transform::scale(Vec3d(2))}});
+  add_shape(scene, RectangleDescription{}, lying({0, 0, 0}, 1), add_bsdf(scene, DiffuseDescription{TextureIndex{0}}));
+  scene.emitters.push_back({{}, "", ConstantLightDescription{}});
+  return scene;
+}
+
+PerspectiveDescription from_above(SceneDescription& scene, double height) {
+  PerspectiveDescription camera;
+  camera.fov_degrees = 2 * std::atan(1 / height) * 180 / std::numbers::pi;
+  camera.near_clip = 1e-3 * height;
+  scene.sensor.to_world = Transform::look_at({0, height, 0}, {0, 0, 0}, {0, 0, -1});
+  return camera;
+}
+
+const std::vector<std::string> through_lenses{"path", "bdpt", "ptracer"};
+
+Ladder wide_field() {
+  const auto from = [](double k) {
+    SceneDescription scene = squares();
+    scene.sensor.camera = from_above(scene, size_of(-k));
+    return StressScene{scene};
+  };
+  Ladder ladder{
+      "camera perspective",           "wide", "a field of view of 180 - 114 10^-k degrees", {1, 2, 3, 4, 6, 9}, 6, from,
+      [=](double) { return from(0); }};
+  ladder.engines = through_lenses;
+  return ladder;
+}
+
+/// `lens` makes its aperture and its focus of 10^k, through which squares at a distance of 2 are sharp.
+Ladder lens_of(const char* climb, const char* measure, const std::vector<double>& heights, double wanted,
+               const std::function<void(double, ThinLensDescription&)>& lens) {
+  Ladder ladder{"camera thinlens",
+                climb,
+                measure,
+                heights,
+                wanted,
+                [=](double k) {
+                  SceneDescription scene = squares();
+                  ThinLensDescription camera{from_above(scene, 2), 0, 2};
+                  lens(size_of(k), camera);
+                  scene.sensor.camera = camera;
+                  return StressScene{scene};
+                },
+                [](double) {
+                  SceneDescription scene = squares();
+                  scene.sensor.camera = from_above(scene, 2);
+                  return StressScene{scene};
+                }};
+  ladder.engines = through_lenses;
+  return ladder;
+}
+
+std::vector<Ladder> lenses() {
+  constexpr double narrow = 1e-6;
+  return {
+      lens_of("wide lens", "an aperture of 10^k", {0, 1, 2, 3, 4, 5, 6, 9, 15}, 3,
+              [](double x, ThinLensDescription& c) { c.aperture_radius = x; }),
+      lens_of("narrow lens", "an aperture of 10^-k", {3, 9, 20, 37}, 37,
+              [](double x, ThinLensDescription& c) { c.aperture_radius = 1 / x; }),
+      lens_of("near focus", "sharp at 10^-k, a millionth as wide", {3, 9, 20, 30}, 30,
+              [](double x, ThinLensDescription& c) {
+                c.focus_distance = 1 / x;
+                c.aperture_radius = narrow / x;
+              }),
+      lens_of("far focus", "sharp at 10^k, a millionth wide", {3, 9, 20, 30}, 30, [](double x, ThinLensDescription& c) {
+        c.focus_distance = x;
+        c.aperture_radius = narrow;
+      })};
+}
+
+/// A room is 1 wherever it is seen, through any filter.
+Ladder narrow_filter() {
+  Ladder ladder{
+      "image", "narrow filter", "a tent of a radius of 10^-k pixels", {0, 1, 2, 3, 6, 12, 30}, 30, [](double k) {
+        SceneDescription scene = closed_sphere(0.5, 0.5);
+        scene.sensor.film.filter = {.kind = ReconstructionFilter::Kind::tent, .radius = size_of(-k)};
+        return StressScene{scene, 8, 8};
+      }};
+  ladder.radiance = 1;
+  ladder.engines = through_lenses;
+  return ladder;
+}
+
 Ladder image_size(const char* climb, int width, int height, const std::vector<double>& heights, double wanted) {
   Ladder ladder{"image", climb, "10^k pixels", heights, wanted, [=](double k) {
                   const int n = static_cast<int>(std::lround(size_of(k)));
@@ -95,8 +182,13 @@ Ladder image_size(const char* climb, int width, int height, const std::vector<do
 }  // namespace
 
 std::vector<Ladder> camera_ladders(const std::filesystem::path&) {
-  return {telephoto(), grazing_view(), clips(), image_size("wide", 0, 1, {0, 1, 2, 3, 4, 4.4771212547}, 4),
-          image_size("high", 1, 0, {0, 1, 2, 3, 4, 4.4771212547}, 4)};
+  Ladder high = image_size("high", 1, 0, {0, 1, 2, 3, 4, 4.4771212547}, 4);
+  high.engines = {"path", "photonmapper", "bdpt", "volpath"};  // light tracing is slow here, and does the same for both
+  std::vector<Ladder> ladders{telephoto(),  grazing_view(),  clips(),
+                              wide_field(), narrow_filter(), image_size("wide", 0, 1, {0, 1, 2, 3, 4, 4.4771212547}, 4),
+                              high};
+  for (Ladder& ladder : lenses()) ladders.push_back(std::move(ladder));
+  return ladders;
 }
 
 }  // namespace photonproof

@@ -95,6 +95,68 @@ std::vector<Ladder> point_lights() {
           tilted};
 }
 
+const std::vector<std::string> with_light_paths{"path", "bdpt", "ptracer"};
+
+/// The floor under a spot light 2 above it, seen as far as its light reaches: a narrow beam looks like a wide one.
+StressScene beam_on_the_floor(double cutoff_degrees) {
+  SceneDescription scene = stage_floor();
+  SpotLightDescription spot;
+  spot.to_world = Transform::look_at({0, 2, 0}, {0, 0, 0}, {0, 0, 1});
+  spot.beam_degrees = 0.5 * cutoff_degrees;
+  spot.cutoff_degrees = cutoff_degrees;
+  scene.emitters.push_back({{}, "", spot});
+  // A dim lamp of the same kind beside it, turned away: what light there is has to be told from none.
+  spot.to_world = Transform::look_at({0, 2, 0}, {0, 4, 0}, {0, 0, 1});
+  scene.emitters.push_back({{}, "", spot});
+  scene.sensor.camera = OrthographicDescription{};
+  scene.sensor.to_world =
+      Transform::look_at({0, 3, 0}, {0, 0, 0}, {0, 0, -1}) *
+      Transform::scale({2 * std::tan(cutoff_degrees * pi / 180), 2 * std::tan(cutoff_degrees * pi / 180), 1});
+  return {scene};
+}
+
+std::vector<Ladder> angles_of_light() {
+  Ladder narrow{"light spot",
+                "narrow",
+                "a cut-off angle of 10^-k degrees",
+                {2, 3, 4, 6, 7, 8, 9, 12},
+                9,
+                [](double k) { return beam_on_the_floor(power(-k)); },
+                [](double) { return beam_on_the_floor(0.1); }};
+  Ladder wide{"light spot",
+              "wide",
+              "a beam and a cut-off angle of 90 - 10^-k degrees, as a point",
+              {0, 1, 2, 3, 6, 9, 12},
+              12,
+              [](double k) {
+                SpotLightDescription spot;
+                spot.to_world = Transform::look_at(above, above - Vec3d{0, 1, 0}, {0, 0, 1});
+                spot.intensity = RgbD(intensity);
+                spot.beam_degrees = spot.cutoff_degrees = 90 - power(-k);
+                return StressScene{stage_under(spot)};
+              },
+              [](double) {
+                return StressScene{stage_under(PointLightDescription{above, RgbD(intensity)})};
+              }};
+  const auto sun = [](double degrees) {
+    SunSkyDescription light;
+    light.to_world = Transform::rotate({1, 0, 0}, -90);  // its z is up
+    light.sun_direction = {towards.x, -towards.z, towards.y};
+    light.sky_scale = 0;
+    light.sun_aperture_degrees = degrees;
+    return StressScene{stage_under(light)};
+  };
+  Ladder small{"light sunsky",
+               "small sun",
+               "an aperture of 10^-k degrees",
+               {2, 3, 4, 5, 6, 9, 12, 30},
+               9,
+               [=](double k) { return sun(power(-k)); },
+               [=](double) { return sun(0.1); }};
+  for (Ladder* ladder : {&narrow, &wide, &small}) ladder->engines = with_light_paths;
+  return {narrow, wide, small};
+}
+
 /// A disk or square of half width 10^k above floor and camera: of 10^4 it is all but 1e-6 of the upper half of a sky.
 StressScene under_plate(const Geometry& geometry, double k) {
   return {stage_under_shape(geometry, hanging({0, 12, 0}, power(k)), 1)};
@@ -254,7 +316,8 @@ std::vector<Ladder> light_ladders(const std::filesystem::path& assets) {
                               huge_plate("disk", DiskDescription{}),
                               huge_plate("rectangle", RectangleDescription{}),
                               dark_among_bright()};
-  for (const std::vector<Ladder>& more : {point_lights(), near_the_floor(), bright_and_dim_files(assets)})
+  for (const std::vector<Ladder>& more :
+       {point_lights(), angles_of_light(), near_the_floor(), bright_and_dim_files(assets)})
     ladders.insert(ladders.end(), more.begin(), more.end());
   return ladders;
 }

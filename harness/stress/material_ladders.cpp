@@ -1,5 +1,6 @@
 #include <cmath>
 #include <filesystem>
+#include <stdexcept>
 
 #include "harness/stress/ladder_rows.h"
 #include "harness/stress/stage.h"
@@ -10,6 +11,7 @@ namespace {
 double ten(double k) { return std::pow(10.0, k); }
 
 const std::vector<std::string> from_the_camera{"path", "photonmapper", "bdpt", "volpath"};
+const std::vector<std::string> two_ways{"path", "bdpt"};
 
 std::function<StressScene(double)> stage_of(const std::function<BsdfModel(double)>& model) {
   return [=](double k) { return StressScene{stage_with_bsdf(model(k))}; };
@@ -67,6 +69,108 @@ std::vector<Ladder> indices() {
                [](double k) { return with_ior<DielectricDescription>(ten(-k)); })};
 }
 
+/// A coat that absorbs nothing loses nothing.
+std::vector<Ladder> coats() {
+  const auto white = [](double ior) {
+    auto plastic = with_ior<PlasticDescription>(ior);
+    plastic.diffuse_reflectance = RgbD(1);
+    return plastic;
+  };
+  std::vector<Ladder> ladders{lossless("bsdf plastic", "high ior", "an ior of 10^k", {0.5, 1, 1.5, 2, 2.5}, 2.5,
+                                       [=](double k) { return white(ten(k)); }),
+                              lossless("bsdf plastic", "ior near 1", "an ior of 1 + 10^-k", {3, 6, 9, 16}, 16,
+                                       [=](double k) { return white(1 + ten(-k)); })};
+  const auto lacquer = [](double thickness, double absorption) {
+    SceneDescription scene = lit_stage();
+    const BsdfIndex wood = add_bsdf(scene, DiffuseDescription{RgbD(0.8)});
+    LayeredDescription layer;
+    layer.base = wood;
+    layer.thickness = thickness;
+    layer.sigma_a = RgbD(absorption);
+    add_shape(scene, SphereDescription{}, standing({0, 1, 0}, 1), add_bsdf(scene, layer));
+    return StressScene{scene};
+  };
+  ladders.push_back({"bsdf layered",
+                     "thickness up",
+                     "10^k thick, absorbing 10^-k",
+                     {6, 15, 25, 37},
+                     37,
+                     [=](double k) { return lacquer(ten(k), 0.3 * ten(-k)); },
+                     [=](double) { return lacquer(1, 0.3); }});
+  ladders.push_back({"bsdf layered",
+                     "thickness down",
+                     "10^-k thick, absorbing 10^k",
+                     {6, 15, 25, 37},
+                     37,
+                     [=](double k) { return lacquer(ten(-k), 0.3 * ten(k)); },
+                     [=](double) { return lacquer(1, 0.3); }});
+  for (Ladder& ladder : ladders) ladder.engines = two_ways;
+  return ladders;
+}
+
+/// A floor that is there, or black, by a share of 10^-k.
+std::vector<Ladder> shares() {
+  const auto floor_of = [](const auto& model_of) {
+    return [=](double k) {
+      SceneDescription scene = stage_floor();
+      const BsdfIndex black = add_bsdf(scene, DiffuseDescription{RgbD(0.0)});
+      scene.shapes[0].bsdf = add_bsdf(scene, model_of(scene, black, ten(-k)));
+      scene.emitters.push_back({{}, "", ConstantLightDescription{}});
+      return StressScene{scene};
+    };
+  };
+  const auto mask = [](SceneDescription&, BsdfIndex black, double share) {
+    return MaskDescription{.opacity = share, .nested = black};
+  };
+  const auto blend = [](SceneDescription& scene, BsdfIndex black, double share) {
+    const BsdfIndex white = add_bsdf(scene, DiffuseDescription{RgbD(1)});
+    return BlendDescription{.weight = share, .first = white, .second = black};
+  };
+  const std::vector<double> heights{0.5, 1, 2, 3, 6, 9, 20, 37};
+  std::vector<Ladder> ladders{
+      {"bsdf mask", "opacity to 0", "a black floor of an opacity of 10^-k, in a sky", heights, 37, floor_of(mask)},
+      {"bsdf blendbsdf", "weight to 0", "white with 10^-k of black, under a sky", heights, 37, floor_of(blend)}};
+  for (Ladder& ladder : ladders) {
+    ladder.radiance = 1;
+    ladder.factor = [](double k) { return 1 - ten(-k); };
+    ladder.engines = two_ways;
+  }
+  return ladders;
+}
+
+/// Bumps of 10^-k in a file and 10^k times that; and slopes of 10^k, which are walls.
+std::vector<Ladder> bumps(const std::filesystem::path& assets) {
+  SceneDescription base;
+  for (const NamedScene& named : scenes_of_features(assets))
+    if (named.first == "bsdf bumpmap") base = named.second;
+  const auto bump_of = [](SceneDescription& scene) -> BumpMapDescription& {
+    for (BsdfDescription& bsdf : scene.bsdfs)
+      if (auto* bump = std::get_if<BumpMapDescription>(&bsdf.model)) return *bump;
+    throw std::logic_error("a stage has no bumps");
+  };
+  const auto steep = [=](double factor) {
+    SceneDescription scene = base;
+    bump_of(scene).scale *= factor;
+    return StressScene{scene};
+  };
+  Ladder walls{"bsdf bumpmap",
+               "steep",
+               "bumps 10^k times as high",
+               {7, 9, 12, 15, 18, 20, 25, 30, 36},
+               36,
+               [=](double k) { return steep(ten(k)); },
+               [=](double) { return steep(1e6); }};
+  Ladder flat{"bsdf bumpmap",
+              "flat",
+              "bumps 10^-k times as high",
+              {7, 9, 20, 36},
+              36,
+              [=](double k) { return steep(ten(-k)); },
+              [=](double) { return steep(0); }};
+  for (Ladder* ladder : {&walls, &flat}) ladder->engines = two_ways;
+  return {walls, flat};
+}
+
 std::vector<Ladder> roughness() {
   const std::vector<double> heights{5, 6, 7, 9, 12, 20, 37};
   const auto smooth = [](const BsdfModel& model) {
@@ -105,8 +209,8 @@ std::vector<Ladder> albedos() {
   Ladder fog{"medium homogeneous",
              "optical depth",
              "10^k through a ball of albedo 1",
-             {-9, -6, -3, 0, 1, 1.5, 2},
-             1.5,
+             {-30, -9, -6, -3, 0, 1, 1.5, 2, 3, 6, 7, 8},
+             6,
              [](double k) {
                SceneDescription scene = ball_in_uniform_sky(NullDescription{});
                scene.media.push_back({{}, "fog", HomogeneousDescription{RgbD(ten(k) / 2), RgbD(1.0), 1, {}}});
@@ -121,11 +225,26 @@ std::vector<Ladder> albedos() {
         scene.shapes.back().interior = MediumIndex{0};
         return StressScene{scene, 16, 16};
       }};
-  for (Ladder* ladder : {&fog, &pale}) {
-    ladder->radiance = 1;
-    ladder->engines = {"volpath"};
-  }
-  return {room, fog, pale};
+  for (Ladder* ladder : {&fog, &pale}) ladder->radiance = 1;
+  // What is scattered straight on is as good as not scattered.
+  const auto ball = [](double sigma_t, double albedo, double g) {
+    SceneDescription scene = ball_in_uniform_sky(NullDescription{});
+    scene.media.push_back(
+        {{}, "fog", HomogeneousDescription{RgbD(sigma_t), RgbD(albedo), 1, HenyeyGreensteinDescription{g}}});
+    scene.shapes.back().interior = MediumIndex{0};
+    scene.emitters.push_back({{}, "", DirectionalLightDescription{{0.3, -1, 0.2}, RgbD(1)}});
+    return StressScene{scene, 16, 16};
+  };
+  Ladder forward{"medium homogeneous",
+                 "forward",
+                 "a mean cosine of 1 - 10^-k",
+                 {4, 5, 6, 7, 8, 9, 12, 15},
+                 15,
+                 [=](double k) { return ball(2, 0.5, 1 - ten(-k)); },
+                 [=](double) { return ball(1, 0, 0); }};
+  std::vector<Ladder> ladders{room, fog, pale, forward};
+  for (std::size_t i = 1; i < ladders.size(); ++i) ladders[i].engines = {"volpath"};
+  return ladders;
 }
 
 /// A checkerboard and a bitmap moved by whole periods of uv.
@@ -158,7 +277,7 @@ std::vector<Ladder> textures(const std::filesystem::path& assets) {
 
 std::vector<Ladder> material_ladders(const std::filesystem::path& assets) {
   std::vector<Ladder> ladders = indices();
-  for (const std::vector<Ladder>& more : {roughness(), albedos(), textures(assets)})
+  for (const std::vector<Ladder>& more : {coats(), shares(), bumps(assets), roughness(), albedos(), textures(assets)})
     ladders.insert(ladders.end(), more.begin(), more.end());
   return ladders;
 }

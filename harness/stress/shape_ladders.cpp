@@ -183,6 +183,50 @@ std::vector<Ladder> odd_triangles(const fs::path& assets) {
   return ladders;
 }
 
+/// [-1,1]^3, two triangles a side.
+TriangleMesh box_mesh() {
+  return mesh_of({{-1, -1, -1}, {1, -1, -1}, {-1, 1, -1}, {1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {-1, 1, 1}, {1, 1, 1}},
+                 {{0, 2, 3},
+                  {0, 3, 1},
+                  {4, 5, 7},
+                  {4, 7, 6},
+                  {0, 1, 5},
+                  {0, 5, 4},
+                  {2, 6, 7},
+                  {2, 7, 3},
+                  {0, 4, 6},
+                  {0, 6, 2},
+                  {1, 3, 7},
+                  {1, 7, 5}});
+}
+
+/// The top of a box 10 wide and 10^k high under a sky: long sides end where one looks.
+std::vector<Ladder> towers(const fs::path& assets) {
+  std::vector<Ladder> ladders;
+  for (const auto& [name, geometry] :
+       {std::pair<const char*, Geometry>{"cube", CubeDescription{}}, {"mesh", mesh_file(assets, "box", box_mesh())}}) {
+    Ladder tower{"shape " + std::string(name),
+                 "a tower, from above",
+                 "10^k high",
+                 {2, 4, 5, 6, 7, 8, 9, 12, 15},
+                 9,
+                 [geometry = geometry](double k) {
+                   SceneDescription scene = empty_stage();
+                   const double half = 0.5 * ten_to(k);
+                   add_shape(scene, geometry, Transform::translate({0, -half, 0}) * Transform::scale({5, half, 5}),
+                             add_bsdf(scene, DiffuseDescription{}));
+                   scene.emitters.push_back({{}, "", ConstantLightDescription{}});
+                   return StressScene{scene};
+                 }};
+    tower.radiance = 0.5;
+    tower.engines = {"path", "photonmapper", "bdpt"};
+    ladders.push_back(tower);
+    ladders.push_back(turned(tower));
+    ladders.back().wanted = 7;  // beyond, turning a box so long flattens it in double precision
+  }
+  return ladders;
+}
+
 /// [-1,1]^2 in z = 0 of 71 x 71 squares, each cut in two: ten thousand triangles.
 TriangleMesh tile() {
   constexpr std::uint32_t side = 71;
@@ -311,7 +355,8 @@ std::vector<Ladder> near_faces() {
 std::vector<Ladder> shape_ladders(const fs::path& assets) {
   std::vector<Ladder> ladders = huge_floors(assets);
   ladders.push_back(many_copies(assets));
-  for (const std::vector<Ladder>& more : {bystanders(), odd_triangles(assets), near_faces(), touching_and_thin_glass()})
+  for (const std::vector<Ladder>& more :
+       {bystanders(), odd_triangles(assets), towers(assets), near_faces(), touching_and_thin_glass()})
     ladders.insert(ladders.end(), more.begin(), more.end());
   return ladders;
 }

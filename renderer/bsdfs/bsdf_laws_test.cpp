@@ -243,7 +243,8 @@ TEST(bsdf_laws, lossless_ones_lose_nothing) {
   for (const double degrees : {0.0, 50.0, 88.0}) {
     EXPECT_NEAR(white(compiled(DiffuseDescription{one}), degrees).value, 1, 1e-6);
     EXPECT_NEAR(white(compiled(ConductorDescription{{}, one}), degrees).value, 1, 1e-6);
-    for (const double eta : {1.5, 2.4}) {
+    // At an index of 1000 a base sends its light through the interface 250 million times before it is out.
+    for (const double eta : {1.5, 2.4, 100.0, 1000.0}) {
       EXPECT_NEAR(white(compiled(DielectricDescription{eta, 1.0, one, one}), degrees).value, 1, 1e-6);
       EXPECT_NEAR(white(compiled(ThinDielectricDescription{eta, 1.0, one, one}), degrees).value, 1, 1e-6);
       const Mean plastic = white(compiled(PlasticDescription{one, one, eta, 1.0, false}), degrees);

@@ -16,6 +16,7 @@
 #include "renderer/bsdfs/bsdf_conductor.h"
 #include "renderer/bsdfs/bsdf_diffuse.h"
 #include "renderer/bsdfs/bsdf_phong.h"
+#include "renderer/bsdfs/bsdf_plastic.h"
 #include "renderer/bsdfs/bsdf_roughconductor.h"
 #include "renderer/bsdfs/rough_part.h"
 
@@ -68,11 +69,11 @@ struct LayeredBsdf {
   using Parts = LayeredBase<Base<F>>;
   static constexpr bool has_smooth = Parts::has_diffuse || Parts::has_glossy;
   static constexpr bool is_lambertian = false;
-  Base<F> base;                  ///< first, so that its words are where they are without a lacquer
-  F eta;                         ///< ior of the lacquer / ior above it
-  Vec3<F> depth;                 ///< sigma_a x thickness
-  Vec3<F> internal_reflectance;  ///< of the interface for diffuse light from the base, with its way through the lacquer
-  Vec3<F> specular;              ///< scales the interface's mirror
+  Base<F> base;         ///< first, so that its words are where they are without a lacquer
+  F eta;                ///< ior of the lacquer / ior above it
+  Vec3<F> depth;        ///< sigma_a x thickness
+  Vec3<F> lost_inside;  ///< of diffuse light from the base, what lacquer and interface do not send back
+  Vec3<F> specular;     ///< scales the interface's mirror
 
   Vec3<F> eval(const Vec3<F>& wo, const Vec3<F>& wi) const {
     if constexpr (!has_smooth) return Vec3<F>(F(0.0f));
@@ -155,10 +156,7 @@ struct LayeredBsdf {
     return Parts::glossy(base).eval(o.inside, i.inside) / (Vec3<F>(F(1.0f)) - rho * (o.absorbed * i.absorbed) * back);
   }
 
-  Vec3<F> diffuse_reflectance() const {
-    const Vec3<F> rho = Parts::diffuse(base);
-    return rho / (Vec3<F>(F(1.0f)) - rho * internal_reflectance);
-  }
+  Vec3<F> diffuse_reflectance() const { return between_reflections(Parts::diffuse(base), lost_inside); }
 
   /// Probabilities of the lobes, in proportion to what they reflect, about; the diffuse one has the rest.
   struct Choice {

@@ -1,9 +1,10 @@
 // Plastic, one-sided: a diffuse base under a smooth dielectric interface. What the base reflects is reflected back
-// inside by the share `internal_reflectance` on average, again and again (Mitsuba's `plastic`; a geometric series as in
-// Kubelka and Munk's Saunderson correction, 1942):
-//   f = T(wo) T(wi) / (pi eta^2) rho / (1 - internal_reflectance)        linear
-//                                ... / (1 - rho internal_reflectance)    nonlinear, as light does
-// plus a mirror of Fresnel's reflectance.
+// inside by the share R on average, again and again (Mitsuba's `plastic`; a geometric series as in Kubelka and Munk's
+// Saunderson correction, 1942):
+//   f = T(wo) T(wi) / (pi eta^2) rho / (1 - R)        linear
+//                                ... / (1 - rho R)    nonlinear, as light does
+// plus a mirror of Fresnel's reflectance. Records hold 1 - R, of which single precision leaves nothing beside a 1 where
+// the index is high.
 #pragma once
 
 #include "renderer/bsdfs/bsdf_sample.h"
@@ -18,11 +19,14 @@ F mean_channel(const Vec3<F>& c) {
   return (c.x + c.y + c.z) * (1.0f / 3);
 }
 
-/// What a diffuse base shows through an interface, per crossing of it.
+/// What a diffuse base shows through an interface that sends back all but `lost` of its light, per crossing of it.
 template <class F>
-Vec3<F> saturated(const Vec3<F>& diffuse, const F& internal_reflectance, const F& nonlinear) {
-  const Vec3<F> each = select(nonlinear > 0, diffuse * internal_reflectance, Vec3<F>(internal_reflectance));
-  return diffuse / (Vec3<F>(F(1.0f)) - each);
+Vec3<F> between_reflections(const Vec3<F>& diffuse, const Vec3<F>& lost) {
+  return diffuse / (Vec3<F>(F(1.0f)) - diffuse + diffuse * lost);
+}
+template <class F>
+Vec3<F> saturated(const Vec3<F>& diffuse, const F& lost, const F& nonlinear) {
+  return select(nonlinear > 0, between_reflections(diffuse, Vec3<F>(lost)), diffuse / lost);
 }
 
 /// Probability of the specular one of two lobes of these strengths, 0 where both have none.
@@ -36,14 +40,14 @@ template <class F>
 struct PlasticBsdf {
   static constexpr bool has_smooth = true;
   static constexpr bool is_lambertian = false;
-  F eta;                   ///< ior of the plastic / ior above it
-  F internal_reflectance;  ///< of the interface for diffuse light from below
-  F nonlinear;             ///< 1 or 0
+  F eta;          ///< ior of the plastic / ior above it
+  F lost_inside;  ///< of diffuse light from below, what the interface does not send back
+  F nonlinear;    ///< 1 or 0
   Vec3<F> diffuse, specular;
 
   Vec3<F> eval(const Vec3<F>& wo, const Vec3<F>& wi) const {
     const F crossing = transmittance(wo.z) * transmittance(wi.z) / (eta * eta) * (1 / pi);
-    return select(wo.z > 0 && wi.z > 0, Vec3<F>(saturated(diffuse, internal_reflectance, nonlinear) * crossing),
+    return select(wo.z > 0 && wi.z > 0, Vec3<F>(saturated(diffuse, lost_inside, nonlinear) * crossing),
                   Vec3<F>(F(0.0f)));
   }
   F pdf(const Vec3<F>& wo, const Vec3<F>& wi) const {
@@ -60,7 +64,7 @@ struct PlasticBsdf {
     const F crossing = transmittance(wo.z) * transmittance(wi.z) / (eta * eta * (1 - p));
     return {wi,
             select(mirrors, specular * F(fresnel_dielectric(wo.z, eta).reflectance / p),
-                   saturated(diffuse, internal_reflectance, nonlinear) * crossing),
+                   saturated(diffuse, lost_inside, nonlinear) * crossing),
             select(mirrors, p, F((1 - p) * cosine_hemisphere_pdf(wi.z))),
             F(1.0f),
             mirrors,

@@ -16,9 +16,9 @@ struct RoughPlasticBsdf {
   static constexpr bool is_lambertian = false;
   static constexpr std::size_t coefficients = 16;
   Microfacets<F> facets;
-  F eta;                   ///< ior of the plastic / ior above it
-  F internal_reflectance;  ///< of the interface for diffuse light from below
-  F nonlinear;             ///< 1 or 0
+  F eta;          ///< ior of the plastic / ior above it
+  F lost_inside;  ///< of diffuse light from below, what the interface does not send back
+  F nonlinear;    ///< 1 or 0
   Vec3<F> diffuse, specular;
   F through[coefficients];  ///< of Chebyshev's polynomials in 2 sqrt(cos) - 1
 
@@ -68,7 +68,7 @@ struct RoughPlasticBsdf {
   }
   Vec3<F> base(const Vec3<F>& wo, const Vec3<F>& wi) const {
     const F crossing = transmittance(wo.z) * transmittance(wi.z) / (eta * eta) * (1 / pi);
-    return saturated(diffuse, internal_reflectance, nonlinear) * crossing;
+    return saturated(diffuse, lost_inside, nonlinear) * crossing;
   }
   F gloss_probability(const Vec3<F>& wo) const {
     const F t = transmittance(wo.z);

@@ -43,7 +43,7 @@ class Compiler {
   }
   Bsdf operator()(const PlasticDescription& d) {
     using Record = PlasticBsdf<float>;
-    return Record{ratio(d.int_ior, d.ext_ior), static_cast<float>(diffuse_fresnel_reflectance(d.ext_ior / d.int_ior)),
+    return Record{ratio(d.int_ior, d.ext_ior), static_cast<float>(diffuse_fresnel_loss(d.ext_ior / d.int_ior)),
                   d.nonlinear ? 1.0f : 0.0f, colour(d.diffuse_reflectance, offsetof(Record, diffuse)),
                   colour(d.specular_reflectance, offsetof(Record, specular))};
   }
@@ -58,7 +58,7 @@ class Compiler {
                   colour(d.specular_reflectance, offsetof(Record, specular)),
                   {}};
     const RoughInterface interface = rough_interface(record.facets, d.int_ior / d.ext_ior);
-    record.internal_reflectance = interface.internal_reflectance;
+    record.lost_inside = interface.lost_inside;
     std::copy(interface.through.begin(), interface.through.end(), record.through);
     return record;
   }
@@ -153,13 +153,13 @@ class Compiler {
   Bsdf layered(const LayeredDescription& d, const Base<float>& base) {
     using Record = LayeredBsdf<float, Base>;
     const RgbD depth = d.sigma_a * d.thickness;
-    const auto back = [&](double channel) {
-      return static_cast<float>(diffuse_fresnel_reflectance(d.ext_ior / d.int_ior, channel));
+    const auto lost = [&](double channel) {
+      return static_cast<float>(diffuse_fresnel_loss(d.ext_ior / d.int_ior, channel));
     };
     return Record{base,
                   ratio(d.int_ior, d.ext_ior),
                   Rgb(depth),
-                  {back(depth.x), back(depth.y), back(depth.z)},
+                  {lost(depth.x), lost(depth.y), lost(depth.z)},
                   colour(d.specular_reflectance, offsetof(Record, specular))};
   }
 

@@ -36,21 +36,19 @@ double mean_over_facets(const Microfacets<float>& facets, const Vec3f& wo, const
 
 }  // namespace
 
-double diffuse_fresnel_reflectance(double eta) { return diffuse_fresnel_reflectance(eta, 0); }
-
-double diffuse_fresnel_reflectance(double eta, double depth) {
+double diffuse_fresnel_loss(double eta, double depth) {
   // What is not let through, by the midpoint rule in the cosine on the side of the smaller index, from where all of the
   // light that crosses comes. On the other side that is in a cone, at eta = 0.01 of 1/20000 of the cosines.
   constexpr int cells = 20'000;
   const double n = std::max(eta, 1 / eta), shrink = eta < 1 ? 1 / (n * n) : 1;  // of d(cos^2) into the cone
-  double all = 0, through = 0;
+  double absorbed = 0, through = 0;
   for (int i = 0; i < cells; ++i) {
     const double cos_theta = (i + 0.5) / cells;
     const double cos_light = std::sqrt(1 - shrink * (1 - cos_theta * cos_theta));
-    all += 2 * cos_theta * std::exp(-2 * depth / cos_theta);
+    absorbed -= 2 * cos_theta * std::expm1(-2 * depth / cos_theta);
     through += 2 * cos_theta * shrink * (1 - fresnel(cos_theta, n)) * std::exp(-2 * depth / cos_light);
   }
-  return (all - through) / cells;
+  return (absorbed + through) / cells;
 }
 
 double rough_reflectance(const Microfacets<float>& facets, double cos_wo, double eta) {
@@ -96,7 +94,7 @@ RoughInterface integrated_interface(const Microfacets<float>& facets, double eta
     const double cos_theta = std::max(1e-6, i / (cosines - 1.0));
     inside += 2 * cos_theta * rough_reflectance(facets, cos_theta, 1 / eta);
   }
-  result.internal_reflectance = static_cast<float>(inside / cosines);
+  result.lost_inside = static_cast<float>(1 - inside / cosines);
   return result;
 }
 

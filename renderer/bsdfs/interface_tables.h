@@ -7,16 +7,14 @@
 
 namespace photonproof {
 
-/// Share of diffuse light that a smooth interface reflects: 2 times the integral of F(cos) cos over cos in [0,1].
+/// Share of diffuse light that a smooth interface does not reflect: 1 less 2 times the integral of F(cos) cos
+/// exp(-2 depth / cos) over cos in [0,1], the light crossing an absorbing layer on its way to the interface and back.
 /// `eta` = ior of the far side / ior of the side the light is on.
-double diffuse_fresnel_reflectance(double eta);
-
-/// The same for light that crosses an absorbing layer on its way to the interface and back: with exp(-2 depth / cos).
-double diffuse_fresnel_reflectance(double eta, double depth);
+double diffuse_fresnel_loss(double eta, double depth = 0);
 
 struct RoughInterface {
   std::array<float, RoughPlasticBsdf<float>::coefficients> through;  ///< RoughPlasticBsdf::through
-  float internal_reflectance;
+  float lost_inside;                                                 ///< RoughPlasticBsdf::lost_inside
 };
 /// `eta` = ior below / ior above. As Mitsuba 3 has them: only what microfacets let through at once reaches the base,
 /// and the reflectance from inside is the mean over 64 evenly spaced cosines from 0 to 1, 1 to 5 % below its integral.

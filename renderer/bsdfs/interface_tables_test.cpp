@@ -82,12 +82,12 @@ TEST(interface_tables, diffuse_reflectance_from_both_sides_is_walshs) {
   // What a diffuse interior lets out is 1/n^2 of what a diffuse exterior lets in (Duntley 1942): 1 - R(1/n) =
   // (1 - R(n)) / n^2, of which a base under the interface shows the inverse: what counts is 1 - R, 5e-6 at n = 100.
   for (const double n : {1.01, 1.1, 1.5, 2.4, 10.0, 100.0}) {
-    EXPECT_NEAR(diffuse_fresnel_reflectance(n), walsh(n), 1e-6) << n;
+    EXPECT_NEAR(1 - diffuse_fresnel_loss(n), walsh(n), 1e-6) << n;
     const double leaves = (1 - walsh(n)) / (n * n);
-    EXPECT_NEAR(1 - diffuse_fresnel_reflectance(1 / n), leaves, 1e-5 * leaves) << n;
+    EXPECT_NEAR(diffuse_fresnel_loss(1 / n), leaves, 1e-5 * leaves) << n;
   }
-  EXPECT_NEAR(diffuse_fresnel_reflectance(1.5), 0.0918, 1e-4);
-  EXPECT_NEAR(diffuse_fresnel_reflectance(1 / 1.5), 0.5963, 1e-4);
+  EXPECT_NEAR(diffuse_fresnel_loss(1.5), 1 - 0.0918, 1e-4);
+  EXPECT_NEAR(diffuse_fresnel_loss(1 / 1.5), 1 - 0.5963, 1e-4);
 }
 
 TEST(interface_tables, a_layer_under_an_interface_absorbs_on_both_ways) {
@@ -105,9 +105,9 @@ TEST(interface_tables, a_layer_under_an_interface_absorbs_on_both_ways) {
     }
     sum += 2 * c * reflects * std::exp(-2 * depth / c) / cells;
   }
-  EXPECT_NEAR(diffuse_fresnel_reflectance(1 / n, depth), sum, 2e-6);
+  EXPECT_NEAR(diffuse_fresnel_loss(1 / n, depth), 1 - sum, 2e-6);
   // Through a layer that absorbs everything nothing comes back.
-  EXPECT_LT(diffuse_fresnel_reflectance(1 / 1.5, 30), 1e-12);
+  EXPECT_NEAR(diffuse_fresnel_loss(1 / 1.5, 30), 1, 1e-12);
 }
 
 }  // namespace

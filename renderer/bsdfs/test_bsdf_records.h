@@ -55,7 +55,7 @@ void randomise(LayeredBsdf<float, Base>& b, Random& random) {
   randomise(b.base, random);
   b.eta = some_eta(random);
   b.depth = some_colour(random) * 2.0f;
-  b.internal_reflectance = some_colour(random) * 0.9f;
+  b.lost_inside = Rgb(1.0f) - some_colour(random) * 0.9f;
   b.specular = some_colour(random);
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "renderer/lanes/test_random.h"
 #include "renderer/lights/sky_sun.h"
 #include "scenes/description/spectrum.h"
 #include "scenes/sky/sun_spectrum.h"
@@ -101,6 +102,28 @@ TEST(sunsky, sky_is_hosek_and_wilkies_in_every_direction) {
 }
 
 /// Lux on level ground by a lattice of equal steps of cos^2 and azimuth.
+// The sun alone, small to wide, anywhere and turned anyhow: whatever is drawn is in it, rounded or not, and counts as
+// much as the sun's irradiance.
+TEST(sun, is_where_it_is_drawn_down_to_the_smallest) {
+  test::Random random(77, 0);
+  for (const float degrees : {usable_sun_aperture(0), 0.001f, 0.01f, 0.5358f, 20.0f})
+    for (int place = 0; place < 20; ++place) {
+      SunSkySettings settings;
+      settings.sky_scale = 0;
+      settings.sun_aperture_radians = double{degrees} * std::numbers::pi / 180;
+      const auto number = [&] { return 2 * double{random.next()} - 1; };
+      settings.sun_direction = normalize(Vec3d{number(), number(), 1.2 + number()});
+      settings.to_world = Transform::rotate({number(), number(), number()}, 180 * number());
+      const SunSky sun(settings);
+      for (int i = 0; i < 2000; ++i) {
+        const Vec3f d = sun.sample(random.next2());
+        const float density = sun.pdf(d);
+        ASSERT_GT(density, 0) << degrees;
+        ASSERT_NEAR(sun.radiance(d).x / density, sun.irradiance().x, 1e-4f * sun.irradiance().x) << degrees;
+      }
+    }
+}
+
 double illuminance_of_ground(const SunSky& sky) {
   constexpr int steps = 100;
   RgbD sum(0.0);

@@ -130,7 +130,8 @@ struct Compiler {
 
   Light operator()(const SunSkyDescription& d) const {
     return sky(SunSky({d.sun_direction, d.turbidity, d.albedo, d.sun_scale, d.sky_scale,
-                       d.sun_aperture_degrees * std::numbers::pi / 180, d.to_world}));
+                       double{usable_sun_aperture(static_cast<float>(d.sun_aperture_degrees))} * std::numbers::pi / 180,
+                       d.to_world}));
   }
 
   Light operator()(const IesLightDescription& d) const {

@@ -59,18 +59,25 @@ struct SpotLight {
   }
 };
 
-/// `beam_radians` <= `cutoff_radians`, half-angles.
+inline double one_minus_cosine(double x) {
+  const double half = std::sin(x / 2);
+  return 2 * half * half;
+}
+/// Of sin(x) / x; relative error 1e-11.
+inline double one_minus_sinc(double x) {
+  return std::abs(x) < 0.01 ? x * x / 6 * (1 - x * x / 20) : 1 - std::sin(x) / x;
+}
+
+/// `beam_radians` <= `cutoff_radians`, half-angles; the cut-off is above 0.
 inline SpotLight<float> spot_light(const Vec3f& position, const Vec3f& axis, const Rgb& intensity, double beam_radians,
                                    double cutoff_radians) {
-  // 2 sin^2(c/2) is 1 - cos(c) without its cancellation. The mean over the cone, of falloff f:
+  // Without the cancellation of 1 - cos(c). The mean over the cone, of falloff f:
   //   integral f sin = (1 - cos b) + [integral from b to c of (c - t) sin(t) dt] / (c - b)
-  //                  = 1 - (sin c - sin b) / (c - b)
-  const double half = std::sin(cutoff_radians / 2);
-  const double one_minus_cos = 2 * half * half;
-  const double width = cutoff_radians - beam_radians;
-  const double whole =
-      width > 1e-6 ? 1 - (std::sin(cutoff_radians) - std::sin(beam_radians)) / width : 1 - std::cos(beam_radians);
-  const double mean = one_minus_cos > 0 ? std::clamp(whole / one_minus_cos, 0.0, 1.0) : 0;
+  //                  = 1 - (sin c - sin b) / (c - b) = 1 - cos m sinc h,   m = (c + b) / 2, h = (c - b) / 2
+  const double one_minus_cos = one_minus_cosine(cutoff_radians);
+  const double middle = 0.5 * (cutoff_radians + beam_radians), half_width = 0.5 * (cutoff_radians - beam_radians);
+  const double whole = one_minus_cosine(middle) + std::cos(middle) * one_minus_sinc(half_width);
+  const double mean = std::clamp(whole / one_minus_cos, 0.0, 1.0);
   return {position,
           axis,
           intensity,

@@ -131,6 +131,31 @@ TEST(lights, photons_leave_with_the_lights_flux_and_pattern) {
             test::sidak_level(2));
 }
 
+// Flux over intensity of a cone whose falloff is linear from b to c, by Simpson's rule on sin(t) times it, which shares
+// nothing with the closed form; for narrow ones by the limit pi (c^2 + b c + b^2) / 3, off by c^2 / 10.
+TEST(spot_light, flux_is_that_of_its_cone_down_to_the_narrowest) {
+  const auto flux_of = [](double beam, double cutoff) {
+    return double{flux(Light(spot_light({}, {0, 0, 1}, Rgb(1), beam, cutoff))).x};
+  };
+  for (const double cutoff : {1.5, 0.7, 0.1, 0.015, 0.005})
+    for (const double share : {0.0, 0.5, 0.75, 0.999}) {
+      const double beam = share * cutoff, step = (cutoff - beam) / 1000;
+      double ramp = 0;
+      for (int i = 0; i <= 1000; ++i)
+        ramp += (i == 0 || i == 1000 ? 1
+                 : i % 2 == 1        ? 4
+                                     : 2) *
+                std::sin(beam + i * step) * (1 - i / 1000.0) * step / 3;
+      const double in_full = 2 * std::pow(std::sin(beam / 2), 2), expected = 2 * pi_d * (in_full + ramp);
+      EXPECT_NEAR(flux_of(beam, cutoff), expected, 1e-6 * expected) << beam << " " << cutoff;
+    }
+  for (const double cutoff : {1e-4, 1e-6, 1e-8, 1e-10, 1e-14})
+    for (const double share : {0.0, 0.5, 1.0}) {
+      const double beam = share * cutoff, expected = pi_d * (cutoff * cutoff + beam * cutoff + beam * beam) / 3;
+      EXPECT_NEAR(flux_of(beam, cutoff), expected, 1e-6 * expected) << beam << " " << cutoff;
+    }
+}
+
 // Whatever its size, a speck's points are drawn alike: the density times the area stays.
 TEST(cylinder_light, is_sampled_alike_down_to_the_smallest) {
   const auto density_times_area = [](float size) {

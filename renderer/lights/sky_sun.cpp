@@ -6,6 +6,12 @@
 #include "renderer/lanes/warp.h"
 
 namespace photonproof {
+namespace {
+
+/// Of a direction that is drawn about another and turned twice, radians at most.
+constexpr double rounding_of_directions = 0x1p-22;
+
+}  // namespace
 
 SunSky::SunSky(const SunSkySettings& settings)
     : sky_(settings.turbidity, settings.albedo, normalize(settings.sun_direction), settings.sky_scale),
@@ -14,8 +20,8 @@ SunSky::SunSky(const SunSkySettings& settings)
       z_(normalize(settings.to_world.vector({0, 0, 1}))),
       sun_(normalize(settings.sun_direction)) {
   const double aperture = settings.sun_aperture_radians;
-  const double half = std::sin(aperture / 4);
-  sun_one_minus_cos_ = static_cast<float>(2 * half * half);
+  sun_one_minus_cos_ = static_cast<float>(cone_solid_angle(aperture) / (2 * pi_d));
+  drawn_one_minus_cos_ = static_cast<float>(cone_solid_angle(aperture - 2 * rounding_of_directions) / (2 * pi_d));
   // Where the disc is on the horizon only its upper part shines, as bright as its middle.
   sun_radiance_ = Rgb(photonproof::sun_radiance(double{sun_.z}, settings.turbidity, aperture) * settings.sun_scale);
 
@@ -56,7 +62,7 @@ Rgb SunSky::radiance(const Vec3f& towards_sky) const {
 Vec3f SunSky::sample(const Vec2<float>& u) const {
   if (u.x < sun_probability_)
     return normalize(to_world(
-        Frame<float>(sun_).to_world(square_to_cone(Vec2<float>{u.x / sun_probability_, u.y}, sun_one_minus_cos_))));
+        Frame<float>(sun_).to_world(square_to_cone(Vec2<float>{u.x / sun_probability_, u.y}, drawn_one_minus_cos_))));
   const float rest = (u.x - sun_probability_) / (1 - sun_probability_);
   const DiscreteDistribution::Drawn drawn = cells_.sample(std::min(rest, 1 - 0x1p-24f));
   const double z = (static_cast<double>(drawn.index / columns) + double{drawn.u}) / rows;

@@ -5,6 +5,8 @@
 // 2013).
 #pragma once
 
+#include <algorithm>
+
 #include "renderer/core/discrete_distribution.h"
 #include "scenes/description/transform.h"
 #include "scenes/meshes/vec.h"
@@ -17,9 +19,12 @@ struct SunSkySettings {
   double turbidity = 3;          ///< 1 to 10
   RgbD albedo{0.3};              ///< of the ground, 0 to 1
   double sun_scale = 1, sky_scale = 1;
-  double sun_aperture_radians = 0.00935;  ///< full angle; the sun's irradiance does not depend on it
+  double sun_aperture_radians = 0.00935;  ///< full angle, usable; the sun's irradiance does not depend on it
   Transform to_world;                     ///< its rotation counts
 };
+
+/// The sun's aperture as it is rendered, degrees: directions in single precision tell no smaller one from a point.
+inline float usable_sun_aperture(float degrees) { return std::max(degrees, 5e-4f); }
 
 class SunSky {
  public:
@@ -41,6 +46,7 @@ class SunSky {
   Vec3f x_, y_, z_;  ///< local axes in the world, unit
   Vec3f sun_;        ///< local
   float sun_one_minus_cos_;
+  float drawn_one_minus_cos_;  ///< of the cone in which directions to it are drawn, to be in it when rounded
   Rgb sun_radiance_;
   float sun_probability_;
   DiscreteDistribution cells_;

@@ -123,6 +123,26 @@ TEST(ptracer, says_when_few_light_paths_arrive_or_none) {
   EXPECT_THAT(losses(floor, 4), ElementsAre(HasSubstr("no light path arrived where the camera looks")));
 }
 
+// A room of radiance 1 is 1 through any filter; where it is narrower than light paths can meet, that is said.
+TEST(ptracer, loses_nothing_to_a_narrow_filter) {
+  SceneDescription room;
+  ShapeDescription& wall =
+      test::add_shape(room, SphereDescription{}, {}, test::add_bsdf(room, DiffuseDescription{RgbD(0.5)}));
+  wall.flip_normals = true;
+  wall.radiance = RgbD(0.5);
+  test::set_camera(room, Transform::look_at({0.2, 0.1, -0.3}, {0.4, -0.2, 1}, {0, 1, 0}), 90, 8);
+  for (const char* engine : {"ptracer", "bdpt"})
+    for (const double radius : {1.0, 0.6, 0.1, 1e-3, 1e-9}) {
+      room.sensor.film.filter = {.kind = ReconstructionFilter::Kind::tent, .radius = radius};
+      const test::Rendered r = test::render(room, engine, job_with(4096));
+      EXPECT_NEAR(test::image_mean(r.image.mean), 1, 0.01) << engine << " " << radius;
+      if (radius >= 0.5)
+        EXPECT_THAT(r.stats.losses, testing::IsEmpty());
+      else
+        EXPECT_THAT(r.stats.losses, testing::ElementsAre(testing::HasSubstr("are spread over 0.5"))) << radius;
+    }
+}
+
 // Pixels that share light paths or photons vary together. Over 60 seeds the variance of the image's mean is known to
 // sqrt(2/59) = 18 %; a stated one that is off by 60 % would be seen. What the pixels alone say is printed beside it.
 TEST(mean_error, is_what_the_spread_over_seeds_shows) {

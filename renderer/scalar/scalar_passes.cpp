@@ -1,6 +1,8 @@
 #include "renderer/scalar/scalar_passes.h"
 
 #include <algorithm>
+#include <cstdio>
+#include <string>
 
 namespace photonproof {
 namespace {
@@ -12,6 +14,15 @@ constexpr int tile_size = 16;
 Draws draws_of(std::uint32_t seed, SamplerKind kind, int x, int y, std::int64_t sample) {
   return {kind, pixel_key<float>(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), seed),
           static_cast<std::uint32_t>(sample)};
+}
+
+std::string wider_filter_text(double radius) {
+  char text[160];
+  std::snprintf(
+      text, sizeof text,
+      "the filter is %.2g pixels in radius: light paths, of which next to none would meet it, are spread over %g",
+      radius, narrowest_splat);
+  return text;
 }
 
 template <class Visit>
@@ -70,8 +81,10 @@ void render_splats(const Scene& scene, const RenderJob& job, Stream stream, cons
     ScalarWork work;
     std::vector<RgbD> radiance;  ///< of the tile's pixels
   };
-  SplatImage pass(window, scene.filter);
-  film.set_pixels_a_splat(FilterKernel(scene.filter).pixels_a_splat());
+  const ReconstructionFilter filter = filter_of_splats(scene.filter);
+  if (!(filter == scene.filter)) stats.losses.push_back(wider_filter_text(FilterKernel(scene.filter).radius()));
+  SplatImage pass(window, filter);
+  film.set_pixels_a_splat(FilterKernel(filter).pixels_a_splat());
   RenderLoop loop(job, threads, film, stats, {.phase = phase, .longest = longest_pass(job, film)});
   loop.keep(pass.sums());
   std::vector<Slot> slots(loop.slots());

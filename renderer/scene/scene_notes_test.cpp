@@ -87,6 +87,75 @@ TEST(scene_notes, say_what_grazes_more_exactly_than_precision) {
           "light that grazes it there may be off by [0-9.]+ %\n"));
 }
 
+TEST(scene_notes, say_lenses_and_fields_of_view_beyond_precision) {
+  using testing::HasSubstr;
+  const auto seen_by = [](const decltype(SensorDescription::camera)& camera) {
+    SceneDescription d = test::room(64, false);
+    d.sensor.camera = camera;
+    return notes_of(d);
+  };
+  PerspectiveDescription pinhole;
+  pinhole.fov_degrees = 60;
+  EXPECT_EQ(seen_by(ThinLensDescription{pinhole, 1e3, 2}), "");
+  EXPECT_THAT(
+      seen_by(ThinLensDescription{pinhole, 1e6, 2}),
+      HasSubstr("rays through a lens of radius 1e+06 miss the point in focus by 0.12 in single precision, and a "
+                "pixel is 0.036 wide there"));
+  pinhole.fov_degrees = 1e-4;
+  EXPECT_THAT(seen_by(pinhole), HasSubstr("a pixel is 2.7e-08 radians wide"));
+  EXPECT_THAT(seen_by(ThinLensDescription{pinhole, 0, 2}), HasSubstr("a pixel is 2.7e-08 radians wide"));
+  EXPECT_EQ(seen_by(FisheyeDescription{359}), "");
+  EXPECT_THAT(seen_by(FisheyeDescription{1e-4}), HasSubstr("a pixel is 2.7e-08 radians wide"));
+}
+
+TEST(scene_notes, say_suns_and_media_beyond_precision) {
+  const auto sun = [](double aperture) {
+    SceneDescription d = test::room(4, false);
+    d.files = {"s.xml"};
+    SunSkyDescription sky;
+    sky.sun_aperture_degrees = aperture;
+    d.emitters.push_back({{0, 2, 1}, "", sky});
+    return notes_of(d);
+  };
+  EXPECT_EQ(sun(1e-3), "");
+  EXPECT_EQ(sun(1e-9), "s.xml:2:1: sun_aperture 1e-09 is rendered as 0.0005\n");
+  const auto fog = [](double sigma_t, double albedo, double g) {
+    SceneDescription d = test::room(4, false);
+    d.files = {"s.xml"};
+    d.media.push_back(
+        {{0, 3, 1}, "fog", HomogeneousDescription{RgbD(sigma_t), RgbD(albedo), 1, HenyeyGreensteinDescription{g}}});
+    test::add_shape(d, SphereDescription{}, Transform::scale(Vec3d(0.2)), test::add_bsdf(d, NullDescription{}))
+        .interior = MediumIndex{0};
+    return notes_of(d);
+  };
+  EXPECT_EQ(fog(1e30, 0, 0), "");  // what goes through a black one never scatters
+  EXPECT_EQ(fog(1e5, 0.99, 0), "");
+  EXPECT_EQ(fog(100, 1, 0), "");
+  EXPECT_THAT(fog(1e4, 1, 0), testing::MatchesRegex("s.xml:3:1: light is scattered some [56].*e[+]06 times on its way "
+                                                    "through 'fog': few paths .*\n"));
+  EXPECT_EQ(fog(1e4, 1, 0.999), "");
+  EXPECT_THAT(fog(1e9, 0.5, 0),
+              testing::HasSubstr("s.xml:3:1: light goes 1e-09 between its scatterings in 'fog', where "
+                                 "coordinates in single precision are "));
+}
+
+TEST(scene_notes, say_faces_whose_ends_double_precision_does_not_know) {
+  const auto tower = [](double height) {
+    SceneDescription d;
+    test::add_shape(d, CubeDescription{},
+                    Transform::translate({0, 0, -height / 2}) * Transform::scale({1, 1, height / 2}),
+                    test::add_bsdf(d, DiffuseDescription{}));
+    test::set_camera(d, Transform::look_at({0, 0, 4}, {0, 0, 0}, {0, 1, 0}), 20, 4);
+    return notes_of(d);
+  };
+  EXPECT_EQ(tower(1e10), "");
+  EXPECT_THAT(tower(1e14),
+              testing::HasSubstr("a face is 1e+14 long and ends near what is seen, which is known to 0.2 in "
+                                 "double precision"));
+  // One that ends far away does not matter.
+  EXPECT_EQ(notes_of(far_or_large(1e13, 0, 4)), "");
+}
+
 /// A shape of this size in one of 1, both of a BSDF of their own kind.
 std::string notes_of_nested(const decltype(ShapeDescription::geometry)& shape, double size,
                             const decltype(BsdfDescription::model)& model) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "renderer/rays/small_scene.h"
 #include "renderer/rays/small_scene_tables.h"
 #include "renderer/scene/scene_frame.h"
 #include "renderer/shapes/heightfield.h"
@@ -51,6 +52,10 @@ double longest_edge(const Mesh& mesh, double least) {
 /// Of so many long edges a ball in single precision is off by a ten-thousandth of a scene's reach.
 constexpr double large_balls = 64;
 
+/// SmallSceneTables are off by a part of a face's length at its edges: no more than this part of how far away those
+/// are.
+constexpr double part_of_rim = 1e-5;
+
 }  // namespace
 
 SceneShapes::SceneShapes(const SceneDescription& description, const Textures& textures, const Vec3d& moved,
@@ -89,8 +94,7 @@ void SceneShapes::add_quad(const ShapeDescription& shape, const Vec3d& corner, c
   const Quad quad{Vec3f(corner), Vec3f(edge_u), Vec3f(edge_v), Vec3f(normal), static_cast<float>(area)};
   add_primitive(PlacedShape<Quad>{quad, flat_frame(corner, edge_u, edge_v), area}, shape);
   if (length(edge_u) > long_edge_ || length(edge_v) > long_edge_)
-    surfaces.back().long_faces = std::make_shared<const std::vector<LongFace>>(
-        std::vector<LongFace>{{corner, edge_u, edge_v, normal, dot(normal, corner), false, 0}});
+    set_long_faces({{corner, edge_u, edge_v, normal, dot(normal, corner), false, 0}});
 }
 
 void SceneShapes::add(const MeshDescription&, const ShapeDescription& shape, const Transform& to_world) {
@@ -126,7 +130,16 @@ void SceneShapes::mark_long_faces(const Transform& to_world) {
     const Vec3d normal = normalize(n) * (mesh.inward ? -1.0 : 1.0);
     faces.push_back({corner, edge_u, edge_v, normal, dot(normal, corner), true, static_cast<std::uint32_t>(t)});
   }
-  if (!faces.empty()) surfaces.back().long_faces = std::make_shared<const std::vector<LongFace>>(std::move(faces));
+  if (!faces.empty()) set_long_faces(std::move(faces));
+}
+
+void SceneShapes::set_long_faces(std::vector<LongFace> faces) {
+  const auto ends_near = [&](const LongFace& face) {
+    const double longest = std::max(length(face.edge_u), length(face.edge_v));
+    return double{plate_margin} * longest > part_of_rim * (rim_distance(face) + long_edge_);
+  };
+  simple = simple && std::none_of(faces.begin(), faces.end(), ends_near);
+  surfaces.back().long_faces = std::make_shared<const std::vector<LongFace>>(std::move(faces));
 }
 
 Mesh SceneShapes::compile_mesh(const ShapeDescription& shape, const Transform& to_world) const {

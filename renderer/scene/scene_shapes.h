@@ -54,6 +54,8 @@ class SceneShapes {
   void add_mesh(const ShapeDescription& shape, const Transform& to_world, bool placed_mirrored);
   /// Of the last surface, a mesh.
   void mark_long_faces(const Transform& to_world);
+  /// Of the last surface.
+  void set_long_faces(std::vector<LongFace> faces);
   Mesh compile_mesh(const ShapeDescription& shape, const Transform& to_world) const;
   void add_surface(Geometry geometry, const ShapeDescription& shape);
   template <class Shape>

@@ -225,6 +225,34 @@ TEST(long_triangles, of_rectangles_heightfields_and_instances_do_too) {
   }
 }
 
+// The top of a box under a sky shows half of it, however long the sides are that end there: by each of the two ways to
+// meet faces, straight and turned. An edge that is off by a hundredth of the top's width would be seen.
+TEST(long_triangles, end_where_they_are) {
+  auto box = std::make_shared<TriangleMesh>();
+  box->resize_positions(8);
+  for (std::size_t i = 0; i < 8; ++i)
+    box->positions[i] = {i & 1 ? 1.0f : -1.0f, i & 2 ? 1.0f : -1.0f, i & 4 ? 1.0f : -1.0f};
+  box->triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                    {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+  const decltype(ShapeDescription::geometry) shapes[] = {
+      CubeDescription{}, MeshDescription{MeshDescription::Format::ply, "box.ply", true, false, box}};
+  for (const auto& shape : shapes)
+    for (int k = 0; k <= 9; ++k)
+      for (const Transform& turn : {Transform{}, Transform::rotate({0.3, 0.5, 0.8}, 37)}) {
+        if (!(turn == Transform()) && k > 7) continue;  // turning so long a box flattens it
+        SceneDescription d;
+        const double half = 0.5 * std::pow(10.0, k);
+        test::add_shape(d, shape, turn * Transform::translate({0, 0, -half}) * Transform::scale({1, 1, half}),
+                        test::add_bsdf(d, DiffuseDescription{}));
+        d.emitters.push_back({{}, "", ConstantLightDescription{}});
+        test::set_camera(d, turn * Transform::look_at({0, 0, 4}, {0, 0, 0}, {0, 1, 0}), 25, 8);
+        for (const std::size_t limit : {small_scene_limit, through_embree}) {
+          const test::Rendered r = test::render(d, "path", test::job_with(64), limit);
+          EXPECT_NEAR(test::image_mean(r.image.mean), 0.5, 0.5e-3) << k << " limit " << limit;
+        }
+      }
+}
+
 TEST(long_triangles, of_every_size_do_not_shade_themselves) {
   // From what is looked at to where faces are long ones, in steps of 2 and with turns that round otherwise.
   HeightfieldDescription flat{2, 2, 0, true, HeightfieldNoise{}};

@@ -107,9 +107,14 @@ class Descent {
   Vec3f bumped(const TexturedNumber& height) const {
     const Vec3f n = front();
     const Vec2<float> slope = tables_.textures.gradient(height.texture, at_.uv);
-    const Vec3f du = at_.dp_du + n * (height.value * slope.x - dot(n, at_.dp_du));
-    const Vec3f dv = at_.dp_dv + n * (height.value * slope.y - dot(n, at_.dp_dv));
-    const Vec3f displaced = cross(du, dv);
+    // cross(du + n a, dv + n b), du and dv perpendicular to n, term by term: in the sums what is tangential would be
+    // lost beside steep slopes. Divided by the steeper one, whose square single precision may not hold.
+    const Vec3f du = at_.dp_du - n * dot(n, at_.dp_du), dv = at_.dp_dv - n * dot(n, at_.dp_dv);
+    constexpr float most = std::numeric_limits<float>::max();
+    const float a = std::clamp(height.value * slope.x, -most, most),
+                b = std::clamp(height.value * slope.y, -most, most);
+    const float unit = std::max({1.0f, std::abs(a), std::abs(b)});
+    const Vec3f displaced = cross(du, dv) / unit + cross(du, n) * (b / unit) + cross(n, dv) * (a / unit);
     return dot(displaced, geometric_) < 0 ? -displaced : displaced;
   }
 

@@ -87,6 +87,29 @@ TEST(detail, a_bump_map_tilts_the_normal_by_its_slope) {
   EXPECT_EQ(detail_under(scene, 0.1f, 0.2f).below[0], Vec3f(0, 0, 1));
 }
 
+TEST(detail, a_bump_map_of_any_height_tilts_the_normal_by_its_slope) {
+  // Turned, so that what is tangential has a part along every axis.
+  const Transform turn = Transform::rotate({1, 2, 3}, 40);
+  for (const double scale : {1e-37, 1e-20, 1e-6, 1e3, 1e6, 1e9, 1e15, 1e20, 1e30, 1e38}) {
+    SceneDescription d;
+    const TextureIndex texture = add_texture(d, ramp(0, 0.2f));
+    const BsdfIndex grey = test::add_bsdf(d, DiffuseDescription{});
+    const BsdfIndex bumped = test::add_bsdf(d, BumpMapDescription{texture, scale, grey});
+    test::add_shape(d, RectangleDescription{}, turn, bumped);
+    test::set_camera(d, turn * Transform::look_at({0, 0, 4}, {0, 0, 0}, {0, 1, 0}), 25, 16);
+    const Scene scene = test::compiled(d, 4, 4);
+    const Vec3f from(turn.point({0.1, 0.2, 1})), direction(turn.vector({0, 0, -1}));
+    const SurfaceHit<float> hit = closest_hit<float>(scene.view(), from, direction, no_index, true, false);
+    ASSERT_TRUE(hit.valid);
+    SurfaceDetail detail;
+    detail_at(scene.view(), hit.surface, hit.primitive, hit.p, hit.normal, direction, 0.5f, TransportMode::radiance,
+              detail);
+    const double slope = 0.2 * scale, unit = std::max(1.0, slope);
+    const Vec3d expected = turn.vector(normalize(Vec3d{-slope / unit, 0, 1 / unit}));
+    EXPECT_NEAR(length(Vec3d(detail.normal) - expected), 0, 1e-6) << scale;
+  }
+}
+
 TEST(detail, a_normal_map_is_in_the_frame_of_dp_du) {
   SceneDescription d;
   const TextureIndex texture = add_texture(d, even({0.8f, 0.5f, 0.9f}));  // n = (0.6, 0, 0.8)

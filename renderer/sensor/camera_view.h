@@ -18,6 +18,7 @@ struct FilterView {
   static constexpr std::uint32_t steps = 128;
   bool is_box = true;  ///< the pixel itself
   float radius = 0.5f;
+  float splat_radius = 0.5f;  ///< of the filter that light paths are spread by
   std::array<float, steps + 1> quantiles{};
   FilterView() = default;
 };

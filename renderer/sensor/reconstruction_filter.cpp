@@ -6,6 +6,12 @@
 
 namespace photonproof {
 
+ReconstructionFilter filter_of_splats(ReconstructionFilter filter) {
+  filter.radius = std::max(filter.radius, narrowest_splat);
+  filter.stddev = std::max(filter.stddev, narrowest_splat / 4);
+  return filter;
+}
+
 FilterKernel::FilterKernel(const ReconstructionFilter& filter) : kind_(filter.kind) {
   switch (kind_) {
     case ReconstructionFilter::Kind::box:
@@ -65,6 +71,7 @@ FilterView compile_filter(const ReconstructionFilter& filter) {
   FilterView view;
   view.is_box = filter.kind == ReconstructionFilter::Kind::box;
   view.radius = static_cast<float>(kernel.radius());
+  view.splat_radius = static_cast<float>(FilterKernel(filter_of_splats(filter)).radius());
   for (std::uint32_t i = 0; i <= FilterView::steps; ++i) {
     const double left = 1 - i / double{FilterView::steps}, share = 1 - left * left;
     double low = 0, high = kernel.radius();

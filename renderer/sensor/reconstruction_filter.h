@@ -10,6 +10,11 @@
 
 namespace photonproof {
 
+/// The filter that light paths are spread by: with one that is narrower than `narrowest_splat` next to none of those
+/// that arrive would count, each for as much more.
+ReconstructionFilter filter_of_splats(ReconstructionFilter filter);
+inline constexpr double narrowest_splat = 0.5;  ///< radius, pixels
+
 FilterView compile_filter(const ReconstructionFilter& filter);
 
 /// The filter's value along an axis, whose integral is 1.

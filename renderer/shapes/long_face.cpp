@@ -11,6 +11,23 @@ const LongFace* find_long_face(const LongFaces& faces, std::size_t primitive) {
   return found != faces->end() && found->primitive == primitive ? &*found : nullptr;
 }
 
+namespace {
+
+/// Of the segment from `start` along `edge` from the origin.
+double segment_distance(const Vec3d& start, const Vec3d& edge) {
+  const double along = std::clamp(-dot(start, edge) / dot(edge, edge), 0.0, 1.0);
+  return length(start + edge * along);
+}
+
+}  // namespace
+
+double rim_distance(const LongFace& face) {
+  const Vec3d &corner = face.corner, &u = face.edge_u, &v = face.edge_v;
+  const double near = std::min(segment_distance(corner, u), segment_distance(corner, v));
+  if (face.is_triangle) return std::min(near, segment_distance(corner + u, v - u));
+  return std::min({near, segment_distance(corner + v, u), segment_distance(corner + u, v)});
+}
+
 bool holds(const LongFace& face, const Vec3d& p, double margin) {
   const Vec3d q = p - face.corner, n = cross(face.edge_u, face.edge_v);
   // By volumes rather than in_basis, whose determinant cancels where the edges are nearly parallel.
@@ -23,8 +40,7 @@ double hit_distance(const LongFace& face, const ShapeRay& ray) {
   if (ray.on_lamp != OnLamp::no) return shape_missed;
   const double t = (face.offset - dot(face.normal, ray.origin)) / dot(face.normal, ray.direction);
   if (!(t > 0 && t >= ray.t_near && t <= ray.t_far)) return shape_missed;
-  constexpr double margin = 1e-12;  // so that nothing slips between two faces that share an edge
-  return holds(face, ray.origin + ray.direction * t, margin) ? t : shape_missed;
+  return holds(face, ray.origin + ray.direction * t, long_face_margin) ? t : shape_missed;
 }
 
 ShapePoint point_on(const LongFace& face, const Vec3d& near) {

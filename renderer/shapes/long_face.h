@@ -22,6 +22,11 @@ struct LongFace {
 using LongFaces = std::shared_ptr<const std::vector<LongFace>>;
 /// Null where that primitive is none, or there are none.
 const LongFace* find_long_face(const LongFaces& faces, std::size_t primitive);
+/// Edges are widened by this part of their length, so that nothing slips between two faces that share one: ten times
+/// what rounding in double precision makes of points in them.
+inline constexpr double long_face_margin = 2e-15;
+/// Of its edges from the origin.
+double rim_distance(const LongFace& face);
 /// Whether a point of its plane is within its edges, up to this part of their length.
 bool holds(const LongFace& face, const Vec3d& p, double margin);
 
