@@ -112,6 +112,15 @@ Ladder wide_field() {
   return ladder;
 }
 
+/// Along no axis directions are known to 10^-7, and the steepest go far.
+Ladder along_no_axis(const Ladder& straight, const std::vector<double>& heights, double wanted) {
+  Ladder ladder = turned(straight);
+  ladder.heights = heights;
+  ladder.wanted = wanted;
+  ladder.quick = heights.back();
+  return ladder;
+}
+
 /// `lens` makes its aperture and its focus of 10^k, through which squares at a distance of 2 are sharp.
 Ladder lens_of(const char* climb, const char* measure, const std::vector<double>& heights, double wanted,
                const std::function<void(double, ThinLensDescription&)>& lens) {
@@ -184,10 +193,17 @@ Ladder image_size(const char* climb, int width, int height, const std::vector<do
 std::vector<Ladder> camera_ladders(const std::filesystem::path&) {
   Ladder high = image_size("high", 1, 0, {0, 1, 2, 3, 4, 4.4771212547}, 4);
   high.engines = {"path", "photonmapper", "bdpt", "volpath"};  // light tracing is slow here, and does the same for both
-  std::vector<Ladder> ladders{telephoto(),  grazing_view(),  clips(),
-                              wide_field(), narrow_filter(), image_size("wide", 0, 1, {0, 1, 2, 3, 4, 4.4771212547}, 4),
+  const std::vector<Ladder> by_lens = lenses();
+  std::vector<Ladder> ladders{telephoto(),
+                              grazing_view(),
+                              clips(),
+                              wide_field(),
+                              along_no_axis(wide_field(), {1, 2, 3, 4, 5, 6, 9}, 4),
+                              along_no_axis(by_lens[0], {0, 1, 2, 3, 4, 6}, 2),
+                              narrow_filter(),
+                              image_size("wide", 0, 1, {0, 1, 2, 3, 4, 4.4771212547}, 4),
                               high};
-  for (Ladder& ladder : lenses()) ladders.push_back(std::move(ladder));
+  ladders.insert(ladders.end(), by_lens.begin(), by_lens.end());
   return ladders;
 }
 

@@ -35,7 +35,7 @@ double share_of_plane(double) { return (1 + std::cos(lamp_tilt * std::numbers::p
 double all_around(double) { return 1; }
 
 /// Whose nearest line is that of height 0, above it, or below it where what shines is its inside.
-Geometry lying(double radius, bool inward) {
+Geometry lying_tube(double radius, bool inward) {
   const double half = long_for_its_radius / 2 * radius, middle = inward ? -radius : radius;
   return CylinderDescription{{-half, middle, 0}, {half, middle, 0}, radius};
 }
@@ -76,12 +76,12 @@ std::vector<HugeLamp> huge_lamps(const std::filesystem::path& assets) {
            },
            all_around},
           {"cylinder", "huge, over a floor", round,
-           [](SceneDescription& s, double size) { add_lamp(s, lying(size, false), straight()); },
+           [](SceneDescription& s, double size) { add_lamp(s, lying_tube(size, false), straight()); },
            [](double size) { return size / (size + above_floor); }},
           {"cylinder", "huge and tilted", all_but_flat,
-           [](SceneDescription& s, double size) { add_lamp(s, lying(size, false), tilted()); }, share_of_plane},
+           [](SceneDescription& s, double size) { add_lamp(s, lying_tube(size, false), tilted()); }, share_of_plane},
           {"cylinder", "huge, around a floor", round,
-           [](SceneDescription& s, double size) { add_lamp(s, lying(size, true), tilted()).flip_normals = true; },
+           [](SceneDescription& s, double size) { add_lamp(s, lying_tube(size, true), tilted()).flip_normals = true; },
            all_around}};
 }
 

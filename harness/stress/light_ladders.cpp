@@ -154,7 +154,12 @@ std::vector<Ladder> angles_of_light() {
                [=](double k) { return sun(power(-k)); },
                [=](double) { return sun(0.1); }};
   for (Ladder* ladder : {&narrow, &wide, &small}) ladder->engines = with_light_paths;
-  return {narrow, wide, small};
+  // Along no axis directions are known to 10^-7.
+  Ladder tilted = turned(narrow);
+  tilted.heights = {2, 3, 4, 5, 6};
+  tilted.wanted = 4;
+  tilted.quick = 6;
+  return {narrow, tilted, wide, small};
 }
 
 /// A disk or square of half width 10^k above floor and camera: of 10^4 it is all but 1e-6 of the upper half of a sky.
@@ -250,6 +255,38 @@ std::vector<Ladder> near_the_floor() {
   return ladders;
 }
 
+/// What camera paths may lose: the bright spot beside a lamp, and a lamp that all but lies in a surface.
+std::vector<Ladder> lamps_on_surfaces_of_rooms() {
+  const auto in_a_ball = [](double k) {
+    SceneDescription scene = closed_sphere(0, 0.5);
+    scene.shapes[0].radiance.reset();
+    scene.emitters.push_back({{}, "", PointLightDescription{Vec3d{0.48, -0.6, 0.64} * (1 - power(-k)), RgbD(1)}});
+    return StressScene{scene};
+  };
+  Ladder spot{"light point", "near a wall", "10^-k from the wall of a ball", {0.5, 1, 2, 3, 4, 6, 9}, 1,
+              in_a_ball,     in_a_ball};
+  spot.compared_with = "bdpt";
+  spot.engines = {"path", "photonmapper", "ptracer", "volpath"};
+  spot.quick = 4;
+  const auto on_the_floor = [](double k) {
+    SceneDescription scene = stage_floor();
+    const double height = k == 99 ? 0 : power(-k);
+    add_shape(scene, RectangleDescription{}, lying({0.3, height, 0.2}, 1), add_bsdf(scene, DiffuseDescription{}))
+        .radiance = RgbD(1);
+    return StressScene{scene};
+  };
+  Ladder panel{"light rectangle",
+               "on the floor",
+               "10^-k above it; 99: in it",
+               {4, 5, 6, 7, 8, 9, 12, 99},
+               5,
+               on_the_floor,
+               [=](double) { return on_the_floor(4); }};
+  panel.quick = 99;
+  panel.engines = with_light_paths;
+  return {spot, panel};
+}
+
 /// What an environment's file holds, 10^k in it and 10^-k as its scale.
 std::vector<Ladder> bright_and_dim_files(const std::filesystem::path& assets) {
   SceneDescription base;
@@ -316,8 +353,8 @@ std::vector<Ladder> light_ladders(const std::filesystem::path& assets) {
                               huge_plate("disk", DiskDescription{}),
                               huge_plate("rectangle", RectangleDescription{}),
                               dark_among_bright()};
-  for (const std::vector<Ladder>& more :
-       {point_lights(), angles_of_light(), near_the_floor(), bright_and_dim_files(assets)})
+  for (const std::vector<Ladder>& more : {point_lights(), angles_of_light(), near_the_floor(),
+                                          lamps_on_surfaces_of_rooms(), bright_and_dim_files(assets)})
     ladders.insert(ladders.end(), more.begin(), more.end());
   return ladders;
 }

@@ -19,6 +19,7 @@
 #include "renderer/integrators/check_supported.h"
 #include "renderer/integrators/integrator.h"
 #include "renderer/passes/view.h"
+#include "renderer/scene/precision_notes.h"
 #include "renderer/scene/scene_notes.h"
 #include "scenes/description/output_files.h"
 #include "scenes/description/scene_hash.h"
@@ -94,13 +95,23 @@ void remove_checkpoint(const fs::path& file) {
 }
 
 /// Says on stderr what the scene does not get as it asks for; the same, for the stats.
-std::vector<std::string> say_notes(const SceneDescription& description, const SceneParts& scene) {
+std::vector<std::string> say(const std::vector<SceneNote>& notes) {
   std::vector<std::string> losses;
-  for (const SceneNote& note : scene_notes(description, scene)) {
+  for (const SceneNote& note : notes) {
     losses.push_back(note.where + ": " + note.text);
     std::fprintf(stderr, "%s: warning: %s\n", note.where.c_str(), note.text.c_str());
   }
   return losses;
+}
+
+void say_if_spots_are_missed(const SceneDescription& description, const Scene& scene, const RenderPlan& plan,
+                             const Film& film, RenderStats& stats) {
+  if (plan.integrator == "bdpt" || plan.integrator == "ptracer") return;
+  const Tile& window = film.window();
+  const double pixels = static_cast<double>(window.width()) * window.height();
+  const std::vector<std::string> losses =
+      say(notes_on_missed_spots(description, scene, pixels * stats.counts.at("samples_per_pixel")));
+  stats.losses.insert(stats.losses.end(), losses.begin(), losses.end());
 }
 
 void say_if_variance_is_lost(const Film& film, RenderStats& stats) {
@@ -187,7 +198,7 @@ int print_plan(const RenderArguments& arguments) {
   const Request request = request_of(arguments, {});
   const SceneParts parts = parts_of(request.description);
   const RenderPlan plan = plan_of(request, parts);
-  say_notes(request.description, parts);
+  say(scene_notes(request.description, parts));
   std::printf("%s", arguments.json ? (json_text(plan_json(plan)) + "\n").c_str() : plan_text(plan).c_str());
   return 0;
 }
@@ -241,7 +252,7 @@ int outcome(const RenderArguments& arguments, const RenderStats& stats, const Fi
 /// The scene as the plan wants it, with what it took and what it lacks in the stats.
 std::unique_ptr<const Scene> built(const Request& request, SceneParts parts, const RenderPlan& plan,
                                    RenderStats& stats) {
-  stats.losses = say_notes(request.description, parts);
+  stats.losses = say(scene_notes(request.description, parts));
   auto scene = std::make_unique<const Scene>(std::move(parts), plan.scene);
   stats.counts["bytes_scene"] = static_cast<double>(scene->memory_bytes());
   if (const Tracer* tracer = scene->view().tracer) stats.counts["bytes_bvh"] = static_cast<double>(tracer->bvh_bytes());
@@ -283,6 +294,7 @@ int render_to_files(const RenderArguments& arguments) {
   say_if_variance_is_lost(film, stats);
   for (std::size_t i = said; i < stats.losses.size(); ++i)
     std::fprintf(stderr, "%s: warning: %s\n", arguments.scene.path.c_str(), stats.losses[i].c_str());
+  say_if_spots_are_missed(request.description, *scene, plan, film, stats);
 
   const Timer write_timer;
   const Rendering rendering = developed(arguments, plan, stats, film);

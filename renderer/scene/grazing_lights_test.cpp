@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "renderer/integrators/test_scenes.h"
+#include "renderer/scene/near_lamps.h"
 
 namespace photonproof {
 namespace {
@@ -234,6 +235,89 @@ TEST(grazing_lights, are_not_beams_along_what_is_dark_beside_the_rest) {
     d.emitters.push_back({{}, "", DirectionalLightDescription{turn.vector(along - normal * sine), RgbD(1)}});
     EXPECT_EQ(found(d).size(), small > half ? 1u : 0u) << small;
   }
+}
+
+std::vector<NearLamp> above_spots(const SceneDescription& d, double within) {
+  return lamps_above_spots(SceneParts(d, 4, 4), within);
+}
+
+TEST(lamps_above_spots, are_lamps_low_above_every_shape) {
+  for (const double unit : {1.0, 1e9, 1e-9})
+    for (auto& [name, floor] : floors(Transform::scale(Vec3d(unit)) * turn)) {
+      if (unit != 1 && (name == "huge rectangle" || name == "plane")) continue;  // whose own scale is another
+      add_point(floor, foot + Vec3d{0, 0, 0.01}, Transform::scale(Vec3d(unit)) * turn);
+      const std::vector<NearLamp> lamps = above_spots(floor, 0.02 * unit);
+      ASSERT_EQ(lamps.size(), 1u) << name;
+      EXPECT_NEAR(lamps[0].height, 0.01 * unit, 1e-5 * unit) << name;
+      EXPECT_TRUE(above_spots(floor, 0.009 * unit).empty()) << name;
+    }
+}
+
+TEST(lamps_above_spots, are_those_that_shine_on_what_scatters) {
+  // A spot of a half-angle of 40 degrees, low above the floor or in it, by its axis; on a mirror never.
+  for (const double height : {0.01, 0.0})
+    for (const auto& [facing, shines] :
+         {std::pair{Vec3d{0, 0, 1}, false}, {Vec3d{1, 0, 0}, false}, {Vec3d{1, 0, -2}, true}, {Vec3d{0, 0, -1}, true}})
+      for (const bool is_mirror : {false, true}) {
+        const Vec3d at = foot + Vec3d{0, 0, height};
+        SceneDescription d = is_mirror ? stage_on(RectangleDescription{}, as_floor, {}, ConductorDescription{})
+                                       : stage_on(RectangleDescription{}, as_floor, {});
+        SpotLightDescription light;
+        light.to_world = Transform::look_at(at, at + facing, {0, 1, 0});
+        light.beam_degrees = 20;
+        light.cutoff_degrees = 40;
+        d.emitters.push_back({{}, "", light});
+        EXPECT_EQ(!above_spots(d, 0.02).empty(), shines && !is_mirror && height > 0) << facing.z << " " << height;
+      }
+  // A point that lies in the floor lights it from both sides, as far as it does.
+  SceneDescription inside = stage_on(RectangleDescription{}, as_floor, {});
+  add_point(inside, foot, {});
+  ASSERT_EQ(above_spots(inside, 0).size(), 1u);
+  EXPECT_EQ(above_spots(inside, 0)[0].height, 0);
+}
+
+TEST(lamps_above_spots, are_no_higher_than_they_are_large) {
+  SceneDescription d = stage_on(RectangleDescription{}, as_floor, turn);
+  test::add_shape(d, SphereDescription{},
+                  turn * Transform::translate(foot + Vec3d{0, 0, 0.01}) * Transform::scale(Vec3d(0.01)), {0})
+      .radiance = RgbD(1);
+  ASSERT_EQ(above_spots(d, 0.05).size(), 1u);
+  EXPECT_NEAR(above_spots(d, 0.05)[0].height, 0.01 * std::sqrt(3.0), 1e-5);  // half the diagonal of the box around it
+  EXPECT_TRUE(above_spots(d, 0.012).empty());
+}
+
+TEST(lamps_on_surfaces, are_flat_ones_nearer_than_rays_tell) {
+  for (auto& [name, floor] : floors(Transform()))
+    for (const auto& [lamp, is_flat] : {std::pair<GeometryOfShape, bool>{RectangleDescription{}, true},
+                                        {DiskDescription{}, true},
+                                        {CubeDescription{}, false}})
+      for (const double height : {0.0, 1e-9, 1e-7, 1e-3, 0.5}) {
+        if (!is_flat && height < 0.5) continue;  // its faces are flat, but it is closed
+        SceneDescription d = floor;
+        test::add_shape(d, lamp, Transform::translate(foot + Vec3d{0, 0, height}) * Transform::scale(Vec3d(0.1)), {0})
+            .radiance = RgbD(1);
+        const std::vector<NearLamp> lamps = lamps_on_surfaces(SceneParts(d, 4, 4));
+        ASSERT_EQ(lamps.size(), height < 1e-6 ? 1u : 0u) << name << " " << height;
+        if (lamps.empty()) continue;
+        EXPECT_NEAR(lamps[0].height, height, 1e-6) << name;
+        EXPECT_GT(lamps[0].resolved, 4e-7) << name;
+        EXPECT_LT(lamps[0].resolved, 2e-4) << name;
+      }
+}
+
+TEST(lamps_on_surfaces, are_none_that_a_surface_goes_through) {
+  SceneDescription d = stage_on(RectangleDescription{}, as_floor, {});
+  test::add_shape(d, RectangleDescription{},
+                  Transform::translate(foot) * Transform::rotate({1, 0, 0}, 90) * Transform::scale(Vec3d(0.1)), {0})
+      .radiance = RgbD(1);
+  EXPECT_TRUE(lamps_on_surfaces(SceneParts(d, 4, 4)).empty());
+}
+
+TEST(lamps_on_surfaces, are_none_where_there_is_no_surface) {
+  SceneDescription d = stage_on(RectangleDescription{}, as_floor, {}, NullDescription{});
+  test::add_shape(d, RectangleDescription{}, Transform::translate(foot) * Transform::scale(Vec3d(0.1)), {0}).radiance =
+      RgbD(1);
+  EXPECT_TRUE(lamps_on_surfaces(SceneParts(d, 4, 4)).empty());
 }
 
 }  // namespace

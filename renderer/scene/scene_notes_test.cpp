@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "renderer/integrators/test_scenes.h"
+#include "renderer/scene/precision_notes.h"
 #include "scenes/parser/parser.h"
 
 namespace photonproof {
@@ -96,16 +97,59 @@ TEST(scene_notes, say_lenses_and_fields_of_view_beyond_precision) {
   };
   PerspectiveDescription pinhole;
   pinhole.fov_degrees = 60;
-  EXPECT_EQ(seen_by(ThinLensDescription{pinhole, 1e3, 2}), "");
+  EXPECT_EQ(seen_by(ThinLensDescription{pinhole, 1e2, 2}), "");
   EXPECT_THAT(
-      seen_by(ThinLensDescription{pinhole, 1e6, 2}),
-      HasSubstr("rays through a lens of radius 1e+06 miss the point in focus by 0.12 in single precision, and a "
+      seen_by(ThinLensDescription{pinhole, 1e3, 2}),
+      HasSubstr("rays through a lens of radius 1e+03 miss the point in focus by 0.06 in single precision, and a "
                 "pixel is 0.036 wide there"));
   pinhole.fov_degrees = 1e-4;
   EXPECT_THAT(seen_by(pinhole), HasSubstr("a pixel is 2.7e-08 radians wide"));
   EXPECT_THAT(seen_by(ThinLensDescription{pinhole, 0, 2}), HasSubstr("a pixel is 2.7e-08 radians wide"));
   EXPECT_EQ(seen_by(FisheyeDescription{359}), "");
   EXPECT_THAT(seen_by(FisheyeDescription{1e-4}), HasSubstr("a pixel is 2.7e-08 radians wide"));
+}
+
+TEST(scene_notes, say_cones_and_fields_of_view_too_narrow_and_too_wide) {
+  using testing::HasSubstr;
+  const auto spot = [](double cutoff) {
+    SceneDescription d = test::room(4, false);
+    d.files = {"s.xml"};
+    SpotLightDescription light;
+    light.to_world = Transform::look_at({0, 0, 0}, {1, 2, 3}, {0, 1, 0});
+    light.cutoff_degrees = cutoff;
+    light.beam_degrees = cutoff / 2;
+    d.emitters.push_back({{0, 2, 1}, "", light});
+    return notes_of(d);
+  };
+  EXPECT_EQ(spot(1e-3), "");
+  EXPECT_EQ(spot(1e-6),
+            "s.xml:2:1: the cone is 1.7e-08 radians wide, and directions in single precision are 1.2e-07 apart: its "
+            "light may be missed\n");
+  const auto wide = [](double below) {
+    SceneDescription d = test::room(4, false);
+    std::get<PerspectiveDescription>(d.sensor.camera).fov_degrees = 180 - below;
+    return notes_of(d);
+  };
+  EXPECT_EQ(wide(0.01), "");
+  EXPECT_THAT(wide(1e-4), HasSubstr("the field of view is 0.0001 degrees below 180"));
+}
+
+// A point at a height h above a wall of a room that is seen 1.4 across, or so: 25 h^2 / 2 of all paths meet its spot.
+TEST(scene_notes, say_spots_that_few_camera_paths_meet) {
+  const auto notes = [](double height, double paths) {
+    SceneDescription d = test::room(4, false);
+    d.files = {"s.xml"};
+    d.emitters.push_back({{0, 2, 1}, "", PointLightDescription{{0, 1 - height, 0}, RgbD(1)}});
+    std::string text;
+    for (const SceneNote& note : notes_on_missed_spots(d, SceneParts(d, 4, 4), paths))
+      text += note.where + ": " + note.text + "\n";
+    return text;
+  };
+  EXPECT_EQ(notes(1e-3, 1e9), "");
+  EXPECT_EQ(notes(0.5, 1e3), "");
+  EXPECT_THAT(notes(1e-3, 1e6),
+              testing::MatchesRegex("s.xml:2:1: the lamp is 0.001 above a surface, which it lights "
+                                    "most in a spot that [0-9.]+ of 1e[+]06 camera paths meet: .*\n"));
 }
 
 TEST(scene_notes, say_suns_and_media_beyond_precision) {

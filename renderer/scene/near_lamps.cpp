@@ -1,0 +1,143 @@
+#include "renderer/scene/near_lamps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "renderer/lights/light.h"
+#include "renderer/scene/nearest_point.h"
+#include "renderer/scene/surface_faces.h"
+
+namespace photonproof {
+namespace {
+
+/// A lamp's middle, and the nearest of the surfaces that it may be near to.
+struct LampPlace {
+  Vec3d at;
+  double within;
+  double size;         ///< half of it; what heights count as at least
+  LightBounds bounds;  ///< where to it shines
+  bool is_flat;        ///< and asks for surfaces that lie as it does, whichever side it shines to
+  NearLamp nearest;
+
+  void look_at(const Vec3d& point, const Vec3d& normal) {
+    const Vec3d down = point - at;
+    const double apart = length(down), height = std::max(apart, size);
+    if (!(height <= within) || height >= nearest.height) return;
+    // One that lies in a surface lights it where it shines to both of its sides.
+    if (is_flat ? lies_along(normal) : apart > 0 ? shines(down) : shines(normal) && shines(-normal))
+      nearest.height = height;
+  }
+
+ private:
+  bool shines(const Vec3d& direction) const {
+    return angle_between(bounds.axis, Vec3f(normalize(direction))) < bounds.spread + bounds.emission;
+  }
+  bool lies_along(const Vec3d& normal) const { return std::abs(dot(normalize(normal), Vec3d(bounds.axis))) > 0.9; }
+};
+
+using LampsByX = std::vector<LampPlace*>;
+
+/// Those whose middle may be near what is in the box; `furthest`: the largest `within`.
+template <class Visit>
+void for_each_near(const LampsByX& lamps, const Extent& box, double furthest, Visit&& visit) {
+  auto lamp = std::lower_bound(lamps.begin(), lamps.end(), box.low.x - furthest,
+                               [](const LampPlace* l, double x) { return l->at.x < x; });
+  for (; lamp != lamps.end() && (*lamp)->at.x <= box.high.x + furthest; ++lamp)
+    if (comes_near(box, (*lamp)->at, (*lamp)->within)) visit(**lamp);
+}
+
+void look_at(const Surface& surface, const LampsByX& near, double furthest) {
+  const auto of_shape = [&](const auto& shape) {
+    if constexpr (requires(const Vec3d& to) { point_on(shape, to); }) {
+      for (LampPlace* lamp : near) {
+        const ShapePoint nearest = point_on(shape, lamp->at);
+        lamp->look_at(Vec3d(nearest.p), Vec3d(nearest.normal));
+      }
+    } else {
+      for_each_face(surface, [&](const FlatFace& face) {
+        const auto nearest = face.is_triangle ? nearest_on_triangle : nearest_on_parallelogram;
+        for_each_near(near, extent_of_face(face), furthest, [&](LampPlace& lamp) {
+          lamp.look_at(nearest(lamp.at, face.corner, face.u, face.v), cross(face.u, face.v));
+        });
+      });
+    }
+  };
+  if (!near.empty()) std::visit(of_shape, surface.geometry);
+}
+
+/// `counts(surface, light)`: whether that surface is one for that light.
+template <class Counts>
+std::vector<NearLamp> nearest_surfaces(const SceneParts& scene, std::vector<LampPlace> lamps, const Counts& counts) {
+  LampsByX all;
+  double furthest = 0;
+  for (LampPlace& lamp : lamps) {
+    lamp.nearest.height = std::numeric_limits<double>::infinity();
+    furthest = std::max(furthest, lamp.within);
+    all.push_back(&lamp);
+  }
+  std::sort(all.begin(), all.end(), [](const LampPlace* a, const LampPlace* b) { return a->at.x < b->at.x; });
+  for (std::size_t i = 0; i < scene.surfaces.size() && !all.empty(); ++i) {
+    const Surface& surface = scene.surfaces[i];
+    LampsByX near;
+    const auto keep = [&](LampPlace& lamp) {
+      if (counts(surface, lamp.nearest.light)) near.push_back(&lamp);
+    };
+    if (std::holds_alternative<Plane>(surface.geometry))
+      for (LampPlace* lamp : all) keep(*lamp);
+    else
+      for_each_near(all, {Vec3d(scene.boxes[i].low), Vec3d(scene.boxes[i].high)}, furthest, keep);
+    look_at(surface, near, furthest);
+  }
+  std::vector<NearLamp> found;
+  for (const LampPlace& lamp : lamps)
+    if (std::isfinite(lamp.nearest.height))
+      found.push_back({lamp.nearest.light, lamp.nearest.height / scene.frame.scale, lamp.within / scene.frame.scale});
+  std::sort(found.begin(), found.end(), [](const NearLamp& a, const NearLamp& b) { return a.light < b.light; });
+  return found;
+}
+
+/// Rays leave a surface by four steps of its coordinates (surface_hit.h), and their origins are rounded.
+constexpr double steps_resolved = 6 * 0x1p-23;
+
+}  // namespace
+
+std::vector<NearLamp> lamps_above_spots(const SceneParts& scene, double within) {
+  std::vector<LampPlace> lamps;
+  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+    const std::optional<LightBounds> bounds = light_bounds(scene.lights[i]);
+    if (!bounds) continue;
+    const Vec3d low(bounds->low), high(bounds->high);
+    const double size = 0.5 * length(high - low);
+    if (size <= within * scene.frame.scale)
+      lamps.push_back({(low + high) * 0.5, within * scene.frame.scale, size, *bounds, false, {i, 0, 0}});
+  }
+  return nearest_surfaces(scene, std::move(lamps), [&](const Surface& surface, std::size_t) {
+    return surface.light == no_index &&
+           scene.bsdfs.any_leaf(surface.bsdf, [](const Bsdf& leaf, bool) { return has_smooth(leaf); });
+  });
+}
+
+std::vector<NearLamp> lamps_on_surfaces(const SceneParts& scene) {
+  std::vector<LampPlace> lamps;
+  for (const Surface& surface : scene.surfaces) {
+    if (surface.light == no_index) continue;
+    const auto* quad = std::get_if<Quad>(&surface.geometry);
+    const auto* disk = std::get_if<Disk>(&surface.geometry);
+    if (quad == nullptr && disk == nullptr) continue;
+    const Vec3d at = disk != nullptr ? Vec3d(disk->center)
+                                     : Vec3d(quad->corner) + Vec3d(quad->edge_u) * 0.5 + Vec3d(quad->edge_v) * 0.5;
+    const double reach = std::max(largest_coordinate(at), double{scene.frame.coordinate_floor});
+    LightBounds bounds;
+    bounds.axis = disk != nullptr ? disk->normal : quad->normal;
+    lamps.push_back({at, steps_resolved * reach, 0, bounds, true, {surface.light, 0, 0}});
+  }
+  return nearest_surfaces(scene, std::move(lamps), [&](const Surface& surface, std::size_t light) {
+    return surface.light != light && scene.bsdfs.any_leaf(surface.bsdf, [](const Bsdf& l, bool) {
+      return !std::holds_alternative<NullBsdf<float>>(l);
+    });
+  });
+}
+
+}  // namespace photonproof
