@@ -266,7 +266,7 @@ std::vector<Ladder> lamps_on_surfaces_of_rooms() {
   Ladder spot{"light point", "near a wall", "10^-k from the wall of a ball", {0.5, 1, 2, 3, 4, 6, 9}, 1,
               in_a_ball,     in_a_ball};
   spot.compared_with = "bdpt";
-  spot.engines = {"path", "photonmapper", "ptracer", "volpath"};
+  spot.engines = {"path", "photonmapper", "ptracer"};
   spot.quick = 4;
   const auto on_the_floor = [](double k) {
     SceneDescription scene = stage_floor();

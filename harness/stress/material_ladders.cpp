@@ -215,7 +215,7 @@ std::vector<Ladder> albedos() {
                SceneDescription scene = ball_in_uniform_sky(NullDescription{});
                scene.media.push_back({{}, "fog", HomogeneousDescription{RgbD(ten(k) / 2), RgbD(1.0), 1, {}}});
                scene.shapes.back().interior = MediumIndex{0};
-               return StressScene{scene, 16, 16};
+               return StressScene{scene, 10, 10};
              }};
   // Of depth 4 through the middle, where paths scatter a few times: 10^-k of that is lost at most.
   Ladder pale{

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <optional>
-#include <set>
 
 #include "renderer/scene/close_faces.h"
 #include "renderer/scene/grazing_lights.h"
@@ -121,16 +121,26 @@ void add_notes_of_medium(const MediumDescription& medium, double scale, double r
 
 void add_medium_notes(const SceneDescription& description, const SceneParts& scene, Notes& notes) {
   const double scale = scene.frame.scale;
-  std::set<std::uint32_t> known;
+  struct Filled {
+    double reach = 0, radius = 0;
+  };
+  std::map<std::uint32_t, Filled> media;
+  const auto add = [&](const MediumIndex& medium, double reach, double radius) {
+    Filled& filled = media[medium.value];
+    filled = {std::max(filled.reach, reach), std::max(filled.radius, radius)};
+  };
   for (const ShapeDescription& shape : description.shapes) {
-    if (!shape.interior || known.contains(shape.interior->value)) continue;
+    if (!shape.interior) continue;
     const Extent extent = extent_of(description, shape);
     if (!extent.is_usable()) continue;
-    known.insert(shape.interior->value);
     const Vec3d low = extent.low * scale + scene.frame.moved, high = extent.high * scale + scene.frame.moved;
-    add_notes_of_medium(description.media[shape.interior->value], scale,
-                        std::max(largest_coordinate(low), largest_coordinate(high)), 0.5 * length(high - low), notes);
+    add(*shape.interior, std::max(largest_coordinate(low), largest_coordinate(high)), 0.5 * length(high - low));
   }
+  if (description.sensor.medium)
+    add(*description.sensor.medium, double{scene.ball.radius} + largest_coordinate(Vec3d(scene.ball.center)),
+        double{scene.ball.radius});
+  for (const auto& [medium, filled] : media)
+    add_notes_of_medium(description.media[medium], scale, filled.reach, filled.radius, notes);
 }
 
 /// What steps of coordinates may be of what is seen, and those of a lamp, which is far away where it is large.
@@ -187,31 +197,39 @@ void add_close_face_notes(const SceneDescription& description, const SceneParts&
                   short_number(close.resolved) + " apart there light may take for one");
 }
 
-void add_grazing_notes(const SceneDescription& description, const SceneParts& scene, Notes& notes) {
-  const std::vector<GrazingLight> grazing = grazing_lights(scene);
-  if (grazing.empty()) return;
+/// One for each lamp, or where they are many for the first ones and their number.
+template <class LampFound, class Text>
+void add_notes_of_lamps(const SceneDescription& description, const std::vector<LampFound>& lamps, Notes& notes,
+                        const Text& text) {
+  constexpr std::size_t most = 16;
+  if (lamps.empty()) return;
   const std::vector<SourceLoc> places = places_of_lights(description);
-  for (const GrazingLight& light : grazing) {
+  for (std::size_t i = 0; i < lamps.size() && i < most; ++i)
+    notes.add(places[lamps[i].light],
+              text(lamps[i]) +
+                  (i + 1 == most && lamps.size() > most
+                       ? "; it is alike with " + std::to_string(lamps.size() - most) + " more lamps after this one"
+                       : ""));
+}
+
+void add_grazing_notes(const SceneDescription& description, const SceneParts& scene, Notes& notes) {
+  add_notes_of_lamps(description, grazing_lights(scene), notes, [](const GrazingLight& light) {
     const std::string height = short_number(light.height);
-    notes.add(places[light.light],
-              (light.from_one_side ? "the light's angle to a face has the sine " + height
-                                   : "the lamp is " + height + " above a surface") +
-                  ", which single precision knows to " + short_number(light.rounding) +
-                  ": light that grazes it there " +
-                  (light.loss() < 1 ? "may be off by " + short_number(100 * light.loss()) + " %" : "is not known"));
-  }
+    return (light.from_one_side ? "the light's angle to a face has the sine " + height
+                                : "the lamp is " + height + " above a surface") +
+           ", which single precision knows to " + short_number(light.rounding) + ": light that grazes it there " +
+           (light.loss() < 1 ? "may be off by " + short_number(100 * light.loss()) + " %" : "is not known");
+  });
 }
 
 void add_hidden_lamp_notes(const SceneDescription& description, const SceneParts& scene, Notes& notes) {
-  const std::vector<NearLamp> hidden = lamps_on_surfaces(scene), inside = lamps_above_spots(scene, 0);
-  if (hidden.empty() && inside.empty()) return;
-  const std::vector<SourceLoc> places = places_of_lights(description);
-  for (const NearLamp& lamp : inside)
-    notes.add(places[lamp.light], "the lamp lies in a surface: integrators differ in whether it lights it");
-  for (const NearLamp& lamp : hidden)
-    notes.add(places[lamp.light], "the lamp is " + short_number(lamp.height) +
-                                      " from a surface, and what is less than " + short_number(lamp.resolved) +
-                                      " apart there rays take for one: either may hide the other");
+  add_notes_of_lamps(description, lamps_above_spots(scene, 0), notes, [](const NearLamp&) -> std::string {
+    return "the lamp lies in a surface: integrators differ in whether it lights it";
+  });
+  add_notes_of_lamps(description, lamps_on_surfaces(scene), notes, [](const NearLamp& lamp) {
+    return "the lamp is " + short_number(lamp.height) + " from a surface, and what is less than " +
+           short_number(lamp.resolved) + " apart there rays take for one: either may hide the other";
+  });
 }
 
 /// Fewer camera paths in a spot than these, over the whole image, do not tell pixels and blocks how much they miss.
@@ -240,15 +258,12 @@ std::vector<SceneNote> notes_on_missed_spots(const SceneDescription& description
   const double area = focus->size * focus->size, spot = 8 * std::numbers::pi;
   const double highest = std::sqrt(least_paths_a_spot * area / (spot * camera_paths));
   const std::vector<NearLamp> low = lamps_above_spots(scene, std::min(highest, 0.1 * focus->size));
-  if (low.empty()) return {};
-  const std::vector<SourceLoc> places = places_of_lights(description);
-  for (const NearLamp& lamp : low)
-    notes.add(places[lamp.light], "the lamp is " + short_number(lamp.height) +
-                                      " above a surface, which it lights most in a spot that " +
-                                      short_number(camera_paths * spot * lamp.height * lamp.height / area) + " of " +
-                                      short_number(camera_paths) +
-                                      " camera paths meet: the variance may not know what they miss, and "
-                                      "integrators that trace light paths, too, find it");
+  add_notes_of_lamps(description, low, notes, [&](const NearLamp& lamp) {
+    return "the lamp is " + short_number(lamp.height) + " above a surface, which it lights most in a spot that " +
+           short_number(camera_paths * spot * lamp.height * lamp.height / area) + " of " + short_number(camera_paths) +
+           " camera paths meet: the variance may not know what they miss, and integrators that trace light paths, too, "
+           "find it";
+  });
   return std::move(notes.made);
 }
 

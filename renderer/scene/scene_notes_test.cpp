@@ -147,6 +147,13 @@ TEST(scene_notes, say_spots_that_few_camera_paths_meet) {
   };
   EXPECT_EQ(notes(1e-3, 1e9), "");
   EXPECT_EQ(notes(0.5, 1e3), "");
+  // Of many lamps the first are named, and how many more there are.
+  SceneDescription many = test::room(4, false);
+  for (int i = 0; i < 40; ++i)
+    many.emitters.push_back({{0, 1, 1}, "", PointLightDescription{{0.02 * i - 0.4, 1 - 1e-3, 0}, RgbD(1)}});
+  const std::vector<SceneNote> of_many = notes_on_missed_spots(many, SceneParts(many, 4, 4), 1e6);
+  ASSERT_EQ(of_many.size(), 16u);
+  EXPECT_THAT(of_many.back().text, testing::HasSubstr("; it is alike with 24 more lamps after this one"));
   EXPECT_THAT(notes(1e-3, 1e6),
               testing::MatchesRegex("s.xml:2:1: the lamp is 0.001 above a surface, which it lights "
                                     "most in a spot that [0-9.]+ of 1e[+]06 camera paths meet: .*\n"));
@@ -178,6 +185,10 @@ TEST(scene_notes, say_suns_and_media_beyond_precision) {
   EXPECT_THAT(fog(1e4, 1, 0), testing::MatchesRegex("s.xml:3:1: light is scattered some [56].*e[+]06 times on its way "
                                                     "through 'fog': few paths .*\n"));
   EXPECT_EQ(fog(1e4, 1, 0.999), "");
+  SceneDescription all_around = test::room(4, false);
+  all_around.media.push_back({{}, "fog", HomogeneousDescription{RgbD(1e4), RgbD(1.0), 1, {}}});
+  all_around.sensor.medium = MediumIndex{0};
+  EXPECT_THAT(notes_of(all_around), testing::HasSubstr("on its way through 'fog'"));
   EXPECT_THAT(fog(1e9, 0.5, 0),
               testing::HasSubstr("s.xml:3:1: light goes 1e-09 between its scatterings in 'fog', where "
                                  "coordinates in single precision are "));
