@@ -276,6 +276,25 @@ TEST(lamps_above_spots, are_those_that_shine_on_what_scatters) {
   EXPECT_EQ(above_spots(inside, 0)[0].height, 0);
 }
 
+TEST(lamps_above_spots, are_on_either_side_of_a_wall_across_any_axis) {
+  for (const Vec3d& axis : {Vec3d{1, 0, 0}, Vec3d{0, 1, 0}, Vec3d{0, 0, 1}})
+    for (const double side : {-0.01, 0.01}) {
+      const Transform wall = Transform::look_at({0, 0, 0}, axis, {0.3, 0.5, 0.8});
+      SceneDescription d = stage_on(RectangleDescription{}, wall * as_floor, {});
+      d.emitters.push_back({{}, "", PointLightDescription{axis * side, RgbD(1)}});
+      ASSERT_EQ(above_spots(d, 0.02).size(), 1u) << axis.x << " " << axis.y << " " << side;
+      EXPECT_NEAR(above_spots(d, 0.02)[0].height, 0.01, 1e-6);
+    }
+}
+
+TEST(lamps_above_spots, are_none_for_being_near_to_themselves) {
+  SceneDescription d = stage_on(RectangleDescription{}, as_floor, turn);
+  test::add_shape(d, SphereDescription{},
+                  turn * Transform::translate(foot + Vec3d{0, 0, 1}) * Transform::scale(Vec3d(0.01)), {0})
+      .radiance = RgbD(1);
+  EXPECT_TRUE(above_spots(d, 0.05).empty());
+}
+
 TEST(lamps_above_spots, are_no_higher_than_they_are_large) {
   SceneDescription d = stage_on(RectangleDescription{}, as_floor, turn);
   test::add_shape(d, SphereDescription{},

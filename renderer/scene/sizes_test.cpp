@@ -225,6 +225,23 @@ TEST(long_triangles, of_rectangles_heightfields_and_instances_do_too) {
   }
 }
 
+TEST(long_faces, are_as_far_as_the_nearest_of_their_edges) {
+  // The square with corners (-1, -2) and (3, 4) in z = 12, each of its edges the nearest once, a corner, and its
+  // inside.
+  const auto face = [](double x, double y, bool is_triangle) {
+    return LongFace{{-1 + x, -2 + y, 12}, {4, 0, 0}, {0, 6, 0}, {0, 0, 1}, 12, is_triangle, 0};
+  };
+  EXPECT_NEAR(rim_distance(face(6, 0, false)), 13, 1e-12);   // the edge x = 5
+  EXPECT_NEAR(rim_distance(face(-8, 0, false)), 13, 1e-12);  // x = -5
+  EXPECT_NEAR(rim_distance(face(0, 7, false)), 13, 1e-12);   // y = 5
+  EXPECT_NEAR(rim_distance(face(0, -9, false)), 13, 1e-12);  // y = -5
+  EXPECT_NEAR(rim_distance(face(6, 7, false)), std::sqrt(25 + 25 + 144), 1e-12);
+  EXPECT_NEAR(rim_distance(face(0, 0, false)), std::sqrt(1 + 144), 1e-12);
+  // Half of it: the longest edge, 3x + 2y = 5, and moved by (0, -1), 3x + 2y = 3.
+  EXPECT_NEAR(rim_distance(face(0, 0, true)), std::sqrt(1 + 144), 1e-12);
+  EXPECT_NEAR(rim_distance(face(0, -1, true)), std::sqrt(9.0 / 13 + 144), 1e-12);
+}
+
 // The top of a box under a sky shows half of it, however long the sides are that end there: by each of the two ways to
 // meet faces, straight and turned. An edge that is off by a hundredth of the top's width would be seen.
 TEST(long_triangles, end_where_they_are) {
