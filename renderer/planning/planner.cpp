@@ -13,8 +13,9 @@ Planner::Planner(const SceneFacts& facts, const RenderJob& job, std::size_t smal
       job_(job),
       bvh_(decided(Skip::bvh, facts.primitives <= small_limit && facts.simple_primitives,
                    primitives(facts) + ", tested one after the other",
-                   !facts.simple_primitives ? "not all shapes are parallelograms, triangles and spheres of moderate size"
-                                            : primitives(facts) + ", more than " + std::to_string(small_limit))),
+                   !facts.simple_primitives
+                       ? "not all shapes are parallelograms, triangles and spheres of moderate size"
+                       : primitives(facts) + ", more than " + std::to_string(small_limit))),
       bsdf_groups_(decided(Skip::bsdf_groups, facts.bsdf_kinds == 1, "all BSDFs are of one kind",
                            counted(facts.bsdf_kinds, "kind", "kinds") + " of BSDF")),
       surface_detail_(decided(Skip::surface_detail, facts.all_plain,
