@@ -105,7 +105,7 @@ StressScene beam_on_the_floor(double cutoff_degrees) {
   spot.beam_degrees = 0.5 * cutoff_degrees;
   spot.cutoff_degrees = cutoff_degrees;
   scene.emitters.push_back({{}, "", spot});
-  // A dim lamp of the same kind beside it, turned away: what light there is has to be told from none.
+  // A second one, turned away: of two, each is chosen by its flux, which must not be none.
   spot.to_world = Transform::look_at({0, 2, 0}, {0, 4, 0}, {0, 0, 1});
   scene.emitters.push_back({{}, "", spot});
   scene.sensor.camera = OrthographicDescription{};
