@@ -90,20 +90,17 @@ std::vector<Ladder> coats() {
     add_shape(scene, SphereDescription{}, standing({0, 1, 0}, 1), add_bsdf(scene, layer));
     return StressScene{scene};
   };
-  ladders.push_back({"bsdf layered",
-                     "thickness up",
-                     "10^k thick, absorbing 10^-k",
-                     {6, 15, 25, 37},
-                     37,
-                     [=](double k) { return lacquer(ten(k), 0.3 * ten(-k)); },
-                     [=](double) { return lacquer(1, 0.3); }});
-  ladders.push_back({"bsdf layered",
-                     "thickness down",
-                     "10^-k thick, absorbing 10^k",
-                     {6, 15, 25, 37},
-                     37,
-                     [=](double k) { return lacquer(ten(-k), 0.3 * ten(k)); },
-                     [=](double) { return lacquer(1, 0.3); }});
+  const auto thickness = [&](const char* climb, const char* measure, double sign) {
+    ladders.push_back({"bsdf layered",
+                       climb,
+                       measure,
+                       {6, 15, 25, 37},
+                       37,
+                       [=](double k) { return lacquer(ten(sign * k), 0.3 * ten(-sign * k)); },
+                       [=](double) { return lacquer(1, 0.3); }});
+  };
+  thickness("thickness up", "10^k thick, absorbing 10^-k", 1);
+  thickness("thickness down", "10^-k thick, absorbing 10^k", -1);
   for (Ladder& ladder : ladders) ladder.engines = two_ways;
   return ladders;
 }
@@ -138,7 +135,7 @@ std::vector<Ladder> shares() {
   return ladders;
 }
 
-/// Bumps of 10^-k in a file and 10^k times that; and slopes of 10^k, which are walls.
+/// Slopes so steep that they are walls, and so flat that they do not show.
 std::vector<Ladder> bumps(const std::filesystem::path& assets) {
   SceneDescription base;
   for (const NamedScene& named : scenes_of_features(assets))
@@ -196,6 +193,14 @@ std::vector<Ladder> roughness() {
           phong};
 }
 
+/// A ball of it in a sky of radiance 1.
+SceneDescription ball_of(const HomogeneousDescription& medium) {
+  SceneDescription scene = ball_in_uniform_sky(NullDescription{});
+  scene.media.push_back({{}, "fog", medium});
+  scene.shapes.back().interior = MediumIndex{0};
+  return scene;
+}
+
 std::vector<Ladder> albedos() {
   Ladder room{"bsdf diffuse",
               "albedo to 1",
@@ -212,26 +217,17 @@ std::vector<Ladder> albedos() {
              {-30, -9, -6, -3, 0, 1, 1.5, 2, 3, 6, 7, 8},
              6,
              [](double k) {
-               SceneDescription scene = ball_in_uniform_sky(NullDescription{});
-               scene.media.push_back({{}, "fog", HomogeneousDescription{RgbD(ten(k) / 2), RgbD(1.0), 1, {}}});
-               scene.shapes.back().interior = MediumIndex{0};
-               return StressScene{scene, 10, 10};
+               return StressScene{ball_of({RgbD(ten(k) / 2), RgbD(1.0), 1, {}}), 10, 10};
              }};
   // Of depth 4 through the middle, where paths scatter a few times: 10^-k of that is lost at most.
   Ladder pale{
       "medium homogeneous", "albedo to 1", "an albedo of 1 - 10^-k", {3, 4, 5, 6, 7, 9, 12, 16}, 16, [](double k) {
-        SceneDescription scene = ball_in_uniform_sky(NullDescription{});
-        scene.media.push_back({{}, "fog", HomogeneousDescription{RgbD(2), RgbD(1 - ten(-k)), 1, {}}});
-        scene.shapes.back().interior = MediumIndex{0};
-        return StressScene{scene, 16, 16};
+        return StressScene{ball_of({RgbD(2), RgbD(1 - ten(-k)), 1, {}}), 16, 16};
       }};
   for (Ladder* ladder : {&fog, &pale}) ladder->radiance = 1;
   // What is scattered straight on is as good as not scattered.
   const auto ball = [](double sigma_t, double albedo, double g) {
-    SceneDescription scene = ball_in_uniform_sky(NullDescription{});
-    scene.media.push_back(
-        {{}, "fog", HomogeneousDescription{RgbD(sigma_t), RgbD(albedo), 1, HenyeyGreensteinDescription{g}}});
-    scene.shapes.back().interior = MediumIndex{0};
+    SceneDescription scene = ball_of({RgbD(sigma_t), RgbD(albedo), 1, HenyeyGreensteinDescription{g}});
     scene.emitters.push_back({{}, "", DirectionalLightDescription{{0.3, -1, 0.2}, RgbD(1)}});
     return StressScene{scene, 16, 16};
   };

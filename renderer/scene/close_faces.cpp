@@ -30,9 +30,6 @@ std::array<Vec3d, 4> corners(const Face& face) {
   return {face.at, face.at + face.edge_u, face.at + face.edge_v, face.at + face.edge_u + face.edge_v};
 }
 
-/// Rays leave a surface by four steps of its coordinates (surface_hit.h), and their origins are rounded.
-constexpr double steps = 6 * 0x1p-23;
-
 class Faces {
  public:
   Faces(const SceneDescription& description, const SceneFrame& frame) : frame_(frame) {
@@ -83,7 +80,7 @@ class Faces {
         face.high_x = std::max(face.high_x, p.x);
       }
     }
-    face.resolved = steps * largest / frame_.scale;
+    face.resolved = steps_resolved * largest / frame_.scale;
     all.push_back(face);
   }
 

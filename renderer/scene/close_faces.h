@@ -10,6 +10,10 @@
 
 namespace photonproof {
 
+/// Rays leave a surface by four steps of its coordinates (surface_hit.h), and their origins are rounded: faces so many
+/// steps apart they take for one.
+inline constexpr double steps_resolved = 6 * 0x1p-23;
+
 /// Two shapes by their numbers in the description, the earlier first.
 struct CloseFaces {
   std::size_t first = 0, second = 0;

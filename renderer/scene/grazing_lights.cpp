@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "renderer/lights/light.h"
-#include "renderer/scene/nearest_point.h"
 #include "renderer/scene/surface_faces.h"
 
 namespace photonproof {
@@ -19,66 +18,49 @@ constexpr double least_loss = 1e-3;
 
 Extent extent_of_lamp(const LightBounds& bounds) { return {Vec3d(bounds.low), Vec3d(bounds.high)}; }
 
-/// Lamps that are small and near surfaces.
+/// A lamp that is small, and how it grazes the surfaces near it.
+struct LowLamp {
+  Vec3d at;
+  double within;  ///< how far away a surface may be
+  LightBounds bounds;
+  GrazingLight worst;
+};
+
 class LowLamps {
  public:
   /// `reach`: how far from the origin most of what is lit lies.
   explicit LowLamps(double reach) : reach_(reach) {}
 
+  /// Before any surface is looked at.
   void add(std::size_t light, const LightBounds& bounds) {
     const Extent lamp = extent_of_lamp(bounds);
     const Vec3d at = lamp.middle();
     const double size = largest_coordinate(lamp.high - lamp.low) * 0.5;
-    const double sees = half_step * std::numbers::sqrt3 * std::max(largest_coordinate(at), reach_) / least_loss;
-    if (size < sees) lamps_.push_back({at, sees, bounds, {light, false, 0, 0}});
+    const double within = half_step * std::numbers::sqrt3 * std::max(largest_coordinate(at), reach_) / least_loss;
+    if (size < within) lamps_.push_back({at, within, bounds, {light, false, 0, 0}});
   }
 
   bool empty() const { return lamps_.empty(); }
 
-  /// `around`: the box around it.
-  void look_at(const Surface& surface, const ShapeBox& around) {
-    const bool has_end = !std::holds_alternative<Plane>(surface.geometry);
-    const Extent whole{Vec3d(around.low), Vec3d(around.high)};
-    std::vector<Lamp*> near;
-    for (Lamp& lamp : lamps_)
-      if (!has_end || comes_near(whole, lamp.at, lamp.sees)) near.push_back(&lamp);
-    if (near.empty()) return;
-    const auto look_at_shape = [&](const auto& shape) {
-      if constexpr (requires(const Vec3d& to) { point_on(shape, to); })
-        for (Lamp* lamp : near) {
-          const ShapePoint nearest = point_on(shape, lamp->at);
-          compare(*lamp, Vec3d(nearest.p), Vec3d(nearest.normal));
-        }
-      else
-        look_at_faces(surface, near);
-    };
-    std::visit(look_at_shape, surface.geometry);
-  }
+  PlacesByX<LowLamp> places() { return PlacesByX<LowLamp>(lamps_); }
 
   void tell(std::vector<GrazingLight>& found) const {
-    for (const Lamp& lamp : lamps_)
+    for (const LowLamp& lamp : lamps_)
       if (lamp.worst.rounding > 0) found.push_back(lamp.worst);
   }
 
- private:
-  struct Lamp {
-    Vec3d at;
-    double sees;  ///< how far away a surface may be
-    LightBounds bounds;
-    GrazingLight worst;
-  };
-
-  void look_at_faces(const Surface& surface, const std::vector<Lamp*>& near) const {
-    for_each_face(surface, [&](const FlatFace& face) {
-      const Extent box = extent_of_face(face);
-      for (Lamp* lamp : near) {
-        if (!comes_near(box, lamp->at, lamp->sees)) continue;
-        const auto nearest = face.is_triangle ? nearest_on_triangle : nearest_on_parallelogram;
-        compare(*lamp, nearest(lamp->at, face.corner, face.u, face.v), normalize(cross(face.u, face.v)));
-      }
-    });
+  void compare(LowLamp& lamp, const Vec3d& point, Vec3d normal) const {
+    const Vec3d apart = lamp.at - point;
+    const double height = length(apart), lost = rounding(point, normal);
+    if (!(height > 0) || !(lost > least_loss * height)) return;
+    if (height > lost ? dot(apart, normal) < 0 : dot(Vec3d(lamp.bounds.axis), normal) < 0) normal = -normal;
+    if (!shines_below(lamp.bounds, normal)) return;
+    if (lost / height <= lamp.worst.loss()) return;
+    lamp.worst.height = height;
+    lamp.worst.rounding = lost;
   }
 
+ private:
   /// What rounding of both may change of the height of `at` above the plane through `point`: nothing along axes that
   /// the plane is across and goes through the origin of.
   double rounding(const Vec3d& point, const Vec3d& normal) const {
@@ -94,19 +76,8 @@ class LowLamps {
     return angle_between(bounds.axis, Vec3f(-up)) < pi / 2 + bounds.spread + bounds.emission - slack;
   }
 
-  void compare(Lamp& lamp, const Vec3d& point, Vec3d normal) const {
-    const Vec3d apart = lamp.at - point;
-    const double height = length(apart), lost = rounding(point, normal);
-    if (!(height > 0) || !(lost > least_loss * height)) return;
-    if (height > lost ? dot(apart, normal) < 0 : dot(Vec3d(lamp.bounds.axis), normal) < 0) normal = -normal;
-    if (!shines_below(lamp.bounds, normal)) return;
-    if (lost / height <= lamp.worst.loss()) return;
-    lamp.worst.height = height;
-    lamp.worst.rounding = lost;
-  }
-
   double reach_;
-  std::vector<Lamp> lamps_;
+  std::vector<LowLamp> lamps_;
 };
 
 /// Light from one side, and lamps that are so far away that theirs is.
@@ -190,11 +161,14 @@ std::vector<GrazingLight> grazing_lights(const SceneParts& scene) {
   }
   std::vector<GrazingLight> found;
   if (lamps.empty() && beams.empty()) return found;
+  const PlacesByX<LowLamp> places = lamps.places();
   for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
     const Surface& surface = scene.surfaces[i];
     if (surface.light != no_index) continue;  // what it is lit by does not show beside its own light
     if (!scene.bsdfs.any_leaf(surface.bsdf, [](const Bsdf& leaf, bool) { return has_smooth(leaf); })) continue;
-    if (!lamps.empty()) lamps.look_at(surface, scene.boxes[i]);
+    places.look_at(surface, scene.boxes[i], [&](LowLamp& lamp, const Vec3d& point, const Vec3d& normal) {
+      lamps.compare(lamp, point, normalize(normal));
+    });
     if (!beams.empty()) beams.look_at(surface);
   }
   lamps.tell(found);

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "renderer/lights/light.h"
-#include "renderer/scene/nearest_point.h"
+#include "renderer/scene/close_faces.h"
 #include "renderer/scene/surface_faces.h"
 
 namespace photonproof {
@@ -37,58 +37,17 @@ struct LampPlace {
   bool lies_along(const Vec3d& normal) const { return std::abs(dot(normalize(normal), Vec3d(bounds.axis))) > 0.9; }
 };
 
-using LampsByX = std::vector<LampPlace*>;
-
-/// Those whose middle may be near what is in the box; `furthest`: the largest `within`.
-template <class Visit>
-void for_each_near(const LampsByX& lamps, const Extent& box, double furthest, Visit&& visit) {
-  auto lamp = std::lower_bound(lamps.begin(), lamps.end(), box.low.x - furthest,
-                               [](const LampPlace* l, double x) { return l->at.x < x; });
-  for (; lamp != lamps.end() && (*lamp)->at.x <= box.high.x + furthest; ++lamp)
-    if (comes_near(box, (*lamp)->at, (*lamp)->within)) visit(**lamp);
-}
-
-void look_at(const Surface& surface, const LampsByX& near, double furthest) {
-  const auto of_shape = [&](const auto& shape) {
-    if constexpr (requires(const Vec3d& to) { point_on(shape, to); }) {
-      for (LampPlace* lamp : near) {
-        const ShapePoint nearest = point_on(shape, lamp->at);
-        lamp->look_at(Vec3d(nearest.p), Vec3d(nearest.normal));
-      }
-    } else {
-      for_each_face(surface, [&](const FlatFace& face) {
-        const auto nearest = face.is_triangle ? nearest_on_triangle : nearest_on_parallelogram;
-        for_each_near(near, extent_of_face(face), furthest, [&](LampPlace& lamp) {
-          lamp.look_at(nearest(lamp.at, face.corner, face.u, face.v), cross(face.u, face.v));
-        });
-      });
-    }
-  };
-  if (!near.empty()) std::visit(of_shape, surface.geometry);
-}
-
-/// `counts(surface, light)`: whether that surface is one for that light.
+/// Of surfaces that `counts` says are some.
 template <class Counts>
 std::vector<NearLamp> nearest_surfaces(const SceneParts& scene, std::vector<LampPlace> lamps, const Counts& counts) {
-  LampsByX all;
-  double furthest = 0;
-  for (LampPlace& lamp : lamps) {
-    lamp.nearest.height = std::numeric_limits<double>::infinity();
-    furthest = std::max(furthest, lamp.within);
-    all.push_back(&lamp);
-  }
-  std::sort(all.begin(), all.end(), [](const LampPlace* a, const LampPlace* b) { return a->at.x < b->at.x; });
-  for (std::size_t i = 0; i < scene.surfaces.size() && !all.empty(); ++i) {
+  for (LampPlace& lamp : lamps) lamp.nearest.height = std::numeric_limits<double>::infinity();
+  const PlacesByX<LampPlace> places(lamps);
+  for (std::size_t i = 0; i < scene.surfaces.size() && !places.empty(); ++i) {
     const Surface& surface = scene.surfaces[i];
-    LampsByX near;
-    const auto keep = [&](LampPlace& lamp) {
-      if (counts(surface, lamp.nearest.light)) near.push_back(&lamp);
-    };
-    if (std::holds_alternative<Plane>(surface.geometry))
-      for (LampPlace* lamp : all) keep(*lamp);
-    else
-      for_each_near(all, {Vec3d(scene.boxes[i].low), Vec3d(scene.boxes[i].high)}, furthest, keep);
-    look_at(surface, near, furthest);
+    if (counts(surface))
+      places.look_at(surface, scene.boxes[i], [&](LampPlace& lamp, const Vec3d& point, const Vec3d& normal) {
+        if (surface.light != lamp.nearest.light) lamp.look_at(point, normal);
+      });
   }
   std::vector<NearLamp> found;
   for (const LampPlace& lamp : lamps)
@@ -97,9 +56,6 @@ std::vector<NearLamp> nearest_surfaces(const SceneParts& scene, std::vector<Lamp
   std::sort(found.begin(), found.end(), [](const NearLamp& a, const NearLamp& b) { return a.light < b.light; });
   return found;
 }
-
-/// Rays leave a surface by four steps of its coordinates (surface_hit.h), and their origins are rounded.
-constexpr double steps_resolved = 6 * 0x1p-23;
 
 }  // namespace
 
@@ -113,7 +69,7 @@ std::vector<NearLamp> lamps_above_spots(const SceneParts& scene, double within) 
     if (size <= within * scene.frame.scale)
       lamps.push_back({(low + high) * 0.5, within * scene.frame.scale, size, *bounds, false, {i, 0, 0}});
   }
-  return nearest_surfaces(scene, std::move(lamps), [&](const Surface& surface, std::size_t) {
+  return nearest_surfaces(scene, std::move(lamps), [&](const Surface& surface) {
     return surface.light == no_index &&
            scene.bsdfs.any_leaf(surface.bsdf, [](const Bsdf& leaf, bool) { return has_smooth(leaf); });
   });
@@ -133,10 +89,9 @@ std::vector<NearLamp> lamps_on_surfaces(const SceneParts& scene) {
     bounds.axis = disk != nullptr ? disk->normal : quad->normal;
     lamps.push_back({at, steps_resolved * reach, 0, bounds, true, {surface.light, 0, 0}});
   }
-  return nearest_surfaces(scene, std::move(lamps), [&](const Surface& surface, std::size_t light) {
-    return surface.light != light && scene.bsdfs.any_leaf(surface.bsdf, [](const Bsdf& l, bool) {
-      return !std::holds_alternative<NullBsdf<float>>(l);
-    });
+  return nearest_surfaces(scene, std::move(lamps), [&](const Surface& surface) {
+    return scene.bsdfs.any_leaf(surface.bsdf,
+                                [](const Bsdf& leaf, bool) { return !std::holds_alternative<NullBsdf<float>>(leaf); });
   });
 }
 

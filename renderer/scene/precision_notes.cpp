@@ -148,12 +148,10 @@ constexpr double part_of_what_is_seen = 1e-4, part_of_a_lamp = 0.01;
 /// And what edges may be off by.
 constexpr double part_of_a_view = 1e-3;
 
-void add_place_notes(const SceneDescription& description, Notes& notes) {
-  const std::optional<SceneFocus> focus = scene_focus(description);
-  if (!focus) return;
-  const double place = largest_coordinate(focus->point);
-  if (place * double_step > part_of_what_is_seen * focus->size)
-    notes.add(description.sensor.loc, "what is seen is " + short_number(focus->size) + " large and lies at " +
+void add_place_notes(const SceneDescription& description, const SceneFocus& focus, Notes& notes) {
+  const double place = largest_coordinate(focus.point);
+  if (place * double_step > part_of_what_is_seen * focus.size)
+    notes.add(description.sensor.loc, "what is seen is " + short_number(focus.size) + " large and lies at " +
                                           short_number(place) + ", where coordinates in double precision are " +
                                           short_number(place * double_step) + " apart");
   for (const ShapeDescription& shape : description.shapes) {
@@ -162,7 +160,7 @@ void add_place_notes(const SceneDescription& description, Notes& notes) {
     if ((ball == nullptr && pillar == nullptr) || !shape.radiance) continue;
     const Extent extent = ball != nullptr ? extent_of(*ball, shape.to_world) : extent_of(*pillar, shape.to_world);
     const double reach = std::max(largest_coordinate(extent.low), largest_coordinate(extent.high));
-    if (reach * double_step > part_of_a_lamp * focus->size)
+    if (reach * double_step > part_of_a_lamp * focus.size)
       notes.add(shape.loc, "the lamp reaches to " + short_number(reach) +
                                ", where coordinates in double precision are " + short_number(reach * double_step) +
                                " apart: a constant emitter or a disk shines more exactly");
@@ -170,10 +168,9 @@ void add_place_notes(const SceneDescription& description, Notes& notes) {
 }
 
 /// Faces so long that double precision does not know where they end, which is where one looks.
-void add_long_face_notes(const SceneDescription& description, const SceneParts& scene, Notes& notes) {
-  const std::optional<SceneFocus> focus = scene_focus(description);
-  if (!focus) return;
-  const double size = focus->size * scene.frame.scale;
+void add_long_face_notes(const SceneDescription& description, const SceneFocus& focus, const SceneParts& scene,
+                         Notes& notes) {
+  const double size = focus.size * scene.frame.scale;
   double longest = 0;
   for (const Surface& surface : scene.surfaces)
     if (surface.long_faces != nullptr)
@@ -241,8 +238,10 @@ void add_precision_notes(const SceneDescription& description, const SceneParts& 
   add_camera_notes(description, notes);
   add_cone_notes(description, notes);
   add_medium_notes(description, scene, notes);
-  add_place_notes(description, notes);
-  add_long_face_notes(description, scene, notes);
+  if (const std::optional<SceneFocus> focus = scene_focus(description)) {
+    add_place_notes(description, *focus, notes);
+    add_long_face_notes(description, *focus, scene, notes);
+  }
   add_close_face_notes(description, scene, notes);
   add_grazing_notes(description, scene, notes);
   add_hidden_lamp_notes(description, scene, notes);

@@ -5,6 +5,7 @@
 #include <set>
 #include <string>
 
+#include "renderer/integrators/test_photon_scenes.h"
 #include "renderer/planning/test_compiled.h"
 #include "renderer/scene/scene_frame.h"
 #include "renderer/scene/test_sizes.h"
@@ -245,14 +246,7 @@ TEST(long_faces, are_as_far_as_the_nearest_of_their_edges) {
 // The top of a box under a sky shows half of it, however long the sides are that end there: by each of the two ways to
 // meet faces, straight and turned. An edge that is off by a hundredth of the top's width would be seen.
 TEST(long_triangles, end_where_they_are) {
-  auto box = std::make_shared<TriangleMesh>();
-  box->resize_positions(8);
-  for (std::size_t i = 0; i < 8; ++i)
-    box->positions[i] = {i & 1 ? 1.0f : -1.0f, i & 2 ? 1.0f : -1.0f, i & 4 ? 1.0f : -1.0f};
-  box->triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
-                    {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
-  const decltype(ShapeDescription::geometry) shapes[] = {
-      CubeDescription{}, MeshDescription{MeshDescription::Format::ply, "box.ply", true, false, box}};
+  const decltype(ShapeDescription::geometry) shapes[] = {CubeDescription{}, test::box_mesh()};
   for (const auto& shape : shapes)
     for (int k = 0; k <= 9; ++k)
       for (const Transform& turn : {Transform{}, Transform::rotate({0.3, 0.5, 0.8}, 37)}) {
