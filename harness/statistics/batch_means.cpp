@@ -2,7 +2,9 @@
 
 #include <cmath>
 #include <cstring>
+#include <string>
 
+#include "harness/statistics/radiance_range.h"
 #include "scenes/text/atomic_file.h"
 #include "scenes/text/checksum.h"
 #include "scenes/text/input_error.h"
@@ -41,6 +43,7 @@ void BatchMeans::add(const Image& batch, const std::string& where, double square
   if (batch.width != width_ || batch.height != height_) throw InputError(where, "is of another size than its batch");
   for (const float v : batch.rgb)
     if (!std::isfinite(v)) throw InputError(where, "has a value that is not finite: no reference can be made of it");
+  if (const std::string why = why_variance_is_lost(batch); !why.empty()) throw InputError(where, why);
   ++batches_;
   squared_biases_ += squared_bias;
   for (std::size_t i = 0; i < mean_.size(); ++i) {

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <string>
 
+#include "scenes/text/input_error.h"
 #include "scenes/text/test_folder.h"
 
 namespace photonproof {
@@ -24,6 +26,20 @@ TEST(BatchMeans, mean_and_variance_of_the_mean_are_those_of_the_batches) {
   const Rendering rendering = means.rendering();
   for (const float v : rendering.mean.rgb) EXPECT_FLOAT_EQ(v, 3);
   for (const float v : rendering.variance->rgb) EXPECT_FLOAT_EQ(v, 7.0f / 3);
+}
+
+// Variances of radiances of 10^20 are beyond single precision, of 10^-20 below it: no reference would be held to noise.
+TEST(BatchMeans, whose_variance_no_float_holds_are_refused) {
+  BatchMeans means(2, 1, 16);
+  for (const float radiance : {1e20f, 1e-20f}) {
+    try {
+      means.add(even(radiance), "batch 0");
+      ADD_FAILURE() << radiance;
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find("give the scene's lights in another unit"), std::string::npos);
+    }
+  }
+  EXPECT_EQ(means.batches(), 0);
 }
 
 class BatchMeansFile : public FolderTest {};

@@ -105,9 +105,13 @@ Ladder wide_field() {
     scene.sensor.camera = from_above(scene, size_of(-k));
     return StressScene{scene};
   };
-  Ladder ladder{
-      "camera perspective",           "wide", "a field of view of 180 - 114 10^-k degrees", {1, 2, 3, 4, 6, 9}, 6, from,
-      [=](double) { return from(0); }};
+  Ladder ladder{"camera perspective",
+                "wide view",
+                "a field of view of 180 - 114 10^-k degrees",
+                {1, 2, 3, 4, 6, 9},
+                6,
+                from,
+                [=](double) { return from(0); }};
   ladder.engines = through_lenses;
   return ladder;
 }
@@ -191,7 +195,7 @@ Ladder image_size(const char* climb, int width, int height, const std::vector<do
 }  // namespace
 
 std::vector<Ladder> camera_ladders(const std::filesystem::path&) {
-  Ladder high = image_size("high", 1, 0, {0, 1, 2, 3, 4, 4.4771212547}, 4);
+  Ladder high = image_size("high image", 1, 0, {0, 1, 2, 3, 4, 4.4771212547}, 4);
   high.engines = {"path", "photonmapper", "bdpt", "volpath"};  // light tracing is slow here, and does the same for both
   const std::vector<Ladder> by_lens = lenses();
   std::vector<Ladder> ladders{telephoto(),
@@ -201,7 +205,7 @@ std::vector<Ladder> camera_ladders(const std::filesystem::path&) {
                               along_no_axis(wide_field(), {1, 2, 3, 4, 5, 6, 9}, 4),
                               along_no_axis(by_lens[0], {0, 1, 2, 3, 4, 6}, 2),
                               narrow_filter(),
-                              image_size("wide", 0, 1, {0, 1, 2, 3, 4, 4.4771212547}, 4),
+                              image_size("wide image", 0, 1, {0, 1, 2, 3, 4, 4.4771212547}, 4),
                               high};
   ladders.insert(ladders.end(), by_lens.begin(), by_lens.end());
   return ladders;

@@ -117,14 +117,14 @@ StressScene beam_on_the_floor(double cutoff_degrees) {
 
 std::vector<Ladder> angles_of_light() {
   Ladder narrow{"light spot",
-                "narrow",
+                "narrow beam",
                 "a cut-off angle of 10^-k degrees",
                 {2, 3, 4, 6, 7, 8, 9, 12},
                 9,
                 [](double k) { return beam_on_the_floor(power(-k)); },
                 [](double) { return beam_on_the_floor(0.1); }};
   Ladder wide{"light spot",
-              "wide",
+              "wide beam",
               "a beam and a cut-off angle of 90 - 10^-k degrees, as a point",
               {0, 1, 2, 3, 6, 9, 12},
               12,

@@ -10,6 +10,7 @@
 #include "harness/cells/host.h"
 #include "harness/cells/run_cell.h"
 #include "harness/pixels/image_blocks.h"
+#include "harness/statistics/radiance_range.h"
 #include "harness/suites/engine_command.h"
 #include "harness/suites/engine_stats.h"
 #include "harness/verify/picture_pair.h"
@@ -195,6 +196,8 @@ Shot Studio::shoot_samples(const StudioScene& scene, const VerifyEngine& engine,
     }
     const fs::path image = options_.folder / result.image;
     parts.emplace_back(read_rendering(image.string()), samples);
+    if (const std::string why = why_variance_is_lost(parts.back().first.mean); !why.empty())
+      return {std::nullopt, Status::unsupported, "its picture " + why, result.command};
     picture.losses = read_engine_stats(image.parent_path() / "stats.json").losses;
     bias = std::max(bias, stated_bias(result));
     shot.command = result.command;

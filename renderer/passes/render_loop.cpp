@@ -19,6 +19,9 @@ constexpr std::int64_t most_samples = std::int64_t{1} << 32;
 constexpr std::int64_t least_samples_for_error = 16;
 // Of the squared bias that lasts, the squared error that is not worth more passes: these could take a tenth off it.
 constexpr double enough_of_lasting = 1.25;
+// Of relmse's epsilon, the mean square of an image that is so dim that its errors are relative to epsilon rather than
+// it.
+constexpr double dim = 0.1;
 // A squared bias that lasts is said where no error was asked for and it is more than that: a tenth of the image.
 constexpr double much_that_lasts = 0.01;
 
@@ -79,6 +82,21 @@ bool RenderLoop::reached_target() {
   return *error_ <= *job_.budget.target_error || *error_ * *error_ <= enough_of_lasting * lasting;
 }
 
+void RenderLoop::say_if_dim() {
+  const std::optional<double> target = job_.budget.target_error;
+  const double square = film_.mean_square();
+  if (!target || !(square > 0) || square >= dim * Film::relative_epsilon) return;
+  const double of_itself = film_.relative_standard_error(square * Film::relative_epsilon).value_or(0);
+  if (of_itself <= *target) return;
+  char text[320];
+  std::snprintf(
+      text, sizeof text,
+      "--target-error %.3g is relative to radiances^2 + %.3g, and radiances are about %.2g here: of themselves "
+      "pixels err by %.2g %%",
+      *target, Film::relative_epsilon, std::sqrt(square), 100 * of_itself);
+  stats_.losses.emplace_back(text);
+}
+
 void RenderLoop::say_what_lasts() {
   const std::optional<double> target = job_.budget.target_error;
   const double squared = plan_.lasting_bias ? plan_.lasting_bias() : 0;
@@ -119,7 +137,10 @@ bool RenderLoop::ended(bool interrupted) {
   if (job_.progress && !interrupted) job_.progress(1, plan_.phase);
   rays_.store(stats_);
   if (plan_.squared_bias) error();
-  if (!interrupted) say_what_lasts();
+  if (!interrupted) {
+    say_what_lasts();
+    say_if_dim();
+  }
   stats_.counts["samples_per_pixel"] = static_cast<double>(schedule_.samples_done());
   return false;
 }

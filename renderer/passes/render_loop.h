@@ -120,6 +120,8 @@ class RenderLoop {
   std::optional<double> error();
   /// Says why the target was not reached, or, where none was given, that much is wrong for good.
   void say_what_lasts();
+  /// Says where the target was reached because radiances are far below epsilon.
+  void say_if_dim();
   double fraction(double part) const;
   bool writes() const { return job_.checkpoint && job_.checkpoint->interval_seconds > 0; }
   bool due() const { return writes() && since_write_.seconds() >= job_.checkpoint->interval_seconds; }

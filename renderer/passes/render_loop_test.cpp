@@ -10,6 +10,7 @@
 
 #include "renderer/integrators/test_scenes.h"
 #include "renderer/planning/test_compiled.h"
+#include "scenes/images/mean_error.h"
 #include "scenes/text/test_folder.h"
 
 namespace photonproof {
@@ -175,6 +176,69 @@ TEST(Film, tells_its_relative_standard_error) {
   EXPECT_FALSE(film.relative_standard_error());
   film.add(0, 0, RgbD(3.0), 1);
   EXPECT_NEAR(*film.relative_standard_error(), std::sqrt(1 / 4.01), 1e-12);
+}
+
+// Where squares of radiances are beyond single precision, too: 2^100 is an exact factor, beside which 0.01 is nothing.
+TEST(Film, tells_its_errors_of_any_radiance) {
+  Film ordinary(1, 1), bright(1, 1);
+  for (const double radiance : {0x1p30, 0x3p30, 0x5p30}) {
+    for (Film* film : {&ordinary, &bright}) {
+      film->add(0, 0, RgbD(film == &bright ? radiance * 0x1p70 : radiance), 1);
+      film->end_shared_pass(1);
+    }
+  }
+  EXPECT_DOUBLE_EQ(*bright.relative_standard_error(), *ordinary.relative_standard_error());
+  const auto error_of = [](const Film& film) { return stored_mean_error(film.develop())->standard_error[0]; };
+  EXPECT_GT(error_of(ordinary), 0x1p29);
+  EXPECT_DOUBLE_EQ(error_of(bright), error_of(ordinary) * 0x1p70);
+}
+
+// Two estimates of a pixel, r and 3 r, have a variance of r^2.
+Film two_estimates(std::initializer_list<double> pixels) {
+  Film film(static_cast<int>(pixels.size()), 1);
+  int x = 0;
+  for (const double r : pixels) {
+    film.add(x, 0, RgbD(r), 1);
+    film.add(x++, 0, RgbD(3 * r), 1);
+  }
+  return film;
+}
+
+TEST(Film, has_a_variance_layer_where_floats_hold_it) {
+  for (const auto& pixels : {std::initializer_list<double>{1, 2}, {1, 0}, {1e19, 1e-18}, {0, 0}}) {
+    const Film film = two_estimates(pixels);
+    EXPECT_EQ(film.variance_in_float().lost, 0u);
+    ASSERT_TRUE(film.develop().variance);
+    EXPECT_FLOAT_EQ(film.develop().variance->rgb[0], static_cast<float>(*pixels.begin() * *pixels.begin()));
+  }
+  for (const auto& pixels : {std::initializer_list<double>{1, 1e20}, {1e-20, 1e-20}, {0, 1e-20}}) {
+    const Film film = two_estimates(pixels);
+    EXPECT_GT(film.variance_in_float().lost, 0u);
+    EXPECT_FALSE(film.variance_in_float().fits);
+    EXPECT_FALSE(film.develop().variance);
+  }
+  const Film dark_corner = two_estimates({1, 1e-20});
+  EXPECT_EQ(dark_corner.variance_in_float().lost, 1u);
+  ASSERT_TRUE(dark_corner.develop().variance);
+  EXPECT_NEAR(dark_corner.develop().variance->rgb[3], 1e-40f, 1e-44f);
+}
+
+// Noise of a dim scene is hidden by relmse's 0.01, whatever it is: the error asked for is there at once, and that is
+// said.
+TEST_F(Resume, target_error_of_a_dim_scene_is_said_to_say_little) {
+  for (const double dimmer : {1.0, 1e-6}) {
+    SceneDescription scene = test::room(32, false);
+    for (ShapeDescription& shape : scene.shapes)
+      if (shape.radiance) std::get<RgbD>(*shape.radiance) = std::get<RgbD>(*shape.radiance) * dimmer;
+    RenderJob job;
+    job.budget.target_error = 0.02;
+    const Outcome out = part(scene, "path", job, false, -1);
+    ASSERT_EQ(out.stats.losses.size(), dimmer < 1 ? 1u : 0u);
+    if (dimmer < 1) {
+      EXPECT_EQ(out.stats.counts.at("samples_per_pixel"), 16);
+      EXPECT_NE(out.stats.losses[0].find("of themselves pixels err by"), std::string::npos) << out.stats.losses[0];
+    }
+  }
 }
 
 // Passes end after 1, 2, 4, 8, 16 samples and so on: the first of 16 or more at which the error is small enough is the

@@ -14,12 +14,9 @@ Film::Film(const Tile& window)
 
 namespace {
 
-/// Never below zero, where rounding can put it, nor beyond what a float holds: the square of a radiance that is a float
-/// need not be one.
+/// Never below zero, where rounding can put it.
 RgbD variance_of_mean(const RgbD& spread, std::int64_t estimates) {
-  const auto component = [&](double v) {
-    return std::clamp(v / static_cast<double>(estimates - 1), 0.0, double{std::numeric_limits<float>::max()});
-  };
+  const auto component = [&](double v) { return std::max(0.0, v / static_cast<double>(estimates - 1)); };
   return {component(spread.x), component(spread.y), component(spread.z)};
 }
 
@@ -45,7 +42,8 @@ Rendering Film::develop() const {
   Rendering rendering;
   rendering.mean = Image(width(), height());
   const bool has_variance =
-      std::all_of(pixels_.begin(), pixels_.end(), [](const Pixel& p) { return p.estimates >= 2; });
+      std::all_of(pixels_.begin(), pixels_.end(), [](const Pixel& p) { return p.estimates >= 2; }) &&
+      variance_in_float().fits;
   if (has_variance) rendering.variance = Image(width(), height());
   const auto store = [](float* out, const RgbD& v) {
     out[0] = static_cast<float>(v.x);
@@ -71,31 +69,44 @@ Rendering Film::develop() const {
   return rendering;
 }
 
-std::size_t Film::variances_beyond_float() const {
+VarianceInFloat Film::variance_in_float() const {
   constexpr double of_rounding = 1e-10;  // of the mean squared: less may be no noise at all
-  const auto is_lost = [](double mean, double spread, std::int64_t estimates) {
-    const double variance = spread / static_cast<double>(estimates - 1);
-    return variance > double{std::numeric_limits<float>::max()} ||
-           (spread > of_rounding * mean * mean && variance < double{std::numeric_limits<float>::min()});
-  };
-  return static_cast<std::size_t>(std::count_if(pixels_.begin(), pixels_.end(), [&](const Pixel& p) {
-    if (p.estimates < 2) return false;
+  constexpr double most = std::numeric_limits<float>::max(), least = std::numeric_limits<float>::min();
+  VarianceInFloat in_float;
+  double largest = 0;
+  for (const Pixel& p : pixels_) {
+    if (p.estimates < 2) continue;
     const RgbD mean = p.sum / p.weight, spread = p.sum_of_squares / p.weight - mean * mean;
-    return is_lost(mean.x, spread.x, p.estimates) || is_lost(mean.y, spread.y, p.estimates) ||
-           is_lost(mean.z, spread.z, p.estimates);
-  }));
+    const RgbD variance = variance_of_mean(spread, p.estimates);
+    const auto is_lost = [&](double v, double of, double m) {
+      return v > most || (v < least && of > of_rounding * m * m);
+    };
+    largest = std::max({largest, variance.x, variance.y, variance.z});
+    if (is_lost(variance.x, spread.x, mean.x) || is_lost(variance.y, spread.y, mean.y) ||
+        is_lost(variance.z, spread.z, mean.z))
+      ++in_float.lost;
+  }
+  in_float.fits = in_float.lost == 0 || (largest <= most && largest >= least);
+  return in_float;
 }
 
-std::optional<double> Film::relative_standard_error() const {
+std::optional<double> Film::relative_standard_error(double epsilon) const {
   RgbD sum(0.0);
   for (const Pixel& p : pixels_) {
     if (p.estimates < 2) return std::nullopt;
     const RgbD mean = p.sum / p.weight;
     const RgbD variance = variance_of_mean(p.sum_of_squares / p.weight - mean * mean, p.estimates);
-    const RgbD scale = mean * mean + RgbD(relative_epsilon);
+    const RgbD scale = mean * mean + RgbD(epsilon);
     sum += RgbD(variance.x / scale.x, variance.y / scale.y, variance.z / scale.z);
   }
   return std::sqrt((sum.x + sum.y + sum.z) / (3 * static_cast<double>(pixels_.size())));
+}
+
+double Film::mean_square() const {
+  RgbD sum(0.0);
+  for (const Pixel& p : pixels_)
+    if (p.weight > 0) sum += (p.sum / p.weight) * (p.sum / p.weight);
+  return (sum.x + sum.y + sum.z) / (3 * static_cast<double>(pixels_.size()));
 }
 
 std::size_t Film::unsampled_pixels() const {

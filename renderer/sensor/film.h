@@ -15,6 +15,13 @@ namespace photonproof {
 class StateReader;
 class StateWriter;
 
+/// Whether floats hold the variances of an image's pixels: the square of a radiance that is a float need not be one.
+struct VarianceInFloat {
+  std::size_t lost = 0;  ///< pixels with a variance that is beyond the largest or below the least float
+  bool fits =
+      true;  ///< none is beyond, and the largest is not below: a layer that is 0 where the others are lost is true
+};
+
 class Film {
  public:
   Film(int width, int height) : Film(Tile{0, 0, width, height}) {}
@@ -45,7 +52,7 @@ class Film {
   /// Of light paths that are added by a filter wider than a pixel (scenes/images/mean_error.h).
   void set_pixels_a_splat(double pixels) { pixels_a_splat_ = pixels; }
 
-  /// Mean and, where every pixel has at least two estimates, the variance of the mean:
+  /// Mean and, where every pixel has at least two estimates and floats hold it, the variance of the mean:
   /// sum w (x - m)^2 / ((n - 1) sum w), unbiased where an estimate's variance is inverse to its weight. By the same
   /// formula, after two shared passes, the MeanError of the image's mean.
   /// The image is of the window's size.
@@ -60,14 +67,15 @@ class Film {
   /// Root of the mean, over channel values, of the mean's variance over mean^2 + 0.01: the root of the relmse that
   /// noise alone would give, as estimated from the samples, which are taken as independent (those of a Sobol sequence
   /// are better than that). Empty where a pixel has fewer than two estimates.
-  std::optional<double> relative_standard_error() const;
+  std::optional<double> relative_standard_error(double epsilon = relative_epsilon) const;
+  /// Mean over channel values of mean^2.
+  double mean_square() const;
   /// Of the estimates so far; 0 where there is none.
   RgbD mean(int x, int y) const {
     const Pixel& p = pixels_[index(x, y)];
     return p.weight > 0 ? p.sum / p.weight : RgbD(0.0);
   }
-  /// Pixels whose variance a float cannot hold: the layer has the largest float, or 0, in its place.
-  std::size_t variances_beyond_float() const;
+  VarianceInFloat variance_in_float() const;
   /// Pixels no estimate reached (an interrupted first pass).
   std::size_t unsampled_pixels() const;
   /// Of memory, for each pixel.

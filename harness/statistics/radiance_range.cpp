@@ -1,0 +1,20 @@
+#include "harness/statistics/radiance_range.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace photonproof {
+
+std::string why_variance_is_lost(const Image& image) {
+  double brightest = 0;
+  for (const float v : image.rgb) brightest = std::max(brightest, std::abs(double{v}));
+  if (brightest == 0 || (brightest >= least_radiance && brightest <= most_radiance)) return {};
+  return fmt::format(
+      "has radiances of {:.2g}, whose variance single precision does not hold, as it does from {:g} to {:g}: give the "
+      "scene's lights in another unit",
+      brightest, least_radiance, most_radiance);
+}
+
+}  // namespace photonproof
