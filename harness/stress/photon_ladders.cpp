@@ -27,13 +27,17 @@ Ladder photons(const char* feature, const char* climb, const char* measure, cons
   return ladder;
 }
 
-StressScene of_radius(double radius, const std::string& indirect) {
+/// 0: left to the renderer.
+StressScene of_radii(double global, double caustic, const std::string& indirect) {
   SceneDescription scene = with_glass();
   PhotonMapperDescription method;
-  method.global_radius = method.caustic_radius = radius;
+  method.global_radius = global;
+  method.caustic_radius = caustic;
   scene.integrator.method = method;
   StressScene rung{scene};
   rung.unlike_path = {"--indirect", indirect};
+  // All photons are in every disc of a large radius, and a cache looks them up from hundreds of thousands of places.
+  if (indirect == "cache") rung.unlike_path.insert(rung.unlike_path.end(), {"--photons", "30000"});
   return rung;
 }
 
@@ -44,9 +48,11 @@ std::vector<Ladder> photon_ladders(const std::filesystem::path&) {
   for (const char* indirect : {"map", "gather", "cache"}) {
     const std::string feature = "photons, " + std::string(indirect);
     ladders.push_back(photons(feature.c_str(), "radius up", "radii of 10^k", {-1, 0, 1, 2, 3, 6, 9, 20, 37, 45}, 9,
-                              [=](double k) { return of_radius(tens(k), indirect); }));
+                              [=](double k) { return of_radii(tens(k), tens(k), indirect); }));
     ladders.push_back(photons(feature.c_str(), "radius down", "radii of 10^-k", {1, 2, 3, 4, 6, 9, 20, 37, 45}, 9,
-                              [=](double k) { return of_radius(tens(-k), indirect); }));
+                              [=](double k) { return of_radii(tens(-k), tens(-k), indirect); }));
+    ladders.push_back(photons(feature.c_str(), "caustic radius down", "that radius alone, 10^-k",
+                              {1, 2, 3, 4, 6, 9, 20}, 9, [=](double k) { return of_radii(0, tens(-k), indirect); }));
     ladders.push_back(photons(feature.c_str(), "none, one, two", "k photons", {0, 1, 2, 3}, -1, [=](double k) {
       StressScene rung{with_glass()};
       rung.unlike_path = {"--indirect", indirect, "--photons", std::to_string(std::lround(k))};

@@ -175,8 +175,11 @@ RungVerdict judge_picture(const RungEvidence& evidence, const RungExpectation& e
     verdict.sentence = fmt::format("light of {:.3g} where there is none", mean_of(test.mean));
     return verdict;
   }
-  verdict = expected.is_exact && is_known ? judge_pixels(reference, test)
-                                          : judge_means(reference, test, evidence.relative_bias);
+  const bool by_pixels = expected.is_exact && is_known;
+  verdict = by_pixels ? judge_pixels(reference, test) : judge_means(reference, test, 0);
+  // What an engine claims to be wrong by excuses a picture that is; one that is right needs no excuse.
+  if (!by_pixels && verdict.outcome != RungOutcome::right)
+    verdict = judge_means(reference, test, evidence.relative_bias);
   const bool is_lost = evidence.tells_noise && !is_known && any_other_than_zero(*reference.variance);
   if (verdict.outcome == RungOutcome::right && is_lost && evidence.losses.empty()) {
     verdict.outcome = RungOutcome::silently_wrong;

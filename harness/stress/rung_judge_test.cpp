@@ -70,6 +70,18 @@ TEST(rungs, that_are_biased_by_nature_may_be_off_by_three_percent) {
   EXPECT_EQ(judge_rung(showing(noisy(1.06f)), expected).outcome, RungOutcome::silently_wrong);
 }
 
+TEST(rungs, that_are_right_need_no_claim_of_a_bias_as_an_excuse) {
+  RungExpectation expected = exactly(noisy(1));
+  expected.is_exact = false;
+  RungEvidence right = showing(noisy(1)), wrong = showing(noisy(1.2f));
+  EXPECT_EQ(judge_rung(wrong, expected).outcome, RungOutcome::silently_wrong);
+  right.relative_bias = wrong.relative_bias = 0.06;  // 4 of it and the 3 % are more than a rung may miss
+  EXPECT_EQ(judge_rung(right, expected).outcome, RungOutcome::right);
+  EXPECT_LT(*judge_rung(right, expected).would_see, rung_power);
+  EXPECT_EQ(judge_rung(wrong, expected).outcome, RungOutcome::undecided);
+  EXPECT_GT(*judge_rung(wrong, expected).would_see, rung_power);
+}
+
 TEST(rungs, with_values_that_are_no_numbers_are_wrong) {
   Rendering picture = noisy(1);
   picture.mean.rgb[7] = std::numeric_limits<float>::quiet_NaN();

@@ -23,7 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Changes when judging does, so that rungs are judged anew.
-constexpr const char* judging_version = "6";
+constexpr const char* judging_version = "7";
 constexpr int looks_at = 64, reference_samples = 512;  // a pixel
 /// As many looks at least where noise hides what a rung is, and more of small pictures, of up to so many camera
 /// samples; fewer where a quick climb only tells at which rung what is not right at its end begins. What is expected is

@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "renderer/integrators/test_scenes.h"
+#include "renderer/passes/photon_radius.h"
 
 namespace photonproof {
 namespace {
@@ -56,6 +57,59 @@ TEST(photon_mapper, says_when_few_photons_arrive_where_the_camera_looks) {
   const auto far = render(d, "photonmapper", job);
   EXPECT_LT(far.stats.counts.at("photons_in_disc_global"), 10);
   EXPECT_THAT(far.stats.losses, testing::ElementsAre(testing::HasSubstr("too few arrive where the camera looks")));
+}
+
+// Caustics are missed by most look-ups, however many photons there are: what is around photons tells.
+TEST(photon_mapper, says_where_a_given_radius_of_caustics_is_too_narrow) {
+  for (const IndirectLight indirect : {IndirectLight::map, IndirectLight::gather, IndirectLight::cache}) {
+    const auto losses = [&](double radius) {
+      SceneDescription room = test::room(16, true);
+      PhotonMapperDescription method;
+      method.indirect = indirect;
+      method.caustic_radius = radius;
+      room.integrator.method = method;
+      return render(room, "photonmapper", job_with(8)).stats.losses;
+    };
+    EXPECT_THAT(losses(0), testing::IsEmpty()) << word_of(indirect);
+    EXPECT_THAT(losses(0.1), testing::IsEmpty()) << word_of(indirect);
+    EXPECT_THAT(losses(1e-4), testing::Contains(testing::HasSubstr("within 0.0001 of one of them")))
+        << word_of(indirect);
+  }
+}
+
+// A radius that holds none of them: the map has fewer than a thousand photons, which are some per cent of those
+// emitted.
+TEST(photon_mapper, says_when_few_arrive_of_a_small_map_that_matters) {
+  SceneDescription d = test::floor_under_point_light(16);
+  const auto facing_down =
+      Transform::translate({0, 6, 0}) * Transform::rotate({1, 0, 0}, 90) * Transform::scale(Vec3d(2));
+  test::add_shape(d, RectangleDescription{}, facing_down, {0});
+  PhotonMapperDescription method;
+  method.global_radius = 1e-6;
+  d.integrator.method = method;
+  const auto small = render(d, "photonmapper", job_with(4, 20'000));
+  const double stored = small.stats.counts.at("photons_stored_global");
+  EXPECT_LT(stored, 1000);
+  EXPECT_GT(stored, 200);
+  EXPECT_THAT(small.stats.losses, testing::ElementsAre(testing::HasSubstr("too few arrive where the camera looks")));
+}
+
+TEST(photons_around_one, are_those_of_its_surface_within_the_radius) {
+  Photons photons;
+  for (const std::uint32_t surface : {0u, 1u})
+    for (const float x : {0.0f, 10.0f})
+      for (int i = 0; i < 5; ++i) {
+        Photon photon;
+        photon.p_world = {x, 0.25f * static_cast<float>(i), 0};
+        photon.surface = surface;
+        photons.push_back(photon);
+      }
+  const Threads threads(2);
+  EXPECT_DOUBLE_EQ(photons_around_one(photons, 0.1f, threads), 0);
+  EXPECT_DOUBLE_EQ(photons_around_one(photons, 0.3f, threads), 8 / 5.0);  // 1, 2, 2, 2, 1
+  EXPECT_DOUBLE_EQ(photons_around_one(photons, 2, threads), 4);
+  EXPECT_DOUBLE_EQ(photons_around_one(photons, 20, threads), 9);
+  EXPECT_DOUBLE_EQ(photons_around_one(Photons{}, 1, threads), 0);
 }
 
 TEST(photon_mapper, says_where_radii_are_wider_than_what_is_seen_and_where_photons_are_few) {

@@ -33,9 +33,10 @@ constexpr double widest = 4, narrowest = 1.0 / 16;
 
 /// Fewer in a disc than this, and the spread that is seen may miss the few that carry the light.
 constexpr double few_photons_in_disc = 10;
-/// A map of fewer says that hardly any light goes that way, not that it goes elsewhere; of fewer emitted nothing is
-/// known.
+/// A map of fewer that are also a smaller share of those emitted says that hardly any light goes that way, not that it
+/// goes elsewhere; of fewer emitted nothing is known.
 constexpr std::uint64_t few_photons_in_map = 1000;
+constexpr double small_share = 0.01;
 /// Of what the image shows across, a radius that blurs all shades of light.
 constexpr double wide_part = 0.25;
 
@@ -101,8 +102,9 @@ void say_if_wide(const MapState& map, const Scene& scene, RenderStats& stats) {
 void say_if_few_arrive(const MapState& global, std::int64_t passes, RenderStats& stats) {
   const double in_disc = global.in_disc(passes);
   const bool few_emitted = global.counts.emitted < few_photons_in_map;
-  const bool few_in_disc =
-      global.look_ups > 0 && global.counts.stored >= few_photons_in_map && in_disc < few_photons_in_disc;
+  const double share = static_cast<double>(global.counts.stored) / static_cast<double>(global.counts.emitted);
+  const bool matters = global.counts.stored >= few_photons_in_map || share > small_share;
+  const bool few_in_disc = global.look_ups > 0 && matters && in_disc < few_photons_in_disc;
   if (!few_emitted && !few_in_disc) return;
   char text[160];
   std::snprintf(
@@ -110,6 +112,21 @@ void say_if_few_arrive(const MapState& global, std::int64_t passes, RenderStats&
       "of %.3g photon%s %.2g are in the disc of a look-up: too few arrive where the camera looks for the error "
       "to be known",
       static_cast<double>(global.counts.emitted), global.counts.emitted == 1 ? "" : "s", in_disc);
+  stats.losses.emplace_back(text);
+}
+
+/// Caustics are where their photons are, and most look-ups find none: of a radius that is given, what is around photons
+/// tells whether it is too narrow. One that is chosen here follows their density.
+void say_if_narrow(const MapState& caustic, const Scene& scene, RenderStats& stats) {
+  if (!caustic.fixed_radius || caustic.look_ups == 0 || caustic.counts.stored == 0 ||
+      caustic.counts.around_one >= few_photons_in_disc)
+    return;
+  char text[200];
+  std::snprintf(
+      text, sizeof text,
+      "of %.3g caustic photons %.2g are within %.3g of one of them: caustics are noise whose error is not known",
+      static_cast<double>(caustic.counts.stored), caustic.counts.around_one,
+      double{caustic.radii.radius} / scene.scale());
   stats.losses.emplace_back(text);
 }
 
@@ -256,6 +273,7 @@ void PhotonMaps::say_what_is_lost(const Scene& scene, std::int64_t passes, Rende
   for (const MapState* map : {&global, &caustic})
     if (map->wanted) say_if_wide(*map, scene, stats);
   if (global.wanted) say_if_few_arrive(global, passes, stats);
+  if (caustic.wanted) say_if_narrow(caustic, scene, stats);
 }
 
 Photons emit_photons(MapState& map, const PhotonSource& source, std::int64_t first, std::int64_t last,
@@ -280,6 +298,7 @@ std::uint64_t refill(MapState& map, const PhotonSource& source, std::int64_t fir
   const std::uint64_t emitted_before = map.counts.emitted;
   Photons photons = emit_photons(map, source, first, last, stats);
   const PhaseTimer phase(stats.phases["build"]);
+  if (map.fixed_radius) map.counts.around_one += photons_around_one(photons, map.radii.radius, source.threads);
   map.map.build(std::move(photons), map.radii.radius, source.threads);
   return map.counts.emitted - emitted_before;
 }

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <numeric>
 #include <vector>
 
 #include "renderer/scene/looked_at.h"
@@ -49,6 +50,24 @@ float median_pixel_footprint(const Scene& scene) {
   std::vector<float> footprints;
   for (const Vec3f& p : points_looked_at(scene, 16)) footprints.push_back(pixel_footprint(scene.view().camera, p));
   return footprints.empty() ? 0 : median(footprints);
+}
+
+double photons_around_one(const Photons& photons, float radius, const Threads& threads) {
+  constexpr std::size_t most_probes = 64, most_pairs = 100'000'000;
+  const std::size_t count = photons.size();
+  if (count == 0) return 0;
+  const std::size_t probes = std::clamp<std::size_t>(most_pairs / count, 1, std::min(most_probes, count));
+  std::vector<double> around(probes);
+  threads.for_each(probes, [&](std::size_t probe) {
+    const std::size_t i = probe * (count / probes);
+    const Vec3f p = photons[i].p_world;
+    const auto is_near = [&](std::size_t k) {
+      const Vec3f to{photons.x[k] - p.x, photons.y[k] - p.y, photons.z[k] - p.z};
+      return photons.surface[k] == photons.surface[i] && length_squared(to) <= radius * radius;
+    };
+    for (std::size_t k = 0; k < count; ++k) around[probe] += k != i && is_near(k) ? 1 : 0;
+  });
+  return std::accumulate(around.begin(), around.end(), 0.0) / static_cast<double>(probes);
 }
 
 float guess_radius(const Scene& scene, PhotonRun pilot, std::uint64_t total, double photons_in_disc,
