@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <mutex>
+#include <numeric>
 
 #include "harness/cells/cells.h"
 #include "harness/cells/folder_lock.h"
@@ -236,6 +237,15 @@ std::vector<Climb> chosen(const StressOptions& options, const std::vector<Ladder
   return climbs;
 }
 
+/// How far apart climbs are that are begun one after the other, of so many: neighbours are compared with the same
+/// picture, for which all of them but one would wait. Without a common divisor, so that none is left out.
+std::size_t stride_through(std::size_t climbs) {
+  constexpr double golden = 0.618;
+  auto stride = static_cast<std::size_t>(golden * static_cast<double>(climbs));
+  while (stride > 1 && std::gcd(stride, climbs) != 1) --stride;
+  return std::max<std::size_t>(1, stride);
+}
+
 std::vector<Ladder> ladders_of(const StressOptions& options) {
   std::vector<Ladder> ladders = stress_ladders(options.folder / "assets");
   if (!options.turned) return ladders;
@@ -290,7 +300,8 @@ StressRecord run_stress(const StressOptions& options) {
   std::size_t ended = 0;
   const int jobs = options.jobs > 0 ? options.jobs : host.cores;
   try {
-    side_by_side(climbs.size(), jobs, [&](std::size_t i) {
+    side_by_side(climbs.size(), jobs, [&](std::size_t turn) {
+      const std::size_t i = turn * stride_through(climbs.size()) % climbs.size();
       climbed[i] = climber.climb(climbs[i]);
       done[i] = 1;
       const std::lock_guard told(telling);

@@ -117,10 +117,10 @@ void say_if_spots_are_missed(const SceneDescription& description, const Scene& s
 void say_if_variance_is_lost(const Film& film, RenderStats& stats) {
   const VarianceInFloat variance = film.variance_in_float();
   if (variance.lost == 0) return;
-  stats.losses.push_back("the variance of " + std::to_string(variance.lost) +
-                         (variance.lost == 1 ? " pixel is" : " pixels is") +
-                         " beyond single precision, as radiances above 1e19 or below 1e-19 make it: " +
-                         (variance.fits ? "its layer says little or nothing there" : "the image has no variance layer"));
+  stats.losses.push_back(
+      "the variance of " + std::to_string(variance.lost) + (variance.lost == 1 ? " pixel is" : " pixels is") +
+      " beyond single precision, as radiances above 1e19 or below 1e-19 make it: " +
+      (variance.fits ? "its layer says little or nothing there" : "the image has no variance layer"));
 }
 
 IntegratorDescription method_of(const RenderArguments& arguments, const SceneDescription& description) {

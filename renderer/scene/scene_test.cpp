@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 #include "renderer/integrators/test_scenes.h"
 #include "renderer/kernels/lights.h"
@@ -254,13 +253,13 @@ TEST(film, means_and_variance_of_the_mean_follow_the_weights) {
   EXPECT_NEAR(film.develop().variance->rgb[1], 2, 1e-6f);
 }
 
-TEST(film, variance_beyond_a_float_is_the_largest_float) {
+TEST(film, has_a_mean_where_the_variance_is_beyond_a_float) {
   // Estimates 0 and 1e30: variance of the mean 2.5e59.
   Film film(1, 1);
   film.add(0, 0, RgbD(0), 1);
   film.add(0, 0, RgbD(1e30), 1);
   EXPECT_EQ(film.develop().mean.rgb[0], 5e29f);
-  EXPECT_EQ(film.develop().variance->rgb[0], std::numeric_limits<float>::max());
+  EXPECT_FALSE(film.develop().variance);
 }
 
 TEST(film, means_of_shared_passes_say_how_certain_the_images_mean_is) {
