@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <cmath>
 #include <filesystem>
+#include <limits>
 #include <thread>
 
 #include "renderer/integrators/test_scenes.h"
@@ -217,6 +219,10 @@ TEST(Film, has_a_variance_layer_where_floats_hold_it) {
     EXPECT_FALSE(film.variance_in_float().fits);
     EXPECT_FALSE(film.develop().variance);
   }
+  const Film broken = two_estimates({1, std::numeric_limits<double>::quiet_NaN()});
+  ASSERT_TRUE(broken.develop().variance);
+  EXPECT_TRUE(std::isnan(broken.develop().variance->rgb[3]));
+  EXPECT_TRUE(std::isnan(*broken.relative_standard_error()));
   const Film dark_corner = two_estimates({1, 1e-20});
   EXPECT_EQ(dark_corner.variance_in_float().lost, 1u);
   ASSERT_TRUE(dark_corner.develop().variance);

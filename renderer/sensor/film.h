@@ -18,8 +18,8 @@ class StateWriter;
 /// Whether floats hold the variances of an image's pixels: the square of a radiance that is a float need not be one.
 struct VarianceInFloat {
   std::size_t lost = 0;  ///< pixels with a variance that is beyond the largest or below the least float
-  bool fits =
-      true;  ///< none is beyond, and the largest is not below: a layer that is 0 where the others are lost is true
+  /// None is beyond, and the largest is not below: a layer that says next to nothing of the lost ones is right.
+  bool fits = true;
 };
 
 class Film {
