@@ -19,9 +19,8 @@ class BatchMeans {
  public:
   BatchMeans(int width, int height, int samples_per_batch);
 
-  /// Throws InputError, naming `where`, when the batch has another size, a value that is not finite,
-  /// or no variance that floats hold. `squared_bias`:
-  /// what its estimator says of itself, relative, of the pixels.
+  /// Throws InputError, naming `where`, when the batch has another size, a value that is not finite, or radiances whose
+  /// variance floats do not hold. `squared_bias`: what its estimator says of itself, relative, of the pixels.
   void add(const Image& batch, const std::string& where, double squared_bias = 0);
 
   int width() const { return width_; }

@@ -299,9 +299,10 @@ StressRecord run_stress(const StressOptions& options) {
   std::mutex telling;
   std::size_t ended = 0;
   const int jobs = options.jobs > 0 ? options.jobs : host.cores;
+  const std::size_t stride = stride_through(climbs.size());
   try {
     side_by_side(climbs.size(), jobs, [&](std::size_t turn) {
-      const std::size_t i = turn * stride_through(climbs.size()) % climbs.size();
+      const std::size_t i = turn * stride % climbs.size();
       climbed[i] = climber.climb(climbs[i]);
       done[i] = 1;
       const std::lock_guard told(telling);

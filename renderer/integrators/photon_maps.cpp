@@ -298,7 +298,9 @@ std::uint64_t refill(MapState& map, const PhotonSource& source, std::int64_t fir
   const std::uint64_t emitted_before = map.counts.emitted;
   Photons photons = emit_photons(map, source, first, last, stats);
   const PhaseTimer phase(stats.phases["build"]);
-  if (map.fixed_radius) map.counts.around_one += photons_around_one(photons, map.radii.radius, source.threads);
+  const bool may_be_narrow = map.kind == PhotonKind::caustic && map.fixed_radius;
+  if (may_be_narrow && map.counts.around_one < few_photons_in_disc)
+    map.counts.around_one += photons_around_one(photons, map.radii.radius, source.threads);
   map.map.build(std::move(photons), map.radii.radius, source.threads);
   return map.counts.emitted - emitted_before;
 }

@@ -32,7 +32,7 @@ struct PhotonCounts {
   std::uint64_t emitted = 0;
   std::uint64_t stored = 0;
   std::uint64_t rays = 0;
-  double around_one = 0;  ///< photons_around_one, where the radius is given, of all passes
+  double around_one = 0;  ///< photons_around_one, of caustics whose radius is given, of passes until there are enough
 };
 
 /// How photons are emitted and looked up, whichever integrator asks.

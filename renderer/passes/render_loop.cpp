@@ -84,8 +84,9 @@ bool RenderLoop::reached_target() {
 
 void RenderLoop::say_if_dim() {
   const std::optional<double> target = job_.budget.target_error;
+  if (!target) return;
   const double square = film_.mean_square();
-  if (!target || !(square > 0) || square >= dim * Film::relative_epsilon) return;
+  if (!(square > 0) || square >= dim * Film::relative_epsilon) return;
   const double of_itself = film_.relative_standard_error(square * Film::relative_epsilon).value_or(0);
   if (of_itself <= *target) return;
   char text[320];

@@ -66,7 +66,8 @@ class Film {
   }
   /// Root of the mean, over channel values, of the mean's variance over mean^2 + 0.01: the root of the relmse that
   /// noise alone would give, as estimated from the samples, which are taken as independent (those of a Sobol sequence
-  /// are better than that). Empty where a pixel has fewer than two estimates.
+  /// are better than that). `epsilon` is what is there in place of 0.01. Empty where a pixel has fewer than two
+  /// estimates.
   std::optional<double> relative_standard_error(double epsilon = relative_epsilon) const;
   /// Mean over channel values of mean^2.
   double mean_square() const;
@@ -75,6 +76,7 @@ class Film {
     const Pixel& p = pixels_[index(x, y)];
     return p.weight > 0 ? p.sum / p.weight : RgbD(0.0);
   }
+  /// Whether the layer of develop() is there, and of how many pixels it says next to nothing.
   VarianceInFloat variance_in_float() const;
   /// Pixels no estimate reached (an interrupted first pass).
   std::size_t unsampled_pixels() const;
