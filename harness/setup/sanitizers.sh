@@ -25,13 +25,17 @@ kinds=("$@")
 [ ${#kinds[@]} -gt 0 ] || kinds=(address thread)
 
 # What sanitizers say goes to files, since engines' own words are caught by the harness; a process of which they say
-# something ends with a code that no verb has.
+# something ends with a code that no verb has. What names lines complains on standard error, of suppressed reports, too,
+# where tests read it: it does so into nothing.
 watched() {
-  local log=$1
+  local log=$1 symbolizer
+  symbolizer=$(dirname "$1")/llvm-symbolizer
   shift
-  ASAN_OPTIONS="exitcode=99:log_path=$log:detect_odr_violation=0:allocator_may_return_null=1" \
-    UBSAN_OPTIONS="exitcode=99:log_path=$log:print_stacktrace=1:halt_on_error=1" \
-    TSAN_OPTIONS="exitcode=99:log_path=$log:report_thread_leaks=0:ignore_noninstrumented_modules=1:suppressions=$PWD/harness/setup/threads_suppressed.txt" "$@"
+  printf '#!/bin/sh\nexec llvm-symbolizer-19 "$@" 2>/dev/null\n' >"$symbolizer"
+  chmod +x "$symbolizer"
+  ASAN_OPTIONS="external_symbolizer_path=$symbolizer:exitcode=99:log_path=$log:detect_odr_violation=0:allocator_may_return_null=1" \
+    UBSAN_OPTIONS="external_symbolizer_path=$symbolizer:exitcode=99:log_path=$log:print_stacktrace=1:halt_on_error=1" \
+    TSAN_OPTIONS="external_symbolizer_path=$symbolizer:exitcode=99:log_path=$log:report_thread_leaks=0:ignore_noninstrumented_modules=1:suppressions=$PWD/harness/setup/threads_suppressed.txt" "$@"
 }
 
 # Tests that the address checks stand in the way of: limits of address space, of which they map terabytes; what malloc

@@ -132,7 +132,7 @@ TEST_F(BenchVerb, killed_at_any_moment_leaves_valid_results_no_engine_and_no_loc
   put("suite.toml", suite_text("grey", {"sleeps"}));
   const int status = signalled_while_it_sleeps(SIGKILL);
   ASSERT_TRUE(WIFSIGNALED(status));
-  EXPECT_EQ(recorded(), 1u);
+  EXPECT_LE(recorded(), 1u);  // none where writing them all takes too long to be done after every cell
   const auto engine = static_cast<pid_t>(std::stol(get("pid")));
   const auto engine_runs = [&] {
     return run_process({"grep", "-q", "engine.sh", "/proc/" + std::to_string(engine) + "/cmdline"}).ok();
@@ -141,6 +141,7 @@ TEST_F(BenchVerb, killed_at_any_moment_leaves_valid_results_no_engine_and_no_loc
   EXPECT_FALSE(engine_runs());
   EXPECT_EQ(bench().exit_code, 0);
   EXPECT_EQ(recorded(), 2u);
+  EXPECT_EQ(started(), "grey\nsleeps\nsleeps\n");
 }
 
 // Ten runs are killed wherever they happen to be, starting up, measuring, writing or comparing; the eleventh finishes.
