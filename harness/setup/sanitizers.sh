@@ -26,17 +26,14 @@ kinds=("$@")
 [ ${#kinds[@]} -gt 0 ] || kinds=(address thread)
 
 # What sanitizers say goes to files, since engines' own words are caught by the harness; a process of which they say
-# something ends with a code that no verb has. What names lines complains on standard error, of suppressed reports, too,
-# where tests read it: it does so into nothing.
+# something ends with a code that no verb has. What names lines lies beside those files.
 watched() {
-  local log=$1 symbolizer
-  symbolizer=$(dirname "$1")/llvm-symbolizer
+  local log=$1
+  local common=exitcode=99:log_path=$log:external_symbolizer_path=${log%/*}/llvm-symbolizer
   shift
-  printf '#!/bin/sh\nexec llvm-symbolizer-19 "$@" 2>/dev/null\n' >"$symbolizer"
-  chmod +x "$symbolizer"
-  ASAN_OPTIONS="external_symbolizer_path=$symbolizer:exitcode=99:log_path=$log:detect_odr_violation=0:allocator_may_return_null=1" \
-    UBSAN_OPTIONS="external_symbolizer_path=$symbolizer:exitcode=99:log_path=$log:print_stacktrace=1:halt_on_error=1" \
-    TSAN_OPTIONS="external_symbolizer_path=$symbolizer:exitcode=99:log_path=$log:report_thread_leaks=0:ignore_noninstrumented_modules=1:suppressions=$PWD/harness/setup/threads_suppressed.txt" "$@"
+  ASAN_OPTIONS="$common:detect_odr_violation=0:allocator_may_return_null=1" \
+    UBSAN_OPTIONS="$common:print_stacktrace=1:halt_on_error=1" \
+    TSAN_OPTIONS="$common:report_thread_leaks=0:ignore_noninstrumented_modules=1:suppressions=$PWD/harness/setup/threads_suppressed.txt" "$@"
 }
 
 # Tests that the address checks stand in the way of: limits of address space, of which they map terabytes; what malloc
@@ -46,7 +43,7 @@ not_by_address='Escapes.fail/take_memory(_in_many_processes)? |what_does_not_fit
 not_by_address+='|Soak.of_a_sound_program|Soak.within_one_process|Faults.of_every_kind|Faults.find_a_program_that_loses'
 # The thread sanitizer maps and allocates as much, and is five to twenty times as slow: what has to be done in a stated
 # time is not, and what diagnoses pictures, by hundreds of renders, takes hours.
-not_by_thread="$not_by_address|Faults.find|PlantedFaults.(index_of|caustic)|Diagnosis|HiddenMistakes|StudentMistakes"
+not_by_thread="$not_by_address|Faults.find|PlantedFaults.(index_of|caustic)|BenchVerb.killed_at_any_moment|Diagnosis|HiddenMistakes|StudentMistakes"
 
 # The program does what it is for, once by every integrator and mode.
 run_quickly() {
@@ -75,6 +72,9 @@ for kind in "${kinds[@]}"; do
   rm -rf "$runs"
   mkdir -p "$runs"
   log=$PWD/$runs/said
+  # It complains on standard error, of suppressed reports, too, where tests read it: it does so into nothing.
+  printf '#!/bin/sh\nexec llvm-symbolizer-19 "$@" 2>/dev/null\n' >"$runs/llvm-symbolizer"
+  chmod +x "$runs/llvm-symbolizer"
   if [ -n "$quick" ]; then
     # A shell of its own keeps `set -e`, which an || on the function would switch off.
     set +e
