@@ -215,7 +215,9 @@ struct Tracer::Impl {
   void attach_quads();
   template <class Shape>
   void attach_shapes(ShapeTable<Shape>& table, unsigned id);
-  /// Without its long faces, which are in a table of their own.
+  /// Its long faces, which are in a table of their own, and those without area, which no ray meets and whose boxes each
+  /// ray would be tested against.
+  static std::vector<std::size_t> faces_to_leave_out(const Mesh& mesh, const std::vector<LongFace>* long_faces);
   void attach_mesh(RTCScene to, const Mesh& mesh, const std::vector<LongFace>* long_faces, unsigned id) const;
   void build_group(const MeshGroup& group);
   void attach_instance(const PlacedGroup& instance, unsigned id);
@@ -274,13 +276,23 @@ void Tracer::Impl::attach_shapes(ShapeTable<Shape>& table, unsigned id) {
   attach(scene, geometry, id);
 }
 
+std::vector<std::size_t> Tracer::Impl::faces_to_leave_out(const Mesh& mesh, const std::vector<LongFace>* long_faces) {
+  std::vector<std::size_t> left_out;
+  if (long_faces != nullptr)
+    for (const LongFace& face : *long_faces) left_out.push_back(face.primitive);
+  for (std::size_t i = 0; i < mesh.triangle_count(); ++i)
+    if (!has_area(mesh.positions, mesh.source->triangles[i])) left_out.push_back(i);
+  return left_out;
+}
+
 void Tracer::Impl::attach_mesh(RTCScene to, const Mesh& mesh, const std::vector<LongFace>* long_faces,
                                unsigned id) const {
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
   rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, mesh.positions.data(), 0,
                              sizeof(Vec3f), mesh.positions.size() - 1);
   constexpr std::size_t stride = sizeof(TriangleMesh::Triangle);
-  if (long_faces == nullptr) {
+  const std::vector<std::size_t> left_out = faces_to_leave_out(mesh, long_faces);
+  if (left_out.empty()) {
     rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh.source->triangles.data(), 0,
                                stride, mesh.triangle_count());
   } else {
@@ -288,7 +300,8 @@ void Tracer::Impl::attach_mesh(RTCScene to, const Mesh& mesh, const std::vector<
         rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, stride, mesh.triangle_count()));
     if (triangles == nullptr) fail(rtcGetDeviceError(device), "allocating triangles");
     std::copy(mesh.source->triangles.begin(), mesh.source->triangles.end(), triangles);
-    for (const LongFace& face : *long_faces) triangles[face.primitive].fill(triangles[face.primitive][0]);
+    // Embree builds no boxes of faces whose vertices it does not find.
+    for (const std::size_t face : left_out) triangles[face].fill(std::numeric_limits<std::uint32_t>::max());
   }
   attach(to, geometry, id);
 }

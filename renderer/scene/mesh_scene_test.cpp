@@ -2,8 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "renderer/integrators/test_scenes.h"
+#include "renderer/lanes/test_random.h"
 #include "renderer/planning/test_compiled.h"
+#include "renderer/rays/trace.h"
+#include "renderer/scene/nearest_point.h"
+#include "renderer/scene/scene_frame.h"
 #include "scenes/generators/terrain.h"
 
 namespace photonproof {
@@ -93,6 +99,67 @@ TEST(mesh_scene, a_triangle_without_area_changes_nothing_of_a_lamp) {
       EXPECT_EQ(render(with, skips).rgb, render(without, skips).rgb)
           << integrator << (skips.on(Skip::bvh) ? ", few primitives" : ", Embree");
     }
+}
+
+TEST(mesh_scene, triangles_without_area_are_in_no_box) {
+  // Each ray through the boxes of all of them would be tested against all: 30 times as long with 10^4 on the diagonal.
+  constexpr std::size_t count = 10'000, bytes_of_indices = sizeof(TriangleMesh::Triangle) * count;
+  const auto bytes = [](std::size_t flat) {
+    auto square = std::make_shared<TriangleMesh>(*square_mesh());
+    for (std::size_t i = 0; i < flat; ++i)
+      square->triangles.push_back(i % 2 == 0 ? TriangleMesh::Triangle{0, 0, 2} : TriangleMesh::Triangle{1, 1, 1});
+    SceneDescription d;
+    test::add_shape(d, MeshDescription{MeshDescription::Format::ply, "square.ply", true, false, square}, {},
+                    test::add_bsdf(d, DiffuseDescription{}));
+    return test::compiled(d, 4, 4, SkipSwitches({"bvh"})).view().tracer->bvh_bytes();
+  };
+  // Embree sets some 3 bytes a triangle aside; with boxes it would be 48.
+  EXPECT_LT(bytes(count), bytes(0) + bytes_of_indices + 10 * count);
+}
+
+TEST(mesh_scene, the_origin_is_amid_copies_where_their_group_puts_them) {
+  SceneDescription d;
+  ShapeGroupDescription group;
+  for (const double x : {100.0, 140.0}) {
+    ShapeDescription member;
+    member.geometry = MeshDescription{MeshDescription::Format::ply, "square.ply", true, false, square_mesh()};
+    member.to_world = Transform::translate({x, 0, 0});
+    group.shapes.push_back(member);
+  }
+  d.groups.push_back(group);
+  const BsdfIndex bsdf = test::add_bsdf(d, DiffuseDescription{});
+  test::add_shape(d, InstanceDescription{ShapeGroupIndex{0}}, Transform::translate({0, 50, 0}), bsdf);
+  EXPECT_EQ(scene_frame(d).moved, Vec3d(-120, -50, 0));
+}
+
+TEST(nearest_on_mesh, leaves_out_only_what_is_farther) {
+  test::Random random(17);
+  const auto within = [&](double size) {
+    return Vec3d{size * (2 * random.next() - 1), size * (2 * random.next() - 1), size * (2 * random.next() - 1)};
+  };
+  // The larger one's vertices stand for its triangles.
+  for (const TriangleMesh& mesh : {make_ground(12, 17), make_ground(60, 50)}) {
+    const NearestOnMesh pruned(mesh);
+    const bool by_vertices = mesh.triangles.size() > 4096;
+    for (int i = 0; i < 200; ++i) {
+      // Askew and stretched by 10^4, and each fourth time flattened to a line.
+      const Transform to_world =
+          Transform::translate(within(20)) * Transform::rotate(within(1), 360 * random.next()) *
+          Transform::scale({std::exp(within(4).x), i % 4 == 0 ? 0.0 : -1.0, std::exp(within(4).x)}) *
+          Transform::rotate(within(1), 360 * random.next());
+      const Vec3d to = within(30);
+      NearestPoint found{to}, nearest{to};
+      pruned.add_to(found, to_world);
+      for (const TriangleMesh::Triangle& t : mesh.triangles) {
+        const auto corner = [&](std::size_t k) { return to_world.point(Vec3d(mesh.positions[t[k]])); };
+        const Vec3d a = corner(0), b = corner(1), c = corner(2);
+        if (!by_vertices) nearest.add(nearest_on_triangle(to, a, b - a, c - a));
+        for (const Vec3d& vertex : {a, b, c})
+          if (by_vertices) nearest.add(vertex);
+      }
+      EXPECT_NEAR(found.distance, nearest.distance, 1e-12 * nearest.distance);
+    }
+  }
 }
 
 TEST(mesh_scene, takes_little_memory_a_triangle) {

@@ -1,8 +1,12 @@
-// The nearest of points, and of the points of a triangle.
+// The nearest of points, of the points of a triangle, and of a mesh.
 #pragma once
 
+#include <cstddef>
 #include <limits>
+#include <vector>
 
+#include "scenes/description/transform.h"
+#include "scenes/meshes/mesh.h"
 #include "scenes/meshes/vec.h"
 
 namespace photonproof {
@@ -19,5 +23,25 @@ struct NearestPoint {
 Vec3d nearest_on_triangle(const Vec3d& p, const Vec3d& a, const Vec3d& u, const Vec3d& v);
 /// The same of s, t <= 1.
 Vec3d nearest_on_parallelogram(const Vec3d& p, const Vec3d& a, const Vec3d& u, const Vec3d& v);
+
+/// Finds the point of a mesh nearest to another without a look at most of its triangles, once for each place that a
+/// scene has copies of the mesh at. Vertices of a mesh with more than 4096 triangles stand for them.
+class NearestOnMesh {
+ public:
+  /// The mesh has to outlive this.
+  explicit NearestOnMesh(const TriangleMesh& mesh);
+  void add_to(NearestPoint& nearest, const Transform& to_world) const;
+
+ private:
+  /// Triangles that follow one another, and the box around them.
+  struct Run {
+    std::size_t begin, end;
+    Vec3d middle, half;
+  };
+  void add(NearestPoint& nearest, const Transform& to_world, const TriangleMesh::Triangle& triangle) const;
+
+  const TriangleMesh& mesh_;
+  std::vector<Run> runs_;
+};
 
 }  // namespace photonproof

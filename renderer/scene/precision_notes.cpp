@@ -129,9 +129,10 @@ void add_medium_notes(const SceneDescription& description, const SceneParts& sce
     Filled& filled = media[medium.value];
     filled = {std::max(filled.reach, reach), std::max(filled.radius, radius)};
   };
+  const ShapeExtents extents(description);
   for (const ShapeDescription& shape : description.shapes) {
     if (!shape.interior) continue;
-    const Extent extent = extent_of(description, shape);
+    const Extent extent = extents.of(shape);
     if (!extent.is_usable()) continue;
     const Vec3d low = extent.low * scale + scene.frame.moved, high = extent.high * scale + scene.frame.moved;
     add(*shape.interior, std::max(largest_coordinate(low), largest_coordinate(high)), 0.5 * length(high - low));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <vector>
 
@@ -13,9 +14,6 @@
 
 namespace photonproof {
 namespace {
-
-/// Vertices of a mesh with more triangles lie close enough to stand for them.
-constexpr std::size_t most_triangles_to_look_at = 4096;
 
 /// Of a local square, disc or heightfield; of a box with a third axis. A stretched one's is not exactly the nearest.
 void add_box(NearestPoint& nearest, const Transform& to_world, bool solid) {
@@ -37,34 +35,32 @@ void add_box(NearestPoint& nearest, const Transform& to_world, bool solid) {
   nearest.add(nearest_on_parallelogram(nearest.to, corner, u, v));
 }
 
-void add_mesh(NearestPoint& nearest, const TriangleMesh& mesh, const Transform& to_world) {
-  if (mesh.triangles.size() > most_triangles_to_look_at) {
-    for (const Vec3f& p : mesh.positions) nearest.add(to_world.point(Vec3d(p)));
-    return;
-  }
-  for (const TriangleMesh::Triangle& t : mesh.triangles) {
-    const Vec3d a = to_world.point(Vec3d(mesh.positions[t[0]]));
-    const Vec3d u = to_world.point(Vec3d(mesh.positions[t[1]])) - a;
-    const Vec3d v = to_world.point(Vec3d(mesh.positions[t[2]])) - a;
-    nearest.add(nearest_on_triangle(nearest.to, a, u, v));
-  }
-}
+/// Looks for the nearest points of shapes; what it takes of a mesh is worked out once for all its copies.
+class Nearness {
+ public:
+  explicit Nearness(const SceneDescription& scene) : scene_(scene) {}
 
-void add_shape(NearestPoint& nearest, const SceneDescription& scene, const ShapeDescription& shape,
-               const Transform& to_world) {
-  std::visit(Overloaded{[&](const RectangleDescription&) { add_box(nearest, to_world, false); },
-                        [&](const HeightfieldDescription&) { add_box(nearest, to_world, false); },
-                        [&](const DiskDescription&) { add_box(nearest, to_world, false); },
-                        [&](const CubeDescription&) { add_box(nearest, to_world, true); },
-                        [&](const MeshDescription& mesh) { add_mesh(nearest, *mesh.mesh, to_world); },
-                        [&](const InstanceDescription& instance) {
-                          for (const ShapeDescription& member : scene.groups[instance.group.value].shapes)
-                            if (!std::holds_alternative<InstanceDescription>(member.geometry))
-                              add_shape(nearest, scene, member, to_world * member.to_world);
-                        },
-                        [&](const auto& primitive) { nearest.add(nearest_on(primitive, to_world, nearest.to)); }},
-             shape.geometry);
-}
+  void add(NearestPoint& nearest, const ShapeDescription& shape, const Transform& to_world) {
+    std::visit(Overloaded{[&](const RectangleDescription&) { add_box(nearest, to_world, false); },
+                          [&](const HeightfieldDescription&) { add_box(nearest, to_world, false); },
+                          [&](const DiskDescription&) { add_box(nearest, to_world, false); },
+                          [&](const CubeDescription&) { add_box(nearest, to_world, true); },
+                          [&](const MeshDescription& mesh) {
+                            meshes_.try_emplace(mesh.mesh.get(), *mesh.mesh).first->second.add_to(nearest, to_world);
+                          },
+                          [&](const InstanceDescription& instance) {
+                            for (const ShapeDescription& member : scene_.groups[instance.group.value].shapes)
+                              if (!std::holds_alternative<InstanceDescription>(member.geometry))
+                                add(nearest, member, to_world * member.to_world);
+                          },
+                          [&](const auto& primitive) { nearest.add(nearest_on(primitive, to_world, nearest.to)); }},
+               shape.geometry);
+  }
+
+ private:
+  const SceneDescription& scene_;
+  std::map<const TriangleMesh*, NearestOnMesh> meshes_;
+};
 
 /// Around what the camera sees: a cone, or of an orthographic one a cylinder.
 struct View {
@@ -123,12 +119,14 @@ double weighted_median(std::vector<Part>& parts, Value&& value) {
 
 std::optional<SceneFocus> scene_focus(const SceneDescription& description) {
   const View view(description.sensor);
+  const ShapeExtents extents(description);
+  Nearness nearness(description);
   std::vector<Part> parts;
   for (const ShapeDescription& shape : description.shapes) {
     NearestPoint nearest{view.origin};
-    add_shape(nearest, description, shape, shape.to_world);
+    nearness.add(nearest, shape, shape.to_world);
     if (!std::isfinite(nearest.distance)) continue;
-    const Extent extent = extent_of(description, shape);
+    const Extent extent = extents.of(shape);
     const bool ends = extent.is_usable();
     const double radius = ends ? length(extent.high - extent.low) * 0.5 : std::numeric_limits<double>::infinity();
     const double near = std::max({nearest.distance, view.near, view.half_width});

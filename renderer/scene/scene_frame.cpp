@@ -12,17 +12,6 @@
 namespace photonproof {
 namespace {
 
-/// In the group's own coordinates.
-Extent extent_of(const SceneDescription& description, const ShapeGroupDescription& group) {
-  Extent extent;
-  for (const ShapeDescription& member : group.shapes) {
-    if (std::holds_alternative<InstanceDescription>(member.geometry)) continue;
-    const Extent part = extent_of(description, member);
-    if (part.is_usable()) extent.add(part);
-  }
-  return extent;
-}
-
 /// The mean of the two middle ones of an even number.
 double median(std::vector<double> values) {
   const std::size_t middle = values.size() / 2;
@@ -42,9 +31,10 @@ constexpr double part_of_focus = 0x1p-4;
 constexpr double long_in_floors = 16;
 
 SceneFrame frame_of_middles(const SceneDescription& description) {
+  const ShapeExtents shape_extents(description);
   std::vector<Extent> extents;
   for (const ShapeDescription& shape : description.shapes) {
-    const Extent extent = extent_of(description, shape);
+    const Extent extent = shape_extents.of(shape);
     if (extent.is_usable()) extents.push_back(extent);
   }
   if (extents.empty()) return {};
@@ -70,7 +60,7 @@ SceneFrame frame_of_middles(const SceneDescription& description) {
 
 double power_of_two_below(double x) { return std::ldexp(1.0, std::ilogb(x)); }
 
-Extent extent_of(const SceneDescription& description, const ShapeDescription& shape) {
+Extent extent_of(const ShapeDescription& shape) {
   Extent extent;
   const auto add_box = [&](double height) { extent.add_box(shape.to_world, {-1, -1, -height}, {1, 1, height}); };
   std::visit(Overloaded{[&](const RectangleDescription&) { add_box(0); }, [&](const CubeDescription&) { add_box(1); },
@@ -78,12 +68,29 @@ Extent extent_of(const SceneDescription& description, const ShapeDescription& sh
                         [&](const MeshDescription& mesh) {
                           for (const Vec3f& p : mesh.mesh->positions) extent.add(shape.to_world.point(Vec3d(p)));
                         },
-                        [&](const InstanceDescription& instance) {
-                          const Extent group = extent_of(description, description.groups[instance.group.value]);
-                          if (group.is_usable()) extent.add_box(shape.to_world, group.low, group.high);
-                        },
+                        [&](const InstanceDescription&) {},
                         [&](const auto& primitive) { extent = extent_of(primitive, shape.to_world); }},
              shape.geometry);
+  return extent;
+}
+
+ShapeExtents::ShapeExtents(const SceneDescription& description) {
+  for (const ShapeGroupDescription& group : description.groups) {
+    Extent extent;
+    for (const ShapeDescription& member : group.shapes) {
+      const Extent part = extent_of(member);
+      if (part.is_usable()) extent.add(part);
+    }
+    groups_.push_back(extent);
+  }
+}
+
+Extent ShapeExtents::of(const ShapeDescription& shape) const {
+  const auto* instance = std::get_if<InstanceDescription>(&shape.geometry);
+  if (instance == nullptr) return extent_of(shape);
+  const Extent& group = groups_[instance->group.value];
+  Extent extent;
+  if (group.is_usable()) extent.add_box(shape.to_world, group.low, group.high);
   return extent;
 }
 

@@ -2,14 +2,26 @@
 #pragma once
 
 #include <limits>
+#include <vector>
 
 #include "renderer/shapes/extent.h"
 #include "scenes/description/description.h"
 
 namespace photonproof {
 
-/// Around the shape in the world of the description, not always tightly; not usable if it has no end.
-Extent extent_of(const SceneDescription& description, const ShapeDescription& shape);
+/// Around the shape in the world of the description, not always tightly; not usable if it has no end, or is an
+/// instance.
+Extent extent_of(const ShapeDescription& shape);
+
+/// The same of instances, too, with the boxes of all groups worked out once.
+class ShapeExtents {
+ public:
+  explicit ShapeExtents(const SceneDescription& description);
+  Extent of(const ShapeDescription& shape) const;
+
+ private:
+  std::vector<Extent> groups_;  ///< in their own coordinates
+};
 
 /// Sizes up to this and down to its inverse are left alone.
 inline constexpr double ordinary_size = 0x1p22;

@@ -50,10 +50,8 @@ struct BsdfNotes {
 };
 
 std::size_t triangles_without_area(const TriangleMesh& mesh) {
-  return static_cast<std::size_t>(std::count_if(mesh.triangles.begin(), mesh.triangles.end(), [&](const auto& t) {
-    const Vec3d a(mesh.positions[t[0]]);
-    return cross(Vec3d(mesh.positions[t[1]]) - a, Vec3d(mesh.positions[t[2]]) - a) == Vec3d(0.0);
-  }));
+  return static_cast<std::size_t>(std::count_if(mesh.triangles.begin(), mesh.triangles.end(),
+                                                [&](const auto& t) { return !has_area(mesh.positions, t); }));
 }
 
 void add_mesh_notes(const SceneDescription& description, Notes& notes) {

@@ -177,7 +177,7 @@ const SceneShapes::GroupMeshes& SceneShapes::meshes_of(ShapeGroupIndex index) {
   made.number = static_cast<std::uint32_t>(groups_.size());
   Extent extent;
   for (const ShapeDescription& shape : group.shapes)
-    if (is_mesh(shape)) extent.add(extent_of(description_, shape));
+    if (is_mesh(shape)) extent.add(extent_of(shape));
   if (extent.is_usable()) {
     made.middle = Vec3d(Vec3f(extent.middle()));
     const double size = length(extent.high - extent.low);

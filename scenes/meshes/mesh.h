@@ -34,4 +34,10 @@ struct TriangleMesh {
   friend bool operator==(const TriangleMesh&, const TriangleMesh&) = default;
 };
 
+/// Whether rays can meet a triangle of these positions.
+inline bool has_area(const std::vector<Vec3f>& positions, const TriangleMesh::Triangle& triangle) {
+  const Vec3d a(positions[triangle[0]]);
+  return cross(Vec3d(positions[triangle[1]]) - a, Vec3d(positions[triangle[2]]) - a) != Vec3d(0.0);
+}
+
 }  // namespace photonproof
