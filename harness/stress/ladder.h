@@ -40,6 +40,7 @@ struct Ladder {
   std::vector<std::string> engines{};  ///< empty: all
   bool climbs_on = false;              ///< beyond a rung that is refused: heights are a list, not a size
   bool is_turned = false;              ///< no face lies along an axis
+  bool takes_long = false;             ///< is begun first, so that no core has to wait for it at the end
   bool must_refuse = false;            ///< a picture without a warning is wrong
   std::string compared_with{};         ///< the engine that renders `alike`; empty: the rung's own
   /// In place of a render: a rung that another verb of the program decides.

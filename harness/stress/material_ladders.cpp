@@ -211,6 +211,7 @@ std::vector<Ladder> albedos() {
                 return StressScene{closed_sphere(ten(-k), 1 - ten(-k)), 10, 10};
               }};
   room.radiance = 1;
+  room.takes_long = true;
   Ladder fog{"medium homogeneous",
              "optical depth",
              "10^k through a ball of albedo 1",
@@ -225,6 +226,7 @@ std::vector<Ladder> albedos() {
         return StressScene{ball_of({RgbD(2), RgbD(1 - ten(-k)), 1, {}}), 16, 16};
       }};
   for (Ladder* ladder : {&fog, &pale}) ladder->radiance = 1;
+  fog.takes_long = true;
   // What is scattered straight on is as good as not scattered.
   const auto ball = [](double sigma_t, double albedo, double g) {
     SceneDescription scene = ball_of({RgbD(sigma_t), RgbD(albedo), 1, HenyeyGreensteinDescription{g}});

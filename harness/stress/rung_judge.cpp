@@ -119,12 +119,13 @@ RungVerdict judge_means(const Rendering& reference, const Rendering& test, doubl
                                    100 * sums.difference / sums.expected, sums.expected / pixels / 3);
   }
   const double noise = sigmas * std::max(std::sqrt(all_variance), common * test.mean.width * test.mean.height);
-  const double band = (biased_mean + 4 * claimed_bias) * std::abs(all_expected) + noise;
+  verdict.allowed = biased_mean + 4 * claimed_bias;
+  const double band = verdict.allowed * std::abs(all_expected) + noise;
   if (std::abs(all_difference) > band) {
     verdict.outcome = RungOutcome::silently_wrong;
     verdict.sentence = fmt::format("the mean is off by {:+.3g} %", 100 * all_difference / all_expected);
   }
-  if (all_expected != 0) verdict.would_see = biased_mean + 4 * claimed_bias + 2 * noise / std::abs(all_expected);
+  if (all_expected != 0) verdict.would_see = verdict.allowed + 2 * noise / std::abs(all_expected);
   return verdict;
 }
 

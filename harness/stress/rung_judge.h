@@ -36,6 +36,7 @@ struct RungVerdict {
   RungOutcome outcome = RungOutcome::undecided;
   std::string sentence;
   std::optional<double> would_see;
+  double allowed = 0;  ///< of would_see: what the means may be off by, however many samples there are
 };
 
 /// The tests of one look together fail with this probability where all is right.

@@ -24,7 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Changes when judging does, so that rungs are judged anew.
-constexpr const char* judging_version = "7";
+constexpr const char* judging_version = "8";
 constexpr int looks_at = 64, reference_samples = 512;  // a pixel
 /// As many looks at least where noise hides what a rung is, and more of small pictures, of up to so many camera
 /// samples; fewer where a quick climb only tells at which rung what is not right at its end begins. What is expected is
@@ -63,14 +63,20 @@ class Climber {
     out.wanted = ladder.wanted;
     out.engine = climb.engine;
     try {
+      std::optional<StressRung> last;
       if (options_.quick && !ladder.climbs_on) {
-        out.rungs.push_back(rung(climb, quick_height(ladder), samples_of_looks));
-        if (out.rungs.back().outcome == RungOutcome::right) return out;
-        out.rungs.clear();  // where it breaks is further down
+        last = rung(climb, quick_height(ladder), samples_of_looks);
+        if (last->outcome == RungOutcome::right) {
+          out.rungs.push_back(*last);
+          return out;
+        }
       }
-      for (const double height : ladder.heights) {
-        if (options_.quick && !ladder.climbs_on && height > quick_height(ladder)) break;
-        out.rungs.push_back(rung(climb, height, options_.quick ? samples_of_short_looks : samples_of_looks));
+      for (const double height : ladder.heights) {  // where it breaks is further down
+        if (last && height > last->height) break;
+        if (last && height == last->height)
+          out.rungs.push_back(*last);
+        else
+          out.rungs.push_back(rung(climb, height, options_.quick ? samples_of_short_looks : samples_of_looks));
         const RungOutcome outcome = out.rungs.back().outcome;
         if (is_failure(outcome) || (outcome == RungOutcome::refused && !ladder.climbs_on)) break;
       }
@@ -144,7 +150,10 @@ class Climber {
                                          {"most_samples", format_number(most_samples)}});
     const fs::path kept = options_.folder / "rungs" / (key + ".json");
     if (fs::exists(kept))
-      if (const auto known = rung_from_text(read_file(kept))) return *known;
+      if (auto known = rung_from_text(read_file(kept))) {
+        known->height = height;  // it may be another ladder's, whose rung is the same
+        return *known;
+      }
     const Timer timer;
     StressRung out = decided(climb, asked, height, most_samples, key);
     out.seconds = timer.seconds();
@@ -152,24 +161,21 @@ class Climber {
     return out;
   }
 
-  /// Whether looks with four times as many samples each, which halve the noise, can show what decides.
-  static bool noise_can_fall(double would_see, double samples_of_next, double most_samples) {
-    for (; samples_of_next <= most_samples; samples_of_next *= 4)
-      if ((would_see /= 2) <= rung_power) return true;
-    return false;
-  }
-
-  static bool looks_again(const RungVerdict& verdict, int looks, double samples_of_next, double most_samples) {
+  /// What looks wrong is looked at once more. What noise hides is, too, and again where it can fall enough, which it
+  /// does with the root of the samples' number; how large it is, is known to a factor of two of that.
+  static bool looks_again(const RungVerdict& verdict, int looks, double samples, double most_samples) {
     const bool is_wrong = verdict.outcome == RungOutcome::silently_wrong;
     if (!is_wrong && verdict.outcome != RungOutcome::degraded && verdict.outcome != RungOutcome::undecided)
       return false;
     if (looks < 2) return true;
     const double would_see = verdict.would_see.value_or(0);
-    return !is_wrong && would_see > rung_power &&
-           (looks < looks_at_noise || noise_can_fall(would_see, samples_of_next, most_samples));
+    if (is_wrong || would_see <= rung_power) return false;
+    const double noise = would_see - verdict.allowed, quiet = std::max(rung_power - verdict.allowed, 0.0);
+    const bool can_fall = samples * noise * noise <= 2 * most_samples * quiet * quiet;
+    return looks < looks_at_noise || (can_fall && 4 * samples <= most_samples);
   }
 
-  /// What looks wrong is looked at again with four times the samples and another seed, and what noise hides with more.
+  /// With four times the samples of the last and another seed.
   StressRung decided(const Climb& climb, const StressScene& asked, double height, double most_samples,
                      const std::string& key) {
     StressRung out;
@@ -188,7 +194,7 @@ class Climber {
       out.outcome = verdict.outcome;
       out.sentence = verdict.sentence;
       out.would_see = verdict.would_see;
-      if (!evidence.picture || !looks_again(verdict, looks, 4 * samples * pixels, most_samples)) break;
+      if (!evidence.picture || !looks_again(verdict, looks, samples * pixels, most_samples)) break;
     }
     if (out.outcome != RungOutcome::right && evidence.picture) keep_pictures(*evidence.picture, expected, key, out);
     return out;
@@ -237,13 +243,18 @@ std::vector<Climb> chosen(const StressOptions& options, const std::vector<Ladder
   return climbs;
 }
 
-/// How far apart climbs are that are begun one after the other, of so many: neighbours are compared with the same
-/// picture, for which all of them but one would wait. Without a common divisor, so that none is left out.
-std::size_t stride_through(std::size_t climbs) {
+/// The order in which climbs are begun: neighbours, which are compared with the same picture, far apart, since of those
+/// that need it at the same time all but one would wait. Each is a golden section of all later than the one before, by
+/// which multiples of it are far apart, too.
+std::vector<std::size_t> order_of(const std::vector<Climb>& climbs) {
   constexpr double golden = 0.618;
-  auto stride = static_cast<std::size_t>(golden * static_cast<double>(climbs));
-  while (stride > 1 && std::gcd(stride, climbs) != 1) --stride;
-  return std::max<std::size_t>(1, stride);
+  const std::size_t count = climbs.size();
+  std::size_t later = std::max<std::size_t>(1, static_cast<std::size_t>(golden * static_cast<double>(count)));
+  while (std::gcd(later, count) != 1) --later;
+  std::vector<std::size_t> order(count);
+  for (std::size_t i = 0; i < count; ++i) order[i * later % count] = i;
+  std::stable_partition(order.begin(), order.end(), [&](std::size_t i) { return climbs[i].ladder->takes_long; });
+  return order;
 }
 
 std::vector<Ladder> ladders_of(const StressOptions& options) {
@@ -299,10 +310,10 @@ StressRecord run_stress(const StressOptions& options) {
   std::mutex telling;
   std::size_t ended = 0;
   const int jobs = options.jobs > 0 ? options.jobs : host.cores;
-  const std::size_t stride = stride_through(climbs.size());
+  const std::vector<std::size_t> order = order_of(climbs);
   try {
     side_by_side(climbs.size(), jobs, [&](std::size_t turn) {
-      const std::size_t i = turn * stride % climbs.size();
+      const std::size_t i = order[turn];
       climbed[i] = climber.climb(climbs[i]);
       done[i] = 1;
       const std::lock_guard told(telling);
