@@ -34,15 +34,12 @@ void give_points(const Assignment& assignment, const std::vector<WorkScene>& sce
 
 std::string first_sentence(const SubmissionGrade& grade) {
   if (!grade.built) return "does not build: " + grade.build_sentence;
-  std::size_t graded = 0, right = 0;
+  std::size_t graded = 0;
   const SceneGrade* first_bad = nullptr;
   for (const SceneGrade& scene : grade.scenes) {
     if (scene.verdict == SceneVerdict::unused || scene.verdict == SceneVerdict::skipped) continue;
     ++graded;
-    if (scene.counts_as_right())
-      ++right;
-    else if (first_bad == nullptr)
-      first_bad = &scene;
+    if (!scene.counts_as_right() && first_bad == nullptr) first_bad = &scene;
   }
   const auto flag = std::ranges::find_if(grade.flags, is_telling);
   if (flag != grade.flags.end()) {

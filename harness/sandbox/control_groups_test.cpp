@@ -25,7 +25,7 @@ class ControlGroupsTest : public FolderTest {
     tree_.root = root();
     tree_.own_groups = folder_ / "own";
     tree_.make = [this](const fs::path& group) { return make(group); };
-    tree_.remove = [this](const fs::path& group) { return remove(group); };
+    tree_.remove = remove;
   }
 
   fs::path root() const { return folder_ / "groups"; }

@@ -120,6 +120,7 @@ void add_notes_of_medium(const MediumDescription& medium, double scale, double r
 }
 
 void add_medium_notes(const SceneDescription& description, const SceneParts& scene, Notes& notes) {
+  if (description.media.empty()) return;
   const double scale = scene.frame.scale;
   struct Filled {
     double reach = 0, radius = 0;

@@ -50,13 +50,12 @@ std::string lowest_words(const StressRecord& record, const std::string& climb, c
                          const std::string& engine) {
   std::size_t climbed = 0, wrong = 0;
   const StressLadder* lowest = nullptr;
-  const auto end_of = [](const StressLadder& ladder) { return ladder.right_up_to().value_or(-1e9); };
   for (const std::string& feature : features) {
     const StressLadder* ladder = ladder_of(record, feature, climb, engine);
     if (ladder == nullptr || !ladder->not_climbed.empty() || ladder->rungs.empty()) continue;
     ++climbed;
     if (ladder->breakdown() != nullptr) ++wrong;
-    if (lowest == nullptr || end_of(*ladder) < end_of(*lowest)) lowest = ladder;
+    if (lowest == nullptr || ends_lower(*ladder, *lowest)) lowest = ladder;
   }
   if (lowest == nullptr) return "–";
   const std::string silent = wrong > 0 ? fmt::format("; {} silently wrong", wrong) : "";
@@ -73,7 +72,7 @@ std::string stress_markdown(const StressRecord& record) {
   text +=
       "\nA number is the k up to which every rung is right; behind it what comes next. What many features climb is "
       "told "
-      "by the one that ends lowest.\n\n";
+      "by the one that ends lowest; one whose rungs are all right ends above the others.\n\n";
   text += head({"climb"}, engines);
   const Climbs climbs = climbs_of(record);
   for (const auto& [climb, features] : climbs) {

@@ -121,5 +121,16 @@ TEST(stress_tables, in_markdown_have_a_column_for_every_engine) {
       << reports::stress_markdown(record);
 }
 
+TEST(stress_tables, in_markdown_do_not_take_a_short_ladder_that_is_right_to_its_top_for_a_broken_one) {
+  StressRecord record = record_with({right, right, silently_wrong});
+  for (const char* feature : {"shape cube", "shape disk", "shape plane"}) {
+    record.ladders.push_back(record_with({right}).ladders[0]);
+    record.ladders.back().feature = feature;
+  }
+  EXPECT_NE(reports::stress_markdown(record).find("| scale up | 6 (shape sphere of 4; 1 silently wrong) |"),
+            std::string::npos)
+      << reports::stress_markdown(record);
+}
+
 }  // namespace
 }  // namespace photonproof

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "reports/stress/stress_view.h"
 
@@ -41,6 +42,10 @@ std::string ladder_words(const StressLadder& ladder) {
   if (broken != nullptr)
     text += fmt::format("{}{} at {:g}", text.empty() ? "" : ", ", to_string(broken->outcome), broken->height);
   return text;
+}
+
+bool ends_lower(const StressLadder& a, const StressLadder& b) {
+  return std::pair(end_of(a), a.right_up_to()) < std::pair(end_of(b), b.right_up_to());
 }
 
 std::vector<std::string> engines_of(const StressRecord& record) {

@@ -11,6 +11,9 @@ namespace photonproof::reports {
 /// "15", "15, refused from 20", "9, silently wrong at 12", "all (45)".
 std::string ladder_words(const StressLadder& ladder);
 
+/// Whether a stops being right at a lower height than b. One that is right to its top ends above all that are not.
+bool ends_lower(const StressLadder& a, const StressLadder& b);
+
 /// The engines, in the order in which they first climb.
 std::vector<std::string> engines_of(const StressRecord& record);
 
