@@ -7,6 +7,7 @@
 #include <mutex>
 #include <numbers>
 #include <tuple>
+#include <vector>
 
 namespace photonproof {
 namespace {
@@ -20,18 +21,57 @@ Vec3f at_cosine(double cos_theta) {
   return {static_cast<float>(std::sqrt(1 - cos_theta * cos_theta)), 0, static_cast<float>(cos_theta)};
 }
 
-/// Over the facets that wo sees, by a Fibonacci lattice in the two numbers that choose one: rows and columns would lie
-/// along the circles where facets begin to reflect totally.
+/// A Fibonacci lattice in two numbers: rows and columns would lie along the circles where facets begin to reflect
+/// totally.
+constexpr std::uint64_t lattice_points = 6765, lattice_step = 4181;
+double lattice_fraction(std::uint64_t k) { return (static_cast<double>(k) + 0.5) / lattice_points; }
+
+/// Slopes of facets of a Beckmann surface of roughness 1, by area. Lattices are good for what is periodic, as the angle
+/// is; the other number goes up to 1 and back for that ("baker's transformation", Hickernell 2002).
+const std::vector<Vec2<float>>& beckmann_slopes() {
+  static const std::vector<Vec2<float>> slopes = [] {
+    std::vector<Vec2<float>> made;
+    for (std::uint64_t i = 0; i < lattice_points; ++i) {
+      const double radius = std::sqrt(-std::log1p(-std::abs(2 * lattice_fraction(i) - 1)));
+      const double angle = 2 * std::numbers::pi * lattice_fraction(i * lattice_step % lattice_points);
+      made.push_back({static_cast<float>(radius * std::cos(angle)), static_cast<float>(radius * std::sin(angle))});
+    }
+    return made;
+  }();
+  return slopes;
+}
+
+/// By area, each weighted by how much of it wo sees: the same slopes do for every wo, where normals as they are seen
+/// take Newton's method for each.
 template <class Value>
-double mean_over_facets(const Microfacets<float>& facets, const Vec3f& wo, const Value& value) {
-  constexpr std::uint64_t points = 6765, step = 4181;
+double mean_over_beckmann_facets(const Microfacets<float>& facets, const Vec3f& wo, const Value& value) {
+  double sum = 0, seen = 0;
+  for (const Vec2<float>& slope : beckmann_slopes()) {
+    const Vec3f up(facets.alpha_u() * slope.x, facets.alpha_v() * slope.y, 1.0f);
+    const double area = std::max(0.0, static_cast<double>(dot(wo, up)));
+    seen += area;
+    if (area > 0) sum += area * value(normalize(up));
+  }
+  return sum / seen;
+}
+
+/// As they are seen: GGX has facets so steep that weights would vary without bound.
+template <class Value>
+double mean_over_ggx_facets(Microfacets<float> facets, const Vec3f& wo, const Value& value) {
+  facets.sample_visible = 1;
   double sum = 0;
-  for (std::uint64_t i = 0; i < points; ++i) {
-    const auto fraction = [](std::uint64_t k) { return (static_cast<float>(k) + 0.5f) / points; };
-    const Vec3f m = facets.sample(wo, {fraction(i), fraction(i * step % points)});
+  for (std::uint64_t i = 0; i < lattice_points; ++i) {
+    const Vec3f m = facets.sample(wo, {static_cast<float>(lattice_fraction(i)),
+                                       static_cast<float>(lattice_fraction(i * lattice_step % lattice_points))});
     if (dot(wo, m) > 0) sum += value(m);
   }
-  return sum / points;
+  return sum / lattice_points;
+}
+
+/// Over the facets that wo sees.
+template <class Value>
+double mean_over_facets(const Microfacets<float>& facets, const Vec3f& wo, const Value& value) {
+  return facets.is_ggx > 0 ? mean_over_ggx_facets(facets, wo, value) : mean_over_beckmann_facets(facets, wo, value);
 }
 
 }  // namespace
@@ -73,7 +113,6 @@ double rough_transmittance(const Microfacets<float>& facets, double cos_wo, doub
 
 namespace {
 
-/// Of facets that are sampled as they are seen.
 RoughInterface integrated_interface(const Microfacets<float>& facets, double eta) {
   RoughInterface result;
   constexpr int nodes = 32;
@@ -98,8 +137,8 @@ RoughInterface integrated_interface(const Microfacets<float>& facets, double eta
   return result;
 }
 
-/// What was integrated lately, for any number of threads: a table takes a fifth of a second, and materials of a scene,
-/// and scenes of a run, are often alike.
+/// What was integrated lately, for any number of threads: materials of a scene, and scenes of a run, are often alike,
+/// and a table takes 0.02 s, of GGX 0.06 s.
 class KnownInterfaces {
  public:
   RoughInterface of(const Microfacets<float>& facets, double eta) {
@@ -123,8 +162,7 @@ class KnownInterfaces {
 
 }  // namespace
 
-RoughInterface rough_interface(Microfacets<float> facets, double eta) {
-  facets.sample_visible = 1;
+RoughInterface rough_interface(const Microfacets<float>& facets, double eta) {
   static KnownInterfaces known;
   return known.of(facets, eta);
 }

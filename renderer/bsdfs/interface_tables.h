@@ -18,7 +18,7 @@ struct RoughInterface {
 };
 /// `eta` = ior below / ior above. As Mitsuba 3 has them: only what microfacets let through at once reaches the base,
 /// and the reflectance from inside is the mean over 64 evenly spaced cosines from 0 to 1, 1 to 5 % below its integral.
-RoughInterface rough_interface(Microfacets<float> facets, double eta);
+RoughInterface rough_interface(const Microfacets<float>& facets, double eta);
 
 /// Share of the light from direction wo that facets of the interface reflect to wo's side.
 double rough_reflectance(const Microfacets<float>& facets, double cos_wo, double eta);
