@@ -51,12 +51,32 @@ Rendering expected_rendering(const RungExpectation& expected, const Image& like)
   return flat;
 }
 
+/// Of the variance of both together, of a pixel on average: a few that are rare and bright are not to outweigh others.
+double share_of_variance(const Rendering& reference, const Rendering& test) {
+  double shares = 0, values = 0;
+  for (std::size_t i = 0; i < reference.variance->rgb.size(); ++i) {
+    const double of_reference = double{reference.variance->rgb[i]};
+    const double of_both = of_reference + double{test.variance->rgb[i]};
+    if (of_both <= 0) continue;
+    shares += of_reference / of_both;
+    ++values;
+  }
+  return values > 0 ? shares / values : 0;
+}
+
 /// Of the mean of the whole, where images tell it: pixels that look the same photons up err together.
-double common_deviation(const Rendering& reference, const Rendering& test) {
-  double largest = 0;
+struct CommonError {
+  double deviation = 0, share_of_expected = 0;  ///< of its square, the expected picture's
+};
+
+CommonError common_error(const Rendering& reference, const Rendering& test) {
+  CommonError largest;
   const std::optional<MeanError> a = stored_mean_error(reference), b = stored_mean_error(test);
-  for (std::size_t c = 0; c < 3; ++c)
-    largest = std::max(largest, std::hypot(a ? a->standard_error[c] : 0, b ? b->standard_error[c] : 0));
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double of_reference = a ? a->standard_error[c] : 0;
+    const double deviation = std::hypot(of_reference, b ? b->standard_error[c] : 0);
+    if (deviation > largest.deviation) largest = {deviation, std::pow(of_reference / deviation, 2)};
+  }
   return largest;
 }
 
@@ -98,7 +118,8 @@ double errors_in_common(const std::vector<BlockSums>& blocks) {
 
 /// Means of blocks and of the whole within a band about what is expected, which noise widens.
 RungVerdict judge_means(const Rendering& reference, const Rendering& test, double claimed_bias) {
-  const double sigmas = 4.5, common = 3 * common_deviation(reference, test);
+  const CommonError together = common_error(reference, test);
+  const double sigmas = 4.5, common = 3 * together.deviation;
   RungVerdict verdict;
   verdict.outcome = RungOutcome::right;
   const std::vector<BlockSums> blocks = sums_of_blocks(reference, test);
@@ -118,7 +139,9 @@ RungVerdict judge_means(const Rendering& reference, const Rendering& test, doubl
     verdict.sentence = fmt::format("the block at ({}, {}) is off by {:+.3g} % of {:.4g}", sums.block.x0, sums.block.y0,
                                    100 * sums.difference / sums.expected, sums.expected / pixels / 3);
   }
-  const double noise = sigmas * std::max(std::sqrt(all_variance), common * test.mean.width * test.mean.height);
+  const double by_themselves = std::sqrt(all_variance), as_one = common * test.mean.width * test.mean.height;
+  const double noise = sigmas * std::max(by_themselves, as_one);
+  verdict.share_of_expected = as_one > by_themselves ? together.share_of_expected : share_of_variance(reference, test);
   verdict.allowed = biased_mean + 4 * claimed_bias;
   const double band = verdict.allowed * std::abs(all_expected) + noise;
   if (std::abs(all_difference) > band) {
@@ -134,6 +157,7 @@ RungVerdict judge_pixels(const Rendering& reference, const Rendering& test) {
   RungVerdict verdict;
   verdict.would_see = agreement.would_see;
   if (verdict.would_see && !std::isfinite(*verdict.would_see)) verdict.would_see = 1e9;
+  verdict.share_of_expected = share_of_variance(reference, test);
   verdict.outcome = agreement.pass() ? RungOutcome::right : RungOutcome::silently_wrong;
   if (!agreement.whole.pass)
     verdict.sentence = agreement.whole.sentence;
@@ -198,7 +222,8 @@ RungVerdict judge_rung(const RungEvidence& evidence, const RungExpectation& expe
   if (expected.must_refuse && !is_said)
     return {RungOutcome::silently_wrong, "was rendered, though it is no number", {}};
   RungVerdict verdict = judge_picture(evidence, expected);
-  if (verdict.outcome == RungOutcome::silently_wrong && is_said) {
+  verdict.is_wrong = verdict.outcome == RungOutcome::silently_wrong;
+  if (verdict.is_wrong && is_said) {
     verdict.outcome = RungOutcome::degraded;
     verdict.sentence += "; said: " + evidence.losses.front();
   } else if (verdict.outcome == RungOutcome::right) {

@@ -36,7 +36,9 @@ struct RungVerdict {
   RungOutcome outcome = RungOutcome::undecided;
   std::string sentence;
   std::optional<double> would_see;
-  double allowed = 0;  ///< of would_see: what the means may be off by, however many samples there are
+  bool is_wrong = false;         ///< the picture is, whatever was said
+  double allowed = 0;            ///< of would_see: what the means may be off by, however many samples there are
+  double share_of_expected = 0;  ///< of the square of the rest, which is noise: what the expected picture has of it
 };
 
 /// The tests of one look together fail with this probability where all is right.

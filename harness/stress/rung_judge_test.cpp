@@ -60,6 +60,7 @@ TEST(rungs, off_by_more_than_noise_are_silently_wrong_or_said) {
   evidence.losses = {"scene.xml:1:1: alpha 0 is rendered as 0.1"};
   const RungVerdict said = judge_rung(evidence, exactly(noisy(1)));
   EXPECT_EQ(said.outcome, RungOutcome::degraded);
+  EXPECT_TRUE(said.is_wrong);
   EXPECT_NE(said.sentence.find("alpha 0"), std::string::npos) << said.sentence;
 }
 
@@ -176,6 +177,26 @@ TEST(rungs, whose_blocks_err_as_a_whole_are_judged_by_how_blocks_do) {
 
 TEST(rungs, whose_noise_would_hide_an_error_are_undecided) {
   EXPECT_EQ(judge_rung(showing(noisy(1, 0.9f)), exactly(noisy(1, 0.9f))).outcome, RungOutcome::undecided);
+}
+
+TEST(rungs, know_whose_noise_hides_an_error) {
+  RungExpectation expected = exactly(noisy(1, 0.3f));
+  for (const bool is_exact : {true, false}) {
+    expected.is_exact = is_exact;
+    EXPECT_NEAR(judge_rung(showing(noisy(1, 0.3f)), expected).share_of_expected, 0.5, 1e-6);
+    EXPECT_NEAR(judge_rung(showing(noisy(1, 0.1f)), expected).share_of_expected, 0.9, 1e-6);
+    Rendering spike = noisy(1, 0.1f);
+    spike.variance->rgb.front() = 1e3f;  // rare and bright
+    EXPECT_NEAR(judge_rung(showing(spike), expected).share_of_expected, 0.9, 1e-3);
+  }
+  // Means, of pixels that err together: 0.01^2 of 0.01^2 + 0.02^2.
+  RungEvidence evidence = showing(noisy(1));
+  store_mean_error(*evidence.picture, {{0.02, 0.02, 0.02}, 8});
+  store_mean_error(*expected.picture, {{0.01, 0.01, 0.01}, 8});
+  EXPECT_NEAR(judge_rung(evidence, expected).share_of_expected, 0.2, 1e-6);
+  RungExpectation one;
+  one.radiance = 1;
+  EXPECT_EQ(judge_rung(showing(noisy(1, 0.3f)), one).share_of_expected, 0);
 }
 
 TEST(rungs, are_refused_by_an_error_and_crash_without_one) {

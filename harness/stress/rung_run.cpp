@@ -127,6 +127,7 @@ ProcessOutcome StressRunner::run_command(const std::vector<std::string>& command
   ProcessOptions options;
   options.wall_limit_seconds = render_limit;
   options.interrupt = interrupt_;
+  options.samples_peak = false;
   ProcessOutcome outcome = run_process(command, options);
   if (outcome.end == ProcessOutcome::End::interrupted || (interrupt_ != nullptr && *interrupt_))
     throw StressInterrupted();

@@ -11,6 +11,7 @@
 #include "harness/cells/host.h"
 #include "harness/cells/side_by_side.h"
 #include "harness/stress/ladder.h"
+#include "harness/stress/looks.h"
 #include "harness/stress/rung_run.h"
 #include "reference/store/reference_store.h"
 #include "scenes/text/atomic_file.h"
@@ -24,13 +25,10 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Changes when judging does, so that rungs are judged anew.
-constexpr const char* judging_version = "8";
-constexpr int looks_at = 64, reference_samples = 512;  // a pixel
-/// As many looks at least where noise hides what a rung is, and more of small pictures, of up to so many camera
-/// samples; fewer where a quick climb only tells at which rung what is not right at its end begins. What is expected is
-/// known from half as many as the look has, once that is more.
-constexpr int looks_at_noise = 3;
-constexpr double samples_of_looks = 1e7, samples_of_short_looks = 1e6;
+constexpr const char* judging_version = "9";
+/// Camera samples of a look at most, and where a quick climb only tells at which rung what is not right at its end
+/// begins.
+constexpr double samples_of_looks = 2e7, samples_of_short_looks = 1e6;
 
 /// One ladder and one engine.
 struct Climb {
@@ -143,9 +141,9 @@ class Climber {
     if (climb.ladder->measured) return measured_rung(*climb.ladder, height);
     const StressScene asked = scene(climb, height);
     const std::string alike =
-        climb.ladder->alike ? runner_.identity(climb.ladder->alike(height), {climb.engine, looks_at, 1}) : "";
+        climb.ladder->alike ? runner_.identity(climb.ladder->alike(height), {climb.engine, Look().samples, 1}) : "";
     const std::string key = content_key({{"judging", judging_version},
-                                         {"rung", runner_.identity(asked, {climb.engine, looks_at, 2})},
+                                         {"rung", runner_.identity(asked, {climb.engine, Look().samples, 2})},
                                          {"alike", alike},
                                          {"most_samples", format_number(most_samples)}});
     const fs::path kept = options_.folder / "rungs" / (key + ".json");
@@ -161,21 +159,6 @@ class Climber {
     return out;
   }
 
-  /// What looks wrong is looked at once more. What noise hides is, too, and again where it can fall enough, which it
-  /// does with the root of the samples' number; how large it is, is known to a factor of two of that.
-  static bool looks_again(const RungVerdict& verdict, int looks, double samples, double most_samples) {
-    const bool is_wrong = verdict.outcome == RungOutcome::silently_wrong;
-    if (!is_wrong && verdict.outcome != RungOutcome::degraded && verdict.outcome != RungOutcome::undecided)
-      return false;
-    if (looks < 2) return true;
-    const double would_see = verdict.would_see.value_or(0);
-    if (is_wrong || would_see <= rung_power) return false;
-    const double noise = would_see - verdict.allowed, quiet = std::max(rung_power - verdict.allowed, 0.0);
-    const bool can_fall = samples * noise * noise <= 2 * most_samples * quiet * quiet;
-    return looks < looks_at_noise || (can_fall && 4 * samples <= most_samples);
-  }
-
-  /// With four times the samples of the last and another seed.
   StressRung decided(const Climb& climb, const StressScene& asked, double height, double most_samples,
                      const std::string& key) {
     StressRung out;
@@ -183,18 +166,16 @@ class Climber {
     RungEvidence evidence;
     RungExpectation expected;
     const double pixels = static_cast<double>(asked.width) * asked.height;
-    int expected_from = 0;
-    for (int looks = 1, samples = looks_at;; ++looks, samples *= 4) {
-      if (const int from = std::max(reference_samples, samples / 2); from != expected_from) {
-        expected = expectation(climb, height, from);
-        expected_from = from;
-      }
-      evidence = runner_.render(asked, {climb.engine, samples, static_cast<std::uint64_t>(1 + looks)});
+    for (std::optional<Look> look = Look(); look;) {
+      if (look->number == 1 || look->expected_from != expected.samples)
+        expected = expectation(climb, height, look->expected_from);
+      evidence = runner_.render(asked, {climb.engine, look->samples, static_cast<std::uint64_t>(1 + look->number)});
       const RungVerdict verdict = judge_rung(evidence, expected);
       out.outcome = verdict.outcome;
       out.sentence = verdict.sentence;
       out.would_see = verdict.would_see;
-      if (!evidence.picture || !looks_again(verdict, looks, samples * pixels, most_samples)) break;
+      if (!evidence.picture) break;
+      look = next_look(verdict, *look, most_samples / pixels);
     }
     if (out.outcome != RungOutcome::right && evidence.picture) keep_pictures(*evidence.picture, expected, key, out);
     return out;

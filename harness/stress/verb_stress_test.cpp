@@ -72,7 +72,7 @@ TEST_F(Stress, looks_again_where_noise_hides_what_a_rung_is) {
   EXPECT_EQ(record().ladders[0].right_up_to(), 30) << outcome.standard_output;
   EXPECT_LT(record().ladders[0].rungs[0].would_see.value_or(1), 0.1);
 
-  // Light tracing's first three looks show 13 %, as would more of them beside 512 samples of what is expected.
+  // Light tracing's first looks show 13 %, as would more of them beside what is expected from 256 samples.
   ASSERT_TRUE(stress({"--quick", "--engine", "ptracer", "--only", "light constant, radiance up"}).ok());
   ASSERT_EQ(record().ladders.size(), 1u);
   EXPECT_EQ(record().ladders[0].right_up_to(), 30);

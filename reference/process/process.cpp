@@ -279,7 +279,7 @@ class Watch {
       outcome.end = End::too_much_output;
       outcome.cause = mebibytes(*options_.output_limit_bytes);
       kill_all();
-    } else if (now >= next_sample_) {
+    } else if ((options_.memory_limit_bytes || options_.samples_peak) && now >= next_sample_) {
       check_memory(outcome);
     }
   }

@@ -45,7 +45,7 @@ const StressLadder* ladder_of(const StressRecord& record, const std::string& fea
   return nullptr;
 }
 
-/// "15 (of 40; sphere)", "all of 40".
+/// "15 (shape sphere of 40)", "6 (shape cube of 7; 4 silently wrong)".
 std::string lowest_words(const StressRecord& record, const std::string& climb, const std::vector<std::string>& features,
                          const std::string& engine) {
   std::size_t climbed = 0, wrong = 0;
@@ -71,8 +71,7 @@ std::string stress_markdown(const StressRecord& record) {
       fmt::format("`{}`, {:.0f} s on {}: {}.\n", record.command, record.seconds, record.host, stress_totals(record));
   text +=
       "\nA number is the k up to which every rung is right; behind it what comes next. What many features climb is "
-      "told "
-      "by the one that ends lowest; one whose rungs are all right ends above the others.\n\n";
+      "told by the one that ends lowest; one whose rungs are all right ends above the others.\n\n";
   text += head({"climb"}, engines);
   const Climbs climbs = climbs_of(record);
   for (const auto& [climb, features] : climbs) {
