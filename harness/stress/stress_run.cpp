@@ -167,8 +167,7 @@ class Climber {
     RungExpectation expected;
     const double pixels = static_cast<double>(asked.width) * asked.height;
     for (std::optional<Look> look = Look(); look;) {
-      if (look->number == 1 || look->expected_from != expected.samples)
-        expected = expectation(climb, height, look->expected_from);
+      if (look->expected_from != expected.samples) expected = expectation(climb, height, look->expected_from);
       evidence = runner_.render(asked, {climb.engine, look->samples, static_cast<std::uint64_t>(1 + look->number)});
       const RungVerdict verdict = judge_rung(evidence, expected);
       out.outcome = verdict.outcome;
