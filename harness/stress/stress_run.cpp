@@ -79,7 +79,7 @@ class Climber {
         if (is_failure(outcome) || (outcome == RungOutcome::refused && !ladder.climbs_on)) break;
       }
     } catch (const InputError& error) {
-      if (runner_.other(climb.engine) == nullptr) throw;  // what another cannot render is left out
+      if (runner_.other(climb.engine) == nullptr && !options_.is_other_program) throw;
       out.not_climbed = error.summary();
       out.rungs.clear();
     }

@@ -63,6 +63,25 @@ TEST_F(Stress, lets_other_programs_climb_and_holds_compare_to_closed_forms) {
   EXPECT_NE(read_file(table).find("| shape mesh | scale up | 15 | all (15) |"), std::string::npos) << read_file(table);
 }
 
+TEST_F(Stress, leaves_out_what_another_build_cannot_render) {
+  const fs::path old = folder_.path() / "old";
+  write_file_atomically(
+      old,
+      "#!/bin/sh\ngrep -q cylinder \"$2\" && echo 'scene.xml:1:1: error: no cylinders' >&2 && exit 2\n"
+      "exec " PHOTONPROOF_BINARY " \"$@\"\n");
+  fs::permissions(old, fs::perms::owner_all);
+  const ProcessOutcome outcome = stress({"--quick", "--engine", "path", "--program", old.string(), "--only",
+                                         "shape cylinder, scale up", "--only", "shape sphere, scale up"});
+  ASSERT_TRUE(outcome.ok()) << outcome.standard_output << outcome.standard_error;
+  const StressRecord climbed = record();
+  ASSERT_EQ(climbed.ladders.size(), 2u);
+  for (const StressLadder& ladder : climbed.ladders) {
+    const bool is_known = ladder.feature == "shape sphere";
+    EXPECT_EQ(ladder.rungs.size(), is_known ? 1u : 0u);
+    EXPECT_EQ(ladder.not_climbed.find("no cylinders") == std::string::npos, is_known) << ladder.not_climbed;
+  }
+}
+
 TEST_F(Stress, looks_again_where_noise_hides_what_a_rung_is) {
   // By 64 samples of a lamp in a mirror only an error of 14 % would be seen, and the loss of the variance layer, which
   // is said from 10^19 on, is no reason to leave it at that.

@@ -52,6 +52,7 @@ StressOptions stress_options(const StressArguments& arguments) {
   }
   options.folder = arguments.output;
   options.program = arguments.program.empty() ? fs::read_symlink("/proc/self/exe") : fs::path(arguments.program);
+  options.is_other_program = !arguments.program.empty();
   if (!fs::exists(options.program)) throw InputError("--program", "there is no '" + arguments.program + "'");
   options.only = arguments.only;
   options.engines = arguments.engines;
@@ -138,7 +139,8 @@ void add_stress_verb(CLI::App& program, int& exit_code) {
                  "there is climbed from below");
   verb->add_option("--against", arguments->against, "an earlier stress.json: what is worse than there fails");
   verb->add_option("--markdown", arguments->markdown, "write the table of all ladders there, too");
-  verb->add_option("--program", arguments->program, "another build of photonproof to stress (default: this one)");
+  verb->add_option("--program", arguments->program,
+                   "another build of photonproof to stress; what it cannot render is left out (default: this one)");
   verb->add_option("--jobs", arguments->jobs, "renders at a time (default: one a core)")->check(CLI::Range(1, 1024));
   verb->add_flag("--list", arguments->list, "print the ladders' names and end");
   verb->callback([arguments, &exit_code] { exit_code = stress(*arguments); });
