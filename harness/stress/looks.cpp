@@ -12,12 +12,12 @@ constexpr int most_times = 8, next_times = 4, expected_times = 4;
 constexpr double reach = 2;  // of the square of the noise
 
 /// What hides an error is `of_look` and `of_expected` together, squares of relative errors; `quiet` may be left.
-std::optional<Look> look_at_noise(double of_look, double of_expected, double quiet, const Look& last,
-                                  double most_samples) {
+std::optional<RungLook> look_at_noise(double of_look, double of_expected, double quiet, const RungLook& last,
+                                      double most_samples) {
   const auto may_have = [&](int times) {
     return times * last.samples <= most_samples || (last.number < looks_at_noise && times <= next_times);
   };
-  Look next{last.number + 1, last.samples, last.expected_from};
+  RungLook next{last.number + 1, last.samples, last.expected_from};
   const double least = (of_look * last.samples + of_expected * last.expected_from) / most_samples;
   if (least > reach * quiet) {
     if (last.number >= looks_at_noise) return {};
@@ -39,14 +39,14 @@ std::optional<Look> look_at_noise(double of_look, double of_expected, double qui
 
 }  // namespace
 
-std::optional<Look> next_look(const RungVerdict& verdict, const Look& last, double most_samples) {
+std::optional<RungLook> next_look(const RungVerdict& verdict, const RungLook& last, double most_samples) {
   if (verdict.outcome != RungOutcome::silently_wrong && verdict.outcome != RungOutcome::degraded &&
       verdict.outcome != RungOutcome::undecided)
     return {};
   if (verdict.is_wrong || !verdict.would_see) {
     if (last.number > 1) return {};
     const int times = next_times * last.samples <= most_samples ? next_times : 1;
-    return Look{last.number + 1, times * last.samples, last.expected_from};
+    return RungLook{last.number + 1, times * last.samples, last.expected_from};
   }
   const auto squared = [&](double error) { return std::pow(std::max(error - verdict.allowed, 0.0), 2); };
   const double noise = squared(*verdict.would_see), of_expected = verdict.share_of_expected * noise;

@@ -8,7 +8,7 @@
 namespace photonproof {
 
 /// One look at a rung: a render with a seed of its own.
-struct Look {
+struct RungLook {
   int number = 1, samples = 64;  ///< a pixel
   int expected_from = 256;       ///< samples a pixel of what is expected; of no account where it is a closed form
 };
@@ -22,6 +22,6 @@ struct Look {
 /// for more than eight times the samples; so no look has more than that, and there are three at least, of four times
 /// the samples each, at what seems out of reach. All others have `most_samples` a pixel at most, what is expected half
 /// as many.
-std::optional<Look> next_look(const RungVerdict& verdict, const Look& last, double most_samples);
+std::optional<RungLook> next_look(const RungVerdict& verdict, const RungLook& last, double most_samples);
 
 }  // namespace photonproof

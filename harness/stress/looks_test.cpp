@@ -20,12 +20,12 @@ RungVerdict verdict(RungOutcome outcome, double would_see, double allowed = 0, d
 constexpr double most = 16384;
 
 /// The next look; of 0 samples where there is none.
-Look after(const RungVerdict& verdict, const Look& last) {
-  const Look look = next_look(verdict, last, most).value_or(Look{0, 0, 0});
+RungLook after(const RungVerdict& verdict, const RungLook& last) {
+  const RungLook look = next_look(verdict, last, most).value_or(RungLook{0, 0, 0});
   EXPECT_TRUE(look.samples == 0 || look.number == last.number + 1);
   return look;
 }
-int samples_after(const RungVerdict& verdict, const Look& last) { return after(verdict, last).samples; }
+int samples_after(const RungVerdict& verdict, const RungLook& last) { return after(verdict, last).samples; }
 
 TEST(looks, end_where_it_is_known_what_a_rung_is) {
   for (const RungOutcome outcome : {right, refused, crashed}) EXPECT_EQ(samples_after(verdict(outcome, 0.01), {}), 0);
@@ -70,7 +70,7 @@ TEST(looks, leave_out_the_noise_of_what_is_expected) {
   EXPECT_EQ(after(verdict(undecided, 0.12, 0, 0.4), {2, 256, 512}).expected_from, 2048);
   EXPECT_EQ(after(verdict(undecided, 0.6, 0, 0.9), {2, 256, 512}).expected_from, 2048);
   // All noise is the expected picture's.
-  const Look as_many = after(verdict(undecided, 0.12, 0, 1), {2, 256, 512});
+  const RungLook as_many = after(verdict(undecided, 0.12, 0, 1), {2, 256, 512});
   EXPECT_EQ(as_many.samples, 256);
   EXPECT_EQ(as_many.expected_from, 2048);
   EXPECT_EQ(after(verdict(undecided, 0.12, 0, 0.9), {3, 1024, 2048}).expected_from, 8192);

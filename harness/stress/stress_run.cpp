@@ -141,9 +141,9 @@ class Climber {
     if (climb.ladder->measured) return measured_rung(*climb.ladder, height);
     const StressScene asked = scene(climb, height);
     const std::string alike =
-        climb.ladder->alike ? runner_.identity(climb.ladder->alike(height), {climb.engine, Look().samples, 1}) : "";
+        climb.ladder->alike ? runner_.identity(climb.ladder->alike(height), {climb.engine, RungLook().samples, 1}) : "";
     const std::string key = content_key({{"judging", judging_version},
-                                         {"rung", runner_.identity(asked, {climb.engine, Look().samples, 2})},
+                                         {"rung", runner_.identity(asked, {climb.engine, RungLook().samples, 2})},
                                          {"alike", alike},
                                          {"most_samples", format_number(most_samples)}});
     const fs::path kept = options_.folder / "rungs" / (key + ".json");
@@ -166,7 +166,7 @@ class Climber {
     RungEvidence evidence;
     RungExpectation expected;
     const double pixels = static_cast<double>(asked.width) * asked.height;
-    for (std::optional<Look> look = Look(); look;) {
+    for (std::optional<RungLook> look = RungLook(); look;) {
       if (look->expected_from != expected.samples) expected = expectation(climb, height, look->expected_from);
       evidence = runner_.render(asked, {climb.engine, look->samples, static_cast<std::uint64_t>(1 + look->number)});
       const RungVerdict verdict = judge_rung(evidence, expected);
