@@ -149,9 +149,9 @@ Rendering StressRunner::reference(const StressScene& scene, const StressRender& 
   if (fs::exists(refusal)) throw InputError(how.engine, read_file(refusal));
   const RungEvidence evidence = render(scene, how);
   if (!evidence.picture) {
-    const std::string why = evidence.refused ? evidence.message : evidence.ending + ": " + evidence.message;
-    if (evidence.refused) write_file_atomically(refusal, why);
-    throw InputError(how.engine, why);
+    if (!evidence.refused) throw ReferenceCrashed{evidence.ending + ": " + evidence.message};
+    write_file_atomically(refusal, evidence.message);
+    throw InputError(how.engine, evidence.message);
   }
   write_exr(kept.string(), *evidence.picture);
   return *evidence.picture;

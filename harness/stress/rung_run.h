@@ -24,6 +24,11 @@ struct StressRender {
 /// Thrown when Ctrl-C ended a render: what it was for is not known.
 struct StressInterrupted {};
 
+/// Thrown where what a rung is compared with ended in no picture and no error: `ending` is how.
+struct ReferenceCrashed {
+  std::string ending;
+};
+
 class StressRunner {
  public:
   /// References are kept in `folder`/references, by all they follow from; scenes for `others`, which must lie where the
@@ -37,7 +42,8 @@ class StressRunner {
   RungEvidence render(const StressScene& scene, const StressRender& how) const;
   /// Another verb of the program. Throws StressInterrupted.
   ProcessOutcome run(std::vector<std::string> arguments) const;
-  /// The same as `render`, kept; throws InputError, with what the program says, where there is no picture.
+  /// The same as `render`, kept; throws InputError, with what the program says, where it is refused, else
+  /// ReferenceCrashed where there is no picture.
   Rendering reference(const StressScene& scene, const StressRender& how);
   /// All that a render follows from, as text.
   std::string identity(const StressScene& scene, const StressRender& how) const;

@@ -153,7 +153,14 @@ class Climber {
         return *known;
       }
     const Timer timer;
-    StressRung out = decided(climb, asked, height, most_samples, key);
+    StressRung out;
+    try {
+      out = decided(climb, asked, height, most_samples, key);
+    } catch (const ReferenceCrashed& crash) {
+      out.height = height;
+      out.outcome = RungOutcome::crashed;
+      out.sentence = "what it is compared with " + crash.ending;
+    }
     out.seconds = timer.seconds();
     write_file_atomically(kept, rung_text(out));
     return out;

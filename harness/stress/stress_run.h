@@ -15,7 +15,7 @@ namespace photonproof {
 struct StressOptions {
   std::filesystem::path folder;      ///< receives everything; what an earlier run decided there counts
   std::filesystem::path program;     ///< this one, or one with a fault
-  bool is_other_program = false;     ///< another build: what it cannot render is left out, also where it crashes
+  bool is_other_program = false;     ///< another build, which may not know a feature: what it refuses is left out
   std::vector<std::string> only;     ///< ladders whose name contains one of these; empty: all
   std::vector<std::string> engines;  ///< these alone; empty: all that a ladder names
   std::vector<Engine> others{};      ///< engines that are no integrators, which `engines` may name

@@ -63,7 +63,7 @@ TEST_F(Stress, lets_other_programs_climb_and_holds_compare_to_closed_forms) {
   EXPECT_NE(read_file(table).find("| shape mesh | scale up | 15 | all (15) |"), std::string::npos) << read_file(table);
 }
 
-TEST_F(Stress, leaves_out_what_another_build_cannot_render) {
+TEST_F(Stress, leaves_out_what_another_build_refuses) {
   const fs::path old = folder_.path() / "old";
   write_file_atomically(
       old,
@@ -73,6 +73,8 @@ TEST_F(Stress, leaves_out_what_another_build_cannot_render) {
   const ProcessOutcome outcome = stress({"--quick", "--engine", "path", "--program", old.string(), "--only",
                                          "shape cylinder, scale up", "--only", "shape sphere, scale up"});
   ASSERT_TRUE(outcome.ok()) << outcome.standard_output << outcome.standard_error;
+  EXPECT_NE(outcome.standard_output.find("1 right, 0 silently wrong; 1 of 2 climbs left out"), std::string::npos)
+      << outcome.standard_output;
   const StressRecord climbed = record();
   ASSERT_EQ(climbed.ladders.size(), 2u);
   for (const StressLadder& ladder : climbed.ladders) {
@@ -80,6 +82,18 @@ TEST_F(Stress, leaves_out_what_another_build_cannot_render) {
     EXPECT_EQ(ladder.rungs.size(), is_known ? 1u : 0u);
     EXPECT_EQ(ladder.not_climbed.find("no cylinders") == std::string::npos, is_known) << ladder.not_climbed;
   }
+}
+
+TEST_F(Stress, fails_where_another_build_crashes) {
+  const fs::path old = folder_.path() / "old";
+  write_file_atomically(old, "#!/bin/sh\nkill -SEGV $$\n");
+  fs::permissions(old, fs::perms::owner_all);
+  const ProcessOutcome outcome =
+      stress({"--quick", "--engine", "path", "--program", old.string(), "--only", "shape sphere, scale up"});
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.standard_output << outcome.standard_error;
+  ASSERT_EQ(record().ladders.size(), 1u);
+  ASSERT_EQ(record().ladders[0].rungs.size(), 1u);
+  EXPECT_EQ(record().ladders[0].rungs[0].outcome, RungOutcome::crashed);
 }
 
 TEST_F(Stress, looks_again_where_noise_hides_what_a_rung_is) {

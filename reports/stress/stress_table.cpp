@@ -91,6 +91,9 @@ std::string stress_totals(const StressRecord& record) {
     const bool always = outcome == RungOutcome::right || outcome == RungOutcome::silently_wrong;
     if (n > 0 || always) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", n, to_string(outcome));
   }
+  const auto left_out = std::count_if(record.ladders.begin(), record.ladders.end(),
+                                      [](const StressLadder& ladder) { return !ladder.not_climbed.empty(); });
+  if (left_out > 0) text += fmt::format("; {} of {} climbs left out", left_out, record.ladders.size());
   return text;
 }
 

@@ -140,7 +140,7 @@ void add_stress_verb(CLI::App& program, int& exit_code) {
   verb->add_option("--against", arguments->against, "an earlier stress.json: what is worse than there fails");
   verb->add_option("--markdown", arguments->markdown, "write the table of all ladders there, too");
   verb->add_option("--program", arguments->program,
-                   "another build of photonproof to stress; what it cannot render is left out (default: this one)");
+                   "another build of photonproof to stress; climbs that it refuses are left out (default: this one)");
   verb->add_option("--jobs", arguments->jobs, "renders at a time (default: one a core)")->check(CLI::Range(1, 1024));
   verb->add_flag("--list", arguments->list, "print the ladders' names and end");
   verb->callback([arguments, &exit_code] { exit_code = stress(*arguments); });
