@@ -80,6 +80,31 @@ TEST_F(AreaEmitter, of_a_scaled_shape_has_its_area) {
   EXPECT_NEAR(irradiance(glowing("disk", above("value='1.5'"), ""), {}, {0, 1, 0}, 1 << 12).x, disk, 0.01 * disk);
 }
 
+TEST_F(AreaEmitter, of_a_shape_without_a_bsdf_stands_on_black) {
+  // A light of irradiance pi adds its reflectance to what a facing surface emits: 2 + 0 here, and 2.5 where the shape
+  // is like one without an emitter. Mitsuba 3 and 0.6 have 2.
+  const std::string sun =
+      "<emitter type='directional'><vector name='direction' value='0, 0, -1'/><float name='irradiance' "
+      "value='3.14159265'/></emitter>";
+  const std::string glow = "<emitter type='area'><float name='radiance' value='2'/></emitter>";
+  put("square.ply",
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+      "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
+      "-1 -1 0\n1 -1 0\n1 1 0\n-1 1 0\n4 0 1 2 3\n");
+  for (const std::string shape :
+       {"'rectangle'>", "'disk'>", "'sphere'>", "'ply'><string name='filename' value='square.ply'/>",
+        "'heightfield'><float name='amplitude' value='0'/><integer name='columns' value='1'/><integer name='rows' "
+        "value='1'/>"}) {
+    SCOPED_TRACE(shape);
+    const auto pixel = [&](const std::string& rest) {
+      return seen(sun + "<shape type=" + shape + rest + "</shape>", {0.001, 0.002, 4}, {0.001, 0.002, 0});
+    };
+    expect_rgb(pixel(glow), RgbD(2));
+    expect_rgb(pixel(""), RgbD(0.5));
+    expect_rgb(pixel(glow + "<bsdf type='diffuse'/>"), RgbD(2.5));
+  }
+}
+
 TEST_F(AreaEmitter, wears_its_texture) {
   // u grows along the rectangle's local x, v along y: the first texel is at (-, -).
   put_four_texels("lamp.exr");

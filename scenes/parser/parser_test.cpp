@@ -144,6 +144,16 @@ TEST(parser, shares_bsdfs_by_reference_also_before_they_are_defined) {
   for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_EQ(scene.shapes[i].bsdf.value, expected[i]) << i;
 }
 
+TEST(parser, makes_the_bsdf_that_a_shape_lacks_black_where_it_emits) {
+  const auto lacking = [](const std::string& content) {
+    const SceneDescription scene = parse("<shape type='sphere'>" + content + "</shape>");
+    return std::get<DiffuseDescription>(scene.bsdfs.at(scene.shapes.at(0).bsdf.value).model).reflectance;
+  };
+  EXPECT_EQ(lacking("<emitter type='area'/>"), Colour(RgbD(0.0)));
+  EXPECT_EQ(lacking(""), Colour(RgbD(0.5)));
+  EXPECT_EQ(lacking("<bsdf type='diffuse'/><emitter type='area'/>"), Colour(RgbD(0.5)));
+}
+
 TEST(parser, reads_area_lights) {
   const auto light = shape("rectangle",
                            "<boolean name='flip_normals' value='True'/><emitter type='area'><rgb name='radiance' "

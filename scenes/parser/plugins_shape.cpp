@@ -72,7 +72,7 @@ void read_media(Params& params, ShapeDescription& shape) {
 
 BsdfIndex read_surface(Params& params) {
   if (!params.nested("bsdf").empty()) return params.objects().bsdf(*params.nested("bsdf").front());
-  return params.objects().default_bsdf(params.object());
+  return params.objects().default_bsdf(params.object(), !params.nested("emitter").empty());
 }
 
 }  // namespace

@@ -125,9 +125,10 @@ BsdfIndex SceneObjects::bsdf(const Element& element) {
   });
 }
 
-BsdfIndex SceneObjects::default_bsdf(const Element& shape) {
+BsdfIndex SceneObjects::default_bsdf(const Element& shape, bool emits) {
   bsdfs_known_.push_back({false, 1});
-  return append<BsdfTag>(scene_.bsdfs, {sources_.loc(shape.at), "", DiffuseDescription{}});
+  const DiffuseDescription diffuse = emits ? DiffuseDescription{RgbD(0.0)} : DiffuseDescription{};
+  return append<BsdfTag>(scene_.bsdfs, {sources_.loc(shape.at), "", diffuse});
 }
 
 void SceneObjects::check_depth(const Element& element, int depth) const {

@@ -38,8 +38,8 @@ class SceneObjects {
 
   /// Whether a BSDF or one that it nests lets light through.
   bool transmits(BsdfIndex bsdf) const { return bsdfs_known_[bsdf.value].transmits; }
-  /// What a shape without a BSDF has.
-  BsdfIndex default_bsdf(const Element& shape);
+  /// The BSDF of a shape that names none, as in Mitsuba: diffuse, and black where the shape emits.
+  BsdfIndex default_bsdf(const Element& shape, bool emits);
 
   const Sources& sources() const { return sources_; }
   SceneFiles& files() { return files_; }
