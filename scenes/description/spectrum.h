@@ -14,7 +14,7 @@ struct SpectrumSample {
 
 /// What a spectrum describes decides how it becomes a colour: a reflectance is seen under CIE illuminant D65, so that
 /// a constant one is grey; an emission is what the CIE 1931 observer sees of it, so that equal values at all
-/// wavelengths are pinkish. A single number instead of a list is grey in both.
+/// wavelengths are pinkish.
 enum class SpectrumKind { reflectance, emission };
 
 /// The colour of a spectrum that is linear between `samples` (at least two, ascending) and zero outside, from 360 to

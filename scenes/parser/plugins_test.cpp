@@ -151,11 +151,31 @@ TEST(plugins, turn_directions_into_unit_vectors_of_the_right_space) {
   EXPECT_NEAR(sky.sun_direction.z, 1, 1e-8);
 }
 
-TEST(plugins, read_one_number_as_grey_light) {
-  const auto lit = [](const std::string& tag) {
-    return light<ConstantLightDescription>("constant", "<" + tag + " name='radiance' value='2'/>").radiance;
+// Mitsuba 3.9.1, scalar_rgb, traverse(load_string(...)): [12.0479, 9.48291, 9.08916] for the <spectrum> of 10 in each,
+// [10, 10, 10] for <float> and <rgb>, 0.4 for the `albedo` of a sunsky.
+TEST(plugins, read_the_number_of_a_lights_spectrum_as_white_of_equal_energy) {
+  const auto ten = [](const std::string& tag, const std::string& name) {
+    return "<" + tag + " name='" + name + "' value='10'/>";
   };
-  for (const char* tag : {"rgb", "float", "spectrum"}) EXPECT_EQ(lit(tag), RgbD(2.0)) << tag;
+  const auto area = [&](const std::string& tag) {
+    const std::string lamp = "<emitter type='area'>" + ten(tag, "radiance") + "</emitter>";
+    return constant(*parse(kSensor + "<shape type='sphere'>" + lamp + "</shape>").shapes.at(0).radiance);
+  };
+  const std::string spectrum = ten("spectrum", "radiance"), intensity = ten("spectrum", "intensity");
+  for (const RgbD& white :
+       {area("spectrum"), light<ConstantLightDescription>("constant", spectrum).radiance,
+        light<PointLightDescription>("point", intensity).intensity,
+        light<SpotLightDescription>("spot", intensity).intensity,
+        light<DirectionalLightDescription>("directional", ten("spectrum", "irradiance")).irradiance}) {
+    EXPECT_NEAR(white.x, 12.0479, 1e-4);
+    EXPECT_NEAR(white.y, 9.48291, 1e-5);
+    EXPECT_NEAR(white.z, 9.08916, 1e-5);
+  }
+  for (const char* tag : {"rgb", "float"}) {
+    EXPECT_EQ(area(tag), RgbD(10.0)) << tag;
+    EXPECT_EQ(light<ConstantLightDescription>("constant", ten(tag, "radiance")).radiance, RgbD(10.0)) << tag;
+  }
+  EXPECT_EQ(light<SunSkyDescription>("sunsky", "<spectrum name='albedo' value='0.4'/>").albedo, RgbD(0.4));
 }
 
 TEST(plugins, give_mitsubas_defaults_of_sensors) {

@@ -64,7 +64,8 @@ RgbD spectrum_of(SceneObjects& objects, const Element& element, SpectrumKind kin
     fail_at(sources, *filename, "both 'value' and 'filename', expected one of the two");
   const Attribute& given = filename ? *filename : require(sources, element, "value");
   if (!filename && given.value.find(':') == std::string::npos) {
-    return RgbD(number_of(sources, given));
+    const double number = number_of(sources, given);
+    return kind == SpectrumKind::emission ? rgb_of_xyz(Vec3d(number)) : RgbD(number);
   }
   const auto samples = filename ? samples_of_file(objects, given) : pairs_of(sources, given);
   check(sources, given, samples);
