@@ -63,6 +63,24 @@ TEST(conductors, have_the_reduction_of_their_measurements) {
   expect_near(found, known, 1e-3 * known.z);
 }
 
+TEST(conductors, of_oxides_of_copper_have_the_reduction_of_their_measurements) {
+  // The measurements that luxpop.com gives, after Palik, at the same wavelengths for both.
+  const std::vector<double> wavelengths = {350.028015, 399.935028, 449.854980, 499.919006, 549.799988, 599.806030,
+                                           649.789978, 700.056030, 750.029968, 799.871033, 849.759949};
+  const auto reduced = [&](const std::vector<double>& values) {
+    std::vector<SpectrumSample> samples;
+    for (std::size_t i = 0; i < values.size(); ++i) samples.push_back({wavelengths[i], values[i]});
+    return rgb_of_spectrum(samples, SpectrumKind::emission);
+  };
+  const ComplexIor black = *conductor_named("CuO"), red = *conductor_named("Cu2O");
+  expect_near(reduced({2.24, 2.34, 2.45, 2.54, 2.58, 2.65, 2.72, 2.88, 2.97, 2.94, 2.81}), black.eta, 1e-4);
+  expect_near(reduced({1.03, 0.87, 0.77, 0.68, 0.59, 0.5, 0.4, 0.31, 0.22, 0.11, 0.04}), black.k, 1e-4);
+  expect_near(reduced({2.4, 2.8, 3.06, 3.12, 3.1, 3.02, 2.9, 2.83, 2.77, 2.7, 2.66}), red.eta, 1e-4);
+  expect_near(reduced({1.44, 0.99, 0.6, 0.35, 0.19, 0.13, 0.1, 0.083, 0.07, 0.06, 0.053}), red.k, 1e-4);
+  EXPECT_EQ(*conductor_named("CuO_palik"), black);
+  EXPECT_EQ(*conductor_named("Cu2O_palik"), red);
+}
+
 TEST(conductors, are_known_by_mitsubas_names) {
   EXPECT_EQ(conductor_named("Cu")->k, RgbD(3.912949, 2.452848, 2.142188));
   EXPECT_EQ(conductor_named("Ir_palik")->eta, conductor_named("Ir")->eta);
