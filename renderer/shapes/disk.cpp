@@ -46,9 +46,11 @@ LocalGeometry local_geometry(const Disk&, const AffineMap& frame, const Vec3f& p
   const Vec3f local = frame.local_point(p);
   const float r = std::hypot(local.x, local.y);
   const float cos_phi = r > 0 ? local.x / r : 1, sin_phi = r > 0 ? local.y / r : 0;
+  // One turn is one unit of v, and 2 pi r long.
+  const float turn = 2 * std::numbers::pi_v<float> * r;
   return {{r, turn_of(local.x, local.y)},
           frame.vector({cos_phi, sin_phi, 0}),
-          frame.vector({-sin_phi, cos_phi, 0}),
+          frame.vector({-sin_phi * turn, cos_phi * turn, 0}),
           normal};
 }
 
