@@ -1,0 +1,178 @@
+"""Parts of the scenes of mitsuba_parameter_scenes.py: elements as text, a floor, a lamp, a sky, and the files they name."""
+import math
+import random
+import struct
+import zlib
+
+import numpy as np
+
+import exr_file
+
+
+def element(tag, kind, *content, name="", id=""):
+    """<tag type="kind">content</tag>"""
+    extra = (f' name="{name}"' if name else "") + (f' id="{id}"' if id else "")
+    return f'<{tag} type="{kind}"{extra}>' + "".join(content) + f"</{tag}>"
+
+
+def value(tag, name, v):
+    return f'<{tag} name="{name}" value="{v}"/>'
+
+
+def number(name, v):
+    return value("float", name, v)
+
+
+def integer(name, v):
+    return value("integer", name, v)
+
+
+def boolean(name, v=True):
+    return value("boolean", name, "true" if v else "false")
+
+
+def string(name, v):
+    return value("string", name, v)
+
+
+def rgb(name, v):
+    return value("rgb", name, v)
+
+
+def point(name, v):
+    return value("point", name, v)
+
+
+def place(*steps, name="to_world"):
+    return f'<transform name="{name}">' + "".join(steps) + "</transform>"
+
+
+def bsdf(kind, *content, **attributes):
+    return element("bsdf", kind, *content, **attributes)
+
+
+def shape(kind, *content, **attributes):
+    return element("shape", kind, *content, **attributes)
+
+
+def emitter(kind, *content, **attributes):
+    return element("emitter", kind, *content, **attributes)
+
+
+def texture(name, kind, *content, **attributes):
+    return element("texture", kind, *content, name=name, **attributes)
+
+
+def picture(name, *content, file="picture.exr", **attributes):
+    return texture(name, "bitmap", string("filename", file), *content, **attributes)
+
+
+def grey(v):
+    return bsdf("diffuse", number("reflectance", v))
+
+
+def area(*content):
+    return emitter("area", *content)
+
+
+CHECKS = texture("reflectance", "checkerboard", rgb("color0", "0.7,0.6,0.5"), rgb("color1", "0.2,0.3,0.4"),
+                 place('<scale x="6" y="6"/>', name="to_uv"))
+FLOOR = shape("rectangle", place('<scale value="3"/>', '<rotate x="1" angle="-90"/>', '<translate y="-0.5"/>'),
+              bsdf("diffuse", CHECKS))
+LAMP_PLACE = place('<scale value="0.7"/>', '<lookat origin="2,3,2" target="0,0,0" up="0,1,0"/>')
+LAMP = shape("rectangle", LAMP_PLACE, area(rgb("radiance", "10,9,8")))
+SKY = emitter("constant", rgb("radiance", "0.3,0.4,0.5"))
+BOX = element("rfilter", "box")
+LOOK = place('<lookat origin="0.5,1.2,5" target="0,0.3,0" up="0,1,0"/>')
+PATH = element("integrator", "path", integer("max_depth", 8))
+VOLPATH = element("integrator", "volpath", integer("max_depth", 8))
+
+
+def ball(*content):
+    return shape("sphere", number("radius", 0.7), point("center", "0,0.3,0"), *content)
+
+
+def film(*content, rfilter=BOX, width=64, height=48):
+    return element("film", "hdrfilm", integer("width", width), integer("height", height), rfilter, *content)
+
+
+def camera(*content, kind="perspective", fov=number("fov", 40), to_world=LOOK, film=film(), sampler=None):
+    sampler = element("sampler", "independent", integer("sample_count", 16)) if sampler is None else sampler
+    return element("sensor", kind, fov, to_world, *content, film, sampler)
+
+
+def scene(*content, integrator=PATH, sensor=camera(), floor=FLOOR, lights=LAMP + SKY):
+    return '<scene version="3.0.0">' + integrator + sensor + floor + "".join(content) + lights + "</scene>\n"
+
+
+# ---- files that scenes name -------------------------------------------------------------------------------------------------
+
+def half(rows):
+    return np.asarray(rows, dtype=np.float16).astype(np.float64)
+
+
+def write_png(path, pixels):
+    """8-bit RGB."""
+    def chunk(kind, data):
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+    height, width = pixels.shape[:2]
+    lines = b"".join(b"\0" + pixels[y].tobytes() for y in range(height))
+    path.write_bytes(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)) +
+                     chunk(b"IDAT", zlib.compress(lines)) + chunk(b"IEND", b""))
+
+
+def write_ply(path, points, faces, normals=None, uv=None):
+    columns = ["x", "y", "z"] + (["nx", "ny", "nz"] if normals else []) + (["u", "v"] if uv else [])
+    head = ["ply", "format ascii 1.0", f"element vertex {len(points)}", *(f"property float {c}" for c in columns),
+            f"element face {len(faces)}", "property list uchar int vertex_indices", "end_header"]
+    rows = [" ".join(f"{v:.6g}" for v in (*p, *(normals[i] if normals else ()), *(uv[i] if uv else ())))
+            for i, p in enumerate(points)]
+    path.write_text("\n".join(head + rows + ["3 " + " ".join(map(str, f)) for f in faces]) + "\n")
+
+
+def write_obj(path, points, faces, normals=None, uv=None):
+    text = "".join(f"v {p[0]:.6g} {p[1]:.6g} {p[2]:.6g}\n" for p in points)
+    text += "".join(f"vt {t[0]:.6g} {t[1]:.6g}\n" for t in uv or ())
+    text += "".join(f"vn {n[0]:.6g} {n[1]:.6g} {n[2]:.6g}\n" for n in normals or ())
+    corner = "{0}/{0}/{0}" if normals else "{0}"
+    text += "".join("f " + " ".join(corner.format(i + 1) for i in f) + "\n" for f in faces)
+    path.write_text(text)
+
+
+def coarse_egg(columns=10, rows=6):
+    """A closed body of few triangles with a seam in u, so that facets and uv show."""
+    points, normals, uv, faces = [], [], [], []
+    for j in range(rows + 1):
+        for i in range(columns + 1):
+            t, p = math.pi * j / rows, 2 * math.pi * i / columns
+            n = (math.sin(t) * math.cos(p), math.cos(t), math.sin(t) * math.sin(p))
+            points.append((n[0], 1.2 * n[1], n[2]))
+            normals.append(n)
+            uv.append((i / columns, j / rows))
+    for j in range(rows):
+        for i in range(columns):
+            a, b = j * (columns + 1) + i, (j + 1) * (columns + 1) + i
+            faces += [(a, a + 1, b + 1)] if j > 0 else []
+            faces += [(a, b + 1, b)] if j < rows - 1 else []
+    return points, faces, normals, uv
+
+
+def write_files(folder):
+    draw = random.Random(7)
+    colours = half([[[0.05 + 0.9 * draw.random() for _ in range(3)] for _ in range(6)] for _ in range(5)])
+    exr_file.write(folder / "picture.exr", colours)
+    write_png(folder / "picture.png", (colours * 255).astype(np.uint8))
+    exr_file.write(folder / "bumps.exr", half([[[draw.random()] * 3 for _ in range(8)] for _ in range(8)]))
+    leaning = [[(0.5 + 0.2 * (2 * draw.random() - 1), 0.5 + 0.2 * (2 * draw.random() - 1), 0.95) for _ in range(8)]
+               for _ in range(8)]
+    exr_file.write(folder / "normals.exr", half(leaning))
+    light = [[[0.2 + draw.random() + (6 if (x, y) == (4, 2) else 0) for _ in range(3)] for x in range(16)] for y in range(8)]
+    exr_file.write(folder / "sky.exr", half(light))
+    (folder / "spectrum.spd").write_text("# wavelength, value\n400 0.2\n480 0.3\n560 0.9\n640 0.6\n720 0.4\n")
+    points, faces, normals, uv = coarse_egg()
+    write_ply(folder / "mesh.ply", points, faces, normals, uv)
+    write_obj(folder / "mesh.obj", points, faces, normals, uv)
+    write_ply(folder / "bare.ply", points, faces)
+    write_obj(folder / "bare.obj", points, faces)
+    (folder / "part.xml").write_text('<scene version="3.0.0">' + ball(bsdf("diffuse", rgb("reflectance", "0.2,0.8,0.1"))) +
+                                     "</scene>\n")
