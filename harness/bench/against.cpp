@@ -167,14 +167,12 @@ class PairRunner {
 class Comparisons {
  public:
   Comparisons(const AgainstRun& run, const Results& old_run, const AgainstOptions& options)
-      : run_(run), options_(options), old_(old_run) {
-    old_program_ = options.old_program.empty() ? recorded_program() : options.old_program;
-  }
+      : run_(run), options_(options), old_(old_run) {}
 
   std::vector<ChangeRecord> all() {
     for (const Cell& cell : compared_cells()) {
       if (is_interrupted()) break;
-      if (!old_program_.empty() && is_ours(cell.engine))
+      if (!options_.old_program.empty() && is_ours(cell.engine))
         in_rounds(cell);
       else
         for (ChangeRecord& record : stored_changes(old_, run_.now, cell, options_.thresholds)) say(std::move(record));
@@ -190,13 +188,6 @@ class Comparisons {
   void say(ChangeRecord record) {
     if (run_.heard) run_.heard(record);
     changes_.push_back(std::move(record));
-  }
-
-  // Where it is still the one that was measured.
-  fs::path recorded_program() const {
-    const auto program = old_.versions.find(program_key), hash = old_.versions.find(program_hash_key);
-    if (program == old_.versions.end() || hash == old_.versions.end() || hash->second.empty()) return {};
-    return program_hash(program->second) == hash->second ? fs::path(program->second) : fs::path{};
   }
 
   // Another program's old version cannot be put in its place: only {photonproof} stands for one.
@@ -237,7 +228,7 @@ class Comparisons {
   }
 
   void in_rounds(const Cell& cell) {
-    PairRunner runner(run_, old_program_);
+    PairRunner runner(run_, options_.old_program);
     runner.warm_up(run_.suite.engine(cell.engine));
     const bool times_count = cell.budget.kind != "seconds";
     const Timer timer;
@@ -266,7 +257,6 @@ class Comparisons {
   const AgainstRun& run_;
   const AgainstOptions& options_;
   const Results& old_;
-  fs::path old_program_;
   std::map<std::string, std::optional<Image>> references_;
   std::vector<ChangeRecord> changes_;
 };

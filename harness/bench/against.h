@@ -1,6 +1,7 @@
 // Is this program slower or more wrong than an older one? Times of two sessions differ by more than what is looked for,
-// whatever is done about it, so the old program is run again, next to the new one (paired_rounds.h). Where it is gone,
-// only the stored numbers are left (stored_changes.h), and they decide little.
+// whatever is done about it, so the old program is run again, next to the new one (paired_rounds.h). Where it is not
+// named, only the stored numbers are left (stored_changes.h), and they decide little. A record is data and may come
+// from elsewhere: the program that it names is shown and never run.
 #pragma once
 
 #include <atomic>
@@ -19,7 +20,7 @@ inline constexpr const char* against_folder = "cells/against";  ///< in the resu
 
 struct AgainstOptions {
   std::filesystem::path results;      ///< the older run's results.json
-  std::filesystem::path old_program;  ///< empty: the one that run recorded, where it is still there unchanged
+  std::filesystem::path old_program;  ///< empty: stored numbers are compared, nothing is run
   double seconds = 120;               ///< of one comparison, at most
   std::size_t most_rounds = 40;
   ChangeThresholds thresholds = {};
@@ -46,7 +47,7 @@ std::vector<ChangeRecord> changes_against(const AgainstRun& run, const Results& 
 /// the old program, cannot be read.
 Results read_old_run(const AgainstOptions& options);
 
-/// How a program is recognised: a hash of its file. Empty when it cannot be read.
+/// The build that a record is of: a hash of its file. Empty when it cannot be read.
 std::string program_hash(const std::filesystem::path& program);
 
 /// Under which names Results::versions records the program that {photonproof} stood for.

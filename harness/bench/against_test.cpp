@@ -43,6 +43,7 @@ class Against : public FakeSuiteTest {
     bench("old", old_program);
     options_.against = AgainstOptions{};
     options_.against->results = folder_ / "old" / "results.json";
+    options_.against->old_program = old_program;
     // What the shell's start adds to some 10 ms must not decide.
     options_.against->thresholds.seconds = 0.2;
     options_.against->seconds = 60;
@@ -97,11 +98,18 @@ TEST_F(Against, every_round_has_a_seed_of_its_own_that_all_three_share) {
   EXPECT_EQ(count(get("old.sh.seeds"), "5\n"), 2u);
 }
 
-TEST_F(Against, program_that_was_replaced_is_not_taken_for_the_old_one) {
-  bench("old", program("a.sh", work, "brighter.exr"));
+// The record is a true one: its program is there, with the hash that it gives. Each run of that program adds a line to
+// old.sh.seeds, and there must be none after the record is written.
+TEST_F(Against, program_that_a_record_names_is_never_run) {
+  bench("old", program("old.sh", work, "brighter.exr"));
+  const std::string runs_before = get("old.sh.seeds");
   options_.against = AgainstOptions{};
   options_.against->results = folder_ / "old" / "results.json";
-  bench("new", program("a.sh", 2 * work, "brighter.exr"));
+  const Results old_run = read_results(options_.against->results.string());
+  ASSERT_EQ(old_run.versions.at(program_key), (folder_ / "old.sh").string());
+  ASSERT_EQ(old_run.versions.at(program_hash_key), program_hash(folder_ / "old.sh"));
+  bench("new", program("new.sh", 2 * work, "brighter.exr"));
+  EXPECT_EQ(get("old.sh.seeds"), runs_before);
   const Results results = read_results((folder_ / "new" / "results.json").string());
   ASSERT_FALSE(results.changes.empty());
   EXPECT_EQ(results.changes[0].change, Change::inconclusive);
@@ -113,9 +121,10 @@ TEST_F(Against, older_run_in_the_same_folder_is_read_before_it_is_replaced) {
   bench("out", old_program);
   options_.against = AgainstOptions{};
   options_.against->results = folder_ / "out" / "results.json";
+  options_.against->old_program = old_program;
   options_.against->most_rounds = 1;
   bench("out", program("new.sh", work, "dark.exr"));
-  // Nothing was measured again (the key knows no version); the rounds are by the program that the older run recorded.
+  // Nothing was measured again (the key knows no version); the rounds are with the older run's program.
   const Results results = read_results((folder_ / "out" / "results.json").string());
   ASSERT_EQ(results.changes.size(), 2u);
   EXPECT_NEAR(results.changes[1].ratio.value, 9, 1e-4);

@@ -1,6 +1,7 @@
 #include "harness/stress/stress_run.h"
 
 #include <algorithm>
+#include <cctype>
 #include <chrono>
 #include <cmath>
 #include <mutex>
@@ -259,11 +260,12 @@ void make_folders(const fs::path& folder) {
 /// A record of another program is moved aside, never written over.
 void keep_earlier_record(const fs::path& file, const std::string& checksum) {
   if (!fs::exists(file)) return;
-  std::string earlier;
+  std::string earlier = "unreadable";
   try {
-    earlier = read_stress_record(file).checksum;
+    const std::string told = read_stress_record(file).checksum;  // becomes part of a file's name
+    if (!told.empty() && std::ranges::all_of(told, [](unsigned char c) { return std::isxdigit(c) != 0; }))
+      earlier = told;
   } catch (const InputError&) {
-    earlier = "unreadable";
   }
   if (earlier != checksum) fs::rename(file, file.parent_path() / ("stress-" + earlier + ".json"));
 }

@@ -217,10 +217,12 @@ void add_bench_verb(CLI::App& program, int& exit_code) {
   verb->add_option("--program", arguments->program, "what {photonproof} stands for in engines (default: this program)");
   auto* against = verb->add_option(
       "--against", arguments->against,
-      "results.json of an older run: say what became slower or more wrong since. The old program is run "
-      "again next to the new one, on one processor at the same time, until their ratio is known");
-  verb->add_option("--old-program", arguments->old_program,
-                   "the older program (default: the one that run recorded, where it is still there)")
+      "results.json of an older run: say what became slower or more wrong since, by its stored numbers unless "
+      "--old-program names the program to run");
+  verb->add_option(
+          "--old-program", arguments->old_program,
+          "the older program: it runs again next to the new one, on one processor at the same time, until their ratio "
+          "is known")
       ->needs(against);
   verb->add_option("--against-seconds", arguments->limits.seconds, "at most, for each scene and engine")
       ->check(CLI::Range(0.0, 1e6))

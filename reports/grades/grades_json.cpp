@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "reports/record/file_inside.h"
 #include "scenes/text/input_error.h"
 
 namespace photonproof {
@@ -79,7 +80,7 @@ SceneGrade scene_grade_of(const Json& json) {
   for (const Json& check : json.at("checks")) grade.checks.push_back(check_of(check));
   for (const Json& finding : json.at("findings")) grade.findings.push_back(finding_of(finding));
   for (const Json& run : json.at("runs")) grade.runs.push_back(run_from_json(run));
-  grade.pictures = json.at("pictures").get<std::map<std::string, std::string>>();
+  grade.pictures = files_inside(json.at("pictures"));
   return grade;
 }
 
@@ -186,8 +187,8 @@ GradedScene graded_scene_of(const Json& json) {
   scene.variant = json.at("variant");
   scene.says = json.at("says");
   scene.reference = json.at("reference");
-  scene.reference_image = json.at("image");
-  scene.reference_picture = json.at("picture");
+  scene.reference_image = file_inside(json.at("image"));
+  scene.reference_picture = file_inside(json.at("picture"));
   scene.unused = json.at("unused");
   return scene;
 }
@@ -219,8 +220,9 @@ nlohmann::ordered_json run_to_json(const GradedRun& run) {
 }
 
 GradedRun run_from_json(const nlohmann::ordered_json& json) {
-  return {json.at("seed"),       json.at("end"),   json.at("sentence"), json.at("wall_seconds"), json.at("cpu_seconds"),
-          json.at("peak_bytes"), json.at("image"), json.at("checksum"), json.at("log")};
+  return {json.at("seed"),        json.at("end"),        json.at("sentence"),           json.at("wall_seconds"),
+          json.at("cpu_seconds"), json.at("peak_bytes"), file_inside(json.at("image")), json.at("checksum"),
+          json.at("log")};
 }
 
 Json grades_to_json(const Grades& grades) {

@@ -26,6 +26,19 @@ TEST(GradesJson, a_document_of_another_version_is_refused) {
   EXPECT_EQ(input_error_of([&] { grades_from_json(json, "g.json"); }), "g.json: error: is of another version than 1");
 }
 
+TEST(GradesJson, images_outside_of_the_record_s_folder_are_refused) {
+  for (const auto& damage : std::vector<void (*)(Grades&)>{
+           [](Grades& grades) { grades.submissions[2].scenes[0].runs[0].image = "/srv/hidden.exr"; },
+           [](Grades& grades) { grades.submissions[2].scenes[0].pictures["image"] = "../hidden.png"; },
+           [](Grades& grades) { grades.scenes[0].reference_image = "cells/../../hidden.exr"; },
+           [](Grades& grades) { grades.scenes[0].reference_picture = "/srv/hidden.png"; }}) {
+    Grades grades = test_grades();
+    damage(grades);
+    EXPECT_NE(input_error_of([&] { grades_from_json(grades_to_json(grades), "g"); }).find("is outside of the folder"),
+              std::string::npos);
+  }
+}
+
 TEST(GradesJson, a_number_that_is_not_finite_is_never_written) {
   Grades grades = test_grades();
   grades.submissions[0].correctness_points = std::numeric_limits<double>::quiet_NaN();

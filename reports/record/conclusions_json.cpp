@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "reports/record/file_inside.h"
 #include "reports/record/results_json_parts.h"
 
 namespace photonproof {
@@ -204,8 +205,8 @@ GateRecord gate_from_json(const json& j) {
   for (const json& tile : j.at("tiles"))
     gate.tiles.push_back(
         {tile.at("x"), tile.at("y"), tile.at("width"), tile.at("height"), tile.at("score"), tile.at("sentence")});
-  gate.image = j.at("image");
-  gate.pictures = j.at("pictures").get<std::map<std::string, std::string>>();
+  gate.image = file_inside(j.at("image"));
+  gate.pictures = files_inside(j.at("pictures"));
   gate.skipped = j.at("skipped").get<std::vector<std::string>>();
   gate.command = j.at("command");
   return gate;

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "reports/record/file_inside.h"
 #include "reports/record/results_json_parts.h"
 
 namespace photonproof {
@@ -50,8 +51,9 @@ SceneRecord scene_from_json(const json& j) {
   SceneRecord scene{j.at("name"),   j.at("path"),     j.at("purpose"),        j.at("width"),
                     j.at("height"), j.at("exposure"), j.at("reference_label")};
   if (const auto found = j.find("reference"); found != j.end())
-    scene.reference = ReferenceRecord{found->at("file"), found->at("image"), found->at("picture"),
-                                      found->at("provenance").get<std::map<std::string, std::string>>()};
+    scene.reference =
+        ReferenceRecord{found->at("file"), file_inside(found->at("image")), file_inside(found->at("picture")),
+                        found->at("provenance").get<std::map<std::string, std::string>>()};
   if (const auto found = j.find("hdr_flip_exposures"); found != j.end())
     scene.hdr_exposures = ExposureRange{found->at("start"), found->at("stop"), found->at("count")};
   scene.reference_doubt = j.value("reference_doubt", "");
@@ -138,9 +140,9 @@ Result result_from_json(const json& j) {
   if (const auto found = j.find("calibration"); found != j.end()) result.calibration = calibration_from_json(*found);
   for (const json& metric : j.at("metrics"))
     result.metrics.push_back({metric.at("name"), metric.at("value"), metric.at("parameters")});
-  result.image = j.at("image");
+  result.image = file_inside(j.at("image"));
   result.image_checksum = j.value("image_checksum", std::string());
-  result.pictures = j.at("pictures").get<std::map<std::string, std::string>>();
+  result.pictures = files_inside(j.at("pictures"));
   result.phases = j.at("phases").get<std::map<std::string, double>>();
   result.counts = j.at("counts").get<std::map<std::string, double>>();
   result.skipped = j.at("skipped").get<std::vector<std::string>>();

@@ -280,6 +280,21 @@ TEST_F(ResultsFile, wrong_type_is_named_by_its_pointer) {
                                  "match against any enum values. Found: \"fine\"");
 }
 
+// A record from elsewhere could otherwise put any image of this machine on a page that is published.
+TEST_F(ResultsFile, images_outside_of_the_record_s_folder_are_refused) {
+  for (const char* name : {"../secret.exr", "/srv/secret.exr", "cells/../../secret.exr", ".."}) {
+    write_results(path_, example());
+    replace("\"image\": \"cells/0123abcd/image.exr\"", "\"image\": \"" + std::string(name) + "\"");
+    EXPECT_EQ(error_on_read(), std::string(name) + ": error: is outside of the folder of the record that names it");
+    write_results(path_, example());
+    replace("\"image\": \"cells/0123abcd/image.png\"", "\"image\": \"" + std::string(name) + "\"");
+    EXPECT_EQ(error_on_read(), std::string(name) + ": error: is outside of the folder of the record that names it");
+  }
+  write_results(path_, example());
+  replace("cells/0123abcd/image.exr", "cells/..a/image.exr");
+  EXPECT_EQ(error_on_read(), "");
+}
+
 TEST_F(ResultsFile, missing_field_is_named) {
   write_results(path_, example());
   replace("\"key\": \"ffff\",", "");

@@ -9,6 +9,7 @@
 #include <set>
 #include <utility>
 
+#include "reports/record/file_inside.h"
 #include "scenes/text/atomic_file.h"
 #include "scenes/text/input_error.h"
 #include "scenes/text/json_text.h"
@@ -44,8 +45,8 @@ StressRung rung_of(const Json& json) {
   rung.sentence = json.at("sentence");
   rung.seconds = json.at("seconds");
   if (json.contains("would_see")) rung.would_see = json["would_see"].get<double>();
-  rung.picture = json.value("picture", "");
-  rung.expected = json.value("expected", "");
+  rung.picture = file_inside(json.value("picture", ""));
+  rung.expected = file_inside(json.value("expected", ""));
   return rung;
 }
 

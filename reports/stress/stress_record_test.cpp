@@ -55,6 +55,16 @@ TEST(stress_records, that_are_none_are_one_error) {
   EXPECT_FALSE(rung_from_text("{\"height\": 3}"));
 }
 
+TEST(stress_records, name_no_picture_outside_of_their_folder) {
+  StressRung rung{3, right, "so", 0.01, 0.5, "pictures/a.png", ""};
+  EXPECT_TRUE(rung_from_text(rung_text(rung)));
+  rung.picture = "../a.png";
+  EXPECT_FALSE(rung_from_text(rung_text(rung)));
+  rung.picture = "";
+  rung.expected = "/srv/a.png";
+  EXPECT_FALSE(rung_from_text(rung_text(rung)));
+}
+
 TEST(ladders, break_at_their_first_failure) {
   const StressLadder broken = record_with({right, right, silently_wrong}).ladders[0];
   ASSERT_NE(broken.breakdown(), nullptr);

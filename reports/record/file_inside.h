@@ -1,0 +1,15 @@
+// Names of files that a record gives. A record may come from elsewhere: it is data, and names only what lies beside it.
+#pragma once
+
+#include <map>
+#include <string>
+
+namespace photonproof {
+
+/// `name`, which a record gives relative to its own folder; empty where there is no file. Throws InputError when the
+/// name is absolute or has a part "..", by which it would lead out of that folder.
+std::string file_inside(std::string name);
+/// All values of a map.
+std::map<std::string, std::string> files_inside(std::map<std::string, std::string> names);
+
+}  // namespace photonproof
