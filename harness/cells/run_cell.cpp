@@ -36,7 +36,7 @@ std::string sentence_with_last_words(const ProcessOutcome& outcome) {
 }
 
 // Why the image is no result; empty when it is one.
-std::optional<std::string> image_problem(const CellRun& run) {
+std::optional<std::string> image_problem(const CellRun& run, Result& result) {
   std::error_code ignored;
   if (!fs::exists(run.image, ignored)) return "wrote no image";
   try {
@@ -44,6 +44,7 @@ std::optional<std::string> image_problem(const CellRun& run) {
     if (size.width() != run.width || size.height() != run.height)
       return "wrote " + size_text(size.width(), size.height()) + " pixels instead of " +
              size_text(run.width, run.height);
+    if (!size.layer().empty()) result.caveats.push_back("its image is read from " + printable(size.remarks().front()));
     const Image image = read_image(run.image.string());
     const std::vector<ImageDefect> defects = find_defects(Image(run.width, run.height), image);
     if (!defects.empty()) return defects.front().sentence;
@@ -56,7 +57,7 @@ std::optional<std::string> image_problem(const CellRun& run) {
 void set_status(const CellRun& run, const ProcessOutcome& outcome, Result& result) {
   using End = ProcessOutcome::End;
   if (outcome.ok()) {
-    if (const auto problem = image_problem(run)) {
+    if (const auto problem = image_problem(run, result)) {
       result.status = Status::bad_image;
       result.detail = *problem;
     }

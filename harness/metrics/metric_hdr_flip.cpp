@@ -10,6 +10,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 #include "harness/metrics/metric_flip.h"
 #include "harness/metrics/metric_rows.h"
@@ -24,6 +25,8 @@ double exposed_value() {
   const double a = 0.6 * 0.6 * (2.51 - 2.43 * t), b = 0.6 * (0.03 - 0.59 * t), c = -0.14 * t;
   return (-b + std::sqrt(b * b - 4 * a * c)) / (2 * a);
 }
+
+constexpr double least_median = std::numeric_limits<float>::epsilon();
 
 float luminance(const float* rgb) {
   const auto channel = [&](int c) { return std::clamp(rgb[c], 0.0f, 65536.0f); };
@@ -131,8 +134,11 @@ class HdrFlipPass : public MetricPass {
 
 std::optional<ExposureRange> exposures_of(RowSource& reference) {
   const Luminances found = luminances_of(reference);
-  if (found.median <= 0) return std::nullopt;
-  const double start = std::log2(exposed_value() / found.greatest), stop = std::log2(exposed_value() / found.median);
+  if (found.greatest <= 0) return std::nullopt;
+  // Where most of the image is black, the last exposure would be infinite. NVIDIA's tool 1.7 takes 2^-23 for the median
+  // then; an image that is darker still has one exposure, that of its brightest pixel.
+  const double median = std::max(found.median, std::min(least_median, found.greatest));
+  const double start = std::log2(exposed_value() / found.greatest), stop = std::log2(exposed_value() / median);
   return ExposureRange{start, stop, std::max(2, static_cast<int>(std::ceil(stop - start)))};
 }
 

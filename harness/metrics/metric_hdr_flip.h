@@ -11,7 +11,7 @@ class RowSource;
 
 /// The range the paper derives from the reference image: from where tone mapping takes its greatest luminance to 0.85
 /// to where it takes its median luminance there, with max(2, ceil(stop - start)) exposures. Reads the image twice.
-/// Empty when the median luminance is 0.
+/// A median below 2^-23 counts as 2^-23, as in NVIDIA's tool 1.7. Empty when the image is black.
 std::optional<ExposureRange> exposures_of(RowSource& reference);
 
 }  // namespace photonproof

@@ -69,6 +69,38 @@ TEST(HdrFlip, takes_the_exact_median_of_the_luminances) {
   EXPECT_NEAR(range.stop - range.start, std::log2(0.560 / 0.280), 1e-6);
 }
 
+// An object on black: 48 of 400 pixels are (0.9, 0.6, 0.3), and in the test four of these have half as much. NVIDIA's
+// flip-evaluator 1.7 gives 0.0146324522793293 with the exposures 1.7223823070526123 to 24.083297729492188 in 23 steps.
+// By hand: the greatest luminance is 0.2126 * 0.9 + 0.7152 * 0.6 + 0.0722 * 0.3 = 0.64212, the exposed value 2.118872;
+// log2(2.118872 / 0.64212) = 1.72238 and log2(2.1188723240 * 2^23) = 24.0832966585; theirs are floats, 1.9e-6 apart
+// there.
+TEST(HdrFlip, of_an_object_on_black_is_that_of_the_published_tool) {
+  Image reference(20, 20), test(20, 20);
+  for (int y = 6; y < 12; ++y)
+    for (int x = 5; x < 13; ++x)
+      for (int c = 0; c < 3; ++c) {
+        const bool is_darker = x >= 8 && x < 10 && y >= 8 && y < 10;
+        reference.pixel(x, y)[c] = 0.3f * static_cast<float>(3 - c);
+        test.pixel(x, y)[c] = (is_darker ? 0.15f : 0.3f) * static_cast<float>(3 - c);
+      }
+  ImageSource rows(reference);
+  const ExposureRange range = exposures_of(rows).value();
+  EXPECT_NEAR(range.start, 1.7223823, 1e-6);
+  EXPECT_NEAR(range.stop, 24.0832966585, 1e-6);
+  EXPECT_EQ(range.count, 23);
+  EXPECT_NEAR(hdr_flip(reference, test).value(), 0.01463245228, 1e-6);
+}
+
+// NVIDIA's tool refuses such images, whose first exposure would lie beyond the last one.
+TEST(HdrFlip, of_an_image_darker_than_the_least_median_has_the_exposure_of_its_brightest_pixel) {
+  Image image(4, 4);
+  for (int c = 0; c < 3; ++c) image.pixel(1, 1)[c] = 1e-9f;
+  ImageSource rows(image);
+  const ExposureRange range = exposures_of(rows).value();
+  EXPECT_NEAR(range.start, std::log2(2.118872 / 1e-9), 1e-5);
+  EXPECT_EQ(range.stop, range.start);
+}
+
 TEST(HdrFlip, is_computed_only_when_asked_for_and_undefined_of_darkness) {
   const Image image = busy_image(12, 12);
   EXPECT_FALSE(metric_value("hdr_flip", image, image));

@@ -53,7 +53,7 @@ constexpr std::array kRows = {
     MetricRow{"flip_weighted_quartile3", maximum, flip_pass, 3, told_by("flip"), flip_parameters, nullptr},
     MetricRow{"flip_max", maximum, flip_pass, 4, kGreatestWindow, flip_parameters, nullptr},
     MetricRow{"hdr_flip", maximum, hdr_flip_pass, 0, kWindows, hdr_flip_parameters,
-              "the reference is black in the median, and no exposures are given", true, derive_hdr_exposures},
+              "the reference is black, and no exposures are given", true, derive_hdr_exposures},
 };
 
 /// Every row's tiles are told by itself, or by a row that is.

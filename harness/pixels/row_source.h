@@ -38,10 +38,11 @@ class ImageSource : public RowSource {
 /// Throws InputError as read_image does; an image of any size is never in memory as a whole.
 class FileSource : public RowSource {
  public:
-  explicit FileSource(const std::string& path) : rows_(path) {}
+  explicit FileSource(const std::string& path, const std::string& layer = "") : rows_(path, layer) {}
   int width() const override { return rows_.width(); }
   int height() const override { return rows_.height(); }
   void read(int begin, int end, float* rgb) override { rows_.read(begin, end, rgb); }
+  const ImageRows& file() const { return rows_; }
 
  private:
   ImageRows rows_;

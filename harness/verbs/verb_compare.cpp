@@ -19,6 +19,7 @@
 #include "scenes/description/output_files.h"
 #include "scenes/text/input_error.h"
 #include "scenes/text/text_numbers.h"
+#include "scenes/text/utf8.h"
 
 namespace photonproof {
 namespace {
@@ -35,6 +36,7 @@ const char* name_of(Verdict verdict) {
 
 struct CompareOptions {
   std::string reference, test;
+  std::string layer;  // of files that hold several; empty: as choose_colour does
   MetricOptions metrics;
   std::vector<std::string> warn, fail;  // "metric=bound"
   std::string heatmap_folder;           // empty: none
@@ -51,7 +53,8 @@ struct Finding {
 };
 
 struct Comparison {
-  int width = 0, height = 0;  // of the reference; 0 when it could not be read
+  int width = 0, height = 0;                                 // of the reference; 0 when it could not be read
+  std::vector<std::string> reference_remarks, test_remarks;  // how they were read, where not as plain linear RGB
   std::vector<Measurement> measurements;
   std::optional<Agreement> agreement;
   std::vector<Finding> findings;
@@ -116,17 +119,26 @@ void check_heatmaps(const CompareOptions& options, const std::string& stem) {
         throw InputError(map.string(), "is an image that is read, which it would replace");
 }
 
+/// Both images; says how they are read. Throws InputError when a layer is asked for and neither has any.
+std::array<std::unique_ptr<RowSource>, 2> open_pair(const CompareOptions& options, Comparison& comparison) {
+  auto reference = std::make_unique<FileSource>(options.reference, options.layer),
+       test = std::make_unique<FileSource>(options.test, options.layer);
+  comparison.reference_remarks = reference->file().remarks();
+  comparison.test_remarks = test->file().remarks();
+  if (!options.layer.empty() && reference->file().layer().empty() && test->file().layer().empty())
+    throw InputError("--layer", "neither image has layers: both are plain R, G, B");
+  return {std::move(reference), std::move(test)};
+}
+
 /// Throws InputError when a file cannot be read or written.
 void compare_files(const CompareOptions& options, const std::vector<MetricBound>& warn,
                    const std::vector<MetricBound>& fail, Comparison& comparison) {
   std::optional<Rendering> reference_rendering, test_rendering;  // in memory only where that is needed
-  std::unique_ptr<RowSource> reference, test;
+  auto [reference, test] = open_pair(options, comparison);
   if (options.agreement) {
-    reference = std::make_unique<ImageSource>(reference_rendering.emplace(read_rendering(options.reference)).mean);
-    test = std::make_unique<ImageSource>(test_rendering.emplace(read_rendering(options.test)).mean);
-  } else {
-    reference = std::make_unique<FileSource>(options.reference);
-    test = std::make_unique<FileSource>(options.test);
+    reference = std::make_unique<ImageSource>(
+        reference_rendering.emplace(read_rendering(options.reference, options.layer)).mean);
+    test = std::make_unique<ImageSource>(test_rendering.emplace(read_rendering(options.test, options.layer)).mean);
   }
   MetricOptions metrics = options.metrics;
   if (!options.mask.empty()) {
@@ -155,10 +167,16 @@ void compare_files(const CompareOptions& options, const std::vector<MetricBound>
   if (maps) comparison.heatmaps = maps->finish();
 }
 
+void print_remarks(const char* whose, const std::vector<std::string>& remarks) {
+  for (const std::string& remark : remarks) std::printf("%s read as: %s\n", whose, printable(remark).c_str());
+}
+
 void print_comparison(const CompareOptions& options, const Comparison& comparison) {
   if (comparison.width > 0)
     std::printf("reference %s, test %s, %d x %d pixels\n", options.reference.c_str(), options.test.c_str(),
                 comparison.width, comparison.height);
+  print_remarks("reference", comparison.reference_remarks);
+  print_remarks("test", comparison.test_remarks);
   for (const Measurement& measured : comparison.measurements) {
     std::array<char, 32> value{'-'};
     if (measured.value) std::snprintf(value.data(), value.size(), "%.8g", *measured.value);
@@ -205,6 +223,8 @@ void print_comparison_json(const CompareOptions& options, const Comparison& comp
                  {"test", options.test},
                  {"width", comparison.width},
                  {"height", comparison.height},
+                 {"reference_read_as", comparison.reference_remarks},
+                 {"test_read_as", comparison.test_remarks},
                  {"exposure", options.metrics.parameters.exposure},
                  {"region", nullptr},
                  {"mask", nullptr},
@@ -296,6 +316,11 @@ void add_compare_verb(CLI::App& program, int& exit_code) {
       ->required()
       ->type_name("");
   verb->add_option("TEST", options->test, "test image of the same size")->required()->type_name("");
+  verb->add_option(
+          "--layer", options->layer,
+          "of an EXR with several layers or parts this one, or a channel as grey; otherwise plain R, G, B, the "
+          "only layer, or the only one called Combined, beauty, rgba or rgb is read")
+      ->type_name("NAME");
   add_parameter_options(*verb, options->metrics.parameters);
   verb->add_option("--metrics", options->metrics.only, "compute these and those with a bound, instead of all")
       ->delimiter(',')

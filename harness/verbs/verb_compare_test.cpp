@@ -72,6 +72,31 @@ TEST_F(CompareVerb, prints_a_metric_a_line_with_its_parameters) {
   EXPECT_NE(run.out.find("\nverdict: ok\n"), std::string::npos) << run.out;
 }
 
+// 188 of 255 is 0.502886 as linear light: ((188/255 + 0.055) / 1.055)^2.4. Its squared distance from 1 is 0.247122;
+// that of the encoded value, 0.737255, would be 0.069035.
+TEST_F(CompareVerb, says_that_eight_bits_are_made_linear) {
+  const std::string png = (folder / "test.png").string();
+  {
+    PngRows rows(png, 12, 14);
+    rows.add(14, std::vector<std::uint8_t>(3 * 12 * 14, 188).data());
+    rows.finish();
+  }
+  const Run run = compare({reference(), png, "--metrics", "mse"});
+  EXPECT_NE(run.out.find("\ntest read as: 8-bit, made linear from sRGB\n"), std::string::npos) << run.out;
+  EXPECT_EQ(run.out.find("reference read as"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("\nmse                     0.24712"), std::string::npos) << run.out;
+  const Run json = compare({reference(), png, "--metrics", "mse", "--json"});
+  const auto record = nlohmann::json::parse(json.out);
+  EXPECT_EQ(record.at("test_read_as"), nlohmann::json({"8-bit, made linear from sRGB"}));
+  EXPECT_EQ(record.at("reference_read_as"), nlohmann::json::array());
+}
+
+TEST_F(CompareVerb, layer_of_images_without_any_is_an_error) {
+  const Run run = compare({reference(), darker(), "--layer", "Combined"});
+  EXPECT_EQ(run.exit_code, 4);
+  EXPECT_EQ(run.err, "--layer: error: neither image has layers: both are plain R, G, B\n");
+}
+
 TEST_F(CompareVerb, exit_code_is_that_of_the_worst_broken_bound) {
   const std::string ref = reference();
   const std::string test = darker();

@@ -24,6 +24,7 @@
 #include <thread>
 #include <utility>
 
+#include "scenes/images/colour_choice.h"
 #include "scenes/images/exr_sizes.h"
 #include "scenes/text/input_error.h"
 
@@ -51,17 +52,21 @@ bool is_metadata(const std::string& name) {
 
 class ExrFile : public ImageFile {
  public:
-  explicit ExrFile(const std::string& path) : path_(path) {
+  ExrFile(const std::string& path, const std::string& layer) : path_(path) {
     std::error_code ignored;
     set_up_openexr(std::filesystem::file_size(path, ignored));
     check_attribute_sizes(path);
     try {
       file_.emplace(path.c_str());
-      const Imf::Header& header = file_->header(0);
-      if (header.hasType() && Imf::isDeepData(header.type()))
-        throw InputError(path, "is a deep or volume image, expected a flat one");
-      part_.emplace(*file_, 0);
-      describe(header);
+      const ColourChoice choice = choose_colour(path, readable_parts(), layer);
+      const auto part = static_cast<int>(choice.part);
+      part_.emplace(*file_, part);
+      describe(file_->header(part));
+      header_.colour = choice.channels;
+      header_.layer = choice.layer;
+      if (file_->parts() > 1)
+        header_.layer += (header_.layer.empty() ? "part " : ", part ") + std::to_string(choice.part + 1) + " of " +
+                         std::to_string(file_->parts());
     } catch (const std::exception& error) {
       refuse("cannot be read as an image: ", error);
     }
@@ -87,6 +92,35 @@ class ExrFile : public ImageFile {
   }
 
  private:
+  /// Channels with a number for every pixel, and why the others are none.
+  std::vector<ImagePart> readable_parts() const {
+    std::vector<ImagePart> parts;
+    std::string unreadable;
+    bool any = false;
+    for (int p = 0; p < file_->parts(); ++p) {
+      const Imf::Header& header = file_->header(p);
+      parts.push_back({header.hasName() ? header.name() : std::string(), {}});
+      if (header.hasType() && Imf::isDeepData(header.type())) {
+        unreadable = "is a deep or volume image, expected a flat one";
+        continue;
+      }
+      for (auto channel = header.channels().begin(); channel != header.channels().end(); ++channel) {
+        const std::string why = why_unreadable(channel.channel());
+        if (why.empty()) parts.back().channels.emplace_back(channel.name());
+        any = any || why.empty();
+        if (!why.empty()) unreadable = why;
+      }
+    }
+    if (!any && !unreadable.empty()) throw InputError(path_, unreadable);
+    return parts;
+  }
+
+  static std::string why_unreadable(const Imf::Channel& channel) {
+    if (channel.type == Imf::UINT) return "samples are uint, expected float or 8- or 16-bit";
+    if (channel.xSampling != 1 || channel.ySampling != 1) return "samples are fewer than pixels (subsampled)";
+    return {};
+  }
+
   void describe(const Imf::Header& header) {
     window_ = header.dataWindow();
     header_.width = window_.max.x - window_.min.x + 1;
@@ -98,9 +132,7 @@ class ExrFile : public ImageFile {
     header_.display_height = display.max.y - display.min.y + 1;
     if (header.hasTileDescription()) header_.rows_together = static_cast<int>(header.tileDescription().ySize);
     for (auto channel = header.channels().begin(); channel != header.channels().end(); ++channel) {
-      header_.channels.emplace_back(channel.name());
-      if (channel.channel().type == Imf::UINT)
-        throw InputError(path_, "samples are uint, expected float or 8- or 16-bit");
+      if (why_unreadable(channel.channel()).empty()) header_.channels.emplace_back(channel.name());
     }
     // Rows of colour, as files mostly have them, are read in one piece: OpenEXR lists channels by their letters.
     std::ranges::stable_sort(header_.channels, {}, [](const std::string& name) {
@@ -168,7 +200,9 @@ std::vector<half> halves(const std::vector<float>& values) { return {values.begi
 
 bool is_exr(const std::string& path) { return Imf::isOpenExrFile(path.c_str()); }
 
-std::unique_ptr<ImageFile> open_exr(const std::string& path) { return std::make_unique<ExrFile>(path); }
+std::unique_ptr<ImageFile> open_exr(const std::string& path, const std::string& layer) {
+  return std::make_unique<ExrFile>(path, layer);
+}
 
 void write_exr_file(const std::string& path, const std::string& target, const Rendering& rendering, ExrColour colour) {
   Imf::Header header(rendering.mean.width, rendering.mean.height);

@@ -6,7 +6,10 @@
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfMultiPartOutputFile.h>
 #include <OpenEXR/ImfOutputFile.h>
+#include <OpenEXR/ImfOutputPart.h>
+#include <OpenEXR/ImfPartType.h>
 #include <OpenEXR/ImfTiledOutputFile.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -105,6 +108,115 @@ TEST_F(ExrFile, colour_is_the_plain_one_then_a_layers_then_grey) {
     write_lines(names);
     EXPECT_EQ(refusal(), path() + ": error: image has no colour: expected channels R, G, B or a single grey one");
   }
+}
+
+const std::vector<std::string> ao_and_combined = {
+    "ViewLayer.AO.B",       "ViewLayer.AO.G",       "ViewLayer.AO.R",       "ViewLayer.Combined.A",
+    "ViewLayer.Combined.B", "ViewLayer.Combined.G", "ViewLayer.Combined.R", "ViewLayer.Depth.Z"};
+
+// As Blender writes its passes. Red of pixel 1 is 2001 in AO, the first by the alphabet, and 6001 in Combined.
+TEST_F(ExrFile, of_several_layers_gives_the_combined_one_and_says_so) {
+  write_lines(ao_and_combined);
+  EXPECT_EQ(read_image(path()).pixel(1, 0)[0], 6001);
+  EXPECT_EQ(read_image(path()).pixel(1, 0)[2], 4001);
+  EXPECT_EQ(ImageRows(path()).remarks(), std::vector<std::string>{"layer ViewLayer.Combined"});
+  write_lines({"R", "G", "B", "A"});
+  EXPECT_EQ(ImageRows(path()).remarks(), std::vector<std::string>{});
+}
+
+TEST_F(ExrFile, gives_the_layer_that_is_asked_for) {
+  write_lines(ao_and_combined);
+  EXPECT_EQ(read_rendering(path(), "ViewLayer.AO").mean.pixel(1, 0)[0], 2001);
+  EXPECT_EQ(read_rendering(path(), "AO").mean.pixel(1, 0)[0], 2001);
+  EXPECT_EQ(read_rendering(path(), "ViewLayer.Depth.Z").mean.pixel(1, 0)[1], 7001);
+  EXPECT_EQ(ImageRows(path(), "ViewLayer.Depth.Z").remarks(),
+            std::vector<std::string>{"grey from channel ViewLayer.Depth.Z"});
+  EXPECT_EQ(input_error_of([&] { read_rendering(path(), "Diffuse"); }),
+            path() + ": error: has no layer 'Diffuse': it has ViewLayer.AO, ViewLayer.Combined");
+}
+
+TEST_F(ExrFile, of_several_layers_without_a_combined_one_is_refused_with_their_names) {
+  write_lines({"a.AO.B", "a.AO.G", "a.AO.R", "a.Diffuse.B", "a.Diffuse.G", "a.Diffuse.R"});
+  EXPECT_EQ(refusal(), path() +
+                           ": error: holds several images, and none of them alone is called Combined, beauty or rgba: "
+                           "a.AO, a.Diffuse; compare --layer NAME takes one");
+  write_lines({"a.Combined.B", "a.Combined.G", "a.Combined.R", "b.Combined.B", "b.Combined.G", "b.Combined.R"});
+  EXPECT_NE(refusal().find("a.Combined, b.Combined"), std::string::npos) << refusal();
+}
+
+// Variances beside a layer are not known to be that layer's.
+TEST_F(ExrFile, of_a_named_layer_has_no_variance) {
+  write_lines({"a.B", "a.G", "a.R", "variance.B", "variance.G", "variance.R"});
+  EXPECT_EQ(read_image(path()).pixel(1, 0)[0], 2001);
+  EXPECT_FALSE(read_rendering(path()).variance);
+}
+
+/// A file of several parts, each with the channels R, G, B or one other; all pixels of part p have the value p + 1.
+void write_parts(const std::string& path, const std::vector<std::pair<std::string, bool>>& names_and_colour) {
+  std::vector<Imf::Header> headers;
+  for (const auto& [name, is_colour] : names_and_colour) {
+    Imf::Header header(4, 3);
+    header.setName(name);
+    header.setType(Imf::SCANLINEIMAGE);
+    for (const char* channel : {"R", "G", "B"})
+      if (is_colour) header.channels().insert(channel, Imf::Channel(Imf::FLOAT));
+    if (!is_colour) header.channels().insert("Z", Imf::Channel(Imf::FLOAT));
+    headers.push_back(header);
+  }
+  Imf::MultiPartOutputFile out(path.c_str(), headers.data(), static_cast<int>(headers.size()));
+  for (std::size_t p = 0; p < headers.size(); ++p) {
+    const std::vector<float> values(12, static_cast<float>(p + 1));
+    Imf::FrameBuffer buffer;
+    for (auto channel = headers[p].channels().begin(); channel != headers[p].channels().end(); ++channel)
+      buffer.insert(channel.name(), Imf::Slice::Make(Imf::FLOAT, values.data(), headers[p].dataWindow()));
+    Imf::OutputPart part(out, static_cast<int>(p));
+    part.setFrameBuffer(buffer);
+    part.writePixels(3);
+  }
+}
+
+TEST_F(ExrFile, of_several_parts_is_read_where_its_colour_is) {
+  write_parts(path(), {{"depth", false}, {"albedo", true}, {"Combined", true}});
+  EXPECT_EQ(read_image(path()).pixel(1, 0)[0], 3);
+  EXPECT_EQ(ImageRows(path()).remarks(), std::vector<std::string>{"layer Combined, part 3 of 3"});
+  EXPECT_EQ(read_rendering(path(), "albedo").mean.pixel(1, 0)[0], 2);
+  EXPECT_EQ(read_rendering(path(), "depth.Z").mean.pixel(1, 0)[0], 1);
+  write_parts(path(), {{"depth", false}, {"albedo", true}});
+  EXPECT_EQ(read_image(path()).pixel(1, 0)[0], 2);
+  write_parts(path(), {{"albedo", true}, {"normals", true}});
+  EXPECT_NE(refusal().find(": albedo, normals; compare --layer NAME takes one"), std::string::npos) << refusal();
+}
+
+// Numbers of objects, as renderers write them beside the colour.
+TEST_F(ExrFile, with_whole_numbers_beside_its_colour_is_read) {
+  Imf::Header header(1, 1);
+  const std::uint32_t id = 7;
+  const float value = 0.25f;
+  Imf::FrameBuffer buffer;
+  for (const char* name : {"R", "G", "B"}) {
+    header.channels().insert(name, Imf::Channel(Imf::FLOAT));
+    buffer.insert(name, Imf::Slice::Make(Imf::FLOAT, &value, header.dataWindow()));
+  }
+  header.channels().insert("id", Imf::Channel(Imf::UINT));
+  buffer.insert("id", Imf::Slice::Make(Imf::UINT, &id, header.dataWindow()));
+  {
+    Imf::OutputFile out(path().c_str(), header);
+    out.setFrameBuffer(buffer);
+    out.writePixels(1);
+  }
+  EXPECT_EQ(read_image(path()).pixel(0, 0)[1], 0.25f);
+}
+
+TEST_F(ExrFile, whose_data_window_is_a_part_of_its_display_window_says_so) {
+  Imf::Header header(Imath::Box2i({0, 0}, {7, 5}), Imath::Box2i({2, 1}, {5, 3}));
+  const Imf::FrameBuffer buffer = channels(header, {"B", "G", "R"});
+  {
+    Imf::OutputFile out(path().c_str(), header);
+    out.setFrameBuffer(buffer);
+    out.writePixels(3);
+  }
+  EXPECT_EQ(ImageRows(path()).remarks(),
+            std::vector<std::string>{"stored are 4x3 pixels from (2, 1) on, black around them"});
 }
 
 TEST_F(ExrFile, of_whole_numbers_is_refused) {

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <memory>
 
+#include "scenes/images/colour_choice.h"
 #include "scenes/images/display_window.h"
 #include "scenes/images/exr_file.h"
 #include "scenes/images/image_file.h"
@@ -35,18 +36,28 @@ std::optional<Channels> find_rgb(const ImageHeader& header, const std::string& p
   return found;
 }
 
-/// The colour of an image: R,G,B; else the first layer "<layer>.R/G/B"; else grey from Y or from an only channel.
-std::optional<Channels> find_colour(const ImageHeader& header) {
-  if (const auto plain = find_rgb(header, "")) return plain;
-  for (const std::string& name : header.channels) {
-    const auto dot = name.rfind('.');
-    if (dot == std::string::npos || name.substr(0, dot) == "variance") continue;
-    if (const auto layer = find_rgb(header, name.substr(0, dot + 1))) return layer;
+/// Three channels, or a single one three times.
+Channels places_of(const ImageHeader& header, const std::vector<std::string>& colour) {
+  Channels places{};
+  for (std::size_t c = 0; c < places.size(); ++c)
+    places[c] = find_channel(header, colour[std::min(c, colour.size() - 1)]);
+  return places;
+}
+
+/// What a reader of its numbers has to know of an image that is stored or read in another way than as plain linear RGB.
+std::vector<std::string> remarks_on(const ImageHeader& stored) {
+  std::vector<std::string> remarks = stored.remarks;
+  if (const std::string& layer = stored.layer; !layer.empty()) {
+    const bool is_named = !layer.starts_with("grey ") && !layer.starts_with("part ");
+    remarks.insert(remarks.begin(), (is_named ? "layer " : "") + layer);
   }
-  const int luminance = find_channel(header, "Y");
-  if (luminance >= 0 && find_channel(header, "RY") < 0) return Channels{luminance, luminance, luminance};
-  if (header.channels.size() == 1 && header.channels[0] != "A" && header.channels[0] != "Z") return Channels{0, 0, 0};
-  return std::nullopt;
+  if (stored.samples != ImageHeader::Samples::floating)
+    remarks.push_back(std::string(stored.samples == ImageHeader::Samples::bytes ? "8-bit" : "16-bit") +
+                      ", made linear from sRGB");
+  if (stored.x != 0 || stored.y != 0 || stored.width != stored.display_width || stored.height != stored.display_height)
+    remarks.push_back("stored are " + size_text(stored.width, stored.height) + " pixels from (" +
+                      std::to_string(stored.x) + ", " + std::to_string(stored.y) + ") on, black around them");
+  return remarks;
 }
 
 float decode_srgb(float v) { return v <= 0.04045f ? v / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f); }
@@ -88,11 +99,11 @@ int rows_at_once(const ImageHeader& header) {
   return static_cast<int>(std::clamp<std::int64_t>(kValues / row, 1, 256));
 }
 
-std::unique_ptr<ImageFile> open_stored(const std::string& path) {
+std::unique_ptr<ImageFile> open_stored(const std::string& path, const std::string& layer) {
   std::error_code ignored;
   if (!std::filesystem::exists(path, ignored)) throw InputError(path, "no such file");
   if (!std::filesystem::is_regular_file(path, ignored)) throw InputError(path, "not a regular file");
-  if (is_exr(path)) return open_exr(path);
+  if (is_exr(path)) return open_exr(path, layer);
   if (is_png(path)) return open_png(path);
   std::string start(64, '\0');
   std::ifstream(path, std::ios::binary).read(start.data(), static_cast<std::streamsize>(start.size()));
@@ -102,21 +113,19 @@ std::unique_ptr<ImageFile> open_stored(const std::string& path) {
 
 enum class Window { display, data };
 
-std::unique_ptr<ImageFile> open_image(const std::string& path, Window window) {
-  std::unique_ptr<ImageFile> stored = open_stored(path);
-  return window == Window::data ? std::move(stored) : as_displayed(std::move(stored), path);
-}
-
 /// An open file whose rows are asked for in any order.
 class OpenImage {
  public:
-  OpenImage(const std::string& path, Window window) : file_(open_image(path, window)) {
+  OpenImage(const std::string& path, Window window, const std::string& layer = "") : file_(open_stored(path, layer)) {
     if (header().width <= 0 || header().height <= 0) throw InputError(path, "image has no pixels");
-    const auto found = find_colour(header());
-    if (!found) throw InputError(path, "image has no colour: expected channels R, G, B or a single grey one");
-    colour_ = *found;
+    remarks_ = remarks_on(header());
+    if (window == Window::display) file_ = as_displayed(std::move(file_), path);
+    const bool is_chosen = !header().colour.empty();
+    colour_ = places_of(header(),
+                        is_chosen ? header().colour : choose_colour(path, {{"", header().channels}}, layer).channels);
   }
   const ImageHeader& header() const { return file_->header(); }
+  const std::vector<std::string>& remarks() const { return remarks_; }
   const Channels& colour() const { return colour_; }
 
   /// Reads all channels together from now on, for a caller who wants more than the colour.
@@ -152,6 +161,7 @@ class OpenImage {
   }
 
   std::unique_ptr<ImageFile> file_;
+  std::vector<std::string> remarks_;
   Channels colour_{};
   std::vector<float> group_;
   int group_begin_ = 0, group_end_ = 0;
@@ -164,13 +174,13 @@ struct Decoded {
   std::optional<Image> variance;
 };
 
-Decoded decode(const std::string& path, Window window) {
-  OpenImage file(path, window);
+Decoded decode(const std::string& path, Window window, const std::string& layer = "") {
+  OpenImage file(path, window, layer);
   const ImageHeader& header = file.header();
   if (static_cast<std::int64_t>(header.width) * header.height > kMaxPixels)
     throw InputError(path, "image is " + size_text(header.width, header.height) + ", the limit is 2^28 pixels");
   Decoded decoded{header, {}, {}};
-  const auto variance = find_rgb(header, "variance.");
+  const auto variance = header.layer.empty() ? find_rgb(header, "variance.") : std::nullopt;  // of plain R, G, B
   if (variance) {
     decoded.variance.emplace();
     file.read_whole_rows();
@@ -207,8 +217,8 @@ struct ImageRows::State {
   std::optional<SrgbDecoder> decoder;
 };
 
-ImageRows::ImageRows(const std::string& path)
-    : state_(std::make_unique<State>(State{OpenImage(path, Window::display), {}})) {
+ImageRows::ImageRows(const std::string& path, const std::string& layer)
+    : state_(std::make_unique<State>(State{OpenImage(path, Window::display, layer), {}})) {
   const ImageHeader& header = state_->file.header();
   constexpr std::int64_t kMaxWidth = std::int64_t{1} << 18, kMaxStreamed = (std::int64_t{1} << 32) - 1;
   if (header.width > kMaxWidth || std::int64_t{header.width} * header.height > kMaxStreamed)
@@ -220,6 +230,8 @@ ImageRows::~ImageRows() = default;
 ImageRows::ImageRows(ImageRows&&) noexcept = default;
 int ImageRows::width() const { return state_->file.header().width; }
 int ImageRows::height() const { return state_->file.header().height; }
+const std::string& ImageRows::layer() const { return state_->file.header().layer; }
+const std::vector<std::string>& ImageRows::remarks() const { return state_->file.remarks(); }
 
 void ImageRows::read(int begin, int end, float* rgb) {
   state_->file.read(begin, end, state_->file.colour(), rgb);
@@ -228,8 +240,8 @@ void ImageRows::read(int begin, int end, float* rgb) {
   for (std::size_t i = 0; i < values; ++i) rgb[i] = (*state_->decoder)(rgb[i]);
 }
 
-Rendering read_rendering(const std::string& path) {
-  Decoded decoded = decode(path, Window::display);
+Rendering read_rendering(const std::string& path, const std::string& layer) {
+  Decoded decoded = decode(path, Window::display, layer);
   Rendering rendering;
   rendering.metadata = std::move(decoded.header.metadata);
   rendering.variance = std::move(decoded.variance);

@@ -33,10 +33,11 @@ struct Rendering {
 };
 
 /// Reads any format OpenImageIO knows as linear RGB: EXR and other float formats as they are, 8- and 16-bit formats
-/// decoded from sRGB. One-channel images become grey; alpha and layers other than the first are ignored, except that
-/// channels variance.R/G/B fill Rendering::variance. Throws InputError when the file is missing, not an image, larger
-/// than 2^28 pixels, or has no colour.
-Rendering read_rendering(const std::string& path);
+/// decoded from sRGB. One-channel images become grey; alpha is ignored; of several layers or parts choose_colour takes
+/// one, or that of the name `layer`. Beside plain R, G, B the channels variance.R/G/B fill Rendering::variance. Throws
+/// InputError when the file is missing, not an image, larger than 2^28 pixels, has no colour, or several to choose
+/// from.
+Rendering read_rendering(const std::string& path, const std::string& layer = "");
 inline Image read_image(const std::string& path) { return read_rendering(path).mean; }
 
 /// The same colours a few rows at a time, so that an image need not fit into memory: up to 2^18 columns and 2^32
@@ -44,11 +45,14 @@ inline Image read_image(const std::string& path) { return read_rendering(path).m
 class ImageRows {
  public:
   /// Throws InputError as read_rendering does.
-  explicit ImageRows(const std::string& path);
+  explicit ImageRows(const std::string& path, const std::string& layer = "");
   ~ImageRows();
   ImageRows(ImageRows&&) noexcept;
   int width() const;
   int height() const;
+  const std::string& layer() const;  ///< which of the file's layers is read; empty where it is plain R, G, B
+  /// What else than plain linear RGB the file has, in words: its layer, decoding, windows. Mostly empty.
+  const std::vector<std::string>& remarks() const;
   /// Rows [begin, end) to 3 * width * (end - begin) floats. Rows are quickest in ascending order. Throws InputError
   /// when they cannot be read.
   void read(int begin, int end, float* rgb);

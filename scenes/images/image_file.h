@@ -18,6 +18,9 @@ struct ImageHeader {
   int x = 0, y = 0, display_width = 0, display_height = 0;
   std::vector<std::string> channels;
   Samples samples = Samples::floating;
+  std::vector<std::string> colour;              ///< those of the channels that are the image: three, or a grey one
+  std::string layer;                            ///< of several that the file may hold; empty where it is plain R, G, B
+  std::vector<std::string> remarks;             ///< what a reader of numbers has to know of the file
   int rows_together = 0;                        ///< rows that are stored as one, as in tiles; 0: each by itself
   std::map<std::string, std::string> metadata;  ///< texts about the rendering
 };

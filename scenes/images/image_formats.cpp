@@ -38,6 +38,13 @@ class OpenImageIoFile : public ImageFile {
       header_.samples = ImageHeader::Samples::words;
     else if (!spec_.format.is_floating_point())
       throw InputError(path, std::string("samples are ") + spec_.format.c_str() + ", expected float or 8- or 16-bit");
+    if (in_->seek_subimage(1, 0)) {
+      header_.remarks.emplace_back("the first of several images in the file");
+      if (!in_->seek_subimage(0, 0))
+        throw InputError(path, "cannot be read as an image: " + first_line(in_->geterror()));
+    } else {
+      in_->geterror();  // no second one is no error
+    }
     header_.rows_together = spec_.tile_height;
     for (const auto& attribute : spec_.extra_attribs)
       if (attribute.type() == OIIO::TypeString && is_of_the_file(attribute.name().string()))

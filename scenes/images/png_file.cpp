@@ -3,6 +3,7 @@
 #include <png.h>
 
 #include <cerrno>
+#include <cmath>
 #include <csetjmp>
 #include <cstdio>
 #include <cstring>
@@ -11,6 +12,7 @@
 #include <utility>
 
 #include "scenes/text/input_error.h"
+#include "scenes/text/text_numbers.h"
 
 namespace photonproof {
 namespace {
@@ -67,6 +69,8 @@ class PngStream {
   char message_[200] = "";
 };
 
+constexpr double srgb_exponent = 2.2;  // of the power nearest to sRGB, by which gAMA chunks stand for it
+
 class PngReader : public ImageFile {
  public:
   explicit PngReader(const std::string& path) : path_(path) { begin(); }
@@ -113,6 +117,10 @@ class PngReader : public ImageFile {
     header_.samples = png_get_bit_depth(png, info) == 16 ? ImageHeader::Samples::words : ImageHeader::Samples::bytes;
     header_.channels =
         png_get_channels(png, info) == 3 ? std::vector<std::string>{"R", "G", "B"} : std::vector<std::string>{"Y"};
+    header_.remarks.clear();
+    if (double gamma = 0; png_get_valid(png, info, PNG_INFO_sRGB) == 0 && png_get_gAMA(png, info, &gamma) != 0)
+      if (std::abs(gamma * srgb_exponent - 1) > 0.05)
+        header_.remarks.push_back("its gAMA chunk of " + format_number(gamma) + " is not used");
     next_ = 0;
     row_.resize(png_get_rowbytes(png, info));
     if (interlaced_) read_interlaced();
