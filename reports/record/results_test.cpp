@@ -292,7 +292,7 @@ TEST_F(ResultsFile, images_outside_of_the_record_s_folder_are_refused) {
   }
   write_results(path_, example());
   replace("cells/0123abcd/image.exr", "cells/..a/image.exr");
-  EXPECT_EQ(error_on_read(), "");
+  EXPECT_EQ(error_on_read(), "no error");
 }
 
 TEST_F(ResultsFile, missing_field_is_named) {
