@@ -384,6 +384,7 @@ class Bench {
   Results record() const {
     Results results;
     results.suite = suite_.name;
+    results.title = suite_.title;
     results.created = created_;
     results.command = options_.command;
     results.host = host_;

@@ -66,6 +66,7 @@ class Run {
   void begin_record(const std::vector<const Gate*>& chosen) {
     Results& results = summary_.results;
     results.suite = suite_.name;
+    results.title = suite_.title;
     results.created = utc_now();
     results.command = options_.command;
     results.host = host_;

@@ -143,6 +143,61 @@ TEST(LatexReport, rows_are_whole_and_text_of_the_record_is_no_command) {
   EXPECT_EQ(rows, 4u + 4u + 2u + 2u + 3u);
 }
 
+/// Symbols that reports write, and what a name may hold: é has a command, the two Chinese characters have none.
+constexpr const char* symbols =
+    "− × · ± ≤ ≥ ≈ ≠ √ ∞ → ← ↑ ↓ α ρ σ χ µ ° † – — … ’ “ ” \u202F 10⁻³ é \u4E2D\u6587 ✓ ✕ ▲";
+
+// pdflatex stops at a character that it does not know, or leaves it out: then a bound reads as a value.
+TEST(LatexReport, is_ascii_and_loses_no_symbol) {
+  const std::string text = written("latex", hostile(symbols));
+  const auto other = std::ranges::find_if(text, [](unsigned char c) { return c >= 0x80; });
+  EXPECT_EQ(other, text.end()) << text.substr(static_cast<std::size_t>(other - text.begin()), 20);
+  for (const char* set : {"$\\leq$", "$\\approx$", "$\\neq$", "$\\dagger$", "\\'{e}", "[U+4E2D][U+6587]", "[U+2713]"})
+    EXPECT_GT(count(text, set), 0u) << set;
+}
+
+TEST(LatexReport, time_that_is_only_a_bound_stays_one) {
+  Results results = sample_conclusions();
+  for (Convergence& curve : results.convergence)
+    for (TargetTime& target : curve.targets) {
+      target = {};
+      target.relmse = 0.01;
+      target.at_most = 0.5;
+    }
+  EXPECT_GT(count(written("latex", results), " & $\\leq$ 0.500 \\\\"), 0u);
+}
+
+TEST(LatexReport, header_names_the_clock_of_its_times) {
+  Results results = sample_conclusions();
+  const std::string by_wall = written("latex", results);
+  EXPECT_EQ(count(by_wall, "& Median wall s &"), 1u);
+  EXPECT_EQ(count(by_wall, "& s to target"), 1u);
+  for (Convergence& curve : results.convergence) curve.clock = Clock::processor;
+  const std::string by_processor = written("latex", results);
+  EXPECT_EQ(count(by_processor, "& Median CPU s &"), 1u);
+  EXPECT_EQ(count(by_processor, "& CPU s to target"), 1u);
+  EXPECT_EQ(count(by_processor, "Median wall"), 0u);
+}
+
+TEST(LatexReport, caption_has_the_title_and_the_label_the_name) {
+  Results results = sample_conclusions();
+  results.title = "A title of its own";
+  const std::string text = written("latex", results);
+  EXPECT_GT(count(text, "\\caption{A title of its own: "), 1u);
+  EXPECT_GT(count(text, "\\label{tab:sample-"), 1u);
+}
+
+// "\\\\" and \midrule take what is in brackets, and "\\\\" a star, for their own argument.
+TEST(LatexReport, cell_that_begins_with_a_bracket_or_a_star_is_text) {
+  for (const char* name : {"[box]", "*box"}) {
+    Results results = sample_conclusions();
+    for (Convergence& curve : results.convergence) curve.scene = name;
+    const std::string text = written("latex", results);
+    EXPECT_EQ(count(text, "\n  " + std::string(1, name[0])), 0u) << text;
+    EXPECT_GT(count(text, "\n  {" + std::string(1, name[0]) + "}"), 0u);
+  }
+}
+
 TEST(JunitReport, reads_like_its_snapshot) {
   expect_snapshot("sample.junit.xml", written("junit", sample_conclusions()));
 }
@@ -191,7 +246,8 @@ void expect_valid(const pugi::xml_node& node) {
 }
 
 TEST(JunitReport, follows_the_schema_whatever_the_texts_are) {
-  for (const std::string& evil : {std::string("]]><x a='\"'>&\x01\xff"), std::string()}) {
+  for (const std::string& evil :
+       {std::string("]]><x a='\"'>&\x01\xff"), std::string("\uFFFE \uFFFF"), std::string(symbols), std::string()}) {
     const std::string text = written("junit", hostile(evil));
     pugi::xml_document document;
     ASSERT_TRUE(document.load_string(text.c_str())) << text.substr(0, 500);

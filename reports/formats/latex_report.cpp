@@ -26,9 +26,11 @@ std::string label_text(const std::string& text) {
   return out;
 }
 
+/// The command that ends the row above would take a bracket or a star that the first cell begins with for its own.
 std::string line(const std::vector<std::string>& cells) {
   std::string text;
   for (const std::string& cell : cells) text += (text.empty() ? "  " : " & ") + latex_text(cell);
+  if (const char first = text[2]; first == '[' || first == '*') text.replace(2, 1, std::string("{") + first + "}");
   return text + " \\\\\n";
 }
 
@@ -73,14 +75,16 @@ PlainTable errors_table(const View& view) {
 /// One table over all scenes, with the scene in front.
 template <class MakeTable, class Members>
 PlainTable by_scene(const View& view, MakeTable make, Members members) {
-  PlainTable all = make({});
-  all.header.insert(all.header.begin(), "Scene");
+  PlainTable all;
   for (const SceneView& scene : view.scenes) {
+    // By which clock a table is, its header says; of scenes without entries nobody can tell.
+    if (all.header.empty() || !(scene.*members).empty()) all.header = make(scene.*members).header;
     for (std::vector<std::string>& row : make(scene.*members).rows) {
       row.insert(row.begin(), scene.record.name);
       all.rows.push_back(row);
     }
   }
+  all.header.insert(all.header.begin(), "Scene");
   return all;
 }
 
@@ -88,12 +92,12 @@ PlainTable by_scene(const View& view, MakeTable make, Members members) {
 
 void write_latex_report(const Results& results, const std::filesystem::path&, const std::filesystem::path& out) {
   const View view = arrange(results);
-  const std::string suite = printable(results.suite);
-  std::string text = "% Made by photonproof from results.json of the suite " + suite + ", " +
-                     printable(time_text(results.created)) + ".\n% Repeat with: " + printable(results.command) +
+  const std::string& suite = results.suite;
+  std::string text = "% Made by photonproof from results.json of the suite " + ascii_text(suite) + ", " +
+                     ascii_text(time_text(results.created)) + ".\n% Repeat with: " + ascii_text(results.command) +
                      "\n% Needs \\usepackage{booktabs}.\n";
   const auto add = [&](const PlainTable& table, std::size_t left, const std::string& caption, const char* label) {
-    if (!table.rows.empty()) text += float_of(table, left, suite + ": " + caption, suite + "-" + label);
+    if (!table.rows.empty()) text += float_of(table, left, heading(results) + ": " + caption, suite + "-" + label);
   };
   add(errors_table(view), 3, "errors against each scene's reference, at the largest budget an engine finished.",
       "errors");

@@ -76,7 +76,7 @@ class Writer {
  private:
   std::string header() const {
     std::string text =
-        "# " + markdown_text(results_.suite) + "\n\nphotonproof report: " + totals_text(results_) + ".\n\n";
+        "# " + markdown_text(heading(results_)) + "\n\nphotonproof report: " + totals_text(results_) + ".\n\n";
     text += "* Made: " + markdown_text(time_text(results_.created)) + "\n";
     text += "* Host: " + markdown_text(host_text(results_.host)) + "\n";
     text += "* Versions: " + markdown_text(versions_text(results_.versions)) + "\n";

@@ -20,7 +20,7 @@ namespace {
 using kainjow::mustache::data;
 
 void set_header(data& page, const Results& results, const View& view) {
-  page.set("suite", printable(results.suite));
+  page.set("suite", printable(heading(results)));
   page.set("totals", totals_text(results));
   page.set("created", printable(time_text(results.created)));
   page.set("host", printable(host_text(results.host)));

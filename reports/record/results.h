@@ -263,7 +263,8 @@ struct ChangeRecord {
 };
 
 struct Results {
-  std::string suite;
+  std::string suite;    ///< its name
+  std::string title{};  ///< its title: a report's heading; empty in records that do not say
   std::string created;  ///< UTC, ISO 8601
   std::string command;  ///< how the whole run is repeated
   Host host;

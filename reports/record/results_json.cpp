@@ -166,6 +166,7 @@ json results_to_json(const Results& results) {
                    {"scenes", std::move(scenes)},
                    {"engines", std::move(engines)},
                    {"results", std::move(rows)}};
+  if (!results.title.empty()) document["title"] = results.title;
   conclusions_to_json(results, document);
   return document;
 }
@@ -173,6 +174,7 @@ json results_to_json(const Results& results) {
 Results results_from_json(const json& j) {
   Results results;
   results.suite = j.at("suite");
+  results.title = j.value("title", "");
   results.created = j.at("created");
   results.command = j.at("command");
   results.host = host_from_json(j.at("host"));

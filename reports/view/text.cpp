@@ -1,5 +1,7 @@
 #include "reports/view/text.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -49,35 +51,126 @@ std::pair<std::string, std::size_t> leading_exponent(std::string_view rest) {
   return {digits, bytes};
 }
 
+/// Bytes of the character that begins with this one, of valid UTF-8.
+std::size_t utf8_length(char first) {
+  const auto lead = static_cast<unsigned char>(first);
+  return lead < 0x80 ? 1 : lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : 2;
+}
+
+struct Replacement {
+  std::string_view from, to;
+};
+
+/// What is special to LaTeX, what reports write themselves, and letters of Western European names. Plain LaTeX has them
+/// all, without a package and in any encoding of the document.
+constexpr Replacement latex_replacements[] = {
+    {"\\", "\\textbackslash{}"},
+    {"{", "\\{"},
+    {"}", "\\}"},
+    {"$", "\\$"},
+    {"&", "\\&"},
+    {"#", "\\#"},
+    {"%", "\\%"},
+    {"_", "\\_"},
+    {"^", "\\textasciicircum{}"},
+    {"~", "\\textasciitilde{}"},
+    {"<", "\\textless{}"},
+    {">", "\\textgreater{}"},
+    {"|", "\\textbar{}"},
+    {"\"", "''"},
+    {"−", "$-$"},
+    {"×", "$\\times$"},
+    {"·", "$\\cdot$"},
+    {"±", "$\\pm$"},
+    {"≤", "$\\leq$"},
+    {"≥", "$\\geq$"},
+    {"≈", "$\\approx$"},
+    {"≠", "$\\neq$"},
+    {"√", "$\\surd$"},
+    {"∞", "$\\infty$"},
+    {"→", "$\\rightarrow$"},
+    {"←", "$\\leftarrow$"},
+    {"↑", "$\\uparrow$"},
+    {"↓", "$\\downarrow$"},
+    {"α", "$\\alpha$"},
+    {"ρ", "$\\rho$"},
+    {"σ", "$\\sigma$"},
+    {"χ", "$\\chi$"},
+    {"µ", "$\\mu$"},
+    {"°", "$^{\\circ}$"},
+    {"†", "$\\dagger$"},
+    {"–", "--"},
+    {"—", "---"},
+    {"…", "\\ldots{}"},
+    {"’", "'"},
+    {"‘", "`"},
+    {"“", "``"},
+    {"”", "''"},
+    {"\u202F", "\\,"},
+    {"\u00A0", "~"},
+    {"À", "\\`{A}"},
+    {"Á", "\\'{A}"},
+    {"Â", "\\^{A}"},
+    {"Ã", "\\~{A}"},
+    {"Ä", "\\\"{A}"},
+    {"Å", "\\r{A}"},
+    {"Æ", "\\AE{}"},
+    {"Ç", "\\c{C}"},
+    {"È", "\\`{E}"},
+    {"É", "\\'{E}"},
+    {"Ê", "\\^{E}"},
+    {"Ë", "\\\"{E}"},
+    {"Ì", "\\`{I}"},
+    {"Í", "\\'{I}"},
+    {"Î", "\\^{I}"},
+    {"Ï", "\\\"{I}"},
+    {"Ñ", "\\~{N}"},
+    {"Ò", "\\`{O}"},
+    {"Ó", "\\'{O}"},
+    {"Ô", "\\^{O}"},
+    {"Õ", "\\~{O}"},
+    {"Ö", "\\\"{O}"},
+    {"Ø", "\\O{}"},
+    {"Ù", "\\`{U}"},
+    {"Ú", "\\'{U}"},
+    {"Û", "\\^{U}"},
+    {"Ü", "\\\"{U}"},
+    {"Ý", "\\'{Y}"},
+    {"ß", "\\ss{}"},
+    {"à", "\\`{a}"},
+    {"á", "\\'{a}"},
+    {"â", "\\^{a}"},
+    {"ã", "\\~{a}"},
+    {"ä", "\\\"{a}"},
+    {"å", "\\r{a}"},
+    {"æ", "\\ae{}"},
+    {"ç", "\\c{c}"},
+    {"è", "\\`{e}"},
+    {"é", "\\'{e}"},
+    {"ê", "\\^{e}"},
+    {"ë", "\\\"{e}"},
+    {"ì", "\\`{\\i{}}"},
+    {"í", "\\'{\\i{}}"},
+    {"î", "\\^{\\i{}}"},
+    {"ï", "\\\"{\\i{}}"},
+    {"ñ", "\\~{n}"},
+    {"ò", "\\`{o}"},
+    {"ó", "\\'{o}"},
+    {"ô", "\\^{o}"},
+    {"õ", "\\~{o}"},
+    {"ö", "\\\"{o}"},
+    {"ø", "\\o{}"},
+    {"ù", "\\`{u}"},
+    {"ú", "\\'{u}"},
+    {"û", "\\^{u}"},
+    {"ü", "\\\"{u}"},
+    {"ý", "\\'{y}"},
+    {"ÿ", "\\\"{y}"},
+};
+
 }  // namespace
 
 std::string latex_text(std::string_view text) {
-  struct Replacement {
-    std::string_view from, to;
-  };
-  static constexpr Replacement replacements[] = {
-      {"\\", "\\textbackslash{}"},
-      {"{", "\\{"},
-      {"}", "\\}"},
-      {"$", "\\$"},
-      {"&", "\\&"},
-      {"#", "\\#"},
-      {"%", "\\%"},
-      {"_", "\\_"},
-      {"^", "\\textasciicircum{}"},
-      {"~", "\\textasciitilde{}"},
-      {"<", "\\textless{}"},
-      {">", "\\textgreater{}"},
-      {"|", "\\textbar{}"},
-      {"\"", "''"},
-      {"−", "$-$"},
-      {"×", "$\\times$"},
-      {"–", "--"},
-      {"∞", "$\\infty$"},
-      {"\u202F", "\\,"},
-      {"±", "$\\pm$"},
-      {"α", "$\\alpha$"},
-  };
   const std::string safe = printable(text);
   std::string out;
   for (std::size_t at = 0; at < safe.size();) {
@@ -87,15 +180,28 @@ std::string latex_text(std::string_view text) {
       at += bytes;
       continue;
     }
-    const auto found =
-        std::ranges::find_if(replacements, [&](const Replacement& r) { return rest.starts_with(r.from); });
-    if (found == std::end(replacements)) {
-      out += rest.front();
-      ++at;
+    const std::string_view character = rest.substr(0, utf8_length(rest.front()));
+    const auto found = std::ranges::find(latex_replacements, character, &Replacement::from);
+    out += found != std::end(latex_replacements) ? std::string(found->to) : ascii_text(character);
+    at += character.size();
+  }
+  return out;
+}
+
+std::string ascii_text(std::string_view text) {
+  const std::string safe = printable(text);
+  std::string out;
+  for (std::size_t at = 0; at < safe.size();) {
+    const std::size_t length = utf8_length(safe[at]);
+    const auto lead = static_cast<unsigned char>(safe[at]);
+    if (length == 1) {
+      out += safe[at];
     } else {
-      out += found->to;
-      at += found->from.size();
+      std::uint32_t code = lead & (0xFFu >> (length + 1));
+      for (std::size_t i = 1; i < length; ++i) code = code << 6 | (static_cast<unsigned char>(safe[at + i]) & 0x3Fu);
+      out += fmt::format("[U+{:04X}]", code);
     }
+    at += length;
   }
   return out;
 }

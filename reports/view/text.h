@@ -18,8 +18,12 @@ std::string markdown_text(std::string_view text);
 /// At most `most` bytes of valid UTF-8, cut between characters.
 std::string shortened(const std::string& text, std::size_t most);
 
-/// `printable` for LaTeX's text mode: its ten special characters escaped, and those of numbers.h set by commands.
+/// `printable` for LaTeX's text mode, in ASCII alone: its special characters are escaped, symbols and accents set by
+/// commands of plain LaTeX, anything else as ascii_text has it. Nothing vanishes.
 std::string latex_text(std::string_view text);
+
+/// `printable` with every character that is not ASCII by its number: "[U+4E2D]".
+std::string ascii_text(std::string_view text);
 
 /// `printable` for a cell of CSV, quoted where RFC 4180 demands it. A spreadsheet takes what begins like a formula for
 /// one: an apostrophe prevents it.

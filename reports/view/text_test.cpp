@@ -51,6 +51,9 @@ TEST(Text, shortened_text_ends_between_characters) {
 TEST(Text, latex_has_no_command_but_ours) {
   EXPECT_EQ(latex_text("50 % of a_b & $x^2$ #1 ~ {\\}"),
             "50 \\% of a\\_b \\& \\$x\\textasciicircum{}2\\$ \\#1 \\textasciitilde{} \\{\\textbackslash{}\\}");
+  EXPECT_EQ(latex_text("≤ 0.5 †"), "$\\leq$ 0.5 $\\dagger$");
+  EXPECT_EQ(latex_text("Schrödinger ✗"), "Schr\\\"{o}dinger [U+2717]");
+  EXPECT_EQ(latex_text("\U0001F600"), "[U+1F600]");
   EXPECT_EQ(latex_text("−1.5×10⁻³"), "$-$1.5$\\times$10$^{-3}$");
 }
 

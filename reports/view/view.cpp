@@ -281,6 +281,8 @@ std::string time_text(const std::string& created) {
   return std::regex_match(created, match, iso) ? match[1].str() + " " + match[2].str() + " UTC" : created;
 }
 
+const std::string& heading(const Results& results) { return results.title.empty() ? results.suite : results.title; }
+
 std::string totals_text(const Results& results) {
   const std::size_t total = results.results.size();
   const auto failed = std::count_if(results.results.begin(), results.results.end(),

@@ -95,6 +95,9 @@ std::string exposure_text(double stops);
 /// ISO 8601 UTC as "2026-11-21 02:45:35 UTC"; anything else as it is.
 std::string time_text(const std::string& created);
 
+/// The suite's title, or its name where the record has none.
+const std::string& heading(const Results& results);
+
 /// "9 cells: 8 finished, 1 did not", over the whole record.
 std::string totals_text(const Results& results);
 

@@ -40,6 +40,9 @@ bool is_bidirectional_control(std::uint32_t code) {
   return (code >= 0x202A && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069);
 }
 
+/// XML refuses them in any form, even escaped.
+bool is_no_character(std::uint32_t code) { return code == 0xFFFE || code == 0xFFFF; }
+
 }  // namespace
 
 std::size_t find_invalid_utf8(std::string_view text) {
@@ -56,7 +59,7 @@ std::string harmless(std::string_view text, std::string_view for_controls, std::
   out.reserve(text.size());
   while (!text.empty()) {
     const CodePoint point = decode(text);
-    if (point.length == 0 || is_bidirectional_control(point.code))
+    if (point.length == 0 || is_bidirectional_control(point.code) || is_no_character(point.code))
       out += for_others;
     else if (is_control(point.code))
       out += for_controls;

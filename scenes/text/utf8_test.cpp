@@ -41,6 +41,7 @@ TEST(printable, shows_what_a_terminal_would_obey) {
                       "31m\x7F\xE2\x80\xA8"),
             "?31m??");
   EXPECT_EQ(printable("a\xE2\x80\xAEgpj.exr"), "a?gpj.exr");
+  EXPECT_EQ(printable("\uFFFE\uFFFF\uFFFD"), "??\uFFFD");  // no XML may hold the first two
 }
 
 }  // namespace
