@@ -98,15 +98,27 @@ EnginePicture without_noise(EnginePicture picture) {
   return picture;
 }
 
-std::string whole_sentence(const Deviations& d, const std::array<bool, 3>& channels) {
-  double difference = 0, expected = 0;
+/// The sum over these channels, of all where there is none.
+Deviation whole_of(const Deviations& d, const std::array<bool, 3>& channels) {
+  const bool any = channels[0] || channels[1] || channels[2];
+  Deviation whole;
   for (std::size_t c = 0; c < 3; ++c) {
-    if (!channels[c]) continue;
-    difference += d.whole[c].difference;
-    expected += d.whole[c].expected;
+    if (any && !channels[c]) continue;
+    whole.difference += d.whole[c].difference;
+    whole.expected += d.whole[c].expected;
   }
+  return whole;
+}
+
+double relative_shift(const Deviation& whole) {
+  return whole.expected != 0 ? whole.difference / std::abs(whole.expected) : 0;
+}
+
+std::string whole_sentence(const Deviations& d, const std::array<bool, 3>& channels) {
+  const Deviation whole = whole_of(d, channels);
   const std::string names = channel_names(channels);
-  return relative_text(difference, expected) + " over the whole image" + (names.empty() ? "" : ", " + names + " only");
+  return relative_text(whole.difference, whole.expected) + " over the whole image" +
+         (names.empty() ? "" : ", " + names + " only");
 }
 
 void compare_channels(const Deviations& d, const DeclaredError& declared, PairTest& test) {
@@ -201,7 +213,33 @@ PairTest test_by_known_noise(const EnginePicture& first, const EnginePicture& se
     for (std::size_t c = 0; c < 3; ++c)
       if (excess_of_block(d, declared, b, c) > 0) test.channels[c] = true;
   name_places(d, test);
+  test.whole_shift = relative_shift(whole_of(d, test.channels));
   return test;
+}
+
+/// Marks the pixel of this picture that has more light than chance gives it beside `other`, its light in each channel.
+void find_outlier(const EnginePicture& picture, const std::array<double, 3>& light, double alpha, PairTest& test) {
+  const Image& mean = picture.rendering.mean;
+  for (std::size_t i = 0; i < mean.rgb.size(); ++i) {
+    const std::size_t c = i % 3, pixel = i / 3, width = static_cast<std::size_t>(mean.width);
+    const double times = 6 / alpha;
+    if (!(light[c] > 0) || double{mean.rgb[i]} <= times * light[c]) continue;
+    test.differs = test.has_outlier = test.channels[c] = true;
+    test.by_few_samples = false;
+    const auto x = static_cast<int>(pixel % width), y = static_cast<int>(pixel / width);
+    test.sentence =
+        fmt::format("pixel ({}, {}) of {} is {:.2g} and holds more than {:.0g} times all light of the other", x, y,
+                    picture.engine, mean.rgb[i], times);
+    test.tiles = {{x, y, 1, 1, kNoDeviation, test.sentence}};
+    return;
+  }
+}
+
+std::array<double, 3> light_of(const EnginePicture& picture) {
+  std::array<double, 3> light{};
+  for (std::size_t i = 0; i < picture.rendering.mean.rgb.size(); ++i)
+    light[i % 3] += double{picture.rendering.mean.rgb[i]};
+  return light;
 }
 
 /// What the brightest sample of a picture adds to its pixel. Variances of few batches are a block's (studio.cpp), which
@@ -253,6 +291,8 @@ PairTest test_pair(const EnginePicture& first, const EnginePicture& second, doub
       test.sentence = sentence;
     }
   }
+  find_outlier(first, light_of(second), alpha, test);
+  find_outlier(second, light_of(first), alpha, test);
   test.relmse = relmse_of(first.rendering.mean, second.rendering.mean);
   test.ssim = ssim_of(first.rendering.mean, second.rendering.mean);
   return test;
@@ -274,6 +314,8 @@ PairTest test_against_closed_form(const RgbD& mean, const EnginePicture& picture
   compare_channels(d, declared, test);
   test.differs = test.whole_differs;
   if (test.differs) test.sentence = whole_sentence(d, test.channels);
+  test.whole_shift = relative_shift(whole_of(d, test.channels));
+  find_outlier(picture, {d.whole[0].expected, d.whole[1].expected, d.whole[2].expected}, pair_alpha, test);
   return test;
 }
 

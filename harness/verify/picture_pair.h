@@ -20,8 +20,10 @@ inline constexpr double pair_alpha = 1e-4;
 
 struct PairTest {
   bool differs = false;
+  bool has_outlier = false;         ///< one pixel holds more light than chance gives a right engine: see below
   bool by_few_samples = false;      ///< they would, were it not for light that comes in few bright samples: see below
   std::array<double, 3> shift{};    ///< of the mean over the image, by channel, relative to the first's; 0 where black
+  double whole_shift = 0;           ///< of the channels that differ together, else of all: what `sentence` says
   std::array<bool, 3> channels{};   ///< that differ
   bool whole_differs = false;       ///< the mean does, not places alone
   std::string sentence;             ///< "-4.1 % over 33 px at (40, 12), red only"
@@ -46,6 +48,10 @@ DeclaredError both_declare(const EnginePicture& first, const EnginePicture& seco
 /// a whole image. A variance that was estimated where none arrived says less (agreement.h). f is the brightest sample
 /// of either picture anywhere, variance over value of the pixel where that is largest. A difference that so large
 /// samples explain is none that proves anything: `by_few_samples`, and `sentence` says what it is.
+///
+/// By Markov's inequality an unbiased mean that is never negative exceeds k times what it should be with a probability
+/// of at most 1/k; so in any pixel of a picture it exceeds k times the light of all pixels with no larger one, whatever
+/// its noise. A pixel with 6 / alpha times the other picture's light is wrong, in one of six channels: `has_outlier`.
 PairTest test_pair(const EnginePicture& first, const EnginePicture& second, double alpha = pair_alpha);
 
 /// The picture's mean against the one that a closed form states, which counts as right to 1e-5.

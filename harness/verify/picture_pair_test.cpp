@@ -99,6 +99,38 @@ TEST(PairTest, light_that_comes_in_few_bright_samples_proves_nothing_where_it_is
   EXPECT_GT(unwidened, 50);  // by their variances alone they would differ
 }
 
+// The light of a channel is at most 768 x 0.8 = 615; 6 / 1e-4 times as much is 3.7e7, and the noise of a pixel that
+// says it is 3e36 would hide it.
+TEST(PairTest, pixel_with_more_light_than_chance_gives_differs_whatever_its_noise) {
+  EnginePicture odd = noisy(2);
+  odd.engine = "odd";
+  odd.rendering.mean.pixel(5, 7)[1] = 3e36f;
+  odd.rendering.variance->pixel(5, 7)[1] = 1e38f;
+  for (const PairTest& test : {test_pair(noisy(1), odd), test_pair(odd, noisy(1))}) {
+    EXPECT_TRUE(test.differs);
+    EXPECT_TRUE(test.has_outlier);
+    EXPECT_EQ(test.sentence, "pixel (5, 7) of odd is 3e+36 and holds more than 6e+04 times all light of the other");
+  }
+  odd.rendering.mean.pixel(5, 7)[1] = 1e6f;  // a bright sample may be chance
+  EXPECT_FALSE(test_pair(noisy(1), odd).has_outlier);
+  EXPECT_TRUE(test_against_closed_form({0.5, 0.5, 0.5},
+                                       [] {
+                                         EnginePicture bright = noisy(3);
+                                         bright.rendering.mean.pixel(1, 2)[0] = 3e36f;
+                                         bright.rendering.variance->pixel(1, 2)[0] = 1e38f;
+                                         return bright;
+                                       }())
+                  .has_outlier);
+}
+
+TEST(PairTest, whole_shift_is_what_the_sentence_says) {
+  EnginePicture odd = noisy(2, 1, 0.001);
+  for (std::size_t i = 0; i < odd.rendering.mean.rgb.size(); i += 3) odd.rendering.mean.rgb[i] *= 2;
+  const PairTest test = test_pair(noisy(1, 1, 0.001), odd);
+  EXPECT_NEAR(test.whole_shift, 1, 0.01);  // red alone, whose mean has an error of 0.02 %
+  EXPECT_NE(test.sentence.find("red only"), std::string::npos) << test.sentence;
+}
+
 TEST(PairTest, more_than_bright_samples_carry_differs_beside_them) {
   EnginePicture expected = noisy(1, 1, 1e-4);
   for (int y = 0; y < kHeight; ++y)

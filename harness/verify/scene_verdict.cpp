@@ -133,8 +133,8 @@ class SceneJudge {
 
   void compare(std::size_t i, std::size_t j) {
     PairTest result = test(sides_[i], sides_[j], 0);
-    // Chance has one more try; what differs differs again.
-    if (result.differs) result = test(sides_[i], sides_[j], 1);
+    // Chance has one more try; what differs differs again. An outlier need not, and proves enough by itself.
+    if (result.differs && !result.has_outlier) result = test(sides_[i], sides_[j], 1);
     const double asked = 1.5 * studio_.options().power + declared_by(sides_[i]) + declared_by(sides_[j]);
     // Who may be off by a quarter witnesses nothing.
     constexpr double most_declared = 0.25;
@@ -144,8 +144,8 @@ class SceneJudge {
                                 : is_seen      ? PairVerdict::agree
                                                : PairVerdict::undecided;
     pairs_.push_back({i, j, verdict});
-    VerifyPair record{sides_[i].witness.name, sides_[j].witness.name, to_word(verdict), result.sentence,
-                      result.shift,           result.would_see,       result.relmse,    result.ssim};
+    VerifyPair record{sides_[i].witness.name, sides_[j].witness.name, to_word(verdict), result.sentence, result.shift,
+                      result.whole_shift,     result.would_see,       result.relmse,    result.ssim};
     if (sides_[i].closed_form || sides_[j].closed_form) record.relmse = std::nullopt;
     out_.pairs.push_back(std::move(record));
   }

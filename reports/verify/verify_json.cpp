@@ -30,7 +30,8 @@ void members(VerifyPicture& r, Visit&& v) {
 template <class Visit>
 void members(VerifyPair& r, Visit&& v) {
   v("first", r.first), v("second", r.second), v("verdict", r.verdict), v("sentence", r.sentence);
-  v("shift", r.shift), v("would_see", r.would_see), v("relmse", r.relmse), v("ssim", r.ssim);
+  v("shift", r.shift), v("whole_shift", r.whole_shift), v("would_see", r.would_see), v("relmse", r.relmse),
+      v("ssim", r.ssim);
 }
 template <class Visit>
 void members(VerifyFault& r, Visit&& v) {

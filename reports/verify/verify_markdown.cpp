@@ -40,7 +40,7 @@ std::string verify_csv(const VerifyRecord& record) {
         return picture != scene.pictures.end() ? fmt::format("{:.2f}", picture->seconds) : "";
       };
       text += fmt::format("{},{},{},{},{:.4g},{},{},{},{},{}\n", scene.name, pair.first, pair.second, pair.verdict,
-                          pair.worst_shift(), number(pair.would_see), number(pair.relmse), number(pair.ssim),
+                          pair.shown_shift(), number(pair.would_see), number(pair.relmse), number(pair.ssim),
                           seconds(pair.first), seconds(pair.second));
     }
   return text;

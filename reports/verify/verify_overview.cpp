@@ -32,7 +32,7 @@ OverviewCell cell_of(const VerifyScene& scene, const std::string& base, const st
     const bool refused = picture == nullptr || picture->status == "unsupported";
     return {refused ? "–" : picture->status, refused ? "" : "bad"};
   }
-  const double shift = pair->first == base ? pair->worst_shift() : -pair->worst_shift() / (1 + pair->worst_shift());
+  const double shift = pair->first == base ? pair->shown_shift() : -pair->shown_shift() / (1 + pair->shown_shift());
   const bool differs = pair->verdict == "differ", agrees = pair->verdict == "agree";
   return {fmt::format("{:+.2f} %{}{}", 100 * shift + 0.0, pair->ssim ? fmt::format(" {:.3f}", *pair->ssim) : "",
                       differs  ? " ✗"
@@ -83,11 +83,12 @@ std::string totals_of(const VerifyRecord& record) {
   }
   std::string words;
   for (const auto& [verdict, scenes] : verdicts)
-    words += fmt::format("{}{} {}", words.empty() ? "" : ", ", scenes, verdict);
+    words += fmt::format("{}{}: {}", words.empty() ? "" : ", ", verdict, scenes);
+  const auto scenes = record.scenes.size();
   return fmt::format(
-      "Of {} scenes: {}. Of {} pairs {} agree. {} scenes have a witness that shares no code with this program's "
-      "engines: another renderer or a closed form.",
-      record.scenes.size(), words, pairs, agreeing, witnessed);
+      "Verdicts on {} scene{}: {}. Pairs that agree: {} of {}. Scenes with an independent reference that shares no "
+      "code with this program's engines, another renderer or a closed form: {}.",
+      scenes, scenes == 1 ? "" : "s", words, agreeing, pairs, witnessed);
 }
 
 }  // namespace

@@ -63,7 +63,7 @@ data pair_cell(const VerifyPair* pair, bool turned, bool is_self) {
   cell.set("self", is_self);
   cell.set("there", pair != nullptr);
   if (pair == nullptr) return cell;
-  const double shift = pair->worst_shift();
+  const double shift = pair->shown_shift();
   cell.set("state", pair->verdict == "differ" ? "bad" : pair->verdict == "agree" ? "good" : "open");
   cell.set("mark", pair->verdict == "differ" ? "✗" : pair->verdict == "agree" ? "✓" : "?");
   cell.set("word", pair->verdict);

@@ -14,7 +14,8 @@ std::string number(const std::optional<double>& value, const char* format) {
 
 }  // namespace
 
-double VerifyPair::worst_shift() const {
+double VerifyPair::shown_shift() const {
+  if (whole_shift) return *whole_shift;
   double worst = 0;
   for (const double by : shift)
     if (std::abs(by) > std::abs(worst)) worst = by;
@@ -57,7 +58,7 @@ std::string verify_table(const VerifyRecord& record) {
     text += fmt::format("{}: {}: {}\n", scene.name, scene.verdict, scene.sentence);
     for (const VerifyPair& pair : scene.pairs)
       text += fmt::format("  {:14} {:16} {:9} {:>+9.2g} % would see {:>8} relmse {:>8} ssim {:>7}{}\n", pair.first,
-                          pair.second, pair.verdict, 100 * pair.worst_shift(), error_words(pair.would_see),
+                          pair.second, pair.verdict, 100 * pair.shown_shift(), error_words(pair.would_see),
                           number(pair.relmse, "{:.2g}"), number(pair.ssim, "{:.4f}"),
                           pair.sentence.empty() ? "" : "  " + pair.sentence);
     for (const VerifyPicture& picture : scene.pictures)

@@ -39,10 +39,11 @@ struct VerifyPair {
   std::string verdict;        ///< "agree", "differ", "undecided"
   std::string sentence;       ///< how they differ
   std::array<double, 3> shift{};
-  std::optional<double> would_see;  ///< the least relative error of the mean that shows with probability 0.99
+  std::optional<double> whole_shift;  ///< of the channels that differ together, else of all
+  std::optional<double> would_see;    ///< the least relative error of the mean that shows with probability 0.99
   std::optional<double> relmse, ssim;
-  /// Of the channel that is off most, signed.
-  double worst_shift() const;
+  /// What tables show: whole_shift, or without one that of the channel which is off most, signed.
+  double shown_shift() const;
 };
 
 /// One that is wrong, or one of those of which one is.

@@ -56,7 +56,7 @@ TEST(VerifyRecord, reads_back_as_it_was_written) {
   write_verify_record(record_with("differ"), file);
   const VerifyRecord read = read_verify_record(file);
   EXPECT_EQ(verify_record_text(read), verify_record_text(record_with("differ")));
-  EXPECT_EQ(read.scenes.at(0).pairs.at(0).worst_shift(), -0.02);
+  EXPECT_EQ(read.scenes.at(0).pairs.at(0).shown_shift(), -0.02);
   EXPECT_EQ(read.scenes[0].pairs[0].relmse, std::nullopt);
   EXPECT_EQ(read.probes.at(0).gain, 1.0);
 }
@@ -121,6 +121,18 @@ TEST(VerifyTable, says_each_pair_and_what_it_would_have_seen) {
   EXPECT_NE(table.find("1.2 %"), std::string::npos) << table;
 }
 
+// The pair's sentence is of the whole image; a channel's larger shift beside it would read as another error.
+TEST(VerifyTable, says_one_size_of_an_error) {
+  VerifyRecord record = record_with("differ");
+  VerifyPair& pair = record.scenes[0].pairs[0];
+  pair.shift = {1.7, 0.6, 0.4};
+  pair.whole_shift = 0.86;
+  pair.sentence = "+86 % over the whole image";
+  EXPECT_NE(verify_table(record).find("+86 % would see"), std::string::npos) << verify_table(record);
+  EXPECT_EQ(verify_table(record).find("+1.7e+02 %"), std::string::npos);
+  EXPECT_NE(verify_csv(record).find(",differ,0.86,"), std::string::npos) << verify_csv(record);
+}
+
 TEST(VerifyTables, have_a_row_a_scene_and_one_a_pair) {
   VerifyRecord record = record_with("differ");
   record.program = "photonproof 1";
@@ -139,13 +151,15 @@ TEST(VerifyTables, have_a_row_a_scene_and_one_a_pair) {
             std::string::npos)
       << table;
   EXPECT_NE(table.find("| `cornell` | differ | base | -2.00 % 0.988 ✗ | – | – | – | 12 |"), std::string::npos) << table;
-  EXPECT_NE(table.find("Of 1 scenes: 1 differ. Of 1 pairs 0 agree. 0 scenes have a witness"), std::string::npos)
+  EXPECT_NE(
+      table.find("Verdicts on 1 scene: differ: 1. Pairs that agree: 0 of 1. Scenes with an independent reference"),
+      std::string::npos)
       << table;
   EXPECT_NE(table.find("- `cornell`: differ: povray is wrong"), std::string::npos) << table;
   EXPECT_NE(verify_csv(record).find("cornell,path,povray,differ,-0.02,0.012,,0.9876,0.50,0.00\n"), std::string::npos)
       << verify_csv(record);
   scene.pairs[0].verdict = "agree";
-  EXPECT_NE(verify_markdown(record).find("1 scenes have a witness"), std::string::npos);
+  EXPECT_NE(verify_markdown(record).find("or a closed form: 1."), std::string::npos);
   // Relative to the base, whichever of a pair comes first.
   scene.pairs[0].first = "povray";
   scene.pairs[0].second = "path";
