@@ -154,11 +154,9 @@ class Graph:
         """Black where the shading normal is turned away from the viewer, for whom Cycles shades it all the same."""
         return self.mix(None, surface, self.positive(self.dot(self.geometry("Normal"), self.geometry("Incoming"))))
 
-    def glow(self, radiance, hidden=False):
-        """Cycles' emission of strength 1 is a radiance. Where it is hidden, the camera sees a dark surface."""
-        seen = self.node("ShaderNodeLightPath").outputs["Is Camera Ray"] if hidden else 0.0
-        strength = self.math("SUBTRACT", 1.0, seen) if hidden else 1.0
-        return self.node("ShaderNodeEmission", {"Color": radiance, "Strength": strength}).outputs[0]
+    def glow(self, radiance):
+        """Cycles' emission of strength 1 is a radiance."""
+        return self.node("ShaderNodeEmission", {"Color": radiance, "Strength": 1.0}).outputs[0]
 
     def scaled(self, colour, factor):
         result = self.vector("SCALE", colour)

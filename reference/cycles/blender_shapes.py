@@ -180,13 +180,14 @@ def form(kind, flip=False, *arguments):
     return bpy.data.meshes[name]
 
 
-def shape(name, mesh, columns, shader):
-    """A surface: a mesh, which others may share, in its place and with its own shader."""
+def shape(name, mesh, columns, shader, hidden=False):
+    """A surface: a mesh, which others may share, in its place and with its own shader. hidden: camera rays pass it."""
     if not mesh.materials:
         mesh.materials.append(None)
     thing = add(name, mesh, columns)
     thing.material_slots[0].link = "OBJECT"
     thing.material_slots[0].material = shader
+    thing.visible_camera = not hidden
     # No softening of shadows where shading normals lean.
     thing.cycles.shadow_terminator_offset = thing.cycles.shadow_terminator_geometry_offset = 0
     return thing

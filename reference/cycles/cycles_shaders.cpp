@@ -168,10 +168,8 @@ std::string medium_py(const CyclesScript& script, MediumIndex index) {
 std::string material_py(CyclesScript& script, const std::string& name, const CyclesMaterial& material) {
   const BsdfDescription& bsdf = script.scene().bsdfs[material.bsdf.value];
   std::string surface = std::visit(Surface{script, bsdf, material.leaning}, bsdf.model);
-  const bool hides = script.scene().integrator.limits().hide_emitters;
   if (material.radiance)
-    surface = "g.sum(g.sides(g.glow(" + colour_py(script, *material.radiance) + (hides ? ", True" : "") + "), None), " +
-              surface + ")";
+    surface = "g.sum(g.sides(g.glow(" + colour_py(script, *material.radiance) + "), None), " + surface + ")";
   std::string text = "material(" + py_string(name) + ", lambda g: " + surface;
   if (material.interior) text += ", " + medium_py(script, *material.interior);
   return text + (material.sampled ? ")" : ", sampled=False)");

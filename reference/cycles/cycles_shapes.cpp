@@ -155,8 +155,9 @@ class Shapes {
     script_.explain(name + " of " + scene_.where(shape.loc));
     const auto [form, frame] =
         std::visit([&](const auto& geometry) { return form_of(placed, geometry); }, shape.geometry);
+    const bool hidden = shape.radiance && scene_.integrator.limits().hide_emitters;
     script_.line("shape(" + py_string(name) + ", " + form + ", " + py_columns(frame) + ", " + material_of(placed) +
-                 ")");
+                 (hidden ? ", hidden=True)" : ")"));
   }
 
   /// The name of the variable that holds the shape's material, which is written when it is met first.

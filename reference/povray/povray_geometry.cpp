@@ -112,10 +112,9 @@ PovMesh behind(const PovMesh&, double) { throw std::logic_error("has_twin says n
 /// hidden from the camera by what they are twins of.
 bool hides_behind(const PovPlan& plan) { return plan.photons; }
 
-/// A lamp that the camera sees black: it shines in mirrors and for radiosity's rays.
+/// A lamp that the camera looks through: it shines in mirrors and for radiosity's rays.
 void write_hidden_lamp(const PovScene& scene, const PovSurface& surface, const PovPlan& plan, SdlWriter& out) {
-  out.explain("  hide_emitters: the camera sees it black, mirrors see it shine");
-  out.line(outline(surface, plan) + " texture{Black}" + (plan.radiosity ? " no_radiosity" : "") + " no_reflection}");
+  out.explain("  hide_emitters: the camera looks through it, mirrors see it shine");
   out.line(outline(surface, plan) + lamp_texture(scene, surface, plan) + back_of(scene, surface, plan) + " no_image" +
            (plan.radiosity ? " no_radiosity" : "") + "}");
 }
@@ -188,7 +187,8 @@ void write_twins(const PovScene& scene, const PovPlan& plan, SdlWriter& out) {
     const bool emits = surface.emission != PovSurface::Emission::none;
     const std::string material =
         plan.paths ? mortal_material_of(scene, surface, plan) : material_of(scene, surface, plan);
-    out.line(outline(surface, plan) + material + (hides_behind(plan) ? "" : " no_image") + " no_shadow" +
+    const bool hidden = !hides_behind(plan) || (emits && scene.hides_lamps);
+    out.line(outline(surface, plan) + material + (hidden ? " no_image" : "") + " no_shadow" +
              (emits ? " no_reflection}" : "}"));
   }
 }

@@ -78,7 +78,7 @@ struct PovScene {
   const SunSkyDescription* sun = nullptr;
   /// The sky lights by parallel lights and is seen on a ball far away; else radiosity's rays find it.
   bool sky_as_lights = false;
-  bool hides_lamps = false;  ///< from the camera, which sees them black
+  bool hides_lamps = false;  ///< from the camera, which looks through them
   /// Shapes that no file spells out: those of instances.
   std::shared_ptr<std::list<ShapeDescription>> copies = std::make_shared<std::list<ShapeDescription>>();
 };

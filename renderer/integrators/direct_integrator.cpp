@@ -28,6 +28,7 @@ void render_direct(const Scene& scene, const RenderPlan& plan, const RenderJob& 
                           : asked.emitter_samples == 0 ? DirectLight::hits_only
                           : plan.skips(Skip::mis)      ? DirectLight::unweighted
                                                        : DirectLight::weighted;
+  settings.shows_behind_straight = true;       // as Mitsuba's `direct`, unlike its `path`
   settings.rr_depth = settings.max_depth + 1;  // a path this short is not worth ending early
 
   const std::int64_t paths = paths_a_sample(asked);

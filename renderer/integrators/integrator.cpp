@@ -112,6 +112,7 @@ RenderPlan plan_render(const SceneFacts& facts, const IntegratorDescription& met
   row.plan(method, planner);
   RenderPlan plan = planner.plan();
   plan.method = method;
+  plan.scene.hides_lamps = method.limits().hide_emitters;
   plan.integrator = name;
   plan.view = job.view;
   const Kernels& kernels = job.kernels();

@@ -41,23 +41,27 @@ struct SeenPhotons {
 
 class PhotonEye {
  public:
-  explicit PhotonEye(const Scene& scene) : world_(scene), camera_(world_, 1) {}
+  /// `hides_lamps`: the camera does not see photons on lamps, but those behind.
+  PhotonEye(const Scene& scene, bool hides_lamps) : world_(scene), camera_(world_, 1), hides_lamps_(hides_lamps) {}
 
   /// Adds the photon's dot, of its flux times `scale`, if the camera sees the side it landed on.
   void look_at(const Photon& photon, float scale, const Draws& draws, SeenPhotons& seen) const {
+    if (hides_lamps_ && world_.scene().surfaces[surface_number(photon.surface)].light != no_index) return;
     const std::optional<CameraSeen> camera = camera_.connect(photon.p_world, draws.two(lens_dimension));
     if (!camera) return;
     const Vec3f side = facing_sheet_normal(photon.sheet);
     if (!(dot(side, camera->wi) > 0)) return;
     ++seen.rays.shadow;
     const SegmentEnd landed{photon.p_world, side, no_index, surface_number(photon.surface)};
-    const Rgb arrives = transmittance(world_, landed, camera->end, {}, true, draws, layer_dimension);
+    const Passing through{.null = true, .lamps = hides_lamps_};
+    const Rgb arrives = transmittance(world_, landed, camera->end, {}, through, draws, layer_dimension);
     if (max_component(arrives) > 0) seen.dots.push_back({camera->raster, photon.flux * arrives * scale});
   }
 
  private:
   World world_;
   WorldCamera camera_;
+  bool hides_lamps_;
 };
 
 void add_dots(const Splats& dots, const Tile& window, SplatImage& sums) {
@@ -72,7 +76,7 @@ void add_dots(const Splats& dots, const Tile& window, SplatImage& sums) {
 void render_photon_dots(const PhotonSource& source, PhotonMaps& maps, const PassPlan& passes, Film& film,
                         RenderStats& stats) {
   const Tile window = film.window();
-  const PhotonEye eye(source.scene);
+  const PhotonEye eye(source.scene, source.settings.limits.hide_emitters);
   SplatImage sums(window, source.scene.filter);
   std::int64_t pass_count = 0;
   RenderLoop loop(source.job, source.threads, film, stats, passes);

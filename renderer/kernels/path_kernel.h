@@ -23,7 +23,8 @@ template <class F>
 struct PathState {
   Vec3<F> origin, direction;  ///< the next ray
   Vec3<F> throughput, radiance;
-  F bsdf_pdf;          ///< density of `direction`; 0 after a delta BSDF and from the camera: nothing else could find it
+  F bsdf_pdf;  ///< density of `direction`; 0 after a delta BSDF and from the camera: nothing else could find it.
+               ///< Negative where the ray shows no environment (hides_environment)
   F refraction_scale;  ///< undoes the squared index ratios in the throughput, for roulette
   UInt<F> from;        ///< primitive the ray leaves
   UInt<F> vertex;      ///< edges before the next ray
@@ -73,7 +74,7 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, TransportMode::r
     s.direction = ray.direction;
     s.key = ray.key;
     s.index = ray.index;
-    s.bsdf_pdf = F(0.0f);
+    s.bsdf_pdf = F(task_.settings.hide_emitters ? hides_environment : 0.0f);
     s.vertex = U(0u);
     s.gathering = U(0u);
     begin(s, first);
@@ -86,7 +87,8 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, TransportMode::r
   /// Adds the lights that the rays met.
   [[gnu::flatten]] void meet_surfaces(PathState<F>& s, const Mask<F>& active) {
     const Mask<F> first = equal<F>(s.vertex, U(0u));
-    const SurfaceHit<F> hit = closest_hit(scene_, s.origin, s.direction, s.from, active, all(first || !active));
+    SurfaceHit<F> hit = closest_hit(scene_, s.origin, s.direction, s.from, active, all(first || !active));
+    if (task_.settings.hide_emitters && scene_.lights_can_be_hit) pass_lamps(s, hit, active && first);
     Mask<F> met = hit.valid;  // behind the far plane the camera sees the environment
     if (any(first)) met = met && !(first && beyond_far_plane(scene_.camera, hit.p));
     if (task_.bounces.count > 0) note_distances(s, hit.p, met && equal<F>(s.vertex, U(1u)));
@@ -94,7 +96,6 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, TransportMode::r
     if (scene_.lights_can_be_hit) {
       const U light = Base::surface_word(hit.surface, &SurfaceWords::light);
       Mask<F> shines = alive && !equal<F>(light, U(no_index));
-      if (task_.settings.hide_emitters) shines = shines && !first;
       if (bears_bits_) shines = shines && counts_hits(s);
       if (any(shines) && task_.search.count == 0) add_emission(s, hit, select(shines, light, U(0u)), shines);
     }
@@ -104,7 +105,7 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, TransportMode::r
       alive = alive && as_mask<F>(s.vertex + 1u < U(static_cast<std::uint32_t>(task_.settings.max_depth)));
     if (scene_.environment != no_index) {
       Mask<F> leaves = active && !met;
-      if (task_.settings.hide_emitters) leaves = leaves && !first;
+      if (task_.settings.hide_emitters) leaves = leaves && s.bsdf_pdf >= 0;
       if (bears_bits_) leaves = leaves && counts_hits(s);
       if (any(leaves)) add_environment(s, leaves);
     }
@@ -160,7 +161,11 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, TransportMode::r
     alive = (alive && looking) || survive_roulette(s, dimension, alive && !looking);
     retire(s, going && !alive);
 
-    s.bsdf_pdf = select(next.delta, F(0.0f), next.pdf);
+    F pdf = select(next.delta, F(0.0f), next.pdf);
+    if constexpr (requires { bsdf.bsdf.straight_through(wo_local); })
+      if (!task_.settings.shows_behind_straight)
+        pdf = select(s.bsdf_pdf < 0 && next.delta && dot(next.wi_local, wo_local) < -0.9999f, s.bsdf_pdf, pdf);
+    s.bsdf_pdf = pdf;
     s.direction = normalize(frame.to_world(next.wi_local));
     s.origin = offset_from(at.p, at.normal, s.direction, scene_.coordinate_floor);
     s.vertex = select(looking, U(only_looks), U(s.vertex + 1u));
@@ -194,6 +199,31 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, TransportMode::r
     begin(s, first);
     task_.counts.bounce += count_lanes(lanes);
     return lanes;
+  }
+
+  /// PathState::bsdf_pdf of a camera ray where emitters are hidden, until a surface scatters it.
+  static constexpr float hides_environment = -1;
+
+  /// Camera rays go on behind lamps that are hidden from them, up to the first other surface. They start farther along
+  /// each time, even where coordinates are so coarse that moving off the lamp does not get there.
+  [[gnu::noinline]] void pass_lamps(PathState<F>& s, SurfaceHit<F>& hit, const Mask<F>& from_camera) const {
+    for (;;) {
+      const Mask<F> passes =
+          from_camera && hit.valid && !equal<F>(Base::surface_word(hit.surface, &SurfaceWords::light), U(no_index));
+      if (!any(passes)) return;
+      const Vec3<F> off = offset_from(hit.p, hit.normal, s.direction, scene_.coordinate_floor);
+      const F coordinate = lane_max(lane_max(lane_abs(s.origin.x), lane_abs(s.origin.y)), lane_abs(s.origin.z));
+      const Vec3<F> least = advance(s.origin, F(0x1p-20f * coordinate), s.direction);
+      const Vec3<F> behind = select(dot(Vec3<F>(off - s.origin), s.direction) > 0, off, least);
+      s.origin = select(passes, behind, s.origin);
+      s.from = select(passes, hit.primitive, s.from);
+      const SurfaceHit<F> next = closest_hit(scene_, s.origin, s.direction, s.from, passes, false);
+      hit.valid = (hit.valid && !passes) || next.valid;
+      hit.p = select(passes, next.p, hit.p);
+      hit.normal = select(passes, next.normal, hit.normal);
+      hit.surface = select(passes, next.surface, hit.surface);
+      hit.primitive = select(passes, next.primitive, hit.primitive);
+    }
   }
 
   void note_distances(const PathState<F>& s, const Vec3<F>& p, const Mask<F>& lanes) {

@@ -25,6 +25,7 @@ struct Vertex {
   Surroundings around;         ///< on the side of `back`
   std::uint32_t edges;         ///< of the subpath
   float refraction_scale = 1;  ///< undoes the squared index ratios in the throughput, for roulette
+  bool went_straight = false;  ///< on from here
 };
 
 /// Camera vertices of up to so many edges are joined to every light vertex.
@@ -94,11 +95,12 @@ class BidirectionalTracer : ScalarTracer {
     Vertex v;
     v.throughput = Rgb(1.0f);
     v.around = around_camera_;
+    bool shows_environment = !limits_.hide_emitters;
     for (v.edges = 1;; ++v.edges) {
       const Vec3f before = ray.origin;
       if (!within(v.edges)) return radiance;
-      if (!meet(ray, draws, TransportMode::radiance, v) || (v.edges == 1 && camera_.beyond_far_plane(v.at.p)))
-        return lights_->environment() ? radiance + meet_environment(v, before) : radiance;
+      if (!meet(ray, draws, TransportMode::radiance, v))
+        return lights_->environment() && shows_environment ? radiance + meet_environment(v, before) : radiance;
       if (!has_density(v, before)) return radiance;
       if (v.edges == 1) {
         const double density = camera_.density(v.at.p, u_lens) * cosine(v.at.ng, v.back);
@@ -113,14 +115,16 @@ class BidirectionalTracer : ScalarTracer {
         radiance += join_light_path(v, light_path, draws, work);
       }
       if (!go_on(v, draws, TransportMode::radiance, 1, ray)) return radiance;
+      shows_environment = shows_environment || !v.went_straight;
       ++work.rays.bounce;
     }
   }
 
   bool meet(Ray& ray, const Draws& draws, TransportMode mode, Vertex& v) const {
     v.back = -ray.direction;
-    return travel(world_, ray, v.around, draws.one(bdpt_dimension::at_vertex(v.edges, bdpt_dimension::layer)), mode,
-                  v.throughput, v.at);
+    const float u_layer = draws.one(bdpt_dimension::at_vertex(v.edges, bdpt_dimension::layer));
+    if (mode == TransportMode::radiance && v.edges == 1) return look(ray, v.around, u_layer, v.throughput, v.at);
+    return travel(world_, ray, v.around, u_layer, mode, v.throughput, v.at);
   }
 
   /// Where a ray meets a surface edge-on, or where it starts, no density per area exists. Such rays have no share of
@@ -132,9 +136,12 @@ class BidirectionalTracer : ScalarTracer {
   /// What arrives of light between the vertex and another point.
   Rgb arriving(const Vertex& v, const SegmentEnd& to, const Draws& draws) const {
     if (!world_.has_media_or_bodies()) return Rgb(world_.visible(end_at(v.at), to) ? 1.0f : 0.0f);
+    return transmittance(world_, end_at(v.at), to, towards(v, to), {}, draws, bdpt_dimension::segment);
+  }
+  Surroundings towards(const Vertex& v, const SegmentEnd& to) const {
     Surroundings around = v.around;
-    around.leave(world_, v.at, v.back, to.p - v.at.p);
-    return transmittance(world_, end_at(v.at), to, around, false, draws, bdpt_dimension::segment);
+    if (world_.has_media_or_bodies()) around.leave(world_, v.at, v.back, to.p - v.at.p);
+    return around;
   }
 
   /// Density with which a light path goes on from the vertex as a camera path came.
@@ -148,6 +155,7 @@ class BidirectionalTracer : ScalarTracer {
     const Scattered next = scatter(v.at, v.back, draws.one(bdpt_dimension::at_vertex(v.edges, bdpt_dimension::lobe)),
                                    draws.two(bdpt_dimension::at_vertex(v.edges, bdpt_dimension::next)), mode);
     if (!next.valid) return false;
+    v.went_straight = next.straight;
     const bool from_light = mode == TransportMode::importance;
     const float cos_out = cosine(v.at.ng, next.wi);
     if (next.delta)
@@ -202,7 +210,7 @@ class BidirectionalTracer : ScalarTracer {
     const LightPoint<float> point = lights_.point(v.at);
     const Rgb emitted = lights_->radiance(v.at.light, point, v.back);
     if (!(max_component(emitted) > 0)) return Rgb(0.0f);
-    if (v.edges == 1) return limits_.hide_emitters ? Rgb(0.0f) : v.throughput * emitted;
+    if (v.edges == 1) return v.throughput * emitted;
     const EmissionPdfs<float> pdfs = lights_->emit_pdfs(v.at.light, point, v.back, before);
     const double g = cosine(v.at.ng, v.back) / length_squared(v.at.p - before);
     const double drawn_anew = g * lights_->pdf(v.at.light, before, point);
@@ -213,7 +221,6 @@ class BidirectionalTracer : ScalarTracer {
 
   /// s = 0 at infinity: the direction takes the place of the light's point, and densities stay per solid angle.
   Rgb meet_environment(const Vertex& v, const Vec3f& before) const {
-    if (v.edges == 1 && limits_.hide_emitters) return Rgb(0.0f);
     const Vec3f direction = -v.back;
     const Rgb emitted = v.throughput * lights_->environment_radiance(direction);
     if (v.edges == 1 || !(max_component(emitted) > 0)) return emitted;
@@ -249,6 +256,7 @@ class BidirectionalTracer : ScalarTracer {
 
   /// t = 1: the light vertex as the camera sees it.
   void join_lens(const Vertex& v, const Draws& draws, ScalarWork& work) const {
+    if (is_hidden(v.at)) return;
     const std::optional<CameraSeen> seen =
         camera_.connect(v.at.p, draws.two(bdpt_dimension::at_vertex(v.edges, bdpt_dimension::end_point)));
     if (!seen) return;
@@ -257,7 +265,8 @@ class BidirectionalTracer : ScalarTracer {
     const Rgb value = v.throughput * evaluate(at, seen->wi, v.back, TransportMode::importance) * seen->density;
     if (!(max_component(value) > 0)) return;
     ++work.rays.shadow;
-    const Rgb arrives = arriving(v, seen->end, draws);
+    const Rgb arrives =
+        arriving_at_camera(end_at(v.at), seen->end, towards(v, seen->end), draws, bdpt_dimension::segment);
     if (!(max_component(arrives) > 0)) return;
     const double made = seen->density * cosine(v.at.ng, seen->wi);
     const double less = v.weights.ratio(made, scatter_pdf(at, seen->wi, v.back, TransportMode::radiance));

@@ -53,7 +53,7 @@ class ParticleTracer : ScalarTracer {
       Interaction at;
       if (!travel(world_, ray, around, draws.one(draw(4)), TransportMode::importance, throughput, at)) return;
       const Vec3f to_light = -ray.direction;
-      if (has_smooth(at.bsdf)) connect(at, to_light, throughput, around, draws, draw(0), work);
+      if (has_smooth(at.bsdf) && !is_hidden(at)) connect(at, to_light, throughput, around, draws, draw(0), work);
       if (!within(edges + 2)) return;
       const Scattered next = scatter(at, to_light, draws.one(draw(2)), draws.two(draw(1)), TransportMode::importance);
       if (!next.valid) return;
@@ -81,9 +81,7 @@ class ParticleTracer : ScalarTracer {
     Rgb throughput(1.0f);
     Surroundings around = around_camera_;
     Interaction at;
-    if (travel(world_, *ray, around, draws.one(ptracer_dimension::layer), TransportMode::radiance, throughput, at) &&
-        !camera_.beyond_far_plane(at.p))
-      return Rgb(0.0f);
+    if (look(*ray, around, draws.one(ptracer_dimension::layer), throughput, at)) return Rgb(0.0f);
     return throughput * lights_->environment_radiance(ray->direction);
   }
 
@@ -96,9 +94,7 @@ class ParticleTracer : ScalarTracer {
     Rgb throughput(1.0f);
     Surroundings around = around_camera_;
     Interaction at;
-    if (!ray ||
-        !travel(world_, *ray, around, draws.one(ptracer_dimension::layer), TransportMode::radiance, throughput, at))
-      return false;
+    if (!ray || !look(*ray, around, draws.one(ptracer_dimension::layer), throughput, at)) return false;
     const std::optional<CameraSeen> seen = camera_.connect(at.p, lens);
     if (!seen || !has_smooth(at.bsdf)) return false;
     const Vec3f above = std::copysign(1.0f, dot(at.ng, seen->wi)) * at.ng;
@@ -139,7 +135,7 @@ class ParticleTracer : ScalarTracer {
            const Draws& draws, ScalarWork& work) const {
     if (!(max_component(value) > 0)) return;
     ++work.rays.shadow;
-    const Rgb arrives = value * transmittance(world_, from, seen.end, around, false, draws, ptracer_dimension::segment);
+    const Rgb arrives = value * arriving_at_camera(from, seen.end, around, draws, ptracer_dimension::segment);
     if (max_component(arrives) > 0) work.splats.push_back({seen.raster, arrives});
   }
 };

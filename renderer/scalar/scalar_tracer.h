@@ -32,6 +32,23 @@ class ScalarTracer {
     return world_.leave(ahead ? SegmentEnd{start.ahead} : lights_.end(start), start.direction);
   }
 
+  /// Whether what the camera's ray met is a lamp that is hidden from it.
+  bool is_hidden(const Interaction& at) const { return limits_.hide_emitters && at.light != no_index; }
+  /// As `travel`, from the camera: behind hidden lamps the ray goes on, and it ends at the far plane.
+  bool look(Ray& ray, Surroundings& around, float u_layer, Rgb& throughput, Interaction& at) const {
+    while (travel(world_, ray, around, u_layer, TransportMode::radiance, throughput, at)) {
+      if (!is_hidden(at)) return !camera_.beyond_far_plane(at.p);
+      if (world_.has_media_or_bodies()) around.cross(world_, at, ray.direction);
+      ray = world_.pass(ray, at, ray.direction);
+    }
+    return false;
+  }
+  /// What arrives at the camera: as `transmittance`, through lamps that are hidden from it.
+  Rgb arriving_at_camera(const SegmentEnd& from, const SegmentEnd& camera, const Surroundings& around,
+                         const Draws& draws, std::uint32_t dimension) const {
+    return transmittance(world_, from, camera, around, {.lamps = limits_.hide_emitters}, draws, dimension);
+  }
+
   World world_;
   WorldLights lights_;
   WorldCamera camera_;

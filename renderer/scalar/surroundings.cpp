@@ -120,8 +120,8 @@ Surroundings surroundings_at(const World& world, const Vec3f& p, std::uint32_t o
 }
 
 Rgb transmittance(const World& world, const SegmentEnd& from, const SegmentEnd& to, Surroundings surroundings,
-                  bool through_null, const Draws& draws, std::uint32_t dimension) {
-  if (!world.has_media_or_bodies() && !(through_null && world.has_null_surfaces()))
+                  const Passing& through, const Draws& draws, std::uint32_t dimension) {
+  if (!world.has_media_or_bodies() && !through.lamps && !(through.null && world.has_null_surfaces()))
     return Rgb(world.visible(from, to) ? 1.0f : 0.0f);
   const std::vector<Medium>& media = world.scene().media.media;
   Rgb left(1.0f);
@@ -142,10 +142,11 @@ Rgb transmittance(const World& world, const SegmentEnd& from, const SegmentEnd& 
       return left;
     }
     attenuate(step);
-    if (surroundings.crossing(world, at, ray.direction).is_boundary) {
-      const std::optional<Rgb> through = through_null ? straight_through(at, -ray.direction) : std::nullopt;
-      if (!through) return Rgb(0.0f);
-      left *= *through;
+    const bool passes = through.lamps && at.light != no_index;
+    if (!passes && surroundings.crossing(world, at, ray.direction).is_boundary) {
+      const std::optional<Rgb> part = through.null ? straight_through(at, -ray.direction) : std::nullopt;
+      if (!part) return Rgb(0.0f);
+      left *= *part;
     }
     if (!(max_component(left) > 0)) return Rgb(0.0f);
     surroundings.cross(world, at, ray.direction);

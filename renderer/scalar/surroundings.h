@@ -59,11 +59,16 @@ Rgb arriving_from_infinity(const World& world, bool from_infinity, std::uint32_t
 /// What is at p, found by following a ray there from far outside. Borders of media and bodies are taken to be closed.
 Surroundings surroundings_at(const World& world, const Vec3f& p, std::uint32_t outer);
 
+/// Surfaces that do not end a segment: those that let light go straight on, with what they let through, and lamps.
+struct Passing {
+  bool null = false, lamps = false;
+};
+
 /// Which part of the light that goes from one point to another arrives: 0 where a surface is in the way, else what the
-/// media absorb and scatter away leaves. `surroundings` are those of the segment's start. With `through_null`, surfaces
-/// that let light go straight on count with what they let through; `draws` decide among layers, from `dimension` on.
+/// media absorb and scatter away leaves. `surroundings` are those of the segment's start; `draws` decide among layers,
+/// from `dimension` on.
 Rgb transmittance(const World& world, const SegmentEnd& from, const SegmentEnd& to, Surroundings surroundings,
-                  bool through_null, const Draws& draws, std::uint32_t dimension);
+                  const Passing& through, const Draws& draws, std::uint32_t dimension);
 
 /// The next surface that is there, and what absorbing media leave of `throughput` on the way. `ray` and `surroundings`
 /// are those of the last step, of a history of that mode. False when there is none.

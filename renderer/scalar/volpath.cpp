@@ -3,7 +3,7 @@
 // and null surfaces between, and what directions find by themselves is weighted against that (power heuristic, Veach
 // 1997). Media that only absorb take their part of the throughput without a random number. As in Mitsuba's volpath,
 // surfaces that light goes straight through are no path vertices: they do not count as depth, and light sampling passes
-// them.
+// them. Lamps that are hidden from the camera are none either, up to the first vertex.
 
 #include "renderer/scalar/volpath.h"
 
@@ -39,13 +39,15 @@ class VolumetricTracer : ScalarTracer {
     if (!first) return Rgb(0.0f);
     History h;
     h.ray = *first;
+    bool from_camera = true;  // nothing but hidden lamps has been met
     h.surroundings = around_camera_;
     ++work.rays.camera;
     for (std::uint32_t step = 0;; ++step) {
       Interaction at;
       const bool met = world_.intersect(h.ray, draws.one(volpath_dimension::at_step(step, volpath_dimension::layer)),
                                         TransportMode::radiance, at) &&
-                       !(step == 0 && camera_.beyond_far_plane(at.p));
+                       !(from_camera && camera_.beyond_far_plane(at.p));
+      from_camera = from_camera && met && is_hidden(at);
       const float distance = met ? h.ray.way_to(at.p) : world_.far_away();
       const std::optional<float> scattered = cross_medium(h, distance, met, step, draws);
       if (!(max_component(h.throughput) > 0)) return h.radiance;
@@ -94,9 +96,9 @@ class VolumetricTracer : ScalarTracer {
       const float f = phase.eval(h.ray.direction, seen.wi);
       const float weight = seen.is_delta ? 1.0f : power_heuristic(seen.pdf, f);
       ++work.rays.shadow;
-      h.radiance +=
-          h.throughput * seen.radiance * (f * weight / seen.pdf) *
-          transmittance(world_, {p}, lights_.end(seen), h.surroundings, true, draws, volpath_dimension::segment(step));
+      h.radiance += h.throughput * seen.radiance * (f * weight / seen.pdf) *
+                    transmittance(world_, {p}, lights_.end(seen), h.surroundings, {.null = true}, draws,
+                                  volpath_dimension::segment(step));
     }
     const Vec3f wi =
         phase.sample(h.ray.direction, draws.two(volpath_dimension::at_step(step, volpath_dimension::direction)));
@@ -109,9 +111,10 @@ class VolumetricTracer : ScalarTracer {
 
   bool meet_surface(History& h, Interaction& at, std::uint32_t step, const Draws& draws, ScalarWork& work) const {
     const Vec3f wo = -h.ray.direction;
-    if (at.light != no_index) add_emission(h, at, wo);
+    const bool is_passed = h.depth == 0 && is_hidden(at);
+    if (at.light != no_index && !is_passed) add_emission(h, at, wo);
     const Crossing crossing = h.surroundings.crossing(world_, at, h.ray.direction);
-    if (!crossing.is_boundary) {
+    if (is_passed || !crossing.is_boundary) {
       h.surroundings.cross(world_, at, h.ray.direction);
       h.ray = world_.pass(h.ray, at, h.ray.direction);
       return true;
@@ -134,7 +137,6 @@ class VolumetricTracer : ScalarTracer {
   }
 
   void add_emission(History& h, const Interaction& at, const Vec3f& wo) const {
-    if (h.depth == 0 && limits_.hide_emitters) return;
     const LightPoint<float> point = lights_.point(at);
     const Rgb emitted = lights_->radiance(at.light, point, wo);
     if (!(max_component(emitted) > 0)) return;
@@ -167,9 +169,9 @@ class VolumetricTracer : ScalarTracer {
     Surroundings outward = h.surroundings;
     outward.leave(world_, at, wo, seen.wi);
     ++work.rays.shadow;
-    h.radiance +=
-        h.throughput * f * seen.radiance * (weight / seen.pdf) *
-        transmittance(world_, end_at(at), lights_.end(seen), outward, true, draws, volpath_dimension::segment(step));
+    h.radiance += h.throughput * f * seen.radiance * (weight / seen.pdf) *
+                  transmittance(world_, end_at(at), lights_.end(seen), outward, {.null = true}, draws,
+                                volpath_dimension::segment(step));
   }
 
   /// Russian roulette from rr_depth on, with the largest channel.

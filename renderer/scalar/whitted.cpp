@@ -33,23 +33,34 @@ class WhittedTracer : ScalarTracer {
     if (!first) return Rgb(0.0f);
     ++work.rays.camera;
     std::uint32_t dimension = whitted_dimension::first_hit;
-    return follow(*first, Rgb(1.0f), 1, draws, dimension, work);
+    return follow(*first, Rgb(1.0f), {1, true}, draws, dimension, work);
   }
 
  private:
-  /// Radiance along a ray that is the path's edge number `edges`, times throughput.
-  Rgb follow(const Ray& ray, const Rgb& throughput, std::uint32_t edges, const Draws& draws, std::uint32_t& dimension,
+  struct Edge {
+    std::uint32_t number;
+    bool straight;  ///< as the camera's ray
+  };
+
+  /// Radiance along a ray, times throughput.
+  Rgb follow(Ray ray, const Rgb& throughput, const Edge& edge, const Draws& draws, std::uint32_t& dimension,
              ScalarWork& work) const {
     Interaction at;
+    const std::uint32_t edges = edge.number;
     if (!within(edges)) return Rgb(0.0f);
-    if (!world_.intersect(ray, draws.one(dimension++), TransportMode::radiance, at) ||
-        (edges == 1 && camera_.beyond_far_plane(at.p)))
-      return edges == 1 && limits_.hide_emitters ? Rgb(0.0f)
-                                                 : throughput * lights_->environment_radiance(ray.direction);
+    const float u_layer = draws.one(dimension++);
+    bool met = world_.intersect(ray, u_layer, TransportMode::radiance, at);
+    if (edges == 1) {
+      for (; met && is_hidden(at); met = world_.intersect(ray, u_layer, TransportMode::radiance, at))
+        ray = world_.pass(ray, at, ray.direction);
+      met = met && !camera_.beyond_far_plane(at.p);
+    }
+    if (!met)
+      return edge.straight && limits_.hide_emitters ? Rgb(0.0f)
+                                                    : throughput * lights_->environment_radiance(ray.direction);
     const Vec3f wo = -ray.direction;
     Rgb radiance(0.0f);
-    if (at.light != no_index && !(edges == 1 && limits_.hide_emitters))
-      radiance += throughput * lights_->radiance(at.light, lights_.point(at), wo);
+    if (at.light != no_index) radiance += throughput * lights_->radiance(at.light, lights_.point(at), wo);
     if (!within(edges + 1)) return radiance;
     if (has_smooth(at.bsdf)) radiance += throughput * direct_light(at, wo, draws, dimension, work);
 
@@ -64,7 +75,8 @@ class WhittedTracer : ScalarTracer {
       const Rgb on = throughput * lobe.weight * lobe.pdf;  // the choice of the lobe taken back
       if (max_component(on) < faint) continue;
       ++work.rays.bounce;
-      radiance += follow(world_.leave(at, lobe.wi), on, edges + 1, draws, dimension, work);
+      radiance +=
+          follow(world_.leave(at, lobe.wi), on, {edges + 1, edge.straight && lobe.straight}, draws, dimension, work);
     }
     return radiance;
   }

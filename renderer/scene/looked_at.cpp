@@ -4,11 +4,26 @@
 #include <cmath>
 #include <limits>
 
+#include "renderer/rays/surface_hit.h"
 #include "renderer/sensor/camera_ray.h"
 
 namespace photonproof {
 
 namespace {
+
+/// Behind lamps that are hidden from the camera.
+Hit first_seen(const Scene& scene, Vec3f origin, const Vec3f& direction) {
+  constexpr int most_lamps = 16;
+  const auto is_hidden = [&](const Hit& hit) {
+    return scene.view().hides_lamps && hit.valid() && scene.surfaces[hit.surface].light != no_index;
+  };
+  Hit hit = scene.intersect(origin, direction);
+  for (int i = 0; i < most_lamps && is_hidden(hit); ++i) {
+    origin = offset_from(hit.p_world, hit.normal, direction, scene.view().coordinate_floor);
+    hit = scene.intersect(origin, direction);
+  }
+  return hit;
+}
 
 /// By rows; NaN where the ray meets nothing.
 std::vector<Vec3f> lattice_of_hits(const Scene& scene, int lattice) {
@@ -19,7 +34,7 @@ std::vector<Vec3f> lattice_of_hits(const Scene& scene, int lattice) {
     for (int column = 0; column < lattice; ++column) {
       CameraRay<float> ray;
       set_ray<float>(camera, {share(column) * camera.width, share(row) * camera.height}, {0.5f, 0.5f}, ray);
-      const Hit hit = ray.valid ? scene.intersect(ray.origin, ray.direction) : Hit{};
+      const Hit hit = ray.valid ? first_seen(scene, ray.origin, ray.direction) : Hit{};
       points.push_back(hit.valid() ? hit.p_world : Vec3f(std::numeric_limits<float>::quiet_NaN()));
     }
   }

@@ -87,6 +87,7 @@ SceneView Scene::view_of(const SceneChoices& choices) const {
   view.light_count = static_cast<std::uint32_t>(lights.size());
   for (const Light& light : lights) view.light_kinds |= 1u << kernel_kind(light);
   view.lights_can_be_hit = lights_can_be_hit;
+  view.hides_lamps = choices.hides_lamps;
   view.rough_limit = rough_limit;
   view.general_lights = scene_lights_.get();
   view.environment = scene_lights_->environment().value_or(no_index);

@@ -44,6 +44,7 @@ struct SceneView : RayScene {
   std::uint32_t bsdf_kinds = 0;  ///< bit k: a surface has a BSDF of kind k
   std::uint32_t light_kinds = 0;
   bool lights_can_be_hit = false;
+  bool hides_lamps = false;  ///< SceneChoices
   RoughLimit rough_limit{};
   bool guided_emission = false;  ///< `general_lights` says where light paths start
   float coordinate_floor = 1;    ///< least magnitude of coordinates that ray offsets reckon with
