@@ -238,15 +238,11 @@ class Shapes {
     return {form_py("disk", placed.shape->flip_normals), placed.to_world};
   }
   Form form_of(const Placed& placed, const MeshDescription& mesh) {
-    // A mirroring to_world turns a mesh, other than what Blender's objects do.
-    const bool turned = placed.shape->flip_normals != (placed.to_world.determinant() < 0);
-    if (turned != placed.shape->flip_normals && !mesh.face_normals && !mesh.mesh->normals.empty())
-      script_.refuse(placed.shape->loc, "a mesh with normals that is mirrored");
-    return {mesh_py(mesh.mesh, turned, mesh.flip_tex_coords, !mesh.face_normals), placed.to_world};
+    return {mesh_py(mesh.mesh, placed.shape->flip_normals, mesh.flip_tex_coords, !mesh.face_normals), placed.to_world};
   }
   Form form_of(const Placed& placed, const HeightfieldDescription& field) {
-    const bool turned = placed.shape->flip_normals != (placed.to_world.determinant() < 0);
-    return {mesh_py(heights_.at(placed.shape), turned, false, !field.face_normals), placed.to_world};
+    return {mesh_py(heights_.at(placed.shape), placed.shape->flip_normals, false, !field.face_normals),
+            placed.to_world};
   }
   /// A square far beyond everything, in the plane's own uv.
   Form form_of(const Placed& placed, const PlaneDescription&) {

@@ -111,7 +111,8 @@ std::vector<Vec3d> vertex_normals(const TriangleMesh& mesh) {
 PovMesh place_mesh(const ShapeDescription& shape, std::shared_ptr<const TriangleMesh> mesh, bool smooth,
                    std::size_t number) {
   constexpr double inf = std::numeric_limits<double>::infinity();
-  PovMesh placed{std::move(mesh), shape.to_world, shape.flip_normals, number, smooth, 0, Vec3d(inf), Vec3d(-inf)};
+  const bool turned = shape.flip_normals != (shape.to_world.determinant() < 0);  // mirrored, the front stays the front
+  PovMesh placed{std::move(mesh), shape.to_world, turned, number, smooth, 0, Vec3d(inf), Vec3d(-inf)};
   for (const Vec3f& local : placed.mesh->positions) {
     const Vec3d p = shape.to_world.point(Vec3d(local));
     placed.low = {std::min(placed.low.x, p.x), std::min(placed.low.y, p.y), std::min(placed.low.z, p.z)};
@@ -126,10 +127,11 @@ PovMesh place_mesh(const ShapeDescription& shape, std::shared_ptr<const Triangle
 
 namespace {
 
-/// What turns normals as `t` turns surfaces: the cofactors of its upper block, which need no inverse.
+/// A normal on the same side of a surface that `t` moves: by the cofactors of its upper block, which need no inverse.
 Vec3d turned_normal(const Transform& t, const Vec3d& n) {
   const Vec3d x = t.vector({1, 0, 0}), y = t.vector({0, 1, 0}), z = t.vector({0, 0, 1});
-  return normalize(cross(y, z) * n.x + cross(z, x) * n.y + cross(x, y) * n.z);
+  const double side = t.determinant() < 0 ? -1 : 1;
+  return normalize(cross(y, z) * n.x + cross(z, x) * n.y + cross(x, y) * n.z) * side;
 }
 
 void write_normals(const PovMesh& mesh, Buffered& out) {

@@ -91,6 +91,59 @@ SceneDescription with_textured_lamp(bool with_flat_triangle) {
   return scene;
 }
 
+/// A wedge: no plane maps it onto itself, and its front is outside.
+SceneDescription wedge_scene(bool face_normals, bool own_normals, double side) {
+  auto mesh = std::make_shared<TriangleMesh>();
+  mesh->resize_positions(6);
+  const Vec3f corners[] = {{0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {0, 0, 1}, {0, 1, 0}, {0, 1, 1}};
+  std::copy(std::begin(corners), std::end(corners), mesh->positions.begin());
+  mesh->triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 5}, {0, 5, 4}, {1, 4, 5}, {1, 5, 2}, {0, 4, 1}, {3, 2, 5}};
+  if (own_normals)
+    for (const Vec3f& p : corners) mesh->normals.push_back(normalize(p - Vec3f(0.3f, 0.3f, 0.5f)));
+  SceneDescription scene;
+  test::add_shape(scene, MeshDescription{MeshDescription::Format::ply, "wedge.ply", face_normals, false, mesh}, {},
+                  test::add_bsdf(scene, DiffuseDescription{RgbD{0.6, 0.3, 0.1}}));
+  scene.emitters.push_back({{}, "", DirectionalLightDescription{normalize(Vec3d{-side, -1, -1}), RgbD(1)}});
+  test::set_camera(scene, Transform::look_at({0, 1, 4}, {0, 0.3, 0}, {0, 1, 0}), 39.3, 24);
+  scene.integrator.method = WhittedDescription{};
+  return scene;
+}
+
+// Mitsuba 3.10 flips the winding of mirrored meshes as 3.9 does that of instances: the image is flipped, too.
+TEST(mesh_scene, mirrored_is_the_image_flipped_by_its_own_transform_and_by_instances) {
+  const Transform mirror = Transform::scale({-1, 1, 1});
+  RenderJob job = test::job_with(16);
+  job.budget.photons.reset();
+  job.grid = 4;
+  for (const bool face_normals : {true, false})
+    for (const bool own_normals : {false, true}) {
+      const Image plain = test::render(wedge_scene(face_normals, own_normals, 1), "whitted", job).image.mean;
+      EXPECT_GT(test::image_mean(plain), 0.004) << "inside out it would be black";
+      // By the shape's transform, by the instance's, and by both, which is no mirroring.
+      for (const auto& [inner, outer] : {std::pair{mirror, Transform()}, {Transform(), mirror}, {mirror, mirror}}) {
+        const bool flipped = (inner * outer).determinant() < 0;
+        for (const bool grouped : {false, true}) {
+          SceneDescription scene = wedge_scene(face_normals, own_normals, flipped ? -1 : 1);
+          if (grouped) {
+            scene.shapes[0].to_world = inner;
+            scene.groups.push_back({{}, "", scene.shapes});
+            scene.shapes.clear();
+            test::add_shape(scene, InstanceDescription{{0}}, outer, {});
+          } else {
+            scene.shapes[0].to_world = outer * inner;
+          }
+          const Image image = test::render(scene, "whitted", job).image.mean;
+          double difference = 0;
+          for (int y = 0; y < 24; ++y)
+            for (int x = 0; x < 24; ++x)
+              difference += double{std::abs(image.pixel(x, y)[0] - plain.pixel(flipped ? 23 - x : x, y)[0])};
+          // A sample on an edge may fall to either side.
+          EXPECT_LT(difference / (24 * 24), 0.01 * test::image_mean(plain)) << face_normals << own_normals << grouped;
+        }
+      }
+    }
+}
+
 TEST(mesh_scene, a_triangle_without_area_changes_nothing_of_a_lamp) {
   for (const char* integrator : {"path", "bdpt", "ptracer", "photonmapper", "whitted"})
     for (const SkipSwitches& skips : {SkipSwitches(), SkipSwitches({"bvh"})}) {

@@ -98,20 +98,15 @@ void SceneShapes::add_quad(const ShapeDescription& shape, const Vec3d& corner, c
 }
 
 void SceneShapes::add(const MeshDescription&, const ShapeDescription& shape, const Transform& to_world) {
-  add_mesh(shape, to_world, false);
+  add_mesh(shape, to_world);
 }
 
 void SceneShapes::add(const HeightfieldDescription&, const ShapeDescription& shape, const Transform& to_world) {
-  add_mesh(shape, to_world, false);
+  add_mesh(shape, to_world);
 }
 
-void SceneShapes::add_mesh(const ShapeDescription& shape, const Transform& to_world, bool placed_mirrored) {
+void SceneShapes::add_mesh(const ShapeDescription& shape, const Transform& to_world) {
   Mesh mesh = compile_mesh(shape, to_world);
-  if (placed_mirrored) {
-    mesh.inward = !mesh.inward;
-    if (!mesh.source->normals.empty())
-      for (Vec3f& n : mesh.normals) n = -n;
-  }
   primitives += mesh.triangle_count();
   add_surface(std::move(mesh), shape);
   mark_long_faces(to_world);
@@ -158,11 +153,13 @@ Mesh SceneShapes::compile_mesh(const ShapeDescription& shape, const Transform& t
   mesh.positions.reserve(source.positions.size() + 1);
   for (const Vec3f& p : source.positions) mesh.positions.push_back(Vec3f(to_world.point(Vec3d(p))));
   mesh.positions.emplace_back();
-  mesh.inward = shape.flip_normals;  // as Mitsuba, which lets a mirroring transform turn a mesh over
+  // A mirroring transform turns the winding round, but not the side that is the front.
+  const bool mirrored = to_world.determinant() < 0;
+  mesh.inward = shape.flip_normals != mirrored;
   if (!flat && !source.normals.empty()) {
     const AffineMap map(to_world);
     mesh.normals.reserve(source.normals.size());
-    for (const Vec3f& n : source.normals) mesh.normals.push_back(normalize(map.normal(n)));
+    for (const Vec3f& n : source.normals) mesh.normals.push_back(normalize(map.normal(n)) * (mirrored ? -1.0f : 1.0f));
   } else if (!flat) {
     mesh.normals = vertex_normals(source.triangles, mesh.positions, source.positions.size());
   }
@@ -211,7 +208,7 @@ void SceneShapes::add(const InstanceDescription& instance, const ShapeDescriptio
     if (std::holds_alternative<InstanceDescription>(member.geometry))
       throw InputError(description_.where(member.loc), "a shape group cannot hold instances");
     if (is_mesh(member) && too_long) {
-      add_mesh(member, to_world * member.to_world, to_world.determinant() < 0);
+      add_mesh(member, to_world * member.to_world);
     } else if (is_mesh(member)) {
       add_surface(MeshInstance{meshes.parts[part], placement, instances_, meshes.number, part}, member);
       ++part;

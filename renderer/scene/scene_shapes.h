@@ -50,8 +50,7 @@ class SceneShapes {
   void add_quad(const ShapeDescription& shape, const Vec3d& corner, const Vec3d& edge_u, const Vec3d& edge_v,
                 bool turned);
   const GroupMeshes& meshes_of(ShapeGroupIndex group);
-  /// `placed_mirrored`: by an instance, whose mirroring does not turn a mesh over as its own to_world does.
-  void add_mesh(const ShapeDescription& shape, const Transform& to_world, bool placed_mirrored);
+  void add_mesh(const ShapeDescription& shape, const Transform& to_world);
   /// Of the last surface, a mesh.
   void mark_long_faces(const Transform& to_world);
   /// Of the last surface.
