@@ -1,8 +1,5 @@
 // Sun and clear sky (scenes/sky/clear_sky.h), looked up and sampled. Local +z is up; there is nothing below the
 // horizon.
-//
-// Mitsuba's sunsky has the same sky, by the authors' data for RGB instead of XYZ, and another sun (Hosek and Wilkie
-// 2013).
 #pragma once
 
 #include <algorithm>

@@ -75,6 +75,7 @@ bool is_zero(const RgbD& colour) { return colour == RgbD(0.0); }
 struct Darkness {
   std::string operator()(const IesLightDescription& d) const { return "every candela of '" + d.filename + "' is 0"; }
   std::string operator()(const EnvmapDescription& d) const { return "every pixel of '" + d.filename + "' is 0"; }
+  std::string operator()(const SunSkyDescription&) const { return "the sun is below the horizon"; }
   template <class Other>
   std::string operator()(const Other&) const {
     return "its light is less than single precision can hold";

@@ -160,16 +160,18 @@ TEST(scene_notes, say_spots_that_few_camera_paths_meet) {
 }
 
 TEST(scene_notes, say_suns_and_media_beyond_precision) {
-  const auto sun = [](double aperture) {
+  const auto sun = [](double aperture, double height = 1) {
     SceneDescription d = test::room(4, false);
     d.files = {"s.xml"};
     SunSkyDescription sky;
     sky.sun_aperture_degrees = aperture;
+    sky.sun_direction = normalize(Vec3d{1, 0, height});
     d.emitters.push_back({{0, 2, 1}, "", sky});
     return notes_of(d);
   };
   EXPECT_EQ(sun(1e-3), "");
   EXPECT_EQ(sun(1e-9), "s.xml:2:1: sun_aperture 1e-09 is rendered as 0.0005\n");
+  EXPECT_EQ(sun(0.5, -0.01), "s.xml:2:1: the light emits nothing: the sun is below the horizon\n");
   const auto fog = [](double sigma_t, double albedo, double g) {
     SceneDescription d = test::room(4, false);
     d.files = {"s.xml"};

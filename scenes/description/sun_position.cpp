@@ -40,7 +40,7 @@ Vec3d sun_direction(const PlaceAndTime& when) {
   constexpr double kEarthRadius = 6371.01, kAstronomicalUnit = 149597890;  // km
   zenith += kEarthRadius / kAstronomicalUnit * std::sin(zenith);
 
-  return {std::cos(azimuth) * std::sin(zenith), std::sin(azimuth) * std::sin(zenith), std::cos(zenith)};
+  return {-std::cos(azimuth) * std::sin(zenith), -std::sin(azimuth) * std::sin(zenith), std::cos(zenith)};
 }
 
 }  // namespace photonproof

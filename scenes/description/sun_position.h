@@ -15,7 +15,7 @@ struct PlaceAndTime {
   double hour = 15, minute = 0, second = 0;
 };
 
-/// Unit vector towards the sun: +x is north, +y east, +z up, as Mitsuba documents it. Below the horizon z is negative.
+/// Unit vector towards the sun: +x is south, +y west, +z up, as in Mitsuba. Below the horizon z is negative.
 Vec3d sun_direction(const PlaceAndTime& when);
 
 }  // namespace photonproof

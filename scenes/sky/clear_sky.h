@@ -1,6 +1,6 @@
-// What a `sunsky` of a scene shines with: the sky of Hosek and Wilkie (sky_hosek_wilkie.h) and the sun of Preetham,
-// Shirley and Smits (sun_spectrum.h), in the units of Mitsuba's sunsky: radiance per nanometre, W m^-2 sr^-1 nm^-1, as
-// linear Rec. 709 of XYZ with the integral of the CIE 1931 y function divided out (cie_y_integral). Local +z is up.
+// The light of a `sunsky`: the sky (sky_hosek_wilkie.h) and the sun (sun_irradiance.h) of Hosek and Wilkie, in the
+// units of Mitsuba's sunsky: radiance per nanometre, W m^-2 sr^-1 nm^-1, as linear Rec. 709 with the integral of the
+// CIE 1931 y function divided out (cie_y_integral). Local +z is up. All is dark when the sun is below the horizon.
 #pragma once
 
 #include <vector>
@@ -12,8 +12,8 @@ namespace photonproof {
 
 class ClearSky {
  public:
-  /// `sun_direction` is of unit length, towards the sun; one that has set leaves the sky it had on the horizon. The
-  /// ground's albedo is a channel each. `scale` multiplies the radiance.
+  /// `sun_direction` is of unit length, towards the sun. The ground's albedo is a channel each. `scale` multiplies the
+  /// radiance.
   ClearSky(double turbidity, const RgbD& ground_albedo, const Vec3d& sun_direction, double scale);
 
   /// Without the sun's disc; black below the horizon. Of a unit direction.
@@ -29,7 +29,7 @@ class ClearSky {
 /// Steradians of a cone of this full angle, radians.
 double cone_solid_angle(double full_angle);
 
-/// Of a disc of this full angle, radians, whose irradiance is that of the sun of 0.5358 degrees.
+/// Of a disc of this full angle, radians, with the sun's irradiance.
 RgbD sun_radiance(double cos_theta_sun, double turbidity, double aperture);
 
 }  // namespace photonproof

@@ -50,7 +50,7 @@ HosekWilkieSky::HosekWilkieSky(double turbidity, double albedo, double sun_eleva
   }
 }
 
-Vec3d HosekWilkieSky::xyz(double cos_theta, double cos_gamma) const {
+RgbD HosekWilkieSky::rgb(double cos_theta, double cos_gamma) const {
   const double gamma = std::acos(cos_gamma), from_zenith = std::sqrt(cos_theta);
   const auto at = [&](const Channel& channel) {
     const auto& [a, b, c, d, e, f, g, i, h] = channel.shape;

@@ -16,7 +16,7 @@ struct HosekWilkieTable {
   std::array<double, std::size_t{2} * turbidities * points> mean;                ///< W m^-2 sr^-1
 };
 
-/// Of CIE X, Y and Z.
+/// Of the red, green and blue of Rec. 709.
 extern const std::array<HosekWilkieTable, 3> hosek_wilkie_tables;
 
 class HosekWilkieSky {
@@ -24,9 +24,8 @@ class HosekWilkieSky {
   /// Turbidity from 1 to 10; the ground's albedo, 0 to 1; the sun's height above the horizon, radians, 0 to pi/2.
   HosekWilkieSky(double turbidity, double albedo, double sun_elevation);
 
-  /// CIE XYZ of the radiance, W m^-2 sr^-1 (683 Y is the luminance in cd m^-2): cosines of the angles from the zenith,
-  /// not negative, and from the sun.
-  Vec3d xyz(double cos_theta, double cos_gamma) const;
+  /// Radiance, W m^-2 sr^-1: cosines of the angles from the zenith, not negative, and from the sun.
+  RgbD rgb(double cos_theta, double cos_gamma) const;
 
  private:
   struct Channel {
