@@ -43,7 +43,9 @@ void add_method_options(CLI::App& verb, RenderArguments& arguments) {
       ->check(CLI::IsMember(views));
   std::vector<std::string> isas;
   for (const Kernels& kernels : available_kernels()) isas.emplace_back(kernels.isa);
-  verb.add_option("--isa", arguments.isa, "instruction set of the kernels (default: the best this processor has)")
+  verb.add_option("--isa", arguments.isa,
+                  "instruction set of the kernels (default: the best this processor has); v3 and v4 give the same "
+                  "bits, v2 and scalar other bits each")
       ->check(CLI::IsMember(isas));
   verb.add_option("--no-skip", arguments.no_skip,
                   "do what the plan would skip: a name that --plan prints, or 'all'; may be repeated")
