@@ -31,10 +31,13 @@ double OthersBusy::cores() const {
   return std::max(0.0, (*now - *machine_ - (our_cpu_seconds() - ours_)) / timer_.seconds());
 }
 
-double time_beside_others(double others_cores, int cores) {
-  constexpr double tolerated = 0.25, most = 20;
+double time_beside_others(double others_cores, double own_cores, int cores) {
+  constexpr double tolerated = 0.25, most = 20, worth_a_try = 1.05;
   const double share = others_cores / std::max(1, cores);
-  return share < tolerated ? 1 : std::min(most, 1 / std::max(1 - share, 1 / most));
+  if (share < tolerated) return 1;
+  const double left = std::max(1 - share, 1 / most);
+  const double factor = 1 + (1 / left - 1) * std::min(1.0, own_cores / left);
+  return factor < worth_a_try ? 1 : factor;
 }
 
 }  // namespace photonproof

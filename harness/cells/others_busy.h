@@ -23,8 +23,10 @@ class OthersBusy {
   Timer timer_;
 };
 
-/// By how much a limit on wall time must grow so that a program gets what it would have of an idle machine of so many
-/// cores: 1 while others use less than a quarter of it, 20 at most.
-double time_beside_others(double others_cores, int cores);
+/// The factor by which a limit on wall time grows beside other work, so that a program gets the processor time that an
+/// idle machine would give it. It is 1 while others use less than a quarter of the machine, and 20 at most. A thread
+/// that is always ready to run gets at least what others leave of a core; a program that used less, because it sleeps,
+/// gains in proportion to `own_cores`, the processor seconds it had a second.
+double time_beside_others(double others_cores, double own_cores, int cores);
 
 }  // namespace photonproof

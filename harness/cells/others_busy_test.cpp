@@ -8,12 +8,20 @@ namespace photonproof {
 namespace {
 
 TEST(OthersBusy, time_grows_as_the_rest_of_the_machine_shrinks) {
-  EXPECT_EQ(time_beside_others(0, 2), 1);
-  EXPECT_EQ(time_beside_others(0.4, 2), 1);
-  EXPECT_DOUBLE_EQ(time_beside_others(1, 2), 2);      // half of the machine is left
-  EXPECT_DOUBLE_EQ(time_beside_others(1.5, 2), 4);    // a quarter
-  EXPECT_DOUBLE_EQ(time_beside_others(1.99, 2), 20);  // next to nothing
-  EXPECT_DOUBLE_EQ(time_beside_others(2.2, 2), 20);   // more than all, by the clocks' grain
+  constexpr double busy = 1;  // a thread that always runs when it may
+  EXPECT_EQ(time_beside_others(0, busy, 2), 1);
+  EXPECT_EQ(time_beside_others(0.4, busy, 2), 1);
+  EXPECT_DOUBLE_EQ(time_beside_others(1, busy, 2), 2);      // half of the machine is left
+  EXPECT_DOUBLE_EQ(time_beside_others(1.5, busy, 2), 4);    // a quarter
+  EXPECT_DOUBLE_EQ(time_beside_others(1.99, busy, 2), 20);  // next to nothing
+  EXPECT_DOUBLE_EQ(time_beside_others(2.2, busy, 2), 20);   // more than all, by the clocks' grain
+}
+
+TEST(OthersBusy, a_program_that_sleeps_has_no_more_time_for_others_work) {
+  EXPECT_EQ(time_beside_others(1.99, 0, 2), 1);
+  EXPECT_EQ(time_beside_others(1.99, 0.0001, 2), 1);         // 1 + 19 * 0.0001 / 0.05 = 1.04
+  EXPECT_DOUBLE_EQ(time_beside_others(1.5, 0.25, 2), 4);     // all that others left it
+  EXPECT_DOUBLE_EQ(time_beside_others(1.5, 0.125, 2), 2.5);  // half of it: 1 + (4 - 1) / 2
 }
 
 TEST(OthersBusy, our_own_work_is_not_others) {

@@ -126,7 +126,8 @@ std::optional<GradeCells::Cell> GradeRuns::run_beside_others(const PreparedSubmi
   if (!cell || cell->run.end != "timeout") return cell;
   const double others = busy.cores();
   const int cores = std::max(1, describe_host().cores);
-  request.more_time = time_beside_others(others, cores);
+  const double own_cores = cell->run.cpu_seconds / std::max(cell->run.wall_seconds, 1e-6);
+  request.more_time = time_beside_others(others, own_cores, cores);
   if (request.more_time == 1) return cell;
   cell = run_once(submission, scene, request, seed);
   if (cell && cell->run.end == "timeout")

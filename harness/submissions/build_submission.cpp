@@ -1,6 +1,8 @@
 #include "harness/submissions/build_submission.h"
 
 #include <cstdio>
+#include <regex>
+#include <sstream>
 
 #include "harness/submissions/submission_tree.h"
 #include "scenes/text/input_error.h"
@@ -13,14 +15,28 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kept_log = std::size_t{16} << 10;
+constexpr std::size_t longest_line = 4096;  // std::regex recurses by character
 
 std::string last_part(const std::string& text, std::size_t bytes) {
   return text.size() <= bytes ? text : text.substr(text.size() - bytes);
 }
 
+// The first line that names an error as compilers and linkers do: "render.cpp:7:5: error: ...". Later ones follow from
+// it, and make's last line says only that there was one. Empty: there is none.
+std::string first_error_line(const std::string& text) {
+  static const std::regex names_error(R"(\berror(\[\w+\])?:|undefined reference to|CMake Error|No rule to make target)",
+                                      std::regex::icase);
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);)
+    if (line.size() < longest_line && std::regex_search(line, names_error)) return last_line(line);
+  return {};
+}
+
 std::string build_sentence(const SandboxOutcome& outcome) {
   const ProcessOutcome& process = outcome.process;
-  std::string said = last_line(process.standard_error);
+  std::string said = first_error_line(process.standard_error);
+  if (said.empty()) said = first_error_line(process.standard_output);
+  if (said.empty()) said = last_line(process.standard_error);
   if (said.empty()) said = last_line(process.standard_output);
   std::string sentence = said_of("the build", outcome);
   if (process.end == ProcessOutcome::End::exited && !said.empty()) sentence += ": " + printable(said);
@@ -64,6 +80,7 @@ BuildOutcome build_submission(const fs::path& submission, const BuildRecipe& rec
   result.ok = outcome.ok() && outcome.collected;
   result.timed_out = outcome.limit == "time";
   result.seconds = outcome.process.wall_seconds;
+  result.cpu_seconds = outcome.process.all_cpu_seconds;
   result.log_tail = log_tail(outcome.process);
   char took[64];
   std::snprintf(took, sizeof took, "built in %.1f s", result.seconds);

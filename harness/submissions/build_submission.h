@@ -25,9 +25,9 @@ struct BuildRecipe {
 struct BuildOutcome {
   bool ok = false;
   bool timed_out = false;
-  std::string sentence;  ///< "built in 3.2 s", "the build exited with 2: make: *** ..."
+  std::string sentence;  ///< "built in 3.2 s", "the build exited with 2: a.cpp:7:5: error: ..."
   std::string log_tail;  ///< the last 16 KiB that it wrote, errors behind output
-  double seconds = 0;
+  double seconds = 0, cpu_seconds = 0;
 };
 
 /// Builds a copy of `submission`, which is not changed, and leaves the tree in `built`, which is made and must not
