@@ -57,6 +57,7 @@ struct Landmark {
 struct SceneKnowledge {
   Image reference;                ///< linear; may be brighter than white
   std::optional<Image> variance;  ///< of the reference
+  std::optional<Image> baseline;  ///< one render by the program that the author began with
   std::optional<float> white;     ///< where the submitted picture is clamped
   Lazy<SceneLight> light;
   std::vector<WhatIf> what_ifs;

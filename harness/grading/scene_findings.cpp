@@ -36,6 +36,7 @@ SceneKnowledge SceneFindings::found_out(std::size_t scene) const {
   known.reference = reference.rendering.mean;
   known.variance = reference.rendering.variance;
   known.white = white;
+  if (baseline_[scene] && !baseline_[scene]->images.empty()) known.baseline = baseline_[scene]->images.front();
   for (std::size_t other = 0; other < scenes_.size(); ++other)
     if (other != scene && references_[other])
       known.other_images.emplace_back("scene " + scenes_[other].row.name, references_[other]->rendering.mean);

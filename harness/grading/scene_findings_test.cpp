@@ -2,7 +2,10 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
+
 #include "scenes/parser/parser.h"
+#include "scenes/text/splitmix.h"
 
 namespace photonproof {
 namespace {
@@ -20,7 +23,8 @@ TEST(SceneFindings, a_failed_render_leaves_plainer_sentences_and_is_told_once_a_
   const std::vector<std::optional<SceneReference>> references{SceneReference{{grey, Image(32, 32), {}}, 4, 3, "given"}};
   OwnEngine none;
   none.program = "/there/is/no/such/program";
-  SceneFindings findings(assignment, scenes, references, none, [](const std::string&) {});
+  const std::vector<std::optional<SceneWorkGrade>> baseline(1);
+  SceneFindings findings(assignment, scenes, references, baseline, none, [](const std::string&) {});
   EXPECT_THAT(findings.problems(), testing::IsEmpty());
   for (const float factor : {0.5f, 0.6f}) {
     SceneWorkGrade work;
@@ -34,6 +38,36 @@ TEST(SceneFindings, a_failed_render_leaves_plainer_sentences_and_is_told_once_a_
   ASSERT_THAT(findings.problems(), testing::SizeIs(1));
   EXPECT_THAT(findings.problems()[0],
               testing::StartsWith("what is said of scene 'room' goes without what its light is made of: "));
+}
+
+// The reference is a mean of many renders, so it has less noise than the baseline's render, whose samples are counted.
+// Noise of deviation s in n samples is s sqrt(8) in n/8 of them.
+TEST(SceneFindings, noise_is_told_in_samples_of_the_baseline) {
+  const auto noisy = [](double deviation, std::uint64_t seed) {
+    Image image(64, 64);
+    for (std::size_t i = 0; i < image.rgb.size(); ++i) {
+      double noise = 0;  // of 12 uniform numbers: variance 1
+      for (std::uint64_t k = 0; k < 12; ++k)
+        noise += static_cast<double>(splitmix64(seed * 1000 + k, i) >> 11) * 0x1p-53 - 0.5;
+      image.rgb[i] = static_cast<float>(0.5 + deviation * noise);
+    }
+    return image;
+  };
+  Assignment assignment;
+  assignment.image.format = "bmp";
+  std::vector<WorkScene> scenes(1);
+  const std::vector<std::optional<SceneReference>> references{
+      SceneReference{{noisy(0.03 / 8, 1), Image(64, 64), {}}, 64, 63, "given"}};
+  std::vector<std::optional<SceneWorkGrade>> baseline(1);
+  baseline[0].emplace();
+  baseline[0]->images = {noisy(0.03, 2)};
+  SceneFindings findings(assignment, scenes, references, baseline, {}, [](const std::string&) {});
+  SceneWorkGrade work;
+  work.grade.verdict = SceneVerdict::wrong;
+  work.images = {noisy(0.03 * std::sqrt(8), 3)};
+  findings.add(0, work);
+  ASSERT_THAT(work.grade.findings, testing::SizeIs(1));
+  EXPECT_THAT(work.grade.findings[0].sentence, testing::HasSubstr("the baseline's noise, as with 1/8 of its samples"));
 }
 
 }  // namespace
