@@ -114,26 +114,43 @@ ReferenceSource reference_source(const TomlTable& table) {
     source.budget = *budget_from_text(text);
   }
   if (source.kind != ReferenceSource::Kind::files && table.has("seeds"))
-    source.seeds = bounded_integer(table, "seeds", 2, 1024);
+    source.seeds = bounded_integer(table, "seeds", 1, 1024);
+  if (source.seeds == 1 && source.kind == ReferenceSource::Kind::engine)
+    throw table.error("seeds", "'seeds' is 1, but renders by an engine are random: 2 at least");
   table.expect_no_other_keys();
   return source;
+}
+
+// `key` is where the table names it.
+const MetricRow* known_metric(const TomlTable& table, const std::string& key, const std::string& name) {
+  std::vector<std::string> names;
+  for (const MetricRow& row : metric_rows()) {
+    if (row.name == name) return &row;
+    names.push_back(row.name);
+  }
+  throw table.error(key, "unknown metric '" + name + "'" + did_you_mean(name, names));
+}
+
+PartialCredit partial_credit(const TomlTable& table) {
+  PartialCredit partial;
+  partial.metric = known_metric(table, "metric", table.string("metric"));
+  partial.full = table.number("full");
+  partial.none = table.number("none");
+  const bool more_is_better = partial.metric->bound == BoundKind::minimum;
+  if (partial.full == partial.none || (partial.full > partial.none) != more_is_better)
+    throw table.error("none", std::string("'none' must be ") + (more_is_better ? "less" : "more") + " than 'full'");
+  table.expect_no_other_keys();
+  return partial;
 }
 
 CorrectnessRule correctness_rule(const TomlTable& table) {
   CorrectnessRule rule;
   if (table.has("metrics")) {
     const TomlTable metrics = table.table("metrics");
-    for (const std::string& name : metrics.keys()) {
-      const double bound = metrics.number(name);
-      try {
-        rule.metrics.push_back({&metric_named("metrics", name), bound});
-      } catch (const InputError&) {
-        std::vector<std::string> names;
-        for (const MetricRow& row : metric_rows()) names.push_back(row.name);
-        throw metrics.error(name, "unknown metric '" + name + "'" + did_you_mean(name, names));
-      }
-    }
+    for (const std::string& name : metrics.keys())
+      rule.metrics.push_back({known_metric(metrics, name, name), metrics.number(name)});
   }
+  if (table.has("partial")) rule.partial = partial_credit(table.table("partial"));
   if (table.has("blocks")) {
     const TomlTable blocks = table.table("blocks");
     rule.blocks = {positive_number(blocks, "relative"), positive_number(blocks, "alpha")};
@@ -200,7 +217,12 @@ Assignment read_assignment(const fs::path& file) {
   if (!fs::exists(assignment.baseline, unreachable))
     throw baseline.error("submission", "no such file or folder: " + assignment.baseline.string());
   baseline.expect_no_other_keys();
-  if (document.has("reference")) assignment.reference = reference_source(document.table("reference"));
+  if (document.has("reference")) {
+    const TomlTable reference = document.table("reference");
+    assignment.reference = reference_source(reference);
+    if (assignment.reference.seeds == 1 && assignment.seeds)
+      throw reference.error("seeds", "'seeds' is 1, but [run] says that the program draws by {seed}: 2 at least");
+  }
   assignment.correctness = correctness_rule(document.table("correctness"));
   read_points(document, assignment);
   read_assignment_scenes(document, assignment);

@@ -53,7 +53,7 @@ struct ReferenceSource {
   enum class Kind { baseline, engine, files } kind = Kind::baseline;
   std::string engine;  ///< a row of engines.toml
   Budget budget;
-  int seeds = 8;  ///< independent images, whose mean it is
+  int seeds = 8;  ///< independent images, whose mean it is; 1: the baseline has no randomness
 };
 
 struct BlockBound {
@@ -61,9 +61,16 @@ struct BlockBound {
   double alpha = 0;     ///< the chance that a right image fails
 };
 
+/// Points for a wrong image, by one metric: all of them at `full`, none at `none`, linear in between.
+struct PartialCredit {
+  const MetricRow* metric = nullptr;
+  double full = 0, none = 0;
+};
+
 struct CorrectnessRule {
   std::vector<MetricBound> metrics;
   std::optional<BlockBound> blocks;
+  std::optional<PartialCredit> partial;
   int runs = 4;  ///< images of a scene, at most, while noise leaves it open
 };
 

@@ -1,6 +1,9 @@
 #include "harness/grading/class_timing.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "harness/cells/cells.h"
@@ -49,23 +52,79 @@ class Timing {
     if (!timed_works_.empty()) time();
     for (SubmissionWork& work : works_)
       if (work.grade.speed.state == SpeedGrade::State::none && work.grade.built) work.grade.speed = speed_of_same(work);
+    watch_untimed_scenes();
   }
 
  private:
   void time() {
-    SpeedSession session;
+    SpeedSession session = session_on(timed_, timed_works_);
     session.rule = *timing_.assignment.performance;
-    for (const std::size_t s : timed_) session.scenes.push_back(timing_.scenes[s].row.name);
-    session.submissions = timed_works_.size();
-    session.cores = timing_.cores;
-    session.run = [this](std::optional<std::size_t> submission, std::size_t scene, std::size_t number) {
-      return run(submission, scene, number);
-    };
     session.keep = [this](const auto& round) { keep(round); };
-    session.progress = timing_.progress;
     find_kept(session);
     const std::vector<SpeedGrade> grades = time_submissions(session);
     for (std::size_t i = 0; i < grades.size(); ++i) works_[timed_works_[i]].grade.speed = grades[i];
+  }
+
+  // Runs of these submissions on these scenes; both outlive the session.
+  SpeedSession session_on(const std::vector<std::size_t>& scenes, const std::vector<std::size_t>& works) {
+    SpeedSession session;
+    for (const std::size_t s : scenes) session.scenes.push_back(timing_.scenes[s].row.name);
+    session.submissions = works.size();
+    session.cores = timing_.cores;
+    session.progress = timing_.progress;
+    session.run = [&](std::optional<std::size_t> submission, std::size_t scene, std::size_t number) {
+      return run(submission ? std::optional(works[*submission]) : std::nullopt, scenes[scene], number);
+    };
+    return session;
+  }
+
+  // Scenes that earn no points for speed, hidden ones above all: a program that is quick on the timed scenes alone goes
+  // by what it is asked for. Submissions that the runs for correctness do not clear are timed in three rounds.
+  void watch_untimed_scenes() {
+    for (std::size_t s = 0; s < timing_.scenes.size(); ++s) {
+      if (!timing_.references[s] || std::ranges::find(timed_, s) != timed_.end()) continue;
+      std::vector<std::size_t> watched;
+      for (const std::size_t i : timed_works_)
+        if (may_be_slow(works_[i], s)) watched.push_back(i);
+      if (watched.empty() || timing_.runs.is_interrupted()) continue;
+      const std::vector<std::size_t> scene{s};
+      SpeedSession session = session_on(scene, watched);
+      session.rule.rounds = least_speed_rounds;
+      session.rule.seconds = timing_.assignment.performance->seconds;
+      session.keep = [](const auto&) {};
+      const std::vector<SpeedGrade> grades = time_submissions(session);
+      for (std::size_t i = 0; i < grades.size(); ++i) flag_slow(works_[watched[i]], s, grades[i]);
+    }
+  }
+
+  // The first runs for correctness, which ran beside others, say that it keeps less than three quarters of its speed-up
+  // there, by the logarithm.
+  bool may_be_slow(const SubmissionWork& work, std::size_t s) const {
+    const std::optional<Interval>& speedup = work.grade.speed.speedup.interval;
+    const auto& mine = work.scenes[s];
+    const auto& baseline = timing_.baseline_work.scenes[s];
+    if (!speedup || speedup->low <= 1 || !mine || !mine->grade.counts_as_right() || !baseline) return false;
+    const double ratio =
+        baseline->grade.runs.front().wall_seconds / std::max(mine->grade.runs.front().wall_seconds, 1e-6);
+    return std::log(ratio) < 0.75 * std::log(work.grade.speed.speedup.value);
+  }
+
+  // Half of the speed-up, by the logarithm, is missing for certain. Copies of the program are as slow.
+  void flag_slow(const SubmissionWork& timed, std::size_t s, const SpeedGrade& there) {
+    const Estimate& speedup = timed.grade.speed.speedup;
+    const std::optional<Interval>& interval = there.speedup.interval;
+    if (!interval || interval->high >= std::sqrt(speedup.interval->low)) return;
+    const WorkScene& scene = timing_.scenes[s];
+    const std::string sentence = fmt::format(
+        "{}scene {}: {:.3g} times as fast as the baseline ({:.3g} to {:.3g}), but {:.3g} times on the timed {}",
+        scene.row.hidden ? "hidden " : "", scene.row.name, there.speedup.value, interval->low, interval->high,
+        speedup.value, timed_.size() == 1 ? "scene" : "scenes");
+    const std::string checksum = timed.grade.checksum;
+    for (SubmissionWork& work : works_) {
+      if (work.grade.checksum != checksum) continue;
+      work.grade.flags.push_back({"fast-on-timed-only", sentence, scene.row.name, {}});
+      work.grade.speed.sentence += "; " + sentence;
+    }
   }
 
   bool is_to_be_timed(SubmissionWork& work) const {
@@ -99,9 +158,9 @@ class Timing {
     return speed;
   }
 
-  TimedRun run(std::optional<std::size_t> submission, std::size_t scene, std::size_t number) {
-    const std::size_t s = timed_[scene];
-    const PreparedSubmission& program = submission ? prepared_[timed_works_[*submission]] : timing_.baseline;
+  // `submission` and `s` count all submissions and scenes.
+  TimedRun run(std::optional<std::size_t> submission, std::size_t s, std::size_t number) {
+    const PreparedSubmission& program = submission ? prepared_[*submission] : timing_.baseline;
     const auto cell = timing_.runs.run_timed(program, timing_.scenes[s], number % timed_seeds);
     TimedRun timed;
     if (!cell) {
@@ -112,7 +171,7 @@ class Timing {
     if (!cell->image)
       timed.problem = "failed: " + cell->run.sentence;
     else if (submission)
-      timed.problem = image_problem_of(works_[timed_works_[*submission]], s, number % timed_seeds, *cell->image);
+      timed.problem = image_problem_of(works_[*submission], s, number % timed_seeds, *cell->image);
     return timed;
   }
 

@@ -20,6 +20,7 @@ std::string scene_title(const WorkScene& scene) {
 void make_wrong(SceneGrade& grade, const std::string& sentence) {
   grade.verdict = SceneVerdict::wrong;
   grade.sentence = sentence;
+  grade.partial = 0;  // it is no render of its own
 }
 
 class SubmissionFlags {
@@ -152,7 +153,7 @@ class SubmissionFlags {
       const std::vector<Image>& images = work_.scenes[other]->images;
       if (std::ranges::none_of(images, [&](const Image& one) { return one.rgb == image(s).rgb; })) continue;
       const std::string sentence = "same image as " + scene_title(context_.scenes[other]) + "'s";
-      grade(s).sentence = sentence;
+      make_wrong(grade(s), sentence);
       flag("same-image", scene_title(context_.scenes[s]) + ": " + sentence, s, context_.scenes[other].row.name);
       return;
     }

@@ -41,7 +41,10 @@ std::optional<SceneWorkGrade> grade_scene(const Assignment& assignment, const Pr
     work.grade.verdict = judgement.verdict;
     work.grade.sentence = judgement.sentence;
     work.grade.checks = std::move(judgement.checks);
-    if (judgement.decided) break;
+    if (judgement.decided) {
+      work.grade.partial = partial_share(assignment.correctness, reference, images);
+      break;
+    }
   }
   if (options.in_used_place) {
     for (const bool littered : {true, false}) {

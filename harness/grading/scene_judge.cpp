@@ -129,6 +129,21 @@ Image variance_of_one(const SceneReference& reference) {
   return variance;
 }
 
+double partial_share(const CorrectnessRule& rule, const SceneReference& reference,
+                     std::span<const Image* const> images) {
+  if (!rule.partial || images.empty()) return 0;
+  const auto& [metric, full, none] = *rule.partial;
+  double mean = 0;
+  for (const Image* image : images) {
+    const auto found = compute_metrics(reference.rendering.mean, *image, {.only = {metric->name}});
+    if (found.empty()) return 0;
+    const double value =
+        metric->bound == BoundKind::absolute_maximum ? std::abs(found.front().value) : found.front().value;
+    mean += value / static_cast<double>(images.size());
+  }
+  return std::clamp((mean - none) / (full - none), 0.0, 1.0);
+}
+
 SceneJudgement judge_scene(const CorrectnessRule& rule, const SceneReference& reference,
                            std::span<const Image* const> images, bool may_draw) {
   SceneJudgement judgement;

@@ -43,4 +43,9 @@ struct SceneJudgement {
 SceneJudgement judge_scene(const CorrectnessRule& rule, const SceneReference& reference,
                            std::span<const Image* const> images, bool may_draw);
 
+/// The share of a scene's points, in [0, 1], that wrong images keep: by the metric's mean magnitude over them. 0
+/// without a rule or images, and where the metric is undefined.
+double partial_share(const CorrectnessRule& rule, const SceneReference& reference,
+                     std::span<const Image* const> images);
+
 }  // namespace photonproof

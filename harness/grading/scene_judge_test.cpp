@@ -64,6 +64,41 @@ TEST(SceneJudge, near_a_bound_more_images_are_asked_for) {
   EXPECT_TRUE(judge(rule(flip * 0.7, 0), {noisy_image(1)}).decided);
 }
 
+// The 99 % interval of a metric's mean is Student's: mean +- t s / sqrt(n), for n = 3 with t(.995, 2) = 9.925 (any
+// table of quantiles). Without 1/sqrt(n), with a divisor n for n - 1, or with one degree of freedom more it is 73, 18
+// or 41 % off.
+TEST(SceneJudge, the_interval_of_a_metric_is_of_its_mean) {
+  std::vector<Image> images;
+  std::vector<double> values;
+  for (const double deviation : {0.02, 0.03, 0.05}) {
+    images.push_back(noisy_image(images.size() + 1, 1, deviation));
+    values.push_back(judge(rule(1, 0), {images.back()}).checks[0].value.value);
+  }
+  const double mean = (values[0] + values[1] + values[2]) / 3;
+  const double squares = std::pow(values[0] - mean, 2) + std::pow(values[1] - mean, 2) + std::pow(values[2] - mean, 2);
+  const double margin = 9.925 * std::sqrt(squares / 2) / std::sqrt(3);
+  const GradedCheck check = judge(rule(mean, 0), images).checks[0];
+  EXPECT_NEAR(check.value.value, mean, 1e-9);
+  EXPECT_NEAR(check.value.interval->high - mean, margin, 0.001 * margin);
+  EXPECT_NEAR(mean - check.value.interval->low, margin, 0.001 * margin);
+}
+
+// An image 30 % too dark has a bias of -.3, half of the way from .1 to .5, by definition; its noise is 1 % of that.
+TEST(SceneJudge, a_wrong_image_keeps_its_share_of_the_points) {
+  CorrectnessRule by = rule(0.3, 0);
+  const auto share = [&](double gain) {
+    const Image image = noisy_image(1, gain);
+    const Image* const only = &image;
+    return partial_share(by, noisy_reference(), {&only, 1});
+  };
+  EXPECT_EQ(share(0.7), 0);
+  by.partial = PartialCredit{&metric_named("test", "bias"), 0.1, 0.5};
+  EXPECT_NEAR(share(0.7), 0.5, 0.02);
+  EXPECT_NEAR(share(1.3), 0.5, 0.02);
+  EXPECT_EQ(share(0.95), 1);
+  EXPECT_EQ(share(0.4), 0);
+}
+
 TEST(SceneJudge, images_that_are_all_alike_are_judged_by_their_value) {
   const double flip = judge(rule(1, 0), {noisy_image(1)}).checks[0].value.value;
   const std::vector<Image> alike{noisy_image(1), noisy_image(1)};

@@ -23,6 +23,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// Degrees of freedom of a variance that is known to be none.
+constexpr double no_noise_freedom = 1e6;
+
+// One render of a program without randomness is its reference. The second one proves that.
+SceneReference only_reference(const WorkScene& scene, const std::vector<Image>& images, std::string text) {
+  if (images[0].rgb != images[1].rgb)
+    throw InputError("baseline", "gives two images of scene '" + scene.row.name +
+                                     "', so that one render is no reference: leave out 'seeds' in [reference]");
+  return {{images[0], Image(scene.width, scene.height), {}}, 1, no_noise_freedom, std::move(text)};
+}
+
 SceneReference mean_reference(const WorkScene& scene, const std::vector<Image>& images, std::string text) {
   BatchMeans means(scene.width, scene.height, 1);
   for (const Image& image : images) means.add(image, "reference of scene '" + scene.row.name + "'");
@@ -40,7 +51,7 @@ SceneReference file_reference(const WorkScene& scene) {
     throw InputError(file, defects.front().sentence);
   // Without a variance the file is taken for the truth.
   if (!rendering.variance) rendering.variance = Image(scene.width, scene.height);
-  return {std::move(rendering), 1, 1e6, scene.row.reference.filename().string()};
+  return {std::move(rendering), 1, no_noise_freedom, scene.row.reference.filename().string()};
 }
 
 // As a format clamps it.
@@ -55,8 +66,8 @@ class ReferenceMaker {
   explicit ReferenceMaker(const ReferenceWork& work) : work_(work), source_(work.assignment.reference) {
     for (std::size_t s = 0; s < work.scenes.size(); ++s)
       if (is_made(work.scenes[s]))
-        for (int k = 0; k < source_.seeds; ++k) jobs_.emplace_back(s, static_cast<std::size_t>(k));
-    images_.resize(work.scenes.size(), std::vector<Image>(static_cast<std::size_t>(source_.seeds)));
+        for (std::size_t k = 0; k < renders(); ++k) jobs_.emplace_back(s, k);
+    images_.resize(work.scenes.size(), std::vector<Image>(renders()));
   }
 
   std::optional<std::vector<std::optional<SceneReference>>> all() {
@@ -82,6 +93,8 @@ class ReferenceMaker {
   }
 
  private:
+  std::size_t renders() const { return static_cast<std::size_t>(std::max(source_.seeds, 2)); }
+
   bool is_made(const WorkScene& scene) const {
     return scene.unused.empty() && source_.kind != ReferenceSource::Kind::files;
   }
@@ -93,6 +106,7 @@ class ReferenceMaker {
     const std::string by = source_.kind == ReferenceSource::Kind::engine
                                ? source_.engine + ", " + source_.budget.label()
                                : std::string("the baseline");
+    if (source_.seeds == 1) return only_reference(scene, images_[s], "a render by " + by + ", which has no randomness");
     return mean_reference(scene, images_[s], fmt::format("mean of {} runs of {}", source_.seeds, by));
   }
 

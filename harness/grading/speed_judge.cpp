@@ -10,6 +10,8 @@
 namespace photonproof {
 namespace {
 
+// A tier that so narrow an interval reaches counts; by a wider one only the tier that is certain does.
+constexpr double generous_width = 0.5;
 constexpr double speed_tail = 0.005;  // a side, of all looks together
 
 std::size_t next_look(std::size_t rounds) { return (3 * rounds + 1) / 2; }
@@ -76,6 +78,17 @@ std::vector<const SpeedRound*> counted_rounds(const std::vector<SpeedRound>& rou
   return disturbed ? all : quiet;
 }
 
+bool is_wide(const SpeedGrade& grade) {
+  return grade.state != SpeedGrade::State::measured &&
+         (!grade.speedup.interval || relative_width(*grade.speedup.interval) > generous_width);
+}
+
+// The speed-up that points are given for. A program must not profit from noise, its own or the machine's.
+double counted_ratio(const SpeedGrade& grade, const SpeedTier* open) {
+  if (is_wide(grade)) return grade.speedup.interval ? grade.speedup.interval->low : 0;
+  return open != nullptr ? open->ratio : grade.speedup.value;
+}
+
 std::string noise_reason(const PerformanceRule& rule, const SpeedGrade& grade,
                          const std::vector<const SpeedRound*>& rounds, bool disturbed, int cores) {
   if (disturbed) {
@@ -85,7 +98,7 @@ std::string noise_reason(const PerformanceRule& rule, const SpeedGrade& grade,
   }
   if (rounds.size() < least_speed_rounds)
     return fmt::format("{} of at least {} rounds", rounds.size(), least_speed_rounds);
-  const SpeedTier* const tier = rule.curve ? nullptr : open_tier(rule, *grade.speedup.interval);
+  const SpeedTier* const tier = rule.curve || is_wide(grade) ? nullptr : open_tier(rule, *grade.speedup.interval);
   if (tier != nullptr)
     return fmt::format("{:.3g} times, where {:.3g} points begin, lies within the interval, and counts as reached",
                        tier->ratio, tier->points);
@@ -163,7 +176,11 @@ SpeedJudgement judge_speed(const PerformanceRule& rule, const std::vector<std::s
   grade.sentence = ratio_sentence(grade.speedup);
   if (!judgement.decided && last)
     grade.sentence += "; too noisy: " + noise_reason(rule, grade, counted, disturbed, cores);
-  grade.points = points_for(rule, open != nullptr ? open->ratio : grade.speedup.value);
+  if (last && is_wide(grade))
+    grade.sentence += grade.speedup.interval
+                          ? fmt::format("; points are for the lower end, {:.3g} times", grade.speedup.interval->low)
+                          : std::string("; no points without an interval");
+  grade.points = points_for(rule, counted_ratio(grade, open));
   if (looked && width <= std::min(narrow_width, precision.value_or(narrow_width))) judgement.decided = true;
   return judgement;
 }

@@ -36,7 +36,8 @@ struct SpeedJudgement {
 
 /// Rounds in which others used the machine are left out while three are left without. Decided is what lies in one tier,
 /// by an interval as narrow as the rule's precision, if it has one. `last`: there will be no further round, so that
-/// what is not decided is "too noisy", and says why. Then a tier that the interval reaches counts.
+/// what is not decided is "too noisy", and says why. Then a tier that the interval reaches counts if the interval is at
+/// most 50 % wide; else the interval's lower end does.
 SpeedJudgement judge_speed(const PerformanceRule& rule, const std::vector<std::string>& scenes,
                            const std::vector<SpeedRound>& rounds, int cores, bool last);
 

@@ -1,6 +1,6 @@
 #include "harness/grading/speed_judge.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <cmath>
 #include <cstdint>
@@ -95,6 +95,23 @@ TEST(SpeedJudge, a_tier_within_the_interval_is_said_and_counts) {
   EXPECT_NE(judgement.grade.sentence.find("too noisy: 5 times, where 40 points begin, lies within the interval"),
             std::string::npos)
       << judgement.grade.sentence;
+}
+
+// 1, 2.57, 6.6: the logarithms' mean is ln 2.57 and their standard deviation .944, so that the ends are factors of
+// exp(19.96 .944 / sqrt 3) away. Only 0 points are certain, where 2.57 alone would be worth 20.
+TEST(SpeedJudge, a_speed_up_that_noise_hides_has_the_points_that_are_certain) {
+  const SpeedGrade grade = judge_speed(tiers(), {"a"}, rounds_of({1, 2.57, 6.6049}), 2, true).grade;
+  EXPECT_EQ(grade.state, SpeedGrade::State::too_noisy);
+  EXPECT_NEAR(grade.speedup.value, 2.57, 1e-3);
+  EXPECT_EQ(grade.points, 0);
+  EXPECT_THAT(grade.sentence, testing::HasSubstr("; points are for the lower end, "));
+}
+
+TEST(SpeedJudge, one_round_has_no_interval_and_no_points) {
+  const SpeedGrade grade = judge_speed(tiers(), {"a"}, rounds_of({3}), 2, true).grade;
+  EXPECT_EQ(grade.points, 0);
+  EXPECT_EQ(grade.sentence,
+            "3 times as fast as the baseline; too noisy: 1 of at least 3 rounds; no points without an interval");
 }
 
 TEST(SpeedJudge, rounds_beside_other_work_are_left_out) {

@@ -1,5 +1,7 @@
 // The program itself, with a class of shell scripts: grading goes on whatever they do, and after it was killed.
 
+#include <gmock/gmock.h>
+
 #include <csignal>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -195,6 +197,61 @@ TEST_F(GradeVerb, other_images_while_it_is_timed_cost_the_points_for_speed) {
   EXPECT_EQ(all.submissions[0].speed.points, 0);
 }
 
+// The timed scene a is quick, the hidden one b as slow as the baseline; every image is right.
+TEST_F(GradeVerb, a_program_that_is_fast_on_timed_scenes_alone_is_flagged) {
+  put_program("handout", 1, "sleep 0.5");
+  put_program("special", 1, "[ \"$1\" = b ] && sleep 0.5");
+  put_program("honest", 1);
+  ASSERT_EQ(grade({"special", "honest"}, {"--threads", "1"}).exit_code, 0);
+  const Grades all = grades();
+  const SubmissionGrade& special = of(all, "special");
+  EXPECT_EQ(special.correctness_points, 40) << special.sentence;
+  ASSERT_EQ(special.flags.size(), 1u);
+  EXPECT_EQ(special.flags[0].kind, "fast-on-timed-only");
+  EXPECT_EQ(special.flags[0].scene, "b");
+  EXPECT_THAT(special.sentence, testing::StartsWith("hidden scene b: "));
+  EXPECT_THAT(special.speed.sentence, testing::HasSubstr(special.flags[0].sentence));
+  EXPECT_TRUE(of(all, "honest").flags.empty()) << of(all, "honest").flags.front().sentence;
+}
+
+TEST_F(GradeVerb, wrong_images_keep_a_share_of_the_points_where_the_assignment_says_so) {
+  std::string course = course_text();
+  const std::string metrics = "metrics = {flip = 0.15}\n";
+  course.insert(course.find(metrics) + metrics.size(), "partial = {metric = \"bias\", full = 0.1, none = 0.5}\n");
+  put("course.toml", course);
+  put_program("dim", 0.7);
+  put_program("dark", 0.4);
+  put_program("copies", 1, "cp a.ppm \"$3\"; exit 0");
+  ASSERT_EQ(grade({"dim", "dark"}, {"--no-timing"}).exit_code, 0);
+  const Grades all = grades();
+  // A bias of -0.3 is half of the way from 0.1 to 0.5; the reference is clamped at no pixel.
+  EXPECT_EQ(of(all, "dim").scenes[0].verdict, SceneVerdict::wrong);
+  EXPECT_NEAR(of(all, "dim").scenes[0].points, 10, 0.5);
+  EXPECT_EQ(of(all, "dark").correctness_points, 0);
+}
+
+// Nothing in it is random, whatever the seed: one render is its reference.
+TEST_F(GradeVerb, one_render_is_the_reference_of_a_baseline_without_randomness) {
+  std::string course = course_text("", "", "[reference]\nfrom = \"baseline\"\nseeds = 1\n");
+  course.replace(course.find("seeds = true"), 12, "seeds = false");
+  put("course.toml", course);
+  put_program("handout", 1, "set \"$1\" 1 \"$3\"");
+  put_program("honest", 1, "set \"$1\" 1 \"$3\"; true");
+  put_program("dim", 0.7, "set \"$1\" 1 \"$3\"");
+  const ProcessOutcome outcome = grade({"honest", "dim"}, {"--no-timing"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.standard_error;
+  const Grades all = grades();
+  EXPECT_EQ(all.scenes[0].reference, "a render by the baseline, which has no randomness");
+  EXPECT_EQ(of(all, "honest").correctness_points, 40) << of(all, "honest").sentence;
+  EXPECT_EQ(of(all, "dim").scenes[0].verdict, SceneVerdict::wrong);
+  put_program("handout", 1);  // draws by the seed
+  const ProcessOutcome random = grade({"honest"}, {"--no-timing"});
+  EXPECT_EQ(random.exit_code, 2);
+  EXPECT_EQ(random.standard_error,
+            "baseline: error: gives two images of scene 'a', so that one render is no reference: leave out 'seeds' in "
+            "[reference]\n");
+}
+
 TEST_F(GradeVerb, killed_it_has_lost_at_most_what_was_running_and_resumes) {
   put_program("honest", 1);
   put_program("dim", 0.7);
@@ -230,7 +287,9 @@ TEST_F(GradeVerb, interrupted_it_says_so_and_keeps_what_there_is) {
   const int status = signal_after(pid, SIGINT, 3, 0, [&] { return cells(); });
   ASSERT_TRUE(WIFEXITED(status));
   EXPECT_EQ(WEXITSTATUS(status), 130);
-  EXPECT_TRUE(grades().interrupted);
+  const Grades all = grades();
+  EXPECT_TRUE(all.interrupted);
+  EXPECT_EQ(of(all, "honest").sentence, "not graded: the grading was interrupted");
 }
 
 TEST_F(GradeVerb, what_cannot_be_graded_is_said_before_anything_runs) {

@@ -72,6 +72,7 @@ struct SceneGrade {
   std::vector<GradedFinding> findings;
   std::vector<GradedRun> runs;
   std::map<std::string, std::string> pictures;  ///< PNGs relative to grades.json: "image", "flip"
+  double partial = 0;                           ///< share of the points that a wrong image keeps, in [0, 1]
   double points = 0;
   bool counts_as_right() const { return verdict == SceneVerdict::right || verdict == SceneVerdict::borderline; }
 };
@@ -97,7 +98,7 @@ std::string to_string(SpeedGrade::State state);
 /// Something staff should look at; it has cost no points by itself unless the sentence says so.
 struct GradeFlag {
   std::string kind;  ///< "copy-of-reference", "same-as-other", "seed-ignored", "parameters-ignored", "runs-differ",
-                     ///< "right-on-public-only" ...
+                     ///< "right-on-public-only", "fast-on-timed-only" ...
   std::string sentence;
   std::string scene, other;  ///< where; which other submission or scene
 };

@@ -65,6 +65,7 @@ Json scene_grade_json(const SceneGrade& grade) {
                {"sentence", grade.sentence}, {"points", number_of(grade.points)},
                {"checks", Json::array()},    {"findings", Json::array()},
                {"runs", Json::array()},      {"pictures", grade.pictures}};
+  if (grade.partial > 0) json["partial"] = grade.partial;
   for (const GradedCheck& check : grade.checks) json["checks"].push_back(check_json(check));
   for (const GradedFinding& finding : grade.findings) json["findings"].push_back(finding_json(finding));
   for (const GradedRun& run : grade.runs) json["runs"].push_back(run_to_json(run));
@@ -77,6 +78,7 @@ SceneGrade scene_grade_of(const Json& json) {
   grade.verdict = scene_verdict_from(json.at("verdict"));
   grade.sentence = json.at("sentence");
   grade.points = json.at("points");
+  grade.partial = json.value("partial", 0.0);
   for (const Json& check : json.at("checks")) grade.checks.push_back(check_of(check));
   for (const Json& finding : json.at("findings")) grade.findings.push_back(finding_of(finding));
   for (const Json& run : json.at("runs")) grade.runs.push_back(run_from_json(run));
