@@ -293,8 +293,21 @@ def drawn(weight, radius, cells=4096):
             low, high = (low, middle) if cumulative[middle] >= u * total else (middle + 1, high)
         return x[low]
 
+    def below(v):
+        return sum(1 for t in table if t < v) / len(table)
+
     table = [draw((i + 0.5) / 8192) for i in range(8192)]
-    return lambda u: table[min(8191, int(u * 8192))]
+    shares = {}  # of the filter below each end
+
+    def within(u, low, high):
+        """Drawn between two ends."""
+        for v in (low, high):
+            if v not in shares:
+                shares[v] = below(v)
+        u = shares[low] + u * (shares[high] - shares[low])
+        return table[min(8191, int(u * 8192))]
+
+    return within
 
 
 def gaussian(stddev):
@@ -307,7 +320,7 @@ def tent(radius):
 
 
 def box():
-    return lambda u: u - 0.5
+    return lambda u, low, high: u - 0.5
 
 
 # --- points: Halton's, moved anew in every pixel
@@ -323,8 +336,13 @@ def halton(i, base):
 POINTS = [tuple(halton(i + 1, b) for b in (2, 3, 5, 7)) for i in range(SAMPLES_OF_SHOWN)]
 
 
-def image(ray, shapes, filtered, near=0.0, far=1e9, sky=SKY):
+def image(ray, shapes, filtered, near=0.0, far=1e9, sky=SKY, border=False):
+    """border: a filter that reaches beyond the image's border sees what is there; else only what is within it."""
     pixels = []
+
+    def place(u, at, size):
+        return at + 0.5 + (filtered(u, -1e9, 1e9) if border else filtered(u, -at - 0.5, size - at - 0.5))
+
     for y in range(HEIGHT):
         for x in range(WIDTH):
             shift = [math.modf((x * 0.7548776662 + y * 0.5698402910 + 1) * k)[0] for k in (1.0, 7.3, 3.1, 5.7)]
@@ -332,7 +350,7 @@ def image(ray, shapes, filtered, near=0.0, far=1e9, sky=SKY):
             count = SAMPLES_OF_SHOWN if (x, y) in SHOWN else SAMPLES
             for p in POINTS[:count]:
                 q = [(a + b) % 1 for a, b in zip(p, shift)]
-                r = ray((x + 0.5 + filtered(q[0])) / WIDTH, (y + 0.5 + filtered(q[1])) / HEIGHT, q[2:])
+                r = ray(place(q[0], x, WIDTH) / WIDTH, place(q[1], y, HEIGHT) / HEIGHT, q[2:])
                 if r:
                     c = seen(shapes, *r, near, far, sky)
                     total = [a + b for a, b in zip(total, c)]
@@ -361,7 +379,8 @@ def main():
     ]
     view = lookat((0.4, 0.3, 4), (0, 0, 0), (0.1, 1, 0))
     half_width = math.tan(math.radians(38 / 2)) * WIDTH / HEIGHT  # 38 degrees from top to bottom
-    numbers("chart", image(perspective(view, half_width, (0.06, -0.04)), cards, gaussian(0.7), 1.5, 6.5))
+    numbers("chart", image(perspective(view, half_width, (0.06, -0.04)), cards, gaussian(0.7), 1.5, 6.5,
+                           border=True))
 
     cards = [
         Card(then(scale(0.6, 0.9, 1), rotate("z", 10)), nearest),
@@ -382,7 +401,7 @@ def main():
         Card(then(scale(0.5, 0.35, 1), rotate("x", 30), translate(0.7, -0.5, 0)), nearest),
     ]
     view = then(scale(1.6, 1.9, 1), lookat((0.5, 1, 4), (0, 0, 0), (0, 1, 0)))
-    numbers("chart-orthographic", image(orthographic(view), shapes, gaussian(0.5)))
+    numbers("chart-orthographic", image(orthographic(view), shapes, gaussian(0.5), border=True))
 
 
 main()

@@ -11,7 +11,6 @@
 #include "reference/store/reference_store.h"
 #include "scenes/text/atomic_file.h"
 #include "scenes/text/input_error.h"
-#include "scenes/text/size_text.h"
 #include "scenes/text/splitmix.h"
 
 namespace photonproof {
@@ -52,7 +51,7 @@ class Batches {
                                   "--integrator",
                                   run_.integrator,
                                   "--size",
-                                  size_text(run_.width, run_.height),
+                                  run_.size,
                                   "--spp",
                                   std::to_string(samples),
                                   "--seed",
@@ -95,7 +94,7 @@ class Batches {
     if (!json.is_object() || !json.contains("counts"))
       throw InputError(stats.string(), "is damaged: delete its folder to begin this reference anew");
     const double bias = json["counts"].value("relative_bias", 0.0);
-    return {read_image(file(batch, ".whole.exr").string()), bias * bias};
+    return {read_rendering(file(batch, ".whole.exr").string(), "", ImagePart::stored).mean, bias * bias};
   }
 
   fs::path file(int batch, const char* extension) const {

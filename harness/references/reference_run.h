@@ -16,7 +16,8 @@ namespace photonproof {
 struct ReferenceRun {
   std::filesystem::path program;   ///< the renderer
   std::vector<std::string> scene;  ///< its file, then the words that say how it is read (scene_arguments)
-  int width = 0, height = 0;
+  std::string size;                ///< "WxH" of the film
+  int width = 0, height = 0;       ///< of the images, which are the scene's crop if it has one
   std::string integrator;
   double standard_error = 0;      ///< to reach (relative_standard_error)
   std::optional<double> seconds;  ///< wall time after which the batch at work is stopped

@@ -38,7 +38,7 @@ std::string apply_course(SceneDescription& scene, bool size_is_asked_for) {
   settings.caustic_radius = 4;
   scene.integrator.method = settings;
   scene.sensor.sample_count = shadow_rays;
-  if (!size_is_asked_for) scene.sensor.film.width = scene.sensor.film.height = pixels;
+  if (!size_is_asked_for) scene.sensor.film.resize(pixels, pixels);
   return std::string(
              "course: photonmapper with an irradiance cache of 28 x 13 rays, 1000 global photons within 30 and ") +
          (water ? "2000000 (there is water)" : "10000") +

@@ -19,6 +19,7 @@
 #include "renderer/integrators/check_supported.h"
 #include "renderer/integrators/integrator.h"
 #include "renderer/passes/view.h"
+#include "renderer/scalar/coverage.h"
 #include "renderer/scene/precision_notes.h"
 #include "renderer/scene/scene_notes.h"
 #include "scenes/description/output_files.h"
@@ -40,7 +41,7 @@ std::size_t non_finite_values(const Image& image) {
 
 /// The part of the image that is rendered. Throws InputError when it is none of the image.
 Tile film_window(const FilmDescription& film, const std::vector<int>& asked) {
-  FilmDescription::Crop crop = film.crop.value_or(FilmDescription::Crop{0, 0, film.width, film.height});
+  FilmDescription::Crop crop = film.window();
   if (!asked.empty()) crop = {asked[0], asked[1], asked[2], asked[3]};
   const bool inside = crop.x >= 0 && crop.y >= 0 && crop.width > 0 && crop.height > 0 &&
                       crop.width <= film.width - crop.x && crop.height <= film.height - crop.y;
@@ -209,9 +210,18 @@ std::string view_words(const RenderPlan& plan, const char* before) {
   return plan.view == View::whole ? "" : before + std::string(view_row(plan.view).name);
 }
 
-Rendering developed(const RenderArguments& arguments, const RenderPlan& plan, const RenderStats& stats,
-                    const Film& film) {
+Rendering developed(const RenderArguments& arguments, const Request& request, const RenderPlan& plan,
+                    const Scene& scene, RenderStats& stats, const Film& film) {
   Rendering rendering = film.develop();
+  const FilmDescription& whole = request.description.sensor.film;
+  const Tile& window = request.window;
+  if (window != Tile{0, 0, whole.width, whole.height})
+    rendering.place = {window.x0, window.y0, whole.width, whole.height};
+  if (whole.alpha) {
+    const PhaseTimer timer(stats.phases["alpha"]);
+    rendering.alpha = coverage(scene, request.job, request.method.limits().hide_emitters, window,
+                               static_cast<std::int64_t>(stats.counts.at("samples_per_pixel")));
+  }
   rendering.metadata["photonproof:version"] = version_line();
   rendering.metadata["photonproof:sampler"] = arguments.sampler;
   rendering.metadata["photonproof:isa"] = plan.isa;
@@ -297,8 +307,8 @@ int render_to_files(const RenderArguments& arguments) {
     std::fprintf(stderr, "%s: warning: %s\n", arguments.scene.path.c_str(), stats.losses[i].c_str());
   say_if_spots_are_missed(request.description, *scene, plan, film, stats);
 
+  const Rendering rendering = developed(arguments, request, plan, *scene, stats, film);
   const Timer write_timer;
-  const Rendering rendering = developed(arguments, plan, stats, film);
   write_exr(arguments.output, rendering);
   stats.phases["write"] = write_timer.seconds();
   const nlohmann::ordered_json json = stats_json(arguments, plan, stats, Threads(arguments.threads).count(),

@@ -21,8 +21,7 @@ void apply_size(const std::string& size, FilmDescription& film) {
       height > largest || std::int64_t{width} * height > (std::int64_t{1} << 28))
     throw InputError("--size",
                      "'" + size + "' is not a size, expected WIDTHxHEIGHT, e.g. 256x256 (at most 2^28 pixels)");
-  film.width = width;
-  film.height = height;
+  film.resize(width, height);
 }
 
 void add_scene_options(CLI::App& verb, SceneOptions& options) {
@@ -30,7 +29,8 @@ void add_scene_options(CLI::App& verb, SceneOptions& options) {
   verb.add_option("-D,--define", options.defines, "name=value for the scene's $name")
       ->take_all()
       ->allow_extra_args(false);
-  verb.add_option("--size", options.size, "WIDTHxHEIGHT instead of the film's own");
+  verb.add_option("--size", options.size,
+                  "WIDTHxHEIGHT of the whole film instead of its own; a crop in the scene keeps its share");
   verb.add_flag("--allow-outside", options.allow_outside, "let the scene name files outside its folder");
 }
 

@@ -14,6 +14,7 @@
 
 #include "harness/metrics/heatmap.h"
 #include "harness/metrics/metric_bounds.h"
+#include "harness/pixels/data_windows.h"
 #include "harness/statistics/agreement.h"
 #include "harness/verbs/verbs.h"
 #include "scenes/description/output_files.h"
@@ -55,6 +56,8 @@ struct Finding {
 struct Comparison {
   int width = 0, height = 0;                                 // of the reference; 0 when it could not be read
   std::vector<std::string> reference_remarks, test_remarks;  // how they were read, where not as plain linear RGB
+  std::optional<PixelRegion> region;
+  std::string note;  // what the numbers count that the files do not store; empty: nothing
   std::vector<Measurement> measurements;
   std::optional<Agreement> agreement;
   std::vector<Finding> findings;
@@ -120,9 +123,10 @@ void check_heatmaps(const CompareOptions& options, const std::string& stem) {
 }
 
 /// Both images; says how they are read. Throws InputError when a layer is asked for and neither has any.
-std::array<std::unique_ptr<RowSource>, 2> open_pair(const CompareOptions& options, Comparison& comparison) {
-  auto reference = std::make_unique<FileSource>(options.reference, options.layer),
-       test = std::make_unique<FileSource>(options.test, options.layer);
+std::array<std::unique_ptr<RowSource>, 2> open_pair(const CompareOptions& options, ImagePart part,
+                                                    Comparison& comparison) {
+  auto reference = std::make_unique<FileSource>(options.reference, options.layer, part),
+       test = std::make_unique<FileSource>(options.test, options.layer, part);
   comparison.reference_remarks = reference->file().remarks();
   comparison.test_remarks = test->file().remarks();
   if (!options.layer.empty() && reference->file().layer().empty() && test->file().layer().empty())
@@ -133,14 +137,22 @@ std::array<std::unique_ptr<RowSource>, 2> open_pair(const CompareOptions& option
 /// Throws InputError when a file cannot be read or written.
 void compare_files(const CompareOptions& options, const std::vector<MetricBound>& warn,
                    const std::vector<MetricBound>& fail, Comparison& comparison) {
-  std::optional<Rendering> reference_rendering, test_rendering;  // in memory only where that is needed
-  auto [reference, test] = open_pair(options, comparison);
-  if (options.agreement) {
-    reference = std::make_unique<ImageSource>(
-        reference_rendering.emplace(read_rendering(options.reference, options.layer)).mean);
-    test = std::make_unique<ImageSource>(test_rendering.emplace(read_rendering(options.test, options.layer)).mean);
-  }
   MetricOptions metrics = options.metrics;
+  ComparedPart compared;
+  if (!metrics.region) compared = compared_part(options.reference, options.test, options.layer);
+  if (compared.region) metrics.region = compared.region;
+  comparison.region = metrics.region;
+  comparison.note = compared.note;
+  std::optional<Rendering> reference_rendering, test_rendering;  // in memory only where that is needed
+  auto [reference, test] = open_pair(options, compared.part, comparison);
+  if (options.agreement) {
+    const ImagePart part = compared.region ? ImagePart::stored : compared.part;
+    metrics.region.reset();
+    reference = std::make_unique<ImageSource>(
+        reference_rendering.emplace(read_rendering(options.reference, options.layer, part)).mean);
+    test =
+        std::make_unique<ImageSource>(test_rendering.emplace(read_rendering(options.test, options.layer, part)).mean);
+  }
   if (!options.mask.empty()) {
     metrics.mask = read_mask(options.mask, metrics.region);
     metrics.mask_name = options.mask;
@@ -177,6 +189,7 @@ void print_comparison(const CompareOptions& options, const Comparison& compariso
                 comparison.width, comparison.height);
   print_remarks("reference", comparison.reference_remarks);
   print_remarks("test", comparison.test_remarks);
+  if (!comparison.note.empty()) std::printf("note: %s\n", comparison.note.c_str());
   for (const Measurement& measured : comparison.measurements) {
     std::array<char, 32> value{'-'};
     if (measured.value) std::snprintf(value.data(), value.size(), "%.8g", *measured.value);
@@ -227,12 +240,13 @@ void print_comparison_json(const CompareOptions& options, const Comparison& comp
                  {"test_read_as", comparison.test_remarks},
                  {"exposure", options.metrics.parameters.exposure},
                  {"region", nullptr},
+                 {"note", nullptr},
                  {"mask", nullptr},
                  {"verdict", name_of(comparison.verdict())},
                  {"findings", std::move(findings)},
                  {"metrics", std::move(metrics)}};
-  if (const auto& region = options.metrics.region)
-    record["region"] = {region->x, region->y, region->width, region->height};
+  if (!comparison.note.empty()) record["note"] = comparison.note;
+  if (const auto& region = comparison.region) record["region"] = {region->x, region->y, region->width, region->height};
   if (!options.mask.empty()) record["mask"] = options.mask;
   if (comparison.agreement) {
     record["agreement"] = {{"pass", comparison.agreement->pass()},

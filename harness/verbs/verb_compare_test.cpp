@@ -122,6 +122,42 @@ TEST_F(CompareVerb, value_that_is_not_finite_fails_with_its_place) {
   EXPECT_EQ(run.out.find("mse"), std::string::npos) << "no metric may run";
 }
 
+TEST_F(CompareVerb, parts_of_images_are_compared_where_both_store_pixels) {
+  // Each is a part of 12 x 14 pixels; the test's are all 1.5, the reference's 1: mse .25. Were they compared as
+  // displayed, the black around them would count, too, and mse be .25 / 168 for each of the part's pixels.
+  const auto part = [&](const std::string& name, float value, const std::optional<ImagePlace>& place, int width) {
+    Rendering rendering;
+    rendering.mean = constant_image(width, 3, value, value, value);
+    rendering.variance = constant_image(width, 3, 0.01f, 0.01f, 0.01f);
+    rendering.place = place;
+    write_exr((folder / name).string(), rendering);
+    return (folder / name).string();
+  };
+  const ImagePlace place{5, 8, 12, 14};
+  const std::string ref = part("ref.exr", 1, place, 4), test = part("test.exr", 1.5f, place, 4);
+  auto record = nlohmann::json::parse(compare({ref, test, "--json"}).out);
+  EXPECT_EQ(record.at("metrics").at(0).at("value"), 0.25);
+  EXPECT_EQ(record.at("region"), (std::vector<int>{5, 8, 4, 3}));
+  EXPECT_EQ(record.at("note"), nullptr);
+  EXPECT_EQ(compare({ref, ref, "--agreement"}).exit_code, 0);
+
+  // An engine that writes the part as an image of its own.
+  record = nlohmann::json::parse(compare({ref, part("plain.exr", 1.5f, {}, 4), "--json"}).out);
+  EXPECT_EQ(record.at("metrics").at(0).at("value"), 0.25);
+
+  // Against the whole image, where a part is black elsewhere: the note says how to leave that out.
+  Run run = compare({reference(), test});
+  EXPECT_NE(run.out.find("note: the reference stores the pixels 0 0 12 14 (x y width height), the test image 5 8 4 3; "
+                         "others count as black; --region 5 8 4 3 compares the part that both store\n"),
+            std::string::npos)
+      << run.out;
+  record = nlohmann::json::parse(compare({reference(), test, "--json"}).out);
+  EXPECT_NEAR(record.at("metrics").at(0).at("value").get<double>(), (156 * 1 + 12 * 0.25) / 168, 1e-7);
+  record = nlohmann::json::parse(compare({reference(), test, "--region", "5", "8", "4", "3", "--json"}).out);
+  EXPECT_EQ(record.at("metrics").at(0).at("value"), 0.25);
+  EXPECT_EQ(compare({ref, part("wide.exr", 1, {}, 5)}).exit_code, 3);
+}
+
 TEST_F(CompareVerb, sizes_that_differ_give_three) {
   const Run run = compare({reference(), write("wide.exr", constant_image(14, 12, 1, 1, 1)), "--fail", "mse=1"});
   EXPECT_EQ(run.exit_code, 3);

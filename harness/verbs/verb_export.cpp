@@ -16,15 +16,22 @@
 namespace photonproof {
 namespace {
 
+void print_crop(const FilmDescription& film) {
+  if (const auto& crop = film.crop)
+    std::printf("then keep %d x %d pixels from %d, %d\n", crop->width, crop->height, crop->x, crop->y);
+}
+
 int export_python(const SceneDescription& description, const PovrayArguments& arguments, const std::string& stem) {
   CyclesOptions options;
   options.seed = arguments.options.seed;
   options.stem = stem;
-  write_script(export_cycles(description, options), arguments.output);
+  const CyclesExport scene = export_cycles(description, options);
+  write_script(scene, arguments.output);
   std::printf(
       "%s: render with: blender -b --factory-startup --python-exit-code 1 --python %s\n"
       "then average batch_*.exr, weighed by their samples\n",
       arguments.output.c_str(), std::filesystem::absolute(arguments.output).c_str());
+  print_crop(scene.film);
   return 0;
 }
 
@@ -50,6 +57,7 @@ int run_export(const PovrayArguments& arguments) {
   else if (scene.grid > 1)
     std::printf("then average %dx%d pixels\n", scene.grid, scene.grid);
   if (scene.exposure != 1) std::printf("then divide by %g\n", scene.exposure);
+  print_crop(scene.film);
   for (const std::string& skip : scene.skipped) std::printf("skipped %s\n", skip.c_str());
   for (const std::string& loss : scene.losses) std::printf("loss: %s\n", loss.c_str());
   return 0;

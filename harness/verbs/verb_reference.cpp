@@ -28,6 +28,7 @@
 #include "scenes/text/input_error.h"
 #include "scenes/text/json_text.h"
 #include "scenes/text/percent_text.h"
+#include "scenes/text/size_text.h"
 
 namespace photonproof {
 namespace {
@@ -53,20 +54,29 @@ struct Job {
   const ReferenceArguments& arguments;
   SceneDescription scene;
   std::string hash;
-  int width, height;
+  int width, height;  ///< of the film
+  FilmDescription::Crop window;
   fs::path program, folder;
   fs::path cached() const { return folder / "reference.exr"; }
+  /// What the batches say, where it is in the film.
+  Rendering rendering(const BatchMeans& means) const {
+    Rendering mean = means.rendering();
+    if (scene.sensor.film.crop) mean.place = {window.x, window.y, width, height};
+    return mean;
+  }
 };
 
 Job job_of(const ReferenceArguments& arguments) {
   SceneDescription scene = load_scene(arguments.scene);
   const std::string hash = scene_hash(scene, arguments.scene.defines);
   const int width = scene.sensor.film.width, height = scene.sensor.film.height;
+  const FilmDescription::Crop window = scene.sensor.film.window();
   return {arguments,
           std::move(scene),
           hash,
           width,
           height,
+          window,
           fs::read_symlink("/proc/self/exe"),
           cached_reference_folder(hash, width, height)};
 }
@@ -128,8 +138,9 @@ ReferenceProgress render(const Job& job, const std::string& integrator, double s
   ReferenceRun run;
   run.program = job.program;
   run.scene = scene_arguments(job.arguments.scene);
-  run.width = job.width;
-  run.height = job.height;
+  run.size = size_text(job.width, job.height);
+  run.width = job.window.width;
+  run.height = job.window.height;
   run.integrator = integrator;
   run.standard_error = standard_error;
   run.seconds = seconds;
@@ -298,7 +309,7 @@ int reference_of(const ReferenceArguments& arguments) {
   const ReferenceProgress progress = render(job, integrator, arguments.standard_error, arguments.seconds);
   using End = ReferenceProgress::End;
   if (progress.end == End::interrupted || progress.means.batches() < least_batches) return unfinished(progress);
-  const Rendering rendering = progress.means.rendering();
+  const Rendering rendering = job.rendering(progress.means);
   Provenance provenance = provenance_of(job, integrator, progress.means);
   if (cached && is_better(cached->provenance, provenance, *progress.standard_error))
     return write_out(job, cached->file, cached->rendering, cached->provenance, false);

@@ -117,6 +117,38 @@ TEST_F(ReferenceVerb, interrupted_keeps_what_is_finished_and_goes_on) {
   EXPECT_NE(get("stderr").find("the same command goes on from here"), std::string::npos);
 }
 
+TEST_F(ReferenceVerb, reference_of_a_scene_with_a_crop_is_that_part_of_the_film) {
+  // In the furnace every pixel is 2. Were the black around the crop counted, the standard error of a quarter of the
+  // pixels would be stated as half of what it is.
+  copy_scene("furnace");
+  std::string scene = get("scene.xml");
+  scene.insert(scene.find("</film>"),
+               "<integer name='crop_offset_x' value='12'/><integer name='crop_offset_y' value='8'/>"
+               "<integer name='crop_width' value='24'/><integer name='crop_height' value='16'/>");
+  put("scene.xml", scene);
+  const ProcessOutcome outcome = reference({"--standard-error", "0.02", "-o", path("out.exr")});
+  ASSERT_TRUE(outcome.ok()) << outcome.standard_error;
+  const Rendering r = read_rendering(path("out.exr"), "", ImagePart::stored);
+  ASSERT_EQ(r.mean.width, 24);
+  ASSERT_EQ(r.mean.height, 16);
+  ASSERT_TRUE(r.place.has_value());
+  EXPECT_EQ(r.place->x, 12);
+  EXPECT_EQ(r.place->y, 8);
+  double sum = 0;
+  for (const float v : r.mean.rgb) sum += (v - 2.0) * (v - 2.0) / (2.0 * 2.0 + 0.01);
+  const double actual = std::sqrt(sum / static_cast<double>(r.mean.rgb.size()));
+  // 384 pixels with 31 degrees of freedom each: a deviation of 7.3 % of the square.
+  EXPECT_NEAR(actual / relative_standard_error(r), 1, 0.15);
+  const Provenance stated = parse_provenance(get("out.json"), "out.json");
+  EXPECT_EQ(stated.width, r.place->width);
+  EXPECT_EQ(stated.standard_error, relative_standard_error(r));
+  // Who reads it for comparison gets the film.
+  EXPECT_EQ(load_reference(folder_ / "scene.xml", stated.width, stated.height).rendering.mean.width, stated.width);
+  // The cache's is used again.
+  EXPECT_TRUE(reference({"--standard-error", "0.02", "-o", path("again.exr")}).ok());
+  EXPECT_EQ(get("again.exr"), get("out.exr"));
+}
+
 TEST_F(ReferenceVerb, standard_error_that_it_states_is_the_error_it_has) {
   // In the furnace every pixel is 2, so the relative error of 4096 pixels (grey: three channels are one) is known. Its
   // mean square over the stated one is 1, with a deviation of sqrt((2 + 2/31) / 4096) = 2.2 % from the pixels' errors

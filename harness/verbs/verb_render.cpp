@@ -74,7 +74,9 @@ void add_budget_options(CLI::App& verb, RenderArguments& arguments) {
 }
 
 void add_run_options(CLI::App& verb, RenderArguments& arguments) {
-  verb.add_option("--crop", arguments.crop, "render this part of the image alone, in pixels from its upper left corner")
+  verb.add_option(
+          "--crop", arguments.crop,
+          "render this part of the image alone, in pixels from its upper left corner, instead of the scene's crop")
       ->expected(4)
       ->type_name("X Y WIDTH HEIGHT");
   verb.add_option("--checkpoint", arguments.checkpoint_seconds,

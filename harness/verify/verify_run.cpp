@@ -58,8 +58,8 @@ ReadScene read_scene(const fs::path& given, const VerifyOptions& options) {
   if (read.scene.expect) read.purpose = read.scene.expect->purpose;
   const auto [width, height] =
       options.width > 0 ? std::pair(options.width, options.height) : usual_size(read.scene.file, film);
-  // A closed form is of the scene's own view.
-  const bool other_shape = std::int64_t{width} * film.height != std::int64_t{height} * film.width;
+  // A closed form is of the scene's own view, whole.
+  const bool other_shape = film.crop || std::int64_t{width} * film.height != std::int64_t{height} * film.width;
   if (read.scene.expect && other_shape) read.scene.expect->analytic.reset();
   film.crop.reset();
   film.width = read.scene.width = width;

@@ -43,7 +43,7 @@ Image batch_image(const CyclesExport& scene, const fs::path& folder, std::size_t
   if (image.width != scene.width || image.height != scene.height)
     throw failed("wrote an image of " + std::to_string(image.width) + "x" + std::to_string(image.height) + " where " +
                  std::to_string(scene.width) + "x" + std::to_string(scene.height) + " was asked for");
-  return image;
+  return kept_part(scene.film, image);
 }
 
 /// A share of the samples.
@@ -63,9 +63,9 @@ double variance_of_mean(const CyclesExport& scene, double mean, const Value& val
 /// Of batches weighed by their samples: mean, variance of the mean, and how certain the image's mean is.
 Rendering pooled_batches(const CyclesExport& scene, const std::vector<Image>& images) {
   Rendering out;
-  out.mean = Image(scene.width, scene.height);
+  out.mean = Image(images.front().width, images.front().height);
   const std::size_t count = images.size();
-  if (count > 1) out.variance = Image(scene.width, scene.height);
+  if (count > 1) out.variance = out.mean;
   std::vector<std::array<double, 3>> totals(count);
   for (std::size_t k = 0; k < out.mean.rgb.size(); ++k) {
     double mean = 0;
@@ -173,6 +173,7 @@ CyclesRun render_cycles(const CyclesExport& scene, const CyclesRunOptions& optio
   for (std::size_t i = 0; i < scene.batches.size(); ++i) images.push_back(batch_image(scene, folder.path(), i));
   run.rendering = pooled_batches(scene, images);
   run.relative_standard_error = relative_error_of_mean(scene, images);
+  run.rendering.place = kept_place(scene.film);
   run.rendering.metadata["photonproof:batches"] = std::to_string(images.size());
   run.rendering.metadata["photonproof:version"] = run.version;
   run.rendering.metadata["photonproof:command"] = run.command;

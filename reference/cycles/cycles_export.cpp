@@ -67,7 +67,7 @@ void check_lamps(const CyclesScript& script) {
 }
 
 /// Cycles' name of the filter and its width in pixels.
-std::string filter_py(const CyclesScript& script) {
+std::string filter_py(CyclesScript& script) {
   const SceneDescription& scene = script.scene();
   const ReconstructionFilter& filter = scene.sensor.film.filter;
   switch (filter.kind) {
@@ -78,6 +78,8 @@ std::string filter_py(const CyclesScript& script) {
       // ours is cut at 4 and lowered by exp(-8) = 3e-4.
       if (4 * filter.stddev > 10)
         script.refuse(scene.sensor.loc, "a Gaussian filter of a deviation above 2.5 pixels: Cycles has none so wide");
+      if (!scene.sensor.film.sample_border)
+        script.explain("pixels at the border: Cycles' filter sees beyond the film there, the scene's does not");
       return "\"GAUSSIAN\", " + format_number(4 * filter.stddev);
     case ReconstructionFilter::Kind::tent:
       script.refuse(scene.sensor.loc, "a tent filter: Cycles has none; a box or a Gaussian can be written");
@@ -115,13 +117,14 @@ CyclesExport export_cycles(const SceneDescription& scene, const CyclesOptions& o
   CyclesExport result;
   result.width = options.width > 0 ? options.width : scene.sensor.film.width;
   result.height = options.height > 0 ? options.height : scene.sensor.film.height;
+  result.film = scene.sensor.film;
+  result.film.resize(result.width, result.height);
   result.samples = options.samples > 0 ? options.samples : scene.sensor.sample_count;
   result.threads =
       options.threads > 0 ? options.threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   result.batches = cycles_batches(result.samples, options.seed);
 
   CyclesScript script(scene, options.stem);
-  if (scene.sensor.film.crop) script.refuse(scene.sensor.loc, "a film with a crop");
   check_lamps(script);
   script.line("clear()");
   script.line("settings(" + std::to_string(result.width) + ", " + std::to_string(result.height) + ", " +

@@ -16,7 +16,8 @@ struct CyclesExport {
   std::string text;                       ///< the scene's own lines
   std::vector<CyclesFile> files;          ///< that the lines read from the text's own folder
   std::vector<std::string> explanations;  ///< every conversion; the comments of `text`
-  int width = 0, height = 0;
+  int width = 0, height = 0;              ///< of the whole film, of which a crop is kept
+  FilmDescription film;                   ///< of that size
   int samples = 0;
   int threads = 0;
   std::vector<CyclesBatch> batches;  ///< picture i goes to batch_i.exr in the text's own folder

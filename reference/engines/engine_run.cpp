@@ -1,5 +1,6 @@
 #include "reference/engines/engine_run.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -23,6 +24,18 @@ std::string command_line(const std::vector<std::string>& argv) {
   std::string line;
   for (const std::string& word : argv) line += (line.empty() ? "" : " ") + word;
   return line;
+}
+
+Image kept_part(const FilmDescription& film, const Image& image) {
+  const FilmDescription::Crop crop = film.window();
+  Image part(crop.width, crop.height);
+  for (int y = 0; y < crop.height; ++y) std::copy_n(image.pixel(crop.x, crop.y + y), 3 * crop.width, part.pixel(0, y));
+  return part;
+}
+
+std::optional<ImagePlace> kept_place(const FilmDescription& film) {
+  if (!film.crop) return std::nullopt;
+  return ImagePlace{film.crop->x, film.crop->y, film.width, film.height};
 }
 
 std::vector<std::string> find_non_finite(const Image& image, const std::string& why) {

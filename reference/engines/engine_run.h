@@ -1,11 +1,13 @@
 // How a run of another engine ended, in the words that are the same for all of them.
 #pragma once
 
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "reference/process/process.h"
+#include "scenes/description/description.h"
 #include "scenes/images/image.h"
 
 namespace photonproof {
@@ -30,6 +32,11 @@ struct EngineProgram {
 
 /// As one would type it.
 std::string command_line(const std::vector<std::string>& argv);
+
+/// The film's crop, or all where it has none, of an image of the whole film.
+Image kept_part(const FilmDescription& film, const Image& image);
+/// Where that part lies; empty: it is all.
+std::optional<ImagePlace> kept_place(const FilmDescription& film);
 
 /// A sentence where values are not finite, which ends with `why`; nothing else.
 std::vector<std::string> find_non_finite(const Image& image, const std::string& why);

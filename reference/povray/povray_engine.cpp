@@ -88,13 +88,16 @@ double weight_at(const ReconstructionFilter& filter, double distance) {
   return std::exp(-distance * distance / (2 * s * s)) - std::exp(-8.0);
 }
 
-/// Of every sub-pixel along an axis that a pixel's filter reaches, from `margin` pixels before it on; their sum is 1.
-std::vector<double> weights_of(const PovrayExport& scene) {
+/// Weights of the sub-pixels along an axis that the filter of pixel `at` of `size` reaches, from `margin` pixels before
+/// it on; their sum is 1. Those beyond the film's border have none unless the film samples it.
+std::vector<double> weights_of(const PovrayExport& scene, int at, int size) {
   const int count = (2 * scene.margin + 1) * scene.grid;
   std::vector<double> weights;
   double sum = 0;
   for (int i = 0; i < count; ++i) {
-    weights.push_back(weight_at(scene.filter, (i + 0.5) / scene.grid - scene.margin - 0.5));
+    const double from_pixel = (i + 0.5) / scene.grid - scene.margin;
+    const bool counts = scene.film.sample_border || (at + from_pixel > 0 && at + from_pixel < size);
+    weights.push_back(counts ? weight_at(scene.film.filter, from_pixel - 0.5) : 0);
     sum += weights.back();
   }
   for (double& w : weights) w /= sum;
@@ -104,17 +107,20 @@ std::vector<double> weights_of(const PovrayExport& scene) {
 /// The picture of POV-Ray's, which has margins and sub-pixels.
 Image filtered(const Image& image, const PovrayExport& scene) {
   if (scene.margin == 0) return box_downsample(image, scene.grid, 1 / scene.exposure);
-  const std::vector<double> weights = weights_of(scene);
-  const int count = static_cast<int>(weights.size());
+  std::vector<std::vector<double>> across, down;
+  for (int x = 0; x < scene.width; ++x) across.push_back(weights_of(scene, x, scene.width));
+  for (int y = 0; y < scene.height; ++y) down.push_back(weights_of(scene, y, scene.height));
+  const int count = (2 * scene.margin + 1) * scene.grid;
   Image result(scene.width, scene.height);
   for (int y = 0; y < scene.height; ++y)
     for (int x = 0; x < scene.width; ++x) {
+      const std::vector<double>&row = across[static_cast<std::size_t>(x)], &column = down[static_cast<std::size_t>(y)];
       RgbD sum(0.0);
       for (int j = 0; j < count; ++j)
         for (int i = 0; i < count; ++i) {
           const float* p = image.pixel(x * scene.grid + i, y * scene.grid + j);
           sum += RgbD(double{p[0]}, double{p[1]}, double{p[2]}) *
-                 (weights[static_cast<std::size_t>(i)] * weights[static_cast<std::size_t>(j)] / scene.exposure);
+                 (row[static_cast<std::size_t>(i)] * column[static_cast<std::size_t>(j)] / scene.exposure);
         }
       float* out = result.pixel(x, y);
       out[0] = static_cast<float>(sum.x);
@@ -154,9 +160,10 @@ PovrayRun render_povray(const PovrayExport& scene, const PovrayRunOptions& optio
   run.cpu_seconds = outcome.cpu_seconds;
   run.peak_bytes = outcome.peak_bytes;
   const Image image = read_image((folder.path() / "scene.exr").string());
-  run.rendering.mean = filtered(image, scene);
+  run.rendering.mean = kept_part(scene.film, filtered(image, scene));
   if (scene.is_noisy && scene.margin == 0 && scene.grid > 1)
-    run.rendering.variance = variance_of_blocks(image, scene.grid, 1 / scene.exposure);
+    run.rendering.variance = kept_part(scene.film, variance_of_blocks(image, scene.grid, 1 / scene.exposure));
+  run.rendering.place = kept_place(scene.film);
   run.rendering.metadata["photonproof:version"] = run.version;
   run.rendering.metadata["photonproof:command"] = run.command;
   for (const PovrayExport& part : scene.besides) add(render_povray(part, options), run);

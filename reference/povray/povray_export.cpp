@@ -140,7 +140,8 @@ PovrayExport export_scene(const PovScene& scene, const PovPlan& plan, const PovC
   result.antialias = centres ? through_centres : refined(halvings(scene, plan));
   result.margin = options.margin;
   result.is_noisy = plan.paths;
-  result.filter = description.sensor.film.filter;
+  result.film = description.sensor.film;
+  result.film.resize(options.width, options.height);
   result.files = image_files(scene, plan.exposure, plan.stem);
   result.exposure = plan.exposure;
   result.explanations = out.explanations();

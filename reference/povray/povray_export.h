@@ -15,10 +15,10 @@ namespace photonproof {
 
 struct PovrayExport {
   SdlText sdl;
-  int width = 0, height = 0;  ///< of the final image
-  int grid = 1;               ///< POV-Ray renders grid x width by grid x height
-  int margin = 0;             ///< pixels around the image, which its filter reaches
-  ReconstructionFilter filter{.kind = ReconstructionFilter::Kind::box};
+  int width = 0, height = 0;              ///< of the whole film, of which a crop is kept
+  int grid = 1;                           ///< POV-Ray renders grid x width by grid x height
+  int margin = 0;                         ///< pixels around the image, which its filter reaches
+  FilmDescription film{};                 ///< of that size
   std::vector<PovFile> files{};           ///< images that the text reads from its own folder
   std::vector<std::string> antialias;     ///< POV-Ray's options for how it samples its pixels
   bool is_noisy = false;                  ///< of paths: sub-pixels differ by chance

@@ -43,9 +43,6 @@ void check_emitters(const SceneDescription& scene) {
 }
 
 void check_film(const SceneDescription& scene) {
-  const FilmDescription& film = scene.sensor.film;
-  if (film.crop)
-    throw Unrepresentable(scene.where(scene.sensor.loc), "a film with a crop: POV-Ray renders the whole picture");
   if (scene.sensor.medium)
     throw Unrepresentable(scene.where(scene.sensor.loc),
                           "a camera in a medium: POV-Ray scatters light once only, and its lamps do not know theirs");

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstdlib>
 #include <ctime>
+#include <tuple>
+#include <utility>
 
 #include "reference/store/half_rounding.h"
 #include "scenes/description/scene_hash.h"
@@ -24,6 +26,12 @@ std::string checksum_of(const Rendering& rendering) {
   for (const Image* image : {&rendering.mean, &*rendering.variance})
     checksum.add(image->rgb.data(), image->rgb.size() * sizeof(float));
   return checksum.hex();
+}
+
+/// Of the whole image, where the rendering is a part of one.
+std::pair<int, int> whole_size(const Rendering& rendering) {
+  return rendering.place ? std::pair(rendering.place->width, rendering.place->height)
+                         : std::pair(rendering.mean.width, rendering.mean.height);
 }
 
 std::string place_of(const Image& image, std::size_t value) {
@@ -59,10 +67,10 @@ StoredReference checked(const fs::path& exr, const std::string& hash, int width,
   const auto refuse = [&](const std::string& what) { throw InputError(exr.string(), what); };
   if (p.scene_hash != hash)
     refuse("is out of date: the scene's content is now " + hash + ", this reference is of " + p.scene_hash);
-  stored.rendering = read_rendering(exr.string());
-  const Image& mean = stored.rendering.mean;
-  if (mean.width != width || mean.height != height || p.width != width || p.height != height)
-    refuse("is " + size_text(mean.width, mean.height) + " and its provenance of " + size_text(p.width, p.height) +
+  stored.rendering = read_rendering(exr.string(), "", ImagePart::stored);
+  const auto [image_width, image_height] = whole_size(stored.rendering);
+  if (image_width != width || image_height != height || p.width != width || p.height != height)
+    refuse("is " + size_text(image_width, image_height) + " and its provenance of " + size_text(p.width, p.height) +
            ", expected " + size_text(width, height));
   if (const std::string defect = defect_of(stored.rendering); !defect.empty()) refuse(defect);
   if (checksum_of(stored.rendering) != p.pixels) refuse("does not hold the pixels its provenance is of");
@@ -107,14 +115,23 @@ StoredReference read_reference(const fs::path& exr, const std::string& hash, int
   }
 }
 
+namespace {
+
+StoredReference in_display(StoredReference stored) {
+  if (stored.rendering.place) stored.rendering = displayed(stored.rendering);
+  return stored;
+}
+
+}  // namespace
+
 StoredReference load_reference(const fs::path& scene_file, int width, int height) {
   const std::string hash = scene_hash(parse_scene_file(scene_file.string()));
   const fs::path beside = committed_reference_path(scene_file, width, height);
   if (is_there(beside) || is_there(provenance_path(beside)))
-    return read_reference(beside, hash, width, height, reference_command(scene_file, width, height, true));
+    return in_display(read_reference(beside, hash, width, height, reference_command(scene_file, width, height, true)));
   const std::string command = reference_command(scene_file, width, height, false);
   const fs::path cached = cached_reference_folder(hash, width, height) / "reference.exr";
-  if (is_there(provenance_path(cached))) return read_reference(cached, hash, width, height, command);
+  if (is_there(provenance_path(cached))) return in_display(read_reference(cached, hash, width, height, command));
   throw InputError(scene_file.string(), "has no reference of " + size_text(width, height) + " pixels, neither " +
                                             beside.filename().string() + " beside it nor in the cache " +
                                             cache_folder().string() + "; make it with: " + command);
@@ -127,8 +144,7 @@ Provenance write_reference(const fs::path& exr, const Rendering& rendering, Prov
   if (halves) check_halves(exr, rendering.mean);
   Rendering stored = halves ? rounded_to_halves(rendering) : rendering;
   stored.metadata.clear();  // equal pixels, equal bytes; everything else is in the JSON
-  provenance.width = stored.mean.width;
-  provenance.height = stored.mean.height;
+  std::tie(provenance.width, provenance.height) = whole_size(stored);
   provenance.pixels = checksum_of(stored);
   provenance.standard_error = relative_standard_error(stored);
   // A process that ends between the two leaves pixels that do not fit, which reading says.
@@ -155,7 +171,7 @@ bool has_good_commit(const fs::path& scene_file, const std::string& hash, int wi
 
 Provenance commit_reference(const fs::path& scene_file, const Rendering& rendering, Provenance provenance,
                             const std::string& reason) {
-  const int width = rendering.mean.width, height = rendering.mean.height;
+  const auto [width, height] = whole_size(rendering);
   check_committable(scene_file, width, height);
   const fs::path exr = committed_reference_path(scene_file, width, height);
   std::optional<Provenance> old;

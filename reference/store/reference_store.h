@@ -20,11 +20,12 @@ struct StoredReference {
 /// The scene's reference of this size: the one beside the scene, else the cache's. Throws InputError when the scene
 /// cannot be parsed, and when the reference is missing, cannot be read whole, has a value that is not finite, or is of
 /// another content than the scene has now; the sentence ends in the command that makes a new one. A bad one beside the
-/// scene is an error whatever the cache has.
+/// scene is an error whatever the cache has. The reference of a scene with a crop is the whole image, black around the
+/// crop.
 StoredReference load_reference(const std::filesystem::path& scene_file, int width, int height);
 
-/// The same checks on one file, whose provenance lies beside it with the extension .json. `rebuild` is the command that
-/// messages end in.
+/// The same checks on one file; a crop stays a part with its place. The provenance lies beside the file with the
+/// extension .json. `rebuild` is the command that messages end in.
 StoredReference read_reference(const std::filesystem::path& exr, const std::string& scene_hash, int width, int height,
                                const std::string& rebuild);
 

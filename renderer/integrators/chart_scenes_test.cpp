@@ -1,7 +1,8 @@
 // The chart scenes of the library against harness/oracles/charts.py, a ray caster in another language that shares
 // nothing with the renderer: what cameras, filters, clip planes, transforms, uv and bitmaps mean, in an image that is
-// not square. A mirrored picture, another axis of the field of view or half a texel moves the moments by per cents; 5 %
-// of a filter's width, an aperture or a distance of focus moves some pixel by ten times the tolerance.
+// not square. Two charts sample the film's border, chart-lens does not, which is .6 % of its mean. A mirrored picture,
+// another axis of the field of view or half a texel moves the moments by per cents. 5 % of a filter's width, an
+// aperture or a distance of focus moves some pixel by ten times the tolerance.
 
 #include <gtest/gtest.h>
 
@@ -89,9 +90,9 @@ INSTANTIATE_TEST_SUITE_P(library, ChartScene,
                                                  {8, 12, RgbD{0.38901, 0.11890, 0.03938}},
                                                  {18, 11, RgbD{0.32899, 0.37366, 0.21916}}}}},
                                          Chart{"chart-lens",
-                                               RgbD{0.34152, 0.35297, 0.29591},
-                                               RgbD{0.18520, 0.18921, 0.13899},
-                                               RgbD{0.18192, 0.18051, 0.10151},
+                                               RgbD{0.34351, 0.35484, 0.29831},
+                                               RgbD{0.18652, 0.19023, 0.14008},
+                                               RgbD{0.18309, 0.18134, 0.10149},
                                                {{{5, 3, RgbD{0.35133, 0.52552, 0.58001}},
                                                  {11, 7, RgbD{0.36094, 0.20071, 0.28393}},
                                                  {12, 8, RgbD{0.36748, 0.27826, 0.21115}},

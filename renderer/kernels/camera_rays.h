@@ -36,7 +36,9 @@ CameraRay<F> camera_rays(const SceneView& scene, const CameraTask& task, std::ui
   } else {
     in_pixel = draw2<F>(task.sampler, ray.key, ray.index, U(0u));
     const FilterView& filter = scene.camera.filter;
-    if (!filter.is_box) in_pixel = {0.5f + filter_offset(filter, in_pixel.x), 0.5f + filter_offset(filter, in_pixel.y)};
+    if (!filter.is_box)
+      in_pixel = {0.5f + filter_offset(filter, x, scene.camera.width, in_pixel.x),
+                  0.5f + filter_offset(filter, y, scene.camera.height, in_pixel.y)};
   }
   const CameraView& camera = scene.camera;
   Vec2<F> u_lens{F(0.5f), F(0.5f)};

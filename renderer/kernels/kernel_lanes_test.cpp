@@ -243,13 +243,15 @@ TEST(lanes, camera_rays_agree) {
   camera.forward = {0, 0, 1};
   camera.tan_x = 0.7f;
   camera.tan_y = 0.4f;
+  camera.width = 97;
+  camera.height = 61;
   camera.inverse_width = 1.0f / 97;
   camera.inverse_height = 1.0f / 61;
   camera.near = 0.01f;
   camera.lens_radius = 0.1f;
   camera.focus_distance = 2;
   camera.max_angle = 1;
-  camera.filter = compile_filter(ReconstructionFilter{ReconstructionFilter::Kind::gaussian, 0.5, 1});
+  camera.filter = compile_filter(ReconstructionFilter{ReconstructionFilter::Kind::gaussian, 0.5, 1}, false);
   struct Case {
     CameraKind kind;
     int grid;

@@ -83,7 +83,8 @@ void render_splats(const Scene& scene, const RenderJob& job, Stream stream, cons
   };
   const ReconstructionFilter filter = filter_of_splats(scene.filter);
   if (!(filter == scene.filter)) stats.losses.push_back(wider_filter_text(FilterKernel(scene.filter).radius()));
-  SplatImage pass(window, filter);
+  SplatImage pass =
+      scene.sample_border ? SplatImage(window, filter) : SplatImage(window, filter, scene.width, scene.height);
   film.set_pixels_a_splat(FilterKernel(filter).pixels_a_splat());
   RenderLoop loop(job, threads, film, stats, {.phase = phase, .longest = longest_pass(job, film)});
   loop.keep(pass.sums());

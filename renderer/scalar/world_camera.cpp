@@ -7,7 +7,8 @@ namespace photonproof {
 namespace {
 
 /// Drawn from the reconstruction filter, or on the k x k grid that was asked for.
-Vec2<float> place_in_pixel(const CameraView& camera, const Draws& draws, int grid, std::uint32_t dimension) {
+Vec2<float> place_in_pixel(const CameraView& camera, int x, int y, const Draws& draws, int grid,
+                           std::uint32_t dimension) {
   if (grid > 0) {
     const auto k = static_cast<std::uint32_t>(grid);
     const std::uint32_t cell = draws.index % (k * k);
@@ -16,14 +17,17 @@ Vec2<float> place_in_pixel(const CameraView& camera, const Draws& draws, int gri
   }
   const Vec2<float> u = draws.two(dimension);
   if (camera.filter.is_box) return u;
-  return {0.5f + filter_offset(camera.filter, u.x), 0.5f + filter_offset(camera.filter, u.y)};
+  const auto offset = [&](int at, float size, float drawn) {
+    return filter_offset<float>(camera.filter, static_cast<std::uint32_t>(at), size, drawn);
+  };
+  return {0.5f + offset(x, camera.width, u.x), 0.5f + offset(y, camera.height, u.y)};
 }
 
 }  // namespace
 
 std::optional<Ray> WorldCamera::ray(int x, int y, const Draws& draws, int grid, std::uint32_t in_pixel,
                                     const Vec2<float>& u_lens) const {
-  const Vec2<float> place = place_in_pixel(camera_, draws, grid, in_pixel);
+  const Vec2<float> place = place_in_pixel(camera_, x, y, draws, grid, in_pixel);
   CameraRay<float> ray;
   set_ray<float>(camera_, {static_cast<float>(x) + place.x, static_cast<float>(y) + place.y}, u_lens, ray);
   if (!ray.valid) return std::nullopt;

@@ -43,7 +43,11 @@ bool is_plain(const BsdfTable& bsdfs, const Surface& surface) {
 }  // namespace
 
 SceneParts::SceneParts(const SceneDescription& in_its_unit, int width_, int height_)
-    : width(width_), height(height_), frame(scene_frame(in_its_unit)), filter(in_its_unit.sensor.film.filter) {
+    : width(width_),
+      height(height_),
+      frame(scene_frame(in_its_unit)),
+      filter(in_its_unit.sensor.film.filter),
+      sample_border(in_its_unit.sensor.film.sample_border) {
   std::optional<SceneDescription> in_other_unit;
   if (frame.scale != 1) in_other_unit = scaled(in_its_unit, frame.scale);
   const SceneDescription& description = in_other_unit ? *in_other_unit : in_its_unit;

@@ -25,6 +25,7 @@ struct SceneParts {
   int width, height;
   SceneFrame frame;  ///< how coordinates come from the description's
   ReconstructionFilter filter;
+  bool sample_border;
   CameraView camera;
   std::shared_ptr<const Textures> textures;
   SceneMedia media;

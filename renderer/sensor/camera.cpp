@@ -73,25 +73,16 @@ struct Lens {
 }  // namespace
 
 CameraView compile_camera(const SensorDescription& sensor, int width, int height, const Vec3d& moved) {
-  const FilmDescription& film = sensor.film;
-  const FilmDescription::Crop crop = film.crop.value_or(FilmDescription::Crop{0, 0, film.width, film.height});
-  // The whole film, in pixels of the size rendered.
-  const double scale_x = film.crop ? double(width) / crop.width : 1,
-               scale_y = film.crop ? double(height) / crop.height : 1;
-  const double film_width = film.crop ? scale_x * film.width : width;
-  const double film_height = film.crop ? scale_y * film.height : height;
   CameraView view{.origin = Vec3f(sensor.to_world.point({0, 0, 0}) + moved),
                   .right = Vec3f(normalize(sensor.to_world.vector({-1, 0, 0}))),
                   .up = Vec3f(normalize(sensor.to_world.vector({0, 1, 0}))),
                   .forward = Vec3f(normalize(sensor.to_world.vector({0, 0, 1}))),
-                  .inverse_width = 1 / static_cast<float>(film_width),
-                  .inverse_height = 1 / static_cast<float>(film_height),
-                  .center_x = static_cast<float>(1 - 2 * scale_x * crop.x / film_width),
-                  .center_y = static_cast<float>(1 - 2 * scale_y * crop.y / film_height),
+                  .inverse_width = 1 / static_cast<float>(width),
+                  .inverse_height = 1 / static_cast<float>(height),
                   .width = static_cast<float>(width),
                   .height = static_cast<float>(height),
-                  .filter = compile_filter(film.filter)};
-  std::visit(Lens{view, sensor.to_world, film_width, film_height}, sensor.camera);
+                  .filter = compile_filter(sensor.film.filter, sensor.film.sample_border)};
+  std::visit(Lens{view, sensor.to_world, double(width), double(height)}, sensor.camera);
   return view;
 }
 

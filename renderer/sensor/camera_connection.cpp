@@ -69,7 +69,7 @@ CameraConnection connect_to_camera(const CameraView& camera, const Vec3f& p, con
   }
   c.raster = {(plane.x / camera.tan_x + camera.center_x) / (2 * camera.inverse_width),
               (camera.center_y - plane.y / camera.tan_y) / (2 * camera.inverse_height)};
-  const float margin = camera.filter.splat_radius - 0.5f;
+  const float margin = camera.filter.margin;
   if (!(c.raster.x >= -margin && c.raster.x <= camera.width + margin && c.raster.y >= -margin &&
         c.raster.y <= camera.height + margin))
     return c;

@@ -26,6 +26,17 @@ F filter_offset(const FilterView& filter, const F& u) {
   return lane_copysign(mul_add(F(at - to_float(below)), F(high - low), low), both);
 }
 
+/// The same for the pixel `at` of the film's `size` along an axis, without what lies beyond the film's borders.
+template <class F>
+F filter_offset(const FilterView& filter, const UInt<F>& at, float size, const F& u) {
+  const auto beyond = [&](const UInt<F>& distance) {
+    const UInt<F> widest(FilterView::widest);
+    return gather(filter.beyond_border.data(), select(as_mask<F>(distance < widest), distance, widest));
+  };
+  const F low = beyond(at), high = beyond(UInt<F>(static_cast<std::uint32_t>(size) - 1 - at));
+  return filter_offset(filter, F(mul_add(u, F(1.0f - low - high), low)));
+}
+
 /// Sets the ray through a point of the raster and, with a lens, a point of that.
 template <class F>
 void set_ray(const CameraView& camera, const Vec2<F>& raster, const Vec2<F>& u_lens, CameraRay<F>& ray) {

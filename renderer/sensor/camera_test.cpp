@@ -12,6 +12,7 @@
 #include "renderer/lanes/test_chi_square.h"
 #include "renderer/sensor/camera_connection.h"
 #include "renderer/sensor/reconstruction_filter.h"
+#include "renderer/sensor/splats.h"
 
 namespace photonproof {
 namespace {
@@ -38,15 +39,13 @@ std::vector<Named> cameras() {
           {"fisheye", FisheyeDescription{200, 1e-2, 1e4}, {}}};
 }
 
-CameraView view_of(const Named& named, const std::optional<FilmDescription::Crop>& crop = {}) {
+CameraView view_of(const Named& named) {
   SensorDescription sensor;
   sensor.camera = named.camera;
   sensor.to_world = Transform::look_at({1, 2, 3}, {-2, 1, 0}, {0.1, 1, 0}) * named.scaled;
   sensor.film.width = image_width;
   sensor.film.height = image_height;
-  sensor.film.crop = crop;
-  return crop ? compile_camera(sensor, crop->width, crop->height, {0, 0, 0})
-              : compile_camera(sensor, image_width, image_height, {0, 0, 0});
+  return compile_camera(sensor, image_width, image_height, {0, 0, 0});
 }
 
 TEST(cameras, the_way_back_is_the_inverse_of_the_ray) {
@@ -126,17 +125,6 @@ TEST(cameras, importance_integrates_to_the_pixels_of_the_image) {
     // A fisheye's circle fills pi/4 of a square of 20 x 20 pixels; u_lens (0.5, 0.5) is the lens's middle.
     const double image = camera.kind == CameraKind::fisheye ? std::numbers::pi / 4 * 400 / 600 : 1;
     EXPECT_NEAR(sum, image, 2e-3 * image) << named.name;
-  }
-}
-
-TEST(cameras, a_crop_shows_its_part_of_the_image) {
-  for (const Named& named : cameras()) {
-    const CameraView whole = view_of(named), part = view_of(named, FilmDescription::Crop{7, 4, 10, 12});
-    CameraRay<float> a, b;
-    set_ray<float>(whole, {7 + 3.25f, 4 + 5.5f}, {0.3f, 0.6f}, a);
-    set_ray<float>(part, {3.25f, 5.5f}, {0.3f, 0.6f}, b);
-    EXPECT_NEAR(length(a.direction - b.direction), 0, 1e-6f) << named.name;
-    EXPECT_NEAR(length(a.origin - b.origin), 0, 1e-5f) << named.name;
   }
 }
 
@@ -225,7 +213,7 @@ std::vector<ReconstructionFilter> filters() {
 TEST(filters, offsets_are_drawn_as_the_filter_weighs) {
   for (const ReconstructionFilter& filter : filters()) {
     const FilterKernel kernel(filter);
-    const FilterView view = compile_filter(filter);
+    const FilterView view = compile_filter(filter, true);
     constexpr int cells = 64, samples = 1'000'000;
     std::vector<double> observed(cells), expected(cells);
     double mean_square = 0;
@@ -250,6 +238,60 @@ TEST(filters, offsets_are_drawn_as_the_filter_weighs) {
     EXPECT_GT(test::chi_square_p_value(observed, expected), test::sidak_level(4));
     EXPECT_NEAR(mean_square, second_moment, 0.005 * second_moment);
     EXPECT_NEAR(kernel.half_integral(1e3), 0.5, 1e-12);
+  }
+}
+
+TEST(filters, offsets_at_the_border_are_drawn_as_the_filter_weighs_within_the_film) {
+  // The density of the pixel `at` of `size` is the filter's between the film's borders, over its integral there.
+  constexpr int cells = 64, samples = 200'000;
+  int kinds = 0;
+  for (const ReconstructionFilter& filter : filters())
+    for (const auto& [at, size] : {std::pair{0, 30}, {1, 30}, {29, 30}, {0, 1}, {1, 3}}) {
+      const FilterKernel kernel(filter);
+      const FilterView view = compile_filter(filter, false);
+      const double left = std::max(-kernel.radius(), -(at + 0.5)), right = std::min(kernel.radius(), size - at - 0.5);
+      const auto cumulative = [&](double x) { return x < 0 ? -kernel.half_integral(-x) : kernel.half_integral(x); };
+      std::vector<double> observed(cells), expected(cells);
+      for (int i = 0; i < cells; ++i)
+        expected[static_cast<std::size_t>(i)] =
+            samples *
+            (cumulative(left + (right - left) * (i + 1) / cells) - cumulative(left + (right - left) * i / cells)) /
+            (cumulative(right) - cumulative(left));
+      for (int i = 0; i < samples; ++i) {
+        const double x = double{filter_offset<float>(view, static_cast<std::uint32_t>(at), static_cast<float>(size),
+                                                     Random(440, static_cast<std::uint64_t>(i)).next())};
+        ASSERT_GE(x, left - 1e-5);
+        ASSERT_LE(x, right + 1e-5);
+        observed[static_cast<std::size_t>(
+            std::clamp(static_cast<int>((x - left) / (right - left) * cells), 0, cells - 1))] += 1;
+      }
+      EXPECT_GT(test::chi_square_p_value(observed, expected), test::sidak_level(20)) << at << " " << size;
+      EXPECT_NEAR(kernel.integral_within(at, size), cumulative(right) - cumulative(left), 1e-12);
+      ++kinds;
+    }
+  EXPECT_EQ(kinds, 20);
+}
+
+TEST(filters, offsets_away_from_the_border_have_the_bits_of_a_film_without_one) {
+  const ReconstructionFilter filter{ReconstructionFilter::Kind::gaussian, 0.5, 1};
+  const FilterView with = compile_filter(filter, true), without = compile_filter(filter, false);
+  for (std::uint64_t i = 0; i < 1000; ++i) {
+    const float u = Random(450, i).next();
+    EXPECT_EQ(filter_offset<float>(without, 2u, 30.0f, u), filter_offset(with, u));
+  }
+}
+
+TEST(filters, splats_within_the_film_give_every_pixel_one_at_its_border_too) {
+  for (const ReconstructionFilter& filter : filters()) {
+    constexpr int steps = 40, size = 6;
+    SplatImage image({0, 0, size, size}, filter, size, size);
+    Splats splats;
+    for (int i = 0; i < steps * size; ++i)
+      for (int j = 0; j < steps * size; ++j)
+        splats.push_back({{(static_cast<float>(i) + 0.5f) / steps, (static_cast<float>(j) + 0.5f) / steps}, Rgb(1.0f)});
+    image.add(splats);
+    for (int y = 0; y < size; ++y)
+      for (int x = 0; x < size; ++x) EXPECT_NEAR(image.sum(x, y).x / (steps * steps), 1, 3e-3) << x << " " << y;
   }
 }
 

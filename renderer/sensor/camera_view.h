@@ -1,5 +1,5 @@
-// The compiled camera as kernels and light tracing see it. Raster coordinates are pixels of the rendered image from its
-// top left corner, pixel (x, y) from x to x + 1.
+// The compiled camera as kernels and light tracing see it. Raster coordinates are pixels of the whole film from its top
+// left corner, pixel (x, y) from x to x + 1.
 #pragma once
 
 #include <array>
@@ -18,8 +18,12 @@ struct FilterView {
   static constexpr std::uint32_t steps = 128;
   bool is_box = true;  ///< the pixel itself
   float radius = 0.5f;
-  float splat_radius = 0.5f;  ///< of the filter that light paths are spread by
+  float margin = 0;  ///< how far beyond the film's border light paths are splatted from
   std::array<float, steps + 1> quantiles{};
+  /// The share of samples that would fall beyond one border of the film, by the pixel's distance from it; they are
+  /// drawn within. All zero when the border is sampled. Filters reach 16 pixels (view_description.h).
+  static constexpr std::uint32_t widest = 16;
+  std::array<float, widest + 1> beyond_border{};
   FilterView() = default;
 };
 
@@ -27,10 +31,10 @@ struct CameraView {
   Vec3f origin, right, up, forward;  ///< axes unit
   /// Half the image at the distance 1: of an orthographic camera in scene units, of a fisheye in radians.
   float tan_x = 1, tan_y = 1;
-  float inverse_width = 1, inverse_height = 1;  ///< of the whole film in pixels, of which a crop is rendered
+  float inverse_width = 1, inverse_height = 1;  ///< of the film in pixels
   float near = 0, far = 0;                      ///< distances along `forward`; of a fisheye along rays
   float center_x = 1, center_y = 1;             ///< twice where the axis meets the film, in its widths and heights
-  float width = 1, height = 1;                  ///< of the rendered image in pixels
+  float width = 1, height = 1;                  ///< of the film in pixels
   CameraKind kind = CameraKind::perspective;
   float lens_radius = 0, focus_distance = 1;  ///< thin lens; the sharp plane's distance along `forward`
   float max_angle = 0;                        ///< fisheye: beyond it there is no image

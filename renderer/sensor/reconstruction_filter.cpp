@@ -1,10 +1,23 @@
 #include "renderer/sensor/reconstruction_filter.h"
 
+#include <iterator>
 #include <numbers>
 
 #include "scenes/text/faults.h"
 
 namespace photonproof {
+namespace {
+
+/// As filter_offset (camera_ray.h) draws: the share of samples that are farther than this on one side.
+double share_beyond(const FilterView& view, double distance) {
+  const auto above = std::upper_bound(view.quantiles.begin(), view.quantiles.end(), static_cast<float>(distance));
+  if (above == view.quantiles.end()) return 0;
+  const double low = double{*(above - 1)}, high = double{*above};
+  const double at = static_cast<double>(above - 1 - view.quantiles.begin()) + (distance - low) / (high - low);
+  return std::pow(1 - at / FilterView::steps, 2) / 2;
+}
+
+}  // namespace
 
 ReconstructionFilter filter_of_splats(ReconstructionFilter filter) {
   filter.radius = std::max(filter.radius, narrowest_splat);
@@ -66,12 +79,18 @@ double FilterKernel::pixels_a_splat() const {
   return std::pow(steps / (2 * radius_ * squares), 2);
 }
 
-FilterView compile_filter(const ReconstructionFilter& filter) {
+double FilterKernel::integral_within(int at, int size) const {
+  const double before = at + 0.5, after = size - before;
+  if (std::min(before, after) >= radius_) return 1;
+  return half_integral(before) + half_integral(after);
+}
+
+FilterView compile_filter(const ReconstructionFilter& filter, bool sample_border) {
   const FilterKernel kernel(filter);
   FilterView view;
   view.is_box = filter.kind == ReconstructionFilter::Kind::box;
   view.radius = static_cast<float>(kernel.radius());
-  view.splat_radius = static_cast<float>(FilterKernel(filter_of_splats(filter)).radius());
+  if (sample_border) view.margin = static_cast<float>(FilterKernel(filter_of_splats(filter)).radius() - 0.5);
   for (std::uint32_t i = 0; i <= FilterView::steps; ++i) {
     const double left = 1 - i / double{FilterView::steps}, share = 1 - left * left;
     double low = 0, high = kernel.radius();
@@ -81,6 +100,9 @@ FilterView compile_filter(const ReconstructionFilter& filter) {
     }
     view.quantiles[i] = static_cast<float>(has_fault(Fault::wide_filter) ? 1.2 * high : high);
   }
+  if (!sample_border)
+    for (std::uint32_t pixel = 0; pixel < FilterView::widest; ++pixel)
+      view.beyond_border[pixel] = static_cast<float>(share_beyond(view, pixel + 0.5));
   return view;
 }
 

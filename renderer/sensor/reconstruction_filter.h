@@ -15,7 +15,7 @@ namespace photonproof {
 ReconstructionFilter filter_of_splats(ReconstructionFilter filter);
 inline constexpr double narrowest_splat = 0.5;  ///< radius, pixels
 
-FilterView compile_filter(const ReconstructionFilter& filter);
+FilterView compile_filter(const ReconstructionFilter& filter, bool sample_border);
 
 /// The filter's value along an axis, whose integral is 1.
 class FilterKernel {
@@ -28,6 +28,8 @@ class FilterKernel {
   double pixels_a_splat() const;
   /// Integral from 0 to `distance`, at most 1/2.
   double half_integral(double distance) const;
+  /// Integral over the film's `size` around the middle of its pixel `at` along an axis.
+  double integral_within(int at, int size) const;
 
   /// Calls visit(x, y, weight) for the pixels of a width x height image that a sample at `raster` reaches. The weights
   /// are the filter at the pixels' middles: around an interior point they sum to 1 in the mean over its places.

@@ -21,6 +21,8 @@ class SplatImage {
  public:
   SplatImage(const Tile& window, const ReconstructionFilter& filter)
       : window_(window), filter_(filter), sums_(std::size_t(window.width()) * std::size_t(window.height())) {}
+  /// Splats stay within a film of this size: pixels whose filter reaches beyond it count what is within for more.
+  SplatImage(const Tile& window, const ReconstructionFilter& filter, int film_width, int film_height);
 
   /// Adds them to the pixels whose reconstruction filter reaches them.
   void add(const Splats& splats);
@@ -38,6 +40,7 @@ class SplatImage {
 
   Tile window_;
   FilterKernel filter_;
+  std::vector<double> column_factors_, row_factors_;  ///< of the window; empty: 1
   std::vector<RgbD> sums_;
 };
 

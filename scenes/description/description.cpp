@@ -1,5 +1,8 @@
 #include "scenes/description/description.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace photonproof {
 namespace {
 
@@ -16,6 +19,21 @@ struct Nested {
 }  // namespace
 
 std::vector<BsdfIndex> nested_bsdfs(const BsdfDescription& bsdf) { return std::visit(Nested{}, bsdf.model); }
+
+void FilmDescription::resize(int new_width, int new_height) {
+  const auto scale = [](int& place, int& size, int old_side, int new_side) {
+    const auto border = [&](int at) { return static_cast<int>(std::lround(double(at) * new_side / old_side)); };
+    const int first = std::min(border(place), new_side - 1), end = border(place + size);
+    place = first;
+    size = std::max(end - first, 1);
+  };
+  if (crop) {
+    scale(crop->x, crop->width, width, new_width);
+    scale(crop->y, crop->height, height, new_height);
+  }
+  width = new_width;
+  height = new_height;
+}
 
 std::string SceneDescription::where(const SourceLoc& loc) const {
   const bool known_file = loc.file >= 0 && static_cast<std::size_t>(loc.file) < files.size();

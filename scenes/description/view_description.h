@@ -46,6 +46,8 @@ void describe_lens(P& p, PerspectiveDescription& d) {
 template <class P>
 void describe_placed_camera(P& p, const char* to_world) {
   p.also("to_world", scene_xml::ParamType::transform, "", to_world);
+  p.also("shutter_open", scene_xml::ParamType::number, "0", "nothing moves: without effect");
+  p.also("shutter_close", scene_xml::ParamType::number, "0", "at least `shutter_open`: without effect");
   p.nested("film", 1, "a film");
   p.nested("sampler", 1, "a sampler");
   p.nested("medium", 1, "the medium around the camera");
@@ -140,6 +142,12 @@ struct FilmDescription {
     friend bool operator==(const Crop&, const Crop&) = default;
   };
   std::optional<Crop> crop = {};
+  bool sample_border =
+      false;           ///< the filter sees beyond the film's border, where it reaches; else what is within alone
+  bool alpha = false;  ///< channel A is written
+  Crop window() const { return crop.value_or(Crop{0, 0, width, height}); }
+  /// The same part of a film of another size: the borders of the crop are rounded to whole pixels.
+  void resize(int new_width, int new_height);
   friend bool operator==(const FilmDescription&, const FilmDescription&) = default;
 };
 
@@ -149,7 +157,8 @@ void describe(P& p, FilmDescription& d) {
   p.integer("width", d.width, 1, 65536, "pixels; at most 2^28 in all");
   p.integer("height", d.height, 1, 65536, "pixels");
   p.crop(d);
-  p.word("pixel_format", {"rgb", "rgba"}, false, "always written as rgb");
+  p.boolean("sample_border", d.sample_border, "wide filters see beyond the border of the film");
+  p.choice("pixel_format", d.alpha, {{"rgb", false}, {"rgba", true}}, "`rgba`: A is the share of samples on a shape");
   p.word("component_format", {"float32", "float16"}, true, "always written as float32");
   p.word("file_format", {"openexr", "exr"}, false, "always written as that");
   p.nested("rfilter", 1, "a filter");

@@ -205,7 +205,10 @@ std::unique_ptr<ImageFile> open_exr(const std::string& path, const std::string& 
 }
 
 void write_exr_file(const std::string& path, const std::string& target, const Rendering& rendering, ExrColour colour) {
-  Imf::Header header(rendering.mean.width, rendering.mean.height);
+  const ImagePlace place = rendering.place.value_or(ImagePlace{0, 0, rendering.mean.width, rendering.mean.height});
+  const Imath::V2i first(place.x, place.y), size(rendering.mean.width, rendering.mean.height);
+  Imf::Header header(Imath::Box2i({0, 0}, {place.width - 1, place.height - 1}),
+                     Imath::Box2i(first, first + size - Imath::V2i(1)));
   // Deflating 32-bit noise takes as long as a short render and saves 2 %.
   header.compression() = colour == ExrColour::half ? Imf::ZIP_COMPRESSION : Imf::RLE_COMPRESSION;
   for (const auto& [name, value] : rendering.metadata) header.insert(name, Imf::StringAttribute(value));
@@ -227,6 +230,10 @@ void write_exr_file(const std::string& path, const std::string& target, const Re
   else
     add("", Imf::FLOAT, rendering.mean.rgb.data());
   if (rendering.variance) add("variance.", Imf::FLOAT, rendering.variance->rgb.data());
+  if (!rendering.alpha.empty()) {
+    header.channels().insert("A", Imf::Channel(Imf::FLOAT));
+    buffer.insert("A", Imf::Slice::Make(Imf::FLOAT, rendering.alpha.data(), header.dataWindow()));
+  }
 
   try {
     set_up_openexr(sizeof(float) * rendering.mean.rgb.size());

@@ -6,6 +6,7 @@
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfInputFile.h>
 #include <OpenEXR/ImfMultiPartOutputFile.h>
 #include <OpenEXR/ImfOutputFile.h>
 #include <OpenEXR/ImfOutputPart.h>
@@ -293,6 +294,38 @@ TEST_F(ExrFile, that_does_not_fit_on_the_disk_is_an_error) {
                 write_exr_file("/dev/full", "a.exr", {Image(side, side), std::nullopt, {}}, ExrColour::single);
               }),
               "a.exr: error: cannot be written: No space left on device");
+}
+
+TEST_F(ExrFile, part_of_an_image_is_written_with_its_place_and_alpha_beside_its_colour) {
+  Rendering part;
+  part.mean = Image(2, 1);
+  part.mean.rgb = {1, 2, 3, 4, 5, 6};
+  part.variance = part.mean;
+  part.alpha = {0.25f, 1};
+  part.place = ImagePlace{1, 2, 4, 3};
+  write_exr(path(), part);
+  const Rendering stored = read_rendering(path(), "", ImagePart::stored), whole = read_rendering(path());
+  EXPECT_EQ(stored.mean.rgb, part.mean.rgb);
+  EXPECT_EQ(stored.place, part.place);
+  ASSERT_EQ(whole.mean.width, 4);
+  ASSERT_EQ(whole.mean.height, 3);
+  EXPECT_FALSE(whole.place);
+  EXPECT_EQ(whole.mean.pixel(2, 2)[0], 4);
+  EXPECT_EQ(whole.variance->pixel(1, 2)[2], 3);
+  EXPECT_EQ(whole.mean.pixel(0, 2)[0], 0);
+  EXPECT_EQ(displayed(stored).mean.rgb, whole.mean.rgb);
+  EXPECT_EQ(displayed(stored).variance->rgb, whole.variance->rgb);
+
+  // By the library alone: both windows, and A.
+  Imf::InputFile file(path().c_str());
+  EXPECT_EQ(file.header().dataWindow(), Imath::Box2i({1, 2}, {2, 2}));
+  EXPECT_EQ(file.header().displayWindow(), Imath::Box2i({0, 0}, {3, 2}));
+  std::vector<float> alpha(2);
+  Imf::FrameBuffer buffer;
+  buffer.insert("A", Imf::Slice::Make(Imf::FLOAT, alpha.data(), file.header().dataWindow()));
+  file.setFrameBuffer(buffer);
+  file.readPixels(2);
+  EXPECT_EQ(alpha, part.alpha);
 }
 
 // A data window of 2x2 pixels at (1, 1) of a display window of 4x3 whose corner is (10, 20); with it, the same pixels

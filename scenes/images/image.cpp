@@ -111,21 +111,40 @@ std::unique_ptr<ImageFile> open_stored(const std::string& path, const std::strin
   return open_other_format(path);
 }
 
-enum class Window { display, data };
+/// Of a file that stores a part of its image and nothing beside it.
+std::optional<ImagePlace> place_of(const ImageHeader& h) {
+  const bool whole = h.width == h.display_width && h.height == h.display_height;
+  const bool within = h.x >= 0 && h.y >= 0 && h.x + h.width <= h.display_width && h.y + h.height <= h.display_height;
+  return within && !whole ? std::optional(ImagePlace{h.x, h.y, h.display_width, h.display_height}) : std::nullopt;
+}
+
+struct Opened {
+  std::unique_ptr<ImageFile> file;
+  std::optional<ImagePlace> place;   ///< of what the file stores
+  std::vector<std::string> remarks;  ///< on it
+};
+
+Opened open_part(const std::string& path, const std::string& layer, ImagePart part) {
+  Opened opened{open_stored(path, layer), {}, {}};
+  opened.place = place_of(opened.file->header());
+  opened.remarks = remarks_on(opened.file->header());
+  if (!opened.place || part == ImagePart::displayed) opened.file = as_displayed(std::move(opened.file), path);
+  return opened;
+}
 
 /// An open file whose rows are asked for in any order.
 class OpenImage {
  public:
-  OpenImage(const std::string& path, Window window, const std::string& layer = "") : file_(open_stored(path, layer)) {
+  OpenImage(const std::string& path, Opened opened, const std::string& layer = "")
+      : file_(std::move(opened.file)), place_(opened.place), remarks_(std::move(opened.remarks)) {
     if (header().width <= 0 || header().height <= 0) throw InputError(path, "image has no pixels");
-    remarks_ = remarks_on(header());
-    if (window == Window::display) file_ = as_displayed(std::move(file_), path);
     const bool is_chosen = !header().colour.empty();
     colour_ = places_of(header(),
                         is_chosen ? header().colour : choose_colour(path, {{"", header().channels}}, layer).channels);
   }
   const ImageHeader& header() const { return file_->header(); }
   const std::vector<std::string>& remarks() const { return remarks_; }
+  const std::optional<ImagePlace>& place() const { return place_; }
   const Channels& colour() const { return colour_; }
 
   /// Reads all channels together from now on, for a caller who wants more than the colour.
@@ -161,6 +180,7 @@ class OpenImage {
   }
 
   std::unique_ptr<ImageFile> file_;
+  std::optional<ImagePlace> place_;
   std::vector<std::string> remarks_;
   Channels colour_{};
   std::vector<float> group_;
@@ -172,14 +192,15 @@ struct Decoded {
   ImageHeader header;
   Image colour;
   std::optional<Image> variance;
+  std::optional<ImagePlace> place;
 };
 
-Decoded decode(const std::string& path, Window window, const std::string& layer = "") {
-  OpenImage file(path, window, layer);
+Decoded decode(const std::string& path, Opened opened, const std::string& layer = "") {
+  OpenImage file(path, std::move(opened), layer);
   const ImageHeader& header = file.header();
   if (static_cast<std::int64_t>(header.width) * header.height > kMaxPixels)
     throw InputError(path, "image is " + size_text(header.width, header.height) + ", the limit is 2^28 pixels");
-  Decoded decoded{header, {}, {}};
+  Decoded decoded{header, {}, {}, file.place()};
   const auto variance = header.layer.empty() ? find_rgb(header, "variance.") : std::nullopt;  // of plain R, G, B
   if (variance) {
     decoded.variance.emplace();
@@ -217,8 +238,8 @@ struct ImageRows::State {
   std::optional<SrgbDecoder> decoder;
 };
 
-ImageRows::ImageRows(const std::string& path, const std::string& layer)
-    : state_(std::make_unique<State>(State{OpenImage(path, Window::display, layer), {}})) {
+ImageRows::ImageRows(const std::string& path, const std::string& layer, ImagePart part)
+    : state_(std::make_unique<State>(State{OpenImage(path, open_part(path, layer, part), layer), {}})) {
   const ImageHeader& header = state_->file.header();
   constexpr std::int64_t kMaxWidth = std::int64_t{1} << 18, kMaxStreamed = (std::int64_t{1} << 32) - 1;
   if (header.width > kMaxWidth || std::int64_t{header.width} * header.height > kMaxStreamed)
@@ -232,6 +253,7 @@ int ImageRows::width() const { return state_->file.header().width; }
 int ImageRows::height() const { return state_->file.header().height; }
 const std::string& ImageRows::layer() const { return state_->file.header().layer; }
 const std::vector<std::string>& ImageRows::remarks() const { return state_->file.remarks(); }
+std::optional<ImagePlace> ImageRows::place() const { return state_->file.place(); }
 
 void ImageRows::read(int begin, int end, float* rgb) {
   state_->file.read(begin, end, state_->file.colour(), rgb);
@@ -240,17 +262,33 @@ void ImageRows::read(int begin, int end, float* rgb) {
   for (std::size_t i = 0; i < values; ++i) rgb[i] = (*state_->decoder)(rgb[i]);
 }
 
-Rendering read_rendering(const std::string& path, const std::string& layer) {
-  Decoded decoded = decode(path, Window::display, layer);
+Rendering read_rendering(const std::string& path, const std::string& layer, ImagePart part) {
+  Decoded decoded = decode(path, open_part(path, layer, part), layer);
   Rendering rendering;
+  if (part == ImagePart::stored) rendering.place = decoded.place;
   rendering.metadata = std::move(decoded.header.metadata);
   rendering.variance = std::move(decoded.variance);
   rendering.mean = colour_of(std::move(decoded), false);
   return rendering;
 }
 
+Rendering displayed(const Rendering& part) {
+  if (!part.place) return part;
+  const auto whole = [&](const Image& image) {
+    Image out(part.place->width, part.place->height);
+    for (int y = 0; y < image.height; ++y)
+      std::copy_n(image.pixel(0, y), 3 * image.width, out.pixel(part.place->x, part.place->y + y));
+    return out;
+  };
+  Rendering out;
+  out.mean = whole(part.mean);
+  if (part.variance) out.variance = whole(*part.variance);
+  out.metadata = part.metadata;
+  return out;
+}
+
 Image read_texture_image(const std::string& path, bool raw) {
-  Image image = colour_of(decode(path, Window::data), raw);
+  Image image = colour_of(decode(path, {open_stored(path, ""), {}, {}}), raw);
   const auto bad =
       std::find_if(image.rgb.begin(), image.rgb.end(), [](float v) { return !(v >= 0 && std::isfinite(v)); });
   if (bad == image.rgb.end()) return image;
@@ -268,6 +306,8 @@ void write_exr(const std::string& path, const Rendering& rendering, ExrColour co
     if (rendering.variance->width != rendering.mean.width || rendering.variance->height != rendering.mean.height)
       throw InputError(path, "cannot be written: mean and variance differ in size");
   }
+  if (!rendering.alpha.empty() && rendering.alpha.size() != rendering.mean.pixels())
+    throw InputError(path, "cannot be written: mean and alpha differ in size");
   replace_atomically(path, [&](const std::filesystem::path& temporary) {
     write_exr_file(temporary.string(), path, rendering, colour);
   });

@@ -25,19 +25,33 @@ struct Image {
   const float* pixel(int x, int y) const { return const_cast<Image*>(this)->pixel(x, y); }
 };
 
+/// Where an image lies in the one that is meant, and how large that is: EXR's data window in its display window.
+struct ImagePlace {
+  int x = 0, y = 0, width = 0, height = 0;
+  friend bool operator==(const ImagePlace&, const ImagePlace&) = default;
+};
+
 /// A rendering: pixel means and, where at least two independent estimates were made, the variance of each mean.
 struct Rendering {
   Image mean;
   std::optional<Image> variance;
   std::map<std::string, std::string> metadata;  ///< string attributes stored in the EXR header
+  std::vector<float> alpha{};                   ///< A of each pixel (written, never read); empty: none
+  std::optional<ImagePlace> place{};            ///< these pixels' part of the image; empty: all of it
 };
+
+/// The pixels that are read of a file whose data window is a part of its display window: the image that is meant, black
+/// where nothing is stored, or the stored part alone. Pixels stored outside of the display window are never read.
+enum class ImagePart { displayed, stored };
 
 /// Reads any format OpenImageIO knows as linear RGB: EXR and other float formats as they are, 8- and 16-bit formats
 /// decoded from sRGB. One-channel images become grey; alpha is ignored; of several layers or parts choose_colour takes
 /// one, or that of the name `layer`. Beside plain R, G, B the channels variance.R/G/B fill Rendering::variance. Throws
 /// InputError when the file is missing, not an image, larger than 2^28 pixels, has no colour, or several to choose
-/// from.
-Rendering read_rendering(const std::string& path, const std::string& layer = "");
+/// from. With ImagePart::stored its place is known, too.
+Rendering read_rendering(const std::string& path, const std::string& layer = "", ImagePart part = ImagePart::displayed);
+/// The whole of which a rendering is a part, black around it.
+Rendering displayed(const Rendering& part);
 inline Image read_image(const std::string& path) { return read_rendering(path).mean; }
 
 /// The same colours a few rows at a time, so that an image need not fit into memory: up to 2^18 columns and 2^32
@@ -45,7 +59,7 @@ inline Image read_image(const std::string& path) { return read_rendering(path).m
 class ImageRows {
  public:
   /// Throws InputError as read_rendering does.
-  explicit ImageRows(const std::string& path, const std::string& layer = "");
+  explicit ImageRows(const std::string& path, const std::string& layer = "", ImagePart part = ImagePart::displayed);
   ~ImageRows();
   ImageRows(ImageRows&&) noexcept;
   int width() const;
@@ -53,6 +67,8 @@ class ImageRows {
   const std::string& layer() const;  ///< which of the file's layers is read; empty where it is plain R, G, B
   /// What else than plain linear RGB the file has, in words: its layer, decoding, windows. Mostly empty.
   const std::vector<std::string>& remarks() const;
+  /// The place of what the file stores; empty where that is the whole image.
+  std::optional<ImagePlace> place() const;
   /// Rows [begin, end) to 3 * width * (end - begin) floats. Rows are quickest in ascending order. Throws InputError
   /// when they cannot be read.
   void read(int begin, int end, float* rgb);
@@ -69,7 +85,7 @@ Image read_texture_image(const std::string& path, bool raw);
 /// Samples of the channels R,G,B of an EXR; those of the variance always are 32-bit floats.
 enum class ExrColour { single, half };
 
-/// 32-bit float EXR, channels R,G,B and variance.R,G,B; written beside the target and renamed, so that a file under
+/// 32-bit float EXR, channels R,G,B, variance.R,G,B and A; written beside the target and renamed, so that a file under
 /// the final name is always whole. Throws InputError when it cannot be written.
 void write_exr(const std::string& path, const Rendering& rendering, ExrColour colour = ExrColour::single);
 

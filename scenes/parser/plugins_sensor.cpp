@@ -75,6 +75,8 @@ SensorDescription read_sensor(SceneObjects& objects, const Element& element) {
   sensor.id = id_of(element);
   sensor.to_world = params.transform("to_world");
   sensor.camera = plugin.build(params);
+  params.expect(params.number("shutter_open", 0) <= params.number("shutter_close", 0), "shutter_open",
+                "is after shutter_close");
   params.finish();
   sensor.film.filter = {ReconstructionFilter::Kind::gaussian};
   if (!params.nested("film").empty()) sensor.film = read_film(objects, objects.target(params.only_nested("film")));

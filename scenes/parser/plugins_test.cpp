@@ -200,6 +200,11 @@ TEST(plugins, read_films) {
              "<rfilter type='tent'><float name='radius' value='2'/></rfilter></film>")
           .film;
   EXPECT_EQ(film.crop, (FilmDescription::Crop{4, 0, 8, 30}));
+  EXPECT_TRUE(film.alpha);
+  EXPECT_FALSE(film.sample_border);
+  EXPECT_TRUE(sensor("perspective", "<film type='hdrfilm'><boolean name='sample_border' value='true'/></film>")
+                  .film.sample_border);
+  EXPECT_FALSE(sensor("perspective", "<film type='hdrfilm'/>").film.alpha);
   EXPECT_EQ(film.filter, (ReconstructionFilter{ReconstructionFilter::Kind::tent, 0.5, 2}));
 }
 

@@ -376,6 +376,8 @@ class RandomScene {
       default:
         result.film.filter = {ReconstructionFilter::Kind::gaussian, 1e-3 + unit()};
     }
+    result.film.sample_border = coin();
+    result.film.alpha = coin();
     if (coin()) result.film.crop = FilmDescription::Crop{0, result.film.height - 1, 1, 1};
     result.sample_count = 1 + static_cast<int>(pick(100000));
     if (coin()) result.medium = any_medium();

@@ -33,8 +33,8 @@ nlohmann::ordered_json cycles_stats_json(const CyclesArguments& arguments, const
           {"engine", "cycles"},
           {"version", run.version},
           {"scene", arguments.scene.path},
-          {"width", scene.width},
-          {"height", scene.height},
+          {"width", run.rendering.mean.width},
+          {"height", run.rendering.mean.height},
           {"seed", arguments.options.seed},
           {"threads", scene.threads},
           {"samples_per_pixel", scene.samples},
@@ -64,7 +64,7 @@ int run_cycles(const CyclesArguments& arguments) {
     std::printf("%s\n", json_text(json).c_str());
   else
     std::printf("%s: Cycles of %s, %dx%d, %d samples a pixel, %.2f s\n", arguments.output.c_str(), run.version.c_str(),
-                scene.width, scene.height, scene.samples, run.wall_seconds);
+                run.rendering.mean.width, run.rendering.mean.height, scene.samples, run.wall_seconds);
   for (const std::string& defect : run.defects)
     std::fprintf(stderr, "%s: %s\n", arguments.output.c_str(), defect.c_str());
   return 0;

@@ -29,8 +29,8 @@ nlohmann::ordered_json stats_json(const PovrayVerbArguments& arguments, const Po
           {"engine", "povray"},
           {"version", run.version},
           {"scene", arguments.scene.path},
-          {"width", scene.width},
-          {"height", scene.height},
+          {"width", run.rendering.mean.width},
+          {"height", run.rendering.mean.height},
           {"seed", arguments.options.seed},
           {"threads", 1},
           {"quality", arguments.options.quality},
@@ -67,8 +67,8 @@ int run_povray(const PovrayVerbArguments& arguments) {
   if (arguments.json) {
     std::printf("%s\n", json_text(json).c_str());
   } else {
-    std::printf("%s: %s, %dx%d, quality %d, %.2f s\n", arguments.output.c_str(), run.version.c_str(), scene.width,
-                scene.height, arguments.options.quality, run.wall_seconds);
+    std::printf("%s: %s, %dx%d, quality %d, %.2f s\n", arguments.output.c_str(), run.version.c_str(),
+                run.rendering.mean.width, run.rendering.mean.height, arguments.options.quality, run.wall_seconds);
     for (const std::string& skip : scene.skipped) std::printf("skipped %s\n", skip.c_str());
     for (const std::string& loss : scene.losses) std::printf("loss: %s\n", loss.c_str());
   }
