@@ -70,9 +70,9 @@ TEST(Correctness, is_biased_where_a_block_is_off_by_a_fifth_and_the_image_is_not
   EXPECT_EQ(judge(reference_by("bdpt"), all).verdict, Correctness::biased);
 }
 
-// Two seeds of 50 % noise a pixel: the mean is known to 1 %, but with one degree of freedom.
+// Three seeds of 50 % noise a pixel: the mean is known to 1 %, but with two degrees of freedom.
 TEST(Correctness, is_noisy_where_a_large_error_could_hide) {
-  const CorrectnessRecord record = judge(reference_by("bdpt"), images(2, 0.5));
+  const CorrectnessRecord record = judge(reference_by("bdpt"), images(3, 0.5));
   EXPECT_EQ(record.verdict, Correctness::noisy) << record.sentence;
   EXPECT_FALSE(record.would_see);
 }
@@ -82,6 +82,15 @@ TEST(Correctness, of_one_seed_is_unknown_however_far_it_is_off) {
   EXPECT_EQ(record.verdict, Correctness::unknown);
   EXPECT_NEAR(record.whole->value, -0.5, 1e-6);
   EXPECT_EQ(record.sentence, "one seed: nothing tells its noise from an error; it is -50 % overall");
+}
+
+TEST(Correctness, of_two_seeds_is_unknown_however_far_it_is_off) {
+  const CorrectnessRecord record = judge(reference_by("bdpt"), images(2, 0.01, -0.5));
+  EXPECT_EQ(record.verdict, Correctness::unknown);
+  EXPECT_NEAR(record.whole->value, -0.5, 1e-3);
+  EXPECT_EQ(record.sentence,
+            "two seeds: nothing tells skewed noise from an error, three would; they are -50 % overall");
+  EXPECT_EQ(judge(reference_by("bdpt"), images(3, 0.01, -0.5)).verdict, Correctness::biased);
 }
 
 TEST(Correctness, is_unknown_without_a_reference_that_may_be_believed) {

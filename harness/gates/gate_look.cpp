@@ -69,6 +69,20 @@ Judgement without_numbers(std::optional<GateVerdict> verdict, std::string senten
   return judgement;
 }
 
+double channel_mean(const Image& image, std::size_t channel) {
+  double sum = 0;
+  for (std::size_t i = channel; i < image.rgb.size(); i += 3) sum += double{image.rgb[i]};
+  return sum / static_cast<double>(image.pixels());
+}
+
+/// What identical images are off by, without an interval.
+Judgement of_identical(GateVerdict verdict, std::string sentence, const StoredReference& reference,
+                       const Image& image) {
+  Judgement judgement = without_numbers(verdict, std::move(sentence));
+  judgement.observed.value = worst_whole(reference.rendering.mean, image).value_or(0);
+  return judgement;
+}
+
 std::string all_the_same(const Gate& gate, std::size_t images) {
   return gate.takes_seed ? fmt::format("all {} seeds gave the same image", images)
                          : fmt::format("all {} images are the same and the engine's command has no {{seed}}", images);
@@ -90,14 +104,21 @@ std::optional<Judgement> fault_of_seeds(const Gate& gate, const StoredReference&
                                        repeats.images, repeats.different));
   }
   if (!weighs_noise(gate.metric)) return std::nullopt;
-  // What is right in the mean draws noise; POV-Ray has none where nothing is random, whatever its seed.
+  const Image& image = *images.front();
+  if (std::ranges::all_of(image.rgb, [](float value) { return value == 0; }))
+    return of_identical(GateVerdict::fail, fmt::format("All {} images are black: -100 % everywhere", repeats.images),
+                        reference, image);
+  // An unbiased engine's images have noise; POV-Ray's have none where nothing is random, whatever its seed.
   if (gate.takes_seed && gate.unbiased)
-    return without_numbers(GateVerdict::fail, all_the_same(gate, repeats.images) +
-                                                  ": it does not heed {seed}, and a variance of zero proves nothing");
-  return without_numbers(GateVerdict::inconclusive,
-                         fmt::format("{}: {} weighs noise, of which one image shows none; bound a metric of compare "
-                                     "instead (relmse, ssim ...)",
-                                     all_the_same(gate, repeats.images), gate.metric));
+    return of_identical(
+        GateVerdict::fail,
+        fmt::format("All {} images are identical. The command probably ignores {{seed}}", repeats.images), reference,
+        image);
+  return of_identical(GateVerdict::inconclusive,
+                      fmt::format("{}: {} weighs noise, of which one image shows none; bound a metric of compare "
+                                  "instead (relmse, ssim ...)",
+                                  all_the_same(gate, repeats.images), gate.metric),
+                      reference, image);
 }
 
 Judgement look_at_metric(const Gate& gate, const StoredReference& reference, const ParameterValues& viewing,
@@ -114,6 +135,17 @@ Judgement look_at_metric(const Gate& gate, const StoredReference& reference, con
 }
 
 }  // namespace
+
+std::optional<double> worst_whole(const Image& reference, const Image& image) {
+  std::optional<double> worst;
+  for (std::size_t channel = 0; channel < 3; ++channel) {
+    const double expected = channel_mean(reference, channel);
+    if (expected == 0) continue;
+    const double off = channel_mean(image, channel) / expected - 1;
+    if (!worst || std::abs(off) > std::abs(*worst)) worst = off;
+  }
+  return worst;
+}
 
 Deviations deviations_of(bool unbiased, const Budget& budget, const StoredReference& reference,
                          std::span<const Image* const> images) {

@@ -23,10 +23,13 @@ ParameterValues parameters_of(const Gate& gate, const ParameterValues& viewing);
 Deviations deviations_of(bool unbiased, const Budget& budget, const StoredReference& reference,
                          std::span<const Image* const> images);
 
+/// The whole image's largest relative difference of a channel; empty where the reference is black.
+std::optional<double> worst_whole(const Image& reference, const Image& image);
+
 /// Images as in deviations.h. Those that prove nothing (repeated_images.h) are judged first: one that is the reference
 /// itself fails every gate; where the reference has noise, the same image for all seeds fails what weighs noise
-/// (nothing can be said without {seed} in the command, or where the engine does not claim to be unbiased), and is named
-/// by the other gates; images that repeat among others fail.
+/// (nothing can be said without {seed} in the command, or where the engine does not claim to be unbiased; black ones
+/// are wrong whoever made them), and is named by the other gates; images that repeat among others fail.
 Judgement look_at(const Gate& gate, const StoredReference& reference, const ParameterValues& viewing,
                   std::span<const Image* const> images);
 

@@ -205,13 +205,14 @@ TEST(gate_look, finds_one_wrong_pixel_of_the_last_column_and_row) {
 }
 
 TEST(gate_look, says_exactly_what_an_agreement_gate_would_have_seen) {
-  // Images without noise, a reference with a standard error of 1 % a pixel. A fourth of alpha = 0.001 shared by three
-  // channels (and six blocks) has the two-sided normal quantile 3.9346 (4.3456), and 0.99 has 2.3263.
+  // Images without noise, a reference with a standard error of 1 % a pixel, known as well as can be. A fourth of alpha
+  // = 0.001 shared by three channels (and six blocks) has the two-sided normal quantile 3.9346 (4.3456), and 0.99
+  // has 2.3263.
   Rendering exact{Image(width, height), Image(width, height), {}};
   std::fill(exact.mean.rgb.begin(), exact.mean.rgb.end(), 1.0f);
   std::fill(exact.variance->rgb.begin(), exact.variance->rgb.end(), 1e-4f);
   const std::vector<Image> images(8, exact.mean);
-  const Judgement judgement = judge_agreement(measure_deviations(exact, pointers(images), {999}), {0.05, 0.05}, 0.001);
+  const Judgement judgement = judge_agreement(measure_deviations(exact, pointers(images), {1e9}), {0.05, 0.05}, 0.001);
   ASSERT_EQ(judgement.verdict, GateVerdict::pass) << judgement.sentence;
   EXPECT_NEAR(judgement.would_see.value(), 6.26093 * 0.01 / std::sqrt(231.0), 2e-6);
   EXPECT_NEAR(judgement.would_see_in_a_block.value(), 6.67193 * 0.01 / std::sqrt(15.0), 2e-6);
@@ -258,9 +259,9 @@ TEST(gate_look, one_image_for_all_seeds_is_named_and_passes_nothing_that_weighs_
     tested.takes_seed = true;
     const Judgement ignores = look_at(tested, stored, {}, pointers(images));
     EXPECT_EQ(ignores.verdict, GateVerdict::fail) << metric;
-    EXPECT_EQ(ignores.sentence,
-              "all 8 seeds gave the same image: it does not heed {seed}, and a variance of zero proves nothing");
-    EXPECT_TRUE(ignores.tiles.empty());  // no fault of place
+    EXPECT_EQ(ignores.sentence, "All 8 images are identical. The command probably ignores {seed}");
+    EXPECT_NEAR(ignores.observed.value, 0, 0.03);  // 10 % of noise in 231 values a channel leaves 0.7 %
+    EXPECT_TRUE(ignores.tiles.empty());            // no fault of place
     // An engine that claims no noise, as POV-Ray where nothing is random.
     tested.unbiased = false;
     const Judgement smooth = look_at(tested, stored, {}, pointers(images));
@@ -285,6 +286,31 @@ TEST(gate_look, one_image_for_all_seeds_is_named_and_passes_nothing_that_weighs_
   const Judgement relmse = look_at(tested, stored, {}, pointers(images));
   EXPECT_EQ(relmse.verdict, GateVerdict::pass);
   EXPECT_EQ(relmse.sentence.rfind("all 8 seeds gave the same image: relmse is 0.0", 0), 0u) << relmse.sentence;
+}
+
+// A black image is 100 % too dark whoever made it: with a seed or without, by an unbiased engine or another.
+TEST(gate_look, a_black_image_is_off_by_minus_100_per_cent) {
+  const StoredReference stored = reference();
+  const std::vector<Image> images(8, Image(width, height));
+  for (const char* metric : {agreement_metric, bias_metric, block_bias_metric})
+    for (const bool takes_seed : {true, false})
+      for (const bool unbiased : {true, false}) {
+        Gate tested = gate(metric, 0.9, 0.001, 1);
+        tested.takes_seed = takes_seed;
+        tested.unbiased = unbiased;
+        const Judgement judgement = look_at(tested, stored, {}, pointers(images));
+        EXPECT_EQ(judgement.verdict, GateVerdict::fail) << metric;
+        EXPECT_EQ(judgement.sentence, "All 8 images are black: -100 % everywhere");
+        EXPECT_EQ(judgement.observed.value, -1);
+      }
+}
+
+TEST(gate_look, identical_images_show_what_they_are_off_by) {
+  const StoredReference stored = reference();
+  Image half = stored.rendering.mean;
+  for (float& value : half.rgb) value *= 0.5f;
+  const std::vector<Image> images(8, half);
+  EXPECT_NEAR(look_at(gate(agreement_metric, 0.9, 0.001, 1), stored, {}, pointers(images)).observed.value, -0.5, 1e-6);
 }
 
 TEST(gate_look, an_image_that_comes_twice_among_others_is_found) {

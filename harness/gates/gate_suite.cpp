@@ -28,7 +28,7 @@ double positive(const TomlTable& table, const std::string& key, double most) {
 /// The keys that the suite gives to all gates and a gate may give itself.
 void read_statistics(const TomlTable& table, Gate& gate) {
   if (table.has("alpha")) gate.alpha = positive(table, "alpha", 0.5);
-  if (table.has("seeds")) gate.seeds = bounded_integer(table, "seeds", 2, 1 << 16);
+  if (table.has("seeds")) gate.seeds = bounded_integer(table, "seeds", least_images, 1 << 16);
   if (table.has("looks")) gate.looks = bounded_integer(table, "looks", 1, 12);
 }
 

@@ -10,13 +10,18 @@ namespace photonproof {
 
 double Deviation::errors() const {
   if (difference == 0) return 0;
+  if (difference < 0) return difference / std::sqrt(standard_error * standard_error - sample * difference / 2);
   const double t = difference / standard_error;
-  return t > 0 && skewness > 0 ? gamma_deviate(t, 4 / (skewness * skewness)) : t;
+  return skewness > 0 ? gamma_deviate(t, 4 / (skewness * skewness)) : t;
 }
 
 double Deviation::deviate() const { return std::copysign(normal_deviate(errors(), freedom), difference); }
 
-double Deviation::margin(double tail) const { return t_quantile(tail, freedom) * standard_error; }
+double Deviation::margin(double tail) const {
+  // |errors()| = q below the reference: D^2 = q^2 (s^2 + f D/2).
+  const double q = t_quantile(tail, freedom), by_samples = q * q * sample / 4;
+  return by_samples + std::hypot(by_samples, q * standard_error);
+}
 
 Deviation deviation_of(double mean, double reference, const KnownVariance& of_mean, const KnownVariance& of_reference) {
   const double least = rounding_deviation * std::max(std::abs(mean), std::abs(reference));
@@ -29,8 +34,8 @@ Deviation deviation_of(double mean, double reference, const KnownVariance& of_me
   return deviation;
 }
 
-double chi_square_bound(std::size_t degrees, double alpha) {
-  return boost::math::quantile(boost::math::complement(boost::math::chi_squared(static_cast<double>(degrees)), alpha));
+double chi_square_bound(double degrees, double alpha) {
+  return boost::math::quantile(boost::math::complement(boost::math::chi_squared(degrees), alpha));
 }
 
 double chi_square(std::span<const Deviation> blocks) {
@@ -39,16 +44,22 @@ double chi_square(std::span<const Deviation> blocks) {
   return sum;
 }
 
-BlockChiSquare chi_square_of_blocks(const std::array<std::vector<Deviation>, 3>& blocks, double alpha) {
+BlockChiSquare chi_square_of_blocks(const std::array<std::vector<Deviation>, 3>& blocks,
+                                    const std::array<double, 3>& independent, double alpha) {
   BlockChiSquare worst;
-  worst.bound = chi_square_bound(blocks[0].size(), sidak(alpha, 3));
+  const auto count = static_cast<double>(blocks[0].size());
   for (std::size_t c = 0; c < 3; ++c) {
     const double value = chi_square(blocks[c]);
-    if (value <= worst.value) continue;
-    worst.value = value;
-    worst.channel = c;
+    const double bound = count / independent[c] * chi_square_bound(independent[c], sidak(alpha, 3));
+    if (worst.bound > 0 && value / bound <= worst.value / worst.bound) continue;
+    worst = {c, value, bound};
   }
   return worst;
+}
+
+BlockChiSquare chi_square_of_blocks(const std::array<std::vector<Deviation>, 3>& blocks, double alpha) {
+  const auto count = static_cast<double>(blocks[0].size());
+  return chi_square_of_blocks(blocks, {count, count, count}, alpha);
 }
 
 }  // namespace photonproof

@@ -5,6 +5,11 @@
 // that a plain sum of squares rejects right images, the more often the fewer degrees of freedom they leave. Each t is
 // turned into the normal deviate of the same probability first (student.h); the squares of n independent ones then sum
 // to chi^2 with n degrees of freedom, whatever theirs were.
+//
+// Rare bright samples that did not come leave no variance behind. Light D that comes in samples of f each is D/f
+// samples, of which none comes with probability exp(-D/f); exp(-z^2/2) is a normal variable's bound, so z^2 = 2 D/f.
+// With a variance s^2 beside it, z = D / sqrt(s^2 + f D/2): the sub-gamma bound (Boucheron, Lugosi and Massart 2013,
+// section 2.4) of a sum whose variance is short of f D/2.
 #pragma once
 
 #include <array>
@@ -30,11 +35,13 @@ struct Deviation {
   double freedom = std::numeric_limits<double>::infinity();  ///< of the standard error
   double expected = 0;
   double skewness = 0;  ///< of `difference`, where that matters
-  /// In standard errors, signed; less above the reference where skewness explains a part.
+  double sample = 0;    ///< what one of the brightest samples adds to `difference`
+  /// In standard errors, signed. Less above the reference where skewness explains a part. Less below it where bright
+  /// samples are missing: the standard error, known from those that came, says nothing of them.
   double errors() const;
   /// In units of the normal distribution, signed.
   double deviate() const;
-  /// The normal or t quantile that `difference` exceeds by chance with probability `tail`, times the standard error.
+  /// What |difference| exceeds by chance with probability `tail`.
   double margin(double tail) const;
 };
 
@@ -45,7 +52,7 @@ Deviation deviation_of(double mean, double reference, const KnownVariance& of_me
 inline double sidak(double alpha, double tests) { return -std::expm1(std::log1p(-alpha) / tests); }
 
 /// The upper quantile of chi^2.
-double chi_square_bound(std::size_t degrees, double alpha);
+double chi_square_bound(double degrees, double alpha);
 
 /// Sum of the squared deviates.
 double chi_square(std::span<const Deviation> blocks);
@@ -56,8 +63,11 @@ struct BlockChiSquare {
   bool beyond() const { return value > bound; }
 };
 
-/// Of three channels that need not be independent, by Sidak's level for three. Precondition: equally many
-/// blocks in each.
+/// Of three channels that need not be independent, by Sidak's level for three. `independent`: by channel, as how many
+/// independent blocks the sum spreads (shared_noise.h). Precondition: equally many blocks in each.
+BlockChiSquare chi_square_of_blocks(const std::array<std::vector<Deviation>, 3>& blocks,
+                                    const std::array<double, 3>& independent, double alpha);
+/// Of independent ones.
 BlockChiSquare chi_square_of_blocks(const std::array<std::vector<Deviation>, 3>& blocks, double alpha);
 
 }  // namespace photonproof

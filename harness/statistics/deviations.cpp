@@ -1,7 +1,9 @@
 #include "harness/statistics/deviations.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include "harness/statistics/shared_noise.h"
 #include "harness/statistics/student.h"
 #include "scenes/text/faults.h"
 
@@ -15,14 +17,15 @@ struct Channel {
   std::size_t width = 0;
   double images = 0;
   std::vector<double> mean, variance;  ///< of one image, a pixel
-  std::vector<double> cubes;           ///< third central moment of one image
+  std::vector<double> squares, cubes;  ///< second and third central moment of one image, as the images differ
+  std::vector<double> least;           ///< variance of one image, known besides
   std::vector<double> reference, reference_variance;
 };
 
 Channel channel_of(const Rendering& reference, std::span<const Image* const> images, std::size_t c,
                    const Image* least_variance) {
   Channel channel{
-      static_cast<std::size_t>(reference.mean.width), static_cast<double>(images.size()), {}, {}, {}, {}, {}};
+      static_cast<std::size_t>(reference.mean.width), static_cast<double>(images.size()), {}, {}, {}, {}, {}, {}, {}};
   for (std::size_t i = c; i < reference.mean.rgb.size(); i += 3) {
     double mean = 0, squares = 0, cubes = 0;
     for (const Image* image : images) mean += double{image->rgb[has_fault(Fault::red_for_all) ? i - c : i]};
@@ -32,10 +35,10 @@ Channel channel_of(const Rendering& reference, std::span<const Image* const> ima
       squares += off * off;
       cubes += off * off * off;
     }
-    double variance = squares / (channel.images - 1);
-    if (least_variance) variance = std::max(variance, double{least_variance->rgb[i]});
+    channel.squares.push_back(squares / (channel.images - 1));
+    channel.least.push_back(least_variance ? double{least_variance->rgb[i]} : 0);
     channel.mean.push_back(mean);
-    channel.variance.push_back(variance);
+    channel.variance.push_back(std::max(channel.squares.back(), channel.least.back()));
     const double n = channel.images;
     channel.cubes.push_back(n > 2 ? cubes * n / ((n - 1) * (n - 2)) : 0);
     const double expected = double{reference.mean.rgb[i]};
@@ -46,26 +49,67 @@ Channel channel_of(const Rendering& reference, std::span<const Image* const> ima
   return channel;
 }
 
+/// The degrees of freedom of a sum of variances, each estimated with `freedom`, by it and the sum of their squares:
+/// E[s^4] = sigma^4 (1 + 2/f).
+double freedom_of_sum(double freedom, double sum, double squares) {
+  return squares > 0 ? (freedom + 2) * sum * sum / squares : infinity;
+}
+
 /// An estimate and its expectation, each worth its degrees of freedom.
 KnownVariance steadied(const KnownVariance& estimate, const KnownVariance& expectation) {
   if (std::isinf(expectation.freedom)) return expectation;
+  if (expectation.freedom <= 0) return estimate;
   const double freedom = estimate.freedom + expectation.freedom;
   return {(estimate.freedom * estimate.variance + expectation.freedom * expectation.variance) / freedom, freedom};
 }
 
 struct BlockSums {
   double pixels = 0, noisy_pixels = 0, variance = 0, variance_squared = 0, variance_cubed = 0, skewed = 0,
-         reference = 0, reference_variance = 0, mean = 0;
+         reference = 0, reference_variance = 0, reference_variance_squared = 0, mean = 0, squares = 0, cubes = 0,
+         least = 0;
+  /// What one sample adds to a pixel of one image.
+  double sample() const { return squares > 0 ? std::max(0.0, cubes / squares) : 0; }
+  double brightness() const { return std::abs(reference) / pixels; }
+};
+
+/// The brightest sample that any block met in any channel, relative to the channel's mean and to the block's.
+struct BrightestSample {
+  double of_channel = 0, of_block = 0;
+  void add(const std::vector<BlockSums>& blocks, double brightness) {
+    for (const BlockSums& block : blocks) {
+      if (brightness > 0) of_channel = std::max(of_channel, block.sample() / brightness);
+      if (block.brightness() > 0) of_block = std::max(of_block, block.sample() / block.brightness());
+    }
+  }
 };
 
 class ChannelDeviations {
  public:
   ChannelDeviations(const Channel& channel, std::span<const Image* const> images, std::size_t c,
                     const KnownNoise& known, Deviations& out)
-      : channel_(channel), images_(images), c_(c), known_(known), out_(out), freedom_(channel.images - 1) {}
+      : channel_(channel),
+        images_(images),
+        c_(c),
+        known_(known),
+        out_(out),
+        freedom_(channel.images - 1),
+        shared_(shared_noise(images, c)) {
+    // Pixels of one image may share light, they do not avoid each other's: below 1 is chance.
+    shared_.within_blocks = std::max(1.0, shared_.within_blocks);
+  }
 
-  void measure() {
+  /// Before `measure`: what the samples of this channel tell of all three.
+  void add_to(BrightestSample& brightest) {
     for (const Block& block : out_.places) sums_.push_back(sums_over(block));
+    brightness_ = sums_over({0, 0, out_.width, out_.height}).brightness();
+    brightest.add(sums_, brightness_);
+  }
+
+  void measure(const BrightestSample& brightest) {
+    brightest_ = brightest;
+    const double blocks = static_cast<double>(out_.places.size());
+    out_.independent_blocks[c_] =
+        shared_.blocks > 0 ? blocks * shared_.surely_independent() / static_cast<double>(shared_.blocks) : blocks;
     measure_pixels();
     measure_blocks();
     measure_whole();
@@ -84,11 +128,15 @@ class ChannelDeviations {
       sums.mean += channel_.mean[i];
       if (channel_.variance[i] > 0) sums.noisy_pixels += 1;
       sums.variance += channel_.variance[i];
+      sums.squares += channel_.squares[i];
+      sums.cubes += channel_.cubes[i];
+      sums.least += channel_.least[i];
       sums.variance_cubed += std::pow(channel_.variance[i], 3);
       sums.skewed += channel_.cubes[i] * std::pow(channel_.variance[i], 1.5);
       sums.variance_squared += channel_.variance[i] * channel_.variance[i];
       sums.reference += channel_.reference[i];
       sums.reference_variance += channel_.reference_variance[i];
+      sums.reference_variance_squared += std::pow(channel_.reference_variance[i], 2);
     });
     return sums;
   }
@@ -114,7 +162,8 @@ class ChannelDeviations {
       std::vector<double> ratios;
       for_each_pixel(out_.places[b],
                      [&](int x, int y) { ratios.push_back(mean > 0 ? channel_.variance[index(x, y)] / mean : 0); });
-      const KnownVariance expectation{mean, freedom_of_expectation(ratios, freedom_)};
+      const double independent = sums_[b].noisy_pixels / shared_.within_blocks;
+      const KnownVariance expectation{mean, worth(ratios, independent)};
       // Least squares of the third moments on the cubed deviations: the noisiest pixels count most.
       const double of_one = sums_[b].variance_cubed > 0 ? sums_[b].skewed / sums_[b].variance_cubed : 0;
       const double skewness = std::max(0.0, of_one) / std::sqrt(channel_.images);
@@ -126,11 +175,20 @@ class ChannelDeviations {
         const KnownVariance of_reference{std::max(reference_mean, channel_.reference_variance[i]),
                                          known_.reference_freedom};
         pixels[i] = deviation_of(channel_.mean[i], channel_.reference[i], known, of_reference);
-        pixels[i].skewness = skewness;
+        pixels[i].sample = brightest_of(sums_[b]) / channel_.images;
         if (known_.samples)
           pixels[i].standard_error = std::hypot(pixels[i].standard_error, contrast_around(x, y) / *known_.samples);
+        // Of few images a block may not have met its bright samples before this pixel did.
+        pixels[i].skewness = skewness;
+        if (pixels[i].sample > skewness * pixels[i].standard_error)
+          pixels[i].skewness = pixels[i].sample / pixels[i].standard_error;
       });
     }
+  }
+
+  /// The degrees of freedom of an expectation of which so many of these ratios are independent.
+  double worth(const std::vector<double>& ratios, double independent) const {
+    return std::min(freedom_of_expectation(ratios, freedom_), freedom_ * std::max(0.0, independent - 1));
   }
 
   /// Variance over the images of the mean over a block.
@@ -147,29 +205,26 @@ class ChannelDeviations {
 
   void measure_blocks() {
     std::vector<double> own, ratios;
-    double factor = 0, counted = 0;
     for (std::size_t b = 0; b < sums_.size(); ++b) {
       const BlockSums& sums = sums_[b];
       own.push_back(variance_of_block(out_.places[b], sums.mean / sums.pixels));
       const double independent = sums.variance / (sums.pixels * sums.pixels);
       ratios.push_back(independent > 0 ? own.back() / independent : 0);
-      if (independent <= 0) continue;
-      factor += ratios.back();
-      counted += 1;
     }
-    // Pixels of one image may share light, they do not avoid each other's: below 1 is chance.
-    factor = counted > 0 ? std::max(1.0, factor / counted) : 1;
-    const double worth = freedom_of_expectation(ratios, freedom_);
+    const double of_blocks = worth(ratios, out_.independent_blocks[c_]), factor = shared_.within_blocks;
     for (std::size_t b = 0; b < sums_.size(); ++b) {
       const BlockSums& sums = sums_[b];
-      // The pixels' variances are estimates, too: E[s^4] = sigma^4 (1 + 2/f).
-      const double of_pixels =
-          sums.variance_squared > 0 ? (freedom_ + 2) * sums.variance * sums.variance / sums.variance_squared : infinity;
-      const KnownVariance expectation{factor * sums.variance / (sums.pixels * sums.pixels), std::min(worth, of_pixels)};
+      // What their pixels share, the blocks' own variance knows already.
+      const double of_pixels = std::max(
+          0.0, freedom_of_sum(freedom_, sums.variance, sums.variance_squared) / factor - (factor > 1 ? freedom_ : 0));
+      const KnownVariance expectation{factor * sums.variance / (sums.pixels * sums.pixels),
+                                      std::min(of_blocks, of_pixels)};
       KnownVariance known = steadied({own[b], freedom_}, expectation);
+      known.variance = std::max(known.variance, sums.least / (sums.pixels * sums.pixels));
       known.variance /= has_fault(Fault::certain_noise) ? channel_.images * channel_.images : channel_.images;
-      out_.blocks[c_].push_back(deviation_of(sums.mean / sums.pixels, sums.reference / sums.pixels, known,
-                                             {sums.reference_variance / (sums.pixels * sums.pixels), infinity}));
+      out_.blocks[c_].push_back(
+          deviation_of(sums.mean / sums.pixels, sums.reference / sums.pixels, known, of_reference(sums)));
+      out_.blocks[c_].back().sample = factor * brightest_of(sums) / (sums.pixels * channel_.images);
     }
   }
 
@@ -177,9 +232,20 @@ class ChannelDeviations {
     const Block all{0, 0, out_.width, out_.height};
     const BlockSums sums = sums_over(all);
     const double mean = sums.mean / sums.pixels;
-    out_.whole[c_] =
-        deviation_of(mean, sums.reference / sums.pixels, {variance_of_block(all, mean) / channel_.images, freedom_},
-                     {sums.reference_variance / (sums.pixels * sums.pixels), infinity});
+    out_.whole[c_] = deviation_of(mean, sums.reference / sums.pixels,
+                                  {variance_of_block(all, mean) / channel_.images, freedom_}, of_reference(sums));
+    out_.whole[c_].sample =
+        shared_.within_blocks * brightest_.of_channel * sums.brightness() / (sums.pixels * channel_.images);
+  }
+
+  /// What the brightest sample that this block may have missed adds to a pixel of one image.
+  double brightest_of(const BlockSums& block) const {
+    return std::min(brightest_.of_channel * brightness_, brightest_.of_block * block.brightness());
+  }
+
+  KnownVariance of_reference(const BlockSums& sums) const {
+    return {sums.reference_variance / (sums.pixels * sums.pixels),
+            freedom_of_sum(known_.reference_freedom, sums.reference_variance, sums.reference_variance_squared)};
   }
 
   const Channel& channel_;
@@ -188,6 +254,9 @@ class ChannelDeviations {
   const KnownNoise& known_;
   Deviations& out_;
   double freedom_;
+  SharedNoise shared_;
+  double brightness_ = 0;  ///< mean over the image
+  BrightestSample brightest_;
   std::vector<BlockSums> sums_;
 };
 
@@ -200,10 +269,13 @@ Deviations measure_deviations(const Rendering& reference, std::span<const Image*
   out.height = reference.mean.height;
   out.images = images.size();
   out.places = blocks_of(out.width, out.height);
-  for (std::size_t c = 0; c < 3; ++c) {
-    const Channel channel = channel_of(reference, images, c, known.least_variance);
-    ChannelDeviations(channel, images, c, known, out).measure();
-  }
+  std::vector<Channel> values;
+  for (std::size_t c = 0; c < 3; ++c) values.push_back(channel_of(reference, images, c, known.least_variance));
+  std::vector<ChannelDeviations> channels;
+  for (std::size_t c = 0; c < 3; ++c) channels.emplace_back(values[c], images, c, known, out);
+  BrightestSample brightest;
+  for (ChannelDeviations& channel : channels) channel.add_to(brightest);
+  for (ChannelDeviations& channel : channels) channel.measure(brightest);
   return out;
 }
 

@@ -9,6 +9,11 @@
 // - What is left of not knowing is in the degrees of freedom of Student's t.
 // - A pixel's mean of a few skewed images is skewed, and its upper tail longer than normal's: it is taken as that of
 //   the Gamma distribution with the skewness that the block's pixels show together.
+// - Where pixels or blocks share noise, all of them may look steady and be wrong together: an expectation is worth no
+//   more than the independent ones among them (shared_noise.h).
+// - Rare bright samples that some images met tell of those that others did not (deviation.h). A block's third moments
+//   over its second are what one adds to a pixel: f of a Poisson number of samples of f each, and about 0 of normal
+//   noise. Any block may miss the brightest ones that any other met, in proportion to its brightness at most.
 // - The whole image's variance has no neighbours: it has the degrees of freedom of the images' number.
 // - A committed reference is rounded to half floats at random (reference/store/half_rounding.h). Its variance knows
 //   that, but a value that goes up once in a thousand is no normal one: each pixel of the reference is taken to be as
@@ -34,6 +39,7 @@ struct Deviations {
   std::array<std::vector<Deviation>, 3> pixels;  ///< row-major, by channel
   std::array<std::vector<Deviation>, 3> blocks;  ///< as `places`
   std::array<Deviation, 3> whole;
+  std::array<double, 3> independent_blocks{};  ///< by channel: the noise of as many varies as that of `blocks` does
 };
 
 /// What is known of the noise besides how the images differ.

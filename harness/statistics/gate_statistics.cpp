@@ -83,7 +83,7 @@ bool is_explained(const Deviations& d, std::size_t channel, double alpha,
                   const std::function<double(const Deviation& block)>& explained) {
   std::vector<Deviation> left = d.blocks[channel];
   for (Deviation& block : left) block.difference -= explained(block);
-  return chi_square(left) <= chi_square_bound(left.size(), alpha);
+  return chi_square(left) <= chi_square_bound(static_cast<double>(left.size()), alpha);
 }
 
 std::string block_text(const Deviations& d, std::size_t b, std::size_t channel) {
@@ -191,7 +191,9 @@ Power power_of(const Deviations& d, double whole_tail, double block_tail) {
 
 }  // namespace
 
-Judgement judge_agreement(const Deviations& d, const AgreementBounds& bounds, double alpha) {
+namespace {
+
+Judgement judge_with_samples(const Deviations& d, const AgreementBounds& bounds, double alpha) {
   const double part = alpha / tests;
   const double whole_tail = tail_of(part, 3), block_tail = tail_of(part, 3 * d.places.size());
   const double pixel_tail = tail_of(part, 3 * d.pixels[0].size());
@@ -200,7 +202,7 @@ Judgement judge_agreement(const Deviations& d, const AgreementBounds& bounds, do
 
   const bool whole_off =
       std::any_of(d.whole.begin(), d.whole.end(), [&](const Deviation& whole) { return beyond(whole, whole_tail); });
-  const BlockChiSquare chi_square = chi_square_of_blocks(d.blocks, part);
+  const BlockChiSquare chi_square = chi_square_of_blocks(d.blocks, d.independent_blocks, part);
   const PixelTest pixels = test_pixels(d, pixel_tail);
   const auto score = [&](std::size_t b, std::size_t c) {
     const Deviation& block = d.blocks[c][b];
@@ -234,6 +236,27 @@ Judgement judge_agreement(const Deviations& d, const AgreementBounds& bounds, do
     judgement.sentence = fmt::format("too noisy to tell: {} could hide overall, bound {}", percent_text(power.whole),
                                      percent_text(bounds.whole));
   }
+  return judgement;
+}
+
+/// As if all kinds of samples had come.
+Deviations without_rare_samples(Deviations d) {
+  for (std::size_t c = 0; c < 3; ++c) {
+    d.whole[c].sample = 0;
+    for (Deviation& block : d.blocks[c]) block.sample = 0;
+    for (Deviation& pixel : d.pixels[c]) pixel.sample = 0;
+  }
+  return d;
+}
+
+}  // namespace
+
+Judgement judge_agreement(const Deviations& d, const AgreementBounds& bounds, double alpha) {
+  Judgement judgement = judge_with_samples(d, bounds, alpha);
+  if (judgement.verdict) return judgement;
+  const Judgement known = judge_with_samples(without_rare_samples(d), bounds, alpha);
+  if (known.verdict == GateVerdict::fail)
+    judgement.sentence = "too few samples to meet rare bright ones: " + known.sentence;
   return judgement;
 }
 

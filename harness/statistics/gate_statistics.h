@@ -19,6 +19,9 @@
 
 namespace photonproof {
 
+/// Of fewer no skewness is known, and noise that is skewed looks like an error.
+inline constexpr int least_images = 3;
+
 struct Judgement {
   std::optional<GateVerdict> verdict;  ///< pass or fail; empty: more images are needed
   std::string sentence;                ///< where and how, or why it is not decided
@@ -37,7 +40,8 @@ struct AgreementBounds {
 
 /// For engines whose expectation is the reference's. Fails when chance does not explain a deviation: of a pixel, a
 /// block, all blocks together (chi^2) or the whole image, at a fourth of `alpha` each, Sidak's level within. Passes
-/// when none fails and the promise above holds.
+/// when none fails and the promise above holds. Where it would fail but for bright samples that may be missing, it is
+/// undecided and says so. Precondition: least_images.
 Judgement judge_agreement(const Deviations& deviations, const AgreementBounds& bounds, double alpha);
 
 /// For engines with a known error: the relative deviation of the whole image (`block` false) or of every block (true),

@@ -66,15 +66,28 @@ double upper_quantile(double freedom, double level) {
   return boost::math::quantile(boost::math::complement(boost::math::chi_squared(freedom), level));
 }
 
+/// Of independent blocks sum r^2 / B spreads as chi^2 does over the symmetric matrices without a trace.
+double freedom_of_correlations(std::size_t images) {
+  const double rank = static_cast<double>(images) - 1;
+  return rank * (rank + 1) / 2 - 1;
+}
+
 }  // namespace
 
 bool SharedNoise::is_within_blocks(double level) const {
   return blocks > 0 && within_blocks > upper_quantile(freedom(), level) / freedom();
 }
 
+double SharedNoise::surely_independent() const {
+  const auto count = static_cast<double>(blocks);
+  const double rank = static_cast<double>(images) - 1, freedom = freedom_of_correlations(images);
+  if (blocks < 2 || freedom < 1) return count;
+  const double shared = count / independent_blocks - 1;
+  return std::max(1.0, count / (1 + shared * (1 + std::sqrt(2 / rank)) + std::sqrt(2 / freedom) * rank / (rank - 1)));
+}
+
 bool SharedNoise::is_between_blocks(double level) const {
-  // Of independent blocks sum r^2 / B spreads as chi^2 does over the symmetric matrices without a trace.
-  const double rank = static_cast<double>(images) - 1, freedom = rank * (rank + 1) / 2 - 1;
+  const double rank = static_cast<double>(images) - 1, freedom = freedom_of_correlations(images);
   if (blocks < 2 || freedom < 1) return false;
   const auto count = static_cast<double>(blocks);
   return count / independent_blocks > 1 + (upper_quantile(freedom, level) / freedom - 1) * rank / (rank - 1);

@@ -20,6 +20,9 @@ struct SharedNoise {
   std::size_t images = 0, blocks = 0;  ///< blocks that have noise
   double within_blocks = 1;            ///< the ratio above, mean over the blocks; 1 where the images show no noise
   double independent_blocks = 0;       ///< at least 1, at most `blocks`
+  /// `independent_blocks` less a standard error of what chance and few images make of it. As many as there are for two
+  /// images, which show nothing of it.
+  double surely_independent() const;
   /// Degrees of freedom that `within_blocks` is known with.
   double freedom() const { return static_cast<double>(images - 1) * independent_blocks; }
   /// Whether independent pixels, or blocks, give such values with probability below `level`.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
+#include <boost/math/special_functions/gamma.hpp>
 #include <boost/math/special_functions/trigamma.hpp>
 #include <cmath>
 #include <limits>
@@ -40,6 +41,10 @@ double normal_deviate(double t, double freedom) {
 
 double gamma_deviate(double t, double shape) {
   if (!(shape < as_good_as_infinite)) return t;
+  if (shape < 1) {
+    const double tail = bm::gamma_q(shape, std::max(0.0, shape + t * std::sqrt(shape)));
+    return -bm::quantile(bm::normal(), std::clamp(tail, 1e-300, 1 - 1e-16));
+  }
   return 3 * std::sqrt(shape) * (std::cbrt(1 + t / std::sqrt(shape)) - 1 + 1 / (9 * shape));
 }
 

@@ -10,7 +10,8 @@ namespace photonproof {
 double normal_deviate(double t, double freedom);
 
 /// The normal deviate of the probability that a Gamma variable of this shape has more than t deviations above its mean
-/// (Wilson and Hilferty 1931). Its skewness is 2/sqrt(shape).
+/// (Wilson and Hilferty 1931; below a shape of 1, where that is far off, the tail itself). Its skewness is
+/// 2/sqrt(shape).
 double gamma_deviate(double t, double shape);
 
 /// The t that is exceeded with probability `tail`, 0 < tail <= 0.5.
