@@ -1,4 +1,4 @@
-// The files under harness/ci that users copy: they are what their tools take them for, and their steps run.
+// The files under harness/ci that users copy are what their tools take them for, and their steps run; so does .ci/run.
 
 #include <gtest/gtest.h>
 
@@ -41,10 +41,37 @@ class CiFiles : public FolderTest {
   }
 };
 
-TEST_F(CiFiles, shell_example_has_no_complaints_of_shellcheck) {
+TEST_F(CiFiles, shell_scripts_have_no_complaints_of_shellcheck) {
   if (!is_installed("shellcheck")) GTEST_SKIP() << "no shellcheck here";
   EXPECT_EQ(complaints(read_file(ci + "gate.sh")), "");
+  EXPECT_EQ(complaints(read_file(source + "/.ci/run")), "");
   EXPECT_NE(complaints("#!/bin/sh\nrm $1\n"), "");  // it would complain
+}
+
+// The test's repository has scripts that print their arguments.
+TEST_F(CiFiles, ci_judges_every_suite_with_gates_and_fails_where_one_does) {
+  const auto put_script = [&](const std::string& name, const std::string& text) {
+    fs::create_directories((folder_ / name).parent_path());
+    put(name, "#!/bin/sh\n" + text);
+    fs::permissions(folder_ / name, fs::perms::owner_all);
+  };
+  put_script("check", "echo check\n");
+  put_script("harness/setup/fuzz.sh", "echo fuzz \"$@\"\n");
+  fs::create_directories(folder_ / "harness/suites");
+  put("harness/suites/a.toml", "[[gate]]\n");
+  put("harness/suites/b.toml", "[[gate]]\n");
+  put("harness/suites/bench.toml", "[[run]]\n");
+  fs::create_directories(folder_ / ".ci");
+  fs::copy_file(source + "/.ci/run", folder_ / ".ci/run");
+  const std::string gates =
+      "check\ngate harness/suites/a.toml build/gates/a\ngate harness/suites/b.toml build/gates/b\n";
+  for (const int gate_of_a : {0, 1, 3}) {
+    put_script("harness/ci/gate.sh",
+               "echo gate \"$@\"\ncase $1 in */a.toml) exit " + std::to_string(gate_of_a) + " ;; esac\n");
+    const ProcessOutcome outcome = run_process({(folder_ / ".ci/run").string()});
+    EXPECT_EQ(outcome.exit_code, gate_of_a);
+    EXPECT_EQ(outcome.standard_output, gate_of_a == 0 ? gates + "fuzz --quick\n" : gates);
+  }
 }
 
 TEST_F(CiFiles, workflow_is_one_that_github_reads) {
