@@ -1,21 +1,36 @@
 #include "harness/verbs/render_json.h"
 
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "renderer/core/version.h"
 #include "renderer/passes/view.h"
 
 namespace photonproof {
+
+namespace {
+
+/// Empty where the integrator finds all light, or was not asked.
+std::vector<std::string> texts_of(const std::optional<LostLight>& lost) {
+  return lost ? std::vector{lost->text()} : std::vector<std::string>{};
+}
+
+}  // namespace
 
 nlohmann::ordered_json plan_json(const RenderPlan& plan) {
   nlohmann::ordered_json runs, skips;
   for (const PlanStep& step : plan.runs) runs[step.what] = step.how;
   for (const RenderPlan::Decision& d : plan.decisions)
     skips[skip_row(d.skip).name] = {{"skipped", d.skipped}, {"why", d.why}};
-  return {{"integrator", plan.integrator},
-          {"view", view_row(plan.view).name},
-          {"isa", plan.isa},
-          {"lanes", plan.lanes},
-          {"runs", runs},
-          {"skips", skips}};
+  nlohmann::ordered_json json = {{"integrator", plan.integrator},
+                                 {"view", view_row(plan.view).name},
+                                 {"isa", plan.isa},
+                                 {"lanes", plan.lanes},
+                                 {"runs", runs}};
+  json["cannot_find"] = texts_of(plan.lost_light);
+  json["skips"] = skips;
+  return json;
 }
 
 nlohmann::ordered_json stats_json(const RenderArguments& arguments, const RenderPlan& plan, const RenderStats& stats,
@@ -35,6 +50,7 @@ nlohmann::ordered_json stats_json(const RenderArguments& arguments, const Render
           {"skipped", stats.skipped},
           {"choices", stats.choices},
           {"losses", stats.losses},
+          {"cannot_find", texts_of(plan.lost_light)},
           {"plan", plan_json(plan)}};
 }
 

@@ -198,9 +198,10 @@ RenderPlan plan_of(const Request& request, const SceneParts& parts) {
 int print_plan(const RenderArguments& arguments) {
   if (arguments.resume) throw InputError("--resume", "does nothing with --plan, which renders nothing");
   const Request request = request_of(arguments, {});
-  const SceneParts parts = parts_of(request.description);
-  const RenderPlan plan = plan_of(request, parts);
+  SceneParts parts = parts_of(request.description);
+  RenderPlan plan = plan_of(request, parts);
   say(scene_notes(request.description, parts));
+  if (plan.may_lose_light) find_lost_light(Scene(std::move(parts), plan.scene), plan);
   std::printf("%s", arguments.json ? (json_text(plan_json(plan)) + "\n").c_str() : plan_text(plan).c_str());
   return 0;
 }
@@ -260,11 +261,13 @@ int outcome(const RenderArguments& arguments, const RenderStats& stats, const Fi
   return 130;
 }
 
-/// The scene as the plan wants it, with what it took and what it lacks in the stats.
-std::unique_ptr<const Scene> built(const Request& request, SceneParts parts, const RenderPlan& plan,
-                                   RenderStats& stats) {
-  stats.losses = say(scene_notes(request.description, parts));
+/// The scene as the plan wants it, with what it took and what it lacks in the stats, and what is lost in the plan.
+std::unique_ptr<const Scene> built(const Request& request, SceneParts parts, RenderPlan& plan, RenderStats& stats) {
+  std::vector<SceneNote> notes = scene_notes(request.description, parts);
   auto scene = std::make_unique<const Scene>(std::move(parts), plan.scene);
+  find_lost_light(*scene, plan);
+  if (plan.lost_light) notes.push_back({request.description.where(request.method.loc), plan.lost_light->text()});
+  stats.losses = say(notes);
   stats.counts["bytes_scene"] = static_cast<double>(scene->memory_bytes());
   if (const Tracer* tracer = scene->view().tracer) stats.counts["bytes_bvh"] = static_cast<double>(tracer->bvh_bytes());
   return scene;
@@ -293,7 +296,7 @@ int render_to_files(const RenderArguments& arguments) {
   const Timer compile_timer;
   check_memory(request.description, request.window, arguments.checkpoint_seconds);
   SceneParts parts = parts_of(request.description);
-  const RenderPlan plan = plan_of(request, parts);
+  RenderPlan plan = plan_of(request, parts);
   const std::unique_ptr<const Scene> scene = built(request, std::move(parts), plan, stats);
   stats.phases["compile"] = compile_timer.seconds();
 

@@ -1,5 +1,9 @@
 #include "renderer/integrators/check_supported.h"
 
+#include <algorithm>
+
+#include "scenes/description/emitter_kinds.h"
+
 namespace photonproof {
 namespace {
 
@@ -30,8 +34,32 @@ bool scatters(const MediumDescription& medium) {
   return std::visit([](const auto& m) { return max_component(m.albedo) > 0; }, medium.model);
 }
 
+/// Whether mirrors or glass may throw light on that no camera path finds.
+bool may_throw_light_of_points(const SceneDescription& description) {
+  return std::ranges::any_of(description.emitters, is_without_size) &&
+         std::ranges::any_of(description.bsdfs, [](const BsdfDescription& bsdf) {
+           return std::holds_alternative<ConductorDescription>(bsdf.model) ||
+                  std::holds_alternative<DielectricDescription>(bsdf.model) ||
+                  std::holds_alternative<ThinDielectricDescription>(bsdf.model) ||
+                  std::holds_alternative<PlasticDescription>(bsdf.model) ||
+                  std::holds_alternative<LayeredDescription>(bsdf.model);
+         });
+}
+
+/// Who can do media that absorb and priorities of dielectrics, and those that scatter.
+std::string advice(const SceneDescription& description, bool any_scatters) {
+  if (!may_throw_light_of_points(description)) return "use 'volpath'";
+  return any_scatters
+             ? "'volpath' does, without the light of lamps without size that mirrors, glass or clear coats send "
+               "on: no integrator of this program finds that in such media"
+             : "use 'bdpt'";
+}
+
 void check_media(const SceneDescription& description, const Integrator& row) {
   const std::vector<bool> used = media_in_use(description);
+  bool any_scatters = false;
+  for (std::size_t i = 0; i < used.size(); ++i)
+    any_scatters = any_scatters || (used[i] && scatters(description.media[i]));
   for (std::size_t i = 0; i < used.size(); ++i) {
     const MediumDescription& medium = description.media[i];
     if (!used[i] || row.media == Integrator::Media::all) continue;
@@ -39,7 +67,7 @@ void check_media(const SceneDescription& description, const Integrator& row) {
     const std::string cannot =
         row.media == Integrator::Media::none ? "does not do media" : "does not do media that scatter";
     throw InputError(description.where(medium.loc),
-                     "integrator '" + std::string(row.name) + "' " + cannot + ": use 'volpath'");
+                     "integrator '" + std::string(row.name) + "' " + cannot + ": " + advice(description, any_scatters));
   }
 }
 
@@ -48,8 +76,9 @@ void check_priorities(const SceneDescription& description, const Integrator& row
   for (const BsdfDescription& bsdf : description.bsdfs) {
     const auto* glass = std::get_if<DielectricDescription>(&bsdf.model);
     if (glass != nullptr && glass->priority)
-      throw InputError(description.where(bsdf.loc), "integrator '" + std::string(row.name) +
-                                                        "' does not do priorities of dielectrics: use 'volpath'");
+      throw InputError(description.where(bsdf.loc),
+                       "integrator '" + std::string(row.name) +
+                           "' does not do priorities of dielectrics: " + advice(description, false));
   }
 }
 

@@ -197,6 +197,7 @@ IndirectChoice choose_indirect(const IndirectPilot& pilot, const RenderBudget& b
                           : static_cast<double>(budget.spp.value_or(samples)) * pilot.maps.nanoseconds;
     relmse = relmse_of_maps(time / pilot.maps.nanoseconds, pilot);
   }
+  if (!(relmse * time > 0)) return {IndirectLight::map, true, "indirect light by photon maps: a pilot meets no noise"};
   const auto part = [&](const WayOfLight& way) { return way.variance * way.nanoseconds / (relmse * time); };
   const bool alone = pilot.paths_alone && part(*pilot.paths_alone) < part(pilot.beside_caustics);
   const double least = alone ? part(*pilot.paths_alone) : part(pilot.beside_caustics);

@@ -1,10 +1,13 @@
 #include "renderer/integrators/integrator.h"
 
+#include <algorithm>
+
 #include "renderer/integrators/direct_integrator.h"
 #include "renderer/integrators/path_integrator.h"
 #include "renderer/integrators/photon_mapper.h"
 #include "renderer/passes/tile_film.h"
 #include "renderer/scalar/bdpt.h"
+#include "renderer/scalar/light_survey.h"
 #include "renderer/scalar/particle_tracer.h"
 #include "renderer/scalar/volpath.h"
 #include "renderer/scalar/whitted.h"
@@ -99,6 +102,13 @@ const std::vector<Integrator>& integrators() {
   return table;
 }
 
+bool Integrator::can_do(const SceneMedia& scene) const {
+  const bool scatters = std::ranges::any_of(scene.media, [](const Medium& medium) { return medium.scatters; });
+  if (scatters && media != Media::all) return false;
+  if (!scene.media.empty() && media == Media::none) return false;
+  return dielectric_priorities || !scene.any_priority;
+}
+
 const Integrator* find_integrator(const std::string& name) {
   for (const Integrator& row : integrators())
     if (name == row.name) return &row;
@@ -115,10 +125,21 @@ RenderPlan plan_render(const SceneFacts& facts, const IntegratorDescription& met
   plan.scene.hides_lamps = method.limits().hide_emitters;
   plan.integrator = name;
   plan.view = job.view;
+  plan.may_lose_light = job.view == View::whole && may_lose_light(facts, name);
   const Kernels& kernels = job.kernels();
   plan.isa = kernels.isa;
   plan.lanes = kernels.path.lanes;
   return plan;
+}
+
+void find_lost_light(const Scene& scene, RenderPlan& plan) {
+  if (!plan.may_lose_light) return;
+  plan.lost_light = light_lost_by(plan.integrator, scene, plan.method.limits());
+  if (!plan.lost_light) return;
+  std::erase_if(plan.lost_light->finders, [&](const std::string& name) {
+    const Integrator* row = find_integrator(name);
+    return row == nullptr || !row->can_do(scene.media);
+  });
 }
 
 void render(const Scene& scene, const RenderPlan& plan, const RenderJob& job, Film& film, RenderStats& stats) {

@@ -41,6 +41,8 @@ struct Integrator {
   /// What of a scene it can do.
   enum class Media { none, absorbing, all } media = Media::none;
   bool dielectric_priorities = false;
+  /// Whether it can do all of these, in use or not.
+  bool can_do(const SceneMedia& scene) const;
   Stream stream;  ///< of its draws; no other's but of those that share their code
   /// The integrator whose code finds its paths; null: its own.
   const char* sampling = nullptr;
@@ -55,6 +57,10 @@ const Integrator* find_integrator(const std::string& name);
 
 /// Throws InputError where the job cannot be done (an instruction set the processor has not).
 RenderPlan plan_render(const SceneFacts& facts, const IntegratorDescription& method, const RenderJob& job);
+
+/// Asks the scene, which was built as the plan says, for light that the integrator cannot find, and puts it into the
+/// plan. Partial views are not asked about.
+void find_lost_light(const Scene& scene, RenderPlan& plan);
 
 /// Renders into the film until the budget or an interrupt ends it. Deterministic for a given number of samples and
 /// photons: neither threads nor time enter the estimates. Passes go through render_loop.h, which gives an integrator

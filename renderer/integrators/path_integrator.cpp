@@ -34,7 +34,6 @@ void plan_path(const IntegratorDescription& description, Planner& planner) {
               depth_words(method.max_depth) + ", roulette from depth " + std::to_string(method.rr_depth));
   planner.batches();
   planner.direct_light(true);
-  planner.cannot_see(false);
   planner.no_light_paths();
 }
 

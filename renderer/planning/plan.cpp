@@ -25,6 +25,7 @@ std::string plan_text(const RenderPlan& plan) {
   std::string text = plan.integrator + ", kernels " + plan.isa + " (" + counted(plan.lanes, "lane", "lanes") + ")\n";
   text += "runs\n";
   for (const PlanStep& step : plan.runs) text += line(step.what, step.how);
+  if (plan.lost_light) text += line("cannot find", plan.lost_light->text());
   for (const bool skipped : {true, false}) {
     const auto listed = [&](const RenderPlan::Decision& d) { return d.skipped == skipped; };
     if (std::none_of(plan.decisions.begin(), plan.decisions.end(), listed)) continue;

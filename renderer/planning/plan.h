@@ -7,10 +7,12 @@
 //   render(scene, plan, job, film, stats);
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "renderer/core/skips.h"
+#include "renderer/passes/lost_light.h"
 #include "renderer/passes/view.h"
 #include "renderer/scene/scene_choices.h"
 #include "scenes/description/description.h"
@@ -35,6 +37,9 @@ struct RenderPlan {
     std::string why;  ///< why it is left out, or why it is not
   };
   std::vector<Decision> decisions;  ///< one for each skip that concerns the integrator
+
+  bool may_lose_light = false;            ///< find_lost_light (integrators/integrator.h) says whether it does
+  std::optional<LostLight> lost_light{};  ///< once that has been asked
 
   bool skips(Skip skip) const;
   /// "name: why" of what is left out.

@@ -66,14 +66,4 @@ void Planner::direct_light(bool weighted_by_method) {
            "rays can hit a light that next-event estimation samples too");
 }
 
-// Lights that no ray meets have to be sampled, and what mirrors or smooth glass make of a light is in a single
-// direction, which samples cannot hit. Light paths see the first, if the vertex after the glass scatters and the camera
-// sees that directly.
-void Planner::cannot_see(bool with_light_paths) {
-  if (!facts_.any_delta_light || !facts_.any_delta_bsdf) return;
-  run("cannot see", with_light_paths
-                        ? "caustics of lights of no size, where they are seen in mirrors or through glass"
-                        : "caustics of lights of no size: no ray meets such a light behind a mirror or glass");
-}
-
 }  // namespace photonproof

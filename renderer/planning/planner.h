@@ -40,8 +40,6 @@ class Planner {
   void rays_one_by_one();
   /// Next-event estimation by the kernels, weighted against rays that meet lights where the method has both.
   void direct_light(bool weighted_by_method);
-  /// Says what light no path of the integrator can bring.
-  void cannot_see(bool with_light_paths);
   /// No path starts at a light.
   void no_light_paths() { plan_.scene.light_paths = false; }
 

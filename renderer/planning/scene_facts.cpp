@@ -9,6 +9,18 @@
 namespace photonproof {
 namespace {
 
+/// The lobes of a BSDF share [0,1) among them: its ends give every delta lobe of the kinds there are.
+bool has_delta_lobe(const Bsdf& bsdf) {
+  return std::visit(
+      [](const auto& record) {
+        const auto is_delta_at = [&](float u_lobe) {
+          return record.sample(Vec3f(0, 0, 1), u_lobe, {0.5f, 0.5f}, TransportMode::radiance).delta;
+        };
+        return is_delta_at(0.0f) || is_delta_at(1 - 0x1p-24f);
+      },
+      bsdf);
+}
+
 /// A textured reflectance counts as one that is not black everywhere.
 bool reflects_diffusely(const SceneParts& scene, const Surface& surface) {
   return scene.bsdfs.any_leaf(surface.bsdf, [](const Bsdf& leaf, bool textured) {
@@ -74,6 +86,9 @@ SceneFacts analyse(const SceneParts& scene) {
   for (const Surface& surface : scene.surfaces) {
     facts.any_delta_bsdf = facts.any_delta_bsdf ||
                            scene.bsdfs.any_leaf(surface.bsdf, [](const Bsdf& leaf, bool) { return !has_smooth(leaf); });
+    facts.any_delta_lobe = facts.any_delta_lobe || scene.bsdfs.any_leaf(surface.bsdf, [](const Bsdf& leaf, bool) {
+      return has_delta_lobe(leaf);
+    });
     if (scene.bsdfs.is_specular(surface.bsdf)) ++facts.specular_surfaces;
     facts.any_rough = facts.any_rough ||
                       scene.bsdfs.any_leaf(surface.bsdf, [](const Bsdf& leaf, bool) { return can_be_rough(leaf); });

@@ -21,6 +21,7 @@ struct SceneFacts {
 
   std::size_t specular_surfaces = 0;     ///< surfaces that are not Lambertian: caustics are possible
   bool any_delta_bsdf = false;           ///< a mirror or smooth glass, or nothing but those
+  bool any_delta_lobe = false;           ///< one of those, a clear coat, or a surface that light goes straight through
   bool any_rough = false;                ///< a BSDF with a rough part for which photons can be looked up
   bool any_sharp = false;                ///< a mirror, a sharp highlight or glass
   bool any_diffuse = false;              ///< a surface that reflects diffusely with albedo above 0

@@ -326,7 +326,6 @@ void plan_bdpt(const IntegratorDescription& description, Planner& planner) {
   planner.run("camera paths", depth_words(method.max_depth) + ", one at a time, each vertex joined to a light");
   planner.run("light paths", "one a camera sample, each vertex joined to the lens and to those of the camera path");
   planner.rays_one_by_one();
-  planner.cannot_see(true);
 }
 
 void render_bdpt(const Scene& scene, const RenderPlan& plan, const RenderJob& job, Film& film, RenderStats& stats) {

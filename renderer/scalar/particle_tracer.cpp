@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstdio>
 #include <string>
+#include <utility>
 
 #include "renderer/lanes/roulette.h"
 #include "renderer/scalar/scalar_passes.h"
@@ -85,6 +86,16 @@ class ParticleTracer : ScalarTracer {
     return throughput * lights_->environment_radiance(ray->direction);
   }
 
+  /// Whether the middle of a pixel shows a surface, rather than the environment or nothing.
+  bool shows_surface(int x, int y, const Draws& draws) const {
+    constexpr int at_the_middle = 1;
+    const std::optional<Ray> ray =
+        camera_.ray(x, y, draws, at_the_middle, ptracer_dimension::in_pixel, draws.two(ptracer_dimension::lens));
+    Interaction at;
+    return ray && world_.intersect(*ray, draws.one(ptracer_dimension::layer), TransportMode::radiance, at) &&
+           !camera_.beyond_far_plane(at.p);
+  }
+
   /// Whether a pixel shows so little that fewer than `paths` of so many histories a pixel would have arrived there if
   /// it were as bright as `radiance`: one that none reached may be black by chance.
   bool is_narrow(int x, int y, double radiance, double histories, double paths, const Draws& draws) const {
@@ -154,18 +165,30 @@ std::string few_paths_text(const char* format, double paths, std::size_t pixels)
 
 /// A lamp far away, or a view of a speck of the scene, is found by so few paths that none may have been among those
 /// traced; so is a pixel at the edge of a view so wide that it shows next to nothing.
-void say_if_few_arrive(const ParticleTracer& tracer, const RenderJob& job, const Film& film, RenderStats& stats) {
+void say_if_few_arrive(const Scene& scene, const ParticleTracer& tracer, const RenderJob& job, const Film& film,
+                       RenderStats& stats) {
+  if (scene.lights.empty()) return;
   const Image image = film.develop().mean;
-  std::size_t reached = 0;
+  std::size_t wanted = 0, reached = 0;  // pixels that show surfaces, and those of them that are not black
   double brightness = 0;
   const auto brightest = [&](std::size_t pixel) {
     const float* rgb = &image.rgb[3 * pixel];
     return double{std::max({rgb[0], rgb[1], rgb[2]})};
   };
+  const auto at = [&](std::size_t i) {
+    const auto width = static_cast<std::size_t>(image.width);
+    return std::pair{film.window().x0 + static_cast<int>(i % width), film.window().y0 + static_cast<int>(i / width)};
+  };
+  const auto draws_at = [&](std::size_t i) {
+    return draws_of_history(SamplerKind::independent, job.seed, ptracer_stream, i);
+  };
   for (std::size_t i = 0; i < image.pixels(); ++i) {
+    if (!tracer.shows_surface(at(i).first, at(i).second, draws_at(i))) continue;
+    ++wanted;
     reached += brightest(i) > 0 ? 1 : 0;
     brightness += brightest(i);
   }
+  if (wanted == 0) return;
   if (reached == 0) {
     stats.losses.emplace_back(
         "no light path arrived where the camera looks: the image is black, and so few paths may miss light that is "
@@ -182,10 +205,8 @@ void say_if_few_arrive(const ParticleTracer& tracer, const RenderJob& job, const
   std::size_t narrow = 0;
   for (std::size_t i = 0; i < image.pixels(); ++i) {
     if (brightest(i) > 0) continue;
-    const auto width = static_cast<std::size_t>(image.width);
-    const int x = film.window().x0 + static_cast<int>(i % width), y = film.window().y0 + static_cast<int>(i / width);
-    const Draws draws = draws_of_history(SamplerKind::independent, job.seed, ptracer_stream, i);
-    if (tracer.is_narrow(x, y, brightness, stats.counts["samples_per_pixel"], few_paths_a_pixel, draws)) ++narrow;
+    const auto [x, y] = at(i);
+    if (tracer.is_narrow(x, y, brightness, stats.counts["samples_per_pixel"], few_paths_a_pixel, draws_at(i))) ++narrow;
   }
   if (narrow > 0)
     stats.losses.push_back(few_paths_text(
@@ -200,8 +221,6 @@ void plan_particle_tracer(const IntegratorDescription& description, Planner& pla
   const auto& method = std::get<ParticleTracerDescription>(description.method);
   planner.run("light paths", depth_words(method.max_depth) + ", one a camera sample, each vertex joined to the lens");
   planner.rays_one_by_one();
-  if (planner.facts().any_delta_bsdf)
-    planner.run("cannot see", "what mirrors and smooth glass show: no light path meets the lens by itself");
 }
 
 void render_particle_tracer(const Scene& scene, const RenderPlan& plan, const RenderJob& job, Film& film,
@@ -217,7 +236,7 @@ void render_particle_tracer(const Scene& scene, const RenderPlan& plan, const Re
       return tracer.environment(x, y, draws, work);
     };
   });
-  say_if_few_arrive(tracer, job, film, stats);
+  say_if_few_arrive(scene, tracer, job, film, stats);
   if (emission_misses_planes(scene.surfaces, scene.lights)) stats.losses.emplace_back(light_paths_miss_planes);
 }
 

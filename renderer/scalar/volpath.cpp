@@ -195,7 +195,6 @@ void plan_volpath(const IntegratorDescription& description, Planner& planner) {
                                   std::to_string(method.rr_depth));
   planner.run("media", planner.facts().media == 0 ? "none" : counted(planner.facts().media, "medium", "media"));
   planner.rays_one_by_one();
-  planner.cannot_see(false);
   planner.no_light_paths();
 }
 

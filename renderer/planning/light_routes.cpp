@@ -1,0 +1,69 @@
+#include "renderer/planning/light_routes.h"
+
+#include <algorithm>
+
+namespace photonproof {
+namespace {
+
+bool is_delta_turn(char t) { return t == turn::is_thrown || t == turn::goes_straight; }
+bool begins_with_delta(const LightRoute& route) { return !route.turns.empty() && is_delta_turn(route.turns.front()); }
+bool ends_with_delta(const LightRoute& route) { return !route.turns.empty() && is_delta_turn(route.turns.back()); }
+
+/// Camera paths meet every light that has a size, and sample the others from where light scatters last before them.
+bool path_finds(const LightRoute& route) { return !route.from_point || !begins_with_delta(route); }
+
+/// The same, but it samples lights through surfaces that light goes straight through.
+bool volpath_finds(const LightRoute& route) {
+  LightRoute bent = route;
+  std::erase(bent.turns, turn::goes_straight);
+  return path_finds(bent);
+}
+
+/// Every vertex is joined to the camera; what the camera sees by one direction alone has none. Lights themselves are
+/// shown by points of their own.
+bool ptracer_finds(const LightRoute& route) { return !ends_with_delta(route); }
+
+/// Both, and light paths joined to camera paths between two vertices that scatter.
+bool bdpt_finds(const LightRoute& route) {
+  const auto scatters = [](char t) { return !is_delta_turn(t); };
+  const auto joined = std::adjacent_find(route.turns.begin(), route.turns.end(),
+                                         [&](char a, char b) { return scatters(a) && scatters(b); });
+  return path_finds(route) || (!route.turns.empty() && scatters(route.turns.back())) || joined != route.turns.end();
+}
+
+/// Camera paths to a surface where photons are.
+bool photon_mapper_finds(const LightRoute& route) {
+  return path_finds(route) || route.turns.find(turn::scatters) != std::string::npos;
+}
+
+bool direct_finds(const LightRoute& route) { return route.turns.size() <= 1 && path_finds(route); }
+
+/// Camera paths branch at deltas alone, and sample lights at the first other surface, where they end.
+bool whitted_finds(const LightRoute& route) {
+  const auto first = route.turns.begin() + (route.turns.empty() || begins_with_delta(route) ? 0 : 1);
+  return path_finds(route) && std::all_of(first, route.turns.end(), is_delta_turn);
+}
+
+constexpr std::string_view thrown =
+    "light of lamps without size that mirrors, glass, clear coats or holes send on (caustics)";
+constexpr std::string_view thrown_on_sharp =
+    "light of lamps without size that mirrors, glass or clear coats send onto sharp highlights or rough glass";
+
+constexpr LightFinder finders[] = {
+    {"path", path_finds, true, true, thrown},
+    {"bdpt", bdpt_finds, true, true,
+     "caustics of lamps without size where the camera sees them in mirrors, glass, clear coats or through holes"},
+    {"photonmapper", photon_mapper_finds, true, true, thrown_on_sharp},
+    {"sppm", photon_mapper_finds, true, true, thrown_on_sharp},
+    {"volpath", volpath_finds, true, true,
+     "light of lamps without size that mirrors, glass or clear coats send on (caustics)"},
+    {"ptracer", ptracer_finds, false, true, "what the camera sees in mirrors, glass, clear coats or through holes"},
+    {"whitted", whitted_finds, false, false, "light that surfaces throw on each other (interreflection and caustics)"},
+    {"direct", direct_finds, false, false, "light that is reflected or refracted more than once"},
+};
+
+}  // namespace
+
+std::span<const LightFinder> light_finders() { return finders; }
+
+}  // namespace photonproof

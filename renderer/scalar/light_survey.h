@@ -1,0 +1,21 @@
+// A few thousand paths before the render measure whether the scene has light that an integrator cannot find. Facts
+// alone cannot tell a mirror that is seen, or light that glass throws somewhere, from one that matters not.
+#pragma once
+
+#include <optional>
+
+#include "renderer/passes/lost_light.h"
+#include "renderer/planning/scene_facts.h"
+#include "renderer/scene/scene.h"
+
+namespace photonproof {
+
+/// Whether facts leave it open that the integrator of that name misses some light: only then a survey is worth its
+/// time.
+bool may_lose_light(const SceneFacts& facts, const std::string& integrator);
+
+/// The light of the whole image that the integrator misses, if any; `limits` are its own. The same whatever seed,
+/// budget and window of the render.
+std::optional<LostLight> light_lost_by(const std::string& integrator, const Scene& scene, const PathLimits& limits);
+
+}  // namespace photonproof
