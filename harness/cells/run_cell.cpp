@@ -146,8 +146,7 @@ std::optional<Result> run_cell(const CellRun& run) {
   result.counts = std::move(stats.counts);
   result.skipped = std::move(stats.skipped);
   for (std::string& words : result.skipped) words = in_own_words(std::move(words), run);
-  for (const std::string& loss : stats.losses)
-    result.caveats.push_back("declared by the engine: " + in_own_words(loss, run));
+  for (const std::string& loss : stats.losses) result.caveats.push_back(declared_by_engine + in_own_words(loss, run));
   if (stats.problem) result.caveats.push_back("its stats cannot all be used: " + *stats.problem);
   return result;
 }

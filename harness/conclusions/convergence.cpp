@@ -148,6 +148,12 @@ std::map<double, Cells> cells_by_amount(const Results& results, const Cell& like
   return cells;
 }
 
+// In the words of the first image of the largest budget: numbers in them differ from image to image.
+void add_declared_losses(const std::map<double, Cells>& cells, Convergence& curve) {
+  for (const std::string& caveat : cells.rbegin()->second.front()->caveats)
+    if (caveat.starts_with(declared_by_engine)) curve.caveats.push_back(caveat);
+}
+
 // Of the largest budget concerned; the smaller ones are too.
 void add_start_up_caveat(const std::map<double, Cells>& cells, Convergence& curve) {
   for (auto budget = cells.rbegin(); budget != cells.rend(); ++budget) {
@@ -286,6 +292,7 @@ std::vector<Convergence> convergence_of(const Results& results, const fs::path& 
       for (const auto& [amount, seeds] : cells)
         add_point(seeds.front()->cell.budget, seeds, reference ? &*reference : nullptr, folder, judge, curve);
       add_start_up_caveat(cells, curve);
+      add_declared_losses(cells, curve);
       conclude(curve);
       curves.push_back(std::move(curve));
     }

@@ -63,6 +63,7 @@ EngineStats read_engine_stats(const std::filesystem::path& file) {
     read_numbers(stats, "counts", true, out.counts, out.problem);
     read_texts(stats, "skipped", out.skipped, out.problem);
     read_texts(stats, "losses", out.losses, out.problem);
+    read_texts(stats, "cannot_find", out.cannot_find, out.problem);
   } catch (const json::exception&) {
     out.problem = "it is not valid JSON";
   } catch (const InputError& unreadable) {

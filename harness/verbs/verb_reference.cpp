@@ -82,12 +82,16 @@ Job job_of(const ReferenceArguments& arguments) {
 }
 
 /// What `render` has against the integrator for this scene; empty when nothing.
-std::string refusal_of(const Job& job, const std::string& integrator) {
-  std::vector<std::string> argv{job.program.string(), "render", "--integrator", integrator, "--plan"};
+/// Also why it would lack light, where `whole` light is asked for.
+std::string refusal_of(const Job& job, const std::string& integrator, bool whole) {
+  std::vector<std::string> argv{job.program.string(), "render", "--integrator", integrator, "--plan", "--json"};
   const std::vector<std::string> scene = scene_arguments(job.arguments.scene);
   argv.insert(argv.end(), scene.begin(), scene.end());
   const ProcessOutcome outcome = run_process(argv);
-  if (outcome.ok()) return {};
+  if (outcome.ok()) {
+    const auto lost = nlohmann::json::parse(outcome.standard_output).at("cannot_find").get<std::vector<std::string>>();
+    return whole && !lost.empty() ? lost.front() : "";
+  }
   const std::size_t end = outcome.standard_error.find_last_not_of("\r\n");
   return end == std::string::npos ? outcome.sentence() : outcome.standard_error.substr(0, end + 1);
 }
@@ -99,7 +103,17 @@ std::optional<Expect> expect_of(const Job& job) {
 
 std::string integrator_for(const Job& job) {
   if (job.arguments.integrator != "auto") return job.arguments.integrator;
-  return choose_estimator(job.scene, expect_of(job), [&](const std::string& name) { return refusal_of(job, name); });
+  const auto chosen = [&](bool whole) {
+    return choose_estimator(job.scene, expect_of(job),
+                            [&](const std::string& name) { return refusal_of(job, name, whole); });
+  };
+  try {
+    return chosen(true);
+  } catch (const InputError& nobody) {
+    const std::string best = chosen(false);
+    std::fprintf(stderr, "warning: the reference lacks light: %s\n", nobody.summary().c_str());
+    return best;
+  }
 }
 
 /// The one in this file, when it is good and by an integrator that will do.
@@ -192,7 +206,7 @@ struct NoWitnessYet {
 void find_witness(const Job& job, const Rendering& rendering, Provenance& provenance) {
   constexpr double less_certain = 3;
   const std::string witness = witness_for(job.scene, provenance.estimator, expect_of(job),
-                                          [&](const std::string& name) { return refusal_of(job, name); });
+                                          [&](const std::string& name) { return refusal_of(job, name, true); });
   if (witness.empty()) {
     if (!job.arguments.quiet)
       std::fprintf(stderr, "no witness: only %s's way of finding light renders this scene\n",

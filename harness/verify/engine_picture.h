@@ -22,9 +22,10 @@ struct EnginePicture {
   std::string engine;
   Rendering rendering;  ///< the variance is always there; 0 of an engine that makes one estimate without noise
   DeclaredError declared;
-  std::uint64_t samples = 0;        ///< a pixel, where its budget counts them
-  double seconds = 0;               ///< wall time of its processes
-  std::vector<std::string> losses;  ///< known errors, in the engine's words
+  std::uint64_t samples = 0;             ///< a pixel, where its budget counts them
+  double seconds = 0;                    ///< wall time of its processes
+  std::vector<std::string> losses;       ///< known errors, in the engine's words
+  std::vector<std::string> cannot_find;  ///< those of them that are light which no number of its samples finds
 };
 
 }  // namespace photonproof

@@ -60,7 +60,7 @@ class SceneJudge {
       sides_.push_back({{closed_form_side, closed_form_side, true}, nullptr, {}, scene_.expect->analytic->mean});
     add_stored_reference();
     compare_all();
-    set_aside_who_cannot_show_caustics();
+    set_aside_who_cannot_find_light();
     decide();
     out_.seconds = timer.seconds();
     return std::move(out_);
@@ -207,12 +207,14 @@ class SceneJudge {
     return others;
   }
 
-  /// Where what one differs by is first seen in the caustics that its way of finding light cannot show, it says nothing
-  /// of the scene, rather than being wrong.
-  void set_aside_who_cannot_show_caustics() {
+  /// Who differs and says itself that it cannot find some of the light says nothing of the scene, rather than being
+  /// wrong; of camera paths only where they differ in caustics first.
+  void set_aside_who_cannot_find_light() {
     const auto blind = [&](std::size_t side) {
-      const VerifyEngine* engine = sides_[side].engine;
-      return engine != nullptr ? caustics_that_are_not_shown(engine->sampling, description_) : std::string();
+      const bool draws = sides_[side].engine != nullptr && !sides_[side].pictures.empty();
+      const std::vector<std::string> none;
+      const std::vector<std::string>& lost = draws ? sides_[side].pictures.at(0).cannot_find : none;
+      return lost.empty() ? std::string() : lost.front();
     };
     for (std::size_t side = 0; side < sides_.size(); ++side) {
       const std::string why = blind(side);

@@ -198,7 +198,9 @@ Shot Studio::shoot_samples(const StudioScene& scene, const VerifyEngine& engine,
     parts.emplace_back(read_rendering(image.string()), samples);
     if (const std::string why = why_variance_is_lost(parts.back().first.mean); !why.empty())
       return {std::nullopt, Status::unsupported, "its picture " + why, result.command};
-    picture.losses = read_engine_stats(image.parent_path() / "stats.json").losses;
+    EngineStats stats = read_engine_stats(image.parent_path() / "stats.json");
+    picture.losses = std::move(stats.losses);
+    picture.cannot_find = std::move(stats.cannot_find);
     bias = std::max(bias, stated_bias(result));
     shot.command = result.command;
     picture.seconds += result.wall_seconds.value_or(0);

@@ -112,15 +112,4 @@ std::string what_is_not_shown(const std::string& sampling, const SceneDescriptio
   return {};
 }
 
-std::string caustics_that_are_not_shown(const std::string& sampling, const SceneDescription& scene) {
-  if (sampling != "path" && sampling != "volpath") return {};
-  const auto is_smooth = [](const BsdfDescription& bsdf) {
-    return std::holds_alternative<ConductorDescription>(bsdf.model) ||
-           std::holds_alternative<DielectricDescription>(bsdf.model) ||
-           std::holds_alternative<ThinDielectricDescription>(bsdf.model);
-  };
-  if (!std::ranges::any_of(scene.emitters, is_without_size) || !std::ranges::any_of(scene.bsdfs, is_smooth)) return {};
-  return "caustics of lamps without size: no path from the camera meets such a lamp behind a mirror or glass";
-}
-
 }  // namespace photonproof

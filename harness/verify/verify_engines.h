@@ -37,8 +37,4 @@ std::vector<VerifyEngine> verify_engines(const EngineChoice& choice);
 /// looks at, nor the far parts of a plane without end under a sky.
 std::string what_is_not_shown(const std::string& sampling, const SceneDescription& scene);
 
-/// Why it may lack the light that mirrors and glass throw on other surfaces, by any number of samples; empty where it
-/// does not: no path from the camera meets a lamp without size behind them. How much that is the scene alone says not.
-std::string caustics_that_are_not_shown(const std::string& sampling, const SceneDescription& scene);
-
 }  // namespace photonproof

@@ -30,6 +30,9 @@ struct Budget {
   friend bool operator==(const Budget&, const Budget&) = default;
 };
 
+/// How caveats begin that are an engine's own.
+inline constexpr const char* declared_by_engine = "declared by the engine: ";
+
 struct Cell {
   std::string scene;
   std::string engine;
@@ -87,7 +90,7 @@ struct Result {
   std::vector<std::string> skipped;      ///< passes the engine skipped, with the reason
   std::string engine_version;
   std::string command;               ///< how to repeat it, as one would type it
-  std::vector<std::string> caveats;  ///< e.g. "host was busy (load 3.1)"
+  std::vector<std::string> caveats;  ///< e.g. "host was busy (load 3.1)", or declared_by_engine and one of its losses
 };
 
 /// A stored reference that a scene was compared with, and where it came from.

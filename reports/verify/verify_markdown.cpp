@@ -19,14 +19,18 @@ std::string verify_markdown(const VerifyRecord& record) {
   text += " seen | s |\n|---|---|";
   for (std::size_t i = 0; i < overview.columns.size() + 2; ++i) text += "--:|";
   text += "\n";
-  std::string others;
+  std::string others, losses;
   for (const OverviewRow& row : overview.rows) {
     const VerifyScene& scene = *row.scene;
     text += fmt::format("| `{}` | {} |", scene.name, scene.verdict);
     for (const OverviewCell& cell : row.cells) text += " " + cell.words + " |";
     text += fmt::format(" {} | {:.0f} |\n", row.seen, scene.seconds);
+    for (const VerifyPicture& picture : scene.pictures)
+      for (const std::string& loss : picture.losses)
+        losses += fmt::format("- `{}`, {}: {}\n", scene.name, picture.engine, loss);
     if (scene.verdict != "agree") others += fmt::format("- `{}`: {}: {}\n", scene.name, scene.verdict, scene.sentence);
   }
+  if (!losses.empty()) text += "\nWarnings of engines about their own images:\n\n" + losses;
   return others.empty() ? text : text + "\nNot all agree:\n\n" + others;
 }
 

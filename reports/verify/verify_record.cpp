@@ -62,6 +62,8 @@ std::string verify_table(const VerifyRecord& record) {
                           number(pair.relmse, "{:.2g}"), number(pair.ssim, "{:.4f}"),
                           pair.sentence.empty() ? "" : "  " + pair.sentence);
     for (const VerifyPicture& picture : scene.pictures)
+      for (const std::string& loss : picture.losses) text += fmt::format("  {:14} warning: {}\n", picture.engine, loss);
+    for (const VerifyPicture& picture : scene.pictures)
       if (picture.status != "ok")
         text += fmt::format("  {:14} {}: {}\n", picture.engine, picture.status, picture.detail);
     for (const std::string& note : scene.notes) text += "  note: " + note + "\n";

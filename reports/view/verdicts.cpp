@@ -166,6 +166,10 @@ std::string verdict_lines(const View& view) {
                           or_dash(metric(shown, "relmse"), [](double v) { return significant(v); }), doubt_mark(scene),
                           or_dash(shown.wall_seconds, [](double v) { return significant(v); }));
     }
+    for (const Convergence* curve : scene.curves)
+      for (const std::string& caveat : curve->caveats)
+        if (caveat.starts_with(declared_by_engine))
+          text += fmt::format("{}, {}: {}\n", scene.record.name, curve->engine, caveat);
     if (const std::string doubt = doubt_text(scene); !doubt.empty()) doubts += scene.record.name + ": " + doubt + "\n";
   }
   return text + doubts;
