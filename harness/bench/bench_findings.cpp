@@ -21,12 +21,40 @@ std::optional<Image> image_in_folder(const Result& result, const std::filesystem
 
 std::string label_without_seed(const Cell& cell) { return cell.scene + "/" + cell.engine + "/" + cell.budget.label(); }
 
-bool all_the_same(const std::vector<const Result*>& seeds, const std::filesystem::path& folder) {
-  const std::optional<Image> first = image_in_folder(*seeds.front(), folder);
-  return first && std::all_of(seeds.begin() + 1, seeds.end(), [&](const Result* result) {
-           const std::optional<Image> other = image_in_folder(*result, folder);
-           return other && other->rgb == first->rgb;
-         });
+bool may_be_the_same(const Result& a, const Result& b) {
+  return std::ranges::equal(a.metrics, b.metrics,
+                            [](const MetricValue& x, const MetricValue& y) { return x.value == y.value; });
+}
+
+// Groups of two seeds or more that gave the same image. Images have other metrics where they differ, so few are read.
+std::vector<std::vector<const Result*>> groups_of_same(std::vector<const Result*> seeds,
+                                                       const std::filesystem::path& folder) {
+  std::vector<std::vector<const Result*>> groups;
+  while (seeds.size() > 1) {
+    const Result* first = seeds.front();
+    seeds.erase(seeds.begin());
+    std::vector<const Result*> same{first};
+    std::optional<Image> image;
+    std::erase_if(seeds, [&](const Result* other) {
+      if (!may_be_the_same(*first, *other)) return false;
+      if (!image) image = image_in_folder(*first, folder);
+      const std::optional<Image> again = image_in_folder(*other, folder);
+      const bool equal = image && again && again->rgb == image->rgb;
+      if (equal) same.push_back(other);
+      return equal;
+    });
+    if (same.size() > 1) groups.push_back(std::move(same));
+  }
+  return groups;
+}
+
+std::string sentence_of(const std::vector<const Result*>& same, std::size_t seeds) {
+  if (same.size() == seeds)
+    return fmt::format("all {} seeds gave the same image; its noise is not known, and not zero for that", seeds);
+  std::string list;
+  for (const Result* result : same) list += (list.empty() ? "" : ", ") + std::to_string(result->cell.seed);
+  return fmt::format("seeds {} gave the same image, which counts once; other seeds may not be independent either",
+                     list);
 }
 
 bool is_reference_itself(const Result& result) {
@@ -52,10 +80,8 @@ std::vector<std::string> findings_of_bench(const Results& results, const std::fi
       same->push_back(&result);
   }
   for (const auto& seeds : groups)
-    if (seeds.size() > 1 && all_the_same(seeds, folder))
-      findings.push_back(
-          fmt::format("{}: all {} seeds gave the same image; its noise is not known, and not zero for that",
-                      label_without_seed(seeds.front()->cell), seeds.size()));
+    for (const auto& same : groups_of_same(seeds, folder))
+      findings.push_back(label_without_seed(seeds.front()->cell) + ": " + sentence_of(same, seeds.size()));
   return findings;
 }
 

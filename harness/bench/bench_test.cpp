@@ -298,6 +298,19 @@ TEST_F(BenchRun, one_image_for_all_seeds_and_one_that_is_the_reference_are_named
   EXPECT_EQ(results().findings[3], same);
 }
 
+TEST_F(BenchRun, image_that_two_of_three_seeds_gave_is_named) {
+  put("two.sh", "if [ $3 = 3 ]; then cp \"$1/grey.exr\" \"$2\"; else cp \"$1/brighter.exr\" \"$2\"; fi\n");
+  run(suite_text("grey", {}) +
+      "[[engine]]\nname = 'two'\ntitle = 'm'\ncommand = ['sh', '{suite}/two.sh', '{suite}', '{output}', '{seed}', "
+      "'{scene}']\nbudgets = ['spp']\ntrust = 'external'\n"
+      "[[run]]\nengine = 'two'\nbudgets = ['spp=1']\nseeds = [1, 2, 3]\n");
+  EXPECT_EQ(results().findings,
+            (std::vector<std::string>{
+                "scene/two/spp=1/seed=3: its image is the reference itself, bit for bit",
+                "scene/two/spp=1: seeds 1, 2 gave the same image, which counts once; other seeds may not be "
+                "independent either"}));
+}
+
 TEST_F(BenchRun, interrupt_keeps_what_is_finished_and_the_next_run_goes_on) {
   const std::string text = suite_text("grey", {"brighter", "sleeps"});
   // The order of the two is drawn from the suite's name: after the first of them.

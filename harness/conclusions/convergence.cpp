@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "harness/conclusions/error_split.h"
+#include "harness/pixels/repeated_images.h"
 #include "harness/statistics/statistics.h"
 #include "scenes/images/image.h"
 #include "scenes/text/input_error.h"
@@ -24,6 +25,9 @@ constexpr double rounding_relmse = 1e-10;
 // A slope that is not known to +-1 does not tell a method that converges from one that does not.
 constexpr double useful_slope_margin = 1;
 constexpr std::size_t least_points_for_slope = 3;
+constexpr const char* no_own_error = "no budget has an error of its own";
+// An error that grows with the budget by more than this factor is not known.
+constexpr double tolerated_growth = 2;
 
 // A curve of which less than this share of the time is rendering is one of the start-up.
 constexpr double least_rendering_share = 0.5;
@@ -74,13 +78,26 @@ std::optional<double> rendering_share(const Cells& cells) {
 void set_split(const ErrorSplit& split, CurvePoint& point) {
   point.relmse = split.relmse;
   point.variance = split.variance;
+  const std::string of_few = fmt::format("one pixel has {:.0f} % of the error", 100 * split.share_of_a_pixel);
+  if (split.is_of_few_pixels()) point.undefined[interval_key] = of_few;
   if (!split.bias2) {
-    point.undefined["bias2"] = point.undefined["variance"] = "one seed";
+    point.undefined["bias2"] = point.undefined["variance"] = point.seeds == 1 ? "one seed" : "one image for all seeds";
+  } else if (split.is_of_few_pixels()) {
+    point.undefined["bias2"] = of_few;
   } else if (const auto& interval = split.bias2->interval; interval && interval->low <= 0) {
     point.undefined["bias2"] = fmt::format("none seen above {:.2g}", std::max(0.0, interval->high));
   } else {
     point.bias2 = split.bias2;
   }
+}
+
+// A copy adds nothing to what is known of the noise.
+std::vector<Image> different_ones(const std::vector<Image>& images) {
+  std::vector<Image> different;
+  for (const Image& image : images)
+    if (std::ranges::none_of(different, [&](const Image& other) { return bytes_of(other) == bytes_of(image); }))
+      different.push_back(image);
+  return different;
 }
 
 void add_error(const Cells& cells, const Reference* reference, const fs::path& folder, const JudgeImages& judge,
@@ -93,8 +110,11 @@ void add_error(const Cells& cells, const Reference* reference, const fs::path& f
   }
   if (images.size() == cells.size()) {
     const auto& variance = reference->rendering.variance;
-    set_split(split_error(reference->rendering.mean, variance ? &*variance : nullptr, images, reference->known), point);
-    if (judge) point.correctness = judge(cells.front()->cell, images);
+    const std::vector<Image> different = different_ones(images);
+    set_split(split_error(reference->rendering.mean, variance ? &*variance : nullptr, different, reference->known),
+              point);
+    // Images that are all the same may be right; of that the judge knows.
+    if (judge) point.correctness = judge(cells.front()->cell, different.size() > 1 ? different : images);
     return;
   }
   if (judge) point.correctness = judge(cells.front()->cell, {});
@@ -124,7 +144,7 @@ void add_point(const Budget& budget, const Cells& cells, const Reference* refere
   point.seeds = static_cast<int>(cells.size());
   std::vector<double> seconds;
   for (const Result* cell : cells) seconds.push_back(seconds_by(curve.clock, *cell).value_or(0));
-  point.seconds = estimated_median(seconds);
+  point.seconds = estimated_time(seconds);
   add_error(cells, reference, folder, judge, point);
   for (const std::size_t i : outliers_of(seconds))
     curve.caveats.push_back(fmt::format("{}: seed {} took {:.3g} s, the median {:.3g} s: an outlier", budget.label(),
@@ -165,22 +185,6 @@ void add_start_up_caveat(const std::map<double, Cells>& cells, Convergence& curv
   }
 }
 
-// With the error's interval, the times at which its lower and upper ends come down to the target, where both do.
-void set_time(const CurvePoints& points, const CurvePoints& low, const CurvePoints& high, TargetTime& target) {
-  if (points.empty()) return;
-  if (const auto seconds = time_to_error(points, target.relmse)) {
-    target.seconds = Estimate{*seconds, {}};
-    const auto earliest = time_to_error(low, target.relmse), latest = time_to_error(high, target.relmse);
-    if (earliest && latest && low.size() == points.size())
-      target.seconds->interval = Interval{std::min(*earliest, *latest), std::max(*earliest, *latest)};
-    return;
-  }
-  if (points.front().second <= target.relmse)
-    target.at_most = points.front().first;
-  else
-    target.more_than = points.back().first;
-}
-
 bool has_own_error(const CurvePoint& point) {
   return point.relmse && point.relmse->value > 0 && point.seconds.value > 0 && !point.undefined.contains(own_error_key);
 }
@@ -192,9 +196,15 @@ std::string why_no_error(const CurvePoint& point) {
                                       : "no error known";
 }
 
-void set_slope(const std::vector<double>& log_seconds, const std::vector<double>& log_relmse, Convergence& curve) {
+void set_slope(const KnownPoints& known, Convergence& curve) {
+  std::vector<double> log_seconds, log_relmse;
+  for (const CurvePoint* point : known.points) {
+    log_seconds.push_back(std::log(point->seconds.value));
+    log_relmse.push_back(std::log(point->relmse->value));
+  }
   if (log_seconds.size() < least_points_for_slope) {
-    curve.undefined["slope"] = log_seconds.empty()       ? "no budget has an error of its own"
+    curve.undefined["slope"] = !known.leap.empty()       ? known.leap
+                               : log_seconds.empty()     ? no_own_error
                                : log_seconds.size() == 1 ? "one budget"
                                                          : "two budgets";
     return;
@@ -211,14 +221,53 @@ void set_slope(const std::vector<double>& log_seconds, const std::vector<double>
     curve.slope = Estimate{fit->slope, fit->slope_interval};
 }
 
-// Relative half-widths add in quadrature on the logarithm.
+// An end of an estimate, or the value that both ends are about.
+using EndOf = std::optional<double> (*)(const Estimate&);
+std::optional<double> value_of(const Estimate& e) { return e.value; }
+std::optional<double> low_of(const Estimate& e) { return e.interval ? std::optional(e.interval->low) : std::nullopt; }
+std::optional<double> high_of(const Estimate& e) { return e.interval ? std::optional(e.interval->high) : std::nullopt; }
+
+// Ascending seconds: times of a busy machine may have another order than budgets. Empty where a point lacks an end.
+CurvePoints points_with(EndOf seconds, EndOf relmse, const KnownPoints& curve) {
+  CurvePoints points;
+  for (const CurvePoint* point : curve.points) {
+    const auto s = seconds(point->seconds), e = relmse(*point->relmse);
+    if (!s || !e) return {};
+    points.emplace_back(*s, *e);
+  }
+  std::sort(points.begin(), points.end());
+  return points;
+}
+
+// Both uncertainties, that of the errors and that of the times, add in quadrature on the logarithm. Empty where one is
+// not known, or where an end of it is never reached.
+std::optional<Interval> interval_of_time(const KnownPoints& curve, double seconds, double relmse) {
+  struct Ends {
+    EndOf seconds, relmse;
+  };
+  constexpr std::pair<Ends, Ends> uncertain[] = {{{value_of, low_of}, {value_of, high_of}},
+                                                 {{low_of, value_of}, {high_of, value_of}}};
+  double down = 0, up = 0;
+  for (const auto& [low, high] : uncertain) {
+    const auto earliest = time_to_error(points_with(low.seconds, low.relmse, curve), relmse);
+    const auto latest = time_to_error(points_with(high.seconds, high.relmse, curve), relmse);
+    if (!earliest || !latest) return std::nullopt;
+    down = std::hypot(down, std::log(seconds / *earliest));
+    up = std::hypot(up, std::log(*latest / seconds));
+  }
+  return Interval{seconds * std::exp(-down), seconds * std::exp(up)};
+}
+
+// Relative half-widths add in quadrature on the logarithm; no interval where one of the two is not known.
 Estimate efficiency_of(const Estimate& relmse, const Estimate& seconds) {
   Estimate efficiency{1 / (relmse.value * seconds.value), {}};
-  if (!relmse.interval || relmse.interval->low <= 0) return efficiency;
-  const auto up = [](const Estimate& e) { return e.interval ? std::log(e.interval->high / e.value) : 0; };
-  const auto down = [](const Estimate& e) { return e.interval ? std::log(e.value / e.interval->low) : 0; };
-  efficiency.interval = Interval{efficiency.value * std::exp(-std::hypot(up(relmse), up(seconds))),
-                                 efficiency.value * std::exp(std::hypot(down(relmse), down(seconds)))};
+  double down = 0, up = 0;
+  for (const Estimate& part : {relmse, seconds}) {
+    if (!part.interval || part.interval->low <= 0) return efficiency;
+    down = std::hypot(down, std::log(part.interval->high / part.value));
+    up = std::hypot(up, std::log(part.value / part.interval->low));
+  }
+  efficiency.interval = Interval{efficiency.value * std::exp(-down), efficiency.value * std::exp(up)};
   return efficiency;
 }
 
@@ -231,41 +280,66 @@ std::optional<double> relmse_of(const Result& result) {
 }
 
 std::optional<double> time_to_error(const CurvePoints& points, double target) {
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    const auto& [t0, e0] = points[i - 1];
-    const auto& [t1, e1] = points[i];
-    if (e0 < target || e1 > target) continue;
-    if (e0 == e1) return t0;
-    const double part = std::log(e0 / target) / std::log(e0 / e1);
-    return t0 * std::pow(t1 / t0, part);
+  std::size_t below = points.size();  // the first of the points from which on all are
+  while (below > 0 && points[below - 1].second <= target) --below;
+  if (below == points.size()) return std::nullopt;
+  if (below == 0) return points[0].second == target ? std::optional(points[0].first) : std::nullopt;
+  const auto& [t0, e0] = points[below - 1];
+  const auto& [t1, e1] = points[below];
+  return t0 * std::pow(t1 / t0, std::log(e0 / target) / std::log(e0 / e1));
+}
+
+KnownPoints known_points(const Convergence& curve) {
+  KnownPoints known;
+  const CurvePoint* least = nullptr;
+  std::size_t behind_leap = 0;
+  for (const CurvePoint& point : curve.points) {
+    if (!has_own_error(point)) continue;
+    known.points.push_back(&point);
+    if (least != nullptr && point.relmse->value > tolerated_growth * least->relmse->value) {
+      behind_leap = known.points.size();
+      known.leap = fmt::format("error grows from {:.2g} at {} to {:.2g} at {}", least->relmse->value,
+                               least->budget.label(), point.relmse->value, point.budget.label());
+      least = nullptr;
+    }
+    if (least == nullptr || point.relmse->value < least->relmse->value) least = &point;
   }
-  return std::nullopt;
+  known.points.erase(known.points.begin(), known.points.begin() + static_cast<std::ptrdiff_t>(behind_leap));
+  if (behind_leap > 0 && known.points.size() < 2) known.points.clear();
+  return known;
+}
+
+TargetTime time_to_target(const KnownPoints& curve, double relmse) {
+  TargetTime target{relmse};
+  if (curve.points.empty()) {
+    target.undefined = curve.leap.empty() ? no_own_error : curve.leap;
+    return target;
+  }
+  const CurvePoints points = points_with(value_of, value_of, curve);
+  if (const auto seconds = time_to_error(points, relmse))
+    target.seconds = Estimate{*seconds, interval_of_time(curve, *seconds, relmse)};
+  else if (points.front().second <= relmse)
+    target.at_most = points.front().first;
+  else
+    target.more_than = points.back().first;
+  return target;
 }
 
 void conclude(Convergence& curve) {
-  CurvePoints points, low, high;
-  std::vector<double> log_seconds, log_relmse;
-  for (const CurvePoint& point : curve.points) {
-    if (!has_own_error(point)) continue;
-    const double seconds = point.seconds.value;
-    points.emplace_back(seconds, point.relmse->value);
-    if (point.relmse->interval) {
-      low.emplace_back(seconds, point.relmse->interval->low);
-      high.emplace_back(seconds, point.relmse->interval->high);
-    }
-    log_seconds.push_back(std::log(seconds));
-    log_relmse.push_back(std::log(point.relmse->value));
-  }
-  for (CurvePoints* list : {&points, &low, &high}) std::sort(list->begin(), list->end());
-  set_slope(log_seconds, log_relmse, curve);
+  const KnownPoints known = known_points(curve);
+  set_slope(known, curve);
   if (!curve.points.empty()) {
     const CurvePoint& last = curve.points.back();
-    if (has_own_error(last))
-      curve.efficiency = efficiency_of(*last.relmse, last.seconds);
-    else
+    if (!has_own_error(last))
       curve.undefined["efficiency"] = why_no_error(last);
+    else if (known.points.empty())
+      curve.undefined["efficiency"] = known.leap;
+    else
+      curve.efficiency = efficiency_of(*last.relmse, last.seconds);
   }
-  for (TargetTime& target : curve.targets) set_time(points, low, high, target);
+  for (TargetTime& target : curve.targets) target = time_to_target(known, target.relmse);
+  if (!known.leap.empty())
+    curve.caveats.push_back(known.leap + ": the smaller budgets met too few rare bright samples, or it is a fault");
   const auto few = [](const CurvePoint& point) { return point.seeds < 2; };
   if (std::any_of(curve.points.begin(), curve.points.end(), few))
     curve.caveats.push_back("one seed: neither spread nor bias is known");

@@ -21,6 +21,9 @@ using JudgeImages = std::function<CorrectnessRecord(const Cell& like, std::span<
 /// from it.
 inline constexpr const char* own_error_key = "own_error";
 
+/// Key of CurvePoint::undefined that says why relmse has no interval.
+inline constexpr const char* interval_key = "relmse_interval";
+
 using ErrorTargets = std::map<std::string, std::vector<double>>;  ///< by scene
 
 /// One record for each scene, engine and kind of budget that has a finished cell (references are left out), in the
@@ -37,10 +40,22 @@ void conclude(Convergence& curve);
 /// Of a finished cell with a reference; else empty.
 std::optional<double> relmse_of(const Result& result);
 
+/// The points of a curve that say how its error falls: each has a time and an error of its own, and no larger budget
+/// has more than twice the error. A small budget that met none of the rare bright samples looks better than it is.
+/// So points up to the last such leap are left out, and a single point behind it is, too.
+struct KnownPoints {
+  std::vector<const CurvePoint*> points;  ///< ascending budgets
+  std::string leap;  ///< "error grows from 0.006 at spp=16 to 1.25 at spp=64"; empty where it does not
+};
+KnownPoints known_points(const Convergence& curve);
+
+/// When the curve comes down to `relmse` and stays there, or why that is not known.
+TargetTime time_to_target(const KnownPoints& curve, double relmse);
+
 using CurvePoints = std::vector<std::pair<double, double>>;  ///< seconds and error
 
-/// When the curve through `points` (seconds and error, ascending seconds) first comes down to `target`: log-log between
-/// two points; empty outside of them.
+/// When the curve through `points` (seconds and error, ascending seconds) comes down to `target` for the last time:
+/// log-log between two points. Empty where the first point is below already, or the last one still above.
 std::optional<double> time_to_error(const CurvePoints& points, double target);
 
 }  // namespace photonproof

@@ -122,6 +122,111 @@ TEST(ErrorSplit, errors_are_relative_as_relmse_is) {
   EXPECT_NEAR(relative_variance(reference, spread), 0.5, 1e-6);
 }
 
+// As `noisy`, times 1 + a for the whole image, a normal with this deviation.
+Image noisy_together(double sd, double together, std::mt19937_64& generator) {
+  std::normal_distribution<double> normal(0, together);
+  const double scale = 1 + normal(generator);
+  return noisy(sd, scale, generator);
+}
+
+// Nominal 95 %; the binomial's standard error is 1.3 % of 300 experiments. By blocks alone a sixth to a third of them
+// find a bias that is not there.
+TEST(ErrorSplit, noise_of_the_whole_image_is_not_taken_for_bias) {
+  for (const std::size_t count : {2u, 3u, 4u, 6u})
+    for (const double together : {0.005, 0.02, 0.05}) {
+      int held = 0;
+      constexpr int experiments = 300;
+      for (std::uint64_t experiment = 0; experiment < experiments; ++experiment) {
+        std::mt19937_64 generator(7000 + experiment);
+        std::vector<Image> images;
+        for (std::size_t k = 0; k < count; ++k) images.push_back(noisy_together(0.1, together, generator));
+        held += split_error(truth(), nullptr, images).bias2->interval->low <= 0;
+      }
+      EXPECT_GE(held, experiments * (0.95 - 0.04)) << count << " images, " << together;
+    }
+}
+
+// relmse then is nearly that of the common factor alone, which is chi^2 of one degree of freedom: 2 images hold it
+// least often, since Student's t wants normal logarithms.
+TEST(ErrorSplit, interval_of_relmse_holds_it_where_pixels_share_noise) {
+  double expected = 0;
+  for (const float r : truth().rgb) expected += 0.0025 * r * r * relative_weight(r);
+  expected = expected / (3.0 * side * side) + expected_variance(0.01);
+  for (const std::size_t count : {2u, 3u, 4u, 6u}) {
+    int held = 0;
+    constexpr int experiments = 200;
+    for (std::uint64_t experiment = 0; experiment < experiments; ++experiment) {
+      std::mt19937_64 generator(9000 + experiment);
+      std::vector<Image> images;
+      for (std::size_t k = 0; k < count; ++k) images.push_back(noisy_together(0.01, 0.05, generator));
+      held += holds(split_error(truth(), nullptr, images).relmse.interval, expected);
+    }
+    EXPECT_GE(held, experiments * 0.88) << count;
+  }
+}
+
+// Against black a value x has the relmse x^2 / 0.01.
+Image grey(float value) {
+  Image image(16, 16);
+  std::fill(image.rgb.begin(), image.rgb.end(), value);
+  return image;
+}
+
+// relMSEs 0.04, 0.16 and 0.36: mean 0.186667, standard deviation 0.161658, standard error 0.0933333, and Student's
+// t(0.975; 2) = 4.302653, so exp(+-2.151325) times the mean.
+// Bias: the mean image is off by 0.4, variance 0.04, h = 4.302653 sqrt(0.04 / 3) = 0.496828, (0.4 + h)^2 = 0.804300.
+// Variance: 2 * 0.04 / chi^2(0.975; 2) = 0.08 / 7.377759, and 0.08 / 0.0506356.
+TEST(ErrorSplit, intervals_of_three_images_that_share_all_noise_are_those_of_three_numbers) {
+  const ErrorSplit split = split_error(grey(0), nullptr, std::vector<Image>{grey(0.02f), grey(0.04f), grey(0.06f)});
+  EXPECT_NEAR(split.relmse.value, 0.186667, 1e-6);
+  EXPECT_NEAR(split.relmse.interval->low, 0.186667 * std::exp(-2.151325), 1e-6);
+  EXPECT_NEAR(split.relmse.interval->high, 0.186667 * std::exp(2.151325), 1e-5);
+  EXPECT_NEAR(split.bias2->value, 0.16 - 0.04 / 3, 1e-6);
+  EXPECT_EQ(split.bias2->interval->low, 0);
+  EXPECT_NEAR(split.bias2->interval->high, 0.804300, 1e-5);
+  EXPECT_NEAR(split.variance->value, 0.04, 1e-6);
+  EXPECT_NEAR(split.variance->interval->low, 0.0108434, 1e-6);
+  EXPECT_NEAR(split.variance->interval->high, 1.579916, 1e-4);
+}
+
+// The same with a reference whose variance is 1e-4, relative to 0.01: 0.01. It is taken from bias2 and added to h^2:
+// sqrt(4.302653^2 0.04 / 3 + 0.01) = 0.506792.
+TEST(ErrorSplit, variance_of_the_reference_is_taken_from_the_bias_and_added_to_its_uncertainty) {
+  const Image variance = grey(1e-4f);
+  const ErrorSplit split = split_error(grey(0), &variance, std::vector<Image>{grey(0.02f), grey(0.04f), grey(0.06f)});
+  EXPECT_NEAR(split.bias2->value, 0.16 - 0.04 / 3 - 0.01, 1e-6);
+  EXPECT_NEAR(split.bias2->interval->high, std::pow(0.4 + 0.506792, 2), 1e-5);
+}
+
+// Two images that are 0.02 in one half and 0.04 in the other, the other way round: both have the relMSE 0.1. A block of
+// 48 values differs by 48 (0.16 - 0.04) = 5.76; its variance is 5.76^2/2, that of the mean of two images summed over
+// 16 blocks 16 * 5.76^2/4 = 11.52^2, relative to 0.1 * 768 values 0.15, times 1.959964.
+TEST(ErrorSplit, interval_of_relmse_of_independent_blocks_is_the_normal_one) {
+  std::vector<Image> images(2, grey(0.02f));
+  for (int y = 0; y < 16; ++y)
+    for (int x = 0; x < 16; ++x)
+      for (int c = 0; c < 3; ++c) images[x < 8 ? 0 : 1].pixel(x, y)[c] = 0.04f;
+  const ErrorSplit split = split_error(grey(0), nullptr, images);
+  EXPECT_NEAR(split.relmse.interval->high / split.relmse.value, std::exp(0.1500 * 1.959964), 1e-5);
+  EXPECT_NEAR(split.relmse.interval->low / split.relmse.value, std::exp(-0.1500 * 1.959964), 1e-5);
+}
+
+// 255 pixels with the squared error 1 and one of 12: 12 / 267 = 4.5 %; of 14, 14 / 269 = 5.2 %.
+TEST(ErrorSplit, error_of_which_one_pixel_has_a_twentieth_has_no_interval) {
+  for (const double of_one : {12.0, 14.0}) {
+    std::vector<Image> images{grey(0.02f), grey(0.02f), grey(0.02f)};
+    for (std::size_t k = 0; k < 3; ++k) {
+      for (std::size_t i = k % 2; i < images[k].rgb.size(); i += 2) images[k].rgb[i] *= -1;
+      for (int c = 0; c < 3; ++c) images[k].pixel(5, 5)[c] *= static_cast<float>(std::sqrt(of_one));
+    }
+    const ErrorSplit split = split_error(grey(0), nullptr, images);
+    EXPECT_NEAR(split.share_of_a_pixel, of_one / (255 + of_one), 1e-6);
+    EXPECT_EQ(split.is_of_few_pixels(), of_one == 14);
+    EXPECT_EQ(split.relmse.interval.has_value(), of_one == 12);
+    EXPECT_EQ(split.bias2->interval.has_value(), of_one == 12);
+  }
+}
+
 TEST(ErrorSplit, one_image_tells_nothing_of_its_spread) {
   std::mt19937_64 generator(7);
   const std::vector<Image> images{noisy(0.2, 1, generator)};

@@ -91,7 +91,7 @@ std::optional<RatioVerdict> judge_relmse(std::span<const PairedRound> rounds, co
     return verdict;
   }
   Estimate change{total, {}};
-  if (rounds.size() >= thresholds.least_rounds) change.interval = bootstrap_bca(rounds.size(), logarithm);
+  if (rounds.size() >= thresholds.least_rounds) change.interval = jackknife_interval(rounds.size(), logarithm);
   verdict.ratio = exponentiated(change);
   if (!change.interval)
     verdict.reason = too_few(rounds.size(), thresholds.least_rounds);

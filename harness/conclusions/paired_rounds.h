@@ -24,7 +24,7 @@ struct PairedRound {
 struct ChangeThresholds {
   double seconds = 0.015;  ///< of 1: half of the 3 % that is to be found, so that none and 3 % are equally easy to tell
   double relmse = 0.05;
-  std::size_t least_rounds = 5;  ///< the fewest whose median has a 95 % interval
+  std::size_t least_rounds = 6;  ///< the fewest whose median has a 95 % interval
 };
 
 struct RatioVerdict {
@@ -34,13 +34,13 @@ struct RatioVerdict {
   std::string reason;  ///< why inconclusive, or "" otherwise
 };
 
-/// Median ratio of processor times, new to the mean of both old ones, with its bootstrap 95 % interval. Inconclusive
+/// Median ratio of processor times, new to the mean of both old ones, with its 95 % interval. Inconclusive
 /// while the interval holds a threshold, while the control's interval excludes 1, or with too few rounds; more rounds
 /// may then decide.
 RatioVerdict judge_seconds(std::span<const PairedRound> rounds, const ChangeThresholds& thresholds = {});
 
-/// Ratio of mean relmse, its interval by resampling rounds. Same images in every round are unchanged at once. Empty
-/// where a round has no relmse.
+/// Ratio of mean relmse, its interval by the jackknife over rounds. Same images in every round are unchanged at once.
+/// Empty where a round has no relmse.
 std::optional<RatioVerdict> judge_relmse(std::span<const PairedRound> rounds, const ChangeThresholds& thresholds = {});
 
 /// On which side of 1 +- threshold the interval lies; inconclusive when it holds either end.

@@ -79,10 +79,11 @@ TEST(PairedRounds, session_whose_control_differs_from_itself_gives_no_verdict) {
       << verdict.reason;
 }
 
-TEST(PairedRounds, four_rounds_are_too_few) {
-  const RatioVerdict verdict = judge_seconds(rounds_of(4, 2, 0.001, 5));
+// The median of five lies between the extremes with 93.75 % (statistics.h).
+TEST(PairedRounds, five_rounds_are_too_few) {
+  const RatioVerdict verdict = judge_seconds(rounds_of(5, 2, 0.001, 5));
   EXPECT_EQ(verdict.change, Change::inconclusive);
-  EXPECT_EQ(verdict.reason, "4 rounds of at least 5");
+  EXPECT_EQ(verdict.reason, "5 rounds of at least 6");
 }
 
 TEST(PairedRounds, same_images_are_unchanged_after_one_round) {
@@ -105,6 +106,25 @@ TEST(PairedRounds, error_is_judged_by_the_ratio_of_its_means) {
   EXPECT_NEAR(worse.ratio.value, 1.2, 0.03);  // sd of the ratio: 1.2 * 0.02 * sqrt(2 / 12) = 0.01
   for (PairedRound& round : rounds) std::swap(round.old_relmse, round.new_relmse);
   EXPECT_EQ(judge_relmse(rounds)->change, Change::improvement);
+}
+
+// Nominal 95 %; the binomial's standard error is 0.7 % of 1,000 experiments.
+TEST(PairedRounds, interval_of_the_errors_ratio_covers_it_as_often_as_it_says) {
+  std::mt19937_64 generator(4);
+  std::normal_distribution<double> normal(0, 0.1);
+  for (const std::size_t count : {6u, 8u, 16u}) {
+    int held = 0;
+    for (int experiment = 0; experiment < 1000; ++experiment) {
+      std::vector<PairedRound> rounds = rounds_of(count, 1, 0.01, 1);
+      for (PairedRound& round : rounds) {
+        round.old_relmse = 0.010 * std::exp(normal(generator));
+        round.new_relmse = 0.012 * std::exp(normal(generator));
+      }
+      const Interval interval = *judge_relmse(rounds)->ratio.interval;
+      held += interval.low <= 1.2 && 1.2 <= interval.high;
+    }
+    EXPECT_NEAR(held, 950, 22) << count;
+  }
 }
 
 TEST(PairedRounds, without_a_reference_the_error_is_not_judged) {

@@ -1,72 +1,97 @@
 #include "harness/conclusions/race.h"
 
 #include <algorithm>
-#include <map>
+#include <limits>
 #include <string>
+#include <utility>
 
 #include "harness/conclusions/convergence.h"
 
 namespace photonproof {
 namespace {
 
-/// An error that grows with the budget by more than this is not known.
-constexpr double tolerated_growth = 2;
+using Time = RaceRecord::Time;
 
-double least_error(const CurvePoints& points) {
-  return std::min_element(points.begin(), points.end(),
-                          [](const auto& a, const auto& b) { return a.second < b.second; })
-      ->second;
+bool is_value(const Time& time) { return !time.at_most && !time.more_than; }
+double least(const Time& time) { return time.at_most ? 0 : time.seconds; }
+double most(const Time& time) { return time.more_than ? std::numeric_limits<double>::infinity() : time.seconds; }
+
+bool order_is_known(const Time& a, const Time& b) {
+  return (is_value(a) && is_value(b)) || most(a) <= least(b) || most(b) <= least(a);
 }
 
-/// Seconds and error, ascending seconds.
-CurvePoints points_of(const Convergence& curve) {
-  CurvePoints points;
-  for (const CurvePoint& point : curve.points)
-    if (point.relmse && point.relmse->value > 0 && point.seconds.value > 0 && !point.undefined.contains(own_error_key))
-      points.emplace_back(point.seconds.value, point.relmse->value);
-  // Small budgets that met none of the rare bright samples look better than they are. In the order of budgets: times of
-  // a busy machine may have another.
-  if (!points.empty() && points.back().second > tolerated_growth * least_error(points)) return {};
-  std::sort(points.begin(), points.end());
-  return points;
+struct Runner {
+  std::string engine;
+  KnownPoints points;
+};
+
+std::vector<Time> times_to(double relmse, const std::vector<Runner>& runners) {
+  std::vector<Time> times;
+  for (const Runner& runner : runners) {
+    const TargetTime target = time_to_target(runner.points, relmse);
+    const Time time{runner.engine,
+                    target.seconds ? target.seconds->value : target.at_most.value_or(target.more_than.value_or(0)),
+                    target.at_most.has_value(), target.more_than.has_value()};
+    const auto same = std::ranges::find(times, time.engine, &Time::engine);
+    if (same == times.end())
+      times.push_back(time);
+    else if (std::pair(most(time), time.seconds) < std::pair(most(*same), same->seconds))
+      *same = time;
+  }
+  return times;
 }
 
-RaceRecord::Time time_of(const std::string& engine, const CurvePoints& points, double error) {
-  if (points.front().second <= error) return {engine, points.front().first, true};
-  return {engine, *time_to_error(points, error), false};
+struct Score {
+  std::size_t values = 0, known_orders = 0;
+  auto operator<=>(const Score&) const = default;
+};
+
+Score score_of(const std::vector<Time>& times) {
+  Score score;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    score.values += is_value(times[i]);
+    for (std::size_t j = 0; j < i; ++j) score.known_orders += order_is_known(times[i], times[j]);
+  }
+  return score;
+}
+
+void rank(std::vector<Time>& times) {
+  for (Time& time : times)
+    time.unranked = !is_value(time) && !std::ranges::all_of(times, [&](const Time& other) {
+      return &other == &time || order_is_known(time, other);
+    });
+  std::ranges::stable_sort(times, {}, [](const Time& t) { return std::pair(t.unranked, t.seconds); });
 }
 
 }  // namespace
 
 std::vector<RaceRecord> races_of(const std::vector<Convergence>& curves) {
-  struct Runner {
-    std::string engine;
-    CurvePoints points;
-  };
-  std::vector<std::string> scenes;
-  std::map<std::string, std::vector<Runner>> runners;
+  std::vector<std::pair<std::string, std::vector<Runner>>> scenes;
   for (const Convergence& curve : curves) {
-    CurvePoints points = points_of(curve);
-    if (points.empty()) continue;
-    if (!runners.contains(curve.scene)) scenes.push_back(curve.scene);
-    runners[curve.scene].push_back({curve.engine, std::move(points)});
+    KnownPoints points = known_points(curve);
+    if (points.points.empty()) continue;
+    auto scene = std::ranges::find(scenes, curve.scene, [](const auto& entry) { return entry.first; });
+    if (scene == scenes.end()) scene = scenes.insert(scenes.end(), {curve.scene, {}});
+    scene->second.push_back({curve.engine, std::move(points)});
   }
   std::vector<RaceRecord> races;
-  for (const std::string& scene : scenes) {
+  for (const auto& [scene, runners] : scenes) {
+    std::vector<double> errors;
+    for (const Runner& runner : runners) errors.push_back(runner.points.points.back()->relmse->value);
+    std::ranges::sort(errors);
     RaceRecord race{scene, 0, {}};
-    for (const Runner& runner : runners[scene]) race.relmse = std::max(race.relmse, least_error(runner.points));
-    for (const Runner& runner : runners[scene]) {
-      const RaceRecord::Time time = time_of(runner.engine, runner.points, race.relmse);
-      const auto same = std::find_if(race.times.begin(), race.times.end(),
-                                     [&](const RaceRecord::Time& other) { return other.engine == time.engine; });
-      if (same == race.times.end())
-        race.times.push_back(time);
-      else if (time.seconds < same->seconds)
-        *same = time;
+    Score best;
+    for (const double error : errors) {
+      std::vector<Time> times = times_to(error, runners);
+      const Score score = score_of(times);
+      if (score.known_orders == 0 || score <= best) continue;
+      best = score;
+      race.relmse = error;
+      race.times = std::move(times);
     }
-    std::stable_sort(race.times.begin(), race.times.end(),
-                     [](const auto& a, const auto& b) { return a.seconds < b.seconds; });
-    if (race.times.size() > 1) races.push_back(std::move(race));
+    if (race.times.empty()) continue;
+    rank(race.times);
+    races.push_back(std::move(race));
   }
   return races;
 }

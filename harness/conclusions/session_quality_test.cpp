@@ -30,8 +30,8 @@ TEST(SessionQuality, engine_that_disagrees_with_itself_makes_the_session_noisy) 
             "1.212) times as long");
 }
 
-TEST(SessionQuality, four_pairs_are_too_few_to_tell) {
-  EXPECT_EQ(control_caveat(twins(4, 1), "a", "b"), "control: 4 pairs of 'a' with itself are too few for an interval");
+TEST(SessionQuality, five_pairs_are_too_few_to_tell) {
+  EXPECT_EQ(control_caveat(twins(5, 1), "a", "b"), "control: 5 pairs of 'a' with itself are too few for an interval");
 }
 
 TEST(SessionQuality, control_that_was_not_measured_says_nothing) {

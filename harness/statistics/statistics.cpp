@@ -1,6 +1,7 @@
 #include "harness/statistics/statistics.h"
 
 #include <algorithm>
+#include <boost/math/distributions/binomial.hpp>
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
@@ -10,7 +11,7 @@
 namespace photonproof {
 namespace {
 
-constexpr std::size_t least_for_median_interval = 5;
+constexpr double two_sided_975 = 0.975;
 constexpr std::size_t least_for_outliers = 5;
 constexpr double normal_quartile = 0.6745;  // a normal distribution's MAD in standard deviations
 constexpr double outlier_score = 3.5;
@@ -47,8 +48,8 @@ std::vector<std::size_t> all_indices(std::size_t count) {
   return indices;
 }
 
-// Of the jackknife's values: sum d^3 / (6 (sum d^2)^1.5) of the deviations from their mean.
-double acceleration(std::size_t count, const IndexStatistic& statistic) {
+// The statistic without the first observation, without the second ...
+std::vector<double> jackknife(std::size_t count, const IndexStatistic& statistic) {
   std::vector<double> without_one;
   std::vector<std::size_t> indices = all_indices(count);
   indices.pop_back();
@@ -56,6 +57,12 @@ double acceleration(std::size_t count, const IndexStatistic& statistic) {
     without_one.push_back(statistic(indices));
     if (left_out > 0) indices[left_out - 1] = left_out;
   }
+  return without_one;
+}
+
+// Sum d^3 / (6 (sum d^2)^1.5) of the deviations of the jackknife's values from their mean.
+double acceleration(std::size_t count, const IndexStatistic& statistic) {
+  const std::vector<double> without_one = jackknife(count, statistic);
   const double mean = mean_of(without_one);
   double squares = 0, cubes = 0;
   for (const double value : without_one) {
@@ -72,18 +79,21 @@ double mean_of(std::span<const double> values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
+double sample_variance(std::span<const double> values) {
+  const double mean = mean_of(values);
+  double squares = 0;
+  for (const double value : values) squares += (value - mean) * (value - mean);
+  return squares / static_cast<double>(values.size() - 1);
+}
+
+double student_975(double freedom) { return boost::math::quantile(boost::math::students_t(freedom), two_sided_975); }
+
 double median_of(std::span<const double> values) {
   std::vector<double> sorted(values.begin(), values.end());
   const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
   std::nth_element(sorted.begin(), middle, sorted.end());
   if (sorted.size() % 2 == 1) return *middle;
   return (*std::max_element(sorted.begin(), middle) + *middle) / 2;
-}
-
-Interval bootstrap_percentile(std::size_t count, const IndexStatistic& statistic, const BootstrapOptions& options) {
-  const std::vector<double> resamples = sorted_resamples(count, statistic, options);
-  const double tail = (1 - options.confidence) / 2;
-  return {quantile(resamples, tail), quantile(resamples, 1 - tail)};
 }
 
 Interval bootstrap_bca(std::size_t count, const IndexStatistic& statistic, const BootstrapOptions& options) {
@@ -105,31 +115,58 @@ Interval bootstrap_bca(std::size_t count, const IndexStatistic& statistic, const
   return {end(tail), end(1 - tail)};
 }
 
-Estimate estimated_mean(std::span<const double> values, const BootstrapOptions& options) {
+Interval jackknife_interval(std::size_t count, const IndexStatistic& statistic) {
+  const std::vector<double> without_one = jackknife(count, statistic);
+  const double mean = mean_of(without_one);
+  double squares = 0;
+  for (const double value : without_one) squares += (value - mean) * (value - mean);
+  const auto n = static_cast<double>(count);
+  const double half = student_975(n - 1) * std::sqrt(squares * (n - 1) / n);
+  const double observed = statistic(all_indices(count));
+  return {observed - half, observed + half};
+}
+
+Interval interval_on_logarithm(double value, double relative_half_width) {
+  return {value * std::exp(-relative_half_width), value * std::exp(relative_half_width)};
+}
+
+Estimate estimated_mean(std::span<const double> values) {
   Estimate estimate{mean_of(values), {}};
   if (values.size() < 2) return estimate;
-  estimate.interval = bootstrap_bca(
-      values.size(),
-      [&](std::span<const std::size_t> indices) {
-        double sum = 0;
-        for (const std::size_t i : indices) sum += values[i];
-        return sum / static_cast<double>(indices.size());
-      },
-      options);
+  const auto n = static_cast<double>(values.size());
+  const double standard_error = std::sqrt(sample_variance(values) / n);
+  estimate.interval = interval_on_logarithm(estimate.value, student_975(n - 1) * standard_error / estimate.value);
   return estimate;
 }
 
-Estimate estimated_median(std::span<const double> values, const BootstrapOptions& options) {
+Estimate estimated_median(std::span<const double> values) {
   Estimate estimate{median_of(values), {}};
-  if (values.size() < least_for_median_interval) return estimate;
-  std::vector<double> drawn(values.size());
-  estimate.interval = bootstrap_percentile(
-      values.size(),
-      [&](std::span<const std::size_t> indices) {
-        std::transform(indices.begin(), indices.end(), drawn.begin(), [&](std::size_t i) { return values[i]; });
-        return median_of(drawn);
-      },
-      options);
+  const std::size_t n = values.size();
+  const boost::math::binomial below(static_cast<double>(n), 0.5);  // how many of n lie below the median
+  // Probability that it lies between the k-th least and the k-th largest.
+  const auto coverage = [&](std::size_t k) { return 1 - 2 * boost::math::cdf(below, static_cast<double>(k - 1)); };
+  constexpr double confidence = 0.95;
+  if (coverage(1) < confidence) return estimate;
+  std::size_t k = 1;
+  while (coverage(k + 1) >= confidence) ++k;
+  const double part = (coverage(k) - confidence) / (coverage(k) - coverage(k + 1));
+  const auto rank = static_cast<double>(k), left = static_cast<double>(n - k);
+  const double inward = left * part / (rank + (left - rank) * part);
+  std::vector<double> sorted(values.begin(), values.end());
+  std::sort(sorted.begin(), sorted.end());
+  estimate.interval =
+      Interval{std::lerp(sorted[k - 1], sorted[k], inward), std::lerp(sorted[n - k], sorted[n - k - 1], inward)};
+  return estimate;
+}
+
+Estimate estimated_time(std::span<const double> values) {
+  Estimate estimate = estimated_median(values);
+  if (estimate.interval || values.size() < 2 || *std::min_element(values.begin(), values.end()) <= 0) return estimate;
+  std::vector<double> logarithms;
+  for (const double value : values) logarithms.push_back(std::log(value));
+  const auto n = static_cast<double>(values.size());
+  const double half = student_975(n - 1) * std::sqrt(sample_variance(logarithms) / n);
+  estimate.interval = interval_on_logarithm(std::exp(mean_of(logarithms)), half);
   return estimate;
 }
 
@@ -150,8 +187,7 @@ std::optional<LineFit> fit_line(std::span<const double> x, std::span<const doubl
     const double residual = y[i] - fit.intercept - fit.slope * x[i];
     residuals += residual * residual;
   }
-  const boost::math::students_t student(n - 2);
-  const double half = boost::math::quantile(student, 0.975) * std::sqrt(residuals / (n - 2) / xx);
+  const double half = student_975(n - 2) * std::sqrt(residuals / (n - 2) / xx);
   fit.slope_interval = Interval{fit.slope - half, fit.slope + half};
   return fit;
 }

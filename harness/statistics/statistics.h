@@ -1,4 +1,4 @@
-// Small-sample statistics of benchmarks: medians, bootstrap intervals, least squares, outliers. Everything is
+// Small-sample statistics of benchmarks: medians, means, their intervals, least squares, outliers. Everything is
 // deterministic: resampling draws from a generator of a fixed seed.
 #pragma once
 
@@ -14,6 +14,9 @@ namespace photonproof {
 
 /// Precondition of all of these: no value is NaN, and there is at least one.
 double mean_of(std::span<const double> values);
+double sample_variance(std::span<const double> values);  ///< of two values or more
+/// Half-width of a two-sided 95 % interval in standard errors, by Student's t.
+double student_975(double freedom);
 double median_of(std::span<const double> values);  ///< of an even number, the mean of the two in the middle
 
 struct BootstrapOptions {
@@ -25,18 +28,28 @@ struct BootstrapOptions {
 /// A statistic of the observations whose indices it is given, of which some may repeat.
 using IndexStatistic = std::function<double(std::span<const std::size_t> indices)>;
 
-/// Percentile interval (Efron 1979) of a statistic of `count` independent observations. It commutes with monotone
-/// transformations and suits medians; of five observations, the median's is from the least to the largest.
-Interval bootstrap_percentile(std::size_t count, const IndexStatistic& statistic, const BootstrapOptions& options = {});
-
 /// Bias-corrected and accelerated (Efron 1987, "Better bootstrap confidence intervals"): for smooth statistics such as
-/// means, whose skewed distribution it follows.
+/// means, whose skewed distribution it follows. It needs dozens of observations: the bootstrap's interval of the mean
+/// of two is from one to the other, which holds the truth half of the time.
 Interval bootstrap_bca(std::size_t count, const IndexStatistic& statistic, const BootstrapOptions& options = {});
 
-/// The mean and its BCa interval; no interval below two values.
-Estimate estimated_mean(std::span<const double> values, const BootstrapOptions& options = {});
-/// The median and its percentile interval; no interval below five values, which is where one of 95 % is to be had.
-Estimate estimated_median(std::span<const double> values, const BootstrapOptions& options = {});
+/// 95 % interval of a smooth statistic of a few independent observations: Student's, with the standard error of the
+/// jackknife (Tukey 1958); of a mean this is the textbook's. Precondition: two observations or more.
+Interval jackknife_interval(std::size_t count, const IndexStatistic& statistic);
+
+/// `value` times and by exp(relative_half_width): an interval on the logarithm, whose ends stay positive.
+Interval interval_on_logarithm(double value, double relative_half_width);
+
+/// The mean of positive values and Student's 95 % interval, taken on the logarithm; no interval below two values.
+Estimate estimated_mean(std::span<const double> values);
+/// The median and its 95 % interval between order statistics, interpolated (Hettmansperger and Sheather 1986,
+/// "Confidence intervals based on interpolated order statistics"). It covers 94 to 95 % whatever the distribution is;
+/// the percentile bootstrap covers 87 % of seven values. No interval below six values: from the least to the largest of
+/// five lies the median with probability 1 - 2/32.
+Estimate estimated_median(std::span<const double> values);
+/// The median of positive times. Below six of them the interval is Student's of their logarithms, which covers 95 % of
+/// log-normal times and 93 % of those with an exponential tail; no interval below two.
+Estimate estimated_time(std::span<const double> values);
 
 struct LineFit {
   double slope = 0, intercept = 0;

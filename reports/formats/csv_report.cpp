@@ -87,6 +87,7 @@ void add_target(Table& table, Subject subject, const TargetTime& target) {
   if (target.more_than)
     subject.text = fmt::format("more than {}: the largest budget's error is above", *target.more_than);
   if (target.at_most) subject.text = fmt::format("at most {}: the smallest budget's error is below", *target.at_most);
+  if (!target.undefined.empty()) subject.text = target.undefined;
   table.add(subject, "seconds_to_target", target.seconds);
 }
 

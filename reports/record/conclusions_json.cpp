@@ -96,12 +96,13 @@ json target_to_json(const TargetTime& target) {
   set_estimate(j, "seconds", target.seconds);
   if (target.more_than) j["more_than"] = finite(*target.more_than, "time to a target");
   if (target.at_most) j["at_most"] = finite(*target.at_most, "time to a target");
+  if (!target.undefined.empty()) j["undefined"] = target.undefined;
   return j;
 }
 
 TargetTime target_from_json(const json& j) {
   return {j.at("relmse"), optional_estimate(j, "seconds"), optional_at<double>(j, "more_than"),
-          optional_at<double>(j, "at_most")};
+          optional_at<double>(j, "at_most"), j.value("undefined", "")};
 }
 
 json convergence_to_json(const Convergence& curve) {
@@ -137,6 +138,8 @@ json race_to_json(const RaceRecord& race) {
   for (const RaceRecord::Time& time : race.times) {
     times.push_back({{"engine", time.engine}, {"seconds", finite(time.seconds, "time of a race")}});
     if (time.at_most) times.back()["at_most"] = true;
+    if (time.more_than) times.back()["more_than"] = true;
+    if (time.unranked) times.back()["unranked"] = true;
   }
   return {{"scene", race.scene}, {"relmse", finite(race.relmse, "error of a race")}, {"times", std::move(times)}};
 }
@@ -144,7 +147,8 @@ json race_to_json(const RaceRecord& race) {
 RaceRecord race_from_json(const json& j) {
   RaceRecord race{j.at("scene"), j.at("relmse"), {}};
   for (const json& time : j.at("times"))
-    race.times.push_back({time.at("engine"), time.at("seconds"), time.value("at_most", false)});
+    race.times.push_back({time.at("engine"), time.at("seconds"), time.value("at_most", false),
+                          time.value("more_than", false), time.value("unranked", false)});
   return race;
 }
 

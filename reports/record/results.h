@@ -178,6 +178,7 @@ struct TargetTime {
   /// Where there is none: what it must take, the seconds of the largest budget, or of the smallest, whose errors are
   /// still above, already below the target.
   std::optional<double> more_than{}, at_most{};
+  std::string undefined{};  ///< why nothing is known of the time; empty where something is
   friend bool operator==(const TargetTime&, const TargetTime&) = default;
 };
 
@@ -194,17 +195,19 @@ struct Convergence {
   friend bool operator==(const Convergence&, const Convergence&) = default;
 };
 
-/// How long each engine took on a scene to come down to the least error that all of them reach.
+/// How long each engine took on a scene to come down to one error, which most of them reach between two budgets.
 struct RaceRecord {
   struct Time {
     std::string engine;
-    double seconds = 0;    ///< interpolated between its budgets
-    bool at_most = false;  ///< its smallest budget is below that error already: it may need less
+    double seconds = 0;      ///< interpolated between its budgets, or a bound
+    bool at_most = false;    ///< its smallest budget is below that error already: it may need less
+    bool more_than = false;  ///< its largest budget is still above that error: it needs more
+    bool unranked = false;   ///< a bound that leaves open which engine is faster
     friend bool operator==(const Time&, const Time&) = default;
   };
   std::string scene;
   double relmse = 0;
-  std::vector<Time> times;  ///< fastest first
+  std::vector<Time> times;  ///< fastest first, then those without a rank
   friend bool operator==(const RaceRecord&, const RaceRecord&) = default;
 };
 

@@ -30,6 +30,11 @@ std::string estimate_text(const std::optional<Estimate>& estimate, const Reasons
   return fmt::format("{} ({})", undefined_number, why->second);
 }
 
+std::string why_no_interval(const CurvePoint& point) {
+  const auto why = point.undefined.find("relmse_interval");
+  return why == point.undefined.end() ? "" : " (" + why->second + ")";
+}
+
 PlainTable points_table(const std::vector<const Convergence*>& curves, const std::string& mark) {
   const Clock clock = curves.empty() ? Clock::wall : curves.front()->clock;
   PlainTable table{{"Engine", "Budget", "Seeds", "Verdict", clock == Clock::wall ? "Median wall s" : "Median CPU s",
@@ -39,7 +44,8 @@ PlainTable points_table(const std::vector<const Convergence*>& curves, const std
     for (const CurvePoint& point : curve->points) {
       table.rows.push_back({curve->engine, budget_text(point.budget), std::to_string(point.seeds),
                             or_dash(point.correctness, verdict_text), estimate_text(point.seconds),
-                            estimate_text(point.relmse) + mark, estimate_text(point.bias2, point.undefined, "bias2"),
+                            estimate_text(point.relmse) + mark + why_no_interval(point),
+                            estimate_text(point.bias2, point.undefined, "bias2"),
                             estimate_text(point.variance, point.undefined, "variance")});
     }
   }
@@ -49,6 +55,7 @@ PlainTable points_table(const std::vector<const Convergence*>& curves, const std
 std::string time_text(const TargetTime& target) {
   if (target.more_than) return "> " + significant(*target.more_than);
   if (target.at_most) return "≤ " + significant(*target.at_most);
+  if (!target.undefined.empty()) return fmt::format("{} ({})", undefined_number, target.undefined);
   return estimate_text(target.seconds);
 }
 

@@ -169,7 +169,7 @@ inline Results sample_conclusions() {
                       "hole-ref.png",
                       {{"estimator", "path"}, {"samples", "65536"}, {"standard_error", "0.1 %"}}};
   results.convergence = {sample_curve()};
-  results.races = {{"box", 0.05, {{"photon", 1.25, false}, {"povray", 2.5, true}}}};
+  results.races = {{"box", 0.05, {{"photon", 1.25, false}, {"povray", 2.5, true, false, true}}}};
   results.gates = sample_gates();
   results.changes = sample_changes();
   return results;

@@ -27,8 +27,11 @@ std::string size_text(const CorrectnessRecord& record) {
       return record.would_see ? "within " + percent(*record.would_see) : "";
     case Correctness::biased:
       return judged && excludes_zero(*record.whole->interval) ? signed_text(record.whole->value) : somewhere;
-    case Correctness::noisy:
-      return judged ? "±" + percent((record.whole->interval->high - record.whole->interval->low) / 2) : "";
+    case Correctness::noisy: {
+      if (!judged) return "";
+      const double half = (record.whole->interval->high - record.whole->interval->low) / 2;
+      return half < 1 ? "±" + percent(half) : "beyond ±100 %";  // then nothing at all is known
+    }
     case Correctness::unknown:
       return record.whole ? signed_text(record.whole->value) : "";
   }
@@ -141,12 +144,24 @@ std::vector<EngineGlance> glances(const View& view) {
 std::vector<std::string> race_texts(const View& view) {
   std::vector<std::string> texts;
   for (const RaceRecord* race : view.races) {
-    const double fastest = race->times.front().seconds;
     std::string text = fmt::format("{}, to relMSE {}:", race->scene, significant(race->relmse, 2));
+    const RaceRecord::Time* before = nullptr;
+    std::optional<double> fastest;  // a value: no factor comes of a bound
     for (const RaceRecord::Time& time : race->times) {
-      text += fmt::format("{} {} {}{} s", &time == &race->times.front() ? "" : ",", time.engine,
-                          time.at_most ? "≤ " : "", significant(time.seconds, 2));
-      if (time.seconds > fastest) text += fmt::format(" (×{})", significant(time.seconds / fastest, 2));
+      const bool first_without_rank = time.unranked && before != nullptr && !before->unranked;
+      text += fmt::format("{} {} {}{} s",
+                          before == nullptr    ? ""
+                          : first_without_rank ? "; without a rank:"
+                                               : ",",
+                          time.engine,
+                          time.at_most     ? "≤ "
+                          : time.more_than ? "> "
+                                           : "",
+                          significant(time.seconds, 2));
+      before = &time;
+      if (time.at_most || time.more_than) continue;
+      if (!fastest) fastest = time.seconds;
+      if (time.seconds > *fastest) text += fmt::format(" (×{})", significant(time.seconds / *fastest, 2));
     }
     texts.push_back(std::move(text));
   }

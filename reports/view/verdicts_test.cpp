@@ -20,6 +20,7 @@ TEST(Verdicts, say_the_number_that_goes_with_them) {
   EXPECT_EQ(verdict_text(record(Correctness::biased, Estimate{-0.51, Interval{-0.53, -0.49}})), "biased −51 %");
   EXPECT_EQ(verdict_text(record(Correctness::biased, Estimate{0.001, Interval{-0.003, 0.005}})), "biased in places");
   EXPECT_EQ(verdict_text(record(Correctness::noisy, Estimate{0.01, Interval{-0.11, 0.13}})), "noisy ±12 %");
+  EXPECT_EQ(verdict_text(record(Correctness::noisy, Estimate{0.01, Interval{-25.81, 25.83}})), "noisy beyond ±100 %");
   EXPECT_EQ(verdict_text(record(Correctness::unknown)), "unknown");
   EXPECT_EQ(verdict_text(record(Correctness::unknown, Estimate{0.02, {}})), "unknown +2.0 %");
 }
@@ -43,7 +44,8 @@ TEST(Verdicts, at_a_glance_count_the_right_scenes_and_name_the_others) {
   const std::vector<EngineGlance> seen = glances(view);
   ASSERT_EQ(seen.size(), 1u) << "POV-Ray has no verdict";
   EXPECT_EQ(seen[0].text, "biased on box (+1.2 %)");
-  EXPECT_EQ(race_texts(view), std::vector<std::string>{"box, to relMSE 0.050: photon 1.2 s, povray ≤ 2.5 s (×2.0)"});
+  EXPECT_EQ(race_texts(view),
+            std::vector<std::string>{"box, to relMSE 0.050: photon 1.2 s; without a rank: povray ≤ 2.5 s"});
 }
 
 TEST(Verdicts, on_the_console_stand_beside_the_error_with_the_doubt_about_the_reference) {
