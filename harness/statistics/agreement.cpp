@@ -86,7 +86,7 @@ std::string text(const char* format, Values... values) {
 }
 
 StatisticalVerdict test_all_pixels(const std::array<Differences, 3>& channels, const Rendering& reference,
-                                   const Rendering& test, double alpha) {
+                                   const Rendering& test, double alpha, double freedom) {
   StatisticalVerdict verdict;
   verdict.n = 3 * reference.mean.pixels();
   verdict.alpha = sidak(alpha, static_cast<double>(verdict.n));
@@ -100,7 +100,7 @@ StatisticalVerdict test_all_pixels(const std::array<Differences, 3>& channels, c
       for_each_pixel(block, [&](int x, int y) {
         const double variance = std::max(least, d.variance[d.index(x, y)]);
         const double t = variance > 0 ? std::abs(d.difference[d.index(x, y)]) / std::sqrt(variance) : 0;
-        const double deviate = gamma_deviate(t, shape);
+        const double deviate = normal_deviate(gamma_deviate(t, shape), freedom);
         if (deviate > verdict.bound) ++beyond;
         if (deviate <= verdict.observed) return;
         verdict.observed = deviate;
@@ -260,7 +260,7 @@ class Weights {
   std::array<std::vector<double>, 2> weights_;
 };
 
-/// A channel's weighed sum over an image.
+/// A channel's weighed sum over an image, or its plain mean.
 struct Mean {
   double value = 0;
   KnownVariance known;
@@ -293,17 +293,45 @@ double least_seen(const Deviation& difference, const KnownVariance& of_test, dou
   return x < 1 ? (x + std::sqrt(x * x + (1 - x) * (r + x))) / (1 - x) : INFINITY;
 }
 
+constexpr const char* not_judged = "not judged: pixels of an image share noise";
+
+/// The plain mean of a channel, whose variance the image says itself where pixels share noise; empty where it does not.
+std::optional<Mean> plain_mean(const Rendering& rendering, std::size_t channel, bool shares_noise) {
+  const auto pixels = static_cast<double>(rendering.mean.pixels());
+  Mean mean;
+  double variance = 0;
+  for (std::size_t i = channel; i < rendering.mean.rgb.size(); i += 3) {
+    mean.value += double{rendering.mean.rgb[i]} / pixels;
+    variance += double{rendering.variance->rgb[i]};
+  }
+  const auto stored = stored_mean_error(rendering);
+  if (stored)
+    mean.known = {std::pow(stored->standard_error[channel], 2), stored->passes - 1};
+  else if (shares_noise)
+    return std::nullopt;
+  else
+    mean.known.variance = variance / (pixels * pixels);
+  return mean;
+}
+
+/// The passes that the images' variances come from, less one; infinite where none says.
+double freedom_of_passes(const Rendering& reference, const Rendering& test) {
+  double freedom = INFINITY;
+  for (const Rendering* rendering : {&reference, &test})
+    if (const auto stored = stored_mean_error(*rendering)) freedom = std::min(freedom, stored->passes - 1);
+  return freedom;
+}
+
 /// Also says what it would have seen.
-StatisticalVerdict test_whole(const Rendering& reference, const Rendering& test, double alpha,
-                              std::optional<double>& seen) {
+template <class MeansOf>
+StatisticalVerdict test_whole(const MeansOf& means_of, double alpha, std::optional<double>& seen) {
   StatisticalVerdict verdict;
   verdict.n = 3;
   verdict.alpha = sidak(alpha, 3);
   verdict.bound = -boost::math::quantile(boost::math::normal(), verdict.alpha / 2);
   double worst = -1;
   for (std::size_t channel = 0; channel < 3; ++channel) {
-    const Weights weight(reference, test, channel);
-    const Mean of_reference = weighted_mean(reference, channel, weight), of_test = weighted_mean(test, channel, weight);
+    const auto [of_reference, of_test] = means_of(channel);
     const Deviation d = deviation_of(of_test.value, of_reference.value, of_test.known, of_reference.known);
     if (d.expected != 0)
       seen = std::max(seen.value_or(0), least_seen(d, of_test.known, verdict.alpha, Agreement::power));
@@ -325,22 +353,42 @@ void check_variance(const Rendering& rendering, const char* name) {
 }  // namespace
 
 std::string Agreement::power_sentence() const {
+  if (shared_noise && whole.n == 0) return "the image does not say how certain its mean is, so no error could be seen";
   if (!would_see) return "the whole image is black: no error of its brightness could have been seen";
   if (std::isinf(*would_see)) return "too noisy for any error of the whole image to be seen";
   return "an error of " + percent_text(*would_see) + " of the whole image would have been seen " +
          text("(probability %g)", power);
 }
 
-Agreement test_agreement(const Rendering& reference, const Rendering& test, double alpha) {
+Agreement test_agreement(const Rendering& reference, const Rendering& test, double alpha, bool shared_noise) {
   check_variance(reference, "reference");
   check_variance(test, "test");
   const std::array<Differences, 3> channels{differences(reference, test, 0), differences(reference, test, 1),
                                             differences(reference, test, 2)};
   const double part = sidak(alpha, 3);
   Agreement agreement;
-  agreement.pixels = test_all_pixels(channels, reference, test, part);
-  agreement.blocks = test_blocks(channels, reference, test, part);
-  agreement.whole = test_whole(reference, test, part, agreement.would_see);
+  agreement.shared_noise = shared_noise || shares_photons(reference) || shares_photons(test);
+  if (!agreement.shared_noise) {
+    agreement.pixels = test_all_pixels(channels, reference, test, part, INFINITY);
+    agreement.blocks = test_blocks(channels, reference, test, part);
+    const auto weighted = [&](std::size_t channel) {
+      const Weights weight(reference, test, channel);
+      return std::pair(weighted_mean(reference, channel, weight), weighted_mean(test, channel, weight));
+    };
+    agreement.whole = test_whole(weighted, part, agreement.would_see);
+    return agreement;
+  }
+  agreement.pixels = test_all_pixels(channels, reference, test, part, freedom_of_passes(reference, test));
+  agreement.blocks.sentence = agreement.whole.sentence = not_judged;
+  const auto plain = [&](std::size_t channel) {
+    return std::pair(plain_mean(reference, channel, shared_noise || shares_photons(reference)),
+                     plain_mean(test, channel, shared_noise || shares_photons(test)));
+  };
+  if (plain(0).first && plain(0).second)
+    agreement.whole = test_whole([&](std::size_t c) { return std::pair(*plain(c).first, *plain(c).second); }, part,
+                                 agreement.would_see);
+  else
+    agreement.inconclusive = agreement.pixels.pass;
   return agreement;
 }
 

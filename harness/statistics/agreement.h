@@ -38,6 +38,11 @@ struct Agreement {
   /// black; empty where all are, infinite where noise hides any error.
   std::optional<double> would_see;
   static constexpr double power = 0.99;
+  /// Pixels of an image share noise: blocks were not judged, and the whole image only if it says how certain its mean
+  /// is. Their verdicts then are a pass whose sentence says so.
+  bool shared_noise = false;
+  /// Neither blocks nor the whole image could be judged, and no single pixel differs.
+  bool inconclusive = false;
   bool pass() const { return pixels.pass && blocks.pass && whole.pass; }
   /// "an error of 1.2 % of the whole image would have been seen (probability 0.99)", to be said beside a pass.
   std::string power_sentence() const;
@@ -65,8 +70,13 @@ struct Agreement {
 ///   Blocks are then compared without what all pixels are high or low by together.
 /// It holds its level from 64 estimates a pixel on, from 16 on where samples are no wilder than exponential
 /// (agreement_test.cpp measures it).
+/// Where pixels look up the same photons, as an image says (mean_error.h) or the caller knows, blocks vary by more than
+/// their pixels' variances, and by how much is not known: they are not judged. Pixels are, for Sidak's level also holds
+/// for values that vary together, by Student's t of as many passes as the images say; and the plain mean of the whole
+/// image, whose error the image says. Without that the verdict is inconclusive.
 /// Preconditions: equal sizes, finite values. Throws InputError, naming `reference` or `test`, when one has no
 /// variance.
-Agreement test_agreement(const Rendering& reference, const Rendering& test, double alpha = 0.01);
+Agreement test_agreement(const Rendering& reference, const Rendering& test, double alpha = 0.01,
+                         bool shared_noise = false);
 
 }  // namespace photonproof

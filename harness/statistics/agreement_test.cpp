@@ -240,6 +240,70 @@ TEST(agreement, takes_an_images_word_for_how_neighbours_vary_together) {
   EXPECT_GT(unsaid, kPairs / 2);
 }
 
+// Neighbours vary together, as where they look up the same photons, and the image says no more than that. Blocks refuse
+// most of such pairs; pixels and the plain mean, whose error the image says, keep their level.
+TEST(agreement, of_images_whose_pixels_share_photons_is_by_pixels_and_the_whole_image) {
+  const auto photons = [](std::uint64_t seed) {
+    Rendering image = spread_noise(24, seed, false);
+    store_shared_photons(image);
+    return image;
+  };
+  Failures failures;
+  int found = 0, told = 0;
+  for (std::uint64_t pair = 0; pair < kPairs; ++pair) {
+    const Rendering reference = photons(2 * pair + 1);
+    Rendering test = photons(2 * pair + 2);
+    const Agreement result = test_agreement(reference, test);
+    ASSERT_TRUE(result.shared_noise);
+    EXPECT_EQ(result.blocks.sentence, "not judged: pixels of an image share noise");
+    failures.count(result);
+    scale(test, 1 + *result.would_see);
+    found += test_agreement(reference, test).whole.pass ? 0 : 1;
+    told +=
+        test_agreement(spread_noise(24, 2 * pair + 1, false), spread_noise(24, 2 * pair + 2, false), 0.01, true).pass()
+            ? 1
+            : 0;
+  }
+  expect_level(failures, "photons over 3 x 3 pixels", 64);
+  EXPECT_GE(found, kPairs * 0.97) << "0.99, less three standard errors";
+  EXPECT_EQ(told, kPairs - failures.any) << "the caller may know what the image does not say";
+}
+
+// Two images of 12 passes whose means are known to 0.01 each. The level of one channel is 0.00111608, whose two-sided
+// quantile is 3.7468 for Student's t of 22 degrees of freedom and 3.2595 for the normal distribution.
+TEST(agreement, of_shared_photons_knows_how_few_passes_its_standard_error_comes_from) {
+  const auto image = [](double mean, double passes) {
+    Rendering out{Image(16, 16), Image(16, 16), {}};
+    for (float& v : out.mean.rgb) v = static_cast<float>(mean);
+    for (float& v : out.variance->rgb) v = 1;
+    store_mean_error(out, {{0.01, 0.01, 0.01}, passes});
+    store_shared_photons(out);
+    return out;
+  };
+  const double error = 0.01 * std::sqrt(2.0);
+  const auto passes = [&](double deviations, double count) {
+    return test_agreement(image(1, count), image(1 + deviations * error, count)).whole.pass;
+  };
+  EXPECT_TRUE(passes(3.70, 12));
+  EXPECT_FALSE(passes(3.79, 12));
+  EXPECT_TRUE(passes(3.22, 1e9));
+  EXPECT_FALSE(passes(3.30, 1e9));
+}
+
+TEST(agreement, of_shared_noise_is_inconclusive_where_no_image_says_how_certain_its_mean_is) {
+  Rendering reference = spread_noise(24, 1, false), test = spread_noise(24, 2, false);
+  reference.metadata.clear();
+  test.metadata.clear();
+  const Agreement result = test_agreement(reference, test, 0.01, true);
+  EXPECT_TRUE(result.inconclusive);
+  EXPECT_FALSE(result.would_see);
+  EXPECT_EQ(result.power_sentence(), "the image does not say how certain its mean is, so no error could be seen");
+  test.mean.pixel(3, 4)[1] += 1;  // 38 deviations
+  const Agreement wrong = test_agreement(reference, test, 0.01, true);
+  EXPECT_FALSE(wrong.pass());
+  EXPECT_FALSE(wrong.inconclusive);
+}
+
 TEST(agreement, compares_blocks_without_what_all_pixels_are_high_by_together) {
   // What is common has five times the deviation of a pixel's own noise, 0.1 and 0.02 of it. A block is held to the
   // variance of both, as if pixels were independent: sqrt(2 (0.1^2 + 0.02^2)) / 8 = 1.8 %, some 14 of which are found.

@@ -24,6 +24,7 @@
 #include "renderer/scene/scene_notes.h"
 #include "scenes/description/output_files.h"
 #include "scenes/description/scene_hash.h"
+#include "scenes/images/mean_error.h"
 #include "scenes/text/atomic_file.h"
 #include "scenes/text/json_text.h"
 #include "scenes/text/size_text.h"
@@ -226,6 +227,7 @@ Rendering developed(const RenderArguments& arguments, const Request& request, co
   rendering.metadata["photonproof:version"] = version_line();
   rendering.metadata["photonproof:sampler"] = arguments.sampler;
   rendering.metadata["photonproof:isa"] = plan.isa;
+  if (stats.counts.contains("rays_photon")) store_shared_photons(rendering);
   rendering.metadata["photonproof:command"] =
       arguments.scene.path + " --integrator " + plan.integrator + view_words(plan, " --view ") + " --seed " +
       std::to_string(arguments.seed) + " --spp " +

@@ -43,7 +43,7 @@ struct CompareOptions {
   std::string heatmap_folder;           // empty: none
   std::string mask;                     // a file; empty: none
   std::vector<int> region;              // x, y, width, height; empty: all
-  bool agreement = false;
+  bool agreement = false, shared_noise = false;
   bool json = false;
 };
 
@@ -88,7 +88,12 @@ void check_agreement(const CompareOptions& options, const Rendering& reference, 
                      Comparison& comparison) {
   if (!reference.variance) throw InputError(options.reference, kNoVariance);
   if (!test.variance) throw InputError(options.test, kNoVariance);
-  comparison.agreement = test_agreement(reference, test);
+  constexpr double alpha = 0.01;
+  comparison.agreement = test_agreement(reference, test, alpha, options.shared_noise);
+  if (comparison.agreement->inconclusive)
+    comparison.findings.push_back({Verdict::warn,
+                                   "agreement is inconclusive: pixels share noise, so only single pixels could be "
+                                   "judged; the images do not say how certain their means are"});
   for (const StatisticalVerdict* part :
        {&comparison.agreement->pixels, &comparison.agreement->blocks, &comparison.agreement->whole})
     if (!part->pass) comparison.findings.push_back({Verdict::fail, part->sentence});
@@ -183,6 +188,12 @@ void print_remarks(const char* whose, const std::vector<std::string>& remarks) {
   for (const std::string& remark : remarks) std::printf("%s read as: %s\n", whose, printable(remark).c_str());
 }
 
+const char* word_for(const Agreement& agreement) {
+  if (agreement.inconclusive) return "inconclusive";
+  if (!agreement.pass()) return "fail";
+  return agreement.shared_noise ? "pass by pixels and the whole image" : "pass";
+}
+
 void print_comparison(const CompareOptions& options, const Comparison& comparison) {
   if (comparison.width > 0)
     std::printf("reference %s, test %s, %d x %d pixels\n", options.reference.c_str(), options.test.c_str(),
@@ -198,7 +209,7 @@ void print_comparison(const CompareOptions& options, const Comparison& compariso
     std::printf("%-24s%-16s%s\n", measured.row->name, value.data(), notes.c_str());
   }
   if (comparison.agreement)
-    std::printf("agreement: %s; %s\n  %s\n  %s\n  %s\n", comparison.agreement->pass() ? "pass" : "fail",
+    std::printf("agreement: %s; %s\n  %s\n  %s\n  %s\n", word_for(*comparison.agreement),
                 comparison.agreement->power_sentence().c_str(), comparison.agreement->pixels.sentence.c_str(),
                 comparison.agreement->blocks.sentence.c_str(), comparison.agreement->whole.sentence.c_str());
   if (!comparison.heatmaps.flip.empty())
@@ -249,7 +260,9 @@ void print_comparison_json(const CompareOptions& options, const Comparison& comp
   if (const auto& region = comparison.region) record["region"] = {region->x, region->y, region->width, region->height};
   if (!options.mask.empty()) record["mask"] = options.mask;
   if (comparison.agreement) {
-    record["agreement"] = {{"pass", comparison.agreement->pass()},
+    record["agreement"] = {{"pass", comparison.agreement->pass() && !comparison.agreement->inconclusive},
+                           {"inconclusive", comparison.agreement->inconclusive},
+                           {"shared_noise", comparison.agreement->shared_noise},
                            {"would_see", nullptr},
                            {"power", Agreement::power},
                            {"pixels", as_json(comparison.agreement->pixels)},
@@ -321,6 +334,18 @@ void add_parameter_options(CLI::App& verb, ParameterValues& values) {
   }
 }
 
+void add_agreement_options(CLI::App& verb, CompareOptions& options, CLI::Option* mask) {
+  CLI::Option* agreement =
+      verb.add_flag("--agreement", options.agreement,
+                    "exit with 2 unless both may be noisy images of the same: needs the variance channels of renders "
+                    "with --sampler independent and 64 samples a pixel or more");
+  agreement->excludes(mask)->excludes("--region");
+  verb.add_flag("--shared-noise", options.shared_noise,
+                "with --agreement: pixels of an image vary together, as where they share photons (images of our photon "
+                "mapper say so themselves); blocks of pixels are not judged then")
+      ->needs(agreement);
+}
+
 }  // namespace
 
 void add_compare_verb(CLI::App& program, int& exit_code) {
@@ -364,11 +389,7 @@ void add_compare_verb(CLI::App& program, int& exit_code) {
       ->type_name("METRIC=BOUND")
       ->take_all()
       ->allow_extra_args(false);
-  verb->add_flag("--agreement", options->agreement,
-                 "exit with 2 unless both may be noisy images of the same: needs the variance channels of renders with "
-                 "--sampler independent and 64 samples a pixel or more")
-      ->excludes(mask)
-      ->excludes("--region");
+  add_agreement_options(*verb, *options, mask);
   verb->add_option("--heatmaps", options->heatmap_folder, "write <test>-flip.png and <test>-error.png there")
       ->type_name("FOLDER");
   verb->add_flag("--json", options->json, "print one JSON object instead of lines");

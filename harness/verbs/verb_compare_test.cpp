@@ -309,6 +309,24 @@ TEST_F(CompareVerb, json_reports_file_errors_too) {
   EXPECT_EQ(record.at("metrics").size(), 0u);
 }
 
+// A block's mean is off by 0.05 of 0.1 sqrt(2) / 8, which independent pixels do not allow.
+TEST_F(CompareVerb, agreement_of_shared_noise_warns_that_it_is_inconclusive) {
+  const auto write_noisy = [&](const std::string& name, float value) {
+    write_exr((folder / name).string(),
+              {constant_image(16, 16, value, value, value), constant_image(16, 16, 0.01f, 0.01f, 0.01f), {}});
+    return (folder / name).string();
+  };
+  const std::string ref = write_noisy("a.exr", 1), test = write_noisy("b.exr", 1.05f);
+  EXPECT_EQ(compare({ref, test, "--agreement"}).exit_code, 2);
+  const Run run = compare({ref, test, "--agreement", "--shared-noise"});
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_NE(run.out.find("agreement: inconclusive; "), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("warn: agreement is inconclusive: pixels share noise"), std::string::npos) << run.out;
+  const auto record = nlohmann::json::parse(compare({ref, test, "--agreement", "--shared-noise", "--json"}).out);
+  EXPECT_EQ(record.at("agreement").at("pass"), false);
+  EXPECT_EQ(record.at("agreement").at("inconclusive"), true);
+}
+
 TEST_F(CompareVerb, agreement_fails_beyond_the_noise_and_needs_variances) {
   const auto write_noisy = [&](const std::string& name, float value) {
     write_exr((folder / name).string(),

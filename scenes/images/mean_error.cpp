@@ -7,6 +7,7 @@ namespace {
 
 constexpr const char* key = "photonproof:mean_standard_error_and_passes";
 constexpr const char* splat_key = "photonproof:pixels_a_splat";
+constexpr const char* photons_key = "photonproof:pixels_share_photons";
 
 }  // namespace
 
@@ -28,6 +29,10 @@ std::optional<MeanError> stored_mean_error(const Rendering& rendering) {
   if (numbers.size() != 4 || numbers[3] < 2) return std::nullopt;
   return MeanError{{numbers[0], numbers[1], numbers[2]}, numbers[3]};
 }
+
+void store_shared_photons(Rendering& rendering) { rendering.metadata[photons_key] = "yes"; }
+
+bool shares_photons(const Rendering& rendering) { return rendering.metadata.contains(photons_key); }
 
 void store_pixels_a_splat(Rendering& rendering, double pixels) {
   rendering.metadata[splat_key] = format_number(pixels);

@@ -24,4 +24,9 @@ std::optional<MeanError> stored_mean_error(const Rendering& rendering);
 void store_pixels_a_splat(Rendering& rendering, double pixels);
 double pixels_a_splat(const Rendering& rendering);
 
+/// Of an image whose pixels look up the same photons, or cache records made of them: neighbours vary together over an
+/// unknown part of the image, so that a sum over pixels varies more than their variances say.
+void store_shared_photons(Rendering& rendering);
+bool shares_photons(const Rendering& rendering);
+
 }  // namespace photonproof
