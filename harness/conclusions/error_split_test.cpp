@@ -129,20 +129,20 @@ Image noisy_together(double sd, double together, std::mt19937_64& generator) {
   return noisy(sd, scale, generator);
 }
 
-// Nominal 95 %; the binomial's standard error is 1.3 % of 300 experiments. By blocks alone a sixth to a third of them
+// Nominal 95 %; the binomial's standard error is 2.2 % of 100 experiments. By blocks alone a sixth to a third of them
 // find a bias that is not there.
 TEST(ErrorSplit, noise_of_the_whole_image_is_not_taken_for_bias) {
-  for (const std::size_t count : {2u, 3u, 4u, 6u})
+  for (const std::size_t count : {2u, 3u, 5u})
     for (const double together : {0.005, 0.02, 0.05}) {
       int held = 0;
-      constexpr int experiments = 300;
+      constexpr int experiments = 100;
       for (std::uint64_t experiment = 0; experiment < experiments; ++experiment) {
         std::mt19937_64 generator(7000 + experiment);
         std::vector<Image> images;
         for (std::size_t k = 0; k < count; ++k) images.push_back(noisy_together(0.1, together, generator));
         held += split_error(truth(), nullptr, images).bias2->interval->low <= 0;
       }
-      EXPECT_GE(held, experiments * (0.95 - 0.04)) << count << " images, " << together;
+      EXPECT_GE(held, experiments * (0.95 - 0.066)) << count << " images, " << together;
     }
 }
 
@@ -152,9 +152,9 @@ TEST(ErrorSplit, interval_of_relmse_holds_it_where_pixels_share_noise) {
   double expected = 0;
   for (const float r : truth().rgb) expected += 0.0025 * r * r * relative_weight(r);
   expected = expected / (3.0 * side * side) + expected_variance(0.01);
-  for (const std::size_t count : {2u, 3u, 4u, 6u}) {
+  for (const std::size_t count : {2u, 3u, 5u}) {
     int held = 0;
-    constexpr int experiments = 200;
+    constexpr int experiments = 100;
     for (std::uint64_t experiment = 0; experiment < experiments; ++experiment) {
       std::mt19937_64 generator(9000 + experiment);
       std::vector<Image> images;
