@@ -11,7 +11,7 @@ struct StoredPart {
 };
 
 StoredPart stored_part(const std::string& path, const std::string& layer) {
-  const ImageRows rows(path, layer, ImagePart::stored);
+  const ImageRows rows(path, layer, ImageWindow::stored);
   const ImagePlace place = rows.place().value_or(ImagePlace{0, 0, rows.width(), rows.height()});
   return {{place.x, place.y, rows.width(), rows.height()}, place.width, place.height};
 }
@@ -36,9 +36,9 @@ ComparedPart compared_part(const std::string& reference, const std::string& test
   if (is_whole(a) && is_whole(b)) return {};
   if (a.width != b.width || a.height != b.height) {
     const bool equal = a.stored.width == b.stored.width && a.stored.height == b.stored.height;
-    return {equal ? ImagePart::stored : ImagePart::displayed, {}, {}};
+    return {equal ? ImageWindow::stored : ImageWindow::displayed, {}, {}};
   }
-  if (same_part(a.stored, b.stored)) return {ImagePart::displayed, a.stored, {}};
+  if (same_part(a.stored, b.stored)) return {ImageWindow::displayed, a.stored, {}};
   ComparedPart whole;
   whole.note = "the reference stores the pixels " + a.stored.text() + " (x y width height), the test image " +
                b.stored.text() + "; others count as black";

@@ -11,7 +11,7 @@ namespace photonproof {
 
 /// The pixels of two images that are compared.
 struct ComparedPart {
-  ImagePart part = ImagePart::displayed;  ///< how both files are read
+  ImageWindow part = ImageWindow::displayed;  ///< how both files are read
   /// Of the images so read; empty: all. The part that both files store, where that is the same part of equal images.
   std::optional<PixelRegion> region;
   std::string note;  ///< a sentence for the user where only one file stores some pixels; empty: none

@@ -38,7 +38,7 @@ class ImageSource : public RowSource {
 /// Throws InputError as read_image does; an image of any size is never in memory as a whole.
 class FileSource : public RowSource {
  public:
-  explicit FileSource(const std::string& path, const std::string& layer = "", ImagePart part = ImagePart::displayed)
+  explicit FileSource(const std::string& path, const std::string& layer = "", ImageWindow part = ImageWindow::displayed)
       : rows_(path, layer, part) {}
   int width() const override { return rows_.width(); }
   int height() const override { return rows_.height(); }

@@ -94,7 +94,7 @@ class Batches {
     if (!json.is_object() || !json.contains("counts"))
       throw InputError(stats.string(), "is damaged: delete its folder to begin this reference anew");
     const double bias = json["counts"].value("relative_bias", 0.0);
-    return {read_rendering(file(batch, ".whole.exr").string(), "", ImagePart::stored).mean, bias * bias};
+    return {read_rendering(file(batch, ".whole.exr").string(), "", ImageWindow::stored).mean, bias * bias};
   }
 
   fs::path file(int batch, const char* extension) const {

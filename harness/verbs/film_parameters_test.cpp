@@ -48,7 +48,7 @@ class FilmParameters : public FolderTest {
     options.insert(options.begin(), {PHOTONPROOF_BINARY, "render", path(scene), "-o", path("out.exr"), "--quiet"});
     const ProcessOutcome outcome = run_process(options, {.wall_limit_seconds = 300});
     EXPECT_TRUE(outcome.ok()) << outcome.standard_error;
-    return outcome.ok() ? read_rendering(path("out.exr"), "", ImagePart::stored) : Rendering();
+    return outcome.ok() ? read_rendering(path("out.exr"), "", ImageWindow::stored) : Rendering();
   }
   /// The channel A of the render before, row by row; empty where there is none.
   std::vector<float> alpha() const {

@@ -128,7 +128,7 @@ void check_heatmaps(const CompareOptions& options, const std::string& stem) {
 }
 
 /// Both images; says how they are read. Throws InputError when a layer is asked for and neither has any.
-std::array<std::unique_ptr<RowSource>, 2> open_pair(const CompareOptions& options, ImagePart part,
+std::array<std::unique_ptr<RowSource>, 2> open_pair(const CompareOptions& options, ImageWindow part,
                                                     Comparison& comparison) {
   auto reference = std::make_unique<FileSource>(options.reference, options.layer, part),
        test = std::make_unique<FileSource>(options.test, options.layer, part);
@@ -151,7 +151,7 @@ void compare_files(const CompareOptions& options, const std::vector<MetricBound>
   std::optional<Rendering> reference_rendering, test_rendering;  // in memory only where that is needed
   auto [reference, test] = open_pair(options, compared.part, comparison);
   if (options.agreement) {
-    const ImagePart part = compared.region ? ImagePart::stored : compared.part;
+    const ImageWindow part = compared.region ? ImageWindow::stored : compared.part;
     metrics.region.reset();
     reference = std::make_unique<ImageSource>(
         reference_rendering.emplace(read_rendering(options.reference, options.layer, part)).mean);

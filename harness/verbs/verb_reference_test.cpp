@@ -128,7 +128,7 @@ TEST_F(ReferenceVerb, reference_of_a_scene_with_a_crop_is_that_part_of_the_film)
   put("scene.xml", scene);
   const ProcessOutcome outcome = reference({"--standard-error", "0.02", "-o", path("out.exr")});
   ASSERT_TRUE(outcome.ok()) << outcome.standard_error;
-  const Rendering r = read_rendering(path("out.exr"), "", ImagePart::stored);
+  const Rendering r = read_rendering(path("out.exr"), "", ImageWindow::stored);
   ASSERT_EQ(r.mean.width, 24);
   ASSERT_EQ(r.mean.height, 16);
   ASSERT_TRUE(r.place.has_value());

@@ -134,7 +134,7 @@ TEST_F(RenderVerb, crop_has_the_bits_of_the_whole_image) {
     cropped.insert(cropped.end(), {"--crop", "13", "5", "30", "20"});
     ASSERT_TRUE(render("part.exr", cropped).ok());
     const Image whole = read_image(path("whole.exr"));
-    const Image part = read_rendering(path("part.exr"), "", ImagePart::stored).mean;
+    const Image part = read_rendering(path("part.exr"), "", ImageWindow::stored).mean;
     ASSERT_EQ(part.width, 30);
     ASSERT_EQ(part.height, 20);
     for (int y = 0; y < 20; ++y)

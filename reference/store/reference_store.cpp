@@ -67,7 +67,7 @@ StoredReference checked(const fs::path& exr, const std::string& hash, int width,
   const auto refuse = [&](const std::string& what) { throw InputError(exr.string(), what); };
   if (p.scene_hash != hash)
     refuse("is out of date: the scene's content is now " + hash + ", this reference is of " + p.scene_hash);
-  stored.rendering = read_rendering(exr.string(), "", ImagePart::stored);
+  stored.rendering = read_rendering(exr.string(), "", ImageWindow::stored);
   const auto [image_width, image_height] = whole_size(stored.rendering);
   if (image_width != width || image_height != height || p.width != width || p.height != height)
     refuse("is " + size_text(image_width, image_height) + " and its provenance of " + size_text(p.width, p.height) +

@@ -130,7 +130,7 @@ class LightSurvey : ScalarTracer {
   Rgb arriving(const Interaction& at, const Vec3f& back, const SegmentEnd& to, Surroundings around,
                const Draws& draws) const {
     around.leave(world_, at, back, to.p - at.p);
-    return transmittance(world_, end_at(at), to, around, false, draws, survey_dimension::segment);
+    return transmittance(world_, end_at(at), to, around, {}, draws, survey_dimension::segment);
   }
 
   void trace_from_camera(const Draws& draws) {

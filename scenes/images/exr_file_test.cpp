@@ -304,7 +304,7 @@ TEST_F(ExrFile, part_of_an_image_is_written_with_its_place_and_alpha_beside_its_
   part.alpha = {0.25f, 1};
   part.place = ImagePlace{1, 2, 4, 3};
   write_exr(path(), part);
-  const Rendering stored = read_rendering(path(), "", ImagePart::stored), whole = read_rendering(path());
+  const Rendering stored = read_rendering(path(), "", ImageWindow::stored), whole = read_rendering(path());
   EXPECT_EQ(stored.mean.rgb, part.mean.rgb);
   EXPECT_EQ(stored.place, part.place);
   ASSERT_EQ(whole.mean.width, 4);

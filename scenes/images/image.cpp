@@ -124,11 +124,11 @@ struct Opened {
   std::vector<std::string> remarks;  ///< on it
 };
 
-Opened open_part(const std::string& path, const std::string& layer, ImagePart part) {
+Opened open_part(const std::string& path, const std::string& layer, ImageWindow part) {
   Opened opened{open_stored(path, layer), {}, {}};
   opened.place = place_of(opened.file->header());
   opened.remarks = remarks_on(opened.file->header());
-  if (!opened.place || part == ImagePart::displayed) opened.file = as_displayed(std::move(opened.file), path);
+  if (!opened.place || part == ImageWindow::displayed) opened.file = as_displayed(std::move(opened.file), path);
   return opened;
 }
 
@@ -238,7 +238,7 @@ struct ImageRows::State {
   std::optional<SrgbDecoder> decoder;
 };
 
-ImageRows::ImageRows(const std::string& path, const std::string& layer, ImagePart part)
+ImageRows::ImageRows(const std::string& path, const std::string& layer, ImageWindow part)
     : state_(std::make_unique<State>(State{OpenImage(path, open_part(path, layer, part), layer), {}})) {
   const ImageHeader& header = state_->file.header();
   constexpr std::int64_t kMaxWidth = std::int64_t{1} << 18, kMaxStreamed = (std::int64_t{1} << 32) - 1;
@@ -262,10 +262,10 @@ void ImageRows::read(int begin, int end, float* rgb) {
   for (std::size_t i = 0; i < values; ++i) rgb[i] = (*state_->decoder)(rgb[i]);
 }
 
-Rendering read_rendering(const std::string& path, const std::string& layer, ImagePart part) {
+Rendering read_rendering(const std::string& path, const std::string& layer, ImageWindow part) {
   Decoded decoded = decode(path, open_part(path, layer, part), layer);
   Rendering rendering;
-  if (part == ImagePart::stored) rendering.place = decoded.place;
+  if (part == ImageWindow::stored) rendering.place = decoded.place;
   rendering.metadata = std::move(decoded.header.metadata);
   rendering.variance = std::move(decoded.variance);
   rendering.mean = colour_of(std::move(decoded), false);

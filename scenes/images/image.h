@@ -42,14 +42,15 @@ struct Rendering {
 
 /// The pixels that are read of a file whose data window is a part of its display window: the image that is meant, black
 /// where nothing is stored, or the stored part alone. Pixels stored outside of the display window are never read.
-enum class ImagePart { displayed, stored };
+enum class ImageWindow { displayed, stored };
 
 /// Reads any format OpenImageIO knows as linear RGB: EXR and other float formats as they are, 8- and 16-bit formats
 /// decoded from sRGB. One-channel images become grey; alpha is ignored; of several layers or parts choose_colour takes
 /// one, or that of the name `layer`. Beside plain R, G, B the channels variance.R/G/B fill Rendering::variance. Throws
 /// InputError when the file is missing, not an image, larger than 2^28 pixels, has no colour, or several to choose
-/// from. With ImagePart::stored its place is known, too.
-Rendering read_rendering(const std::string& path, const std::string& layer = "", ImagePart part = ImagePart::displayed);
+/// from. With ImageWindow::stored its place is known, too.
+Rendering read_rendering(const std::string& path, const std::string& layer = "",
+                         ImageWindow part = ImageWindow::displayed);
 /// The whole of which a rendering is a part, black around it.
 Rendering displayed(const Rendering& part);
 inline Image read_image(const std::string& path) { return read_rendering(path).mean; }
@@ -59,7 +60,7 @@ inline Image read_image(const std::string& path) { return read_rendering(path).m
 class ImageRows {
  public:
   /// Throws InputError as read_rendering does.
-  explicit ImageRows(const std::string& path, const std::string& layer = "", ImagePart part = ImagePart::displayed);
+  explicit ImageRows(const std::string& path, const std::string& layer = "", ImageWindow part = ImageWindow::displayed);
   ~ImageRows();
   ImageRows(ImageRows&&) noexcept;
   int width() const;
