@@ -16,23 +16,17 @@ void move_lamp(EmitterDescription& emitter, const Transform& motion) {
       emitter.light);
 }
 
-/// A mirror image of itself in local space, where the shape has one; by it the whole transform keeps its handedness.
-bool mirror_of_itself(const ShapeDescription& shape, Transform& local) {
+/// Turns a shape that is its own mirror image over in local space, so that the whole transform keeps its handedness;
+/// leaves the others.
+Transform mirror_of_itself(const ShapeDescription& shape) {
   const Transform flip = Transform::scale({-1, 1, 1});
   return std::visit(
       Overloaded{[&](const SphereDescription& sphere) {
-                   local = Transform::translate(sphere.center) * flip * Transform::translate(-sphere.center);
-                   return true;
+                   return Transform::translate(sphere.center) * flip * Transform::translate(-sphere.center);
                  },
-                 [&](const RectangleDescription&) { return local = flip, true; },
-                 [&](const DiskDescription&) { return local = flip, true; },
-                 [&](const CubeDescription&) { return local = flip, true; }, [](const auto&) { return false; }},
+                 [&](const RectangleDescription&) { return flip; }, [&](const DiskDescription&) { return flip; },
+                 [&](const CubeDescription&) { return flip; }, [](const auto&) { return Transform(); }},
       shape.geometry);
-}
-
-bool is_of_triangles(const ShapeDescription& shape) {
-  return std::holds_alternative<MeshDescription>(shape.geometry) ||
-         std::holds_alternative<HeightfieldDescription>(shape.geometry);
 }
 
 }  // namespace
@@ -50,10 +44,8 @@ void mirror_in_view(SceneDescription& scene) {
   const Transform mirror = camera * Transform::scale({-1, 1, 1}) * *back;
   const bool textured = !scene.textures.empty();  // an image on the shape must be mirrored, too
   for (ShapeDescription& shape : scene.shapes) {
-    Transform local;
-    const bool itself = !textured && mirror_of_itself(shape, local);
-    shape.to_world = mirror * shape.to_world * local;
-    if (!itself && is_of_triangles(shape)) shape.flip_normals = !shape.flip_normals;  // as its corners' order turns
+    shape.to_world = mirror * shape.to_world;
+    if (!textured) shape.to_world = shape.to_world * mirror_of_itself(shape);
   }
   for (EmitterDescription& emitter : scene.emitters) {
     const bool even = std::holds_alternative<PointLightDescription>(emitter.light) ||

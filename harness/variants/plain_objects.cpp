@@ -80,9 +80,7 @@ void set_water(const SceneDescription& scene, const ShapeDescription& shape, con
   object.b = shape.to_world.vector({0, 1, 0});
   const Vec3d up = shape.to_world.vector({0, 0, 1});
   object.c = up * field.amplitude;
-  // A mirroring transform turns its triangles over, and with them the normal.
-  const bool is_turned = dot(cross(object.a, object.b), up) < 0;
-  if (is_turned != shape.flip_normals) cannot_say(scene, shape.loc, "water whose front is below");
+  if (shape.flip_normals) cannot_say(scene, shape.loc, "water whose front is below");
   object.columns = field.columns;
   object.rows = field.rows;
   object.frequency_x = noise->frequency_x;
