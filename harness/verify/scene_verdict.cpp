@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <numeric>
 #include <utility>
 
 #include "harness/gates/independence.h"
@@ -207,8 +208,9 @@ class SceneJudge {
     return others;
   }
 
-  /// Who differs and says itself that it cannot find some of the light says nothing of the scene, rather than being
-  /// wrong; of camera paths only where they differ in caustics first.
+  /// An engine that differs and says itself that it cannot find some of the light is not wrong: it says nothing of the
+  /// scene. Engines that show the light decide; among those that all lack some, the brighter one shows more of it. The
+  /// engines must differ in caustics first.
   void set_aside_who_cannot_find_light() {
     const auto blind = [&](std::size_t side) {
       const bool draws = sides_[side].engine != nullptr && !sides_[side].pictures.empty();
@@ -216,11 +218,15 @@ class SceneJudge {
       const std::vector<std::string>& lost = draws ? sides_[side].pictures.at(0).cannot_find : none;
       return lost.empty() ? std::string() : lost.front();
     };
+    const auto light = [&](std::size_t side) {
+      const std::vector<float>& values = sides_[side].pictures.at(0).rendering.mean.rgb;
+      return std::accumulate(values.begin(), values.end(), 0.0);
+    };
     for (std::size_t side = 0; side < sides_.size(); ++side) {
       const std::string why = blind(side);
       if (why.empty()) continue;
       std::vector<std::size_t> others = who_differs_from(side);
-      std::erase_if(others, [&](std::size_t other) { return !blind(other).empty(); });
+      std::erase_if(others, [&](std::size_t other) { return !blind(other).empty() && light(other) <= light(side); });
       const std::vector<Believed> seeing = believed_engines(others);
       if (seeing.empty()) continue;
       const FaultLocator locator(studio_, scene_, description_);
