@@ -227,7 +227,8 @@ Rendering developed(const RenderArguments& arguments, const Request& request, co
   rendering.metadata["photonproof:version"] = version_line();
   rendering.metadata["photonproof:sampler"] = arguments.sampler;
   rendering.metadata["photonproof:isa"] = plan.isa;
-  if (stats.counts.contains("rays_photon")) store_shared_photons(rendering);
+  if (stats.counts.contains("photons_stored_global") || stats.counts.contains("photons_stored_caustic"))
+    store_shared_photons(rendering);
   rendering.metadata["photonproof:command"] =
       arguments.scene.path + " --integrator " + plan.integrator + view_words(plan, " --view ") + " --seed " +
       std::to_string(arguments.seed) + " --spp " +

@@ -28,8 +28,8 @@ constexpr Stream survey_camera_stream{22}, survey_light_stream{23};
 constexpr std::uint64_t survey_paths = 4096;
 /// Where next to nothing is absorbed paths are long.
 constexpr std::uint32_t most_edges = 256, roulette_from = 4;
-/// A part of the image's light: less is no more than this survey's rounding and chance.
-constexpr double least_share = 1e-4;
+/// A part of the image's light: a smaller loss is below what bounds and references see, and needs no warning.
+constexpr double least_share = 5e-4;
 /// A third in a row changes nothing for any integrator.
 constexpr char twice[] = {turn::scatters, turn::scatters, 0};
 /// Cells along the radius of the scene's ball.

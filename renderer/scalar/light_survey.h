@@ -15,7 +15,8 @@ namespace photonproof {
 bool may_lose_light(const SceneFacts& facts, const std::string& integrator);
 
 /// The light of the whole image that the integrator misses, if any; `limits` are its own. The same whatever seed,
-/// budget and window of the render.
+/// budget and window of the render. A caustic outside of a narrow view, whose light arrives there after a further
+/// bounce, is met by too few of the 4,096 paths: in a test's room .7 % of the light is lost unnoticed.
 std::optional<LostLight> light_lost_by(const std::string& integrator, const Scene& scene, const PathLimits& limits);
 
 }  // namespace photonproof
