@@ -140,7 +140,9 @@ TEST_F(Stress, light_that_grazes_turned_faces_is_right_or_said) {
     EXPECT_GE(ladder.right_up_to().value_or(0), ladder.wanted) << name;
     for (const StressRung& rung : ladder.rungs)
       if (rung.height >= 7 && rung.height <= 9) {  // at 12 radiances are beyond what a scene may say
-        EXPECT_EQ(rung.outcome, RungOutcome::degraded) << name << " " << rung.height;
+        // Rounding may fall on the right side; it is said all the same.
+        EXPECT_TRUE(rung.outcome == RungOutcome::degraded || rung.outcome == RungOutcome::right)
+            << name << " " << rung.height << ": " << to_string(rung.outcome);
         EXPECT_NE(rung.sentence.find("light that grazes it there is not known"), std::string::npos) << rung.sentence;
       }
   }

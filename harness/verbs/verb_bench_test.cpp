@@ -62,7 +62,8 @@ TEST_F(BenchVerb, good_run_says_where_everything_is) {
       "scene, brighter, 1 spp: unknown, relMSE 0.0385 †, ";
   EXPECT_TRUE(outcome.standard_output.starts_with(start)) << outcome.standard_output;
   const std::string end =
-      " s\nscene: † the reference is by grey, which nothing vouches for: these numbers say how far from it an image "
+      " s\nscene, brighter: declared by the engine: it only copies\nscene: † the reference is by grey, which nothing "
+      "vouches for: these numbers say how far from it an image "
       "is, "
       "not how wrong\nresults: " +
       out + "/results.json\nreport: " + out + "/report.html\nreport: " + out + "/report.md\n";

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 class CyclesEngine : public FolderTest {
  protected:
   CyclesEngine() {
-    scene.width = scene.height = 4;
+    scene.width = scene.height = scene.film.width = scene.film.height = 4;
     scene.samples = 8;
     scene.threads = 1;
     scene.batches = {{4, 1}, {4, 2}};
