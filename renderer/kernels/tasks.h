@@ -52,7 +52,7 @@ struct PathSettings {
   int rr_depth = 5;
   bool hide_emitters = false;  ///< camera rays pass lamps and show no environment
   DirectLight direct_light = DirectLight::weighted;
-  bool indirect_only = false;          ///< beside maps: no light up to the first Lambertian vertex
+  bool indirect_only = false;  ///< beside maps: no light up to the first Lambertian vertex
   /// The environment, behind surfaces that let camera rays go straight on.
   bool shows_behind_straight = !hide_emitters;
 };
