@@ -22,6 +22,9 @@ class Case:
 # ---- integrators ----------------------------------------------------------------------------------------------------
 
 MIRROR = bsdf("conductor", string("material", "none"))
+HIDDEN = ("Mitsuba's `path` and `direct` show the ball behind a hidden emitter without the light that emitter sampling finds. Its "
+          "`volpath` shows that light: red means of .1425 (at a max_depth of 2, .1152), where our `path` has .1424 and our "
+          "`direct` .1151")
 
 
 def integrator_cases():
@@ -43,13 +46,14 @@ def integrator_cases():
         seen = dict(lights=LAMP) if kind == "ptracer" else {}
         yield Case(f"{kind} hide_emitters", scene(
             shown if kind != "ptracer" else things,
-            integrator=element("integrator", kind, boolean("hide_emitters")), **seen))
+            integrator=element("integrator", kind, boolean("hide_emitters")), **seen), why=HIDDEN if kind == "path" else "")
     for name, content in (("", ""), ("emitter_samples 4", integer("emitter_samples", 4)),
                           ("emitter_samples 0", integer("emitter_samples", 0) + integer("bsdf_samples", 4)),
                           ("bsdf_samples 4", integer("bsdf_samples", 4)),
                           ("shading_samples 3", integer("shading_samples", 3)),
                           ("hide_emitters", boolean("hide_emitters"))):
-        yield Case(f"direct {name}".strip(), scene(shown, integrator=element("integrator", "direct", content)))
+        yield Case(f"direct {name}".strip(), scene(shown, integrator=element("integrator", "direct", content)),
+                   why=HIDDEN if name == "hide_emitters" else "")
     lights_only = element("integrator", "direct", integer("bsdf_samples", 0), integer("emitter_samples", 2))
     yield Case("direct bsdf_samples 0", scene(ball(grey(0.8)), integrator=lights_only))
     yield Case("direct bsdf_samples 0, a mirror", scene(ball(MIRROR), integrator=lights_only), why=(
@@ -123,7 +127,10 @@ def sensor_cases():
             yield Case(f"{kind} clips of a sheet at {z}", scene(
                 shape("rectangle", sheet, bsdf("twosided", grey(0.2))), sensor=camera(kind=kind, fov=fov), floor="", lights=SKY))
     yield case("hdrfilm crop_width, crop_height", film=film(*crop[2:]))
-    yield case("hdrfilm crop, gaussian", film=film(*crop, rfilter=element("rfilter", "gaussian", number("stddev", 1))))
+    gaussian = element("rfilter", "gaussian", number("stddev", 1))
+    yield Case("hdrfilm crop, gaussian", scene(body, sensor=camera(film=film(*crop, rfilter=gaussian))), why=(
+        "at the crop's border Mitsuba's pixels are not those of its own whole image (19 % apart in the mean); ours are, to the "
+        "bit"))
     yield case("hdrfilm pixel_format", film=film(string("pixel_format", "rgba")))
     yield case("hdrfilm component_format", film=film(string("component_format", "float16")))
     yield case("hdrfilm file_format", film=film(string("file_format", "openexr")))
