@@ -71,7 +71,7 @@ struct NullCount {
   int runs = 0, failed = 0, passed = 0, biased = 0;
 };
 
-/// Of disjoint groups of so many images.
+/// Verdicts on disjoint groups of so many images.
 NullCount judged(const GateSuite& suite, const StoredReference& reference, std::span<const Image> images,
                  std::size_t seeds) {
   NullCount count;
