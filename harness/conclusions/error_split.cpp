@@ -128,7 +128,7 @@ bool blocks_share_noise(const std::vector<BlockSums>& blocks, std::span<const Im
     independent_blocks += sample_variance(block.errors);
   }
   const auto freedom = static_cast<double>(images.size() - 1);
-  return sample_variance(totals) * freedom > chi_square_bound(images.size() - 1, level) * independent_blocks;
+  return sample_variance(totals) * freedom > chi_square_bound(freedom, level) * independent_blocks;
 }
 
 // As the header derives them, from estimates without intervals. `own`: the reference's noise.
@@ -139,9 +139,9 @@ void set_intervals_of_shared_noise(double own, std::size_t images, ErrorSplit& s
   split.bias2->interval = Interval{std::pow(std::max(0.0, off - h), 2), std::pow(off + h, 2)};
   split.variance->interval.reset();
   if (images < 3) return;
-  const double squares = split.variance->value * (count - 1);
-  split.variance->interval = Interval{squares / chi_square_bound(images - 1, one_sided_tail),
-                                      squares / chi_square_bound(images - 1, 1 - one_sided_tail)};
+  const double freedom = count - 1, squares = split.variance->value * freedom;
+  split.variance->interval = Interval{squares / chi_square_bound(freedom, one_sided_tail),
+                                      squares / chi_square_bound(freedom, 1 - one_sided_tail)};
 }
 
 double share_of_a_pixel(const Image& reference, std::span<const Image> images) {
