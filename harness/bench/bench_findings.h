@@ -14,7 +14,7 @@ namespace photonproof {
 ///   "cornell/mine/spp=16: all 5 seeds gave the same image; its noise is not known, and not zero for that"
 ///   "cornell/mine/spp=16: seeds 1, 4 gave the same image, which counts once; ..."
 ///   "cornell/mine/spp=16/seed=1: its image is the reference itself, bit for bit"
-/// All but the second are right where a scene has no noise. Of every engine, scene and budget those images are read
+/// Each but the second is right where a scene has no noise. Of every engine, scene and budget those images are read
 /// whose metrics are equal; those that cannot be read are left out. `folder` is that of results.json.
 std::vector<std::string> findings_of_bench(const Results& results, const std::filesystem::path& folder);
 

@@ -25,8 +25,8 @@ class OthersBusy {
 
 /// The factor by which a limit on wall time grows beside other work, so that a program gets the processor time that an
 /// idle machine would give it. It is 1 while others use less than a quarter of the machine, and 20 at most. A thread
-/// that is always ready to run gets at least what others leave of a core; a program that used less, because it sleeps,
-/// gains in proportion to `own_cores`, the processor seconds it had a second.
+/// that is always ready to run gets at least what others leave of a core. A program that sleeps uses less, and gains in
+/// proportion to `own_cores`, the processor seconds it had a second.
 double time_beside_others(double others_cores, double own_cores, int cores);
 
 }  // namespace photonproof
