@@ -104,7 +104,7 @@ TEST_F(BenchRun, every_failure_is_a_result_and_the_run_goes_on) {
                                                               {Status::crash, 2},
                                                               {Status::bad_image, 5},
                                                               {Status::unsupported, 1}}));
-  EXPECT_EQ(result_of("small").detail, "wrote 4x4 pixels instead of 16x12");
+  EXPECT_EQ(result_of("small").detail, "wrote 4x4 pixels instead of 32x24");
   EXPECT_TRUE(result_of("small").metrics.empty());
   EXPECT_TRUE(result_of("nan").metrics.empty());
   EXPECT_FALSE(result_of("brighter").metrics.empty());
@@ -268,7 +268,7 @@ TEST_F(BenchRun, an_engine_that_cannot_be_started_is_tried_again_when_it_is_ther
 }
 
 TEST_F(BenchRun, engines_are_given_scenes_without_answers_and_results_name_the_scenes_themselves) {
-  put("reference-16x12.exr", "an answer");
+  put("reference-32x24.exr", "an answer");
   put("ls.sh", "ls \"$(dirname \"$2\")\" > \"$1/$4\"; cp \"$1/grey.exr\" \"$3\"\n");
   std::string rows;
   for (const char* engine : {"judge", "judged"})
@@ -277,7 +277,7 @@ TEST_F(BenchRun, engines_are_given_scenes_without_answers_and_results_name_the_s
   std::string text = suite_text("grey", {}) + rows + "[[run]]\nengine = 'judged'\nbudgets = ['spp=1']\nseeds = [1]\n";
   text.replace(text.find("engine = 'grey'"), 15, "engine = 'judge'");
   run(text);
-  EXPECT_NE(get("seen-judge").find("reference-16x12.exr"), std::string::npos);  // it gives the answer
+  EXPECT_NE(get("seen-judge").find("reference-32x24.exr"), std::string::npos);  // it gives the answer
   EXPECT_EQ(get("seen-judged").find("reference-"), std::string::npos);
   EXPECT_NE(get("seen-judged").find("scene.xml"), std::string::npos);
   EXPECT_NE(result_of("judged").command.find((folder_ / "scene.xml").string()), std::string::npos)

@@ -40,4 +40,8 @@ double time_beside_others(double others_cores, double own_cores, int cores) {
   return factor < worth_a_try ? 1 : factor;
 }
 
+double time_beside_others(const OthersBusy& others, double cpu_seconds, double wall_seconds) {
+  return time_beside_others(others.cores(), cpu_seconds / std::max(wall_seconds, 1e-6), describe_host().cores);
+}
+
 }  // namespace photonproof

@@ -29,4 +29,7 @@ class OthersBusy {
 /// proportion to `own_cores`, the processor seconds it had a second.
 double time_beside_others(double others_cores, double own_cores, int cores);
 
+/// The same factor for a program that ended just now, on this machine. It used `cpu_seconds` within `wall_seconds`.
+double time_beside_others(const OthersBusy& others, double cpu_seconds, double wall_seconds);
+
 }  // namespace photonproof

@@ -80,12 +80,12 @@ TEST_F(RunCell, engine_that_cannot_be_started_says_so_without_a_cost) {
 TEST_F(RunCell, no_image_is_a_bad_image) { EXPECT_EQ(ending("silent"), "bad_image|wrote no image"); }
 
 TEST_F(RunCell, other_size_is_a_bad_image) {
-  EXPECT_EQ(ending("small"), "bad_image|wrote 4x4 pixels instead of 16x12");
+  EXPECT_EQ(ending("small"), "bad_image|wrote 4x4 pixels instead of 32x24");
 }
 
 TEST_F(RunCell, value_that_is_not_finite_is_a_bad_image) {
   // 16 x 12 pixels of three channels are 576 values.
-  EXPECT_EQ(ending("nan"), "bad_image|pixel (0, 0) of the test image is NaN in R; 576 non-finite in all");
+  EXPECT_EQ(ending("nan"), "bad_image|pixel (0, 0) of the test image is NaN in R; 2304 non-finite in all");
 }
 
 TEST_F(RunCell, half_an_image_is_a_bad_image) {

@@ -100,7 +100,7 @@ TEST_F(FaultsOfHarness, red_for_all_finds_green_and_blue_as_dark_as_red) {
   const PlantedFault planted("red-for-all");
   const Deviations wrong = deviations(images);
   for (std::size_t c = 0; c < 3; ++c) {
-    // Noise of 2 % in 192 pixels of four images leaves 0.0005.
+    // Noise of 2 % in 768 pixels of four images leaves 0.0003.
     EXPECT_NEAR(right.whole[c].difference, 0, 0.003) << c;
     EXPECT_NEAR(wrong.whole[c].difference, -0.1 * static_cast<double>(c), 0.003) << c;
   }

@@ -43,7 +43,7 @@ TEST_F(GatesNotFooled, the_reference_is_not_beside_the_scene_that_an_engine_is_g
   put("meshes/tree.ply", "not really");
   const std::string thief = engine("thief", R"(folder=$(dirname "$scene")
 (cd "$folder" && ls -R) > "$suite/seen"
-cp "$folder"/reference-16x12.exr "$output" || cp "$folder"/../references/scene.exr "$output" ||
+cp "$folder"/reference-32x24.exr "$output" || cp "$folder"/../references/scene.exr "$output" ||
 cp "$(dirname "$output")/../../references/scene.exr" "$output")");
   for (int time : {1, 2}) {  // the second time there is what the first one left
     EXPECT_EQ(run_gate(thief + gate("thief", "agreement", 0.05)).exit_code, 1) << time;
@@ -68,7 +68,7 @@ TEST_F(GatesNotFooled, commands_and_last_words_are_about_the_scene_itself) {
 }
 
 TEST_F(GatesNotFooled, an_image_that_is_the_reference_is_named) {
-  const std::string knower = engine("knower", "cp \"$suite/reference-16x12.exr\" \"$output\"");
+  const std::string knower = engine("knower", "cp \"$suite/reference-32x24.exr\" \"$output\"");
   for (const char* metric : {"agreement", "bias", "relmse"}) {
     const ProcessOutcome outcome = run_gate(knower + gate("knower", metric, 0.05));
     EXPECT_EQ(outcome.exit_code, 1) << metric;

@@ -27,8 +27,8 @@ class FakeGateTest : public FakeSuiteTest {
       const std::string number = std::to_string(i) + ".exr";
       const Image good = noisy(random);
       Image dim = good;
-      for (int y = 4; y < 8; ++y)
-        for (int x = 3; x < 6; ++x)
+      for (int y = 8; y < 16; ++y)
+        for (int x = 6; x < 12; ++x)
           for (int c = 0; c < 3; ++c) dim.pixel(x, y)[c] *= 0.5f;
       write_image("good-" + number, good);
       write_image("dim-" + number, dim);

@@ -123,11 +123,9 @@ ReferenceSource reference_source(const TomlTable& table) {
 
 // `key` is where the table names it.
 const MetricRow* known_metric(const TomlTable& table, const std::string& key, const std::string& name) {
+  if (const MetricRow* row = find_metric(name)) return row;
   std::vector<std::string> names;
-  for (const MetricRow& row : metric_rows()) {
-    if (row.name == name) return &row;
-    names.push_back(row.name);
-  }
+  for (const MetricRow& row : metric_rows()) names.push_back(row.name);
   throw table.error(key, "unknown metric '" + name + "'" + did_you_mean(name, names));
 }
 

@@ -125,13 +125,11 @@ std::optional<GradeCells::Cell> GradeRuns::run_beside_others(const PreparedSubmi
   std::optional<GradeCells::Cell> cell = run_once(submission, scene, request, seed);
   if (!cell || cell->run.end != "timeout") return cell;
   const double others = busy.cores();
-  const int cores = std::max(1, describe_host().cores);
-  const double own_cores = cell->run.cpu_seconds / std::max(cell->run.wall_seconds, 1e-6);
-  request.more_time = time_beside_others(others, own_cores, cores);
+  request.more_time = time_beside_others(busy, cell->run.cpu_seconds, cell->run.wall_seconds);
   if (request.more_time == 1) return cell;
   cell = run_once(submission, scene, request, seed);
   if (cell && cell->run.end == "timeout")
-    cell->run.sentence += fmt::format(", while other work used {:.2g} of {} cores", others, cores);
+    cell->run.sentence += fmt::format(", while other work used {:.2g} of {} cores", others, describe_host().cores);
   return cell;
 }
 

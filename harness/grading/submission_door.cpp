@@ -183,8 +183,7 @@ void SubmissionDoor::build(PreparedSubmission& submission, bool reuse) const {
   BuildRecipe build = recipe();
   const OthersBusy busy;
   BuildOutcome outcome = build_submission(folder / "source", build, submission.folder, handling());
-  const double own_cores = outcome.cpu_seconds / std::max(outcome.seconds, 1e-6);
-  const double more_time = time_beside_others(busy.cores(), own_cores, std::max(1, describe_host().cores));
+  const double more_time = time_beside_others(busy, outcome.cpu_seconds, outcome.seconds);
   if (outcome.timed_out && more_time > 1) {
     build.limits.wall_seconds *= more_time;
     fs::remove_all(submission.folder);

@@ -10,7 +10,7 @@ namespace photonproof {
 
 class FakeSuiteTest : public FolderTest {
  protected:
-  static constexpr int width = 16, height = 12;
+  static constexpr int width = 32, height = 24;
 
   void SetUp() override {
     FolderTest::SetUp();
