@@ -33,17 +33,18 @@ nlohmann::ordered_json plan_json(const RenderPlan& plan) {
   return json;
 }
 
-nlohmann::ordered_json stats_json(const RenderArguments& arguments, const RenderPlan& plan, const RenderStats& stats,
-                                  int threads, int width, int height) {
+nlohmann::ordered_json stats_json(const RenderArguments& arguments, const Rendered& rendered) {
+  const RenderPlan& plan = rendered.plan;
+  const RenderStats& stats = rendered.stats;
   return {{"schema_version", 1},
           {"engine", "photonproof " + plan.integrator},
           {"version", version_line()},
           {"scene", arguments.scene.path},
-          {"width", width},
-          {"height", height},
+          {"width", rendered.image.mean.width},
+          {"height", rendered.image.mean.height},
           {"seed", arguments.seed},
           {"sampler", arguments.sampler},
-          {"threads", threads},
+          {"threads", rendered.threads},
           {"interrupted", stats.interrupted},
           {"phases", stats.phases},
           {"counts", stats.counts},

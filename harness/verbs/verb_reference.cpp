@@ -68,7 +68,7 @@ struct Job {
 
 Job job_of(const ReferenceArguments& arguments) {
   SceneDescription scene = load_scene(arguments.scene);
-  const std::string hash = scene_hash(scene, arguments.scene.defines);
+  const std::string hash = scene_hash(scene);
   const int width = scene.sensor.film.width, height = scene.sensor.film.height;
   const FilmDescription::Crop window = scene.sensor.film.window();
   return {arguments,

@@ -109,7 +109,7 @@ TEST_F(RenderVerb, interrupted_writes_what_there_is_and_can_be_resumed) {
   const ProcessOutcome again = with({"--resume", "--quiet"});  // complete: there is none, so it begins anew
   EXPECT_TRUE(again.ok());
   EXPECT_EQ(again.standard_error,
-            path("a.exr.checkpoint") + ": no such checkpoint, the render starts from the beginning\n");
+            path("a.exr.checkpoint") + ": warning: no such checkpoint, the render starts from the beginning\n");
   EXPECT_EQ(get("a.exr"), get("whole.exr"));
 }
 

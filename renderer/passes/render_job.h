@@ -19,10 +19,10 @@ namespace photonproof {
 
 /// What ends a render. Without any, the scene file's sample count does.
 struct RenderBudget {
-  std::optional<std::int64_t> spp;      ///< camera samples a pixel
-  std::optional<std::int64_t> photons;  ///< emitted over the whole render, for each map the scene needs
-  std::optional<double> seconds;        ///< wall time of the render, photon passes included
-  std::optional<double> target_error;   ///< Film::relative_standard_error that is small enough
+  std::optional<std::int64_t> spp{};      ///< camera samples a pixel
+  std::optional<std::int64_t> photons{};  ///< emitted over the whole render, for each map the scene needs
+  std::optional<double> seconds{};        ///< wall time of the render, photon passes included
+  std::optional<double> target_error{};   ///< Film::relative_standard_error that is small enough
 };
 
 struct RenderJob {

@@ -20,7 +20,8 @@
 namespace photonproof {
 
 struct SceneDescription {
-  std::vector<std::string> files;  ///< files read, the scene itself first
+  std::vector<std::string> files;    ///< files read, the scene itself first
+  std::vector<std::string> defines;  ///< values given to its $names, "name=value"
   std::vector<TextureDescription> textures;
   std::vector<BsdfDescription> bsdfs;
   std::vector<MediumDescription> media;

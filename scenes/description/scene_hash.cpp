@@ -56,8 +56,9 @@ class SceneHash {
 
 }  // namespace
 
-std::string scene_hash(const SceneDescription& scene, std::vector<std::string> defines) {
+std::string scene_hash(const SceneDescription& scene) {
   SceneHash hash;
+  std::vector<std::string> defines = scene.defines;
   std::sort(defines.begin(), defines.end());
   for (const std::string& define : defines) hash.text(define);
   for (const std::string& file : scene.files) hash.text(read_file(file));

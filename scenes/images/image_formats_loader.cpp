@@ -17,7 +17,9 @@ Open* load() {
   std::error_code ignored;
   const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
   std::string reason;
-  for (const fs::path& folder : {program.parent_path() / "../lib", fs::path(PHOTONPROOF_MODULE_FOLDER)}) {
+  const fs::path beside = program.parent_path() / "../lib";
+  for (const fs::path& folder :
+       {beside, beside / "photonproof", fs::path(PHOTONPROOF_MODULE_FOLDER), fs::path(PHOTONPROOF_INSTALLED_MODULES)}) {
     // Never closed: libraries below it have threads of their own.
     void* const module = dlopen((folder / name).c_str(), RTLD_NOW | RTLD_LOCAL);
     if (void* open = module ? dlsym(module, "photonproof_open_image") : nullptr) return reinterpret_cast<Open*>(open);

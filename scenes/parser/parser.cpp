@@ -130,7 +130,9 @@ SceneDescription parse_scene_text(std::string_view text, const std::string& name
   SceneFolders folders(sources, options);
   const int file = sources.add(name, std::string(text));
   const Element root = expand_scene(sources, file, folders, options);
-  return SceneReader(sources, folders, root).run();
+  SceneDescription scene = SceneReader(sources, folders, root).run();
+  for (const auto& [define, value] : options.defines) scene.defines.push_back(define + "=" + value);
+  return scene;
 }
 
 }  // namespace photonproof

@@ -1,4 +1,4 @@
-#include "harness/cells/available_memory.h"
+#include "renderer/core/available_memory.h"
 
 #include <sys/resource.h>
 #include <unistd.h>

@@ -1,0 +1,17 @@
+// The identity of a render, by which a checkpoint knows whether it fits.
+#pragma once
+
+#include "renderer/api/render_scene.h"
+#include "renderer/core/checkpoint.h"
+#include "renderer/core/parallel.h"
+
+namespace photonproof {
+
+/// Everything that decides the bits of the image, apart from the budget: a checkpoint may be resumed with a larger one.
+RenderIdentity render_identity(const SceneDescription& description, const RenderRequest& request,
+                               const RenderPlan& plan, const Tile& window);
+
+/// "sobol" or "independent".
+const char* sampler_name(SamplerKind sampler);
+
+}  // namespace photonproof
