@@ -28,6 +28,17 @@ TEST(BatchMeans, mean_and_variance_of_the_mean_are_those_of_the_batches) {
   for (const float v : rendering.variance->rgb) EXPECT_FLOAT_EQ(v, 7.0f / 3);
 }
 
+// Batches whose estimator is biased by 3 % and 4 % say sqrt((0.03^2 + 0.04^2) / 2) together, however many they are.
+TEST(BatchMeans, bias_is_the_root_of_the_mean_square_of_what_the_batches_say) {
+  BatchMeans means(2, 1, 16);
+  EXPECT_EQ(means.relative_bias(), 0);
+  for (int i = 0; i < 4; ++i) {
+    means.add(even(1), "batch", 0.03 * 0.03);
+    means.add(even(1), "batch", 0.04 * 0.04);
+  }
+  EXPECT_NEAR(means.relative_bias(), 0.0353553, 1e-7);
+}
+
 // Variances of radiances of 10^20 are beyond single precision, of 10^-20 below it: no reference would be held to noise.
 TEST(BatchMeans, whose_variance_no_float_holds_are_refused) {
   BatchMeans means(2, 1, 16);
