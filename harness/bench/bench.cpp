@@ -162,7 +162,7 @@ class Bench {
     std::optional<Result> result = run_in_folder(planned, cell_folder);
     if (!result) return false;
     summary_.engine_seconds += result->wall_seconds.value_or(0);
-    result->calibration = calibration_->after_cell(result->wall_seconds.value_or(0));
+    result->calibration = calibration_->after_cell(planned.cell, result->wall_seconds.value_or(0));
     result->key = planned.key;
     result->engine_version = version_of(planned.cell.engine);
     planned.found = CellStore::Found{{std::move(*result), ""}, cell_folder};

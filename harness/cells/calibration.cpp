@@ -161,7 +161,18 @@ double Calibration::read(std::size_t runs) const {
   return std::accumulate(seconds.begin(), seconds.end(), 0.0) / threads_;
 }
 
-CalibrationReading Calibration::after_cell(double engine_seconds) {
+bool ReadingSchedule::is_due(const Cell& cell, double engine_seconds) {
+  Cell any_seed = cell;
+  any_seed.seed = 0;
+  since_reading_ += engine_seconds;
+  if (since_reading_ < longest_shared && sharing_.insert(any_seed.label()).second) return false;
+  since_reading_ = 0;
+  sharing_ = {any_seed.label()};  // half of its reading is the next one's
+  return true;
+}
+
+CalibrationReading Calibration::after_cell(const Cell& cell, double engine_seconds) {
+  if (!schedule_.is_due(cell, engine_seconds)) return {workload_name, threads_, last_};
   const double before = std::exchange(last_, read(calibration_runs(engine_seconds, run_seconds_)));
   return {workload_name, threads_, (before + last_) / 2};
 }

@@ -4,10 +4,15 @@
 // The work is that of a ray tracer, so that it suffers from what engines suffer from: rays through a hierarchy of boxes
 // around 2^15 spheres, closest hit, as much comparing as computing, in 2.5 MB that no inner cache holds; as many
 // threads as the engines have. It takes about 10 ms.
+//
+// Cells that together take less than a quarter of a second share a reading: machines keep their speed for so long.
+// Cells that differ in nothing but the seed never do, since stored_changes.h takes the readings' noise from what their
+// ratios scatter.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -37,16 +42,32 @@ class CalibrationWorkload {
 /// least once, 20 times at most.
 std::size_t calibration_runs(double engine_seconds, double run_seconds);
 
-/// A session's readings: one before its first cell and one after each.
+/// Which cells end with a reading of their own; the others share the one before them.
+class ReadingSchedule {
+ public:
+  /// Engine seconds since the last reading.
+  static constexpr double longest_shared = 0.25;
+
+  /// To be called when a cell has ended, which took `engine_seconds`.
+  bool is_due(const Cell& cell, double engine_seconds);
+
+ private:
+  double since_reading_ = 0;
+  std::set<std::string> sharing_;  // what the cells since then have in common with others: all but the seed
+};
+
+/// A session's readings: one before its first cell and one after each that the schedule names. A cell's is the mean of
+/// the one before it and the one after it, or the one before it alone where it shares that.
 class Calibration {
  public:
   explicit Calibration(int threads);
   /// To be called when a cell has ended, which took `engine_seconds`.
-  CalibrationReading after_cell(double engine_seconds);
+  CalibrationReading after_cell(const Cell& cell, double engine_seconds);
 
  private:
   double read(std::size_t runs) const;
   CalibrationWorkload workload_;
+  ReadingSchedule schedule_;
   int threads_;
   double run_seconds_ = 0;  // wall time of one run
   double last_ = 0;         // reading

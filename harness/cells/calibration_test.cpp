@@ -9,8 +9,7 @@ namespace {
 // which no machine or build rounds otherwise.
 TEST(Calibration, workload_is_the_same_work_everywhere) { EXPECT_EQ(CalibrationWorkload().run(), 167699262u); }
 
-// One run of 10 ms after each cell is within the 50 ms that the harness has for one; 10 s pay for 50 ms, 1000 s for
-// more than anybody needs.
+// A reading is one run of 10 ms at least; 10 s of the engine pay for 50 ms, 1000 s for more than anybody needs.
 TEST(Calibration, costs_half_a_percent_of_the_engine_or_one_run) {
   EXPECT_EQ(calibration_runs(0, 0.01), 1u);
   EXPECT_EQ(calibration_runs(1, 0.01), 1u);
@@ -20,10 +19,44 @@ TEST(Calibration, costs_half_a_percent_of_the_engine_or_one_run) {
 
 TEST(Calibration, reading_is_a_time_and_says_of_what) {
   Calibration calibration(2);
-  const CalibrationReading reading = calibration.after_cell(0);
+  const CalibrationReading reading = calibration.after_cell({"cornell", "path", {"spp", 1}, 1}, 0);
   EXPECT_GT(reading.seconds, 0);
   EXPECT_EQ(reading.threads, 2);
   EXPECT_EQ(reading.workload.substr(0, 3), "1 (");
+}
+
+// 200 cells of 0.02 s, seeds of one kind never next to each other: a reading when 0.25 s are over, after 13 of them.
+TEST(Calibration, short_cells_share_a_reading) {
+  ReadingSchedule schedule;
+  int readings = 0;
+  for (int i = 0; i < 200; ++i)
+    readings += schedule.is_due({"scene" + std::to_string(i % 20), "path", {"spp", 1}, static_cast<unsigned>(i)}, 0.02);
+  EXPECT_EQ(readings, 200 / 13);
+}
+
+TEST(Calibration, cells_that_share_a_reading_have_the_same_one) {
+  Calibration calibration(1);
+  const auto after = [&](const char* scene, double seconds) {
+    return calibration.after_cell({scene, "path", {"spp", 1}, 1}, seconds).seconds;
+  };
+  const double first = after("a", 0.01);
+  EXPECT_EQ(after("b", 0.01), first);
+  EXPECT_EQ(after("c", 0.01), first);
+}
+
+// A reading that two of them shared would not show in what their ratios scatter.
+TEST(Calibration, seeds_of_one_kind_of_cell_share_no_reading) {
+  ReadingSchedule schedule;
+  EXPECT_FALSE(schedule.is_due({"a", "path", {"spp", 1}, 1}, 0));
+  EXPECT_FALSE(schedule.is_due({"a", "path", {"spp", 2}, 1}, 0));
+  EXPECT_FALSE(schedule.is_due({"a", "bdpt", {"spp", 1}, 1}, 0));
+  EXPECT_TRUE(schedule.is_due({"a", "path", {"spp", 1}, 2}, 0));
+  EXPECT_TRUE(schedule.is_due({"a", "path", {"spp", 1}, 3}, 0));
+}
+
+TEST(Calibration, long_cell_has_a_reading_of_its_own) {
+  ReadingSchedule schedule;
+  for (const char* scene : {"a", "b", "c"}) EXPECT_TRUE(schedule.is_due({scene, "path", {"spp", 1}, 1}, 0.3));
 }
 
 }  // namespace
