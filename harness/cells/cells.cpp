@@ -4,6 +4,7 @@
 #include <boost/uuid/name_generator_sha1.hpp>
 #include <boost/uuid/uuid_io.hpp>
 #include <deque>
+#include <map>
 #include <random>
 
 namespace photonproof {
@@ -36,8 +37,12 @@ std::vector<Cell> interleaved_by_engine(const std::vector<Cell>& cells, std::uin
     anyones.engine.clear();
     return content_key({{std::to_string(seed), anyones.label()}});
   };
-  for (auto& [engine, queue] : queues)
-    std::sort(queue.begin(), queue.end(), [&](const Cell& a, const Cell& b) { return place(a) < place(b); });
+  for (auto& [engine, queue] : queues) {
+    std::multimap<std::string, Cell> by_place;
+    for (Cell& cell : queue) by_place.emplace(place(cell), std::move(cell));
+    queue.clear();
+    for (auto& [key, cell] : by_place) queue.push_back(std::move(cell));
+  }
 
   std::mt19937_64 generator(seed);
   std::vector<Cell> ordered;
