@@ -10,6 +10,8 @@ namespace {
 
 class FlipPass : public MetricPass {
  public:
+  explicit FlipPass(std::uint64_t pixels) : pool_(pixels) {}
+
   void measure(const PairTile& tile, const TileMaps& maps, Part&) override {
     const TileColour reference = tile.exposed(0), test = tile.exposed(1);
     const TileMemory::Frame frame(tile.memory());
@@ -36,7 +38,7 @@ class FlipPass : public MetricPass {
 
 }  // namespace
 
-std::unique_ptr<MetricPass> flip_pass(const PairFacts&) { return std::make_unique<FlipPass>(); }
+std::unique_ptr<MetricPass> flip_pass(const PairFacts& facts) { return std::make_unique<FlipPass>(facts.counted); }
 
 std::string flip_parameters() { return "exposure, pixels_per_degree=67.0206"; }
 

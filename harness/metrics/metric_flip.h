@@ -19,10 +19,14 @@ inline constexpr double flip_pixels_per_degree = 67.02064327658225;
 void flip_errors(const TileColour& reference, const TileColour& test, std::size_t width, std::size_t height,
                  TileMemory& memory, std::uint32_t* steps);
 
-/// How often each error occurs. Sums of steps are exact, so neither order nor threads show.
+/// How often each error occurs. Sums of steps are exact, so neither order nor threads show. An image of few pixels is a
+/// list of their steps, which is sorted once; a larger one has a count for each step. Both give the same bits.
 class FlipPool {
  public:
-  FlipPool();
+  static constexpr std::uint64_t most_listed = std::uint64_t{1} << 15;  ///< pixels
+
+  /// `pixels`: how many will be added, at most.
+  explicit FlipPool(std::uint64_t pixels);
   /// Adds the pixels of a tile that count. Several threads may.
   void add(const PairTile& tile, const std::uint32_t* steps);
 
@@ -36,10 +40,18 @@ class FlipPool {
   struct Free {
     void operator()(std::uint32_t* counts) const { std::free(counts); }
   };
+  void list(const PairTile& tile, const std::uint32_t* steps);
+  void count(const PairTile& tile, const std::uint32_t* steps);
+  template <class Visit>
+  void ascending_list(const Visit& visit) const;
   template <class Visit>
   void ascending(const Visit& visit) const;
 
-  // One count a step. Most are never touched, so their memory is asked for as zeros and never written.
+  mutable std::vector<std::uint32_t> listed_;  // a step a pixel, the first `added_`
+  std::size_t added_ = 0;
+  mutable bool sorted_ = false;
+  // One count a step. Most are never touched, so their memory is asked for as zeros and never written. Null where steps
+  // are listed.
   std::unique_ptr<std::uint32_t[], Free> counts_;
   std::vector<std::uint32_t> group_used_;  // whether any of the steps of a group occurs
 };

@@ -12,13 +12,30 @@ constexpr std::size_t kGroup = 2048;
 
 }  // namespace
 
-FlipPool::FlipPool()
-    : counts_(static_cast<std::uint32_t*>(std::calloc(kSteps, sizeof(std::uint32_t)))),
-      group_used_(kSteps / kGroup + 1) {
+FlipPool::FlipPool(std::uint64_t pixels) {
+  if (pixels <= most_listed) {
+    listed_.resize(static_cast<std::size_t>(pixels));
+    return;
+  }
+  counts_.reset(static_cast<std::uint32_t*>(std::calloc(kSteps, sizeof(std::uint32_t))));
   if (!counts_) throw std::bad_alloc();
+  group_used_.resize(kSteps / kGroup + 1);
 }
 
 void FlipPool::add(const PairTile& tile, const std::uint32_t* steps) {
+  if (counts_)
+    count(tile, steps);
+  else
+    list(tile, steps);
+}
+
+void FlipPool::list(const PairTile& tile, const std::uint32_t* steps) {
+  for (int y = 0; y < tile.height(); ++y)
+    for (int x = 0; x < tile.width(); ++x, ++steps)
+      if (tile.counts(x, y)) listed_.at(std::atomic_ref(added_).fetch_add(1, std::memory_order_relaxed)) = *steps;
+}
+
+void FlipPool::count(const PairTile& tile, const std::uint32_t* steps) {
   std::uint32_t zeros = 0;
   const auto count = [&](std::uint32_t step) {
     if (step == 0) {
@@ -35,9 +52,22 @@ void FlipPool::add(const PairTile& tile, const std::uint32_t* steps) {
   std::atomic_ref(group_used_[0]).store(1, std::memory_order_relaxed);
 }
 
+template <class Visit>
+void FlipPool::ascending_list(const Visit& visit) const {
+  const auto end = listed_.begin() + static_cast<std::ptrdiff_t>(added_);
+  if (!sorted_) std::sort(listed_.begin(), end);
+  sorted_ = true;
+  for (auto first = listed_.begin(); first != end;) {
+    const auto next = std::find_if(first, end, [step = *first](std::uint32_t other) { return other != step; });
+    if (visit(std::size_t{*first}, static_cast<std::uint64_t>(next - first))) return;
+    first = next;
+  }
+}
+
 /// visit(step, count) of every error that occurs, smallest first, until it returns true.
 template <class Visit>
 void FlipPool::ascending(const Visit& visit) const {
+  if (!counts_) return ascending_list(visit);
   for (std::size_t group = 0; group < group_used_.size(); ++group) {
     if (!group_used_[group]) continue;
     for (std::size_t step = group * kGroup; step < std::min(kSteps, (group + 1) * kGroup); ++step)

@@ -110,6 +110,26 @@ TEST(Flip, pooled_values_weigh_an_error_by_its_size) {
   EXPECT_EQ(metric_value("flip_max", reference, test), sorted.back());
 }
 
+// Steps are whole multiples of 2^-22, so sums of the map's values are exact and the pool must give the same bits.
+TEST(Flip, pools_of_listed_and_of_counted_steps_are_those_of_the_map) {
+  for (const int width : {128, 257}) {
+    const int height = 128;
+    ASSERT_EQ(static_cast<std::uint64_t>(width) * height <= FlipPool::most_listed, width == 128);
+    const Image reference = busy_image(width, height), test = busy_image(width, height, 1, 2);
+    std::vector<float> sorted = flip_map(reference, test, {});
+    std::sort(sorted.begin(), sorted.end());
+    const double total = std::accumulate(sorted.begin(), sorted.end(), 0.0);
+    EXPECT_EQ(metric_value("flip", reference, test), total / (width * height)) << width;
+    EXPECT_EQ(metric_value("flip_max", reference, test), sorted.back()) << width;
+    const char* names[] = {"flip_weighted_quartile1", "flip_weighted_median", "flip_weighted_quartile3"};
+    for (int i = 0; i < 3; ++i) {
+      double running = 0;
+      const auto passes = [&](float error) { return (running += error) > 0.25 * (i + 1) * total; };
+      EXPECT_EQ(metric_value(names[i], reference, test), *std::ranges::find_if(sorted, passes)) << width << names[i];
+    }
+  }
+}
+
 TEST(Flip, uses_the_viewing_distance_of_nvidias_tool) {
   // 0.7 m from a monitor 0.7 m and 3840 pixels wide: a degree is 0.7 pi/180 m of it.
   EXPECT_DOUBLE_EQ(flip_pixels_per_degree, 0.7 * (3840 / 0.7) * std::numbers::pi / 180);

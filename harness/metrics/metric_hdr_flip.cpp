@@ -87,7 +87,8 @@ Luminances luminances_of(RowSource& image) {
 
 class HdrFlipPass : public MetricPass {
  public:
-  explicit HdrFlipPass(const std::optional<ExposureRange>& range) : range_(range) {}
+  explicit HdrFlipPass(const PairFacts& pair)
+      : range_(pair.options.parameters.hdr_exposures), pool_(range_ ? pair.counted : 0) {}
 
   void measure(const PairTile& tile, const TileMaps&, Part&) override {
     if (!range_) return;
@@ -142,9 +143,7 @@ std::optional<ExposureRange> exposures_of(RowSource& reference) {
   return ExposureRange{start, stop, std::max(2, static_cast<int>(std::ceil(stop - start)))};
 }
 
-std::unique_ptr<MetricPass> hdr_flip_pass(const PairFacts& pair) {
-  return std::make_unique<HdrFlipPass>(pair.options.parameters.hdr_exposures);
-}
+std::unique_ptr<MetricPass> hdr_flip_pass(const PairFacts& pair) { return std::make_unique<HdrFlipPass>(pair); }
 
 std::string hdr_flip_parameters() { return "tone_mapper=ACES, exposures, pixels_per_degree=67.0206"; }
 
