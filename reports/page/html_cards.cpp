@@ -84,10 +84,12 @@ Gallery gallery(const View& view, const SceneView& scene, const std::vector<Scen
   std::vector<Embedded> embedded;
   std::size_t whole = 0;  // bytes of all pictures as they are
   int longest = 0;        // side of the largest
-  for (const int side : {4096, 512, 384, 256, 192, 128, 96, 64, 32}) {
+  constexpr int least_side = 32;
+  for (const int side : {4096, 512, 384, 256, 192, 128, 96, 64, least_side}) {
     // Bytes go with the area: sizes that would take more than twice the allowance are not tried.
     const double part = static_cast<double>(side) / std::max(longest, 1);
-    if (whole > 0 && static_cast<double>(whole) * part * part > 2.0 * static_cast<double>(allowance)) continue;
+    const bool too_large = static_cast<double>(whole) * part * part > 2.0 * static_cast<double>(allowance);
+    if (whole > 0 && too_large && side > least_side) continue;
     out.longest_side = side;
     embedded = embed_all(images, folder, has_reference(scene), out.longest_side, out.bytes);
     if (out.bytes <= allowance) break;

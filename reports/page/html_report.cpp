@@ -74,13 +74,9 @@ void set_columns(data& page, const View& view) {
 
 void set_templates(data& page) {
   set_style_and_script(page, std::string(templates::style), templates::script, templates::script_sha256);
-  set_partial(page, "swatch_svg", templates::swatch_svg);
+  set_scene_partials(page);
   set_partial(page, "thumbnail_img", templates::thumbnail_img);
-  set_partial(page, "picture_img", templates::picture_img);
   set_partial(page, "scene_section", templates::scene_section);
-  set_partial(page, "verdict_chip", templates::verdict_chip);
-  set_partial(page, "gates_table", templates::gates_table);
-  set_partial(page, "plain_table", templates::plain_table);
 }
 
 }  // namespace

@@ -72,6 +72,24 @@ TEST_F(HtmlReportInBrowser, every_control_has_a_name) {
   EXPECT_EQ(seen["nameless"], nlohmann::json::array());
 }
 
+TEST_F(HtmlReportInBrowser, details_of_many_measurements_are_unpacked_when_they_are_opened) {
+  Results results = sample_results();
+  for (std::uint64_t seed = 100; seed < 200; ++seed)
+    results.results.push_back(finished("box", "photon", {"photons", 2000}, seed, 0.05));
+  results.results.back().command = "photonproof render \"a scene\" & <b>more</b>";
+  write_html_report(results, folder.path(), page);
+  std::vector<std::string> console;
+  const auto seen = drive(page, 1200, R"(
+    const details = page.querySelector("details.packed"), before = details.querySelectorAll("h4").length;
+    details.open = true;
+    await until(() => details.querySelector("h4"));
+    return [before, details.querySelectorAll("h4").length, details.querySelectorAll(".note, script, b").length,
+            [...details.querySelectorAll("code.command")].filter((c) => c.textContent.includes("& <b>more")).length];)",
+                          &console);
+  EXPECT_EQ(seen, (nlohmann::json{0, 105, 0, 1}));
+  EXPECT_EQ(console, std::vector<std::string>());
+}
+
 TEST_F(HtmlReportInBrowser, the_check_for_messages_sees_them) {
   std::ofstream(page) << "<!doctype html><script>console.error('seen')</script>";
   const BrowserOutcome outcome = browse(page);

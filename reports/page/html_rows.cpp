@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "reports/page/html_data.h"
 #include "reports/view/cell_details.h"
 #include "reports/view/metric_columns.h"
@@ -31,10 +33,15 @@ data details_data(const Result& result) {
   return list;
 }
 
+/// Six digits of a fraction are more than any column shows.
+std::string sort_text(double value) {
+  return value == std::floor(value) ? fmt::format("{}", value) : fmt::format("{:.6g}", value);
+}
+
 data number_cell(const std::string& text, const std::optional<double>& sort) {
   data cell;
   cell.set("text", text);
-  cell.set("sort", sort ? data(fmt::format("{}", *sort)) : data(false));
+  cell.set("sort", sort ? data(sort_text(*sort)) : data(false));
   return cell;
 }
 

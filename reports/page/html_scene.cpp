@@ -8,10 +8,13 @@
 #include "reports/page/html_conclusions.h"
 #include "reports/page/html_data.h"
 #include "reports/page/html_rows.h"
+#include "reports/page/page_parts.h"
+#include "reports/page/templates.h"
 #include "reports/page/viewer_data.h"
 #include "reports/plots/error_plot.h"
 #include "reports/view/cell_details.h"
 #include "reports/view/conclusions.h"
+#include "reports/view/deflated.h"
 #include "reports/view/text.h"
 #include "reports/view/verdicts.h"
 
@@ -21,8 +24,12 @@ namespace {
 using kainjow::mustache::data;
 namespace fs = std::filesystem;
 
-// A page of ten scenes stays below 5 MB: 10 x 460 kB of pictures leave 400 kB for everything else.
-constexpr std::size_t scene_bytes = 460'000, gallery_bytes = 190'000;
+// A page of ten scenes stays below 5 MB: 10 x 485 kB leave 150 kB for style, script and what is about all scenes.
+// Pictures take what a scene's text leaves, as far as they stay recognisable.
+constexpr std::size_t scene_bytes = 485'000, most_picture_bytes = 460'000, least_picture_bytes = 80'000;
+constexpr double share_of_gallery = 0.4;
+// More measurements than this have their details packed: 2 kB of text each become 0.2 kB.
+constexpr std::size_t most_open_details = 60;
 
 /// An index entry's picture, numbers and what it shows.
 data shown_data(const fs::path& folder, const std::string& file, const std::string& alt, std::size_t& bytes) {
@@ -121,15 +128,38 @@ std::string facts_text(const SceneRecord& record) {
 }
 
 void set_images(data& out, const View& view, const SceneView& scene, const fs::path& folder, const std::string& id,
-                std::size_t used_bytes) {
+                std::size_t bytes) {
   const std::vector<SceneImage> images = scene_images(view, scene);
-  const Gallery shown = gallery(view, scene, images, folder, id, gallery_bytes);
-  const std::string json = viewer_json(view, scene, images, folder, id, scene_bytes - shown.bytes - used_bytes);
+  const auto for_gallery = static_cast<std::size_t>(share_of_gallery * static_cast<double>(bytes));
+  const Gallery shown = gallery(view, scene, images, folder, id, for_gallery);
+  // The gallery's smallest pictures may be larger than its share; the viewer has half of all at least.
+  const std::size_t for_viewer = std::max(bytes, shown.bytes + bytes / 2) - shown.bytes;
+  const std::string json = viewer_json(view, scene, images, folder, id, for_viewer);
   out.set("has_cards", shown.cards.is_non_empty_list());
   out.set("cards", shown.cards);
   out.set("reduced_to", shown.longest_side == 0 ? data(false) : data(std::to_string(shown.longest_side)));
   out.set("has_viewer", !json.empty());
   out.set("viewer_json", json);
+}
+
+void set_rows(data& out, const View& view, const SceneView& scene) {
+  data rows = rows_data(view, scene);
+  out.set("has_rows", rows.is_non_empty_list());
+  out.set("rows", rows);
+  out.set("packed_details", data(false));
+  if (rows.list_value().size() <= most_open_details) return;
+  data details;
+  set_scene_partials(details);
+  details.set("rows", rows);
+  out.set("packed_details", base64(deflated(rendered_page(templates::cell_details, details))));
+}
+
+/// How much a scene's other pictures may take beside its text and its thumbnails.
+std::size_t picture_bytes(data& scene_without_pictures, std::size_t thumbnail_bytes) {
+  set_scene_partials(scene_without_pictures);
+  const std::size_t text = rendered_page(templates::scene_section, scene_without_pictures).size();
+  const std::size_t left = std::min(scene_bytes - std::min(scene_bytes, text), most_picture_bytes);
+  return std::max(left - std::min(left, thumbnail_bytes), least_picture_bytes);
 }
 
 data skips_data(const SceneView& scene) {
@@ -159,6 +189,15 @@ data provenance_data(const SceneView& scene) {
 
 }  // namespace
 
+void set_scene_partials(data& object) {
+  set_partial(object, "swatch_svg", templates::swatch_svg);
+  set_partial(object, "cell_details", templates::cell_details);
+  set_partial(object, "picture_img", templates::picture_img);
+  set_partial(object, "verdict_chip", templates::verdict_chip);
+  set_partial(object, "gates_table", templates::gates_table);
+  set_partial(object, "plain_table", templates::plain_table);
+}
+
 data scene_data(const View& view, const SceneView& scene, const fs::path& folder, const std::string& id) {
   data out, outcomes(data::type::list);
   std::size_t thumbnail_bytes = 0;
@@ -180,12 +219,9 @@ data scene_data(const View& view, const SceneView& scene, const fs::path& folder
     out.set("verdicts", verdicts_text(scene.gates));
     out.set("worst", text_or_false(*scene.verdict == GateVerdict::pass ? "" : scene.gates.front()->sentence));
   }
-  set_images(out, view, scene, folder, id, thumbnail_bytes);
   set_curves(out, view, scene);
   set_gates(out, scene.gates, true);
-  data rows = rows_data(view, scene);
-  out.set("has_rows", rows.is_non_empty_list());
-  out.set("rows", rows);
+  set_rows(out, view, scene);
   out.set("has_parameters", !scene.parameters.empty());
   out.set("parameters", parameters_data(scene.parameters));
   data skips = skips_data(scene);
@@ -194,6 +230,7 @@ data scene_data(const View& view, const SceneView& scene, const fs::path& folder
   data provenance = provenance_data(scene);
   out.set("has_provenance", provenance.is_non_empty_list());
   out.set("provenance", provenance);
+  set_images(out, view, scene, folder, id, picture_bytes(out, thumbnail_bytes));
   return out;
 }
 

@@ -13,4 +13,7 @@ namespace photonproof::reports {
 kainjow::mustache::data scene_data(const View& view, const SceneView& scene, const std::filesystem::path& folder,
                                    const std::string& id);
 
+/// The templates inside scene_section.mustache are set.
+void set_scene_partials(kainjow::mustache::data& object);
+
 }  // namespace photonproof::reports
