@@ -64,8 +64,8 @@ std::string verdict_words(Change change) {
 }
 
 // Logarithms of the cells' processor times, and of these by the calibration beside each, which is empty unless every
-// cell has one of the same workload. Seeds of one kind of cell share no reading, so the readings' noise is in what these
-// scatter.
+// cell has one of the same workload. Seeds of one kind of cell share no reading, so the readings' noise is in what
+// these scatter.
 struct StoredTimes {
   std::vector<double> plain, calibrated;
   std::string workload;
