@@ -91,6 +91,21 @@ TEST(agreement_by_hand, a_plain_mean_of_independent_pixels_has_their_variance_ov
   EXPECT_FALSE(passes(3.30));
 }
 
+// 256 pixels of one variance count alike in the weighed mean, whose deviation is 1/16 of a pixel's.
+TEST(agreement_by_hand, a_mean_of_alike_pixels_has_their_variance_over_their_number) {
+  const Rendering exact = image_of(16, all(1), all(0)), noisy = image_of(16, all(1 + 2 * 0.1 / 16), all(0.01));
+  EXPECT_NEAR(test_agreement(exact, noisy).whole.observed, 2, 1e-3);
+  EXPECT_NEAR(test_agreement(noisy, exact).whole.observed, 2, 1e-3);
+}
+
+// One pixel of 64 has all of a block's variance: it has 2 degrees of freedom. Student's t of 4 then is a normal deviate
+// of 1.90185 (scipy.stats.t.sf), four of which make chi^2 = 14.468. One degree would make it 8.05.
+TEST(agreement_by_hand, a_block_whose_noise_is_one_pixels_has_two_degrees_of_freedom) {
+  const auto variance = [](int x, int y) { return x % 8 == 4 && y % 8 == 4 ? 0.01 : 0.0; };
+  const Agreement result = test_agreement(image_of(16, all(1), all(0)), image_of(16, all(1 + 4 * 0.1 / 64), variance));
+  EXPECT_NEAR(result.blocks.observed, 14.468, 0.05);
+}
+
 // 25 blocks whose pixels have the variance 1e-6, but 1 in the block of the middle. A place beside the noisy one may
 // have missed such noise itself: it counts with a fifth of the variance around it, .2 / 9, and a far one with its own.
 // An error of three deviations of a pixel is then 6 of the mean in a far block, 64e6 .003 / sqrt(16 64 1e6), and next
