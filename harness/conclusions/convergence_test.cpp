@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 #include "scenes/images/image.h"
 #include "scenes/text/test_folder.h"
@@ -70,6 +71,17 @@ TEST(Convergence, budget_above_the_target_refutes_the_smaller_ones_below_it) {
             std::vector<std::string>{why + ": the smaller budgets met too few rare bright samples, or it is a fault"});
 }
 
+// Twice the error is within what seeds differ by; two and a half times is not.
+TEST(Convergence, error_may_grow_by_a_factor_of_two) {
+  for (const auto& [factor, is_refuted] : {std::pair{1.9, false}, std::pair{2.5, true}}) {
+    Convergence curve;
+    curve.points = {point(1, 1, 0.02), point(4, 4, 0.005), point(16, 16, 0.005 * factor)};
+    curve.targets = {{0.01}};
+    conclude(curve);
+    EXPECT_EQ(!curve.targets[0].undefined.empty(), is_refuted) << factor;
+  }
+}
+
 // One budget behind a leap may be as lucky as those before it; two say where the curve is, and only they do.
 // 0.02 / t = 0.003 at t = 6.667.
 TEST(Convergence, budgets_behind_a_leap_count_from_two_on) {
@@ -114,6 +126,15 @@ TEST(Convergence, uncertainty_of_errors_and_of_times_is_in_that_of_the_time_to_a
   conclude(curve);
   EXPECT_FALSE(curve.targets[0].seconds->interval);
   EXPECT_FALSE(curve.efficiency->interval);
+}
+
+// 1 / (relmse s): the upper end of the error gives the efficiency's lower end.
+TEST(Convergence, ends_of_the_efficiency_are_those_of_the_error_turned_round) {
+  Convergence curve = exact_curve();
+  for (CurvePoint& p : curve.points) p.relmse->interval = Interval{p.relmse->value / 1.1, p.relmse->value * 1.3};
+  conclude(curve);
+  EXPECT_NEAR(curve.efficiency->interval->low, 50 / 1.3, 1e-9);
+  EXPECT_NEAR(curve.efficiency->interval->high, 50 * 1.1, 1e-9);
 }
 
 // Statistics that mean nothing are not printed, and the record says why.
@@ -253,6 +274,46 @@ TEST_F(ConvergenceOfImages, every_budget_is_judged_by_the_images_of_all_its_seed
   EXPECT_EQ(convergence_of(results_, folder_, {}, judge)[0].points[0].correctness->sentence, "spp=4: 2");
 }
 
+// A reference whose variance is `share` of the relMSE of 0.04: 0.04 share times the 0.01 that errors are relative to.
+TEST_F(ConvergenceOfImages, error_that_is_in_part_the_references_noise_is_said_from_a_tenth_on) {
+  const auto curve_of = [&](double share) {
+    results_.results.resize(1);
+    Rendering reference{Image(16, 16), Image(16, 16), {}};
+    for (float& v : reference.variance->rgb) v = static_cast<float>(0.04 * share * 0.01);
+    write_exr((folder_ / results_.results[0].image).string(), reference);
+    add({"s", "path", {"spp", 4}, 1}, 0.02f, 1);
+    return convergence_of(results_, folder_, {})[0];
+  };
+  const auto says = [](const Convergence& curve) {
+    return !curve.caveats.empty() && curve.caveats[0] == "spp=4: 10 % of the error is the reference's own noise";
+  };
+  EXPECT_FALSE(says(curve_of(0.095)));
+  EXPECT_TRUE(says(curve_of(0.104)));
+  EXPECT_FALSE(curve_of(0.48).points[0].undefined.contains(own_error_key));
+  EXPECT_EQ(curve_of(0.52).points[0].undefined.at(own_error_key), "it is the reference's noise");
+}
+
+// Eight noisy images of a reference whose variance is said to be ten times theirs: bias^2 less that is far below 0. A
+// cell's variance is an upper bound, so that the interval's end has it added again; a stored reference's is exact.
+TEST_F(ConvergenceOfImages, variance_of_a_reference_that_is_a_cell_is_an_upper_bound) {
+  Rendering reference{Image(32, 32), Image(32, 32), {}};
+  for (float& v : reference.variance->rgb) v = 1e-5f;
+  std::mt19937_64 random(3);
+  std::normal_distribution<float> noise(0, 1e-3f);
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    add({"s", "path", {"spp", 4}, seed}, 0, 1);
+    Rendering image;
+    image.mean = Image(32, 32);
+    for (float& v : image.mean.rgb) v = noise(random);
+    write_exr((folder_ / results_.results.back().image).string(), image);
+  }
+  write_exr((folder_ / results_.results[0].image).string(), reference);
+  const auto end = [&] { return convergence_of(results_, folder_, {})[0].points[0].undefined.at("bias2"); };
+  EXPECT_NE(end(), "none seen above 0");
+  results_.scenes[0].reference.emplace().image = results_.results[0].image;
+  EXPECT_EQ(end(), "none seen above 0");
+}
+
 TEST_F(ConvergenceOfImages, lost_image_leaves_the_recorded_metric) {
   add({"s", "path", {"spp", 4}, 1}, 0.02f, 1);
   results_.results.back().image = "gone.exr";
@@ -265,7 +326,7 @@ TEST_F(ConvergenceOfImages, budgets_that_are_mostly_start_up_are_named) {
   add({"s", "path", {"spp", 1}, 1}, 0.02f, 1);
   results_.results.back().phases = {{"load", 0.5}, {"render", 0.1}};
   add({"s", "path", {"spp", 4}, 1}, 0.02f, 1);
-  results_.results.back().phases = {{"load", 0.5}, {"render", 0.4}};
+  results_.results.back().phases = {{"load", 0.4}, {"render", 0.4}, {"write", 0.2}};
   add({"s", "path", {"spp", 64}, 1}, 0.02f, 4);
   results_.results.back().phases = {{"load", 0.1}, {"render", 3.9}};
   EXPECT_EQ(convergence_of(results_, folder_, {})[0].caveats,

@@ -236,5 +236,31 @@ TEST(ErrorSplit, one_image_tells_nothing_of_its_spread) {
   EXPECT_FALSE(split.variance);
 }
 
+// Eight images of 144 blocks whose sums of errors have 12 times the variance that independent blocks leave: r = 11/143
+// between any two, which only the sum of all shows. Its ratio is 12 chi^2_7 / 7, above the 1 % bound of 18.475/7 with a
+// probability of 0.98; the variance's interval then is that of 8 numbers, 7/1.690 up.
+TEST(ErrorSplit, noise_that_all_blocks_share_a_little_is_seen_in_their_sum) {
+  std::mt19937_64 generator(5);
+  std::normal_distribution<double> normal;
+  int seen = 0;
+  constexpr int experiments = 50;
+  for (int e = 0; e < experiments; ++e) {
+    // A block's sum of 48 values: own variance 48, common variance c^2 48^2, with 144 c^2 48^2 = 11 (48 + c^2 48^2).
+    const double common_sd = std::sqrt(11.0 / 133 / 48);
+    std::vector<Image> images;
+    for (int k = 0; k < 8; ++k) {
+      const double common = common_sd * normal(generator);
+      Image image(side, side);
+      for (float& v : image.rgb) v = static_cast<float>(1 + 0.01 * (common + normal(generator)));
+      images.push_back(image);
+    }
+    Image even(side, side);
+    for (float& v : even.rgb) v = 1;
+    const Estimate variance = *split_error(even, nullptr, images, ReferenceVariance::exact).variance;
+    seen += variance.interval->high > 4 * variance.value;
+  }
+  EXPECT_GE(seen, 45);
+}
+
 }  // namespace
 }  // namespace photonproof

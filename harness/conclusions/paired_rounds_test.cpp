@@ -70,6 +70,17 @@ TEST(PairedRounds, noise_that_hides_the_change_is_inconclusive) {
   EXPECT_EQ(judge_seconds(rounds_of(10, 1.03, 0.2, 5)).change, Change::inconclusive);
 }
 
+// The new program's 1.03 s are compared with the mean of 1 and 1.02 s.
+TEST(PairedRounds, new_times_are_compared_with_the_mean_of_both_old_ones) {
+  EXPECT_NEAR(judge_seconds(std::vector<PairedRound>(6, {1, 1.03, 1.02, {}, {}})).ratio.value, 1.03 / 1.01, 1e-12);
+}
+
+TEST(PairedRounds, session_whose_control_is_faster_than_itself_gives_no_verdict) {
+  const RatioVerdict verdict = judge_seconds(rounds_of(20, 0.97, 0.001, 5, 0.99));
+  EXPECT_EQ(verdict.change, Change::inconclusive);
+  EXPECT_LT(verdict.control->high, 0.995);
+}
+
 TEST(PairedRounds, session_whose_control_differs_from_itself_gives_no_verdict) {
   const RatioVerdict verdict = judge_seconds(rounds_of(20, 1.03, 0.001, 5, 1.01));
   EXPECT_EQ(verdict.change, Change::inconclusive);

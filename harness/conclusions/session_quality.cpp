@@ -12,7 +12,11 @@ namespace photonproof {
 
 std::string load_caveat(int cores) {
   double load = 0;
-  if (getloadavg(&load, 1) != 1 || load <= cores) return {};
+  return getloadavg(&load, 1) == 1 ? load_caveat(load, cores) : "";
+}
+
+std::string load_caveat(double load, int cores) {
+  if (load <= cores) return {};
   return fmt::format("load average {:.1f} on {} cores when it began: wall times are longer than the engines need", load,
                      cores);
 }

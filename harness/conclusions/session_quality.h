@@ -12,6 +12,8 @@ namespace photonproof {
 /// "load average 5.2 on 2 cores when it began: ..."; empty where fewer wait than there are cores, or the system does
 /// not say.
 std::string load_caveat(int cores);
+/// The same of a given load average.
+std::string load_caveat(double load, int cores);
 
 /// The control, engine `control` measured a second time as `twin`, as a ratio of wall times of the cells both have:
 /// says that the session is noisy where its 95 % interval excludes 1, or that too few pairs tell nothing. Empty when

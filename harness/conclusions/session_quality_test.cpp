@@ -38,6 +38,12 @@ TEST(SessionQuality, control_that_was_not_measured_says_nothing) {
   EXPECT_EQ(control_caveat(twins(0, 1), "a", "b"), "");
 }
 
+TEST(SessionQuality, load_above_the_number_of_cores_is_a_caveat) {
+  EXPECT_EQ(load_caveat(2.0, 2), "");
+  EXPECT_EQ(load_caveat(2.1, 2),
+            "load average 2.1 on 2 cores when it began: wall times are longer than the engines need");
+}
+
 TEST(SessionQuality, no_machine_is_overloaded_with_a_million_cores) { EXPECT_EQ(load_caveat(1000000), ""); }
 
 }  // namespace

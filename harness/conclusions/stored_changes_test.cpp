@@ -45,6 +45,16 @@ TEST(StoredChanges, small_change_of_time_is_inconclusive_and_a_factor_of_two_is_
   EXPECT_EQ(change_of(run(2, 0.1), run(1, 0.1), "seconds"), Change::improvement);
 }
 
+// Order statistics of six logarithms that are 0.357 = (1/2)/(1 + 4/10) of the way from the extremes to the next ones
+// (statistics.h): each median lies within [1.00356, 1.04642], a ratio of 2 within 2 / 1.04272 / 1.25 and
+// 2 1.04272 1.25.
+TEST(StoredChanges, interval_of_the_ratio_is_that_of_both_medians_and_of_the_session) {
+  const ChangeRecord twice = stored_changes(run(1, 0.1), run(2, 0.1), cell, {}).at(0);
+  EXPECT_NEAR(twice.ratio.value, 2, 1e-12);
+  EXPECT_NEAR(twice.ratio.interval->low, 1.534470, 1e-6);
+  EXPECT_NEAR(twice.ratio.interval->high, 2.606764, 1e-6);
+}
+
 // The same six cells, on a machine and at a time when the calibration takes as long as `calibration` seconds.
 Results calibrated_run(double seconds, double calibration) {
   Results results = run(seconds, 0.1);

@@ -147,6 +147,25 @@ TEST(Statistics, bca_follows_the_skew_of_the_data) {
   EXPECT_GT(bca.high - mean_of(values), 2 * (mean_of(values) - bca.low));
 }
 
+// The variance (over n) of ten skewed values is below itself in 59 % of resamples: z0 = 0.235. Ends by
+// scipy.stats.bootstrap(method="BCa") of 400,000 resamples: 25.7 and 329.5 (seeds differ by 0.2). Without z0 in the
+// quantiles they would be 19.0 and 311.2.
+TEST(Statistics, bca_is_that_of_another_implementation) {
+  const std::vector<double> values{1, 2, 3, 4, 5, 7, 9, 13, 20, 40};
+  const IndexStatistic variance = [&](std::span<const std::size_t> indices) {
+    double sum = 0, squares = 0;
+    for (const std::size_t i : indices) {
+      sum += values[i];
+      squares += values[i] * values[i];
+    }
+    const auto n = static_cast<double>(indices.size());
+    return squares / n - sum / n * (sum / n);
+  };
+  const Interval interval = bootstrap_bca(values.size(), variance, {0.95, 100'000, 1});
+  EXPECT_NEAR(interval.low, 25.7, 1);
+  EXPECT_NEAR(interval.high, 329.5, 3);
+}
+
 // x = 1..5, y = 2, 4, 5, 4, 5 (the standard textbook example): slope 0.6, intercept 2.2, sum of squared residuals 2.4,
 // sum (x - 3)^2 = 10, so the slope's standard error is sqrt(2.4 / 3 / 10) = 0.28284; t(0.975; 3) = 3.18245.
 TEST(Statistics, least_squares_slope_and_its_t_interval_are_the_textbook_ones) {
