@@ -10,7 +10,9 @@
 #include "harness/pixels/image_blocks.h"
 #include "harness/statistics/block_variance.h"
 #include "harness/statistics/deviation.h"
+#include "harness/statistics/picture_noise.h"
 #include "harness/statistics/student.h"
+#include "harness/statistics/weighed_mean.h"
 #include "scenes/images/mean_error.h"
 #include "scenes/text/input_error.h"
 #include "scenes/text/percent_text.h"
@@ -18,7 +20,6 @@
 namespace photonproof {
 namespace {
 
-constexpr double kMostOfMedian = 4;  // what a place counts in the whole image's mean, at most
 constexpr const char* kChannels[] = {"R", "G", "B"};
 
 /// One channel of both images: differences and their variances.
@@ -55,20 +56,6 @@ double sum_over(const Block& block, const Differences& d, const std::vector<doub
   return sum;
 }
 
-/// Relative deviation squared of the block's variances, from their median and median absolute deviation, so that an
-/// edge or a lamp in the block does not count.
-double relative_spread_of_variance(const Block& block, const Differences& d) {
-  std::vector<double> values;
-  for_each_pixel(block, [&](int x, int y) { values.push_back(d.variance[d.index(x, y)]); });
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  const double median = *middle;
-  for (double& value : values) value = std::abs(value - median);
-  std::nth_element(values.begin(), middle, values.end());
-  constexpr double of_normal = 1.4826;  // deviation over median absolute deviation
-  return median > 0 ? std::pow(of_normal * *middle / median, 2) : 0;
-}
-
 Deviation block_deviation(const Block& block, const Differences& d) {
   const KnownVariance known = known_over(block, [&](int x, int y) { return d.shared[d.index(x, y)]; });
   Deviation deviation;
@@ -96,7 +83,8 @@ StatisticalVerdict test_all_pixels(const std::array<Differences, 3>& channels, c
   for (const Differences& d : channels) {
     for (const Block& block : blocks_of(d.width, d.height)) {
       const double least = sum_over(block, d, d.variance) / block.pixels();
-      const double shape = 6 / relative_spread_of_variance(block, d);
+      const double shape =
+          6 / relative_spread_of_variance(block, [&](int x, int y) { return d.variance[d.index(x, y)]; });
       for_each_pixel(block, [&](int x, int y) {
         const double variance = std::max(least, d.variance[d.index(x, y)]);
         const double t = variance > 0 ? std::abs(d.difference[d.index(x, y)]) / std::sqrt(variance) : 0;
@@ -118,21 +106,6 @@ StatisticalVerdict test_all_pixels(const std::array<Differences, 3>& channels, c
            double{reference.mean.pixel(worst_x, worst_y)[worst_channel]}, verdict.observed, verdict.bound, beyond,
            verdict.n);
   return verdict;
-}
-
-/// The one correlation c that any two pixels would have if an image's MeanError came of it: (error of the sum)^2 =
-/// (1 - c) sum v + c (sum sqrt v)^2, where pixels share light paths. 0 where it says nothing.
-double correlation_of_pixels(const Rendering& rendering, std::size_t channel) {
-  const auto stored = stored_mean_error(rendering);
-  if (!stored) return 0;
-  double sum = 0, roots = 0;
-  for (std::size_t i = channel; i < rendering.variance->rgb.size(); i += 3) {
-    sum += double{rendering.variance->rgb[i]};
-    roots += std::sqrt(double{rendering.variance->rgb[i]});
-  }
-  if (roots * roots <= sum) return 0;
-  const double shown = std::pow(stored->standard_error[channel] * static_cast<double>(rendering.mean.pixels()), 2);
-  return std::clamp((shown - sum) / (roots * roots - sum), 0.0, 1.0);
 }
 
 /// Takes from the blocks what all pixels of `rendering` are high or low by together, in proportion to their deviations:
@@ -187,102 +160,6 @@ StatisticalVerdict test_blocks(const std::array<Differences, 3>& channels, const
   return verdict;
 }
 
-/// Weights of the pixels of one channel in its mean over the image. A common factor shows best where values are weighed
-/// by r/v; so a lamp's edge of which a few samples decide does not drown the rest. A place's share of the mean then is
-/// r^2/v, of which a lamp without noise would have all; so none counts more than four times as much as the median one.
-/// (Where v goes with r, as where few samples find a bright light, r/v is the plain mean, in which bright places count
-/// more than dark ones; if none counted more than the median one, keyhole would take 1.7 times the samples for the same
-/// power, pool 2.2.) But v is an estimate, and samples that are high by chance look uncertain: weighed by their own
-/// variances they would count too little. So the pixels of either colour of a checkerboard take theirs from the other
-/// colour, of whose noise theirs knows nothing.
-class Weights {
- public:
-  Weights(const Rendering& reference, const Rendering& test, std::size_t channel)
-      : width_(reference.mean.width), across_((width_ + block_side - 1) / block_side) {
-    const std::vector<Block> blocks = blocks_of(width_, reference.mean.height);
-    std::array<std::vector<double>, 2> means, variances;  // sums over a block's pixels of either colour
-    for (const Block& block : blocks) {
-      std::array<double, 2> mean{}, variance{};
-      for_each_pixel(block, [&](int x, int y) {
-        const double r = double{reference.mean.pixel(x, y)[channel]}, t = double{test.mean.pixel(x, y)[channel]};
-        const std::size_t c = colour(x, y);
-        mean[c] += std::abs(r + t) / 2;
-        variance[c] += double{reference.variance->pixel(x, y)[channel]} + double{test.variance->pixel(x, y)[channel]} +
-                       std::pow(rounding_deviation * (r + t), 2);
-      });
-      for (const std::size_t c : {std::size_t{0}, std::size_t{1}}) {
-        means[c].push_back(mean[c]);
-        variances[c].push_back(variance[c]);
-      }
-    }
-    // Of either colour's cells, as the other colour shows them: mean, and relative variance.
-    std::array<std::vector<double>, 2> relative;
-    std::vector<double> sorted;
-    for (const std::size_t c : {std::size_t{0}, std::size_t{1}})
-      for (std::size_t b = 0; b < blocks.size(); ++b) {
-        // Few samples may have met nothing of what makes a neighbourhood noisy.
-        constexpr double of_neighbours = 0.2;
-        const double v = std::max(variances[1 - c][b], of_neighbours * around(variances[1 - c], b));
-        const double m = means[1 - c][b];
-        relative[c].push_back(m > 0 ? v / (m * m) : INFINITY);
-        if (m > 0) sorted.push_back(relative[c].back());
-      }
-    if (sorted.empty()) sorted.push_back(1);
-    const auto median = sorted.begin() + static_cast<std::ptrdiff_t>((sorted.size() - 1) / 2);
-    std::nth_element(sorted.begin(), median, sorted.end());
-    const double least = *median / kMostOfMedian;
-    for (const std::size_t c : {std::size_t{0}, std::size_t{1}})
-      for (std::size_t b = 0; b < blocks.size(); ++b) {
-        const double m = means[1 - c][b];
-        weights_[c].push_back(m > 0 ? 1 / (m * std::max(least, relative[c][b])) : 0);
-      }
-  }
-
-  double operator()(int x, int y) const {
-    return weights_[colour(x, y)][static_cast<std::size_t>(y / block_side * across_ + x / block_side)];
-  }
-
- private:
-  static std::size_t colour(int x, int y) { return static_cast<std::size_t>((x + y) & 1); }
-
-  /// Mean over 3 x 3 blocks.
-  double around(const std::vector<double>& values, std::size_t b) const {
-    const int down = static_cast<int>(values.size()) / across_;
-    const int bx = static_cast<int>(b) % across_, by = static_cast<int>(b) / across_;
-    double sum = 0, count = 0;
-    for (int y = std::max(0, by - 1); y <= std::min(down - 1, by + 1); ++y)
-      for (int x = std::max(0, bx - 1); x <= std::min(across_ - 1, bx + 1); ++x, count += 1)
-        sum += values[static_cast<std::size_t>(y * across_ + x)];
-    return sum / count;
-  }
-
-  int width_, across_;
-  std::array<std::vector<double>, 2> weights_;
-};
-
-/// A channel's weighed sum over an image, or its plain mean.
-struct Mean {
-  double value = 0;
-  KnownVariance known;
-};
-
-/// Where pixels share light paths, the weighed sum's variance has w^2 v in place of v.
-Mean weighted_mean(const Rendering& rendering, std::size_t channel, const Weights& weight) {
-  const Block all{0, 0, rendering.mean.width, rendering.mean.height};
-  const auto variance = [&](int x, int y) { return double{rendering.variance->pixel(x, y)[channel]}; };
-  Mean mean;
-  double weighed_roots = 0;
-  for_each_pixel(all, [&](int x, int y) {
-    mean.value += weight(x, y) * double{rendering.mean.pixel(x, y)[channel]};
-    weighed_roots += weight(x, y) * std::sqrt(variance(x, y));
-  });
-  mean.known = known_over(all, [&](int x, int y) { return std::pow(weight(x, y), 2) * variance(x, y); });
-  const double correlation = correlation_of_pixels(rendering, channel);
-  mean.known.variance += correlation * (weighed_roots * weighed_roots - mean.known.variance);
-  if (correlation > 0) mean.known.freedom = std::min(mean.known.freedom, stored_mean_error(rendering)->passes - 1);
-  return mean;
-}
-
 /// The relative error d that is found with probability `power` by a test of this two-sided level: it exceeds both
 /// quantiles, d r = q sqrt(v_r + (1 + d)^2 v_x), for the noise of an image that is brighter is larger, too. Infinite
 /// where none is found so often. Precondition: there is a reference. `difference` is of the two.
@@ -296,9 +173,9 @@ double least_seen(const Deviation& difference, const KnownVariance& of_test, dou
 constexpr const char* not_judged = "not judged: pixels of an image share noise";
 
 /// The plain mean of a channel, whose variance the image says itself where pixels share noise; empty where it does not.
-std::optional<Mean> plain_mean(const Rendering& rendering, std::size_t channel, bool shares_noise) {
+std::optional<ChannelMean> plain_mean(const Rendering& rendering, std::size_t channel, bool shares_noise) {
   const auto pixels = static_cast<double>(rendering.mean.pixels());
-  Mean mean;
+  ChannelMean mean;
   double variance = 0;
   for (std::size_t i = channel; i < rendering.mean.rgb.size(); i += 3) {
     mean.value += double{rendering.mean.rgb[i]} / pixels;
@@ -372,8 +249,8 @@ Agreement test_agreement(const Rendering& reference, const Rendering& test, doub
     agreement.pixels = test_all_pixels(channels, reference, test, part, INFINITY);
     agreement.blocks = test_blocks(channels, reference, test, part);
     const auto weighted = [&](std::size_t channel) {
-      const Weights weight(reference, test, channel);
-      return std::pair(weighted_mean(reference, channel, weight), weighted_mean(test, channel, weight));
+      const PixelWeights weight(reference, test, channel);
+      return std::pair(weighed_mean(reference, channel, weight), weighed_mean(test, channel, weight));
     };
     agreement.whole = test_whole(weighted, part, agreement.would_see);
     return agreement;

@@ -10,9 +10,11 @@ namespace photonproof {
 
 double Deviation::errors() const {
   if (difference == 0) return 0;
-  if (difference < 0) return difference / std::sqrt(standard_error * standard_error - sample * difference / 2);
-  const double t = difference / standard_error;
-  return skewness > 0 ? gamma_deviate(t, 4 / (skewness * skewness)) : t;
+  const bool may_miss = difference < 0 || two_sided, may_be_skewed = difference > 0 || two_sided;
+  const double missing = may_miss ? sample * std::abs(difference) / 2 : 0;
+  const double t = std::abs(difference) / std::sqrt(standard_error * standard_error + missing);
+  const bool skewed = may_be_skewed && skewness > 0;
+  return std::copysign(skewed ? gamma_deviate(t, 4 / (skewness * skewness)) : t, difference);
 }
 
 double Deviation::deviate() const { return std::copysign(normal_deviate(errors(), freedom), difference); }

@@ -34,9 +34,10 @@ struct Deviation {
   double standard_error = 0;                                 ///< of `difference`
   double freedom = std::numeric_limits<double>::infinity();  ///< of the standard error
   double expected = 0;
-  double skewness = 0;  ///< of `difference`, where that matters
-  double sample = 0;    ///< what one of the brightest samples adds to `difference`
-  /// In standard errors, signed. Less above the reference where skewness explains a part. Less below it where bright
+  double skewness = 0;     ///< of `difference`, where that matters
+  double sample = 0;       ///< what one of the brightest samples adds to `difference`
+  bool two_sided = false;  ///< what is expected has such noise, too: skewness and missing samples count on both sides
+  /// In standard errors, signed. Less above what is expected where skewness explains a part. Less below it where bright
   /// samples are missing: the standard error, known from those that came, says nothing of them.
   double errors() const;
   /// In units of the normal distribution, signed.

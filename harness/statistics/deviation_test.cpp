@@ -148,5 +148,19 @@ TEST(deviation, the_chi_square_of_agreements_blocks_is_uniform_for_few_estimates
     }
 }
 
+// 3 / sqrt(1 + 2 * 3 / 2) = 1.5 where one of the brightest samples may be missing from either side.
+TEST(deviation, of_two_sides_with_noise_is_explained_alike_above_and_below) {
+  Deviation d{3, 1};
+  d.sample = 2;
+  EXPECT_DOUBLE_EQ(d.errors(), 3);
+  d.two_sided = true;
+  EXPECT_DOUBLE_EQ(d.errors(), 1.5);
+  d.skewness = 1;
+  const double above = d.errors();
+  EXPECT_LT(above, 1.5);
+  d.difference = -3;
+  EXPECT_DOUBLE_EQ(d.errors(), -above);
+}
+
 }  // namespace
 }  // namespace photonproof

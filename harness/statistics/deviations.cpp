@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "harness/statistics/brightest_sample.h"
 #include "harness/statistics/shared_noise.h"
 #include "harness/statistics/student.h"
 #include "scenes/text/faults.h"
@@ -72,17 +73,6 @@ struct BlockSums {
   double brightness() const { return std::abs(reference) / pixels; }
 };
 
-/// The brightest sample that any block met in any channel, relative to the channel's mean and to the block's.
-struct BrightestSample {
-  double of_channel = 0, of_block = 0;
-  void add(const std::vector<BlockSums>& blocks, double brightness) {
-    for (const BlockSums& block : blocks) {
-      if (brightness > 0) of_channel = std::max(of_channel, block.sample() / brightness);
-      if (block.brightness() > 0) of_block = std::max(of_block, block.sample() / block.brightness());
-    }
-  }
-};
-
 class ChannelDeviations {
  public:
   ChannelDeviations(const Channel& channel, std::span<const Image* const> images, std::size_t c,
@@ -102,7 +92,7 @@ class ChannelDeviations {
   void add_to(BrightestSample& brightest) {
     for (const Block& block : out_.places) sums_.push_back(sums_over(block));
     brightness_ = sums_over({0, 0, out_.width, out_.height}).brightness();
-    brightest.add(sums_, brightness_);
+    for (const BlockSums& block : sums_) brightest.add(block.sample(), block.brightness(), brightness_);
   }
 
   void measure(const BrightestSample& brightest) {
@@ -239,9 +229,7 @@ class ChannelDeviations {
   }
 
   /// What the brightest sample that this block may have missed adds to a pixel of one image.
-  double brightest_of(const BlockSums& block) const {
-    return std::min(brightest_.of_channel * brightness_, brightest_.of_block * block.brightness());
-  }
+  double brightest_of(const BlockSums& block) const { return brightest_.missed_by(block.brightness(), brightness_); }
 
   KnownVariance of_reference(const BlockSums& sums) const {
     return {sums.reference_variance / (sums.pixels * sums.pixels),

@@ -7,7 +7,6 @@
 #include <functional>
 #include <numeric>
 
-#include "harness/statistics/gate_tiles.h"
 #include "harness/statistics/student.h"
 #include "scenes/text/percent_text.h"
 
@@ -34,9 +33,9 @@ bool beyond(const Deviation& d, double tail) {
 }
 
 /// The largest of the channels' relative deviations, with the interval it was judged by.
-Estimate worst_whole(const Deviations& d, double tail) {
+Estimate worst_whole(const std::array<Deviation, 3>& channels, double tail) {
   Estimate worst;
-  for (const Deviation& whole : d.whole) {
+  for (const Deviation& whole : channels) {
     if (whole.expected == 0) continue;
     const double value = whole.difference / whole.expected, margin = whole.margin(tail) / std::abs(whole.expected);
     if (!worst.interval || std::abs(value) > std::abs(worst.value))
@@ -124,14 +123,15 @@ constexpr double noticed = 2;          // deviations from which a block is count
 constexpr std::size_t most_named = 3;  // of them
 
 /// Blocks none of which is beyond its bound, but all together: the worst, and whether most go the same way.
-void name_blocks(const Deviations& d, const BlockChiSquare& chi_square, Judgement& judgement) {
+void name_blocks(const Deviations& d, const Deviations& judged, const BlockChiSquare& chi_square,
+                 Judgement& judgement) {
   const std::size_t c = chi_square.channel;
   std::vector<std::size_t> order(d.places.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  const auto size = [&](std::size_t b) { return std::abs(d.blocks[c][b].deviate()); };
+  const auto size = [&](std::size_t b) { return std::abs(judged.blocks[c][b].deviate()); };
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return size(a) > size(b); });
   std::size_t beyond = 0, darker = 0;
-  for (const Deviation& block : d.blocks[c]) {
+  for (const Deviation& block : judged.blocks[c]) {
     if (std::abs(block.deviate()) <= noticed) continue;
     ++beyond;
     if (block.difference < 0) ++darker;
@@ -174,13 +174,13 @@ struct Power {
   std::size_t worst_block = 0;
 };
 
-Power power_of(const Deviations& d, double whole_tail, double block_tail) {
-  Power power;
+/// `whole`: as judge_whole knows it.
+Power power_of(const Deviations& d, double whole, double block_tail, const AllowedError& allowed) {
+  Power power{whole};
   for (std::size_t c = 0; c < 3; ++c) {
     if (d.whole[c].expected == 0) continue;
-    power.whole = std::max(power.whole, sees_from(d.whole[c], whole_tail, std::abs(d.whole[c].expected)));
     for (std::size_t b = 0; b < d.places.size(); ++b) {
-      const double seen = sees_from(d.blocks[c][b], block_tail, scale_of(d.blocks[c][b], d.whole[c]));
+      const double seen = sees_from(d.blocks[c][b], block_tail, scale_of(d.blocks[c][b], d.whole[c])) + allowed.block;
       if (seen <= power.block) continue;
       power.block = seen;
       power.worst_block = b;
@@ -189,39 +189,59 @@ Power power_of(const Deviations& d, double whole_tail, double block_tail) {
   return power;
 }
 
-}  // namespace
+/// Less what is allowed.
+Deviation less(Deviation d, double allowed) {
+  d.difference = std::copysign(std::max(0.0, std::abs(d.difference) - allowed), d.difference);
+  return d;
+}
 
-namespace {
+Deviations less_allowed(Deviations d, const AllowedError& allowed) {
+  if (allowed.is_none()) return d;
+  for (std::size_t c = 0; c < 3; ++c) {
+    for (Deviation& block : d.blocks[c]) block = less(block, allowed.block * scale_of(block, d.whole[c]));
+    for (Deviation& pixel : d.pixels[c]) pixel.difference = 0;
+    d.whole[c] = less(d.whole[c], allowed.whole * std::abs(d.whole[c].expected));
+  }
+  return d;
+}
 
-Judgement judge_with_samples(const Deviations& d, const AgreementBounds& bounds, double alpha) {
+double block_tail_of(const Deviations& d, double alpha) { return tail_of(alpha / tests, 3 * d.places.size()); }
+
+void say_why_it_fails(const Deviations& d, const Deviations& judged, double part, const PixelTest& pixels,
+                      const BlockChiSquare& chi_square, Judgement& judgement) {
+  const bool whole_off = std::ranges::find(judgement.whole_off, true) != judgement.whole_off.end();
+  if (whole_off && (judgement.tiles.empty() || is_everywhere(d, judgement.tiles)))
+    judgement.sentence = whole_text(d, part);
+  else if (!judgement.tiles.empty())
+    judgement.sentence = places_text(judgement.tiles);
+  else if (pixels.beyond > 0)
+    judgement.sentence = pixel_text(d, pixels);
+  else
+    name_blocks(d, judged, chi_square, judgement);
+}
+
+Judgement judge_with_samples(const Deviations& d, const AgreementBounds& bounds, double alpha,
+                             const AllowedError& allowed) {
   const double part = alpha / tests;
-  const double whole_tail = tail_of(part, 3), block_tail = tail_of(part, 3 * d.places.size());
-  const double pixel_tail = tail_of(part, 3 * d.pixels[0].size());
-  Judgement judgement;
-  judgement.observed = worst_whole(d, whole_tail);
-
-  const bool whole_off =
-      std::any_of(d.whole.begin(), d.whole.end(), [&](const Deviation& whole) { return beyond(whole, whole_tail); });
-  const BlockChiSquare chi_square = chi_square_of_blocks(d.blocks, d.independent_blocks, part);
-  const PixelTest pixels = test_pixels(d, pixel_tail);
-  const auto score = [&](std::size_t b, std::size_t c) {
-    const Deviation& block = d.blocks[c][b];
-    return beyond(block, block_tail) ? std::abs(block.deviate()) : 0.0;
-  };
+  const double block_tail = block_tail_of(d, alpha);
+  const Deviations judged = less_allowed(d, allowed);
+  Judgement judgement = judge_whole(judged_means(d, allowed), alpha, allowed.whole);
+  const BlockChiSquare chi_square = chi_square_of_blocks(judged.blocks, judged.independent_blocks, part);
+  const PixelTest pixels = test_pixels(judged, tail_of(part, 3 * d.pixels[0].size()));
+  const BlockScore score = block_excess(d, alpha, allowed);
   judgement.tiles = failing_tiles(d, score);
-  if (whole_off || !judgement.tiles.empty() || chi_square.beyond() || pixels.beyond > 0) {
+  if (judgement.verdict == GateVerdict::fail || !judgement.tiles.empty() || chi_square.beyond() || pixels.beyond > 0) {
     judgement.verdict = GateVerdict::fail;
-    if (whole_off && (judgement.tiles.empty() || is_everywhere(d, judgement.tiles)))
-      judgement.sentence = whole_text(d, part);
-    else if (!judgement.tiles.empty())
-      judgement.sentence = places_text(judgement.tiles);
-    else if (pixels.beyond > 0)
-      judgement.sentence = pixel_text(d, pixels);
-    else
-      name_blocks(d, chi_square, judgement);
+    judgement.would_see.reset();
+    for (std::size_t c = 0; c < 3; ++c)
+      for (std::size_t b = 0; b < d.places.size(); ++b)
+        judgement.blocks_off[c] = judgement.blocks_off[c] || score(b, c) > 0;
+    say_why_it_fails(d, judged, part, pixels, chi_square, judgement);
     return judgement;
   }
-  const Power power = power_of(d, whole_tail, block_tail);
+  const Power power = power_of(d, judgement.would_see.value_or(0), block_tail, allowed);
+  judgement.verdict.reset();
+  judgement.would_see.reset();
   if (power.whole <= bounds.whole && power.block <= bounds.block) {
     judgement.verdict = GateVerdict::pass;
     judgement.would_see = power.whole;
@@ -243,6 +263,7 @@ Judgement judge_with_samples(const Deviations& d, const AgreementBounds& bounds,
 Deviations without_rare_samples(Deviations d) {
   for (std::size_t c = 0; c < 3; ++c) {
     d.whole[c].sample = 0;
+    if (d.weighed) (*d.weighed)[c].sample = 0;
     for (Deviation& block : d.blocks[c]) block.sample = 0;
     for (Deviation& pixel : d.pixels[c]) pixel.sample = 0;
   }
@@ -251,12 +272,40 @@ Deviations without_rare_samples(Deviations d) {
 
 }  // namespace
 
-Judgement judge_agreement(const Deviations& d, const AgreementBounds& bounds, double alpha) {
-  Judgement judgement = judge_with_samples(d, bounds, alpha);
-  if (judgement.verdict) return judgement;
-  const Judgement known = judge_with_samples(without_rare_samples(d), bounds, alpha);
-  if (known.verdict == GateVerdict::fail)
-    judgement.sentence = "too few samples to meet rare bright ones: " + known.sentence;
+const std::array<Deviation, 3>& judged_means(const Deviations& d, const AllowedError& allowed) {
+  return d.weighed && allowed.is_none() ? *d.weighed : d.whole;
+}
+
+Judgement judge_whole(const std::array<Deviation, 3>& whole, double alpha, double allowed) {
+  const double tail = tail_of(alpha / tests, 3);
+  Judgement judgement;
+  judgement.observed = worst_whole(whole, tail);
+  judgement.verdict = GateVerdict::pass;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double scale = std::abs(whole[c].expected);
+    if (scale > 0)
+      judgement.would_see = std::max(judgement.would_see.value_or(0), sees_from(whole[c], tail, scale) + allowed);
+    judgement.whole_off[c] = beyond(less(whole[c], allowed * scale), tail);
+    if (judgement.whole_off[c]) judgement.verdict = GateVerdict::fail;
+  }
+  return judgement;
+}
+
+BlockScore block_excess(const Deviations& d, double alpha, const AllowedError& allowed) {
+  return [judged = less_allowed(d, allowed), tail = block_tail_of(d, alpha)](std::size_t b, std::size_t c) {
+    const Deviation& block = judged.blocks[c][b];
+    return beyond(block, tail) ? std::abs(block.deviate()) : 0.0;
+  };
+}
+
+Judgement judge_agreement(const Deviations& d, const AgreementBounds& bounds, double alpha,
+                          const AllowedError& allowed) {
+  Judgement judgement = judge_with_samples(d, bounds, alpha, allowed);
+  if (judgement.verdict == GateVerdict::fail) return judgement;
+  const Judgement known = judge_with_samples(without_rare_samples(d), bounds, alpha, allowed);
+  if (known.verdict != GateVerdict::fail) return judgement;
+  judgement.but_for_rare_samples = known.sentence;
+  if (!judgement.verdict) judgement.sentence = "too few samples to meet rare bright ones: " + known.sentence;
   return judgement;
 }
 

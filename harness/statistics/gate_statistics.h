@@ -8,6 +8,7 @@
 // Within a look the tests share the look's part in the same way.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string>
@@ -15,6 +16,7 @@
 
 #include "harness/metrics/metric_bounds.h"
 #include "harness/statistics/deviations.h"
+#include "harness/statistics/gate_tiles.h"
 #include "reports/record/results.h"
 
 namespace photonproof {
@@ -29,6 +31,9 @@ struct Judgement {
   std::vector<FailingTile> tiles{};    ///< when it fails, worst first
   /// When agreement passes: the whole's and a block's relative error that would have been seen with probability 0.99.
   std::optional<double> would_see{}, would_see_in_a_block{};
+  std::array<bool, 3> whole_off{}, blocks_off{};  ///< when agreement fails: channels that do
+  /// When agreement does not fail: how it would, were it not for bright samples that may be missing. Mostly empty.
+  std::string but_for_rare_samples{};
 };
 
 /// What an agreement gate promises when it passes: it would have failed with probability 0.99 were the whole image off
@@ -38,11 +43,29 @@ struct AgreementBounds {
   double whole = 0, block = 0;
 };
 
+/// Errors that are known and no defect, relative as AgreementBounds are. They count for nothing; where there are any,
+/// pixels are not judged.
+struct AllowedError {
+  double whole = 0, block = 0;
+  bool is_none() const { return whole == 0 && block == 0; }
+};
+
 /// For engines whose expectation is the reference's. Fails when chance does not explain a deviation: of a pixel, a
 /// block, all blocks together (chi^2) or the whole image, at a fourth of `alpha` each, Sidak's level within. Passes
 /// when none fails and the promise above holds. Where it would fail but for bright samples that may be missing, it is
 /// undecided and says so. Precondition: least_images.
-Judgement judge_agreement(const Deviations& deviations, const AgreementBounds& bounds, double alpha);
+Judgement judge_agreement(const Deviations& deviations, const AgreementBounds& bounds, double alpha,
+                          const AllowedError& allowed = {});
+
+/// The means that judge_agreement judges: weighed ones where they are known and no error is allowed, for one that is
+/// allowed is of the plain mean.
+const std::array<Deviation, 3>& judged_means(const Deviations& deviations, const AllowedError& allowed);
+
+/// The whole image alone, as judge_agreement judges it: `whole_off` and `would_see`, with the verdict fail or pass.
+Judgement judge_whole(const std::array<Deviation, 3>& whole, double alpha, double allowed = 0);
+
+/// A block's excess over what is allowed and noise explains, in standard errors; 0 where judge_agreement accepts it.
+BlockScore block_excess(const Deviations& deviations, double alpha, const AllowedError& allowed = {});
 
 /// For engines with a known error: the relative deviation of the whole image (`block` false) or of every block (true),
 /// relative to what AgreementBounds says, must lie within +-bound. Fails when the interval of one lies outside, passes

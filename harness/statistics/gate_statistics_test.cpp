@@ -330,5 +330,29 @@ TEST(gate_statistics, expectations_are_worth_what_the_spread_of_variances_shows)
   EXPECT_GT(freedom_of_expectation(alike, 7), 200);
 }
 
+// Eight images that are 5 % too bright: an error that may be 6 % explains them, one of 3 % does not. What is promised
+// to be seen is beyond what is allowed.
+TEST(gate_statistics, agreement_is_of_what_is_beyond_the_errors_that_are_allowed) {
+  Random random(21);
+  Rendering reference{Image(width, height), Image(width, height), {}};
+  for (float& value : reference.mean.rgb) value = 1;
+  for (float& value : reference.variance->rgb) value = 1e-8f;
+  std::vector<Image> drawn(8, Image(width, height));
+  std::vector<const Image*> images;
+  for (Image& image : drawn) {
+    for (float& value : image.rgb) value = static_cast<float>(std::normal_distribution<double>(1.05, 0.01)(random));
+    images.push_back(&image);
+  }
+  const Deviations deviations = measure_deviations(reference, images, {31});
+  const Judgement inside = judge_agreement(deviations, {0.1, 0.2}, 0.001, {0.06, 0.1});
+  EXPECT_EQ(inside.verdict, GateVerdict::pass) << inside.sentence;
+  EXPECT_GT(inside.would_see.value_or(0), 0.06);
+  const Judgement outside = judge_agreement(deviations, {0.1, 0.2}, 0.001, {0.03, 0.1});
+  EXPECT_EQ(outside.verdict, GateVerdict::fail);
+  EXPECT_EQ(outside.whole_off, (std::array<bool, 3>{true, true, true}));
+  EXPECT_EQ(outside.blocks_off, (std::array<bool, 3>{}));
+  EXPECT_EQ(judge_agreement(deviations, {0.1, 0.2}, 0.001, {0.06, 0.01}).blocks_off[1], true);
+}
+
 }  // namespace
 }  // namespace photonproof

@@ -218,11 +218,12 @@ void find_witness(const Job& job, const Rendering& rendering, Provenance& proven
   if (progress.means.batches() < least_batches) throw NoWitnessYet{progress};
   const Rendering second = progress.means.rendering();
   const PairTest test = test_witness(rendering, provenance.bias, second);
-  if (test.differs || test.by_few_samples)
-    throw InputError(job.arguments.scene.path, provenance.estimator + " and " + witness +
-                                                   " disagree, and one reference cannot be both: " + witness + " is " +
-                                                   test.sentence + "; `photonproof verify` says which is wrong, " +
-                                                   "--no-witness keeps the first without the second");
+  if (test.differs || test.is_undecided)
+    throw InputError(job.arguments.scene.path,
+                     provenance.estimator + " and " + witness +
+                         " disagree, and one reference cannot be both: " + (test.differs ? witness + " is " : "") +
+                         test.sentence + "; `photonproof verify` says which is wrong, " +
+                         "--no-witness keeps the first without the second");
   provenance.witness = {witness,
                         static_cast<std::uint64_t>(progress.means.batches()) *
                             static_cast<std::uint64_t>(progress.means.samples_per_batch()),

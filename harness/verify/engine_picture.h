@@ -21,6 +21,9 @@ struct DeclaredError {
 struct EnginePicture {
   std::string engine;
   Rendering rendering;  ///< the variance is always there; 0 of an engine that makes one estimate without noise
+  /// The pictures whose mean it is, where only their differences show its noise. Empty: the variance is known, or one
+  /// picture is all that the engine makes.
+  std::vector<Image> images{};
   DeclaredError declared;
   std::uint64_t samples = 0;             ///< a pixel, where its budget counts them
   double seconds = 0;                    ///< wall time of its processes

@@ -140,7 +140,7 @@ class SceneJudge {
     // Who may be off by a quarter witnesses nothing.
     constexpr double most_declared = 0.25;
     const bool says_little = std::max(declared_by(sides_[i]), declared_by(sides_[j])) > most_declared;
-    const bool is_seen = result.would_see && *result.would_see <= asked && !result.by_few_samples && !says_little;
+    const bool is_seen = result.would_see && *result.would_see <= asked && !result.is_undecided && !says_little;
     const PairVerdict verdict = result.differs ? PairVerdict::differ
                                 : is_seen      ? PairVerdict::agree
                                                : PairVerdict::undecided;

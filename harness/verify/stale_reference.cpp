@@ -45,14 +45,14 @@ Residual residual_of(const Deviations& d, const Block& block, std::size_t channe
 
 ReferenceState state_of_reference(const EnginePicture& reference, const EnginePicture& right) {
   const Deviations d = deviations_between(right, reference);
+  const BlockScore excess_of = block_excess(d, pair_alpha, both_declare(right, reference));
   double squares = 0, values = 0, brighter = 0, darker = 0;
   for (std::size_t c = 0; c < 3; ++c)
     for (std::size_t b = 0; b < d.places.size(); ++b) {
       const Residual residual = residual_of(d, d.places[b], c);
       squares += residual.squares;
       values += residual.values;
-      const double excess = excess_of_block(d, both_declare(right, reference), b, c);
-      (d.blocks[c][b].difference > 0 ? brighter : darker) += excess;
+      (d.blocks[c][b].difference > 0 ? brighter : darker) += excess_of(b, c);
     }
   double shift = 0, expected = 0;
   for (const Deviation& whole : d.whole) {

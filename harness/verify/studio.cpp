@@ -9,12 +9,11 @@
 #include "harness/cells/cells.h"
 #include "harness/cells/host.h"
 #include "harness/cells/run_cell.h"
-#include "harness/pixels/image_blocks.h"
+#include "harness/statistics/pooled_pictures.h"
 #include "harness/statistics/radiance_range.h"
 #include "harness/suites/engine_command.h"
 #include "harness/suites/engine_stats.h"
 #include "harness/verify/picture_pair.h"
-#include "scenes/images/mean_error.h"
 #include "scenes/text/size_text.h"
 
 namespace photonproof {
@@ -25,64 +24,6 @@ namespace fs = std::filesystem;
 constexpr double biased_mean = 0.01, biased_block = 0.1;
 constexpr int pictures_without_variance = 8;  // of an engine that says nothing of its noise
 constexpr std::uint64_t seeds_of_a_series = 1000;
-
-/// The image's own variance, or none.
-bool has_noise_layer(const Rendering& rendering) { return rendering.variance.has_value(); }
-
-/// An engine's own variance may be from few batches of it.
-bool is_of_few_batches(const Rendering& rendering) { return rendering.metadata.contains("photonproof:batches"); }
-
-/// Pixels' variances from few pictures, none less certain than its block is on the whole.
-void steady_by_blocks(Image& variance) {
-  const Image raw = variance;
-  for (const Block& block : blocks_of(raw.width, raw.height))
-    for (std::size_t c = 0; c < 3; ++c) {
-      double mean = 0;
-      for_each_pixel(block, [&](int x, int y) { mean += double{raw.pixel(x, y)[c]} / block.pixels(); });
-      for_each_pixel(block, [&](int x, int y) {
-        variance.pixel(x, y)[c] = std::max(raw.pixel(x, y)[c], static_cast<float>(mean));
-      });
-    }
-}
-
-/// Weighed by their samples.
-Rendering pooled(const std::vector<std::pair<Rendering, double>>& parts) {
-  const Image& first = parts.front().first.mean;
-  Rendering out;
-  out.mean = Image(first.width, first.height);
-  out.variance = Image(first.width, first.height);
-  double total = 0;
-  for (const auto& [part, samples] : parts) total += samples;
-  const bool layers = std::ranges::all_of(parts, [](const auto& part) { return has_noise_layer(part.first); });
-  for (std::size_t i = 0; i < out.mean.rgb.size(); ++i) {
-    double mean = 0, variance = 0;
-    for (const auto& [part, samples] : parts) {
-      const double weight = samples / total;
-      mean += weight * double{part.mean.rgb[i]};
-      if (layers) variance += weight * weight * double{part.variance->rgb[i]};
-    }
-    if (!layers && parts.size() > 1)
-      for (const auto& [part, samples] : parts)
-        variance += std::pow(double{part.mean.rgb[i]} - mean, 2) / double(parts.size() * (parts.size() - 1));
-    out.mean.rgb[i] = static_cast<float>(mean);
-    out.variance->rgb[i] = static_cast<float>(variance);
-  }
-  if (!layers || std::ranges::any_of(parts, [](const auto& part) { return is_of_few_batches(part.first); }))
-    steady_by_blocks(*out.variance);
-  store_pixels_a_splat(out, pixels_a_splat(parts.front().first));
-  MeanError error;
-  error.passes = 0;
-  for (const auto& [part, samples] : parts) {
-    const auto stored = stored_mean_error(part);
-    if (!stored) return out;
-    for (std::size_t c = 0; c < 3; ++c)
-      error.standard_error[c] += std::pow(samples / total * stored->standard_error[c], 2);
-    error.passes += stored->passes;
-  }
-  for (double& e : error.standard_error) e = std::sqrt(e);
-  store_mean_error(out, error);
-  return out;
-}
 
 /// The next picture's samples, a power of two, so that a run that goes on asks for the same; 0: enough, or no time.
 double next_samples(double had, double seen, double power, double spent, double allowed) {
@@ -111,6 +52,20 @@ double stated_bias(const Result& result) {
 bool is_refusal(const Result& result, const VerifyEngine& engine) {
   return result.status == Status::unsupported ||
          (engine.is_ours && result.status == Status::crash && result.detail.starts_with("exited with 2"));
+}
+
+double samples_of(const std::vector<PictureOfSamples>& parts) {
+  double sum = 0;
+  for (const PictureOfSamples& part : parts) sum += part.samples;
+  return sum;
+}
+
+EnginePicture pooled_picture(const std::vector<PictureOfSamples>& parts) {
+  PooledPicture pooled = pool_pictures(parts);
+  EnginePicture picture;
+  picture.rendering = std::move(pooled.rendering);
+  picture.images = std::move(pooled.images);
+  return picture;
 }
 
 }  // namespace
@@ -175,7 +130,7 @@ Result Studio::cell(const StudioScene& scene, const VerifyEngine& engine, const 
 }
 
 Shot Studio::shoot_samples(const StudioScene& scene, const VerifyEngine& engine, int series) const {
-  std::vector<std::pair<Rendering, double>> parts;
+  std::vector<PictureOfSamples> parts;
   Shot shot;
   EnginePicture picture;
   picture.engine = engine.row.name;
@@ -195,8 +150,8 @@ Shot Studio::shoot_samples(const StudioScene& scene, const VerifyEngine& engine,
       break;  // too slow for more
     }
     const fs::path image = options_.folder / result.image;
-    parts.emplace_back(read_rendering(image.string()), samples);
-    if (const std::string why = why_variance_is_lost(parts.back().first.mean); !why.empty())
+    parts.push_back({read_rendering(image.string()), samples});
+    if (const std::string why = why_variance_is_lost(parts.back().rendering.mean); !why.empty())
       return {std::nullopt, Status::unsupported, "its picture " + why, result.command};
     EngineStats stats = read_engine_stats(image.parent_path() / "stats.json");
     picture.losses = std::move(stats.losses);
@@ -207,18 +162,19 @@ Shot Studio::shoot_samples(const StudioScene& scene, const VerifyEngine& engine,
     // By processor time, so that a busy machine asks for the same pictures.
     spent += result.cpu_seconds.value_or(0) / options_.threads;
     if (!takes_seed || !engine.counts_samples()) break;
-    if (!has_noise_layer(parts.front().first) && parts.size() < pictures_without_variance) continue;
-    picture.rendering = pooled(parts);
-    double had = 0;
-    for (const auto& part : parts) had += part.second;
-    const double next = next_samples(had, would_see_alone(picture).value_or(0), options_.power / std::sqrt(2.0), spent,
+    const bool knows_its_noise = parts.front().rendering.variance.has_value();
+    if (!knows_its_noise && parts.size() < pictures_without_variance) continue;
+    const EnginePicture so_far = pooled_picture(parts);
+    const double had = samples_of(parts);
+    const double next = next_samples(had, would_see_alone(so_far).value_or(0), options_.power / std::sqrt(2.0), spent,
                                      options_.seconds);
-    if (!has_noise_layer(parts.front().first) && next > 0) break;  // its pictures are of one size
+    if (!knows_its_noise && next > 0) break;  // its pictures are of one size
     samples = next;
   }
-  picture.rendering = pooled(parts);
-  double had = 0;
-  for (const auto& part : parts) had += part.second;
+  EnginePicture pooled = pooled_picture(parts);
+  picture.rendering = std::move(pooled.rendering);
+  if (takes_seed && engine.counts_samples()) picture.images = std::move(pooled.images);
+  const double had = samples_of(parts);
   picture.samples = engine.counts_samples() ? static_cast<std::uint64_t>(had) : 0;
   picture.declared = declared_error(engine, scene.expect, bias);
   shot.picture = std::move(picture);

@@ -1,0 +1,20 @@
+// The brightest sample that any block met: other blocks may have missed one as bright, in proportion to their
+// brightness at most (deviation.h says what that means).
+#pragma once
+
+#include <algorithm>
+
+namespace photonproof {
+
+struct BrightestSample {
+  double of_channel = 0, of_block = 0;  ///< relative to the channel's mean, and to the block's
+  /// A sample that adds this much to a pixel of a block; brightness of a pixel, on average.
+  void add(double sample, double of_the_block, double of_the_channel) {
+    if (of_the_channel > 0) of_channel = std::max(of_channel, sample / of_the_channel);
+    if (of_the_block > 0) of_block = std::max(of_block, sample / of_the_block);
+  }
+  /// What one that a block may have missed adds to a pixel.
+  double missed_by(double block, double channel) const { return std::min(of_channel * channel, of_block * block); }
+};
+
+}  // namespace photonproof

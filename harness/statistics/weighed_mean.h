@@ -1,0 +1,49 @@
+// The mean of an image in which certain places count more than noisy ones, so that an error of all of it shows best.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "harness/pixels/image_blocks.h"
+#include "harness/statistics/deviation.h"
+#include "scenes/images/image.h"
+
+namespace photonproof {
+
+/// Weights of the pixels of one channel in its mean over the image. A common factor shows best where values are weighed
+/// by r/v; so a lamp's edge of which a few samples decide does not drown the rest. A place's share of the mean then is
+/// r^2/v, of which a lamp without noise would have all; so none counts more than four times as much as the median one.
+/// (Where v goes with r, as where few samples find a bright light, r/v is the plain mean, in which bright places count
+/// more than dark ones; if none counted more than the median one, keyhole would take 1.7 times the samples for the same
+/// power, pool 2.2.) But v is an estimate, and samples that are high by chance look uncertain: weighed by their own
+/// variances they would count too little. So the pixels of either colour of a checkerboard take theirs from the other
+/// colour, of whose noise theirs knows nothing.
+class PixelWeights {
+ public:
+  /// Precondition: both have a variance.
+  PixelWeights(const Rendering& reference, const Rendering& test, std::size_t channel);
+
+  double operator()(int x, int y) const {
+    return weights_[colour(x, y)][static_cast<std::size_t>(y / block_side * across_ + x / block_side)];
+  }
+  /// Of a pixel of this one of blocks_of.
+  double largest_in(std::size_t block) const { return std::max(weights_[0][block], weights_[1][block]); }
+
+ private:
+  static std::size_t colour(int x, int y) { return static_cast<std::size_t>((x + y) & 1); }
+  double around(const std::vector<double>& values, std::size_t block) const;
+
+  int width_, across_;
+  std::array<std::vector<double>, 2> weights_;
+};
+
+/// A channel's weighed sum over an image, or its plain mean.
+struct ChannelMean {
+  double value = 0;
+  KnownVariance known;
+};
+
+/// Where pixels share light paths, the weighed sum's variance has w^2 v in place of v.
+ChannelMean weighed_mean(const Rendering& rendering, std::size_t channel, const PixelWeights& weight);
+
+}  // namespace photonproof
