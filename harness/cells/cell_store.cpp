@@ -1,5 +1,6 @@
 #include "harness/cells/cell_store.h"
 
+#include "reports/record/file_inside.h"
 #include "scenes/images/image.h"
 #include "scenes/text/file_checksum.h"
 #include "scenes/text/input_error.h"
@@ -48,6 +49,8 @@ std::optional<CellStore::Found> CellStore::latest(const std::string& key) const 
     try {
       Found found{read_result(record.string()), name};
       const Result& result = found.kept.result;
+      refuse_link_outside(folder_, result.image);
+      refuse_links_outside(folder_, result.pictures);
       if (!has_its_image(folder_, result)) continue;
       for (const auto& [role, picture] : result.pictures)
         if (!is_there(folder_ / picture)) found.kept.comparison_key.clear();

@@ -255,6 +255,22 @@ Json grades_to_json(const Grades& grades) {
   return json;
 }
 
+namespace {
+
+void refuse_links_outside_of(const std::filesystem::path& folder, const Grades& grades) {
+  for (const GradedScene& scene : grades.scenes) {
+    refuse_link_outside(folder, scene.reference_image);
+    refuse_link_outside(folder, scene.reference_picture);
+  }
+  for (const SubmissionGrade& submission : grades.submissions)
+    for (const SceneGrade& scene : submission.scenes) {
+      refuse_links_outside(folder, scene.pictures);
+      for (const GradedRun& run : scene.runs) refuse_link_outside(folder, run.image);
+    }
+}
+
+}  // namespace
+
 Grades grades_from_json(const Json& json, const std::string& file) try {
   if (json.at("grades_version") != grades_version)
     throw InputError(file, "is of another version than " + std::to_string(grades_version));
@@ -278,6 +294,7 @@ Grades grades_from_json(const Json& json, const std::string& file) try {
   grades.caveats = json.at("caveats").get<std::vector<std::string>>();
   for (const Json& scene : json.at("scenes")) grades.scenes.push_back(graded_scene_of(scene));
   for (const Json& submission : json.at("submissions")) grades.submissions.push_back(submission_of(submission));
+  refuse_links_outside_of(std::filesystem::absolute(file).parent_path(), grades);
   return grades;
 } catch (const nlohmann::json::exception& problem) {
   throw InputError(file, "is no record of a grading: " + std::string(problem.what()));

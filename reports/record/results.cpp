@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "reports/record/file_inside.h"
 #include "reports/record/results_json.h"
 #include "reports/record/results_schema.h"
 #include "scenes/text/atomic_file.h"
@@ -122,8 +123,29 @@ const Result* Results::find(const std::string& cell_label) const {
   return found == results.end() ? nullptr : &*found;
 }
 
+namespace {
+
+void refuse_links_outside_of(const std::filesystem::path& folder, const Results& results) {
+  for (const SceneRecord& scene : results.scenes) {
+    if (!scene.reference) continue;
+    refuse_link_outside(folder, scene.reference->image);
+    refuse_link_outside(folder, scene.reference->picture);
+  }
+  for (const Result& result : results.results) {
+    refuse_link_outside(folder, result.image);
+    refuse_links_outside(folder, result.pictures);
+  }
+  for (const GateRecord& gate : results.gates) {
+    refuse_link_outside(folder, gate.image);
+    refuse_links_outside(folder, gate.pictures);
+  }
+}
+
+}  // namespace
+
 Results read_results(const std::string& path) {
   Results results = results_from_json(read_validated(path, ResultsDocument::run));
+  refuse_links_outside_of(std::filesystem::absolute(path).parent_path(), results);
   std::set<std::string> labels;
   for (const Result& result : results.results)
     if (!labels.insert(result.cell.label()).second)

@@ -295,6 +295,28 @@ TEST_F(ResultsFile, images_outside_of_the_record_s_folder_are_refused) {
   EXPECT_EQ(error_on_read(), "no error");
 }
 
+// Names alone look harmless; what they lead to is elsewhere. A link to another place in the folder is no harm.
+TEST_F(ResultsFile, links_that_lead_out_of_the_record_s_folder_are_refused) {
+  const fs::path folder = folder_, cell = folder / "cells" / "0123abcd";
+  const fs::path elsewhere = folder.parent_path() / (folder.filename().string() + "-elsewhere");
+  fs::create_directories(cell);
+  fs::create_directories(elsewhere);
+  std::ofstream(elsewhere / "image.exr") << "secret";
+  write_results(path_, example());
+  EXPECT_EQ(error_on_read(), "no error");
+  fs::create_symlink(elsewhere / "image.exr", cell / "image.exr");
+  EXPECT_EQ(error_on_read(), "cells/0123abcd/image.exr: error: is outside of the folder of the record that names it");
+  fs::remove_all(cell);
+  fs::create_directory_symlink(elsewhere, cell);
+  EXPECT_NE(error_on_read(), "no error");
+  fs::remove(cell);
+  fs::create_directories(folder / "cells" / "b");
+  fs::create_directory_symlink("b", cell);
+  EXPECT_EQ(error_on_read(), "no error");
+  fs::remove_all(folder / "cells");
+  fs::remove_all(elsewhere);
+}
+
 TEST_F(ResultsFile, missing_field_is_named) {
   write_results(path_, example());
   replace("\"key\": \"ffff\",", "");

@@ -168,6 +168,10 @@ StressRecord read_stress_record(const std::filesystem::path& file) {
     record.interrupted = json.at("interrupted");
     record.seconds = json.at("seconds");
     for (const Json& ladder : json.at("ladders")) record.ladders.push_back(stress_ladder_of(ladder));
+    const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
+    for (const StressLadder& ladder : record.ladders)
+      for (const StressRung& rung : ladder.rungs)
+        for (const std::string& name : {rung.picture, rung.expected}) refuse_link_outside(folder, name);
     return record;
   } catch (const nlohmann::json::exception&) {
     throw InputError(file.string(), "is no record of photonproof stress");
