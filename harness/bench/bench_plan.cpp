@@ -84,7 +84,7 @@ BenchPlan plan_bench(const Suite& suite, const fs::path& program, const Host& ho
     const Engine& engine = suite.engine(cell.engine);
     const SuiteScene& scene = suite.scene(cell.scene);
     planned.key = content_key({{"scene", contents[cell.scene]},
-                               {"engine", length_prefixed(engine.command)},
+                               {"engine", engine_content(engine)},
                                {"version", versions[cell.engine].line},
                                {"budget", cell.budget.label()},
                                {"seed", std::to_string(cell.seed)},

@@ -22,6 +22,7 @@ CellCommand cell_command(const SuiteCommon& suite, const Cell& cell, const fs::p
   const Engine& engine = suite.engine(cell.engine);
   CellCommand command;
   command.image = short_path(folder) / (stem + "." + engine.image_extension);
+  command.layer = engine.layer;
   command.stats = short_path(folder) / (stem == "image" ? "stats.json" : stem + ".stats.json");
 
   CommandValues values;
@@ -58,6 +59,7 @@ CellRun cell_run(const Cell& cell, const CellCommand& command, const SuiteScene&
   run.cell = cell;
   run.argv = command.argv;
   run.image = command.image;
+  run.layer = command.layer;
   run.stats = command.stats;
   run.output_folder = command.image.parent_path();
   run.width = scene.width;

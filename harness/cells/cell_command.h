@@ -20,6 +20,7 @@ struct CellCommand {
   std::string given_folder, own_folder;
   std::string start_hint, argument_hint;  ///< engine_command.h
   std::filesystem::path image, stats;     ///< where the engine is told to write
+  std::string layer{};                    ///< of the image which is the engine's picture
 };
 
 /// What run_cell is told.

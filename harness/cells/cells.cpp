@@ -15,6 +15,10 @@ std::string length_prefixed(const std::vector<std::string>& texts) {
   return all;
 }
 
+std::string engine_content(const Engine& engine) {
+  return length_prefixed(engine.command) + (engine.layer.empty() ? "" : length_prefixed({"layer", engine.layer}));
+}
+
 std::string content_key(const std::vector<std::pair<std::string, std::string>>& parts) {
   std::string content;
   for (const auto& [name, text] : parts) content += length_prefixed({name, text});

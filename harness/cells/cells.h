@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "harness/suites/engines.h"
 #include "reports/record/results.h"
 
 namespace photonproof {
@@ -16,6 +17,8 @@ std::string content_key(const std::vector<std::pair<std::string, std::string>>& 
 
 /// The texts as one, the length before each, so that none can pose as the next.
 std::string length_prefixed(const std::vector<std::string>& texts);
+/// The parts of an engine's row that decide its images, for content_key: its command, and its layer where it has one.
+std::string engine_content(const Engine& engine);
 
 /// The cells so that engines take turns, in an order that is drawn for every other round and reversed in between (C A
 /// B, B A C, A C B, ...): a machine that slowly gets slower or faster is shared by all of them. Within an engine,

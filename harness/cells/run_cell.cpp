@@ -40,14 +40,18 @@ std::optional<std::string> image_problem(const CellRun& run, Result& result) {
   std::error_code ignored;
   if (!fs::exists(run.image, ignored)) return "wrote no image";
   try {
-    const ImageRows size(run.image.string());  // before memory is taken for it
+    const ImageRows size(run.image.string(), run.layer);  // before memory is taken for it
+    if (!run.layer.empty() && size.layer().empty())
+      return "wrote an image without layers, not even '" + run.layer + "'";
     if (size.width() != run.width || size.height() != run.height)
       return "wrote " + size_text(size.width(), size.height()) + " pixels instead of " +
              size_text(run.width, run.height);
     if (!size.layer().empty()) result.caveats.push_back("its image is read from " + printable(size.remarks().front()));
-    const Image image = read_image(run.image.string());
+    const Image image = read_rendering(run.image.string(), run.layer).mean;
     const std::vector<ImageDefect> defects = find_defects(Image(run.width, run.height), image);
     if (!defects.empty()) return defects.front().sentence;
+    if (!run.layer.empty())
+      write_exr(run.image.string(), read_rendering(run.image.string(), run.layer, ImageWindow::stored));
   } catch (const InputError& unreadable) {
     return "wrote an image that cannot be read: " + unreadable.summary();
   }

@@ -19,6 +19,7 @@ struct CellRun {
   std::filesystem::path stats;          ///< where it may write its stats JSON
   std::filesystem::path output_folder;  ///< receives stdout.txt and stderr.txt where the engine printed something
   int width = 0, height = 0;            ///< pixels the image must have
+  std::string layer{};                  ///< of the image which is the picture: all that is kept of it; empty: any
   Limits limits;
   const std::atomic<bool>* interrupt = nullptr;
   std::optional<int> processor{};    ///< all of its processes run on this one alone

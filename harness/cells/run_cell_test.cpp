@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "harness/suites/test_suite.h"
+#include "scenes/text/atomic_file.h"
 #include "scenes/text/file_checksum.h"
 
 namespace photonproof {
@@ -129,6 +130,40 @@ TEST_F(RunCell, temporaries_of_a_killed_engine_are_removed) {
   EXPECT_EQ(run("leaves_temporary")->status, Status::timeout);
   for (const auto& file : std::filesystem::directory_iterator(folder_))
     EXPECT_EQ(file.path().filename().string().find(".partial-"), std::string::npos) << file.path();
+}
+
+// The channels variance.R, G and B, called otherwise, are a layer.
+TEST_F(RunCell, layer_of_the_engine_s_image_is_all_that_is_kept) {
+  Rendering layers{Image(width, height), Image(width, height), {}};
+  for (float& value : layers.mean.rgb) value = 1;
+  for (float& value : layers.variance->rgb) value = 0.25f;
+  const auto shot = [&](const std::string& layer) {
+    write_exr((folder_ / "layers.exr").string(), layers);
+    std::string bytes = read_file(folder_ / "layers.exr");
+    for (std::size_t at = 0; (at = bytes.find("variance.", at)) != std::string::npos;) bytes.replace(at, 8, "indirect");
+    write_file_atomically(folder_ / "layers.exr", bytes);
+    CellRun cell;
+    cell.cell = {"scene", "mine", {"spp", 1}, 1};
+    cell.image = folder_ / "image.exr";
+    cell.output_folder = folder_;
+    cell.argv = {"cp", folder_ / "layers.exr", cell.image};
+    cell.width = width;
+    cell.height = height;
+    cell.limits = limits_;
+    cell.layer = layer;
+    return run_cell(cell).value();
+  };
+  EXPECT_EQ(shot("").status, Status::ok);
+  EXPECT_EQ(read_image((folder_ / "image.exr").string()).rgb.front(), 1);
+  const Result result = shot("indirect");
+  EXPECT_EQ(result.status, Status::ok) << result.detail;
+  const Rendering kept = read_rendering((folder_ / "image.exr").string());
+  EXPECT_EQ(kept.mean.rgb, std::vector<float>(kept.mean.rgb.size(), 0.25f));
+  EXPECT_FALSE(kept.variance);
+  EXPECT_EQ(result.image_checksum, file_checksum(folder_ / "image.exr"));
+  EXPECT_EQ(shot("beauty").status, Status::bad_image);
+  layers.variance.reset();
+  EXPECT_EQ(shot("beauty").detail, "wrote an image without layers, not even 'beauty'");
 }
 
 TEST_F(RunCell, image_has_its_checksum) {

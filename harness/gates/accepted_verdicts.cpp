@@ -49,7 +49,7 @@ std::string verdict_key(const Gate& gate, const GateSuite& suite, const StoredRe
     images.push_back(std::to_string(drawn->result.cell.seed) + " " + checksum_of(drawn->image));
   return content_key({{"gate", gate.name},
                       {"settings", settings_of(gate)},
-                      {"engine", gate.engine + length_prefixed(suite.engine(gate.engine).command)},
+                      {"engine", gate.engine + engine_content(suite.engine(gate.engine))},
                       {"budget", gate.budget.label()},
                       {"threads", std::to_string(suite.limits.threads)},
                       {"reference", provenance_text(reference.provenance)},

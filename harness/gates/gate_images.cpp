@@ -112,7 +112,7 @@ bool draw_streams(std::span<const StreamDemand> demands, int processes,
 std::unique_ptr<DrawnImage> ImageStream::draw_one(std::uint64_t seed) const {
   const Cell cell{scene_.name, engine_.name, budget_, seed};
   std::string key = content_key({{"scene", content_.scene_hash},
-                                 {"engine", length_prefixed(engine_.command) + length_prefixed(options_.further)},
+                                 {"engine", engine_content(engine_) + length_prefixed(options_.further)},
                                  {"version", content_.engine_version},
                                  {"fault", options_.fault + planted_fault()},
                                  {"budget", budget_.label()},

@@ -37,6 +37,9 @@ Engine engine_from_toml(const TomlTable& row) {
   if (engine.budget_kinds.empty()) throw row.error("budgets", "'budgets' must name at least one kind");
   engine.trust = trust_from_toml(row);
   if (row.has("image")) engine.image_extension = row.string("image");
+  if (row.has("layer")) engine.layer = row.string("layer");
+  if (!engine.layer.empty() && engine.image_extension != "exr")
+    throw row.error("layer", "'layer' is of an EXR; the engine's 'image' is '" + engine.image_extension + "'");
   row.expect_no_other_keys();
   return engine;
 }

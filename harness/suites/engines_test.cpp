@@ -82,6 +82,14 @@ TEST(Engines, row_of_a_suite_is_read) {
             (std::vector<std::string>{"suites/mine", "my scene.xml", "o/image.exr"}));
 }
 
+TEST(Engines, layer_is_of_an_exr) {
+  const TomlTable document =
+      TomlTable::parse("[[engine]]\n" + std::string(good_row) + "layer = 'View.Combined'\n", "s.toml");
+  EXPECT_EQ(engines_from_toml(document, builtin_engines()).at(0).layer, "View.Combined");
+  EXPECT_TRUE(error_for(std::string(good_row) + "image = 'png'\nlayer = 'beauty'\n")
+                  .starts_with("s.toml:8:9: error: 'layer' is of an EXR; the engine's 'image' is 'png'"));
+}
+
 TEST(Engines, name_that_is_taken_is_refused) {
   EXPECT_EQ(error_for("name = 'path'\n" + std::string(good_row).substr(std::string("name = 'mine'\n").size())),
             "s.toml:2:8: error: there is an engine 'path' already\n  name = 'path'\n         ^");

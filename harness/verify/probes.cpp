@@ -103,7 +103,7 @@ fs::path cache_file(const std::string& content, const VerifyEngine& engine, doub
   try {
     const std::string key = content_key({{"probe", "2"},
                                          {"scene", content},
-                                         {"engine", length_prefixed(engine.row.command)},
+                                         {"engine", engine_content(engine.row)},
                                          {"version", engine.version.line},
                                          {"power", std::to_string(power)}});
     return cache_folder() / "probes" / (key + ".json");

@@ -106,7 +106,7 @@ Result Studio::cell(const StudioScene& scene, const VerifyEngine& engine, const 
   const Cell cell{scene.name, engine.row.name, budget, seed};
   const std::string key = content_key({{"verify", "1"},
                                        {"scene", scene.content},
-                                       {"engine", length_prefixed(engine.row.command)},
+                                       {"engine", engine_content(engine.row)},
                                        {"version", engine.version.line},
                                        {"budget", budget.label()},
                                        {"seed", std::to_string(seed)},
