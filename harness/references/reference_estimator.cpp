@@ -14,14 +14,6 @@ bool scatters(const MediumDescription& medium) {
   return std::max({scattering.x, scattering.y, scattering.z}) > 0;
 }
 
-/// Bodies that gather light. Plastic and lacquer do not: their base dims what their thin gloss could focus.
-bool focuses(const BsdfDescription& bsdf) {
-  const auto& m = bsdf.model;
-  return std::holds_alternative<ConductorDescription>(m) || std::holds_alternative<DielectricDescription>(m) ||
-         std::holds_alternative<RoughConductorDescription>(m) ||
-         std::holds_alternative<RoughDielectricDescription>(m) || std::holds_alternative<ThinDielectricDescription>(m);
-}
-
 }  // namespace
 
 std::vector<std::string> estimators_for(const SceneDescription& scene) {
@@ -31,7 +23,8 @@ std::vector<std::string> estimators_for(const SceneDescription& scene) {
                                std::all_of(scene.emitters.begin(), scene.emitters.end(), surrounds) &&
                                std::none_of(scene.shapes.begin(), scene.shapes.end(),
                                             [](const auto& shape) { return shape.radiance.has_value(); });
-  const bool caustics = std::any_of(scene.bsdfs.begin(), scene.bsdfs.end(), focuses) && !only_surrounded;
+  const bool caustics = !only_surrounded && std::any_of(scene.bsdfs.begin(), scene.bsdfs.end(),
+                                                        [](const auto& bsdf) { return traits_of(bsdf).focuses; });
   if (caustics) return {"bdpt", "volpath", "path", "ptracer"};
   return {"path", "volpath", "bdpt", "ptracer"};
 }

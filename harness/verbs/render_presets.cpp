@@ -10,7 +10,7 @@ namespace {
 
 bool lets_light_through(const SceneDescription& scene, BsdfIndex index) {
   const BsdfDescription& bsdf = scene.bsdfs.at(index.value);
-  if (std::visit([]<class Model>(const Model&) { return Model::transmits; }, bsdf.model)) return true;
+  if (traits_of(bsdf).transmits) return true;
   return std::ranges::any_of(nested_bsdfs(bsdf), [&](BsdfIndex nested) { return lets_light_through(scene, nested); });
 }
 

@@ -1,7 +1,6 @@
 #include "harness/verify/verify_engines.h"
 
 #include <algorithm>
-#include <type_traits>
 #include <variant>
 
 #include "harness/diagnosis/seen_objects.h"
@@ -41,16 +40,9 @@ std::string sampling_of_row(const Engine& row) {
 /// Of a BSDF or what it nests: whether some light leaves it in one direction alone.
 bool is_clear(const SceneDescription& scene, BsdfIndex index) {
   const BsdfDescription& bsdf = scene.bsdfs[index.value];
-  const bool is = std::visit(
-      [](const auto& model) {
-        using Model = std::decay_t<decltype(model)>;
-        return std::is_same_v<Model, ConductorDescription> || std::is_same_v<Model, DielectricDescription> ||
-               std::is_same_v<Model, ThinDielectricDescription> || std::is_same_v<Model, PlasticDescription> ||
-               std::is_same_v<Model, LayeredDescription> || std::is_same_v<Model, MaskDescription> ||
-               std::is_same_v<Model, NullDescription> || std::is_same_v<Model, RoughDielectricDescription>;
-      },
-      bsdf.model);
-  return is || std::ranges::any_of(nested_bsdfs(bsdf), [&](BsdfIndex inner) { return is_clear(scene, inner); });
+  const BsdfTraits traits = traits_of(bsdf);
+  return traits.specular || traits.transmits ||
+         std::ranges::any_of(nested_bsdfs(bsdf), [&](BsdfIndex inner) { return is_clear(scene, inner); });
 }
 
 /// Where what is seen is not known, everything is.

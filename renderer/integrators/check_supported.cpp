@@ -37,13 +37,8 @@ bool scatters(const MediumDescription& medium) {
 /// Whether mirrors or glass may throw light on that no camera path finds.
 bool may_throw_light_of_points(const SceneDescription& description) {
   return std::ranges::any_of(description.emitters, is_without_size) &&
-         std::ranges::any_of(description.bsdfs, [](const BsdfDescription& bsdf) {
-           return std::holds_alternative<ConductorDescription>(bsdf.model) ||
-                  std::holds_alternative<DielectricDescription>(bsdf.model) ||
-                  std::holds_alternative<ThinDielectricDescription>(bsdf.model) ||
-                  std::holds_alternative<PlasticDescription>(bsdf.model) ||
-                  std::holds_alternative<LayeredDescription>(bsdf.model);
-         });
+         std::ranges::any_of(description.bsdfs,
+                             [](const BsdfDescription& bsdf) -> bool { return traits_of(bsdf).specular; });
 }
 
 /// Who can do media that absorb and priorities of dielectrics, and those that scatter.

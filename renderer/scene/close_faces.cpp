@@ -21,11 +21,6 @@ struct Face {
   double resolved = 0;
 };
 
-bool is_glass(const BsdfDescription& bsdf) {
-  return std::holds_alternative<DielectricDescription>(bsdf.model) ||
-         std::holds_alternative<RoughDielectricDescription>(bsdf.model);
-}
-
 std::array<Vec3d, 4> corners(const Face& face) {
   return {face.at, face.at + face.edge_u, face.at + face.edge_v, face.at + face.edge_u + face.edge_v};
 }
@@ -35,7 +30,7 @@ class Faces {
   Faces(const SceneDescription& description, const SceneFrame& frame) : frame_(frame) {
     for (std::size_t i = 0; i < description.shapes.size(); ++i) {
       const ShapeDescription& shape = description.shapes[i];
-      if (!is_glass(description.bsdfs[shape.bsdf.value])) continue;
+      if (!traits_of(description.bsdfs[shape.bsdf.value]).refracts) continue;
       const Transform& to_world = shape.to_world;
       if (const auto* ball = std::get_if<SphereDescription>(&shape.geometry))
         add({i, true, to_world.point(ball->center), {}, {}, ball->radius * to_world.similarity_scale()});

@@ -1,4 +1,4 @@
-// BSDFs as a scene file says them. `transmits`: whether it lets light through, whatever it nests does.
+// BSDFs as a scene file says them.
 #pragma once
 
 #include <array>
@@ -13,6 +13,23 @@
 
 namespace photonproof {
 
+/// A yes or no without a default: the compiler demands it of each BSDF.
+struct GivenBool {
+  constexpr GivenBool(bool given) : value(given) {}
+  constexpr operator bool() const { return value; }
+  bool value;
+};
+
+/// Facts of a kind of BSDF that decide elsewhere, whatever it nests.
+struct BsdfTraits {
+  GivenBool transmits;  ///< lets light through
+  GivenBool specular;   ///< turns some light into a single direction: mirrors, smooth glass, clear coats
+  GivenBool refracts;   ///< bends the light that it lets through
+  /// Gathers light into caustics that matter. Plastic and lacquer do not: their base dims what their thin gloss could
+  /// focus.
+  GivenBool focuses;
+};
+
 struct ComplexIor {
   RgbD eta, k;
   friend bool operator==(const ComplexIor&, const ComplexIor&) = default;
@@ -22,7 +39,7 @@ enum class MicrofacetDistribution { beckmann, ggx };
 
 /// Lambertian, one-sided: black from behind (the side its normal does not point to).
 struct DiffuseDescription {
-  static constexpr bool transmits = false;
+  static constexpr BsdfTraits traits{.transmits = false, .specular = false, .refracts = false, .focuses = false};
   Colour reflectance = RgbD(0.5);
   friend bool operator==(const DiffuseDescription&, const DiffuseDescription&) = default;
 };
@@ -35,7 +52,7 @@ void describe(P& p, DiffuseDescription& d) {
 
 /// Smooth conductor, one-sided. Without `ior` it reflects `specular_reflectance` at every angle (material "none").
 struct ConductorDescription {
-  static constexpr bool transmits = false;
+  static constexpr BsdfTraits traits{.transmits = false, .specular = true, .refracts = false, .focuses = true};
   std::optional<ComplexIor> ior;
   Colour specular_reflectance = RgbD(1.0);
   friend bool operator==(const ConductorDescription&, const ConductorDescription&) = default;
@@ -54,7 +71,7 @@ void describe(P& p, ConductorDescription& d) {
 }
 
 struct RoughConductorDescription {
-  static constexpr bool transmits = false;
+  static constexpr BsdfTraits traits{.transmits = false, .specular = false, .refracts = false, .focuses = true};
   MicrofacetDistribution distribution = MicrofacetDistribution::beckmann;
   Scalar alpha_u = 0.1, alpha_v = 0.1;  ///< roughness along the tangents dp/du and dp/dv
   bool sample_visible = true;
@@ -82,7 +99,7 @@ void describe(P& p, RoughConductorDescription& d) {
 
 /// Smooth dielectric; the normal points to the exterior.
 struct DielectricDescription {
-  static constexpr bool transmits = true;
+  static constexpr BsdfTraits traits{.transmits = true, .specular = true, .refracts = true, .focuses = true};
   double int_ior = 1.5046;    // bk7
   double ext_ior = 1.000277;  // air
   Colour specular_reflectance = RgbD(1.0);
@@ -115,7 +132,7 @@ void describe(P& p, DielectricDescription& d) {
 
 /// A pane: both interfaces at once, without the sideways shift.
 struct ThinDielectricDescription {
-  static constexpr bool transmits = true;
+  static constexpr BsdfTraits traits{.transmits = true, .specular = true, .refracts = false, .focuses = true};
   double int_ior = 1.5046, ext_ior = 1.000277;
   Colour specular_reflectance = RgbD(1.0), specular_transmittance = RgbD(1.0);
   friend bool operator==(const ThinDielectricDescription&, const ThinDielectricDescription&) = default;
@@ -130,7 +147,7 @@ void describe(P& p, ThinDielectricDescription& d) {
 }
 
 struct RoughDielectricDescription {
-  static constexpr bool transmits = true;
+  static constexpr BsdfTraits traits{.transmits = true, .specular = false, .refracts = true, .focuses = true};
   MicrofacetDistribution distribution = MicrofacetDistribution::beckmann;
   Scalar alpha_u = 0.1, alpha_v = 0.1;
   bool sample_visible = true;
@@ -151,7 +168,7 @@ void describe(P& p, RoughDielectricDescription& d) {
 
 /// Diffuse below a smooth dielectric boundary.
 struct PlasticDescription {
-  static constexpr bool transmits = false;
+  static constexpr BsdfTraits traits{.transmits = false, .specular = true, .refracts = false, .focuses = false};
   Colour diffuse_reflectance = RgbD(0.5), specular_reflectance = RgbD(1.0);
   double int_ior = 1.49, ext_ior = 1.000277;  // polypropylene, air
   bool nonlinear = false;                     ///< colours shift with every internal reflection
@@ -173,7 +190,7 @@ void describe(P& p, PlasticDescription& d) {
 }
 
 struct RoughPlasticDescription {
-  static constexpr bool transmits = false;
+  static constexpr BsdfTraits traits{.transmits = false, .specular = false, .refracts = false, .focuses = false};
   MicrofacetDistribution distribution = MicrofacetDistribution::beckmann;
   double alpha = 0.1;
   bool sample_visible = true;
@@ -193,7 +210,7 @@ void describe(P& p, RoughPlasticDescription& d) {
 
 /// Modified Phong (Lafortune and Willems 1994), parameters of Mitsuba 0.6.
 struct PhongDescription {
-  static constexpr bool transmits = false;
+  static constexpr BsdfTraits traits{.transmits = false, .specular = false, .refracts = false, .focuses = false};
   Scalar exponent = 30.0;
   Colour diffuse_reflectance = RgbD(0.5), specular_reflectance = RgbD(0.2);
   /// Names and colours that may add up to 1; where they add up to more they are rendered divided by their sum.
@@ -213,7 +230,7 @@ void describe(P& p, PhongDescription& d) {
 
 /// Extension: a clear or tinted lacquer over any opaque reflecting BSDF.
 struct LayeredDescription {
-  static constexpr bool transmits = false;
+  static constexpr BsdfTraits traits{.transmits = false, .specular = true, .refracts = false, .focuses = false};
   BsdfIndex base;
   double int_ior = 1.5046, ext_ior = 1.000277;  ///< of the lacquer and of what is above it
   RgbD sigma_a{0.0};                            ///< absorption of the lacquer, per scene unit
@@ -233,7 +250,7 @@ void describe(P& p, LayeredDescription& d) {
 }
 
 struct TwoSidedDescription {
-  static constexpr bool transmits = false;
+  static constexpr BsdfTraits traits{.transmits = false, .specular = false, .refracts = false, .focuses = false};
   BsdfIndex front, back;
   friend bool operator==(const TwoSidedDescription&, const TwoSidedDescription&) = default;
 };
@@ -246,7 +263,7 @@ void describe(P& p, TwoSidedDescription& d) {
 
 /// `nested` where the surface is there, nothing where it is not.
 struct MaskDescription {
-  static constexpr bool transmits = true;
+  static constexpr BsdfTraits traits{.transmits = true, .specular = false, .refracts = false, .focuses = false};
   Scalar opacity = 0.5;
   BsdfIndex nested;
   friend bool operator==(const MaskDescription&, const MaskDescription&) = default;
@@ -261,7 +278,7 @@ void describe(P& p, MaskDescription& d) {
 
 /// first x (1 - weight) + second x weight.
 struct BlendDescription {
-  static constexpr bool transmits = false;
+  static constexpr BsdfTraits traits{.transmits = false, .specular = false, .refracts = false, .focuses = false};
   Scalar weight = 0.5;
   BsdfIndex first, second;
   friend bool operator==(const BlendDescription&, const BlendDescription&) = default;
@@ -277,7 +294,7 @@ void describe(P& p, BlendDescription& d) {
 
 /// No surface: a border between media.
 struct NullDescription {
-  static constexpr bool transmits = true;
+  static constexpr BsdfTraits traits{.transmits = true, .specular = false, .refracts = false, .focuses = false};
   friend bool operator==(const NullDescription&, const NullDescription&) = default;
 };
 
@@ -295,7 +312,7 @@ struct MappedNormalsDescription {
 
 /// Displaces the shading normal by the gradient of a height texture, `scale` times.
 struct BumpMapDescription {
-  static constexpr bool transmits = false;
+  static constexpr BsdfTraits traits{.transmits = false, .specular = false, .refracts = false, .focuses = false};
   TextureIndex height;
   double scale = 1;
   BsdfIndex nested;
@@ -320,7 +337,7 @@ void describe(P& p, BumpMapDescription& d) {
 
 /// Shading normals from a raw texture, n = 2 rgb - 1 in the frame of dp/du.
 struct NormalMapDescription {
-  static constexpr bool transmits = false;
+  static constexpr BsdfTraits traits{.transmits = false, .specular = false, .refracts = false, .focuses = false};
   TextureIndex normals;
   BsdfIndex nested;
   MappedNormalsDescription normal_options{};
@@ -346,6 +363,10 @@ struct BsdfDescription {
                NullDescription, BumpMapDescription, NormalMapDescription>
       model;
 };
+
+inline BsdfTraits traits_of(const BsdfDescription& bsdf) {
+  return std::visit([]<class Model>(const Model&) { return Model::traits; }, bsdf.model);
+}
 
 /// What only chooses or turns other BSDFs and has no record.
 template <class Description>

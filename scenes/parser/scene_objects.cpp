@@ -150,8 +150,7 @@ SceneObjects::TextureFacts SceneObjects::facts_of(const TextureDescription& text
 }
 
 SceneObjects::BsdfFacts SceneObjects::facts_of(const BsdfDescription& bsdf) const {
-  const bool transmits = std::visit([]<class Model>(const Model&) { return Model::transmits; }, bsdf.model);
-  BsdfFacts facts{transmits, 1};
+  BsdfFacts facts{traits_of(bsdf).transmits, 1};
   for (const BsdfIndex index : nested_bsdfs(bsdf)) {
     facts.transmits = facts.transmits || bsdfs_known_[index.value].transmits;
     facts.depth = std::max(facts.depth, 1 + bsdfs_known_[index.value].depth);
