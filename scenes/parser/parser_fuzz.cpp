@@ -1,5 +1,5 @@
 // Fuzzes the scene parser: any bytes either give one InputError or a scene that write_scene gives back exactly. Built
-// with libFuzzer (preset fuzz), and run over fuzz_corpus/ by parser_fuzz_test.cpp. The first line may hold -D values:
+// with libFuzzer (preset fuzz), and run over parser_corpus/ by parser_fuzz_test.cpp. The first line may hold -D values:
 // a text that starts with "-D name=value" has it cut off and defined.
 #include "scenes/parser/parser_fuzz.h"
 

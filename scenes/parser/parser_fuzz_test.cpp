@@ -24,7 +24,9 @@ int check_folder(const std::string& folder) {
   return files;
 }
 
-TEST(parser_fuzz, corpus_gives_messages_or_scenes_that_survive_writing) { EXPECT_GE(check_folder("fuzz_corpus"), 10); }
+TEST(parser_fuzz, corpus_gives_messages_or_scenes_that_survive_writing) {
+  EXPECT_GE(check_folder("parser_corpus"), 10);
+}
 
 TEST(parser_fuzz, malformed_and_library_scenes_do_too) {
   EXPECT_GE(check_folder("malformed"), 20);
