@@ -14,8 +14,8 @@ cycles_packages="blender"
 # What ./run --bench needs on top: the benchmark library, and a peer to be measured against.
 bench_packages="libbenchmark-dev libnanoflann-dev"
 
-# What the fuzzers need on top: a compiler that has libFuzzer and its sanitizers' libraries.
-fuzz_packages="clang libclang-rt-dev"
+# What the fuzzers need on top: a compiler that has libFuzzer, its sanitizers' libraries, and what packs corpora.
+fuzz_packages="clang libclang-rt-dev xz-utils"
 
 # What sanitizers.sh needs on top: GCC 12 takes over six minutes for a kernel with checks of addresses, this half a minute
 # (and clang 14 does not know the standard library's packs).
