@@ -112,8 +112,9 @@ count() {
 }
 
 finds=0
-while read -r target corpus dictionary covers; do
+while read -r target archive dictionary covers; do
   [ $# -eq 0 ] || [[ " $* " = *" $target "* ]] || continue
+  corpus=build/fuzz/corpora/$(basename "$archive" .tar.xz)
   log=build/fuzz/${quick:+quick/}$target.log
   # shellcheck disable=SC2086
   [ -n "$quick" ] || state=$(state_of $covers)
@@ -122,6 +123,7 @@ while read -r target corpus dictionary covers; do
     before=$(find "$corpus" -type f | wc -l)
     mkdir -p "build/fuzz/inputs/$target"
     "build/fuzz/bin/$target" -merge=1 -use_counters=0 -max_len=4096 "$corpus" "build/fuzz/inputs/$target" >"$log" 2>&1
+    find "$corpus" -type f -exec harness/setup/corpus.sh "$archive" {} +
     count "$target" "$corpus" "$state" 0 0 0 "" 0
     echo "$target: $before inputs became $(find "$corpus" -type f | wc -l)"
     continue

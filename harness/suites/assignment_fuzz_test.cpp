@@ -6,7 +6,7 @@ namespace photonproof {
 namespace {
 
 TEST(assignment_fuzz, corpus_gives_messages_or_assignments) {
-  check_corpus("harness/assignment_corpus", 4, check_assignment);
+  check_corpus("assignment_corpus", 150, check_assignment);
 }
 
 }  // namespace

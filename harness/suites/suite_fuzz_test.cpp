@@ -5,7 +5,7 @@
 namespace photonproof {
 namespace {
 
-TEST(suite_fuzz, corpus_gives_messages_or_suites) { check_corpus("harness/suite_corpus", 4, check_suite); }
+TEST(suite_fuzz, corpus_gives_messages_or_suites) { check_corpus("suite_corpus", 230, check_suite); }
 
 }  // namespace
 }  // namespace photonproof

@@ -122,7 +122,7 @@ TEST(cycles_refuses, textures_that_are_mirrored_beyond_their_edges) {
   const std::string wall =
       "<shape type='sphere'><bsdf type='diffuse'><texture name='reflectance' type='bitmap'><string name='filename' "
       "value='rgb8.png'/><string name='wrap_mode' value='mirror'/></texture></bsdf></shape>";
-  const std::string folder = PHOTONPROOF_SOURCE_DIR "/scenes/png_corpus/";
+  const std::string folder = PHOTONPROOF_CORPORA "/png_corpus/";
   const SceneDescription scene =
       parse_scene_text("<scene version='3.0.0'>" + kCamera + wall + kLamp + "</scene>", folder + "scene.xml", {});
   try {

@@ -9,7 +9,7 @@
 namespace photonproof {
 
 // Shapes may name the meshes of this folder.
-inline const std::string kScene = PHOTONPROOF_SOURCE_DIR "/scenes/ply_corpus/scene.xml";
+inline const std::string kScene = PHOTONPROOF_CORPORA "/ply_corpus/scene.xml";
 
 inline const std::string kCamera =
     "<sensor type='perspective'><transform name='to_world'><lookat origin='0 0 9' target='0 0 0' up='0 1 0'/>"

@@ -6,7 +6,7 @@ namespace photonproof {
 namespace {
 
 TEST(checkpoint_fuzz, corpus_gives_messages_or_states_that_are_written_as_they_were) {
-  check_corpus("renderer/checkpoint_corpus", 4, check_checkpoint);
+  check_corpus("checkpoint_corpus", 24, check_checkpoint);
 }
 
 }  // namespace

@@ -6,7 +6,7 @@ namespace photonproof {
 namespace {
 
 TEST(results_fuzz, corpus_gives_messages_or_records_that_are_written_as_they_were) {
-  check_corpus("reports/results_corpus", 4, check_results);
+  check_corpus("results_corpus", 190, check_results);
 }
 
 }  // namespace

@@ -5,9 +5,9 @@
 namespace photonproof {
 namespace {
 
-TEST(image_fuzz, exr_corpus_gives_messages_or_rows_that_stay) { check_corpus("scenes/exr_corpus", 8, check_exr); }
+TEST(image_fuzz, exr_corpus_gives_messages_or_rows_that_stay) { check_corpus("exr_corpus", 44, check_exr); }
 
-TEST(image_fuzz, png_corpus_gives_messages_or_rows_that_stay) { check_corpus("scenes/png_corpus", 8, check_png); }
+TEST(image_fuzz, png_corpus_gives_messages_or_rows_that_stay) { check_corpus("png_corpus", 19, check_png); }
 
 }  // namespace
 }  // namespace photonproof

@@ -8,7 +8,7 @@
 namespace photonproof {
 namespace {
 
-const std::string kCorpus = PHOTONPROOF_SOURCE_DIR "/scenes/ply_corpus/";
+const std::string kCorpus = PHOTONPROOF_CORPORA "/ply_corpus/";
 
 const std::string kVertices = "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n";
 const std::string kFaces = "element face 1\nproperty list uchar int vertex_indices\n";

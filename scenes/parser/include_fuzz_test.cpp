@@ -6,7 +6,7 @@ namespace photonproof {
 namespace {
 
 TEST(include_fuzz, corpus_gives_messages_or_scenes_that_survive_writing) {
-  check_corpus("scenes/include_corpus", 8, check_include);
+  check_corpus("include_corpus", 65, check_include);
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 int check_folder(const std::string& folder) {
   int files = 0;
-  for (const auto& entry : fs::recursive_directory_iterator(PHOTONPROOF_SOURCE_DIR "/scenes/" + folder)) {
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
     if (!entry.is_regular_file()) continue;
     const std::string text = read_file(entry.path());
     EXPECT_EQ(check_parser(text), "") << entry.path();
@@ -25,12 +25,12 @@ int check_folder(const std::string& folder) {
 }
 
 TEST(parser_fuzz, corpus_gives_messages_or_scenes_that_survive_writing) {
-  EXPECT_GE(check_folder("parser_corpus"), 10);
+  EXPECT_GE(check_folder(PHOTONPROOF_CORPORA "/parser_corpus"), 90);
 }
 
 TEST(parser_fuzz, malformed_and_library_scenes_do_too) {
-  EXPECT_GE(check_folder("malformed"), 20);
-  EXPECT_GE(check_folder("library"), 7);
+  EXPECT_GE(check_folder(PHOTONPROOF_SOURCE_DIR "/scenes/malformed"), 20);
+  EXPECT_GE(check_folder(PHOTONPROOF_SOURCE_DIR "/scenes/library"), 7);
 }
 
 TEST(parser_fuzz, truncated_library_scenes_do_too) {

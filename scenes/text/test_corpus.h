@@ -54,12 +54,12 @@ inline std::string bytes_of(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// `folder` within the sources; it has `least` files at least. `check` says what is wrong with one input.
+/// `corpus` is unpacked in the build folder; it has `least` files at least. `check` says what is wrong with one input.
 template <class Check>
-void check_corpus(const std::string& folder, std::size_t least, Check check) {
+void check_corpus(const std::string& corpus, std::size_t least, Check check) {
   std::vector<std::filesystem::path> names;
   std::vector<std::string> files;
-  for (const auto& entry : std::filesystem::directory_iterator(std::string(PHOTONPROOF_SOURCE_DIR) + "/" + folder))
+  for (const auto& entry : std::filesystem::directory_iterator(PHOTONPROOF_CORPORA "/" + corpus))
     names.push_back(entry.path());
   std::sort(names.begin(), names.end());
   for (const std::filesystem::path& name : names) files.push_back(bytes_of(name));

@@ -39,7 +39,7 @@ TEST(writer, gives_back_every_library_scene) {
 class Files {
  public:
   Files() : folder_(fs::path(::testing::TempDir()) / ("photonproof_writer_test_" + std::to_string(getpid()))) {
-    const fs::path corpora = PHOTONPROOF_SOURCE_DIR "/scenes";
+    const fs::path corpora = PHOTONPROOF_CORPORA;
     fs::remove_all(folder_);
     fs::create_directories(folder_);
     fs::copy(corpora / "ply_corpus/ascii_quad.ply", folder_ / "a.ply");
