@@ -45,9 +45,9 @@ TEST(StoredChanges, small_change_of_time_is_inconclusive_and_a_factor_of_two_is_
   EXPECT_EQ(change_of(run(2, 0.1), run(1, 0.1), "seconds"), Change::improvement);
 }
 
-// Order statistics of six logarithms that are 0.357 = (1/2)/(1 + 4/10) of the way from the extremes to the next ones
-// (statistics.h): each median lies within [1.00356, 1.04642], a ratio of 2 within 2 / 1.04272 / 1.25 and
-// 2 1.04272 1.25.
+// Six logarithms: the median's ends lie 0.357 = (1/2)/(1 + 4/10) of the way from the extremes to the next values
+// (statistics.h). Each median lies within [1.00356, 1.04642], whose ends have the ratio 1.04272. The ratio 2 then lies
+// within 2 / 1.04272 / 1.25 and 2 1.04272 1.25.
 TEST(StoredChanges, interval_of_the_ratio_is_that_of_both_medians_and_of_the_session) {
   const ChangeRecord twice = stored_changes(run(1, 0.1), run(2, 0.1), cell, {}).at(0);
   EXPECT_NEAR(twice.ratio.value, 2, 1e-12);

@@ -14,7 +14,7 @@ cycles_packages="blender"
 # What ./run --bench needs on top: the benchmark library, and a peer to be measured against.
 bench_packages="libbenchmark-dev libnanoflann-dev"
 
-# What the fuzzers need on top: a compiler that has libFuzzer, its sanitizers' libraries, and what packs corpora.
+# The fuzzers also need a compiler with libFuzzer, its sanitizers' libraries, and xz for the corpora.
 fuzz_packages="clang libclang-rt-dev xz-utils"
 
 # What sanitizers.sh needs on top: GCC 12 takes over six minutes for a kernel with checks of addresses, this half a minute

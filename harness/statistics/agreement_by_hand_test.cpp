@@ -1,5 +1,5 @@
-// Each quantity of uncertainty in `agreement`, on images whose deviations follow by hand: a change of 5 % in a variance
-// or of the degrees of freedom moves a verdict here. agreement_test.cpp measures the levels over random images.
+// Each quantity of uncertainty in `agreement`, on images whose deviations follow by hand. A change of 5 % in a variance
+// moves a verdict here, and so do other degrees of freedom. agreement_test.cpp measures the levels over random images.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -32,8 +32,8 @@ Value one_pixel(double value, double elsewhere) {
   return [=](int x, int y) { return x == 4 && y == 4 ? value : elsewhere; };
 }
 
-// Variances of .8, 1 and 1.2 in a block: the median is 1, the median absolute deviation .2, the excess kurtosis
-// (1.4826 .2)^2 and the Gamma distribution's shape 6 / 0.0879246 = 68.24. Its tail beyond 6 deviations is that
+// Variances of .8, 1 and 1.2 in a block: their median is 1, their median absolute deviation .2. The excess kurtosis is
+// (1.4826 .2)^2, and the Gamma distribution's shape 6 / 0.0879246 = 68.24. Its tail beyond 6 deviations is that
 // of 4.9994 normal ones (scipy.stats.gamma.sf, 1.15), beyond 5 that of 4.2827. Twice the shape: 5.2286 and 4.4523.
 TEST(agreement_by_hand, a_pixels_tail_is_as_heavy_as_the_variances_of_its_block_differ) {
   const auto variance = [](int x, int y) { return x == 4 && y == 4 ? 1.0 : 0.8 + 0.2 * ((x + y) % 3); };
@@ -106,10 +106,10 @@ TEST(agreement_by_hand, a_block_whose_noise_is_one_pixels_has_two_degrees_of_fre
   EXPECT_NEAR(result.blocks.observed, 14.468, 0.05);
 }
 
-// 25 blocks whose pixels have the variance 1e-6, but 1 in the block of the middle. A place beside the noisy one may
-// have missed such noise itself: it counts with a fifth of the variance around it, .2 / 9, and a far one with its own.
-// An error of three deviations of a pixel is then 6 of the mean in a far block, 64e6 .003 / sqrt(16 64 1e6), and next
-// to nothing beside the noise, 64 45 .003 / sqrt(16 64 1e6) = 3e-4.
+// 25 blocks: the pixels of the middle one have the variance 1, all others 1e-6. A place beside the noisy one may have
+// missed such noise itself. It counts with a fifth of the variance around it, .2 / 9; a far place with its own. An
+// error of three deviations of a pixel then is 64e6 .003 / sqrt(16 64 1e6) = 6 of the mean in a far block. Beside the
+// noise it is 64 45 .003 / sqrt(16 64 1e6) = 3e-4.
 TEST(agreement_by_hand, a_quiet_place_beside_a_noisy_one_counts_little) {
   const auto variance = [](int x, int y) { return x / 8 == 2 && y / 8 == 2 ? 1.0 : 1e-6; };
   const auto off_in = [&](int column, int row) {
@@ -120,8 +120,8 @@ TEST(agreement_by_hand, a_quiet_place_beside_a_noisy_one_counts_little) {
   EXPECT_LT(off_in(1, 2), 0.01);
 }
 
-// Splats as wide as four pixels: a block's mean varies by four times its pixels' variances over their number, whichever
-// of the two images has them. 4 blocks of 2 deviations each have chi^2 = 16.
+// Splats as wide as four pixels in either image: a block's mean varies by four times its pixels' variances over their
+// number. 4 blocks of 2 deviations each have chi^2 = 16.
 TEST(agreement_by_hand, blocks_vary_by_as_many_pixels_as_a_splat_spans) {
   constexpr double variance = 1e-4;
   const double block_deviation = 2 * std::sqrt(4 * variance / 64);

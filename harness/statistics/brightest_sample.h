@@ -13,7 +13,7 @@ struct BrightestSample {
     if (of_the_channel > 0) of_channel = std::max(of_channel, sample / of_the_channel);
     if (of_the_block > 0) of_block = std::max(of_block, sample / of_the_block);
   }
-  /// What one that a block may have missed adds to a pixel.
+  /// A sample as bright, which a block may have missed, adds this much to a pixel.
   double missed_by(double block, double channel) const { return std::min(of_channel * channel, of_block * block); }
 };
 

@@ -39,7 +39,7 @@ struct Deviations {
   std::array<std::vector<Deviation>, 3> pixels;  ///< row-major, by channel
   std::array<std::vector<Deviation>, 3> blocks;  ///< as `places`
   std::array<Deviation, 3> whole;
-  /// Of means in which certain places count more (weighed_mean.h). Known where two pictures have variance layers.
+  /// Means in which certain places count more (weighed_mean.h). Known where two pictures have variance layers.
   std::optional<std::array<Deviation, 3>> weighed{};
   std::array<double, 3> independent_blocks{};  ///< by channel: the noise of as many varies as that of `blocks` does
 };

@@ -32,7 +32,7 @@ PixelWeights::PixelWeights(const Rendering& reference, const Rendering& test, st
       variances[c].push_back(variance[c]);
     }
   }
-  // Of either colour's cells, as the other colour shows them: mean, and relative variance.
+  // The relative variance of either colour's cells, as the other colour shows it.
   std::array<std::vector<double>, 2> relative;
   std::vector<double> sorted;
   for (const std::size_t c : {std::size_t{0}, std::size_t{1}})

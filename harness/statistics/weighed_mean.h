@@ -10,14 +10,15 @@
 
 namespace photonproof {
 
-/// Weights of the pixels of one channel in its mean over the image. A common factor shows best where values are weighed
-/// by r/v; so a lamp's edge of which a few samples decide does not drown the rest. A place's share of the mean then is
-/// r^2/v, of which a lamp without noise would have all; so none counts more than four times as much as the median one.
-/// (Where v goes with r, as where few samples find a bright light, r/v is the plain mean, in which bright places count
-/// more than dark ones; if none counted more than the median one, keyhole would take 1.7 times the samples for the same
-/// power, pool 2.2.) But v is an estimate, and samples that are high by chance look uncertain: weighed by their own
-/// variances they would count too little. So the pixels of either colour of a checkerboard take theirs from the other
-/// colour, of whose noise theirs knows nothing.
+/// Weights of the pixels of one channel in its mean over the image, for values r of variance v.
+/// - A common factor shows best where values are weighed by r/v. A light's edge, which a few samples
+///   decide, then does not drown the rest.
+/// - A place's share of the mean is r^2/v, of which a light without noise would have all. So none counts more than four
+///   times as much as the median one. With once as much, keyhole would take 1.7 times the samples for the same power,
+///   pool 2.2 times: where v goes with r, r/v is the plain mean, in which bright places count more than dark ones.
+/// - v is an estimate, and samples that are high by chance look uncertain. Weighed by their own
+///   variances they would count too little. So the pixels of either colour of a checkerboard take their weights from
+///   the other colour, whose noise is independent.
 class PixelWeights {
  public:
   /// Precondition: both have a variance.
@@ -26,7 +27,7 @@ class PixelWeights {
   double operator()(int x, int y) const {
     return weights_[colour(x, y)][static_cast<std::size_t>(y / block_side * across_ + x / block_side)];
   }
-  /// Of a pixel of this one of blocks_of.
+  /// The larger weight of a pixel in this block of blocks_of.
   double largest_in(std::size_t block) const { return std::max(weights_[0][block], weights_[1][block]); }
 
  private:

@@ -61,7 +61,7 @@ std::string whole_sentence(const Deviations& d, const std::array<bool, 3>& chann
          (names.empty() ? "" : ", " + names + " only");
 }
 
-/// What is known of the means: by how much they are off, and what would be seen.
+/// Sets by how much the means are off, and which error would be seen.
 void compare_channels(const Deviations& d, double alpha, const AllowedError& allowed, PairTest& test) {
   for (std::size_t c = 0; c < 3; ++c)
     if (d.whole[c].expected != 0) test.shift[c] = d.whole[c].difference / std::abs(d.whole[c].expected);

@@ -39,8 +39,8 @@ Deviations deviations_between(const EnginePicture& first, const EnginePicture& s
 /// What two engines may differ by.
 AllowedError both_declare(const EnginePicture& first, const EnginePicture& second);
 
-/// Undecided are pairs that differ but for rare bright samples that either may have missed, and pictures of an engine
-/// that says nothing of its noise where there are fewer than gates need (least_images).
+/// A pair is undecided where rare bright samples that either may have missed explain the difference. It is undecided,
+/// too, where an engine without a variance layer gave fewer pictures than gates need (least_images).
 ///
 /// By Markov's inequality an unbiased mean that is never negative exceeds k times what it should be with a probability
 /// of at most 1/k; so in any pixel of a picture it exceeds k times the light of all pixels with no larger one, whatever

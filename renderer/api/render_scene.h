@@ -1,4 +1,4 @@
-// The renderer as a library: a scene description and a request in, an image and its stats out. `photonproof render` is
+// The renderer as a library: a scene description and a request in, an image and its stats out. The verb `render` is
 // this function between a command line and files.
 //
 //   const SceneDescription scene = parse_scene_file("scene.xml");
