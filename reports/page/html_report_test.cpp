@@ -1,5 +1,7 @@
 #include "reports/page/html_report.h"
 
+#include <cmath>
+
 #include "harness/metrics/heatmap.h"
 #include "reports/record/heatmap_magma.h"
 #include "reports/view/test_sample_results.h"
