@@ -13,12 +13,15 @@
 namespace photonproof {
 namespace {
 
-constexpr double tests = 4;         // pixels, blocks, chi^2, whole: each gets this part of a look's alpha
 constexpr double missed = 0.01;     // probability of passing over a deviation as large as promised to be seen
 constexpr double most_of_it = 0.6;  // of the image's blocks: then a deviation is called the whole image's
 constexpr std::array channel_letters{"R", "G", "B"};
 
 /// Two-sided: the tail at which one of n deviations exceeds its bound with probability alpha.
+/// The part of a look's alpha that each test gets: of blocks, of all blocks together, of the whole image, and of
+/// pixels, which are not judged where an error is allowed.
+double part_of(double alpha, const AllowedError& allowed) { return alpha / (allowed.is_none() ? 4 : 3); }
+
 double tail_of(double alpha, std::size_t n) { return sidak(alpha, static_cast<double>(n)) / 2; }
 
 /// What a deviation of a block is relative to. 0 where the channel is black.
@@ -205,7 +208,9 @@ Deviations less_allowed(Deviations d, const AllowedError& allowed) {
   return d;
 }
 
-double block_tail_of(const Deviations& d, double alpha) { return tail_of(alpha / tests, 3 * d.places.size()); }
+double block_tail_of(const Deviations& d, double alpha, const AllowedError& allowed) {
+  return tail_of(part_of(alpha, allowed), 3 * d.places.size());
+}
 
 void say_why_it_fails(const Deviations& d, const Deviations& judged, double part, const PixelTest& pixels,
                       const BlockChiSquare& chi_square, Judgement& judgement) {
@@ -222,10 +227,10 @@ void say_why_it_fails(const Deviations& d, const Deviations& judged, double part
 
 Judgement judge_with_samples(const Deviations& d, const AgreementBounds& bounds, double alpha,
                              const AllowedError& allowed) {
-  const double part = alpha / tests;
-  const double block_tail = block_tail_of(d, alpha);
+  const double part = part_of(alpha, allowed);
+  const double block_tail = block_tail_of(d, alpha, allowed);
   const Deviations judged = less_allowed(d, allowed);
-  Judgement judgement = judge_whole(judged_means(d, allowed), alpha, allowed.whole);
+  Judgement judgement = judge_whole(judged_means(d, allowed), alpha, allowed);
   const BlockChiSquare chi_square = chi_square_of_blocks(judged.blocks, judged.independent_blocks, part);
   const PixelTest pixels = test_pixels(judged, tail_of(part, 3 * d.pixels[0].size()));
   const BlockScore score = block_excess(d, alpha, allowed);
@@ -276,23 +281,23 @@ const std::array<Deviation, 3>& judged_means(const Deviations& d, const AllowedE
   return d.weighed && allowed.is_none() ? *d.weighed : d.whole;
 }
 
-Judgement judge_whole(const std::array<Deviation, 3>& whole, double alpha, double allowed) {
-  const double tail = tail_of(alpha / tests, 3);
+Judgement judge_whole(const std::array<Deviation, 3>& whole, double alpha, const AllowedError& allowed) {
+  const double tail = tail_of(part_of(alpha, allowed), 3);
   Judgement judgement;
   judgement.observed = worst_whole(whole, tail);
   judgement.verdict = GateVerdict::pass;
   for (std::size_t c = 0; c < 3; ++c) {
     const double scale = std::abs(whole[c].expected);
     if (scale > 0)
-      judgement.would_see = std::max(judgement.would_see.value_or(0), sees_from(whole[c], tail, scale) + allowed);
-    judgement.whole_off[c] = beyond(less(whole[c], allowed * scale), tail);
+      judgement.would_see = std::max(judgement.would_see.value_or(0), sees_from(whole[c], tail, scale) + allowed.whole);
+    judgement.whole_off[c] = beyond(less(whole[c], allowed.whole * scale), tail);
     if (judgement.whole_off[c]) judgement.verdict = GateVerdict::fail;
   }
   return judgement;
 }
 
 BlockScore block_excess(const Deviations& d, double alpha, const AllowedError& allowed) {
-  return [judged = less_allowed(d, allowed), tail = block_tail_of(d, alpha)](std::size_t b, std::size_t c) {
+  return [judged = less_allowed(d, allowed), tail = block_tail_of(d, alpha, allowed)](std::size_t b, std::size_t c) {
     const Deviation& block = judged.blocks[c][b];
     return beyond(block, tail) ? std::abs(block.deviate()) : 0.0;
   };

@@ -51,7 +51,8 @@ struct AllowedError {
 };
 
 /// For engines whose expectation is the reference's. Fails when chance does not explain a deviation: of a pixel, a
-/// block, all blocks together (chi^2) or the whole image, at a fourth of `alpha` each, Sidak's level within. Passes
+/// block, all blocks together (chi^2) or the whole image, at a fourth of `alpha` each, Sidak's level within; at a third
+/// where an error is allowed, since pixels are not judged then. Passes
 /// when none fails and the promise above holds. Where it would fail but for bright samples that may be missing, it is
 /// undecided and says so. Precondition: least_images.
 Judgement judge_agreement(const Deviations& deviations, const AgreementBounds& bounds, double alpha,
@@ -62,7 +63,7 @@ Judgement judge_agreement(const Deviations& deviations, const AgreementBounds& b
 const std::array<Deviation, 3>& judged_means(const Deviations& deviations, const AllowedError& allowed);
 
 /// The whole image alone, as judge_agreement judges it: `whole_off` and `would_see`, with the verdict fail or pass.
-Judgement judge_whole(const std::array<Deviation, 3>& whole, double alpha, double allowed = 0);
+Judgement judge_whole(const std::array<Deviation, 3>& whole, double alpha, const AllowedError& allowed = {});
 
 /// A block's excess over what is allowed and noise explains, in standard errors; 0 where judge_agreement accepts it.
 BlockScore block_excess(const Deviations& deviations, double alpha, const AllowedError& allowed = {});

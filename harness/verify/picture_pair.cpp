@@ -65,7 +65,7 @@ std::string whole_sentence(const Deviations& d, const std::array<bool, 3>& chann
 void compare_channels(const Deviations& d, double alpha, const AllowedError& allowed, PairTest& test) {
   for (std::size_t c = 0; c < 3; ++c)
     if (d.whole[c].expected != 0) test.shift[c] = d.whole[c].difference / std::abs(d.whole[c].expected);
-  const Judgement judgement = judge_whole(judged_means(d, allowed), alpha, allowed.whole);
+  const Judgement judgement = judge_whole(judged_means(d, allowed), alpha, allowed);
   test.would_see = judgement.would_see;
   test.channels = judgement.whole_off;
   test.whole_differs = any_of(judgement.whole_off);
