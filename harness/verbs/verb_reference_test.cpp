@@ -61,16 +61,15 @@ class ReferenceVerb : public FolderTest {
 };
 
 TEST_F(ReferenceVerb, that_is_committed_has_two_parents_and_the_power_of_their_test) {
-  const std::vector<std::string> options{"--size", "8x8", "--standard-error", "0.01", "--commit"};
-  const ProcessOutcome made = reference(options);
+  const ProcessOutcome made = reference({"--size", "32x32", "--standard-error", "0.02", "--commit"});
   ASSERT_TRUE(made.ok()) << made.standard_error;
   EXPECT_NE(made.standard_output.find("witness: bdpt, "), std::string::npos) << made.standard_output;
-  const fs::path file = committed_reference_path(folder_ / "scene.xml", 8, 8);
+  const fs::path file = committed_reference_path(folder_ / "scene.xml", 32, 32);
   const Provenance provenance = parse_provenance(read_file(provenance_path(file)), "reference");
   EXPECT_EQ(provenance.estimator, "path");
   ASSERT_TRUE(provenance.witness.has_value());
   EXPECT_EQ(provenance.witness->estimator, "bdpt");
-  EXPECT_LT(provenance.witness->would_see.value(), 0.5);
+  EXPECT_LT(provenance.witness->would_see.value(), 0.03);
 }
 
 TEST_F(ReferenceVerb, without_a_witness_has_one_parent) {
