@@ -51,10 +51,10 @@ struct AllowedError {
 };
 
 /// For engines whose expectation is the reference's. Fails when chance does not explain a deviation: of a pixel, a
-/// block, all blocks together (chi^2) or the whole image, at a fourth of `alpha` each, Sidak's level within; at a third
-/// where an error is allowed, since pixels are not judged then. Passes
-/// when none fails and the promise above holds. Where it would fail but for bright samples that may be missing, it is
-/// undecided and says so. Precondition: least_images.
+/// block, all blocks together (chi^2) or the whole image. Each has a fourth of `alpha`, Sidak's level within. Where an
+/// error is allowed pixels are not judged, and each has a third. Passes when none fails and the promise above holds.
+/// Where it would fail but for bright samples that may be missing, it is undecided and says so. Precondition:
+/// least_images.
 Judgement judge_agreement(const Deviations& deviations, const AgreementBounds& bounds, double alpha,
                           const AllowedError& allowed = {});
 

@@ -60,6 +60,8 @@ double samples_of(const std::vector<PictureOfSamples>& parts) {
   return sum;
 }
 
+}  // namespace
+
 EnginePicture pooled_picture(const std::vector<PictureOfSamples>& parts) {
   PooledPicture pooled = pool_pictures(parts);
   EnginePicture picture;
@@ -67,8 +69,6 @@ EnginePicture pooled_picture(const std::vector<PictureOfSamples>& parts) {
   picture.images = std::move(pooled.images);
   return picture;
 }
-
-}  // namespace
 
 DeclaredError declared_error(const VerifyEngine& engine, const std::optional<Expect>& expect, double stated_bias) {
   if (engine.row.trust == Trust::unbiased) return {};

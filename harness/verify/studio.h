@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "harness/cells/cell_store.h"
+#include "harness/statistics/pooled_pictures.h"
 #include "harness/suites/suite.h"
 #include "harness/verify/engine_picture.h"
 #include "harness/verify/verify_engines.h"
@@ -68,6 +69,9 @@ class Studio {
   StudioOptions options_;
   CellStore store_;
 };
+
+/// One engine's pictures taken together (pooled_pictures.h). It declares no error.
+EnginePicture pooled_picture(const std::vector<PictureOfSamples>& parts);
 
 /// What an engine declares on a scene: nothing where it is unbiased; else by expect.toml, by its own stats, and no less
 /// than what every picture of a biased engine may be off.

@@ -13,6 +13,7 @@
 #include "harness/statistics/pooled_pictures.h"
 #include "harness/statistics/test_noise_kinds.h"
 #include "harness/verify/picture_pair.h"
+#include "harness/verify/studio.h"
 #include "scenes/images/mean_error.h"
 
 namespace photonproof {
@@ -23,14 +24,6 @@ using namespace noise_kinds;
 constexpr double alpha = 0.05;
 constexpr int samples_a_pixel = 64, pictures = 8;
 
-EnginePicture pooled(const std::vector<PictureOfSamples>& parts) {
-  PooledPicture pool = pool_pictures(parts);
-  EnginePicture picture;
-  picture.rendering = std::move(pool.rendering);
-  picture.images = std::move(pool.images);
-  return picture;
-}
-
 EnginePicture reference_picture() {
   EnginePicture picture;
   picture.rendering = known_reference();
@@ -40,7 +33,7 @@ EnginePicture reference_picture() {
 EnginePicture without_layer(Random& random, const Kind& kind) {
   std::vector<PictureOfSamples> parts;
   for (int i = 0; i < pictures; ++i) parts.push_back({{drawn(random, kind), {}, {}}, samples_a_pixel});
-  return pooled(parts);
+  return pooled_picture(parts);
 }
 
 /// Samples over their expectation. `gain` is what a pass of one sample a pixel has in common; those kinds say so.

@@ -15,26 +15,14 @@
 #include "renderer/scene/scene_notes.h"
 #include "scenes/images/mean_error.h"
 #include "scenes/text/atomic_file.h"
-#include "scenes/text/edit_distance.h"
 #include "scenes/text/timer.h"
 
 namespace photonproof {
 namespace {
 
-void check_name(const std::string& integrator) {
-  if (find_integrator(integrator) != nullptr) return;
-  std::vector<std::string> known;
-  for (const Integrator& row : integrators()) known.emplace_back(row.name);
-  throw InputError("--integrator", "unknown integrator '" + integrator + "'" + did_you_mean(integrator, known) +
-                                       ", expected " + join_or(known));
-}
-
 IntegratorDescription method_of(const SceneDescription& description, const RenderRequest& request) {
   IntegratorDescription method = description.integrator;
-  if (!request.integrator.empty()) {
-    check_name(request.integrator);
-    method = with_integrator(method, request.integrator);
-  }
+  if (!request.integrator.empty()) method = with_integrator(method, request.integrator);
   if (request.indirect) {
     auto* photons = std::get_if<PhotonMapperDescription>(&method.method);
     if (photons == nullptr)

@@ -1,10 +1,13 @@
 #include "renderer/planning/integrator_name.h"
 
+#include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
 #include "scenes/description/plugin_name.h"
+#include "scenes/text/edit_distance.h"
+#include "scenes/text/input_error.h"
 
 namespace photonproof {
 namespace {
@@ -17,12 +20,16 @@ const std::vector<const char*>& method_names() {
   return names;
 }
 
-/// The alternative of that name with default parameters.
+/// The alternative of that name with default parameters. Throws InputError where there is none.
 template <std::size_t... Index>
 Method method_named(const std::string& name, std::index_sequence<Index...>) {
   Method method;
-  ((name == method_names()[Index] ? void(method.emplace<Index>()) : void()), ...);
-  return method;
+  bool found = false;
+  ((name == method_names()[Index] ? (method.emplace<Index>(), void(found = true)) : void()), ...);
+  if (found) return method;
+  const std::vector<std::string> known(method_names().begin(), method_names().end());
+  throw InputError("--integrator",
+                   "unknown integrator '" + name + "'" + did_you_mean(name, known) + ", expected " + join_or(known));
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace photonproof {
 /// The name of the integrator a scene file asks for.
 std::string integrator_name(const IntegratorDescription& description);
 /// The same request for another integrator: path depth, roulette depth and hidden emitters are kept, what the scene
-/// file does not say takes its default. `name` must be one that a scene file may use.
+/// file does not say takes its default. Throws InputError when a scene file may not use `name`.
 IntegratorDescription with_integrator(const IntegratorDescription& description, const std::string& name);
 
 }  // namespace photonproof
