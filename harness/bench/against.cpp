@@ -129,7 +129,8 @@ class PairRunner {
     round.again_seconds = *results[2].cpu_seconds;
     if (std::min({round.old_seconds, round.new_seconds, round.again_seconds}) <= 0)
       return std::string("the engine's processor time is too short to be measured");
-    const Image old_image = read_image(image_of(cell, 0).string()), new_image = read_image(image_of(cell, 1).string());
+    const Image old_image = read_stored(image_of(cell, 0).string()).mean,
+                new_image = read_stored(image_of(cell, 1).string()).mean;
     round.same_image = old_image.rgb == new_image.rgb;
     if (reference != nullptr) {
       round.old_relmse = relative_mse(*reference, old_image);
@@ -151,7 +152,7 @@ class PairRunner {
     fs::remove_all(command.image.parent_path());
     fs::create_directories(command.image.parent_path());
     const SuiteScene& scene = run_.suite.scene(cell.scene);
-    CellRun one = cell_run(cell, command, scene, run_.suite.limits, run_.interrupt);
+    CellRun one = cell_run(cell, command, scene, run_.crops.at(cell.scene), run_.suite.limits, run_.interrupt);
     if (!processors_.empty()) one.processor = processors_[number % processors_.size()];
     // Three share one processor.
     one.limits.seconds *= 3;
@@ -222,7 +223,7 @@ class Comparisons {
       if (scene.name != scene_name) continue;
       const Result* result = run_.now.find(scene.reference_label);
       const std::string file = scene.reference ? scene.reference->image : result != nullptr ? result->image : "";
-      if (!file.empty()) image = read_image((run_.folder / file).string());
+      if (!file.empty()) image = read_stored((run_.folder / file).string()).mean;
     }
     return image ? &*image : nullptr;
   }

@@ -7,12 +7,15 @@
 #include <atomic>
 #include <filesystem>
 #include <functional>
+#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "harness/conclusions/paired_rounds.h"
 #include "harness/suites/suite.h"
 #include "reports/record/results.h"
+#include "scenes/description/film_part.h"
 
 namespace photonproof {
 
@@ -35,7 +38,8 @@ struct AgainstRun {
   int threads = 1;
   std::string only;  ///< as BenchOptions
   const std::atomic<bool>* interrupt = nullptr;
-  std::function<void(const ChangeRecord&)> heard;  ///< of each change as it is known; may be empty
+  std::function<void(const ChangeRecord&)> heard;        ///< of each change as it is known; may be empty
+  std::map<std::string, std::optional<FilmPart>> crops;  ///< of every scene of the suite
 };
 
 /// For every scene and engine of both runs, at the largest of each kind of budget: a record of the processor time (but

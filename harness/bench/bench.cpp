@@ -205,7 +205,8 @@ class Bench {
   }
 
   std::optional<Result> run(const Cell& cell, const CellCommand& command, const Limits& limits) const {
-    return run_cell(cell_run(cell, command, suite_.scene(cell.scene), limits, options_.interrupt));
+    return run_cell(
+        cell_run(cell, command, suite_.scene(cell.scene), plan_.crops.at(cell.scene), limits, options_.interrupt));
   }
 
   // What an engine does once and never again (reading its files from disk, waking the processors) is not measured.
@@ -324,7 +325,7 @@ class Bench {
       if (!result || result->status != Status::ok) continue;
       StoredReference reference;
       try {
-        reference.rendering = read_rendering((options_.results_folder / result->image).string());
+        reference.rendering = read_stored((options_.results_folder / result->image).string());
       } catch (const InputError&) {
         continue;  // gone since: then nothing is known
       }
@@ -353,7 +354,8 @@ class Bench {
                    threads_of(suite_, host_),
                    options_.only,
                    options_.interrupt,
-                   [this](const ChangeRecord& change) { observer_.changed(change); }};
+                   [this](const ChangeRecord& change) { observer_.changed(change); },
+                   plan_.crops};
     changes_ = changes_against(run, *old_run_, *options_.against);
     summary_.interrupted = options_.interrupt != nullptr && *options_.interrupt;
     for (const ChangeRecord& change : changes_) ++summary_.by_change[change.change];

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "scenes/images/image.h"
+#include "scenes/description/film_part.h"
 #include "scenes/text/input_error.h"
 
 namespace photonproof {
@@ -13,7 +13,7 @@ namespace {
 
 std::optional<Image> image_in_folder(const Result& result, const std::filesystem::path& folder) {
   try {
-    return read_image((folder / result.image).string());
+    return read_stored((folder / result.image).string()).mean;
   } catch (const InputError&) {
     return std::nullopt;
   }

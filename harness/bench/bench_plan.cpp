@@ -18,13 +18,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-SceneRecord describe_scene(const SuiteScene& scene, const std::optional<Expect>& expect) {
+SceneRecord describe_scene(const SuiteScene& scene, const std::optional<Expect>& expect,
+                           const std::optional<FilmPart>& crop) {
   SceneRecord record;
   record.name = scene.name;
   record.path = scene.given_path;
   record.purpose = expect ? expect->purpose : "";
-  record.width = scene.width;
-  record.height = scene.height;
+  record.width = crop ? crop->width : scene.width;
+  record.height = crop ? crop->height : scene.height;
   record.exposure = scene.exposure.value_or(expect ? expect->exposure : 0);
   if (scene.reference) record.reference_label = scene.reference->label();
   if (expect) record.hdr_exposures = expect->hdr_exposures;
@@ -36,6 +37,11 @@ std::optional<Expect> read_expectations(const SuiteScene& scene) {
   const std::string path = expect_path_of(scene.path.string());
   if (scene.exposure && !fs::exists(path)) return std::nullopt;
   return read_expect(path);
+}
+
+// The same key where there is nothing more to say.
+std::string key_with(const std::string& key, const std::string& what, const std::string& content) {
+  return content.empty() ? key : content_key({{"cell", key}, {what, content}});
 }
 
 }  // namespace
@@ -70,9 +76,11 @@ BenchPlan plan_bench(const Suite& suite, const fs::path& program, const Host& ho
   }
   std::map<std::string, std::string> contents;
   for (const SuiteScene& scene : suite.scenes) {
-    contents[scene.name] = scene_hash(parse_scene_file(scene.path.string()));
+    const SceneDescription description = parse_scene_file(scene.path.string());
+    contents[scene.name] = scene_hash(description);
+    const auto& crop = plan.crops[scene.name] = crop_of(description.sensor.film, scene.width, scene.height);
     const std::optional<Expect>& expect = plan.expectations[scene.name] = read_expectations(scene);
-    plan.scenes.push_back(describe_scene(scene, expect));
+    plan.scenes.push_back(describe_scene(scene, expect, crop));
     if (scene.reference)
       plan.scenes.back().reference_doubt = doubt_of(suite.engine(scene.reference->engine));
     else
@@ -93,8 +101,8 @@ BenchPlan plan_bench(const Suite& suite, const fs::path& program, const Host& ho
                                {"memory_mb", std::to_string(suite.limits.memory_mb)},
                                {"threads", std::to_string(threads_of(suite, host))},
                                {"host", host.cpu + "/" + std::to_string(host.cores)}});
-    if (const std::string content = scene.file_content(cell.engine); !content.empty())
-      planned.key = content_key({{"cell", planned.key}, {"file", content}});
+    planned.key = key_with(planned.key, "file", scene.file_content(cell.engine));
+    if (const auto& crop = plan.crops[cell.scene]) planned.key = key_with(planned.key, "crop", crop->text());
     // The same work, to be measured a second time.
     const bool is_control = !suite.control.empty() && cell.engine == control_name(suite.control);
     if (is_control) planned.key = content_key({{"control", planned.key}});

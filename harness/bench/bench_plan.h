@@ -11,6 +11,7 @@
 #include "harness/suites/suite.h"
 #include "reference/store/reference_store.h"
 #include "scenes/description/expect.h"
+#include "scenes/description/film_part.h"
 
 namespace photonproof {
 
@@ -29,6 +30,7 @@ struct BenchPlan {
   std::vector<PlannedCell> cells;                 ///< references first, then the suite's order
   std::map<std::string, StoredReference> stored;  ///< by scene, of those that the run does not render a reference for
   std::map<std::string, std::optional<Expect>> expectations;  ///< by scene
+  std::map<std::string, std::optional<FilmPart>> crops;       ///< by scene, at its size in the suite
 
   PlannedCell& find(const std::string& label);  ///< precondition: it exists
   const PlannedCell& find(const std::string& label) const;

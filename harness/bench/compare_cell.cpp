@@ -1,7 +1,7 @@
 #include "harness/bench/compare_cell.h"
 
 #include "harness/metrics/heatmap.h"
-#include "scenes/images/image.h"
+#include "scenes/description/film_part.h"
 #include "scenes/text/input_error.h"
 
 namespace photonproof {
@@ -18,7 +18,7 @@ std::string reference_problem(const Result* reference) {
 }
 
 std::optional<Image> image_of(const CellComparison& comparison, const Result& result) try {
-  return read_image((comparison.results_folder / result.image).string());
+  return read_stored((comparison.results_folder / result.image).string()).mean;
 } catch (const InputError&) {
   return std::nullopt;
 }

@@ -53,8 +53,8 @@ CellCommand cell_command(const SuiteCommon& suite, const Cell& cell, const fs::p
   return command;
 }
 
-CellRun cell_run(const Cell& cell, const CellCommand& command, const SuiteScene& scene, const Limits& limits,
-                 const std::atomic<bool>* interrupt) {
+CellRun cell_run(const Cell& cell, const CellCommand& command, const SuiteScene& scene,
+                 const std::optional<FilmPart>& crop, const Limits& limits, const std::atomic<bool>* interrupt) {
   CellRun run;
   run.cell = cell;
   run.argv = command.argv;
@@ -64,6 +64,7 @@ CellRun cell_run(const Cell& cell, const CellCommand& command, const SuiteScene&
   run.output_folder = command.image.parent_path();
   run.width = scene.width;
   run.height = scene.height;
+  run.crop = crop;
   run.limits = limits;
   run.interrupt = interrupt;
   run.typed = command.typed;

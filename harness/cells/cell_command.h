@@ -23,9 +23,9 @@ struct CellCommand {
   std::string layer{};                    ///< of the image which is the engine's picture
 };
 
-/// What run_cell is told.
-CellRun cell_run(const Cell& cell, const CellCommand& command, const SuiteScene& scene, const Limits& limits,
-                 const std::atomic<bool>* interrupt);
+/// What run_cell is told; `crop` is that of the scene at its size in the suite.
+CellRun cell_run(const Cell& cell, const CellCommand& command, const SuiteScene& scene,
+                 const std::optional<FilmPart>& crop, const Limits& limits, const std::atomic<bool>* interrupt);
 
 /// As a person would type it: paths from the current folder where that is shorter. `program` stands for {photonproof};
 /// the image is "<stem>.<the engine's extension>" in `folder`. With `copies` the engine is given a copy of the

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "harness/cells/host.h"
 #include "harness/metrics/metrics.h"
 #include "harness/suites/engine_stats.h"
@@ -35,23 +37,30 @@ std::string sentence_with_last_words(const ProcessOutcome& outcome) {
   return outcome.sentence() + (words.empty() ? "" : ": " + words);
 }
 
+std::string wrong_size(const CellRun& run, const ImageRows& rows) {
+  const ImagePlace film = rows.place().value_or(ImagePlace{0, 0, rows.width(), rows.height()});
+  const std::string crop = run.crop ? " or the crop's " + size_text(run.crop->width, run.crop->height) : "";
+  return "wrote " + size_text(film.width, film.height) + " pixels instead of " + size_text(run.width, run.height) +
+         crop;
+}
+
 // Why the image is no result; empty when it is one.
 std::optional<std::string> image_problem(const CellRun& run, Result& result) {
   std::error_code ignored;
   if (!fs::exists(run.image, ignored)) return "wrote no image";
   try {
-    const ImageRows size(run.image.string(), run.layer);  // before memory is taken for it
-    if (!run.layer.empty() && size.layer().empty())
+    const ImageRows rows(run.image.string(), run.layer, ImageWindow::stored);  // before memory is taken for it
+    if (!run.layer.empty() && rows.layer().empty())
       return "wrote an image without layers, not even '" + run.layer + "'";
-    if (size.width() != run.width || size.height() != run.height)
-      return "wrote " + size_text(size.width(), size.height()) + " pixels instead of " +
-             size_text(run.width, run.height);
-    if (!size.layer().empty()) result.caveats.push_back("its image is read from " + printable(size.remarks().front()));
-    const Image image = read_rendering(run.image.string(), run.layer).mean;
-    const std::vector<ImageDefect> defects = find_defects(Image(run.width, run.height), image);
+    const FilmPart part = run.crop.value_or(whole_film(run.width, run.height));
+    if (!has_part(rows.place(), rows.width(), rows.height(), part)) return wrong_size(run, rows);
+    if (!rows.layer().empty()) result.caveats.push_back("its image is read from " + printable(rows.remarks().front()));
+    Rendering stored = read_rendering(run.image.string(), run.layer, ImageWindow::stored);
+    const bool is_kept = run.layer.empty() && is_part(stored, part);
+    const Rendering kept = *part_of(std::move(stored), part);
+    const std::vector<ImageDefect> defects = find_defects(Image(part.width, part.height), kept.mean);
     if (!defects.empty()) return defects.front().sentence;
-    if (!run.layer.empty())
-      write_exr(run.image.string(), read_rendering(run.image.string(), run.layer, ImageWindow::stored));
+    if (!is_kept) write_exr(run.image.string(), kept);
   } catch (const InputError& unreadable) {
     return "wrote an image that cannot be read: " + unreadable.summary();
   }

@@ -9,6 +9,7 @@
 
 #include "harness/suites/suite.h"
 #include "reports/record/results.h"
+#include "scenes/description/film_part.h"
 
 namespace photonproof {
 
@@ -18,7 +19,8 @@ struct CellRun {
   std::filesystem::path image;          ///< where the engine is told to write; does not exist yet
   std::filesystem::path stats;          ///< where it may write its stats JSON
   std::filesystem::path output_folder;  ///< receives stdout.txt and stderr.txt where the engine printed something
-  int width = 0, height = 0;            ///< pixels the image must have
+  int width = 0, height = 0;            ///< pixels of the whole film
+  std::optional<FilmPart> crop{};       ///< the part of the film that is rendered; empty: all of it
   std::string layer{};                  ///< of the image which is the picture: all that is kept of it; empty: any
   Limits limits;
   const std::atomic<bool>* interrupt = nullptr;
@@ -36,6 +38,9 @@ inline constexpr int unsupported_exit_code = 3;
 /// status is `timeout` past the wall limit; `crash` past the memory limit, by a signal or an exit code; `not_started`
 /// where the system cannot start the program; `bad_image` when the image is missing, unreadable, of another size or not
 /// finite everywhere.
+///
+/// The kept file stores the crop, or the whole film without one. A file that stores another part of the film is
+/// replaced. An image of the crop's size counts as the crop.
 std::optional<Result> run_cell(const CellRun& run);
 
 }  // namespace photonproof

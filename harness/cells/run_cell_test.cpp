@@ -20,6 +20,7 @@ class RunCell : public FakeSuiteTest {
     cell.argv = {"sh", folder_ / "engine.sh", behaviour, folder_, cell.image, cell.stats, "scene.xml", "1"};
     cell.width = width;
     cell.height = height;
+    cell.crop = crop_;
     cell.limits = limits_;
     cell.interrupt = &interrupt_;
     return run_cell(cell);
@@ -29,6 +30,7 @@ class RunCell : public FakeSuiteTest {
     return result ? to_string(result->status) + "|" + result->detail : "interrupted";
   }
 
+  std::optional<FilmPart> crop_{};
   Limits limits_{.seconds = 20, .memory_mb = 2048, .threads = 1};
   std::atomic<bool> interrupt_ = false;
 };
@@ -44,6 +46,19 @@ TEST_F(RunCell, good_image_is_ok_with_its_cost_and_stats) {
   EXPECT_EQ(result->phases, (std::map<std::string, double>{{"copy", 0.25}}));
   EXPECT_EQ(std::count(result->caveats.begin(), result->caveats.end(), "declared by the engine: it only copies"), 1);
   EXPECT_EQ(result->command.substr(0, 3), "sh ");
+}
+
+TEST_F(RunCell, image_of_the_whole_film_or_of_the_crop_is_kept_as_the_crop) {
+  crop_ = FilmPart{{8, 6, width, height}, 4, 4};
+  for (const char* engine : {"grey", "small"}) {
+    EXPECT_EQ(ending(engine), "ok|") << engine;
+    const Rendering kept = read_stored(folder_ / "image.exr");
+    EXPECT_EQ(kept.place, (ImagePlace{8, 6, width, height})) << engine;
+    EXPECT_EQ(std::pair(kept.mean.width, kept.mean.height), std::pair(4, 4)) << engine;
+    EXPECT_EQ(kept.mean.rgb, std::vector<float>(48, 0.5f)) << engine;
+  }
+  crop_->width = 5;
+  EXPECT_EQ(ending("small"), "bad_image|wrote 4x4 pixels instead of 32x24 or the crop's 5x4");
 }
 
 TEST_F(RunCell, hanging_engine_is_a_timeout) {
@@ -149,6 +164,7 @@ TEST_F(RunCell, layer_of_the_engine_s_image_is_all_that_is_kept) {
     cell.argv = {"cp", folder_ / "layers.exr", cell.image};
     cell.width = width;
     cell.height = height;
+    cell.crop = crop_;
     cell.limits = limits_;
     cell.layer = layer;
     return run_cell(cell).value();

@@ -8,7 +8,7 @@
 #include "harness/conclusions/error_split.h"
 #include "harness/pixels/repeated_images.h"
 #include "harness/statistics/statistics.h"
-#include "scenes/images/image.h"
+#include "scenes/description/film_part.h"
 #include "scenes/text/input_error.h"
 
 namespace photonproof {
@@ -40,7 +40,7 @@ struct Reference {
 
 std::optional<Rendering> read_if_there(const fs::path& file) {
   try {
-    return read_rendering(file.string());
+    return read_stored(file.string());
   } catch (const InputError&) {
     return std::nullopt;
   }

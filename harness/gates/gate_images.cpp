@@ -27,7 +27,7 @@ Image upside_down(const Image& image) {
 constexpr std::uint64_t seeds_of_a_run = 1'000'000;
 
 Image read_rendered(const fs::path& file) {
-  Image image = read_image(file.string());
+  Image image = read_stored(file.string()).mean;
   if (has_fault(Fault::upside_down)) image = upside_down(image);
   return image;
 }
@@ -121,6 +121,7 @@ std::unique_ptr<DrawnImage> ImageStream::draw_one(std::uint64_t seed) const {
                                  {"seconds", std::to_string(suite_.limits.seconds)},
                                  {"memory_mb", std::to_string(suite_.limits.memory_mb)},
                                  {"threads", std::to_string(suite_.limits.threads)}});
+  if (content_.crop) key = content_key({{"cell", key}, {"crop", content_.crop->text()}});
   if (!file_content_.empty()) key = content_key({{"cell", key}, {"file", file_content_}});
   if (options_.resume)
     if (auto found = store_.latest(key); found && found->kept.result.status == Status::ok) {
@@ -137,7 +138,8 @@ std::unique_ptr<DrawnImage> ImageStream::draw_one(std::uint64_t seed) const {
     if (!options_.fault.empty()) argv->insert(argv->begin(), {"env", "PHOTONPROOF_FAULT=" + options_.fault});
   }
   const fs::path folder = command.image.parent_path();
-  std::optional<Result> result = run_cell(cell_run(cell, command, scene_, suite_.limits, options_.interrupt));
+  std::optional<Result> result =
+      run_cell(cell_run(cell, command, scene_, content_.crop, suite_.limits, options_.interrupt));
   if (!result) return nullptr;
   auto drawn = std::make_unique<DrawnImage>();
   drawn->result = std::move(*result);

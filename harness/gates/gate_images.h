@@ -14,7 +14,7 @@
 #include "harness/cells/cell_store.h"
 #include "harness/cells/scene_copies.h"
 #include "harness/gates/gate_suite.h"
-#include "scenes/images/image.h"
+#include "scenes/description/film_part.h"
 
 namespace photonproof {
 
@@ -40,6 +40,7 @@ struct DrawOptions {
 /// What decides an image, but for its seed.
 struct StreamContent {
   std::string scene_hash, engine_version;
+  std::optional<FilmPart> crop{};
 };
 
 class ImageStream;

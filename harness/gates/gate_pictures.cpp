@@ -27,6 +27,7 @@ void store_pictures(const Image& mean, const StoredReference& reference, double 
   record.image = place + "/mean.exr";
   Rendering rendering;
   rendering.mean = mean;
+  rendering.place = reference.rendering.place;
   write_exr((folder / record.image).string(), rendering);
   record.pictures["image"] = place + "/mean.png";
   write_png((folder / record.pictures["image"]).string(), mean, exposure);

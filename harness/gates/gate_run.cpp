@@ -83,7 +83,8 @@ class Run {
   }
 
   void add_scene(const SuiteScene& scene) {
-    references_.emplace(scene.name, load_reference(scene.path, scene.width, scene.height));
+    const Image& reference = references_.emplace(scene.name, load_reference(scene.path, scene.width, scene.height))
+                                 .first->second.rendering.mean;
     SceneRecord record;
     record.name = scene.name;
     record.path = scene.given_path;
@@ -91,8 +92,8 @@ class Run {
     std::optional<Expect>& expected = expectations_[scene.name];
     if (fs::exists(expect)) expected = read_expect(expect);
     record.purpose = expected ? expected->purpose : "";
-    record.width = scene.width;
-    record.height = scene.height;
+    record.width = reference.width;
+    record.height = reference.height;
     const ParameterValues& viewing = viewings_[scene.name] = viewing_of(scene);
     record.exposure = viewing.exposure;
     record.hdr_exposures = viewing.hdr_exposures;
@@ -104,7 +105,8 @@ class Run {
     const StoredReference& reference = references_.at(gate.scene);
     return streams_
         .try_emplace(stream_label(gate), suite_, gate,
-                     StreamContent{reference.provenance.scene_hash, versions_.at(gate.engine).line},
+                     StreamContent{reference.provenance.scene_hash, versions_.at(gate.engine).line,
+                                   crop_of(reference.rendering)},
                      reference.provenance.seeds, draw_)
         .first->second;
   }

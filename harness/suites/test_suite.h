@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 
 #include "scenes/images/image.h"
 #include "scenes/text/test_folder.h"
@@ -47,6 +48,36 @@ class FakeSuiteTest : public FolderTest {
     for (const std::string& engine : engines)
       text += "[[run]]\nengine = '" + engine + "'\nbudgets = ['spp=1']\nseeds = [1]\n";
     return text;
+  }
+
+  /// The scene with a crop of a quarter of its pixels.
+  void put_cropped_scene() const {
+    std::string text = scene_text;
+    const std::string before = "<rfilter type=\"box\"/>";
+    text.insert(text.find(before),
+                "<integer name='width' value='32'/><integer name='height' value='24'/>"
+                "<integer name='crop_offset_x' value='8'/><integer name='crop_offset_y' value='6'/>"
+                "<integer name='crop_width' value='16'/><integer name='crop_height' value='12'/>");
+    put("scene.xml", text);
+  }
+  /// The pixels of that crop, with its place as in our renderer's files.
+  static Rendering crop_of_scene(const Image& whole) {
+    Rendering part;
+    part.mean = Image(16, 12);
+    for (int y = 0; y < 12; ++y)
+      for (int x = 0; x < 16; ++x)
+        for (int c = 0; c < 3; ++c) part.mean.pixel(x, y)[c] = whole.pixel(8 + x, 6 + y)[c];
+    part.place = ImagePlace{8, 6, width, height};
+    return part;
+  }
+  /// The mean over pixels and channels of (test - reference)^2 / (reference^2 + epsilon); mse where epsilon is empty.
+  static double error_by_hand(const Image& reference, const Image& test, std::optional<double> epsilon) {
+    double sum = 0;
+    for (std::size_t i = 0; i < reference.rgb.size(); ++i) {
+      const double r = double{reference.rgb[i]}, d = double{test.rgb[i]} - r;
+      sum += epsilon ? d * d / (r * r + *epsilon) : d * d;
+    }
+    return sum / static_cast<double>(reference.rgb.size());
   }
 
   /// Engines that the script was started as, in order.

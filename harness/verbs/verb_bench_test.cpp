@@ -6,6 +6,7 @@
 #include <chrono>
 #include <csignal>
 #include <functional>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <random>
 #include <set>
@@ -101,6 +102,45 @@ TEST_F(BenchVerb, hdr_flip_at_pinned_exposures_is_that_of_compare_at_the_same_ex
   ASSERT_NE(found, metrics.end());
   EXPECT_EQ(found->value, expected.at("value").get<double>());
   EXPECT_EQ(found->parameters, expected.at("parameters").get<std::string>());
+}
+
+// The images are a crop with its place as ours are, one of the crop's size, and one of the whole film that is bright
+// outside of the crop. Judged with the black around it, the crop's errors are a quarter of these.
+TEST_F(BenchVerb, errors_of_a_scene_with_a_crop_are_those_of_the_crop_by_hand) {
+  put_cropped_scene();
+  Image reference(width, height), test(width, height), surrounded(width, height);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      for (int c = 0; c < 3; ++c) {
+        const bool inside = x >= 8 && x < 24 && y >= 6 && y < 18;
+        reference.pixel(x, y)[c] = 0.2f + 0.01f * static_cast<float>(x) + 0.02f * static_cast<float>(y);
+        test.pixel(x, y)[c] = reference.pixel(x, y)[c] + 0.01f * static_cast<float>(x + c);
+        surrounded.pixel(x, y)[c] = inside ? test.pixel(x, y)[c] : 9.0f;
+      }
+  const Rendering part = crop_of_scene(test);
+  write_exr(folder_ / "grey.exr", crop_of_scene(reference));
+  write_exr(folder_ / "brighter.exr", part);
+  write_exr(folder_ / "small.exr", {.mean = part.mean, .variance = {}, .metadata = {}});
+  write_exr(folder_ / "nan.exr", {.mean = surrounded, .variance = {}, .metadata = {}});
+  put("suite.toml", suite_text("grey", {"brighter", "small", "nan"}));
+  const ProcessOutcome outcome = bench({"--no-report"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.standard_error;
+  const Image expected = crop_of_scene(reference).mean;
+  const double mse = error_by_hand(expected, part.mean, {}), relmse = error_by_hand(expected, part.mean, 0.01);
+  const Results results = read_results((folder_ / "out" / "results.json").string());
+  EXPECT_EQ(std::pair(results.scenes.at(0).width, results.scenes.at(0).height), std::pair(16, 12));
+  for (const char* engine : {"brighter", "small", "nan"}) {
+    const Result* result = results.find("scene/" + std::string(engine) + "/spp=1/seed=1");
+    std::map<std::string, double> values;
+    for (const MetricValue& metric : result->metrics) values[metric.name] = metric.value;
+    EXPECT_NEAR(values["mse"], mse, 1e-7 * mse) << engine;
+    EXPECT_NEAR(values["relmse"], relmse, 1e-7 * relmse) << engine;
+    const auto curve = std::ranges::find(results.convergence, engine, &Convergence::engine);
+    ASSERT_NE(curve, results.convergence.end()) << engine;
+    EXPECT_NEAR(curve->points.at(0).relmse->value, relmse, 1e-6 * relmse) << engine;
+    const Image picture = read_image(folder_ / "out" / result->pictures.at("error"));
+    EXPECT_EQ(std::pair(picture.width, picture.height), std::pair(16, 12)) << engine;
+  }
 }
 
 TEST_F(BenchVerb, failed_cell_is_exit_code_1_and_the_json_summary_counts_it) {

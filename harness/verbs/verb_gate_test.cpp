@@ -41,6 +41,32 @@ TEST_F(GateVerb, a_right_engine_passes_every_kind_of_gate_at_its_first_look) {
   EXPECT_EQ(images_drawn(), 8);  // shared by all four
 }
 
+// The engine "good" writes the whole film, "dim" the crop with its place. Judged with the black around it, the crop's
+// relmse is a quarter of this.
+TEST_F(GateVerb, relmse_of_a_scene_with_a_crop_is_that_of_the_crop_by_hand) {
+  put_cropped_scene();
+  put_reference();
+  const Image reference =
+      crop_of_scene(read_image(committed_reference_path(folder_ / "scene.xml", width, height))).mean;
+  std::vector<Rendering> parts;
+  for (int i = 0; i < prepared; ++i) {
+    const std::string number = std::to_string(i) + ".exr";
+    parts.push_back(crop_of_scene(read_image(folder_ / ("good-" + number))));
+    write_exr(folder_ / ("dim-" + number), parts.back());
+  }
+  for (const char* engine : {"good", "dim"}) {
+    put("log", "");
+    EXPECT_EQ(run_gate(gate(engine, "relmse", 0.01), {"--fresh"}).exit_code, 0) << engine;
+    std::istringstream log(get("log"));
+    double sum = 0, images = 0;
+    std::string name;
+    for (std::size_t seed = 0; log >> name >> seed; ++images)
+      sum += error_by_hand(reference, parts.at(seed % prepared).mean, 0.01);
+    ASSERT_GT(images, 0);
+    EXPECT_NEAR(only_gate().observed->value, sum / images, 1e-6 * sum / images) << engine;
+  }
+}
+
 // Faults of the harness are planted by photonproof-faulty, which the program becomes.
 TEST_F(GateVerb, self_test_plants_faults_in_itself) {
   put_reference();

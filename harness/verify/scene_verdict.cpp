@@ -49,8 +49,8 @@ class SceneJudge {
       : studio_(studio), scene_(scene), description_(description), probes_(probes) {
     out_.name = scene.name;
     out_.path = scene.file.string();
-    out_.width = scene.width;
-    out_.height = scene.height;
+    out_.width = scene.crop ? scene.crop->width : scene.width;
+    out_.height = scene.crop ? scene.crop->height : scene.height;
     out_.exposure = scene.expect ? scene.expect->exposure : 0;
   }
 

@@ -104,14 +104,15 @@ Result Studio::cell(const StudioScene& scene, const VerifyEngine& engine, const 
   row.height = scene.height;
   suite.scenes = {row};
   const Cell cell{scene.name, engine.row.name, budget, seed};
-  const std::string key = content_key({{"verify", "1"},
-                                       {"scene", scene.content},
-                                       {"engine", engine_content(engine.row)},
-                                       {"version", engine.version.line},
-                                       {"budget", budget.label()},
-                                       {"seed", std::to_string(seed)},
-                                       {"size", size_text(scene.width, scene.height)},
-                                       {"seconds", std::to_string(suite.limits.seconds)}});
+  std::string key = content_key({{"verify", "1"},
+                                 {"scene", scene.content},
+                                 {"engine", engine_content(engine.row)},
+                                 {"version", engine.version.line},
+                                 {"budget", budget.label()},
+                                 {"seed", std::to_string(seed)},
+                                 {"size", size_text(scene.width, scene.height)},
+                                 {"seconds", std::to_string(suite.limits.seconds)}});
+  if (scene.crop) key = content_key({{"cell", key}, {"crop", scene.crop->text()}});
   // What was killed or could not be started may do better now.
   if (auto found = store_.latest(key);
       found && (found->kept.result.status == Status::ok || found->kept.result.status == Status::unsupported))
@@ -120,7 +121,7 @@ Result Studio::cell(const StudioScene& scene, const VerifyEngine& engine, const 
   const std::string folder = store_.make_folder(key);
   const CellCommand command =
       cell_command(suite, cell, options_.program, options_.folder / folder, "image", options_.threads, nullptr);
-  std::optional<Result> result = run_cell(cell_run(cell, command, row, suite.limits, options_.interrupt));
+  std::optional<Result> result = run_cell(cell_run(cell, command, row, scene.crop, suite.limits, options_.interrupt));
   if (!result || (options_.interrupt != nullptr && *options_.interrupt)) throw VerifyInterrupted();
   result->key = key;
   result->engine_version = engine.version.line;
@@ -150,7 +151,7 @@ Shot Studio::shoot_samples(const StudioScene& scene, const VerifyEngine& engine,
       break;  // too slow for more
     }
     const fs::path image = options_.folder / result.image;
-    parts.push_back({read_rendering(image.string()), samples});
+    parts.push_back({read_stored(image.string()), samples});
     if (const std::string why = why_variance_is_lost(parts.back().rendering.mean); !why.empty())
       return {std::nullopt, Status::unsupported, "its picture " + why, result.command};
     EngineStats stats = read_engine_stats(image.parent_path() / "stats.json");

@@ -16,6 +16,7 @@
 #include "harness/verify/engine_picture.h"
 #include "harness/verify/verify_engines.h"
 #include "scenes/description/expect.h"
+#include "scenes/description/film_part.h"
 
 namespace photonproof {
 
@@ -43,6 +44,7 @@ struct StudioScene {
   int width = 0, height = 0;
   std::optional<Expect> expect{};
   const SceneDescription* description = nullptr;  ///< for what engines cannot show of it; null: unknown
+  std::optional<FilmPart> crop{};                 ///< the part that engines render; empty: all of it
 };
 
 struct Shot {

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <future>
 #include <iterator>
+#include <utility>
 
 #include "harness/cells/test_program.h"
 #include "harness/verify/test_verify_folder.h"
@@ -53,6 +54,22 @@ TEST_F(VerbVerify, engines_that_agree_end_with_0_and_say_what_they_would_have_se
     EXPECT_LT(pair.would_see.value(), 0.03);
   }
   EXPECT_TRUE(has("out/verify.html"));
+}
+
+// Every pixel is 2; with the black around the crop the mean is 0.5.
+TEST_F(VerbVerify, picture_of_a_scene_with_a_crop_is_the_crop_alone) {
+  put_scene(rectangle(R"(<scale value="9"/>)", glow("2")));
+  std::string text = get("scene.xml");
+  text.insert(text.find("<rfilter"),
+              "<integer name='crop_offset_x' value='6'/><integer name='crop_offset_y' value='6'/>"
+              "<integer name='crop_width' value='12'/><integer name='crop_height' value='12'/>");
+  put("scene.xml", text);
+  const ProcessOutcome outcome = verify({"--engine", "path", "--engine", "bdpt"});
+  const VerifyScene scene = verified();
+  EXPECT_EQ(std::pair(scene.width, scene.height), std::pair(12, 12)) << outcome.standard_error;
+  ASSERT_EQ(scene.pictures.size(), 2u);
+  for (const VerifyPicture& picture : scene.pictures)
+    for (const double mean : picture.mean) EXPECT_NEAR(mean, 2, 1e-3) << picture.engine << picture.detail;
 }
 
 TEST_F(VerbVerify, goes_on_from_what_is_drawn) {

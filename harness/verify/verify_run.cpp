@@ -61,6 +61,7 @@ ReadScene read_scene(const fs::path& given, const VerifyOptions& options) {
   // A closed form is of the scene's own view, whole.
   const bool other_shape = film.crop || std::int64_t{width} * film.height != std::int64_t{height} * film.width;
   if (read.scene.expect && other_shape) read.scene.expect->analytic.reset();
+  read.scene.crop = crop_of(film, width, height);
   film.crop.reset();
   film.width = read.scene.width = width;
   film.height = read.scene.height = height;

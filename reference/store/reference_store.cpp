@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "reference/store/half_rounding.h"
+#include "scenes/description/film_part.h"
 #include "scenes/description/scene_hash.h"
 #include "scenes/parser/parser.h"
 #include "scenes/text/atomic_file.h"
@@ -117,21 +118,27 @@ StoredReference read_reference(const fs::path& exr, const std::string& hash, int
 
 namespace {
 
-StoredReference in_display(StoredReference stored) {
-  if (stored.rendering.place) stored.rendering = displayed(stored.rendering);
+/// A reference of the whole film is cut to the scene's crop.
+StoredReference without_surroundings(StoredReference stored, const FilmDescription& film, int width, int height) {
+  const FilmPart part = crop_of(film, width, height).value_or(whole_film(width, height));
+  stored.rendering = *part_of(std::move(stored.rendering), part);  // the film's size has been checked
   return stored;
 }
 
 }  // namespace
 
 StoredReference load_reference(const fs::path& scene_file, int width, int height) {
-  const std::string hash = scene_hash(parse_scene_file(scene_file.string()));
+  const SceneDescription scene = parse_scene_file(scene_file.string());
+  const std::string hash = scene_hash(scene);
+  const auto read = [&](const fs::path& exr, const std::string& command) {
+    return without_surroundings(read_reference(exr, hash, width, height, command), scene.sensor.film, width, height);
+  };
   const fs::path beside = committed_reference_path(scene_file, width, height);
   if (is_there(beside) || is_there(provenance_path(beside)))
-    return in_display(read_reference(beside, hash, width, height, reference_command(scene_file, width, height, true)));
+    return read(beside, reference_command(scene_file, width, height, true));
   const std::string command = reference_command(scene_file, width, height, false);
   const fs::path cached = cached_reference_folder(hash, width, height) / "reference.exr";
-  if (is_there(provenance_path(cached))) return in_display(read_reference(cached, hash, width, height, command));
+  if (is_there(provenance_path(cached))) return read(cached, command);
   throw InputError(scene_file.string(), "has no reference of " + size_text(width, height) + " pixels, neither " +
                                             beside.filename().string() + " beside it nor in the cache " +
                                             cache_folder().string() + "; make it with: " + command);

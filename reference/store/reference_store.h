@@ -20,8 +20,7 @@ struct StoredReference {
 /// The scene's reference of this size: the one beside the scene, else the cache's. Throws InputError when the scene
 /// cannot be parsed, and when the reference is missing, cannot be read whole, has a value that is not finite, or is of
 /// another content than the scene has now; the sentence ends in the command that makes a new one. A bad one beside the
-/// scene is an error whatever the cache has. The reference of a scene with a crop is the whole image, black around the
-/// crop.
+/// scene is an error whatever the cache has. The reference of a scene with a crop is the crop, with its place.
 StoredReference load_reference(const std::filesystem::path& scene_file, int width, int height);
 
 /// The same checks on one file; a crop stays a part with its place. The provenance lies beside the file with the

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <utility>
 
 #include "scenes/description/scene_hash.h"
 #include "scenes/parser/parser.h"
@@ -65,6 +66,29 @@ TEST(RelativeStandardError, weighs_as_relmse_does) {
   std::fill(rendering.mean.rgb.begin(), rendering.mean.rgb.end(), 0.1f);
   std::fill(rendering.variance->rgb.begin(), rendering.variance->rgb.end(), 1e-4f);
   EXPECT_NEAR(relative_standard_error(rendering), 0.0707107, 1e-6);
+}
+
+// A film of 10x8 whose crop is scaled to 2x2 from (1, 1) of 5x4.
+TEST_F(ReferenceStore, reference_of_a_scene_with_a_crop_is_the_crop_also_where_the_file_stores_the_film) {
+  std::string text = scene_text;
+  text.insert(text.find("<rfilter"),
+              "<integer name='width' value='10'/><integer name='height' value='8'/>"
+              "<integer name='crop_offset_x' value='2'/><integer name='crop_offset_y' value='2'/>"
+              "<integer name='crop_width' value='4'/><integer name='crop_height' value='4'/>");
+  put("scene.xml", text);
+  commit(image());
+  const Rendering film = read_rendering(path("reference-5x4.exr"));
+  const Rendering cut = load_reference(scene(), 5, 4).rendering;
+  EXPECT_EQ(cut.place, (ImagePlace{1, 1, 5, 4}));
+  ASSERT_EQ(std::pair(cut.mean.width, cut.mean.height), std::pair(2, 2));
+  ASSERT_EQ(std::pair(cut.variance->width, cut.variance->height), std::pair(2, 2));
+  for (int y = 0; y < 2; ++y)
+    for (int x = 0; x < 2; ++x) EXPECT_EQ(cut.mean.pixel(x, y)[2], film.mean.pixel(1 + x, 1 + y)[2]);
+  // The crop alone in the file is the same reference.
+  commit(cut, "the crop is enough");
+  const Rendering again = load_reference(scene(), 5, 4).rendering;
+  EXPECT_EQ(again.place, cut.place);
+  EXPECT_EQ(again.mean.rgb, cut.mean.rgb);
 }
 
 TEST_F(ReferenceStore, committed_reference_comes_back_within_half_floats) {

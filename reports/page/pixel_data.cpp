@@ -39,7 +39,7 @@ Loaded load(const std::filesystem::path& folder, const PixelSource& source, doub
   const ResultsFile& file = from_picture ? picture : exact;
   if (!file.problem.empty()) return {{}, {}, false, source.image.empty() ? picture.problem : exact.problem};
   try {
-    Image image = read_image(file.path.string());
+    Image image = read_rendering(file.path.string(), "", ImageWindow::stored).mean;
     if (image.width > largest_side || image.height > largest_side) return {{}, {}, false, "it is too large to show"};
     if (from_picture) {
       const auto scale = static_cast<float>(std::exp2(-exposure));
