@@ -309,6 +309,21 @@ TEST_F(GradeVerb, what_cannot_be_graded_is_said_before_anything_runs) {
   EXPECT_EQ(cells(), 0u);
 }
 
+// A program is asked for width x height pixels; black around a crop would count as right.
+TEST_F(GradeVerb, scenes_that_render_a_part_of_the_film_are_refused) {
+  std::string scene = read_file(PHOTONPROOF_SOURCE_DIR "/scenes/library/furnace/scene.xml", 1 << 20);
+  scene.insert(scene.find("</film>"),
+               "<integer name='crop_offset_x' value='8'/><integer name='crop_offset_y' value='6'/>"
+               "<integer name='crop_width' value='24'/><integer name='crop_height' value='16'/>");
+  put("scene.xml", scene);
+  put("course.toml", course_text("", "", "[[hidden]]\nname = \"c\"\npath = \"scene.xml\"\nwidth = 64\nheight = 64\n"));
+  const ProcessOutcome outcome = grade({"handout"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.standard_error.find("scene.xml: error: renders "), std::string::npos) << outcome.standard_error;
+  EXPECT_NE(outcome.standard_error.find("crop_*"), std::string::npos) << outcome.standard_error;
+  EXPECT_EQ(cells(), 0u);
+}
+
 TEST_F(GradeVerb, a_baseline_that_does_not_run_ends_it) {
   put_program("handout", 1, "exit 3");
   put_program("honest", 1);

@@ -2,6 +2,7 @@
 
 #include "harness/suites/engine_command.h"
 #include "harness/variants/scene_file.h"
+#include "scenes/description/film_part.h"
 #include "scenes/parser/parser.h"
 #include "scenes/text/atomic_file.h"
 #include "scenes/text/input_error.h"
@@ -24,6 +25,9 @@ VariantOptions variant_options(const AssignmentScene& row) { return {.axis_align
 void make_description(WorkScene& work, const OwnEngine& engine) {
   const AssignmentScene& row = work.row;
   const SceneDescription base = parse_scene_file(row.path.string());
+  if (const auto crop = crop_of(base.sensor.film, row.width, row.height))
+    throw InputError(row.path.string(), "renders " + crop->text() + ", and a program is asked for whole images: " +
+                                            "leave out the film's crop_* parameters");
   if (row.variant.empty()) {
     work.description = base;
     return;
