@@ -17,14 +17,14 @@
 #include "harness/conclusions/stored_changes.h"
 #include "harness/statistics/relative_error.h"
 #include "harness/suites/engine_command.h"
-#include "reference/process/process.h"
+#include "scenes/base/input_error.h"
+#include "scenes/base/percent_text.h"
+#include "scenes/base/process.h"
+#include "scenes/base/timer.h"
+#include "scenes/files/atomic_file.h"
 #include "scenes/images/image.h"
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/input_error.h"
-#include "scenes/text/percent_text.h"
-#include "scenes/text/timer.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_bench {
 namespace {
 
 namespace fs = std::filesystem;
@@ -283,4 +283,4 @@ std::string program_hash(const fs::path& program) {
   }
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_bench

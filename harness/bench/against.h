@@ -17,7 +17,7 @@
 #include "reports/record/results.h"
 #include "scenes/description/film_part.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_bench {
 
 inline constexpr const char* against_folder = "cells/against";  ///< in the results folder, while programs are compared
 
@@ -58,4 +58,4 @@ std::string program_hash(const std::filesystem::path& program);
 inline constexpr const char* program_key = "program";
 inline constexpr const char* program_hash_key = "program_hash";
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_bench

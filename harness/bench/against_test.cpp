@@ -3,7 +3,7 @@
 #include "harness/bench/bench.h"
 #include "harness/suites/test_suite.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_bench {
 namespace {
 
 class Nobody : public BenchObserver {
@@ -158,4 +158,4 @@ TEST_F(Against, missing_old_program_or_results_are_input_errors) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_bench

@@ -22,12 +22,12 @@
 #include "harness/gates/gate_pictures.h"
 #include "harness/gates/independence.h"
 #include "reference/store/reference_store.h"
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/edit_distance.h"
-#include "scenes/text/input_error.h"
-#include "scenes/text/timer.h"
+#include "scenes/base/edit_distance.h"
+#include "scenes/base/input_error.h"
+#include "scenes/base/timer.h"
+#include "scenes/files/atomic_file.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_bench {
 namespace {
 
 namespace fs = std::filesystem;
@@ -443,4 +443,4 @@ BenchSummary run_bench(const Suite& suite, const BenchOptions& options, BenchObs
   return Bench(suite, options, observer).run();
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_bench

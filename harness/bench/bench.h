@@ -11,7 +11,7 @@
 #include "harness/bench/against.h"
 #include "harness/suites/suite.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_bench {
 
 struct BenchOptions {
   std::filesystem::path results_folder;         ///< made when it is missing
@@ -52,4 +52,4 @@ struct BenchSummary {
 /// an engine does is a result, never an error.
 BenchSummary run_bench(const Suite& suite, const BenchOptions& options, BenchObserver& observer);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_bench

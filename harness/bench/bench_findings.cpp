@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <optional>
 
+#include "scenes/base/input_error.h"
 #include "scenes/description/film_part.h"
-#include "scenes/text/input_error.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_bench {
 namespace {
 
 std::optional<Image> image_in_folder(const Result& result, const std::filesystem::path& folder) {
@@ -85,4 +85,4 @@ std::vector<std::string> findings_of_bench(const Results& results, const std::fi
   return findings;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_bench

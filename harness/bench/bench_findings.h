@@ -8,7 +8,7 @@
 
 #include "reports/record/results.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_bench {
 
 /// Sentences, in the order of the results:
 ///   "cornell/mine/spp=16: all 5 seeds gave the same image; its noise is not known, and not zero for that"
@@ -18,4 +18,4 @@ namespace photonproof {
 /// whose metrics are equal; those that cannot be read are left out. `folder` is that of results.json.
 std::vector<std::string> findings_of_bench(const Results& results, const std::filesystem::path& folder);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_bench

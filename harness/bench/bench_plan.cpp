@@ -8,12 +8,12 @@
 #include "harness/bench/correctness.h"
 #include "harness/cells/cells.h"
 #include "harness/cells/engine_version.h"
+#include "scenes/base/size_text.h"
 #include "scenes/description/expect.h"
 #include "scenes/description/scene_hash.h"
 #include "scenes/parser/parser.h"
-#include "scenes/text/size_text.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_bench {
 namespace {
 
 namespace fs = std::filesystem;
@@ -119,4 +119,4 @@ BenchPlan plan_bench(const Suite& suite, const fs::path& program, const Host& ho
   return plan;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_bench

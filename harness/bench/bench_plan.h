@@ -13,7 +13,7 @@
 #include "scenes/description/expect.h"
 #include "scenes/description/film_part.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_bench {
 
 struct PlannedCell {
   Cell cell;
@@ -45,4 +45,4 @@ BenchPlan plan_bench(const Suite& suite, const std::filesystem::path& program, c
 /// The engine's threads: the suite's limit or the host's cores.
 int threads_of(const Suite& suite, const Host& host);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_bench

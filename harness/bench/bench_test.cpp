@@ -2,7 +2,7 @@
 
 #include "harness/gates/test_gates.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_bench {
 namespace {
 
 class Silent : public BenchObserver {
@@ -469,4 +469,4 @@ TEST_F(BenchOfStoredReference, that_is_missing_is_asked_for) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_bench

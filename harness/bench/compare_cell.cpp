@@ -1,10 +1,10 @@
 #include "harness/bench/compare_cell.h"
 
 #include "harness/metrics/heatmap.h"
+#include "scenes/base/input_error.h"
 #include "scenes/description/film_part.h"
-#include "scenes/text/input_error.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_bench {
 namespace {
 
 constexpr const char* not_compared = "not compared: ";
@@ -66,4 +66,4 @@ void compare_cell(const CellComparison& comparison, Result& result) {
   result.pictures["error"] = comparison.cell_folder + "/" + files.error.filename().string();
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_bench

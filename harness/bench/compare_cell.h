@@ -7,7 +7,7 @@
 
 #include "reports/record/results.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_bench {
 
 struct CellComparison {
   std::filesystem::path results_folder;
@@ -22,4 +22,4 @@ struct CellComparison {
 /// Throws InputError when a picture cannot be written.
 void compare_cell(const CellComparison& comparison, Result& result);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_bench

@@ -10,7 +10,7 @@
 #include "harness/gates/independence.h"
 #include "harness/pixels/repeated_images.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_bench {
 namespace {
 
 /// "+0.8 % overall", the worst channel's.
@@ -83,4 +83,4 @@ void reconcile(std::span<CurvePoint> points) {
   }
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_bench

@@ -13,7 +13,7 @@
 #include "reports/record/results.h"
 #include "scenes/description/expect.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_bench {
 
 /// `right` means that an error of the whole image, or of a block of 8 x 8 pixels, as large as this would have been seen
 /// with probability 0.99; the bounds of the gates that come with this program.
@@ -41,4 +41,4 @@ CorrectnessRecord judge_correctness(const Judge& judge, const Engine& engine, co
 /// bright samples that it has not met, so its verdict becomes noisy. `points` ascend.
 void reconcile(std::span<CurvePoint> points);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_bench

@@ -4,7 +4,7 @@
 
 #include <random>
 
-namespace photonproof {
+namespace photonproof::inline harness_bench {
 namespace {
 
 constexpr int side = 32;
@@ -150,4 +150,4 @@ TEST(Correctness, of_an_unbiased_engines_small_budget_is_not_biased_where_a_larg
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_bench

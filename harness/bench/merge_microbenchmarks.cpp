@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "harness/bench/microbenchmarks.h"
-#include "scenes/text/atomic_file.h"
+#include "scenes/files/atomic_file.h"
 
 int main(int argc, char** argv) try {
   using namespace photonproof;

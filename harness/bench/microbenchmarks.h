@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace photonproof {
+namespace photonproof::inline harness_bench {
 
 struct MicrobenchmarkFile {
   std::string path;
@@ -22,4 +22,4 @@ std::string merge_microbenchmarks(const std::vector<MicrobenchmarkFile>& files);
 /// arguments say how many times as fast as its quickest way they are.
 std::string microbenchmark_table(const std::string& merged);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_bench

@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "scenes/text/input_error.h"
+#include "scenes/base/input_error.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_bench {
 namespace {
 
 const MicrobenchmarkFile empty{"none.json", ""};
@@ -70,4 +70,4 @@ TEST(microbenchmarks, nothing_to_merge_and_other_documents_are_errors) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_bench

@@ -14,7 +14,7 @@
 #include "harness/gates/gate_look.h"
 #include "harness/suites/engines.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_bench {
 namespace {
 
 namespace fs = std::filesystem;
@@ -117,4 +117,4 @@ TEST(null_scenes, a_right_engine_fails_no_more_often_than_alpha_by_any_number_of
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_bench

@@ -10,9 +10,9 @@
 #include <utility>
 
 #include "harness/statistics/statistics.h"
-#include "scenes/text/timer.h"
+#include "scenes/base/timer.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_cells {
 namespace {
 
 // Another workload is another number: readings of both must not be compared.
@@ -177,4 +177,4 @@ CalibrationReading Calibration::after_cell(const Cell& cell, double engine_secon
   return {workload_name, threads_, (before + last_) / 2};
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_cells

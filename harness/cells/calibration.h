@@ -18,7 +18,7 @@
 
 #include "reports/record/results.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_cells {
 
 class CalibrationWorkload {
  public:
@@ -73,4 +73,4 @@ class Calibration {
   double last_ = 0;         // reading
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_cells

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace photonproof {
+namespace photonproof::inline harness_cells {
 namespace {
 
 // What testing each of the 8000 rays against each of the 2^15 spheres gives, without boxes; in floats of IEEE 754,
@@ -60,4 +60,4 @@ TEST(Calibration, long_cell_has_a_reading_of_its_own) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_cells

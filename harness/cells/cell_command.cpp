@@ -2,9 +2,9 @@
 
 #include "harness/cells/scene_copies.h"
 #include "harness/suites/engine_command.h"
-#include "scenes/text/faults.h"
+#include "scenes/base/faults.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_cells {
 namespace {
 
 namespace fs = std::filesystem;
@@ -75,4 +75,4 @@ CellRun cell_run(const Cell& cell, const CellCommand& command, const SuiteScene&
   return run;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_cells

@@ -9,7 +9,7 @@
 #include "harness/cells/run_cell.h"
 #include "harness/suites/suite.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_cells {
 
 class SceneCopies;
 
@@ -34,4 +34,4 @@ CellCommand cell_command(const SuiteCommon& suite, const Cell& cell, const std::
                          const std::filesystem::path& folder, const std::string& stem, int threads,
                          SceneCopies* copies);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_cells

@@ -1,11 +1,11 @@
 #include "harness/cells/cell_store.h"
 
 #include "reports/record/file_inside.h"
+#include "scenes/base/input_error.h"
+#include "scenes/files/file_checksum.h"
 #include "scenes/images/image.h"
-#include "scenes/text/file_checksum.h"
-#include "scenes/text/input_error.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_cells {
 namespace {
 
 namespace fs = std::filesystem;
@@ -77,4 +77,4 @@ void CellStore::keep(const std::string& cell_folder, const KeptResult& kept) con
   write_result((folder_ / cell_folder / "cell.json").string(), kept);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_cells

@@ -9,7 +9,7 @@
 
 #include "reports/record/results.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_cells {
 
 class CellStore {
  public:
@@ -35,4 +35,4 @@ class CellStore {
   std::filesystem::path folder_;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_cells

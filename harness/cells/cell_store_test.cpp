@@ -1,10 +1,10 @@
 #include "harness/cells/cell_store.h"
 
+#include "scenes/files/file_checksum.h"
+#include "scenes/files/test_folder.h"
 #include "scenes/images/image.h"
-#include "scenes/text/file_checksum.h"
-#include "scenes/text/test_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_cells {
 namespace {
 
 class Store : public FolderTest {
@@ -126,4 +126,4 @@ TEST_F(Store, folder_that_is_no_folder_holds_nothing) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_cells

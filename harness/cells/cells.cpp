@@ -7,7 +7,7 @@
 #include <map>
 #include <random>
 
-namespace photonproof {
+namespace photonproof::inline harness_cells {
 
 std::string length_prefixed(const std::vector<std::string>& texts) {
   std::string all;
@@ -66,4 +66,4 @@ std::vector<Cell> interleaved_by_engine(const std::vector<Cell>& cells, std::uin
   return ordered;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_cells

@@ -9,7 +9,7 @@
 #include "harness/suites/engines.h"
 #include "reports/record/results.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_cells {
 
 /// 32 hexadecimal digits that stand for named texts in their order (a version 5 UUID, that is 122 bits of SHA-1): equal
 /// for equal lists, different for different ones, however the texts are cut into pieces.
@@ -25,4 +25,4 @@ std::string engine_content(const Engine& engine);
 /// scenes, budgets and seeds are shuffled, all engines' in the same way. Both depend on `seed` alone.
 std::vector<Cell> interleaved_by_engine(const std::vector<Cell>& cells, std::uint64_t seed);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_cells

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <set>
 
-namespace photonproof {
+namespace photonproof::inline harness_cells {
 namespace {
 
 // `seeds` cells by each of the engines A, B and C.
@@ -80,4 +80,4 @@ TEST(Cells, key_depends_on_every_part_its_name_and_where_it_is_cut) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_cells

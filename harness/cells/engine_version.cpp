@@ -2,11 +2,11 @@
 
 #include "harness/cells/run_cell.h"
 #include "harness/suites/engine_command.h"
-#include "reference/process/process.h"
-#include "scenes/text/shell_text.h"
-#include "scenes/text/utf8.h"
+#include "scenes/base/process.h"
+#include "scenes/base/shell_text.h"
+#include "scenes/base/utf8.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_cells {
 namespace {
 
 std::string first_line(const std::string& text) {
@@ -47,4 +47,4 @@ EngineVersion ask_version(const Engine& engine, const std::filesystem::path& sui
   return version;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_cells

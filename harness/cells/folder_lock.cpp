@@ -11,9 +11,9 @@
 #include <optional>
 #include <system_error>
 
-#include "scenes/text/input_error.h"
+#include "scenes/base/input_error.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_cells {
 namespace {
 
 namespace fs = std::filesystem;
@@ -74,4 +74,4 @@ FolderLock::FolderLock(const fs::path& folder, const std::string& remedy) {
 
 FolderLock::~FolderLock() { close(descriptor_); }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_cells

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-namespace photonproof {
+namespace photonproof::inline harness_cells {
 
 /// Holds <folder>/.lock; the system lets go of it when the process ends, however it ends.
 class FolderLock {
@@ -21,4 +21,4 @@ class FolderLock {
   int descriptor_;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_cells

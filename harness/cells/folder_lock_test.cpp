@@ -1,9 +1,9 @@
 #include "harness/cells/folder_lock.h"
 
-#include "reference/process/process.h"
-#include "scenes/text/test_folder.h"
+#include "scenes/base/process.h"
+#include "scenes/files/test_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_cells {
 namespace {
 
 using Lock = FolderTest;
@@ -64,4 +64,4 @@ TEST_F(Lock, says_what_to_do_in_the_words_of_the_verb) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_cells

@@ -10,7 +10,7 @@
 #include <fstream>
 #include <sstream>
 
-namespace photonproof {
+namespace photonproof::inline harness_cells {
 namespace {
 
 // The value of the first "key<separator>value" line, without quotes and leading blanks; "unknown" when there is none.
@@ -80,4 +80,4 @@ std::vector<int> allowed_processors() {
   return numbers;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_cells

@@ -6,7 +6,7 @@
 
 #include "reports/record/results.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_cells {
 
 /// From /proc/cpuinfo, os-release and uname; what cannot be found out is "unknown" or 0.
 Host describe_host();
@@ -21,4 +21,4 @@ std::vector<int> allowed_processors();
 /// Processor time this process has used itself (children not counted), in seconds.
 double own_cpu_seconds();
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_cells

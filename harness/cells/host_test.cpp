@@ -5,7 +5,7 @@
 #include <chrono>
 #include <thread>
 
-namespace photonproof {
+namespace photonproof::inline harness_cells {
 namespace {
 
 TEST(HostInfo, this_machine_is_described) {
@@ -30,4 +30,4 @@ TEST(HostInfo, busy_time_covers_our_own) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_cells

@@ -6,7 +6,7 @@
 
 #include "harness/cells/host.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_cells {
 namespace {
 
 constexpr double least_seconds = 0.2;
@@ -44,4 +44,4 @@ double time_beside_others(const OthersBusy& others, double cpu_seconds, double w
   return time_beside_others(others.cores(), cpu_seconds / std::max(wall_seconds, 1e-6), describe_host().cores);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_cells

@@ -4,9 +4,9 @@
 
 #include <optional>
 
-#include "scenes/text/timer.h"
+#include "scenes/base/timer.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_cells {
 
 /// From its construction on. Right while no process of ours that was started before still runs.
 class OthersBusy {
@@ -32,4 +32,4 @@ double time_beside_others(double others_cores, double own_cores, int cores);
 /// The same factor for a program that ended just now, on this machine. It used `cpu_seconds` within `wall_seconds`.
 double time_beside_others(const OthersBusy& others, double cpu_seconds, double wall_seconds);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_cells

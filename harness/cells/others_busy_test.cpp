@@ -4,7 +4,7 @@
 
 #include "harness/cells/host.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_cells {
 namespace {
 
 TEST(OthersBusy, time_grows_as_the_rest_of_the_machine_shrinks) {
@@ -35,4 +35,4 @@ TEST(OthersBusy, our_own_work_is_not_others) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_cells

@@ -7,16 +7,16 @@
 #include "harness/cells/host.h"
 #include "harness/metrics/metrics.h"
 #include "harness/suites/engine_stats.h"
-#include "reference/process/process.h"
+#include "scenes/base/input_error.h"
+#include "scenes/base/process.h"
+#include "scenes/base/shell_text.h"
+#include "scenes/base/size_text.h"
+#include "scenes/base/utf8.h"
+#include "scenes/files/atomic_file.h"
+#include "scenes/files/file_checksum.h"
 #include "scenes/images/image.h"
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/file_checksum.h"
-#include "scenes/text/input_error.h"
-#include "scenes/text/shell_text.h"
-#include "scenes/text/size_text.h"
-#include "scenes/text/utf8.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_cells {
 namespace {
 
 namespace fs = std::filesystem;
@@ -164,4 +164,4 @@ std::optional<Result> run_cell(const CellRun& run) {
   return result;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_cells

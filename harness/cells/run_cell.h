@@ -11,7 +11,7 @@
 #include "reports/record/results.h"
 #include "scenes/description/film_part.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_cells {
 
 struct CellRun {
   Cell cell;
@@ -43,4 +43,4 @@ inline constexpr int unsupported_exit_code = 3;
 /// replaced. An image of the crop's size counts as the crop.
 std::optional<Result> run_cell(const CellRun& run);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_cells

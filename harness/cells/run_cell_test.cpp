@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "harness/suites/test_suite.h"
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/file_checksum.h"
+#include "scenes/files/atomic_file.h"
+#include "scenes/files/file_checksum.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_cells {
 namespace {
 
 class RunCell : public FakeSuiteTest {
@@ -189,4 +189,4 @@ TEST_F(RunCell, image_has_its_checksum) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_cells

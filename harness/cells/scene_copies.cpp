@@ -9,9 +9,9 @@
 #include <cctype>
 #include <string_view>
 
-#include "scenes/text/input_error.h"
+#include "scenes/base/input_error.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_cells {
 namespace {
 
 namespace fs = std::filesystem;
@@ -141,4 +141,4 @@ fs::path SceneCopies::of(const SuiteScene& scene, const fs::path& file) {
   }
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_cells

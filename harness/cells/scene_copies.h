@@ -20,7 +20,7 @@
 
 #include "harness/suites/suite.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_cells {
 
 class SceneCopies {
  public:
@@ -41,4 +41,4 @@ class SceneCopies {
   std::map<std::filesystem::path, std::filesystem::path> copies_;  ///< by original folder, symbolic links followed
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_cells

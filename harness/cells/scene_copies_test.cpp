@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <fstream>
 
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/test_folder.h"
+#include "scenes/files/atomic_file.h"
+#include "scenes/files/test_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_cells {
 namespace {
 
 namespace fs = std::filesystem;
@@ -114,4 +114,4 @@ TEST_F(SceneCopiesOf, are_made_once_and_are_gone_afterwards_also_those_of_a_kill
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_cells

@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-namespace photonproof {
+namespace photonproof::inline harness_cells {
 
 /// Calls work(i) for i < count on `threads` threads; the first exception is thrown again.
 template <class Work>
@@ -35,4 +35,4 @@ void side_by_side(std::size_t count, int threads, const Work& work) {
   if (failure) std::rethrow_exception(failure);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_cells

@@ -12,7 +12,7 @@
 #include <thread>
 #include <vector>
 
-namespace photonproof {
+namespace photonproof::inline harness_cells {
 
 /// Its standard output goes nowhere, its standard error to the file.
 inline pid_t start_program(std::vector<std::string> argv, const std::filesystem::path& standard_error) {
@@ -48,4 +48,4 @@ int signal_after(pid_t pid, int signal_number, int steps, double seconds, const 
   return status;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_cells

@@ -8,10 +8,10 @@
 #include "harness/conclusions/error_split.h"
 #include "harness/pixels/repeated_images.h"
 #include "harness/statistics/statistics.h"
+#include "scenes/base/input_error.h"
 #include "scenes/description/film_part.h"
-#include "scenes/text/input_error.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_conclusions {
 namespace {
 
 namespace fs = std::filesystem;
@@ -374,4 +374,4 @@ std::vector<Convergence> convergence_of(const Results& results, const fs::path& 
   return curves;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_conclusions

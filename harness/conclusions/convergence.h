@@ -12,7 +12,7 @@
 #include "reports/record/results.h"
 #include "scenes/images/image.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_conclusions {
 
 /// The verdict on the images of one budget; `like` is one of its cells.
 using JudgeImages = std::function<CorrectnessRecord(const Cell& like, std::span<const Image> images)>;
@@ -58,4 +58,4 @@ using CurvePoints = std::vector<std::pair<double, double>>;  ///< seconds and er
 /// log-log between two points. Empty where the first point is below already, or the last one still above.
 std::optional<double> time_to_error(const CurvePoints& points, double target);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_conclusions

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <random>
 
+#include "scenes/files/test_folder.h"
 #include "scenes/images/image.h"
-#include "scenes/text/test_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_conclusions {
 namespace {
 
 CurvePoint point(double spp, double seconds, double relmse) {
@@ -351,4 +351,4 @@ TEST_F(ConvergenceOfImages, slow_seed_is_named_as_an_outlier) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_conclusions

@@ -9,7 +9,7 @@
 #include "harness/statistics/shared_noise.h"
 #include "harness/statistics/statistics.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_conclusions {
 namespace {
 
 constexpr int least_block_side = 4;
@@ -183,4 +183,4 @@ double relative_variance(const Image& reference, const Image& reference_variance
   return sum / static_cast<double>(reference.rgb.size());
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_conclusions

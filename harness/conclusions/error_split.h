@@ -8,7 +8,7 @@
 #include "reports/record/results.h"
 #include "scenes/images/image.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_conclusions {
 
 struct ErrorSplit {
   Estimate relmse;                   ///< mean over the images; an interval from two images on
@@ -45,4 +45,4 @@ ErrorSplit split_error(const Image& reference, const Image* reference_variance, 
 /// Mean of w v: what the reference's own noise adds to every relmse.
 double relative_variance(const Image& reference, const Image& reference_variance);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_conclusions

@@ -8,7 +8,7 @@
 
 #include "harness/statistics/relative_error.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_conclusions {
 namespace {
 
 constexpr int side = 48;
@@ -263,4 +263,4 @@ TEST(ErrorSplit, noise_that_all_blocks_share_a_little_is_seen_in_their_sum) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_conclusions

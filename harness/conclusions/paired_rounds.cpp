@@ -7,7 +7,7 @@
 
 #include "harness/statistics/statistics.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_conclusions {
 namespace {
 
 // The median and its interval of ratios whose logarithms these are.
@@ -100,4 +100,4 @@ std::optional<RatioVerdict> judge_relmse(std::span<const PairedRound> rounds, co
   return verdict;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_conclusions

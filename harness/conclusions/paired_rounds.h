@@ -11,7 +11,7 @@
 
 #include "reports/record/results.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_conclusions {
 
 struct PairedRound {
   double old_seconds = 0, new_seconds = 0, again_seconds = 0;  ///< user + system, positive
@@ -49,4 +49,4 @@ Change side_of(const Interval& ratio, double threshold);
 /// "1.031 (95 % interval 1.027 to 1.036)".
 std::string ratio_text(const Estimate& ratio);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_conclusions

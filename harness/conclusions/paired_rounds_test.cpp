@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-namespace photonproof {
+namespace photonproof::inline harness_conclusions {
 namespace {
 
 // Rounds whose three times share a disturbance of up to a factor of 2 and differ by noise of `sd` each.
@@ -152,4 +152,4 @@ TEST(PairedRounds, error_of_zero_has_no_ratio) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_conclusions

@@ -7,7 +7,7 @@
 
 #include "harness/conclusions/convergence.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_conclusions {
 namespace {
 
 using Time = RaceRecord::Time;
@@ -96,4 +96,4 @@ std::vector<RaceRecord> races_of(const std::vector<Convergence>& curves) {
   return races;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_conclusions

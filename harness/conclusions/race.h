@@ -5,7 +5,7 @@
 
 #include "reports/record/results.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_conclusions {
 
 /// One record for each scene on which the order of two engines or more is known, in the order of the curves. The error
 /// is the largest budget's of one of them: that which most engines reach between two budgets; among those the one at
@@ -14,4 +14,4 @@ namespace photonproof {
 /// it settles who is faster: "at most 3 s" is not faster than 2 s, nor slower.
 std::vector<RaceRecord> races_of(const std::vector<Convergence>& curves);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_conclusions

@@ -4,7 +4,7 @@
 
 #include "harness/conclusions/convergence.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_conclusions {
 namespace {
 
 using Time = RaceRecord::Time;
@@ -78,4 +78,4 @@ TEST(Race, needs_two_engines_with_errors_of_their_own) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_conclusions

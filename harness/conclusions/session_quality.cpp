@@ -8,7 +8,7 @@
 #include "harness/conclusions/paired_rounds.h"
 #include "harness/statistics/statistics.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_conclusions {
 
 std::string load_caveat(int cores) {
   double load = 0;
@@ -43,4 +43,4 @@ std::string control_caveat(const Results& results, const std::string& control, c
          ratio_text(ratio) + " times as long";
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_conclusions

@@ -7,7 +7,7 @@
 
 #include "reports/record/results.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_conclusions {
 
 /// "load average 5.2 on 2 cores when it began: ..."; empty where fewer wait than there are cores, or the system does
 /// not say.
@@ -20,4 +20,4 @@ std::string load_caveat(double load, int cores);
 /// all is well.
 std::string control_caveat(const Results& results, const std::string& control, const std::string& twin);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_conclusions

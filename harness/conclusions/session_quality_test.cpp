@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace photonproof {
+namespace photonproof::inline harness_conclusions {
 namespace {
 
 // `pairs` cells by "a" that take 1, 2, 3 ... s, and the same by "b", whose times are `ratio` up and down 1 % in turn.
@@ -47,4 +47,4 @@ TEST(SessionQuality, load_above_the_number_of_cores_is_a_caveat) {
 TEST(SessionQuality, no_machine_is_overloaded_with_a_million_cores) { EXPECT_EQ(load_caveat(1000000), ""); }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_conclusions

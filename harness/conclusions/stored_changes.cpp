@@ -9,7 +9,7 @@
 #include "harness/conclusions/convergence.h"
 #include "harness/statistics/statistics.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_conclusions {
 namespace {
 
 constexpr const char* remedy = "; --old-program PATH would decide it";
@@ -164,4 +164,4 @@ std::vector<ChangeRecord> stored_changes(const Results& old_run, const Results& 
   return records;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_conclusions

@@ -15,7 +15,7 @@
 #include "harness/conclusions/paired_rounds.h"
 #include "reports/record/results.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_conclusions {
 
 /// Factors by which one program's processor time may differ between two sessions of one host, beyond its scatter within
 /// them: without a calibration, and relative to it. The latter is twice what was seen, since few sessions were.
@@ -27,4 +27,4 @@ inline constexpr double between_calibrated_sessions = 1.05;
 std::vector<ChangeRecord> stored_changes(const Results& old_run, const Results& new_run, const Cell& cell,
                                          const ChangeThresholds& thresholds);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_conclusions

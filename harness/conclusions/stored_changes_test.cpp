@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-namespace photonproof {
+namespace photonproof::inline harness_conclusions {
 namespace {
 
 const Cell cell{"s", "path", {"spp", 16}, 1};
@@ -165,4 +165,4 @@ TEST(StoredChanges, budget_of_seconds_has_no_change_of_time) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_conclusions

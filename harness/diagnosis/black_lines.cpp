@@ -7,7 +7,7 @@
 
 #include "harness/pixels/middle_of.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_diagnosis {
 namespace {
 
 /// The picture read along rows, or along columns.
@@ -158,4 +158,4 @@ std::optional<Finding> find_lines(const Image& submitted, const Image& reference
                  std::min(1.0, share)};
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_diagnosis

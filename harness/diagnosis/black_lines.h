@@ -7,9 +7,9 @@
 
 #include "harness/diagnosis/diagnosis.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_diagnosis {
 
 /// At most one finding, of rows and columns together; their pixels become ignored.
 std::optional<Finding> find_lines(const Image& submitted, const Image& reference, std::vector<std::uint8_t>& ignored);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_diagnosis

@@ -13,7 +13,7 @@
 #include "harness/diagnosis/places.h"
 #include "harness/pixels/middle_of.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_diagnosis {
 namespace {
 
 constexpr std::size_t least_pixels = 12;
@@ -224,4 +224,4 @@ void add_wrong_bodies(const Guess& guess, const SceneKnowledge& knowledge, const
   BodyCandidates(guess, knowledge, comparison).add_wrong(excess, candidates);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_diagnosis

@@ -11,9 +11,9 @@
 #include "harness/diagnosis/pictures/luminance.h"
 #include "harness/diagnosis/places.h"
 #include "harness/pixels/middle_of.h"
-#include "scenes/text/text_numbers.h"
+#include "scenes/base/text_numbers.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_diagnosis {
 namespace {
 
 std::size_t pixel_index(int x, int y, int width) {
@@ -319,4 +319,4 @@ Breakage find_breakage(const Image& submitted, const SceneKnowledge& knowledge) 
   return breakage;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_diagnosis

@@ -7,7 +7,7 @@
 
 #include "harness/diagnosis/diagnosis.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_diagnosis {
 
 struct Breakage {
   std::vector<Finding> findings;
@@ -18,4 +18,4 @@ struct Breakage {
 /// Precondition: both have the size of the reference.
 Breakage find_breakage(const Image& submitted, const SceneKnowledge& knowledge);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_diagnosis

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace photonproof {
+namespace photonproof::inline harness_diagnosis {
 namespace {
 
 bool says_missing(const Finding& finding) {
@@ -81,4 +81,4 @@ void join_common_causes(const SceneKnowledge& knowledge, std::vector<Finding>& f
   join_missing(findings);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_diagnosis

@@ -5,7 +5,7 @@
 
 #include "harness/diagnosis/places.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_diagnosis {
 namespace {
 
 /// Of white: what is at least so bright is cut there, and what is less than the other is plainly darker.
@@ -37,4 +37,4 @@ std::optional<Finding> find_dark_lamps(const Image& submitted, const SceneKnowle
                  region_of(weight, reference.width, reference.height), 1};
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_diagnosis

@@ -7,9 +7,9 @@
 
 #include "harness/diagnosis/diagnosis.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_diagnosis {
 
 /// Where nothing else is found. Precondition: both pictures have one size.
 std::optional<Finding> find_dark_lamps(const Image& submitted, const SceneKnowledge& knowledge);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_diagnosis

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace photonproof {
+namespace photonproof::inline harness_diagnosis {
 namespace {
 
 /// Grey, with a lamp of 4 x 2 pixels.
@@ -47,4 +47,4 @@ TEST(DarkLamps, are_said_by_diagnosis_where_it_finds_nothing_else) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_diagnosis

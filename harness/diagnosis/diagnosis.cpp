@@ -17,7 +17,7 @@
 #include "harness/diagnosis/self_shadowing.h"
 #include "harness/diagnosis/whole_picture.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_diagnosis {
 namespace {
 
 std::string size_text(const Image& image) { return std::to_string(image.width) + " x " + std::to_string(image.height); }
@@ -299,4 +299,4 @@ std::vector<Finding> find_hidden_mistake(const Image& submitted, const SceneKnow
   return Search(submitted, knowledge, comparison, 1).pattern();
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_diagnosis

@@ -15,7 +15,7 @@
 #include "harness/pixels/pixel_region.h"
 #include "scenes/images/image.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_diagnosis {
 
 /// What one kind of light adds to the picture: "direct", "caustic", "indirect", "indirect after the first bounce" ...
 struct FeatureProbe {
@@ -95,4 +95,4 @@ std::vector<Finding> diagnose(const Image& submitted, const SceneKnowledge& know
 /// values that are not finite. At most one.
 std::vector<Finding> find_hidden_mistake(const Image& submitted, const SceneKnowledge& knowledge);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_diagnosis

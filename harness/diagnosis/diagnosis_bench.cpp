@@ -8,7 +8,7 @@
 
 #include "harness/diagnosis/diagnosis.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_diagnosis {
 namespace {
 
 constexpr int side = 512;
@@ -46,4 +46,4 @@ BENCHMARK_CAPTURE(diagnose_512, strange, [](double value, int x, int y) {
 })->Unit(benchmark::kSecond);
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_diagnosis

@@ -18,10 +18,10 @@
 #include "harness/diagnosis/pictures/picture_changes.h"
 #include "harness/diagnosis/sub_pixel_shift.h"
 #include "harness/diagnosis/test_defects.h"
-#include "scenes/text/input_error.h"
-#include "scenes/text/splitmix.h"
+#include "scenes/base/input_error.h"
+#include "scenes/base/splitmix.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_diagnosis {
 namespace {
 
 constexpr int side = 72;
@@ -445,4 +445,4 @@ TEST(Diagnosis, a_dimmer_picture_is_no_tone_mapped_one) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_diagnosis

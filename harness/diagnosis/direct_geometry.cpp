@@ -7,7 +7,7 @@
 
 #include "harness/pixels/middle_of.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_diagnosis {
 namespace {
 
 struct Lamp {
@@ -104,4 +104,4 @@ std::vector<DirectMistake> direct_mistakes(const SceneDescription& scene, const 
   return mistakes;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_diagnosis

@@ -8,7 +8,7 @@
 #include "scenes/description/description.h"
 #include "scenes/images/image.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_diagnosis {
 
 struct DirectMistake {
   std::string kind, sentence, cause;
@@ -20,4 +20,4 @@ struct DirectMistake {
 std::vector<DirectMistake> direct_mistakes(const SceneDescription& scene, const std::vector<SeenPlace>& points,
                                            const Image& direct);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_diagnosis

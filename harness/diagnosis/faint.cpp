@@ -10,7 +10,7 @@
 #include "harness/diagnosis/pictures/picture_changes.h"
 #include "harness/diagnosis/sub_pixel_shift.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_diagnosis {
 namespace {
 
 struct Match {
@@ -225,4 +225,4 @@ std::optional<Candidate> faint_pattern(const Guess& guess, const SceneKnowledge&
   return search.best();
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_diagnosis

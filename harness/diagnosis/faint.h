@@ -8,7 +8,7 @@
 
 #include "harness/diagnosis/guess.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_diagnosis {
 
 /// Whether so much differs beyond noise that it is worth looking. Renders nothing.
 bool could_hide_a_mistake(const Guess& guess, const SceneKnowledge& knowledge, const Comparison& comparison);
@@ -25,4 +25,4 @@ std::optional<Candidate> faint_pattern(const Guess& guess, const SceneKnowledge&
 /// How a feature's light times a factor is put.
 Finding words_of_feature(const std::string& feature, double factor);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_diagnosis

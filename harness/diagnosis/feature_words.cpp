@@ -3,7 +3,7 @@
 
 #include "harness/diagnosis/faint.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_diagnosis {
 
 Finding words_of_feature(const std::string& feature, double factor) {
   const bool caustic = feature == "caustic", direct = feature == "direct", later = feature == "later bounces";
@@ -49,4 +49,4 @@ Finding words_of_feature(const std::string& feature, double factor) {
           0};
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_diagnosis

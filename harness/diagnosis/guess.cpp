@@ -5,7 +5,7 @@
 
 #include "harness/diagnosis/pictures/picture_changes.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_diagnosis {
 
 Image predicted(const Guess& guess, double white) {
   Image image = guess.light;
@@ -42,4 +42,4 @@ Finding words_of_shift(double x, double y) {
           0};
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_diagnosis

@@ -10,7 +10,7 @@
 #include "harness/diagnosis/pictures/comparison.h"
 #include "scenes/images/image.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_diagnosis {
 
 /// From the light in the scene to the file: what is seen, then turned, its channels, its values.
 struct Guess {
@@ -74,4 +74,4 @@ Finding words_of_shift(double x, double y);
 /// "0.6", "1.5", "12": a factor as people say it.
 std::string factor_text(double factor);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_diagnosis

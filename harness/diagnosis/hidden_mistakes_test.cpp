@@ -10,9 +10,9 @@
 #include "harness/diagnosis/diagnosis.h"
 #include "harness/diagnosis/pictures/picture_changes.h"
 #include "harness/diagnosis/test_defects.h"
-#include "scenes/text/splitmix.h"
+#include "scenes/base/splitmix.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_diagnosis {
 namespace {
 
 constexpr int side = 64;
@@ -109,4 +109,4 @@ TEST(HiddenMistakes, pictures_that_cannot_be_compared_have_none) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_diagnosis

@@ -14,7 +14,7 @@
 #include "harness/diagnosis/pictures/picture_changes.h"
 #include "harness/diagnosis/seen_objects.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_diagnosis {
 namespace {
 
 Image not_negative(Image image) {
@@ -229,4 +229,4 @@ SceneKnowledge knowledge_of(const SceneDescription& scene, const Rendering& refe
   return knowledge;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_diagnosis

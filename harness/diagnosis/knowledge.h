@@ -9,7 +9,7 @@
 #include "harness/variants/own_engine.h"
 #include "scenes/description/description.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_diagnosis {
 
 struct KnowledgeOptions {
   std::optional<float> white = 1;  ///< where pictures are clamped
@@ -22,4 +22,4 @@ struct KnowledgeOptions {
 SceneKnowledge knowledge_of(const SceneDescription& scene, const Rendering& reference, const OwnEngine& engine,
                             const KnowledgeOptions& options = {});
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_diagnosis

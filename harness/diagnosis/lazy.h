@@ -8,7 +8,7 @@
 #include <mutex>
 #include <utility>
 
-namespace photonproof {
+namespace photonproof::inline harness_diagnosis {
 
 template <class Value>
 class Lazy {
@@ -44,4 +44,4 @@ class Lazy {
   std::shared_ptr<State> state_;  ///< copies share what is made
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_diagnosis

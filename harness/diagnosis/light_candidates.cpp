@@ -9,7 +9,7 @@
 #include "harness/diagnosis/guess.h"
 #include "harness/diagnosis/pictures/picture_changes.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_diagnosis {
 namespace {
 
 class LightCandidates {
@@ -250,4 +250,4 @@ void add_what_ifs(const Guess& guess, const SceneKnowledge& knowledge, const Com
   LightCandidates(guess, knowledge, comparison, candidates).add_what_ifs(excess, rare);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_diagnosis

@@ -9,7 +9,7 @@
 
 #include "harness/diagnosis/seen_objects.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_diagnosis {
 namespace {
 
 using Bsdf = decltype(BsdfDescription::model);
@@ -280,4 +280,4 @@ std::vector<Mistake> mistakes_of(const SceneDescription& scene, const std::vecto
   return Mistakes(scene, names, visible).run();
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_diagnosis

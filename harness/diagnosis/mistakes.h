@@ -7,7 +7,7 @@
 
 #include "scenes/description/description.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_diagnosis {
 
 struct Mistake {
   std::string kind, sentence, cause;
@@ -31,4 +31,4 @@ std::vector<Mistake> mistakes_of(const SceneDescription& scene, const std::vecto
 SceneDescription without_bodies(const SceneDescription& scene);
 bool is_body(const SceneDescription& scene, const ShapeDescription& shape);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_diagnosis

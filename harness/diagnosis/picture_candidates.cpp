@@ -9,7 +9,7 @@
 #include "harness/diagnosis/pictures/arranged_totals.h"
 #include "harness/diagnosis/pictures/picture_changes.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_diagnosis {
 namespace {
 
 class PictureCandidates {
@@ -298,4 +298,4 @@ void add_views(const Guess& guess, const Comparison& comparison, double left, st
   add.add_sharpness();
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_diagnosis

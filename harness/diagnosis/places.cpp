@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <numeric>
 
-namespace photonproof {
+namespace photonproof::inline harness_diagnosis {
 namespace {
 
 struct Spread {
@@ -116,4 +116,4 @@ PixelRegion region_of(const std::vector<double>& weight, int width, int height) 
   return {x0, y0, x1 - x0, y1 - y0};
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_diagnosis

@@ -6,7 +6,7 @@
 
 #include "harness/diagnosis/diagnosis.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_diagnosis {
 
 /// "below the glass sphere", "on the left wall", "in the mirror sphere", "in the lower right corner"; empty where it is
 /// everywhere. `weight`: a pixel, how much of it is there, of an image of this size, which `knowledge.seen` has, too,
@@ -22,4 +22,4 @@ PixelRegion region_of(const std::vector<double>& weight, int width, int height);
 /// "lower right corner", "middle", of a point.
 std::string part_of_image(double x, double y, int width, int height);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_diagnosis

@@ -11,7 +11,7 @@
 #include "harness/variants/plain_objects.h"
 #include "scenes/description/overloaded.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_diagnosis {
 namespace {
 
 struct LocalRay {
@@ -220,4 +220,4 @@ void set_landmarks(SceneKnowledge& knowledge, const SceneDescription& scene, con
   for (const SeenPlace& point : points) knowledge.seen.push_back(landmark_of[point.object]);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_diagnosis

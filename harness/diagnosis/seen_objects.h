@@ -9,7 +9,7 @@
 #include "harness/diagnosis/diagnosis.h"
 #include "scenes/description/description.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_diagnosis {
 
 struct SeenPlace {
   std::uint16_t object = 0;  ///< 1 + its index in SceneDescription::shapes; 0: none
@@ -32,4 +32,4 @@ Look look_of(const SceneDescription& scene, const ShapeDescription& shape);
 void set_landmarks(SceneKnowledge& knowledge, const SceneDescription& scene, const std::vector<SeenPlace>& points,
                    int width, int height);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_diagnosis

@@ -9,7 +9,7 @@
 
 #include "harness/diagnosis/pictures/luminance.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_diagnosis {
 namespace {
 
 /// As logarithms of luminance over what is expected.
@@ -116,4 +116,4 @@ void add_self_shadowing(const Guess& guess, const SceneKnowledge& knowledge, con
   candidates.push_back(std::move(candidate));
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_diagnosis

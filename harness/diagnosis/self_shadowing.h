@@ -7,10 +7,10 @@
 
 #include "harness/diagnosis/guess.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_diagnosis {
 
 /// Looks at walls, floors and ceilings, away from their edges.
 void add_self_shadowing(const Guess& guess, const SceneKnowledge& knowledge, const Comparison& comparison,
                         std::vector<Candidate>& candidates);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_diagnosis

@@ -15,9 +15,9 @@
 
 #include "harness/diagnosis/pictures/comparison.h"
 #include "harness/diagnosis/test_defects.h"
-#include "scenes/text/splitmix.h"
+#include "scenes/base/splitmix.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_diagnosis {
 namespace {
 
 class StudentMistakes : public testing::Test {
@@ -236,4 +236,4 @@ TEST_F(StudentMistakes, guesses_that_know_nothing_explain_nothing) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_diagnosis

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace photonproof {
+namespace photonproof::inline harness_diagnosis {
 namespace {
 
 /// Sums of least squares for two unknowns.
@@ -88,4 +88,4 @@ std::optional<SubPixelShift> sub_pixel_shift(const Image& expected, const Compar
   return shift;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_diagnosis

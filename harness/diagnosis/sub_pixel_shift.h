@@ -7,7 +7,7 @@
 
 #include "harness/diagnosis/pictures/comparison.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_diagnosis {
 
 struct SubPixelShift {
   double x = 0, y = 0;    ///< pixels right and down
@@ -19,4 +19,4 @@ struct SubPixelShift {
 /// uncertainty.
 std::optional<SubPixelShift> sub_pixel_shift(const Image& expected, const Comparison& comparison);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_diagnosis

@@ -13,7 +13,7 @@
 #include "harness/diagnosis/knowledge.h"
 #include "scenes/parser/parser.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_diagnosis {
 
 /// Renderings are kept beside the program, for all tests: each is a process.
 inline OwnEngine test_engine() {
@@ -58,4 +58,4 @@ inline std::string text_of(const std::vector<Finding>& findings) {
   return text.empty() ? "\n  none" : text;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_diagnosis

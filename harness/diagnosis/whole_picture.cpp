@@ -8,7 +8,7 @@
 
 #include "harness/diagnosis/guess.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_diagnosis {
 
 std::optional<Finding> find_noise(const Comparison& comparison, const SceneKnowledge& knowledge) {
   const double noise = comparison.noise(), usual = comparison.noise_of(knowledge.reference);
@@ -31,4 +31,4 @@ std::optional<Finding> find_noise(const Comparison& comparison, const SceneKnowl
                  0};
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_diagnosis

@@ -6,9 +6,9 @@
 #include "harness/diagnosis/diagnosis.h"
 #include "harness/diagnosis/pictures/comparison.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_diagnosis {
 
 /// Where the picture's noise is large, and far above the reference's.
 std::optional<Finding> find_noise(const Comparison& comparison, const SceneKnowledge& knowledge);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_diagnosis

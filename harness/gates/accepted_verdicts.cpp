@@ -8,11 +8,11 @@
 #include "harness/cells/cells.h"
 #include "harness/pixels/repeated_images.h"
 #include "judging_hash.h"
-#include "scenes/text/checksum.h"
-#include "scenes/text/input_error.h"
-#include "scenes/text/size_text.h"
+#include "scenes/base/input_error.h"
+#include "scenes/base/size_text.h"
+#include "scenes/files/checksum.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_gates {
 namespace {
 
 namespace fs = std::filesystem;
@@ -81,4 +81,4 @@ void keep_accepted(const std::string& key, Results run, GateRecord passed) {
   write_results(file.string(), run);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_gates

@@ -13,7 +13,7 @@
 #include "harness/gates/gate_images.h"
 #include "harness/gates/gate_look.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_gates {
 
 /// How many images are drawn before an accepted verdict is looked for: the same whichever gates of the suite run.
 std::size_t images_to_accept(const GateSuite& suite, const Gate& gate);
@@ -31,4 +31,4 @@ std::optional<Results> find_accepted(const std::string& key);
 /// Throws InputError when it cannot be written.
 void keep_accepted(const std::string& key, Results run, GateRecord passed);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_gates

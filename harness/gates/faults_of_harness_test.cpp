@@ -1,4 +1,4 @@
-// What the harness's faults do (scenes/text/faults.h): to the images that gates get, and to what they make of them.
+// What the harness's faults do (scenes/base/faults.h): to the images that gates get, and to what they make of them.
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -6,9 +6,9 @@
 #include "harness/gates/gate_images.h"
 #include "harness/gates/test_gates.h"
 #include "harness/statistics/deviations.h"
-#include "scenes/text/faults.h"
+#include "scenes/base/faults.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_gates {
 namespace {
 
 class FaultsOfHarness : public FakeGateTest {
@@ -117,4 +117,4 @@ TEST_F(FaultsOfHarness, certain_noise_makes_blocks_surer_by_the_root_of_the_numb
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_gates

@@ -1,4 +1,4 @@
-// What the renderer's faults do to an image (scenes/text/faults.h): a closed form, or the image of a sound program that
+// What the renderer's faults do to an image (scenes/base/faults.h): a closed form, or the image of a sound program that
 // is told the mistake.
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 
 #include "harness/gates/test_faulty_program.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_gates {
 namespace {
 
 using std::numbers::pi;
@@ -330,4 +330,4 @@ TEST_F(FaultsOfRenderer, flat_normals_are_those_of_faces) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_gates

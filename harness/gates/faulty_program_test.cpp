@@ -1,4 +1,4 @@
-// The second program, photonproof-faulty (scenes/text/faults.h): without a fault it is the first, and what its faults
+// The second program, photonproof-faulty (scenes/base/faults.h): without a fault it is the first, and what its faults
 // do to an image follows from theory; faults_of_*_test.cpp have more of them. gate --self-test counts on both.
 
 #include <cmath>
@@ -7,7 +7,7 @@
 #include "harness/gates/gate_mutants.h"
 #include "harness/gates/test_faulty_program.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_gates {
 namespace {
 
 // A square lamp that shines up alone, on a mirror over it. The floor below gets its light from the mirror only. Paths
@@ -125,4 +125,4 @@ TEST_F(FaultyProgram, sound_program_has_no_faults) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_gates

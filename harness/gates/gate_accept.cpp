@@ -7,15 +7,15 @@
 #include "harness/gates/gate_look.h"
 #include "harness/metrics/metrics.h"
 #include "harness/suites/suite_rows.h"
-#include "reference/process/process.h"
 #include "reference/store/reference_store.h"
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/input_error.h"
-#include "scenes/text/scratch_folder.h"
-#include "scenes/text/shell_text.h"
-#include "scenes/text/size_text.h"
+#include "scenes/base/input_error.h"
+#include "scenes/base/process.h"
+#include "scenes/base/shell_text.h"
+#include "scenes/base/size_text.h"
+#include "scenes/files/atomic_file.h"
+#include "scenes/files/scratch_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_gates {
 namespace {
 
 namespace fs = std::filesystem;
@@ -98,4 +98,4 @@ std::string name_of_user() {
   return user != nullptr && *user != '\0' ? user : "somebody";
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_gates

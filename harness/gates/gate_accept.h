@@ -10,7 +10,7 @@
 #include "harness/gates/gate_suite.h"
 #include "reference/store/provenance.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_gates {
 
 struct AcceptOptions {
   std::filesystem::path program;  ///< this program
@@ -34,4 +34,4 @@ std::optional<Accepted> accept_reference(const GateSuite& suite, const AcceptOpt
 /// git's user.name, else $USER, else "somebody".
 std::string name_of_user();
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_gates

@@ -9,10 +9,10 @@
 #include "harness/cells/cells.h"
 #include "harness/cells/run_cell.h"
 #include "harness/cells/side_by_side.h"
-#include "scenes/text/faults.h"
-#include "scenes/text/size_text.h"
+#include "scenes/base/faults.h"
+#include "scenes/base/size_text.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_gates {
 namespace {
 
 namespace fs = std::filesystem;
@@ -158,4 +158,4 @@ std::unique_ptr<DrawnImage> ImageStream::draw_one(std::uint64_t seed) const {
   return drawn;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_gates

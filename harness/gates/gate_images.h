@@ -16,7 +16,7 @@
 #include "harness/gates/gate_suite.h"
 #include "scenes/description/film_part.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_gates {
 
 /// One image and what came of drawing it. `result.status` other than ok leaves the image empty.
 struct DrawnImage {
@@ -28,7 +28,7 @@ struct DrawOptions {
   std::filesystem::path program;       ///< this program, or a faulty one
   std::filesystem::path folder;        ///< receives cells/ (cell_store.h); exists
   std::uint64_t seed = 1;              ///< of the whole run: another one draws other images
-  std::string fault{};                 ///< planted in `program`, which is photonproof-faulty (scenes/text/faults.h)
+  std::string fault{};                 ///< planted in `program`, which is photonproof-faulty (scenes/base/faults.h)
   std::vector<std::string> further{};  ///< arguments after the engine's own
   int processes = 1;                   ///< side by side
   bool resume = false;                 ///< use what an earlier run left in `folder`
@@ -95,4 +95,4 @@ class ImageStream {
 /// The same stream means the same images.
 std::string stream_label(const Gate& gate);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_gates

@@ -12,10 +12,10 @@
 #include "harness/statistics/deviations.h"
 #include "harness/statistics/error_shares.h"
 #include "reference/store/half_rounding.h"
+#include "scenes/base/input_error.h"
 #include "scenes/description/expect.h"
-#include "scenes/text/input_error.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_gates {
 namespace {
 
 /// The variance of a pixel of one image, from the reference: its batches had at least as many samples, of which each
@@ -178,4 +178,4 @@ ParameterValues parameters_of(const Gate& gate, const ParameterValues& viewing) 
   return with_given(viewing, gate.parameters);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_gates

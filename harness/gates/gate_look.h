@@ -9,7 +9,7 @@
 #include "harness/statistics/gate_statistics.h"
 #include "reference/store/reference_store.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_gates {
 
 /// The parameters that a scene pins: its exposure as the suite says it, else its expect.toml, which alone may pin
 /// hdr_exposures. Throws InputError.
@@ -39,4 +39,4 @@ double metric_of(const Gate& gate, const StoredReference& reference, const Param
                  const Image& image);
 Judgement look_at_values(const Gate& gate, std::span<const double> values);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_gates

@@ -12,7 +12,7 @@
 
 #include "harness/metrics/metrics.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_gates {
 namespace {
 
 using Random = std::mt19937_64;
@@ -470,4 +470,4 @@ TEST(gate_look, standard_errors_are_those_of_the_noise_however_few_the_images) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_gates

@@ -7,7 +7,7 @@
 
 #include "harness/pixels/display.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_gates {
 namespace {
 
 template <class Change>
@@ -153,4 +153,4 @@ std::vector<std::string> kernels_with_faults(const std::string& integrator) {
 #endif
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_gates

@@ -7,9 +7,9 @@
 
 #include "scenes/images/image.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_gates {
 
-/// Where a mutant is: a fault (scenes/text/faults.h) of the engine, of what draws and reads images here, of what judges
+/// Where a mutant is: a fault (scenes/base/faults.h) of the engine, of what draws and reads images here, of what judges
 /// them, or an edit of the finished image.
 enum class PlantedIn { renderer, drawing, judging, image, nothing };
 
@@ -39,4 +39,4 @@ std::span<const GateVariant> gate_variants();
 /// without.
 std::vector<std::string> kernels_with_faults(const std::string& integrator);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_gates

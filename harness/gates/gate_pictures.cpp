@@ -5,7 +5,7 @@
 
 #include "harness/metrics/heatmap.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_gates {
 namespace {
 
 namespace fs = std::filesystem;
@@ -57,4 +57,4 @@ ReferenceRecord store_reference(const StoredReference& reference, const std::str
   return record;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_gates

@@ -8,7 +8,7 @@
 #include "reference/store/reference_store.h"
 #include "reports/record/results.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_gates {
 
 /// Writes gates/<name of the gate>/ under `folder` and sets the record's image and pictures: the image at the scene's
 /// `exposure` (stops), maps as the gate's metrics see it. `mean` has the reference's size and is finite.
@@ -22,4 +22,4 @@ void remove_reference(const std::string& scene, const std::filesystem::path& fol
 ReferenceRecord store_reference(const StoredReference& reference, const std::string& scene, double exposure,
                                 const std::filesystem::path& folder);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_gates

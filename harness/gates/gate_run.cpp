@@ -14,10 +14,10 @@
 #include "harness/gates/gate_pictures.h"
 #include "harness/gates/gates_together.h"
 #include "harness/gates/independence.h"
+#include "scenes/base/input_error.h"
 #include "scenes/description/expect.h"
-#include "scenes/text/input_error.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_gates {
 namespace {
 
 namespace fs = std::filesystem;
@@ -285,4 +285,4 @@ GateSummary run_gates(const GateSuite& suite, const GateOptions& options, GateOb
   return Run(suite, options, observer).run();
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_gates

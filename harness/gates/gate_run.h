@@ -10,7 +10,7 @@
 #include "harness/gates/gate_suite.h"
 #include "reference/store/reference_store.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_gates {
 
 struct GateOptions {
   std::filesystem::path folder;   ///< receives results.json, gates/ with pictures and cells/ with the images
@@ -45,4 +45,4 @@ struct GateSummary {
 /// a verdict.
 GateSummary run_gates(const GateSuite& suite, const GateOptions& options, GateObserver& observer);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_gates

@@ -8,7 +8,7 @@
 
 #include "harness/gates/gate_self_tests.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_gates {
 namespace {
 
 constexpr double confidence = 0.95;
@@ -188,7 +188,7 @@ std::string self_test_table(const GateSuite& suite, const SelfTest& test, const 
       "Runs in which a gate fails, in per cent: where something is planted it is found, else it is a false alarm. A "
       "run's first look takes {} images of its stream's pool. Those of a pool of {} times as many as there are runs "
       "are disjoint; beyond that runs share images, and false alarms are weighed as the disjoint runs that there are. "
-      "Faults of the renderer and of the harness are one condition in the source each (scenes/text/faults.h).\n\n",
+      "Faults of the renderer and of the harness are one condition in the source each (scenes/base/faults.h).\n\n",
       test.seeds, test.seeds);
   for (const Section& section : {Section{"In the renderer", {PlantedIn::renderer}},
                                  Section{"In the harness", {PlantedIn::drawing, PlantedIn::judging}},
@@ -197,4 +197,4 @@ std::string self_test_table(const GateSuite& suite, const SelfTest& test, const 
   return text + nulls_table(test) + conclusion(test);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_gates

@@ -12,10 +12,10 @@
 #include "harness/cells/side_by_side.h"
 #include "harness/metrics/metrics.h"
 #include "harness/pixels/repeated_images.h"
-#include "scenes/text/faults.h"
-#include "scenes/text/input_error.h"
+#include "scenes/base/faults.h"
+#include "scenes/base/input_error.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_gates {
 namespace {
 
 constexpr int nulls_a_mutant = 5;
@@ -324,4 +324,4 @@ SelfTest run_self_test(const GateSuite& suite, const SelfTestOptions& options) {
   return SelfTestRun(suite, options).run();
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_gates

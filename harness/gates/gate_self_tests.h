@@ -22,7 +22,7 @@
 #include "harness/gates/gate_run.h"
 #include "harness/gates/pool_sizes.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_gates {
 
 struct SelfTestOptions {
   GateOptions gates;             ///< `resume` uses images that an earlier self-test left
@@ -67,4 +67,4 @@ std::string self_test_table(const GateSuite& suite, const SelfTest& test, const 
 /// is known but that it was slow is not found.
 bool self_test_passes(const SelfTest& test);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_gates

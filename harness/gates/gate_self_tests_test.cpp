@@ -5,7 +5,7 @@
 
 #include "harness/gates/test_gates.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_gates {
 namespace {
 
 class GateSelfTest : public FakeGateTest {
@@ -135,4 +135,4 @@ TEST_F(GateSelfTest, where_a_first_look_is_unchanged_no_more_is_drawn) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_gates

@@ -6,9 +6,9 @@
 #include "harness/suites/engine_command.h"
 #include "harness/suites/suite_rows.h"
 #include "scenes/description/expect.h"
-#include "scenes/text/atomic_file.h"
+#include "scenes/files/atomic_file.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_gates {
 namespace {
 
 constexpr int least_ssim_side = 11;
@@ -170,4 +170,4 @@ GateSuite read_gate_suite(const std::filesystem::path& file) {
   return suite;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_gates

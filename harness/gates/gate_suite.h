@@ -10,7 +10,7 @@
 #include "harness/suites/suite.h"
 #include "reports/record/gate_metrics.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_gates {
 
 /// A new member does not compile until verdict_key (accepted_verdicts.cpp) says whether a pass depends on it.
 struct Gate {
@@ -46,4 +46,4 @@ std::vector<const Gate*> gates_named(const GateSuite& suite, const std::string& 
 /// Throws InputError with file:line:col on anything but the above.
 GateSuite read_gate_suite(const std::filesystem::path& file);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_gates

@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "harness/gates/gate_look.h"
-#include "scenes/text/test_folder.h"
+#include "scenes/files/test_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_gates {
 namespace {
 
 constexpr const char* head = "name = 'tiny'\ntitle = 'Tiny'\n";
@@ -160,4 +160,4 @@ TEST_F(GateSuiteFile, the_suite_we_ship_is_valid_and_has_ten_scenes) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_gates

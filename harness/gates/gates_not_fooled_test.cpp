@@ -5,10 +5,10 @@
 #include <nlohmann/json.hpp>
 
 #include "harness/gates/test_gates.h"
-#include "reference/process/process.h"
 #include "reports/record/results.h"
+#include "scenes/base/process.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_gates {
 namespace {
 
 namespace fs = std::filesystem;
@@ -196,4 +196,4 @@ TEST_F(GatesNotFooled, engines_are_set_against_each_other_when_all_gates_are_dec
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_gates

@@ -7,7 +7,7 @@
 #include "harness/suites/suite_rows.h"
 #include "renderer/integrators/integrator.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_gates {
 namespace {
 
 using Names = std::vector<std::string>;
@@ -111,4 +111,4 @@ std::vector<std::string> gates_together(const std::vector<GateRecord>& gates, co
   return sentences;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_gates

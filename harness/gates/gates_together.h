@@ -8,7 +8,7 @@
 #include "harness/suites/suite.h"
 #include "reports/record/results.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_gates {
 
 /// A sentence for each scene on which an engine fails and another one passes, or on which all of several fail:
 ///   "cornell: path fails where photonmapper passes: look at weights of lamps that bounces meet, or diffuse bounces"
@@ -16,4 +16,4 @@ namespace photonproof {
 /// judge (GateRecord::status) count as neither. Scenes in the order of the gates.
 std::vector<std::string> gates_together(const std::vector<GateRecord>& gates, const SuiteCommon& suite);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_gates

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace photonproof {
+namespace photonproof::inline harness_gates {
 namespace {
 
 class GatesTogether : public testing::Test {
@@ -86,4 +86,4 @@ TEST_F(GatesTogether, one_engine_alone_and_what_left_no_images_say_nothing) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_gates

@@ -5,7 +5,7 @@
 
 #include "renderer/integrators/integrator.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_gates {
 namespace {
 
 bool keeps(const Rendering& reference, const RgbD& mean) {
@@ -52,4 +52,4 @@ std::string regression_only(const Engine& engine, const StoredReference& referen
   return "the reference is by " + provenance.estimator + ", whose sampling is the engine's";
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_gates

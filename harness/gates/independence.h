@@ -9,7 +9,7 @@
 #include "reference/store/reference_store.h"
 #include "scenes/description/expect.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_gates {
 
 /// The integrator of this program that an engine runs; empty when it runs another program.
 std::optional<std::string> integrator_of(const Engine& engine);
@@ -28,4 +28,4 @@ bool shares_sampling(const std::string& integrator, const std::string& other);
 std::string regression_only(const Engine& engine, const StoredReference& reference,
                             const std::optional<Expect>& expect);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_gates

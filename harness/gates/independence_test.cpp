@@ -6,7 +6,7 @@
 #include "harness/gates/gate_suite.h"
 #include "harness/suites/suite_rows.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_gates {
 namespace {
 
 /// Every pixel `value`, with a standard error of one in a hundred: the mean over 64 pixels is known to 0.125 %.
@@ -63,4 +63,4 @@ TEST(independence, is_what_the_gates_of_this_program_have) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_gates

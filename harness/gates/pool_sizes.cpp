@@ -3,9 +3,9 @@
 #include <charconv>
 #include <optional>
 
-#include "scenes/text/input_error.h"
+#include "scenes/base/input_error.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_gates {
 namespace {
 
 constexpr int least = 2, most = 1'000'000;
@@ -43,4 +43,4 @@ PoolSizes read_pool_sizes(const std::string& option, const std::vector<std::stri
   return sizes;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_gates

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace photonproof {
+namespace photonproof::inline harness_gates {
 
 struct PoolSizes {
   int usual = 0;
@@ -18,4 +18,4 @@ struct PoolSizes {
 /// for what is neither, and for fewer than 2 images.
 PoolSizes read_pool_sizes(const std::string& option, const std::vector<std::string>& texts, int usual);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_gates

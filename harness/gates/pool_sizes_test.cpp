@@ -1,8 +1,8 @@
 #include "harness/gates/pool_sizes.h"
 
-#include "scenes/text/test_folder.h"
+#include "scenes/files/test_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_gates {
 namespace {
 
 TEST(PoolSizes, are_the_first_that_is_named_for_a_stream_or_the_usual_one) {
@@ -26,4 +26,4 @@ TEST(PoolSizes, refuse_what_is_no_number_of_images) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_gates

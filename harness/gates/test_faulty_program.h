@@ -1,4 +1,4 @@
-// The second program, photonproof-faulty (scenes/text/faults.h), as tests start it, and small scenes for it.
+// The second program, photonproof-faulty (scenes/base/faults.h), as tests start it, and small scenes for it.
 #pragma once
 
 #include <cstdlib>
@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "harness/gates/gate_mutants.h"
-#include "reference/process/process.h"
+#include "scenes/base/process.h"
+#include "scenes/files/test_folder.h"
 #include "scenes/images/image.h"
-#include "scenes/text/test_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_gates {
 
 class FaultyProgramTest : public FolderTest {
  protected:
@@ -80,4 +80,4 @@ class FaultyProgramTest : public FolderTest {
   }
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_gates

@@ -11,7 +11,7 @@
 #include "scenes/description/scene_hash.h"
 #include "scenes/parser/parser.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_gates {
 
 class FakeGateTest : public FakeSuiteTest {
  protected:
@@ -106,4 +106,4 @@ esac
 )script";
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_gates

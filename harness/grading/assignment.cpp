@@ -7,9 +7,9 @@
 #include "harness/grading/assignment_rows.h"
 #include "harness/suites/engine_command.h"
 #include "harness/suites/suite_rows.h"
-#include "scenes/text/atomic_file.h"
+#include "scenes/files/atomic_file.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_grading {
 namespace {
 
 namespace fs = std::filesystem;
@@ -229,4 +229,4 @@ Assignment read_assignment(const fs::path& file) {
   return assignment;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_grading

@@ -14,7 +14,7 @@
 #include "reports/grades/grade_record.h"
 #include "reports/record/results.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_grading {
 
 /// Of a build or of a run.
 struct AssignmentLimits {
@@ -110,4 +110,4 @@ struct Assignment {
 /// relative to the file.
 Assignment read_assignment(const std::filesystem::path& file);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_grading

@@ -9,7 +9,7 @@
 #include "harness/grading/assignment.h"
 #include "harness/suites/toml_table.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_grading {
 
 double positive_number(const TomlTable& table, const std::string& key);
 std::string one_of(const TomlTable& table, const std::string& key, const std::vector<std::string>& known);
@@ -22,4 +22,4 @@ void read_assignment_scenes(const TomlTable& document, Assignment& assignment);
 /// [performance] of an assignment whose scenes are read.
 PerformanceRule performance_rule(const TomlTable& table, const Assignment& assignment);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_grading

@@ -5,7 +5,7 @@
 #include "harness/suites/engine_command.h"
 #include "harness/suites/suite_rows.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_grading {
 namespace {
 
 namespace fs = std::filesystem;
@@ -154,4 +154,4 @@ PerformanceRule performance_rule(const TomlTable& table, const Assignment& assig
   return rule;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_grading

@@ -2,7 +2,7 @@
 
 #include "harness/grading/test_course.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_grading {
 namespace {
 
 class AssignmentFile : public CourseTest {
@@ -76,4 +76,4 @@ TEST_F(AssignmentFile, what_contradicts_itself_is_refused_with_its_place) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_grading

@@ -6,12 +6,12 @@
 #include <string>
 #include <string_view>
 
-#include "reference/process/process.h"
 #include "reports/grades/zip_file.h"
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/input_error.h"
+#include "scenes/base/input_error.h"
+#include "scenes/base/process.h"
+#include "scenes/files/atomic_file.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_grading {
 namespace {
 
 namespace fs = std::filesystem;
@@ -119,4 +119,4 @@ void write_autograder(const Assignment& assignment, const AutograderOptions& opt
   write_file_atomically(archive, zip_bytes(members));
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_grading

@@ -5,7 +5,7 @@
 
 #include "harness/grading/assignment.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_grading {
 
 struct AutograderOptions {
   std::filesystem::path program;  ///< this one; its module of image formats lies in ../lib
@@ -18,4 +18,4 @@ struct AutograderOptions {
 void write_autograder(const Assignment& assignment, const AutograderOptions& options,
                       const std::filesystem::path& archive);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_grading

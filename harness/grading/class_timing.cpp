@@ -7,11 +7,11 @@
 #include <nlohmann/json.hpp>
 
 #include "harness/cells/cells.h"
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/input_error.h"
-#include "scenes/text/json_text.h"
+#include "scenes/base/input_error.h"
+#include "scenes/base/json_text.h"
+#include "scenes/files/atomic_file.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_grading {
 namespace {
 
 namespace fs = std::filesystem;
@@ -238,4 +238,4 @@ void time_class(const ClassTiming& timing, const std::vector<PreparedSubmission>
   Timing(timing, prepared, works).all();
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_grading

@@ -10,7 +10,7 @@
 #include "harness/grading/grade_flags.h"
 #include "harness/grading/speed_rounds.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_grading {
 
 struct ClassTiming {
   const Assignment& assignment;
@@ -30,4 +30,4 @@ struct ClassTiming {
 void time_class(const ClassTiming& timing, const std::vector<PreparedSubmission>& prepared,
                 std::vector<SubmissionWork>& works);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_grading

@@ -3,12 +3,12 @@
 #include <nlohmann/json.hpp>
 
 #include "reports/grades/grades_json.h"
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/checksum.h"
-#include "scenes/text/input_error.h"
-#include "scenes/text/json_text.h"
+#include "scenes/base/input_error.h"
+#include "scenes/base/json_text.h"
+#include "scenes/files/atomic_file.h"
+#include "scenes/files/checksum.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_grading {
 namespace {
 
 namespace fs = std::filesystem;
@@ -63,4 +63,4 @@ void GradeCells::keep(const std::string& key, Cell& cell) {
   write_file_atomically(folder_ / name / "cell.json", json_text(run_to_json(cell.run)));
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_grading

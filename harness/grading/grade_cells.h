@@ -11,7 +11,7 @@
 #include "reports/grades/grade_record.h"
 #include "scenes/images/image.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_grading {
 
 class GradeCells {
  public:
@@ -33,4 +33,4 @@ class GradeCells {
   std::mutex making_;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_grading

@@ -7,7 +7,7 @@
 
 #include "harness/pixels/likeness.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_grading {
 namespace {
 
 // One step of an 8-bit file, in linear values; 0 where values are stored as they are.
@@ -203,4 +203,4 @@ void flag_likenesses(const FlagContext& context, std::vector<SubmissionWork>& wo
     }
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_grading

@@ -9,7 +9,7 @@
 
 #include "harness/grading/scene_grading.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_grading {
 
 /// Everything about one submission, by scene of the assignment; empty where the scene is not graded.
 struct SubmissionWork {
@@ -35,4 +35,4 @@ void flag_verdicts(const FlagContext& context, SubmissionWork& work);
 /// The same of pairs: images with the same noise, which the baseline's image of that seed does not have.
 void flag_likenesses(const FlagContext& context, std::vector<SubmissionWork>& works);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_grading

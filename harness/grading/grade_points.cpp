@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace photonproof {
+namespace photonproof::inline harness_grading {
 namespace {
 
 // These explain more than the scene at which they show first.
@@ -66,4 +66,4 @@ std::string first_sentence(const SubmissionGrade& grade) {
   return grade.speed.scenes.empty() ? text : text + "; " + grade.speed.sentence;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_grading

@@ -5,7 +5,7 @@
 #include "harness/grading/work_scenes.h"
 #include "reports/grades/grade_record.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_grading {
 
 /// Of a scene: its share of the points for correctness, by weight among those that are used.
 double scene_points(const Assignment& assignment, const std::vector<WorkScene>& scenes, const WorkScene& scene);
@@ -16,4 +16,4 @@ void give_points(const Assignment& assignment, const std::vector<WorkScene>& sce
 /// "does not build: ...", what was copied, the first scene that is not right, or how fast it is.
 std::string first_sentence(const SubmissionGrade& grade);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_grading

@@ -10,10 +10,10 @@
 #include "harness/cells/host.h"
 #include "harness/cells/others_busy.h"
 #include "harness/metrics/metrics.h"
-#include "scenes/text/size_text.h"
-#include "scenes/text/splitmix.h"
+#include "scenes/base/size_text.h"
+#include "scenes/base/splitmix.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_grading {
 namespace {
 
 // Runs of another version of this code are made again.
@@ -139,4 +139,4 @@ std::optional<GradeCells::Cell> GradeRuns::run_timed(const PreparedSubmission& s
   return run_beside_others(submission, scene, request_of(assignment_, scene, seed, options_.threads), seed);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_grading

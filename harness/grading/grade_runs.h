@@ -13,7 +13,7 @@
 #include "harness/grading/submission_door.h"
 #include "harness/grading/work_scenes.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_grading {
 
 struct GradeRunsOptions {
   std::uint64_t seed = 1;  ///< of the session
@@ -65,4 +65,4 @@ class GradeRuns {
   std::shared_mutex company_;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_grading

@@ -22,9 +22,9 @@
 #include "harness/grading/speed_judge.h"
 #include "harness/suites/suite_rows.h"
 #include "reference/store/reference_store.h"
-#include "scenes/text/input_error.h"
+#include "scenes/base/input_error.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_grading {
 namespace {
 
 namespace fs = std::filesystem;
@@ -354,4 +354,4 @@ Grades grade_submissions(const Assignment& assignment, const GradeOptions& optio
   return Session(assignment, options).grade();
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_grading

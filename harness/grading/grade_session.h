@@ -13,7 +13,7 @@
 #include "harness/grading/assignment.h"
 #include "reports/grades/grade_record.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_grading {
 
 struct GradeOptions {
   std::filesystem::path folder;   ///< receives everything
@@ -37,4 +37,4 @@ struct GradeOptions {
 /// where the baseline cannot be built or run. Whatever a submission does is part of its grade.
 Grades grade_submissions(const Assignment& assignment, const GradeOptions& options);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_grading

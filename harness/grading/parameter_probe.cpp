@@ -6,7 +6,7 @@
 #include <optional>
 #include <string_view>
 
-namespace photonproof {
+namespace photonproof::inline harness_grading {
 namespace {
 
 // Of findings that say how much light there is, how well it is drawn, or that paths end too soon to bring it.
@@ -55,4 +55,4 @@ void ParameterProbe::flag(const PreparedSubmission& prepared, SubmissionWork& wo
                               {}});
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_grading

@@ -6,7 +6,7 @@
 #include "harness/grading/grade_flags.h"
 #include "harness/grading/grade_runs.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_grading {
 
 class ParameterProbe {
  public:
@@ -30,4 +30,4 @@ class ParameterProbe {
   Lazy<bool> baseline_draws_the_same_;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_grading

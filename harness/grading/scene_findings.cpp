@@ -5,9 +5,9 @@
 
 #include "harness/diagnosis/knowledge.h"
 #include "harness/statistics/deviations.h"
-#include "scenes/text/input_error.h"
+#include "scenes/base/input_error.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_grading {
 namespace {
 
 /// What a right program's picture never shows, other than its noise.
@@ -89,4 +89,4 @@ void SceneFindings::add(std::size_t scene, SceneWorkGrade& work) {
   work.grade.sentence = "within the bounds, or hidden by noise, but " + work.grade.findings.front().sentence;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_grading

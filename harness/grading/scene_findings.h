@@ -13,7 +13,7 @@
 #include "harness/grading/scene_grading.h"
 #include "harness/variants/own_engine.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_grading {
 
 class SceneFindings {
  public:
@@ -59,4 +59,4 @@ class SceneFindings {
   std::map<std::size_t, std::string> failures_;  ///< by scene
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_grading

@@ -4,10 +4,10 @@
 
 #include <cmath>
 
+#include "scenes/base/splitmix.h"
 #include "scenes/parser/parser.h"
-#include "scenes/text/splitmix.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_grading {
 namespace {
 
 TEST(SceneFindings, a_failed_render_leaves_plainer_sentences_and_is_told_once_a_scene) {
@@ -71,4 +71,4 @@ TEST(SceneFindings, noise_is_told_in_samples_of_the_baseline) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_grading

@@ -7,13 +7,13 @@
 
 #include "harness/cells/cells.h"
 #include "harness/submissions/run_submission.h"
+#include "scenes/base/input_error.h"
 #include "scenes/description/file_names.h"
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/file_checksum.h"
-#include "scenes/text/input_error.h"
+#include "scenes/files/atomic_file.h"
+#include "scenes/files/file_checksum.h"
 #include "scenes/xml/writer.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_grading {
 namespace {
 
 namespace fs = std::filesystem;
@@ -52,4 +52,4 @@ SceneFolder make_scene_folder(SceneDescription scene, const fs::path& folder) {
   return {folder, content_key(parts)};
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_grading

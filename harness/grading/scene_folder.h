@@ -6,7 +6,7 @@
 
 #include "scenes/description/description.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_grading {
 
 struct SceneFolder {
   std::filesystem::path path;  ///< empty: none
@@ -17,4 +17,4 @@ struct SceneFolder {
 /// Throws InputError for what cannot be read or written.
 SceneFolder make_scene_folder(SceneDescription scene, const std::filesystem::path& folder);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_grading

@@ -4,10 +4,10 @@
 
 #include "harness/variants/own_engine.h"
 #include "scenes/description/file_names.h"
+#include "scenes/files/test_folder.h"
 #include "scenes/parser/parser.h"
-#include "scenes/text/test_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_grading {
 namespace {
 
 namespace fs = std::filesystem;
@@ -45,4 +45,4 @@ TEST_F(SceneFolderTest, checksum_follows_from_text_and_files_alone) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_grading

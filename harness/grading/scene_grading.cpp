@@ -1,10 +1,10 @@
 #include "harness/grading/scene_grading.h"
 
 #include "harness/metrics/heatmap.h"
-#include "reference/process/process.h"
-#include "scenes/text/utf8.h"
+#include "scenes/base/process.h"
+#include "scenes/base/utf8.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_grading {
 namespace {
 
 namespace fs = std::filesystem;
@@ -74,4 +74,4 @@ void store_scene_pictures(const fs::path& folder, const std::string& place, cons
   work.grade.pictures["error"] = place + "/" + files.error.filename().string();
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_grading

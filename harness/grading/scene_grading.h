@@ -10,7 +10,7 @@
 #include "harness/grading/grade_runs.h"
 #include "harness/grading/scene_judge.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_grading {
 
 /// A scene's grade and the images behind it, in the order of their runs.
 struct SceneWorkGrade {
@@ -39,4 +39,4 @@ std::optional<SceneWorkGrade> grade_scene(const Assignment& assignment, const Pr
 void store_scene_pictures(const std::filesystem::path& folder, const std::string& place,
                           const SceneReference& reference, SceneWorkGrade& work);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_grading

@@ -10,7 +10,7 @@
 #include "harness/statistics/gate_statistics.h"
 #include "harness/statistics/student.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_grading {
 namespace {
 
 constexpr double level = 0.01;  // of a metric's interval, two-sided
@@ -167,4 +167,4 @@ SceneJudgement judge_scene(const CorrectnessRule& rule, const SceneReference& re
   return judgement;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_grading

@@ -20,7 +20,7 @@
 #include "reports/grades/grade_record.h"
 #include "scenes/images/image.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_grading {
 
 /// A scene's reference: the mean of independent images and the variance of that mean.
 struct SceneReference {
@@ -48,4 +48,4 @@ SceneJudgement judge_scene(const CorrectnessRule& rule, const SceneReference& re
 double partial_share(const CorrectnessRule& rule, const SceneReference& reference,
                      std::span<const Image* const> images);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_grading

@@ -6,9 +6,9 @@
 
 #include "harness/pixels/likeness.h"
 #include "harness/statistics/batch_means.h"
-#include "scenes/text/splitmix.h"
+#include "scenes/base/splitmix.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_grading {
 namespace {
 
 constexpr int side = 32;
@@ -168,4 +168,4 @@ TEST(Likeness, where_rounding_is_all_the_noise_nothing_is_said) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_grading

@@ -12,13 +12,13 @@
 #include "harness/suites/engine_command.h"
 #include "harness/suites/suite_rows.h"
 #include "harness/variants/own_engine.h"
-#include "reference/process/process.h"
-#include "scenes/text/input_error.h"
-#include "scenes/text/size_text.h"
-#include "scenes/text/splitmix.h"
+#include "scenes/base/input_error.h"
+#include "scenes/base/process.h"
+#include "scenes/base/size_text.h"
+#include "scenes/base/splitmix.h"
 #include "scenes/xml/writer.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_grading {
 namespace {
 
 namespace fs = std::filesystem;
@@ -148,4 +148,4 @@ std::optional<std::vector<std::optional<SceneReference>>> make_scene_references(
   return ReferenceMaker(work).all();
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_grading

@@ -11,7 +11,7 @@
 #include "harness/grading/grade_runs.h"
 #include "harness/grading/scene_judge.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_grading {
 
 struct ReferenceWork {
   const Assignment& assignment;
@@ -30,4 +30,4 @@ struct ReferenceWork {
 /// be made: without it nobody can be graded.
 std::optional<std::vector<std::optional<SceneReference>>> make_scene_references(const ReferenceWork& work);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_grading

@@ -7,7 +7,7 @@
 
 #include "harness/statistics/student.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_grading {
 namespace {
 
 // A tier that so narrow an interval reaches counts; by a wider one only the tier that is certain does.
@@ -185,4 +185,4 @@ SpeedJudgement judge_speed(const PerformanceRule& rule, const std::vector<std::s
   return judgement;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_grading

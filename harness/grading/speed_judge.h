@@ -12,7 +12,7 @@
 #include "harness/grading/assignment.h"
 #include "reports/grades/grade_record.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_grading {
 
 /// One submission in one round, by timed scene.
 struct SpeedRound {
@@ -47,4 +47,4 @@ double points_for(const PerformanceRule& rule, double speedup);
 /// "20 points from 2x, 40 from 5x" or "60 points at 20x, by the logarithm"
 std::string rule_text(const PerformanceRule& rule);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_grading

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <cstdint>
 
-#include "scenes/text/splitmix.h"
+#include "scenes/base/splitmix.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_grading {
 namespace {
 
 PerformanceRule tiers() {
@@ -155,4 +155,4 @@ TEST(SpeedJudge, slower_than_the_baseline_earns_nothing) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_grading

@@ -13,7 +13,7 @@
 #include "harness/grading/speed_judge.h"
 #include "scenes/images/image.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_grading {
 
 /// One timed run.
 struct TimedRun {
@@ -38,4 +38,4 @@ struct SpeedSession {
 /// A grade a submission. Ends early, with what is known, when a run says that it was interrupted.
 std::vector<SpeedGrade> time_submissions(const SpeedSession& session);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_grading

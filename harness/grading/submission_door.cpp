@@ -9,13 +9,13 @@
 #include "harness/cells/others_busy.h"
 #include "harness/submissions/run_submission.h"
 #include "harness/submissions/submitted_image.h"
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/file_checksum.h"
-#include "scenes/text/input_error.h"
-#include "scenes/text/json_text.h"
-#include "scenes/text/scratch_folder.h"
+#include "scenes/base/input_error.h"
+#include "scenes/base/json_text.h"
+#include "scenes/files/atomic_file.h"
+#include "scenes/files/file_checksum.h"
+#include "scenes/files/scratch_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_grading {
 namespace {
 
 namespace fs = std::filesystem;
@@ -241,4 +241,4 @@ Image SubmissionDoor::read_given(const fs::path& file, int width, int height) co
   return std::move(*read.image);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_grading

@@ -14,7 +14,7 @@
 #include "harness/submissions/build_submission.h"
 #include "scenes/images/image.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_grading {
 
 /// A submission, or the baseline: taken in, and after its build.
 struct PreparedSubmission {
@@ -89,4 +89,4 @@ class SubmissionDoor {
   DoorOptions options_;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_grading

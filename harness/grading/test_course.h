@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <string>
 
-#include "scenes/text/test_folder.h"
+#include "scenes/files/test_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_grading {
 
 class CourseTest : public FolderTest {
  protected:
@@ -47,4 +47,4 @@ class CourseTest : public FolderTest {
   }
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_grading

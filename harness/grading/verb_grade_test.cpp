@@ -8,12 +8,12 @@
 
 #include "harness/cells/test_program.h"
 #include "harness/grading/test_course.h"
-#include "reference/process/process.h"
 #include "reports/grades/grades_json.h"
 #include "reports/grades/gradescope.h"
+#include "scenes/base/process.h"
 #include "scenes/images/image.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_grading {
 namespace {
 
 namespace fs = std::filesystem;
@@ -351,4 +351,4 @@ TEST_F(GradeVerb, the_autograder_has_what_gradescope_asks_for) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_grading

@@ -2,12 +2,12 @@
 
 #include "harness/suites/engine_command.h"
 #include "harness/variants/scene_file.h"
+#include "scenes/base/input_error.h"
 #include "scenes/description/film_part.h"
+#include "scenes/files/atomic_file.h"
 #include "scenes/parser/parser.h"
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/input_error.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_grading {
 namespace {
 
 namespace fs = std::filesystem;
@@ -104,4 +104,4 @@ DoorRequest request_of(const Assignment& assignment, const WorkScene& scene, std
   return request;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_grading

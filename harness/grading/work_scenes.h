@@ -14,7 +14,7 @@
 #include "scenes/description/description.h"
 #include "scenes/images/image.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_grading {
 
 struct WorkScene {
   AssignmentScene row;
@@ -37,4 +37,4 @@ std::vector<WorkScene> make_work_scenes(const Assignment& assignment, const Subm
 /// What a run on the scene is asked for; {output}, {params} and {scene} are left open.
 DoorRequest request_of(const Assignment& assignment, const WorkScene& scene, std::uint64_t seed, int threads);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_grading

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "reports/record/heatmap_magma.h"
-#include "scenes/text/input_error.h"
-#include "scenes/text/thread_handoff.h"
+#include "scenes/base/input_error.h"
+#include "scenes/base/thread_handoff.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_metrics {
 namespace {
 
 /// `position` is where a value lies on its scale, clamped to [0,1] here.
@@ -74,4 +74,4 @@ HeatmapFiles HeatmapWriter::finish() {
   return files_;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_metrics

@@ -8,7 +8,7 @@
 
 #include "harness/metrics/metric_run.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_metrics {
 
 /// FLIP: linear, 0 darkest to 1 brightest.
 inline constexpr const char* flip_scale_caption = "FLIP, linear from 0 (dark) to 1 (bright)";
@@ -46,4 +46,4 @@ class HeatmapWriter : public MapSink {
   PngRows flip_, error_;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_metrics

@@ -9,9 +9,9 @@
 #include "harness/metrics/test_images.h"
 #include "harness/pixels/display.h"
 #include "reports/record/heatmap_magma.h"
-#include "scenes/text/input_error.h"
+#include "scenes/base/input_error.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_metrics {
 namespace {
 
 namespace fs = std::filesystem;
@@ -85,4 +85,4 @@ TEST_F(HeatmapFilesTest, refuse_a_folder_that_cannot_be_made) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_metrics

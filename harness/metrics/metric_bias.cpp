@@ -3,7 +3,7 @@
 #include "harness/metrics/metric_rows.h"
 #include "harness/pixels/metric_sum.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_metrics {
 namespace {
 
 class BiasPass : public SumPass {
@@ -31,4 +31,4 @@ class BiasPass : public SumPass {
 
 std::unique_ptr<MetricPass> bias_pass(const PairFacts&) { return std::make_unique<BiasPass>(); }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_metrics

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scenes/text/edit_distance.h"
-#include "scenes/text/input_error.h"
-#include "scenes/text/text_numbers.h"
+#include "scenes/base/edit_distance.h"
+#include "scenes/base/input_error.h"
+#include "scenes/base/text_numbers.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_metrics {
 namespace {
 
 std::string unknown_metric(const std::string& name) {
@@ -60,4 +60,4 @@ std::optional<std::string> broken_bound(const MetricBound& bound, const std::vec
   return metric.name + (" " + format_number(value)) + relation + format_number(bound.bound);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_metrics

@@ -7,7 +7,7 @@
 
 #include "harness/metrics/metric_rows.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_metrics {
 
 struct MetricBound {
   const MetricRow* metric;
@@ -25,4 +25,4 @@ MetricBound parse_bound(const std::string& option, const std::string& text);
 /// bias on its absolute value. A metric without a value does not keep any bound.
 std::optional<std::string> broken_bound(const MetricBound& bound, const std::vector<Measurement>& measurements);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_metrics

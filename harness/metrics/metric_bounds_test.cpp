@@ -4,9 +4,9 @@
 
 #include "harness/metrics/metric_run.h"
 #include "harness/metrics/test_images.h"
-#include "scenes/text/input_error.h"
+#include "scenes/base/input_error.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_metrics {
 namespace {
 
 std::string refusal(const std::string& text) {
@@ -72,4 +72,4 @@ TEST(MetricBounds, malformed_bounds_say_what_was_expected) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_metrics

@@ -5,7 +5,7 @@
 
 #include "harness/metrics/metric_rows.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_metrics {
 namespace {
 
 class FlipPass : public MetricPass {
@@ -42,4 +42,4 @@ std::unique_ptr<MetricPass> flip_pass(const PairFacts& facts) { return std::make
 
 std::string flip_parameters() { return "exposure, pixels_per_degree=67.0206"; }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_metrics

@@ -9,7 +9,7 @@
 #include "harness/pixels/pair_tile.h"
 #include "harness/pixels/pixel_loops.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_metrics {
 
 /// Viewing distance of NVIDIA's tool: 0.7 m from a screen 0.7 m and 3840 pixels wide, 3840 pi / 180 pixels a degree.
 inline constexpr double flip_pixels_per_degree = 67.02064327658225;
@@ -56,4 +56,4 @@ class FlipPool {
   std::vector<std::uint32_t> group_used_;  // whether any of the steps of a group occurs
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_metrics

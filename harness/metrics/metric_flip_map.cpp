@@ -18,7 +18,7 @@
 #include "harness/metrics/metric_flip.h"
 #include "harness/pixels/metric_filter.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_metrics {
 namespace {
 
 using std::numbers::pi;
@@ -186,4 +186,4 @@ void flip_errors(const TileColour& reference, const TileColour& test, std::size_
   pixel_loops().flip_error(lab[0], lab[1], features[0], features[1], greatest, pixels, steps);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_metrics

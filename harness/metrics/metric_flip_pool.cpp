@@ -4,7 +4,7 @@
 
 #include "harness/metrics/metric_flip.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_metrics {
 namespace {
 
 constexpr std::size_t kSteps = std::size_t{flip_steps} + 1;
@@ -111,4 +111,4 @@ double FlipPool::greatest() const {
   return static_cast<double>(greatest) / flip_steps;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_metrics

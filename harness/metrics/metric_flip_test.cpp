@@ -10,7 +10,7 @@
 #include "harness/metrics/test_images.h"
 #include "harness/metrics/test_oracle_table.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_metrics {
 namespace {
 
 TEST(Flip, agrees_with_the_independent_implementation) {
@@ -136,4 +136,4 @@ TEST(Flip, uses_the_viewing_distance_of_nvidias_tool) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_metrics

@@ -16,7 +16,7 @@
 #include "harness/metrics/metric_rows.h"
 #include "harness/pixels/row_source.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_metrics {
 namespace {
 
 /// t(x) = 0.85, the value the paper has the brightest and the median pixel reach: a x^2 + b x + c = 0.
@@ -151,4 +151,4 @@ void derive_hdr_exposures(ParameterValues& values, RowSource& reference) {
   if (!values.hdr_exposures) values.hdr_exposures = exposures_of(reference);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_metrics

@@ -5,13 +5,15 @@
 
 #include "harness/metrics/metrics.h"
 
-namespace photonproof {
-
+namespace photonproof::inline harness_pixels {
 class RowSource;
+}
+
+namespace photonproof::inline harness_metrics {
 
 /// The range the paper derives from the reference image: from where tone mapping takes its greatest luminance to 0.85
 /// to where it takes its median luminance there, with max(2, ceil(stop - start)) exposures. Reads the image twice.
 /// A median below 2^-23 counts as 2^-23, as in NVIDIA's tool 1.7. Empty when the image is black.
 std::optional<ExposureRange> exposures_of(RowSource& reference);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_metrics

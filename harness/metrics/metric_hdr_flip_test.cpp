@@ -8,7 +8,7 @@
 #include "harness/metrics/test_images.h"
 #include "harness/metrics/test_oracle_table.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_metrics {
 namespace {
 
 std::optional<double> hdr_flip(const Image& reference, const Image& test,
@@ -111,4 +111,4 @@ TEST(HdrFlip, is_computed_only_when_asked_for_and_undefined_of_darkness) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_metrics

@@ -7,7 +7,7 @@
 #include "harness/metrics/metric_rows.h"
 #include "harness/pixels/metric_sum.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_metrics {
 namespace {
 
 class MaePass : public MetricPass {
@@ -44,4 +44,4 @@ class MaePass : public MetricPass {
 
 std::unique_ptr<MetricPass> mae_pass(const PairFacts& pair) { return std::make_unique<MaePass>(pair); }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_metrics

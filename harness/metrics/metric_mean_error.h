@@ -4,7 +4,7 @@
 #include "harness/metrics/metric_rows.h"
 #include "harness/pixels/metric_sum.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_metrics {
 
 /// The mean over all channel values of Error{}(x, r), two doubles.
 template <class Error>
@@ -28,4 +28,4 @@ class MeanErrorPass : public SumPass {
   double values_;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_metrics

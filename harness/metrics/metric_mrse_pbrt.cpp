@@ -5,7 +5,7 @@
 
 #include "harness/metrics/metric_mean_error.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_metrics {
 namespace {
 
 struct MrseError {
@@ -26,4 +26,4 @@ class MrsePass : public MeanErrorPass<MrseError> {
 std::unique_ptr<MetricPass> mrse_pbrt_pass(const PairFacts& pair) { return std::make_unique<MrsePass>(pair); }
 std::string mrse_pbrt_parameters() { return "epsilon=0.01"; }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_metrics

@@ -13,7 +13,7 @@
 #include "harness/metrics/metric_windows.h"
 #include "harness/pixels/metric_sum.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_metrics {
 namespace {
 
 constexpr std::array<double, 5> kWeights = {0.0448, 0.2856, 0.3001, 0.2363, 0.1333};
@@ -152,4 +152,4 @@ std::string ms_ssim_parameters() {
   return ssim_parameters() + ", scales=5, weights=0.0448 0.2856 0.3001 0.2363 0.1333";
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_metrics

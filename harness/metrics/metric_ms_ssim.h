@@ -7,7 +7,7 @@
 
 #include "harness/metrics/metric_pass.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_metrics {
 
 /// One scale: a rolling window of the halved pair's rows, and the sums over those that are done with.
 class CoarseScale {
@@ -58,4 +58,4 @@ class CoarseScales {
   std::vector<CoarseScale> scales_;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_metrics

@@ -5,7 +5,7 @@
 #include "harness/metrics/test_images.h"
 #include "harness/metrics/test_oracle_table.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_metrics {
 namespace {
 
 /// The image again and again, up to the size.
@@ -58,4 +58,4 @@ TEST(MsSsim, is_undefined_where_structures_are_opposed) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_metrics

@@ -5,7 +5,7 @@
 #include "harness/metrics/metric_rows.h"
 #include "harness/pixels/metric_sum.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_metrics {
 namespace {
 
 class MsePass : public SumPass {
@@ -36,4 +36,4 @@ class MsePass : public SumPass {
 
 std::unique_ptr<MetricPass> mse_pass(const PairFacts& pair) { return std::make_unique<MsePass>(pair); }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_metrics

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scenes/text/text_numbers.h"
+#include "scenes/base/text_numbers.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_metrics {
 namespace {
 
 std::vector<double> numbers_of(const MetricParameter& parameter, const ParameterValues& values) {
@@ -82,4 +82,4 @@ ParameterValues with_given(ParameterValues values, const std::vector<GivenParame
   return values;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_metrics

@@ -15,7 +15,7 @@
 
 #include "scenes/images/exposure_range.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_metrics {
 
 struct ParameterValues {
   /// Stops applied before the display encoding of psnr, ssim and flip (scale by 2^exposure, clamp to [0,1], sRGB).
@@ -103,4 +103,4 @@ std::string given_text(const std::vector<GivenParameter>& given);
 /// `values` but for those that are given.
 ParameterValues with_given(ParameterValues values, const std::vector<GivenParameter>& given);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_metrics

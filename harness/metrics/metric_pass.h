@@ -12,7 +12,7 @@
 #include "harness/metrics/metrics.h"
 #include "harness/pixels/pair_tile.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_metrics {
 
 /// A pair as a whole, known before its first row.
 struct PairFacts {
@@ -66,4 +66,4 @@ class SumPass : public MetricPass {
   std::vector<double> sums_;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_metrics

@@ -5,7 +5,7 @@
 #include "harness/metrics/metric_rows.h"
 #include "harness/pixels/metric_sum.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_metrics {
 namespace {
 
 class PsnrPass : public SumPass {
@@ -41,4 +41,4 @@ std::unique_ptr<MetricPass> psnr_pass(const PairFacts& pair) { return std::make_
 
 std::string psnr_parameters() { return "exposure, peak=1"; }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_metrics

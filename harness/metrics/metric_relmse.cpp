@@ -12,7 +12,7 @@
 #include "harness/metrics/metric_rows.h"
 #include "harness/pixels/metric_sum.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_metrics {
 namespace {
 
 constexpr double kEpsilon = 0.01;
@@ -107,4 +107,4 @@ std::unique_ptr<MetricPass> relmse_pass(const PairFacts& pair) { return std::mak
 std::string relmse_parameters() { return "epsilon=0.01"; }
 std::string relmse_trimmed_parameters() { return "epsilon=0.01, trimmed=0.1% of pixels"; }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_metrics

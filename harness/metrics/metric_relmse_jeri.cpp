@@ -2,7 +2,7 @@
 
 #include "harness/metrics/metric_mean_error.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_metrics {
 namespace {
 
 struct RelmseError {
@@ -16,4 +16,4 @@ std::unique_ptr<MetricPass> relmse_jeri_pass(const PairFacts& pair) {
 }
 std::string relmse_jeri_parameters() { return "epsilon=0.0001"; }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_metrics

@@ -8,9 +8,11 @@
 
 #include "harness/metrics/metric_pass.h"
 
-namespace photonproof {
-
+namespace photonproof::inline harness_pixels {
 class RowSource;
+}
+
+namespace photonproof::inline harness_metrics {
 
 /// How a bound on a metric is meant.
 enum class BoundKind { maximum, minimum, absolute_maximum };
@@ -107,4 +109,4 @@ std::unique_ptr<MetricPass> hdr_flip_pass(const PairFacts& pair);
 std::string hdr_flip_parameters();
 void derive_hdr_exposures(ParameterValues& values, RowSource& reference);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_metrics

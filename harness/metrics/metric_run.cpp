@@ -8,11 +8,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scenes/text/input_error.h"
-#include "scenes/text/size_text.h"
-#include "scenes/text/thread_handoff.h"
+#include "scenes/base/input_error.h"
+#include "scenes/base/size_text.h"
+#include "scenes/base/thread_handoff.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_metrics {
 namespace {
 
 /// Loops on so many threads, each with its own tile memory.
@@ -292,4 +292,4 @@ std::vector<MetricValue> finite_values(std::vector<Measurement> measurements) {
   return values;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_metrics

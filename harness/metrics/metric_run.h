@@ -7,7 +7,7 @@
 #include "harness/metrics/metric_rows.h"
 #include "harness/pixels/row_source.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_metrics {
 
 /// Takes the maps behind the heat maps row after row.
 class MapSink {
@@ -35,4 +35,4 @@ std::vector<Measurement> measure(const Image& reference, const Image& test, cons
 /// Those that have a finite value.
 std::vector<MetricValue> finite_values(std::vector<Measurement> measurements);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_metrics

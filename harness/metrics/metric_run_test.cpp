@@ -6,10 +6,10 @@
 #include <map>
 
 #include "harness/metrics/test_images.h"
-#include "scenes/text/input_error.h"
-#include "scenes/text/test_folder.h"
+#include "scenes/base/input_error.h"
+#include "scenes/files/test_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_metrics {
 namespace {
 
 std::map<std::string, double> values_of(const std::vector<Measurement>& measurements) {
@@ -228,4 +228,4 @@ TEST_F(MetricRunFiles, value_that_is_not_finite_in_a_late_band_still_stops_every
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_metrics

@@ -4,7 +4,7 @@
 
 #include "harness/metrics/metric_mean_error.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_metrics {
 namespace {
 
 struct SmapeError {
@@ -18,4 +18,4 @@ std::unique_ptr<MetricPass> smape_pass(const PairFacts& pair) {
 }
 std::string smape_parameters() { return "epsilon=0.02"; }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_metrics

@@ -9,7 +9,7 @@
 #include "harness/metrics/metric_windows.h"
 #include "harness/pixels/metric_sum.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_metrics {
 namespace {
 
 class SsimPass : public SumPass {
@@ -79,4 +79,4 @@ std::unique_ptr<MetricPass> ssim_pass(const PairFacts& pair) { return std::make_
 
 std::string ssim_parameters() { return "exposure, window=11, sigma=1.5, K1=0.01, K2=0.03, data_range=1"; }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_metrics

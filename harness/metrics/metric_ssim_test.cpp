@@ -5,7 +5,7 @@
 #include "harness/metrics/test_images.h"
 #include "harness/metrics/test_oracle_table.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_metrics {
 namespace {
 
 TEST(Ssim, agrees_with_scikit_image) {
@@ -50,4 +50,4 @@ TEST(Ssim, does_not_depend_on_the_order_of_the_images) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_metrics

@@ -6,7 +6,7 @@
 #include "harness/pixels/metric_filter.h"
 #include "harness/pixels/pixel_loops.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_metrics {
 
 namespace {
 
@@ -67,4 +67,4 @@ void halve(const TilePlane& plane, std::size_t out_width, std::size_t out_height
   }
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_metrics

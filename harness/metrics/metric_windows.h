@@ -7,7 +7,7 @@
 
 #include "harness/pixels/pair_tile.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_metrics {
 
 inline constexpr int ssim_radius = 5;   ///< int(3.5 sigma + 0.5): scikit-image's truncation
 inline constexpr int ssim_window = 11;  ///< 2 ssim_radius + 1
@@ -48,4 +48,4 @@ InnerRange inner_range(int start, int length, int size);
 /// Means of 2 x 2 values of a plane: the pixel (i, j) of `out` is the mean of (2i, 2j) ... (2i+1, 2j+1).
 void halve(const TilePlane& plane, std::size_t out_width, std::size_t out_height, double* out, std::size_t out_stride);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_metrics

@@ -8,7 +8,7 @@
 #include "harness/metrics/metric_rows.h"
 #include "harness/metrics/metric_run.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_metrics {
 namespace {
 
 using enum BoundKind;
@@ -126,4 +126,4 @@ std::vector<MetricValue> compute_metrics(const Image& reference, const Image& te
   return finite_values(measure(reference, test, options));
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_metrics

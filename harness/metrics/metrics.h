@@ -13,7 +13,7 @@
 #include "reports/record/results.h"
 #include "scenes/images/image.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_metrics {
 
 struct MetricOptions {
   ParameterValues parameters{};
@@ -40,4 +40,4 @@ std::vector<ImageDefect> find_defects(const Image& reference, const Image& test)
 /// are equal once encoded (infinite) and what the table says to be undefined. Precondition: find_defects is empty.
 std::vector<MetricValue> compute_metrics(const Image& reference, const Image& test, const MetricOptions& options);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_metrics

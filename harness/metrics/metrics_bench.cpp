@@ -5,7 +5,7 @@
 #include "harness/metrics/metric_run.h"
 #include "harness/metrics/test_images.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_metrics {
 namespace {
 
 constexpr int side = 512;
@@ -73,4 +73,4 @@ void one_metric(benchmark::State& state, const MetricRow& row) {
 }();
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_metrics

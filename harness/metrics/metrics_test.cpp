@@ -10,7 +10,7 @@
 #include "harness/metrics/test_images.h"
 #include "harness/pixels/metric_sum.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_metrics {
 namespace {
 
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
@@ -319,4 +319,4 @@ TEST(MetricSum, exact_sum_keeps_what_a_plain_one_rounds_away) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_metrics

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "harness/metrics/metric_run.h"
-#include "scenes/text/text_numbers.h"
+#include "scenes/base/text_numbers.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_metrics {
 
 inline Image constant_image(int width, int height, float r, float g, float b) {
   Image image(width, height);
@@ -80,4 +80,4 @@ inline std::vector<double> example_of(const MetricParameter& parameter) {
   return numbers;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_metrics

@@ -11,7 +11,7 @@
 
 #include "scenes/images/image.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_metrics {
 
 /// An image pair of harness/oracles and what an oracle says of it.
 struct OraclePair {
@@ -47,4 +47,4 @@ inline std::vector<OraclePair> read_oracle_table(const std::string& file) {
   return pairs;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_metrics

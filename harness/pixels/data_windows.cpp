@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace photonproof {
+namespace photonproof::inline harness_pixels {
 namespace {
 
 struct StoredPart {
@@ -47,4 +47,4 @@ ComparedPart compared_part(const std::string& reference, const std::string& test
   return whole;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_pixels

@@ -7,7 +7,7 @@
 #include "harness/pixels/pixel_region.h"
 #include "scenes/images/image.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_pixels {
 
 /// The pixels of two images that are compared.
 struct ComparedPart {
@@ -21,4 +21,4 @@ struct ComparedPart {
 /// images are compared as displayed, black where a file stores nothing. Throws InputError as ImageRows does.
 ComparedPart compared_part(const std::string& reference, const std::string& test, const std::string& layer = "");
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_pixels

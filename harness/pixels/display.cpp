@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace photonproof {
+namespace photonproof::inline harness_pixels {
 
 double encode_srgb(double linear) {
   return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
@@ -27,4 +27,4 @@ std::vector<double> encode_srgb(const std::vector<double>& linear) {
   return encoded;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_pixels

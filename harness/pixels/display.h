@@ -6,7 +6,7 @@
 
 #include "scenes/images/image.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_pixels {
 
 /// The sRGB transfer function and its inverse (IEC 61966-2-1), both from [0,1] to [0,1].
 double encode_srgb(double linear);
@@ -19,4 +19,4 @@ std::vector<double> expose(const Image& image, double exposure);
 /// encode_srgb of every value.
 std::vector<double> encode_srgb(const std::vector<double>& linear);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_pixels

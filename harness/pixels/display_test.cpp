@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace photonproof {
+namespace photonproof::inline harness_pixels {
 namespace {
 
 TEST(Display, srgb_matches_the_standards_fixed_points) {
@@ -31,4 +31,4 @@ TEST(Display, exposure_scales_by_powers_of_two_and_clamps) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_pixels

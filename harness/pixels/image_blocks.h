@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace photonproof {
+namespace photonproof::inline harness_pixels {
 
 inline constexpr int block_side = 8;
 
@@ -31,4 +31,4 @@ void for_each_pixel(const Block& block, const Visit& visit) {
     for (int x = block.x0; x < block.x1; ++x) visit(x, y);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_pixels

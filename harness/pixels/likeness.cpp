@@ -1,6 +1,6 @@
 #include "harness/pixels/likeness.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_pixels {
 namespace {
 
 constexpr double share_of_variance = 0.25;
@@ -22,4 +22,4 @@ bool has_noise_of(const Image& image, const Image& other, const Image& variance,
   return expected > 0 && expected >= least_noise_to_rounding * rounding && squares < share_of_variance * expected;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_pixels

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace photonproof {
+namespace photonproof::inline harness_pixels {
 
 Taps gaussian_taps(double sigma, int radius) {
   Taps taps{radius, {}};
@@ -15,4 +15,4 @@ Taps gaussian_taps(double sigma, int radius) {
   return taps;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_pixels

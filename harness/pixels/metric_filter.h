@@ -3,9 +3,9 @@
 
 #include "harness/pixels/pixel_loops.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_pixels {
 
 /// exp(-x^2 / (2 sigma^2)) at x = -radius ... radius, scaled to sum to 1.
 Taps gaussian_taps(double sigma, int radius);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_pixels

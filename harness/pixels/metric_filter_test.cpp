@@ -9,7 +9,7 @@
 #include "harness/metrics/test_images.h"
 #include "harness/pixels/display.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_pixels {
 namespace {
 
 std::vector<const PixelLoops*> every_instruction_set() {
@@ -134,4 +134,4 @@ TEST(PixelLoops, every_instruction_set_gives_the_same_bits) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_pixels

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 
-namespace photonproof {
+namespace photonproof::inline harness_pixels {
 
 /// term(0) + ... + term(count - 1), as eight sums of every eighth term, so that the loop vectorises and the rounding
 /// errors of many terms stay small.
@@ -34,4 +34,4 @@ class ExactSum {
   double sum_ = 0, carry_ = 0;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_pixels

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace photonproof {
+namespace photonproof::inline harness_pixels {
 
 /// The median, of an even number the upper one in the middle; 0 of none.
 template <class Value>
@@ -16,4 +16,4 @@ Value middle_of(std::vector<Value> values) {
   return *middle;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_pixels

@@ -5,7 +5,7 @@
 
 #include "harness/pixels/pixel_loops.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_pixels {
 
 PairTile::PairTile(const TileGrid& grid, int x0, int y0, const RowBlock& reference, const RowBlock& test,
                    const PixelMask* mask, double exposure, TileMemory& memory)
@@ -100,4 +100,4 @@ std::span<const float> PairTile::counted(std::size_t which, std::size_t channel)
   return {packed, counted_size_};
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_pixels

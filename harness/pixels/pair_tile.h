@@ -10,7 +10,7 @@
 
 #include "harness/pixels/pixel_mask.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_pixels {
 
 /// Buffers handed out again and again, so that no tile waits for fresh memory.
 class TileMemory {
@@ -138,4 +138,4 @@ T* TileMemory::take(std::size_t count) {
   return reinterpret_cast<T*>(block.data());
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_pixels

@@ -4,7 +4,7 @@
 
 #include "harness/pixels/pixel_loops.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_pixels {
 namespace {
 
 #define restrict __restrict__
@@ -336,4 +336,4 @@ const PixelLoops PHOTONPROOF_PIXEL_LOOPS = {
     PHOTONPROOF_ISA, split_rgb,          expose,     tone_map,  encode,    filter,    filter_rows, filter_twice,
     filter_odd_even, sum_and_difference, similarity, opponents, perceived, magnitude, flip_error};
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_pixels

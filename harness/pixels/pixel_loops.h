@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace photonproof {
+namespace photonproof::inline harness_pixels {
 
 /// A kernel of odd length along one axis by half of it: weight[k] at distance k, up to radius.
 struct Taps {
@@ -82,4 +82,4 @@ const PixelLoops& pixel_loops();
 /// All that it has, best first.
 const PixelLoops* const* available_pixel_loops();  ///< ends with a null pointer
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_pixels

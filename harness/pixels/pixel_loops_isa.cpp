@@ -3,9 +3,9 @@
 #include <vector>
 
 #include "harness/pixels/pixel_loops.h"
-#include "scenes/text/processor.h"
+#include "scenes/base/processor.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_pixels {
 
 #if defined(__x86_64__)
 extern const PixelLoops pixel_loops_v2, pixel_loops_v3, pixel_loops_v4;
@@ -31,4 +31,4 @@ const PixelLoops* const* available_pixel_loops() {
 
 const PixelLoops& pixel_loops() { return **available_pixel_loops(); }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_pixels

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace photonproof {
+namespace photonproof::inline harness_pixels {
 
 class PixelMask {
  public:
@@ -28,4 +28,4 @@ class PixelMask {
   std::uint64_t counted_ = 0;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_pixels

@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace photonproof {
+namespace photonproof::inline harness_pixels {
 
 /// A part of an image, from its upper left corner.
 struct PixelRegion {
@@ -16,4 +16,4 @@ struct PixelRegion {
   }
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_pixels

@@ -6,7 +6,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace photonproof {
+namespace photonproof::inline harness_pixels {
 namespace {
 
 constexpr int half_bits = 10;  // after the leading one
@@ -53,4 +53,4 @@ Repeats count_repeats(std::span<const Image* const> images) {
   return repeats;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_pixels

@@ -8,7 +8,7 @@
 
 #include "scenes/images/image.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_pixels {
 
 /// The pixels, for a comparison bit for bit; they live as long as the image.
 std::string_view bytes_of(const Image& image);
@@ -35,4 +35,4 @@ struct Repeats {
 /// Images are compared bit for bit.
 Repeats count_repeats(std::span<const Image* const> images);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_pixels

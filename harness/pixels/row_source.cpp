@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "scenes/text/input_error.h"
-#include "scenes/text/size_text.h"
+#include "scenes/base/input_error.h"
+#include "scenes/base/size_text.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_pixels {
 
 void ImageSource::read(int begin, int end, float* rgb) {
   const std::size_t row = 3 * static_cast<std::size_t>(image_.width);
@@ -30,4 +30,4 @@ void RegionSource::read(int begin, int end, float* rgb) {
   for (int y = begin; y < end; ++y, from += whole_row, rgb += row) std::copy_n(from, row, rgb);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_pixels

@@ -8,7 +8,7 @@
 #include "harness/pixels/pixel_region.h"
 #include "scenes/images/image.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_pixels {
 
 class RowSource {
  public:
@@ -64,4 +64,4 @@ class RegionSource : public RowSource {
   std::vector<float> rows_;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_pixels

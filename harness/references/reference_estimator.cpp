@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "scenes/base/input_error.h"
 #include "scenes/description/emitter_kinds.h"
-#include "scenes/text/input_error.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_references {
 namespace {
 
 bool scatters(const MediumDescription& medium) {
@@ -44,4 +44,4 @@ std::string choose_estimator(const SceneDescription& scene, const std::optional<
   throw InputError(scene.files.front(), "no unbiased integrator can render this scene (" + reasons + ")");
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_references

@@ -10,7 +10,7 @@
 #include "scenes/description/description.h"
 #include "scenes/description/expect.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_references {
 
 /// The unbiased integrators, best first: `bdpt` where light may come off mirrors or through glass from a light that has
 /// a place, `volpath` where media scatter, else `path`. A rule and no trial: in a short trial the estimator that rarely
@@ -23,4 +23,4 @@ std::vector<std::string> estimators_for(const SceneDescription& scene);
 std::string choose_estimator(const SceneDescription& scene, const std::optional<Expect>& expect,
                              const std::function<std::string(const std::string& integrator)>& refusal);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_references

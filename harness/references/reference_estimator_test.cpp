@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "scenes/files/test_folder.h"
 #include "scenes/parser/parser.h"
-#include "scenes/text/test_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_references {
 namespace {
 
 std::string scene_path(const std::string& name) {
@@ -50,4 +50,4 @@ TEST(ReferenceEstimator, scene_that_none_can_render_is_an_error_with_all_reasons
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_references

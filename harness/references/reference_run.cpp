@@ -7,13 +7,13 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "reference/process/process.h"
 #include "reference/store/reference_store.h"
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/input_error.h"
-#include "scenes/text/splitmix.h"
+#include "scenes/base/input_error.h"
+#include "scenes/base/process.h"
+#include "scenes/base/splitmix.h"
+#include "scenes/files/atomic_file.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_references {
 namespace {
 
 namespace fs = std::filesystem;
@@ -161,4 +161,4 @@ ReferenceProgress run_reference(const ReferenceRun& run) {
   }
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_references

@@ -11,7 +11,7 @@
 
 #include "harness/statistics/batch_means.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_references {
 
 struct ReferenceRun {
   std::filesystem::path program;   ///< the renderer
@@ -47,4 +47,4 @@ ReferenceProgress run_reference(const ReferenceRun& run);
 /// compared with the reference shares a sample with it.
 std::uint64_t batch_seed(int batch);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_references

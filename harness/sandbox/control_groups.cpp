@@ -16,7 +16,7 @@
 #include <thread>
 #include <utility>
 
-namespace photonproof {
+namespace photonproof::inline harness_sandbox {
 namespace {
 
 namespace fs = std::filesystem;
@@ -147,4 +147,4 @@ bool ControlGroups::processes_ran_out() const {
   return !processes_.empty() && counted(processes_ / "pids.events", "max") > 0;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_sandbox

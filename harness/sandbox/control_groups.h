@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "scenes/text/folder_hold.h"
+#include "scenes/files/folder_hold.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_sandbox {
 
 /// Where the kernel shows them. Making and removing a group is more than making a folder: files come and go with it.
 struct ControlGroupTree {
@@ -45,4 +45,4 @@ class ControlGroups {
   std::filesystem::path memory_, processes_;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_sandbox

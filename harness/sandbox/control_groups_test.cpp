@@ -8,9 +8,9 @@
 
 #include <set>
 
-#include "scenes/text/test_folder.h"
+#include "scenes/files/test_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_sandbox {
 namespace {
 
 namespace fs = std::filesystem;
@@ -164,4 +164,4 @@ TEST_F(ControlGroupsTest, of_version_one_serve_where_version_two_has_no_controll
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_sandbox

@@ -21,9 +21,9 @@
 
 #include "harness/sandbox/sandbox.h"
 #include "harness/sandbox/test_escapes.h"
-#include "scenes/text/test_folder.h"
+#include "scenes/files/test_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_sandbox {
 namespace {
 
 namespace fs = std::filesystem;
@@ -292,4 +292,4 @@ INSTANTIATE_TEST_SUITE_P(all, Uncontained, testing::ValuesIn(that_do_no_harm()),
 TEST(EscapeSuite, has_at_least_forty_attempts) { EXPECT_GE(std::size(attempts), 40U); }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_sandbox

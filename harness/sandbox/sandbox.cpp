@@ -11,11 +11,11 @@
 
 #include "harness/sandbox/control_groups.h"
 #include "harness/sandbox/sandbox_command.h"
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/input_error.h"
-#include "scenes/text/scratch_folder.h"
+#include "scenes/base/input_error.h"
+#include "scenes/files/atomic_file.h"
+#include "scenes/files/scratch_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_sandbox {
 namespace {
 
 namespace fs = std::filesystem;
@@ -184,4 +184,4 @@ std::string SandboxOutcome::sentence() const {
   return process.sentence();
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_sandbox

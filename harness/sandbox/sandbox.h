@@ -15,9 +15,9 @@
 #include <string>
 #include <vector>
 
-#include "reference/process/process.h"
+#include "scenes/base/process.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_sandbox {
 
 struct SandboxLimits {
   double wall_seconds = 60;                             ///< of everything, copying into and out of the sandbox too
@@ -75,4 +75,4 @@ bool is_part_of_system(const std::filesystem::path& path);
 /// command does. May be called on several threads at once.
 SandboxOutcome run_sandboxed(const std::vector<std::string>& argv, const SandboxOptions& options);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_sandbox

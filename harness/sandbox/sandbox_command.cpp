@@ -10,9 +10,9 @@
 
 #include "harness/sandbox/syscall_filter.h"
 #include "sandbox_script.h"
-#include "scenes/text/atomic_file.h"
+#include "scenes/files/atomic_file.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_sandbox {
 namespace {
 
 namespace fs = std::filesystem;
@@ -178,4 +178,4 @@ std::vector<std::string> sandbox_command(const std::vector<std::string>& argv, c
   return command;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_sandbox

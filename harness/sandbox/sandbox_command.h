@@ -9,7 +9,7 @@
 #include "harness/sandbox/control_groups.h"
 #include "harness/sandbox/sandbox.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_sandbox {
 
 /// How a command is kept apart.
 enum class Containment {
@@ -32,4 +32,4 @@ void prepare_folder(const SandboxJob& job);
 /// The whole command line, for run_process.
 std::vector<std::string> sandbox_command(const std::vector<std::string>& argv, const SandboxJob& job);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_sandbox

@@ -6,9 +6,9 @@
 #include <fstream>
 
 #include "harness/sandbox/control_groups.h"
-#include "scenes/text/test_folder.h"
+#include "scenes/files/test_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_sandbox {
 namespace {
 
 using End = ProcessOutcome::End;
@@ -202,4 +202,4 @@ TEST_F(Sandbox, limits_hold_without_a_sandbox_too) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_sandbox

@@ -14,7 +14,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace photonproof {
+namespace photonproof::inline harness_sandbox {
 namespace {
 
 #if defined(__x86_64__)
@@ -122,4 +122,4 @@ std::string syscall_filter(bool memory_is_counted) {
   return filter.bytes();
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_sandbox

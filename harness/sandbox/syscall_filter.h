@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace photonproof {
+namespace photonproof::inline harness_sandbox {
 
 /// The bytes that bwrap's --seccomp reads. Other architectures' calls (32 bits, x32) fail with ENOSYS, those refused
 /// with EPERM, sockets but unix, IPv4, IPv6 and netlink with EAFNOSUPPORT. Empty for processors it does not know.
@@ -13,4 +13,4 @@ namespace photonproof {
 /// too.
 std::string syscall_filter(bool memory_is_counted);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_sandbox

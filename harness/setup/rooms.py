@@ -3,6 +3,7 @@
 
   rooms.py ROOMS ROOT    ROOMS: as CMake writes it into the build folder, a line a room, "folder | may include"
 
+A room's names are in an inline namespace of its own, so that two rooms may have one name without being linked as one.
 A room's files may include the rooms it links and those that they may. Tests, benches and what only they use (test_*) may
 include anything; a CMakeLists.txt has to name them, or they would never run. Prints what is wrong as file:line: sentence and
 ends with 1.
@@ -48,6 +49,12 @@ def main(rooms_file, root):
         lines = path.read_text().splitlines()
         if len(lines) > most_lines:
             problems.append(f"{file}:{most_lines}: has {len(lines)} lines, more than {most_lines}")
+        inline = "inline " + room.replace("/", "_")
+        for number, line in enumerate(lines, 1):
+            if re.match(r"namespace photonproof(::reports)? \{", line) or \
+                    re.match(r"namespace photonproof.*::inline ", line) and inline + " {" not in line and \
+                    not line.rstrip().endswith("}"):
+                problems.append(f"{file}:{number}: names of {room} belong into photonproof::{inline}")
         if re.search(r"_(test|bench|fuzz)\.cpp$|^test_", path.name) and path.name != "verb_bench.cpp":
             if path.suffix == ".cpp" and path.name not in built:
                 problems.append(f"{file}:1: no CMakeLists.txt names it, so that it is never built")

@@ -17,13 +17,6 @@ def tags(ctags, root, files, kinds, fields):
     return subprocess.run(command, input="\n".join(files), cwd=root, capture_output=True, text=True, check=True).stdout
 
 
-def defined_twice(found, key):
-    """A problem for each (path, line, name) whose key(path, name) another path had before."""
-    first = {}
-    return [f"{path}:{line}: {name} is also in {first[key(path, name)]}" for path, line, name in found
-            if first.setdefault(key(path, name), path) != path]
-
-
 def tell(problems, summary):
     """The exit code."""
     print("\n".join(problems) or summary)

@@ -13,11 +13,11 @@
 #include "harness/statistics/picture_noise.h"
 #include "harness/statistics/student.h"
 #include "harness/statistics/weighed_mean.h"
+#include "scenes/base/input_error.h"
+#include "scenes/base/percent_text.h"
 #include "scenes/images/mean_error.h"
-#include "scenes/text/input_error.h"
-#include "scenes/text/percent_text.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_statistics {
 namespace {
 
 constexpr const char* kChannels[] = {"R", "G", "B"};
@@ -269,4 +269,4 @@ Agreement test_agreement(const Rendering& reference, const Rendering& test, doub
   return agreement;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_statistics

@@ -12,7 +12,7 @@
 
 #include "scenes/images/image.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_statistics {
 
 struct StatisticalVerdict {
   bool pass = true;
@@ -79,4 +79,4 @@ struct Agreement {
 Agreement test_agreement(const Rendering& reference, const Rendering& test, double alpha = 0.01,
                          bool shared_noise = false);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_statistics

@@ -9,7 +9,7 @@
 #include "harness/statistics/agreement.h"
 #include "scenes/images/mean_error.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_statistics {
 namespace {
 
 using Value = std::function<double(int x, int y)>;
@@ -135,4 +135,4 @@ TEST(agreement_by_hand, blocks_vary_by_as_many_pixels_as_a_splat_spans) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_statistics

@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "harness/statistics/agreement.h"
-#include "reference/process/process.h"
-#include "scenes/text/test_folder.h"
+#include "scenes/base/process.h"
+#include "scenes/files/test_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_statistics {
 namespace {
 
 /// Relative, of the whole image, with probability 0.99: an estimator whose image is off by more than this from the one
@@ -130,4 +130,4 @@ INSTANTIATE_TEST_SUITE_P(
     });
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_statistics

@@ -9,10 +9,10 @@
 #include <functional>
 #include <random>
 
+#include "scenes/base/input_error.h"
 #include "scenes/images/mean_error.h"
-#include "scenes/text/input_error.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_statistics {
 namespace {
 
 using Generator = std::mt19937_64;
@@ -432,4 +432,4 @@ TEST(agreement, needs_variances) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_statistics

@@ -5,11 +5,11 @@
 #include <string>
 
 #include "harness/statistics/radiance_range.h"
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/checksum.h"
-#include "scenes/text/input_error.h"
+#include "scenes/base/input_error.h"
+#include "scenes/files/atomic_file.h"
+#include "scenes/files/checksum.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_statistics {
 namespace {
 
 constexpr char magic[] = "photonproof batches 2\n";
@@ -96,4 +96,4 @@ BatchMeans BatchMeans::load(const std::filesystem::path& file) {
   return means;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_statistics

@@ -13,7 +13,7 @@
 
 #include "scenes/images/image.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_statistics {
 
 class BatchMeans {
  public:
@@ -43,4 +43,4 @@ class BatchMeans {
   std::vector<double> mean_, squares_;  ///< sum of squared distances from the mean
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_statistics

@@ -6,10 +6,10 @@
 #include <limits>
 #include <string>
 
-#include "scenes/text/input_error.h"
-#include "scenes/text/test_folder.h"
+#include "scenes/base/input_error.h"
+#include "scenes/files/test_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_statistics {
 namespace {
 
 Image even(float value) {
@@ -102,4 +102,4 @@ TEST(BatchMeans, batch_that_is_broken_is_refused) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_statistics

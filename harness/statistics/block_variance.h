@@ -8,7 +8,7 @@
 #include "harness/pixels/image_blocks.h"
 #include "harness/statistics/deviation.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_statistics {
 
 /// The variance of a sum over a block whose pixels are independent, known as well as their spread says. `value(x, y)`
 /// is a pixel's variance.
@@ -39,4 +39,4 @@ double relative_spread_of_variance(const Block& block, const Value& value) {
   return median > 0 ? std::pow(of_normal * *middle / median, 2) : 0;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_statistics

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace photonproof {
+namespace photonproof::inline harness_statistics {
 
 struct BrightestSample {
   double of_channel = 0, of_block = 0;  ///< relative to the channel's mean, and to the block's
@@ -17,4 +17,4 @@ struct BrightestSample {
   double missed_by(double block, double channel) const { return std::min(of_channel * channel, of_block * block); }
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_statistics

@@ -6,7 +6,7 @@
 
 #include "harness/statistics/student.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_statistics {
 
 double Deviation::errors() const {
   if (difference == 0) return 0;
@@ -64,4 +64,4 @@ BlockChiSquare chi_square_of_blocks(const std::array<std::vector<Deviation>, 3>&
   return chi_square_of_blocks(blocks, {count, count, count}, alpha);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_statistics

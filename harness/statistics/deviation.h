@@ -19,7 +19,7 @@
 #include <span>
 #include <vector>
 
-namespace photonproof {
+namespace photonproof::inline harness_statistics {
 
 /// Relative deviations by rounding: no difference this small proves anything.
 inline constexpr double rounding_deviation = 1e-5;
@@ -71,4 +71,4 @@ BlockChiSquare chi_square_of_blocks(const std::array<std::vector<Deviation>, 3>&
 /// Of independent ones.
 BlockChiSquare chi_square_of_blocks(const std::array<std::vector<Deviation>, 3>& blocks, double alpha);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_statistics

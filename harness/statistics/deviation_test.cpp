@@ -15,7 +15,7 @@
 #include "harness/statistics/agreement.h"
 #include "harness/statistics/deviations.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_statistics {
 namespace {
 
 using Random = std::mt19937_64;
@@ -163,4 +163,4 @@ TEST(deviation, of_two_sides_with_noise_is_explained_alike_above_and_below) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_statistics

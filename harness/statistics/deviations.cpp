@@ -6,9 +6,9 @@
 #include "harness/statistics/brightest_sample.h"
 #include "harness/statistics/shared_noise.h"
 #include "harness/statistics/student.h"
-#include "scenes/text/faults.h"
+#include "scenes/base/faults.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_statistics {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -277,4 +277,4 @@ Image mean_of(std::span<const Image* const> images) {
   return mean;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_statistics

@@ -30,7 +30,7 @@
 #include "harness/statistics/deviation.h"
 #include "scenes/images/image.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_statistics {
 
 struct Deviations {
   int width = 0, height = 0;
@@ -63,4 +63,4 @@ Deviations measure_deviations(const Rendering& reference, std::span<const Image*
 /// The mean of the images, at least one and of equal sizes, as a float image.
 Image mean_of(std::span<const Image* const> images);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_statistics

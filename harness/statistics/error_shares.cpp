@@ -9,7 +9,7 @@
 #include "harness/pixels/image_blocks.h"
 #include "harness/statistics/gate_tiles.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_statistics {
 namespace {
 
 constexpr int most_tiles_a_side = 8;
@@ -97,4 +97,4 @@ std::vector<FailingTile> largest_error_shares(const std::string& metric, const I
   return named;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_statistics

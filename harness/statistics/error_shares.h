@@ -9,7 +9,7 @@
 #include "reports/record/results.h"
 #include "scenes/images/image.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_statistics {
 
 /// At most eight tiles a side, of at least 8 pixels, so that neither large images nor small ones give many or tiny
 /// parts.
@@ -28,4 +28,4 @@ int share_tile_side(int width, int height);
 std::vector<FailingTile> largest_error_shares(const std::string& metric, const Image& reference,
                                               std::span<const Image* const> images, MetricOptions options);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_statistics

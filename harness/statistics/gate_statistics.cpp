@@ -8,9 +8,9 @@
 #include <numeric>
 
 #include "harness/statistics/student.h"
-#include "scenes/text/percent_text.h"
+#include "scenes/base/percent_text.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_statistics {
 namespace {
 
 constexpr double missed = 0.01;     // probability of passing over a deviation as large as promised to be seen
@@ -408,4 +408,4 @@ Judgement judge_metric(const std::string& metric, std::span<const double> values
   return judgement;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_statistics

@@ -19,7 +19,7 @@
 #include "harness/statistics/gate_tiles.h"
 #include "reports/record/results.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_statistics {
 
 /// Of fewer no skewness is known, and noise that is skewed looks like an error.
 inline constexpr int least_images = 3;
@@ -78,4 +78,4 @@ Judgement judge_bias(const Deviations& deviations, bool block, double bound, dou
 Judgement judge_metric(const std::string& metric, std::span<const double> values, BoundKind kind, double bound,
                        double alpha);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_statistics

@@ -11,7 +11,7 @@
 
 #include "harness/statistics/student.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_statistics {
 namespace {
 
 using Random = std::mt19937_64;
@@ -355,4 +355,4 @@ TEST(gate_statistics, agreement_is_of_what_is_beyond_the_errors_that_are_allowed
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_statistics

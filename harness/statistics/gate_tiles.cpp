@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace photonproof {
+namespace photonproof::inline harness_statistics {
 namespace {
 
 constexpr double carried = 4;          // standard errors from which a pixel is said to carry a deviation
@@ -133,4 +133,4 @@ std::vector<FailingTile> failing_tiles(const Deviations& deviations, const Block
   return tiles;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_statistics

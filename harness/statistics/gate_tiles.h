@@ -8,7 +8,7 @@
 #include "harness/statistics/deviations.h"
 #include "reports/record/results.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_statistics {
 
 /// How far a block is beyond what is allowed in a channel, in standard errors; 0 where it is not.
 using BlockScore = std::function<double(std::size_t block, std::size_t channel)>;
@@ -22,4 +22,4 @@ std::string channel_names(const std::array<bool, 3>& channels);
 /// "+6.1 %", of the reference; "+0.013 (reference 0)" where that is black.
 std::string relative_text(double difference, double expected);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_statistics

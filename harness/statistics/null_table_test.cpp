@@ -14,7 +14,7 @@
 #include "harness/statistics/gate_statistics.h"
 #include "harness/statistics/test_noise_kinds.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_statistics {
 namespace {
 
 using namespace noise_kinds;
@@ -106,4 +106,4 @@ TEST(null_table, rare_samples_that_may_be_missing_leave_it_undecided_and_are_nam
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_statistics

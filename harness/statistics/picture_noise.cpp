@@ -9,7 +9,7 @@
 #include "harness/statistics/weighed_mean.h"
 #include "scenes/images/mean_error.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_statistics {
 namespace {
 
 /// One channel of a picture with a variance layer.
@@ -225,4 +225,4 @@ Deviations deviations_between(const NoisyPicture& first, const NoisyPicture& sec
   return out;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_statistics

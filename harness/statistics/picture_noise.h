@@ -19,7 +19,7 @@
 #include "harness/statistics/deviations.h"
 #include "scenes/images/image.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_statistics {
 
 struct NoisyPicture {
   const Rendering& rendering;       ///< with a variance
@@ -37,4 +37,4 @@ Deviations deviations_between(const NoisyPicture& first, const NoisyPicture& sec
 /// (error of the sum)^2 = (1 - c) sum v + c (sum sqrt v)^2. 0 where the image says nothing.
 double correlation_of_pixels(const Rendering& rendering, std::size_t channel);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_statistics

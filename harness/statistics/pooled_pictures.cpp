@@ -6,7 +6,7 @@
 #include "harness/pixels/image_blocks.h"
 #include "scenes/images/mean_error.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_statistics {
 namespace {
 
 /// An engine's own variance may be from few batches.
@@ -82,4 +82,4 @@ PooledPicture pool_pictures(const std::vector<PictureOfSamples>& parts) {
   return pooled;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_statistics

@@ -5,7 +5,7 @@
 
 #include "scenes/images/image.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_statistics {
 
 struct PictureOfSamples {
   Rendering rendering;
@@ -23,4 +23,4 @@ struct PooledPicture {
 /// samples where a variance layer is missing.
 PooledPicture pool_pictures(const std::vector<PictureOfSamples>& parts);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_statistics

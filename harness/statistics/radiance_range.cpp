@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace photonproof {
+namespace photonproof::inline harness_statistics {
 
 std::string why_variance_is_lost(const Image& image) {
   double brightest = 0;
@@ -17,4 +17,4 @@ std::string why_variance_is_lost(const Image& image) {
       brightest, least_radiance, most_radiance);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_statistics

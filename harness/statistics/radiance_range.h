@@ -5,7 +5,7 @@
 
 #include "scenes/images/image.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_statistics {
 
 /// Radiances whose squares are floats, and of the brightest pixel, the least whose square is one still where noise is a
 /// ten thousandth of it.
@@ -15,4 +15,4 @@ inline constexpr double most_radiance = 1e19, least_radiance = 1e-15;
 /// of that range. Empty where it is in it, and where all pixels are 0.
 std::string why_variance_is_lost(const Image& image);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_statistics

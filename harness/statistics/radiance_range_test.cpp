@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace photonproof {
+namespace photonproof::inline harness_statistics {
 namespace {
 
 Image of(float radiance) {
@@ -33,4 +33,4 @@ TEST(RadianceRange, says_what_is_beyond) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_statistics

@@ -1,6 +1,6 @@
 #include "harness/statistics/relative_error.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_statistics {
 
 double relative_mse(const Image& reference, const Image& test) {
   double sum = 0;
@@ -11,4 +11,4 @@ double relative_mse(const Image& reference, const Image& test) {
   return sum / static_cast<double>(reference.rgb.size());
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_statistics

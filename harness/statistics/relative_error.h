@@ -3,7 +3,7 @@
 
 #include "scenes/images/image.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_statistics {
 
 /// The epsilon of relmse: errors are squared and divided by reference^2 + 0.01.
 inline constexpr double relmse_epsilon = 0.01;
@@ -16,4 +16,4 @@ inline double relative_weight(float reference) {
 /// The metric relmse. Precondition: images of one size, finite.
 double relative_mse(const Image& reference, const Image& test);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_statistics

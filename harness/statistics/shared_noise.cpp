@@ -7,7 +7,7 @@
 
 #include "harness/pixels/image_blocks.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_statistics {
 namespace {
 
 /// One block's mean in every image, less their mean; and the variance that independent pixels give it.
@@ -120,4 +120,4 @@ SharedNoise shared_noise(std::span<const Image* const> images, const Image* vari
   return most;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_statistics

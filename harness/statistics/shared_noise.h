@@ -14,7 +14,7 @@
 
 #include "scenes/images/image.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_statistics {
 
 struct SharedNoise {
   std::size_t images = 0, blocks = 0;  ///< blocks that have noise
@@ -37,4 +37,4 @@ SharedNoise shared_noise(std::span<const Image* const> images, std::size_t chann
 /// The channel that shares most between blocks, else within them.
 SharedNoise shared_noise(std::span<const Image* const> images, const Image* variance = nullptr);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_statistics

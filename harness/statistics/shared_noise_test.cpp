@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-namespace photonproof {
+namespace photonproof::inline harness_statistics {
 namespace {
 
 constexpr int side = 64;  // 64 blocks
@@ -104,4 +104,4 @@ TEST(shared_noise, is_none_where_images_have_no_noise) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_statistics

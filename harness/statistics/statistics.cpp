@@ -8,7 +8,7 @@
 #include <numeric>
 #include <random>
 
-namespace photonproof {
+namespace photonproof::inline harness_statistics {
 namespace {
 
 constexpr double two_sided_975 = 0.975;
@@ -205,4 +205,4 @@ std::vector<std::size_t> outliers_of(std::span<const double> values) {
   return outliers;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_statistics

@@ -10,7 +10,7 @@
 
 #include "reports/record/results.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_statistics {
 
 /// Precondition of all of these: no value is NaN, and there is at least one.
 double mean_of(std::span<const double> values);
@@ -62,4 +62,4 @@ std::optional<LineFit> fit_line(std::span<const double> x, std::span<const doubl
 /// none where fewer than five values or a MAD of 0 give no scale to judge by.
 std::vector<std::size_t> outliers_of(std::span<const double> values);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_statistics

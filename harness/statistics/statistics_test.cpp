@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-namespace photonproof {
+namespace photonproof::inline harness_statistics {
 namespace {
 
 IndexStatistic mean_of_some(const std::vector<double>& values) {
@@ -193,4 +193,4 @@ TEST(Statistics, outliers_are_told_by_the_median_deviation) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_statistics

@@ -9,7 +9,7 @@
 #include <limits>
 #include <vector>
 
-namespace photonproof {
+namespace photonproof::inline harness_statistics {
 namespace {
 
 namespace bm = boost::math;
@@ -68,4 +68,4 @@ double freedom_of_expectation(std::span<const double> ratios, double freedom) {
   return 2 * inverse_trigamma(excess);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_statistics

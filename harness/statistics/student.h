@@ -3,7 +3,7 @@
 
 #include <span>
 
-namespace photonproof {
+namespace photonproof::inline harness_statistics {
 
 /// The normal deviate of the probability that Student's t with `freedom` degrees of freedom has beyond |t|. An infinite
 /// freedom is allowed here and below.
@@ -24,4 +24,4 @@ double t_quantile(double tail, double freedom);
 /// expectation e then make the steadier (f0 e + freedom s^2)/(f0 + freedom), with f0 + freedom degrees.
 double freedom_of_expectation(std::span<const double> ratios, double freedom);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_statistics

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace photonproof {
+namespace photonproof::inline harness_statistics {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -41,4 +41,4 @@ TEST(Student, deviates_of_skewed_means_have_the_tails_of_chi_square) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_statistics

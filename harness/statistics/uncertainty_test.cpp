@@ -9,7 +9,7 @@
 #include "harness/statistics/gate_statistics.h"
 #include "harness/statistics/student.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_statistics {
 namespace {
 
 constexpr int side = 32;  // 16 blocks
@@ -175,4 +175,4 @@ TEST(uncertainty, of_dependent_blocks_together_is_that_of_the_independent_ones) 
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_statistics

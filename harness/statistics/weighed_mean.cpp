@@ -7,7 +7,7 @@
 #include "harness/statistics/picture_noise.h"
 #include "scenes/images/mean_error.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_statistics {
 namespace {
 
 constexpr double kMostOfMedian = 4;  // what a place counts in the whole image's mean, at most
@@ -82,4 +82,4 @@ ChannelMean weighed_mean(const Rendering& rendering, std::size_t channel, const 
   return mean;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_statistics

@@ -8,7 +8,7 @@
 #include "harness/statistics/deviation.h"
 #include "scenes/images/image.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_statistics {
 
 /// Weights of the pixels of one channel in its mean over the image, for values r of variance v.
 /// - A common factor shows best where values are weighed by r/v. A light's edge, which a few samples
@@ -47,4 +47,4 @@ struct ChannelMean {
 /// Where pixels share light paths, the weighed sum's variance has w^2 v in place of v.
 ChannelMean weighed_mean(const Rendering& rendering, std::size_t channel, const PixelWeights& weight);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_statistics

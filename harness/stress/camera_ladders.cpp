@@ -4,7 +4,7 @@
 #include "harness/stress/ladder_rows.h"
 #include "harness/stress/stage.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_stress {
 namespace {
 
 double size_of(double k) { return std::pow(10.0, k); }
@@ -211,4 +211,4 @@ std::vector<Ladder> camera_ladders(const std::filesystem::path&) {
   return ladders;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_stress

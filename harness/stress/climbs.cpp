@@ -5,7 +5,7 @@
 #include "harness/variants/motions.h"
 #include "scenes/description/overloaded.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_stress {
 namespace {
 
 void scale_light(EmitterDescription& emitter, const Transform& scale, double by) {
@@ -100,4 +100,4 @@ SceneDescription brighter(SceneDescription scene, double by) {
   return scene;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_stress

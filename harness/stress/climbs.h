@@ -4,7 +4,7 @@
 
 #include "scenes/description/description.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_stress {
 
 /// Every length times `by`: shapes, lamps, camera, media, bumps, radii of photons. Intensities (W/sr) go with its
 /// square, so that the picture is the same. Shape groups stay: their instances are scaled.
@@ -19,4 +19,4 @@ SceneDescription turned(SceneDescription scene);
 /// Every lamp times `by`; so is the picture.
 SceneDescription brighter(SceneDescription scene, double by);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_stress

@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "harness/cells/cells.h"
-#include "scenes/text/input_error.h"
+#include "scenes/base/input_error.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_stress {
 namespace {
 
 std::string names_of(const std::vector<KnownMetric>& known) {
@@ -74,4 +74,4 @@ RungVerdict compare_files(const StressRunner& runner, const std::filesystem::pat
   return {wrong.empty() ? RungOutcome::right : RungOutcome::silently_wrong, wrong, {}};
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_stress

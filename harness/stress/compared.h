@@ -9,7 +9,7 @@
 #include "harness/stress/rung_judge.h"
 #include "harness/stress/rung_run.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_stress {
 
 struct KnownMetric {
   std::string name;
@@ -27,4 +27,4 @@ RungVerdict compare_files(const StressRunner& runner, const std::filesystem::pat
                           const std::filesystem::path& test, const std::vector<KnownMetric>& known,
                           const std::vector<std::string>& arguments = {});
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_stress

@@ -9,11 +9,11 @@
 #include "harness/stress/compared.h"
 #include "harness/stress/ladder_rows.h"
 #include "harness/stress/other_formats.h"
+#include "scenes/files/atomic_file.h"
+#include "scenes/files/scratch_folder.h"
 #include "scenes/images/image.h"
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/scratch_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_stress {
 namespace {
 
 namespace fs = std::filesystem;
@@ -129,4 +129,4 @@ std::vector<Ladder> format_ladders(const fs::path&) {
   return ladders;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_stress

@@ -6,7 +6,7 @@
 #include "harness/stress/ladder_rows.h"
 #include "harness/stress/stage.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_stress {
 namespace {
 
 constexpr double above_floor = 12, lamp_tilt = 30, floor_albedo = 0.5;
@@ -139,4 +139,4 @@ std::vector<Ladder> huge_lamp_ladders(const std::filesystem::path& assets) {
   return ladders;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_stress

@@ -8,10 +8,10 @@
 
 #include "harness/stress/ladder_rows.h"
 #include "harness/stress/stage.h"
+#include "scenes/files/atomic_file.h"
 #include "scenes/images/image.h"
-#include "scenes/text/atomic_file.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_stress {
 namespace {
 
 namespace fs = std::filesystem;
@@ -160,4 +160,4 @@ std::vector<Ladder> input_ladders(const std::filesystem::path& assets) {
   return ladders;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_stress

@@ -11,7 +11,7 @@
 
 #include "scenes/description/description.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_stress {
 
 class StressRunner;
 struct RungVerdict;
@@ -59,4 +59,4 @@ const std::vector<std::string>& stress_engines();
 /// All ladders. What scenes need beside their text (meshes, images) is written to `assets`, which exists.
 std::vector<Ladder> stress_ladders(const std::filesystem::path& assets);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_stress

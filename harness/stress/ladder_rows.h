@@ -6,7 +6,7 @@
 
 #include "harness/stress/ladder.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_stress {
 
 /// Huge, tiny and far shapes, slivers, duplicates, coincident faces, shells.
 std::vector<Ladder> shape_ladders(const std::filesystem::path& assets);
@@ -27,4 +27,4 @@ std::vector<Ladder> metric_ladders(const std::filesystem::path& assets);
 /// `compare` on one picture in two formats.
 std::vector<Ladder> format_ladders(const std::filesystem::path& assets);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_stress

@@ -5,7 +5,7 @@
 #include "harness/stress/ladder_rows.h"
 #include "harness/stress/stage.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_stress {
 namespace {
 
 using SceneChange = std::function<SceneDescription(const SceneDescription&, double)>;
@@ -109,4 +109,4 @@ std::vector<Ladder> stress_ladders(const std::filesystem::path& assets) {
   return ladders;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_stress

@@ -8,7 +8,7 @@
 #include "harness/stress/stage.h"
 #include "scenes/images/image.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_stress {
 namespace {
 
 using std::numbers::pi;
@@ -359,4 +359,4 @@ std::vector<Ladder> light_ladders(const std::filesystem::path& assets) {
   return ladders;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_stress

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace photonproof {
+namespace photonproof::inline harness_stress {
 namespace {
 
 constexpr int looks_at_noise = 3;
@@ -53,4 +53,4 @@ std::optional<RungLook> next_look(const RungVerdict& verdict, const RungLook& la
   return look_at_noise(noise - of_expected, of_expected, squared(rung_power), last, most_samples);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_stress

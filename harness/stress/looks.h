@@ -5,7 +5,7 @@
 
 #include "harness/stress/rung_judge.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_stress {
 
 /// One look at a rung: a render with a seed of its own.
 struct RungLook {
@@ -24,4 +24,4 @@ struct RungLook {
 /// as many.
 std::optional<RungLook> next_look(const RungVerdict& verdict, const RungLook& last, double most_samples);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_stress

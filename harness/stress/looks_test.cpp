@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace photonproof {
+namespace photonproof::inline harness_stress {
 namespace {
 
 using enum RungOutcome;
@@ -96,4 +96,4 @@ TEST(looks, are_three_where_noise_cannot_fall_enough) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_stress

@@ -5,7 +5,7 @@
 #include "harness/stress/ladder_rows.h"
 #include "harness/stress/stage.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_stress {
 namespace {
 
 double ten(double k) { return std::pow(10.0, k); }
@@ -280,4 +280,4 @@ std::vector<Ladder> material_ladders(const std::filesystem::path& assets) {
   return ladders;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_stress

@@ -8,10 +8,10 @@
 
 #include "harness/stress/compared.h"
 #include "harness/stress/ladder_rows.h"
+#include "scenes/files/scratch_folder.h"
 #include "scenes/images/image.h"
-#include "scenes/text/scratch_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_stress {
 namespace {
 
 namespace fs = std::filesystem;
@@ -225,4 +225,4 @@ std::vector<Ladder> metric_ladders(const fs::path&) {
   return ladders;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_stress

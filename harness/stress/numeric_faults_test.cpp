@@ -8,12 +8,12 @@
 #include <set>
 
 #include "harness/gates/gate_mutants.h"
-#include "reference/process/process.h"
 #include "reports/stress/stress_record.h"
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/scratch_folder.h"
+#include "scenes/base/process.h"
+#include "scenes/files/atomic_file.h"
+#include "scenes/files/scratch_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_stress {
 namespace {
 
 namespace fs = std::filesystem;
@@ -84,4 +84,4 @@ INSTANTIATE_TEST_SUITE_P(
     });
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_stress

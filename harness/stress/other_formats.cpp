@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "scenes/text/atomic_file.h"
+#include "scenes/files/atomic_file.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_stress {
 namespace {
 
 namespace fs = std::filesystem;
@@ -156,4 +156,4 @@ float as_srgb_word(float value) {
   return static_cast<float>(v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4));
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_stress

@@ -6,7 +6,7 @@
 
 #include "scenes/images/image.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_stress {
 
 /// Portable float map: rows from the bottom up, little endian.
 void write_pfm(const std::filesystem::path& file, const Image& image);
@@ -25,4 +25,4 @@ void write_tiff_of_floats(const std::filesystem::path& file, const Image& image)
 /// What 16 bits of sRGB (IEC 61966-2-1) keep of a linear value.
 float as_srgb_word(float value);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_stress

@@ -3,7 +3,7 @@
 #include "harness/stress/ladder_rows.h"
 #include "harness/stress/stage.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_stress {
 namespace {
 
 double tens(double k) { return std::pow(10.0, k); }
@@ -83,4 +83,4 @@ std::vector<Ladder> photon_ladders(const std::filesystem::path&) {
   return ladders;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_stress

@@ -10,7 +10,7 @@
 #include "harness/statistics/agreement.h"
 #include "scenes/images/mean_error.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_stress {
 namespace {
 
 std::size_t non_finite_pixel_values(const Image& image) {
@@ -238,4 +238,4 @@ RungVerdict judge_rung(const RungEvidence& evidence, const RungExpectation& expe
   return verdict;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_stress

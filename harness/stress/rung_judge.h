@@ -8,7 +8,7 @@
 #include "reports/stress/stress_record.h"
 #include "scenes/images/image.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_stress {
 
 /// What came out of one render.
 struct RungEvidence {
@@ -50,4 +50,4 @@ inline constexpr double biased_mean = 0.03, biased_block = 0.1;
 
 RungVerdict judge_rung(const RungEvidence& evidence, const RungExpectation& expected);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_stress

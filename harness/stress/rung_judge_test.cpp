@@ -10,7 +10,7 @@
 
 #include "scenes/images/mean_error.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_stress {
 namespace {
 
 /// 24 x 24 pixels of `mean`, each with a deviation of 1 %, up and down in turn so that the mean of all is exact.
@@ -224,4 +224,4 @@ TEST(rungs, see_light_where_there_is_none) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_stress

@@ -7,13 +7,13 @@
 #include "harness/cells/cells.h"
 #include "harness/suites/engine_command.h"
 #include "harness/variants/own_engine.h"
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/file_checksum.h"
-#include "scenes/text/input_error.h"
-#include "scenes/text/scratch_folder.h"
+#include "scenes/base/input_error.h"
+#include "scenes/files/atomic_file.h"
+#include "scenes/files/file_checksum.h"
+#include "scenes/files/scratch_folder.h"
 #include "scenes/xml/writer.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_stress {
 namespace {
 
 namespace fs = std::filesystem;
@@ -157,4 +157,4 @@ Rendering StressRunner::reference(const StressScene& scene, const StressRender& 
   return *evidence.picture;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_stress

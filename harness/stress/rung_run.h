@@ -11,9 +11,9 @@
 #include "harness/stress/ladder.h"
 #include "harness/stress/rung_judge.h"
 #include "harness/suites/engines.h"
-#include "reference/process/process.h"
+#include "scenes/base/process.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_stress {
 
 struct StressRender {
   std::string engine = "path";  ///< an integrator, or one of the others
@@ -64,4 +64,4 @@ class StressRunner {
   std::map<std::string, std::shared_ptr<std::mutex>> making_;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_stress

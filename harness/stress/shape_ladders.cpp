@@ -4,7 +4,7 @@
 #include "harness/stress/ladder_rows.h"
 #include "harness/stress/stage.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_stress {
 namespace {
 
 namespace fs = std::filesystem;
@@ -361,4 +361,4 @@ std::vector<Ladder> shape_ladders(const fs::path& assets) {
   return ladders;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_stress

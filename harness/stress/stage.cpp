@@ -6,7 +6,7 @@
 
 #include "scenes/meshes/ply.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_stress {
 
 BsdfIndex add_bsdf(SceneDescription& scene, const BsdfModel& model) {
   scene.bsdfs.push_back({{}, "bsdf" + std::to_string(scene.bsdfs.size()), model});
@@ -128,4 +128,4 @@ MeshDescription mesh_file(const std::filesystem::path& folder, const std::string
   return description;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_stress

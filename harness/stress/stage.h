@@ -10,7 +10,7 @@
 
 #include "scenes/description/description.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_stress {
 
 using Geometry = decltype(ShapeDescription::geometry);
 using BsdfModel = decltype(BsdfDescription::model);
@@ -65,4 +65,4 @@ using NamedScene = std::pair<std::string, SceneDescription>;
 /// A scene for every shape, BSDF, light, camera, texture, medium and way to look photons up.
 std::vector<NamedScene> scenes_of_features(const std::filesystem::path& assets);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_stress

@@ -4,10 +4,10 @@
 #include <numbers>
 
 #include "harness/stress/stage.h"
+#include "scenes/files/atomic_file.h"
 #include "scenes/images/image.h"
-#include "scenes/text/atomic_file.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_stress {
 namespace {
 
 namespace fs = std::filesystem;
@@ -225,4 +225,4 @@ std::vector<NamedScene> scenes_of_features(const fs::path& assets) {
   return scenes;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_stress

@@ -15,12 +15,12 @@
 #include "harness/stress/looks.h"
 #include "harness/stress/rung_run.h"
 #include "reference/store/reference_store.h"
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/input_error.h"
-#include "scenes/text/text_numbers.h"
-#include "scenes/text/timer.h"
+#include "scenes/base/input_error.h"
+#include "scenes/base/text_numbers.h"
+#include "scenes/base/timer.h"
+#include "scenes/files/atomic_file.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_stress {
 namespace {
 
 namespace fs = std::filesystem;
@@ -321,4 +321,4 @@ StressRecord run_stress(const StressOptions& options) {
   return record;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_stress

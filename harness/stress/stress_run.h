@@ -10,7 +10,7 @@
 #include "harness/suites/engines.h"
 #include "reports/stress/stress_record.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_stress {
 
 struct StressOptions {
   std::filesystem::path folder;      ///< receives everything; what an earlier run decided there counts
@@ -34,4 +34,4 @@ std::vector<std::string> stress_ladder_names(const std::filesystem::path& scratc
 /// `stress.json` is written; one of another program is kept beside it under its checksum.
 StressRecord run_stress(const StressOptions& options);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_stress

@@ -6,12 +6,12 @@
 #include <filesystem>
 
 #include "harness/gates/gate_mutants.h"
-#include "reference/process/process.h"
 #include "reports/stress/stress_record.h"
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/scratch_folder.h"
+#include "scenes/base/process.h"
+#include "scenes/files/atomic_file.h"
+#include "scenes/files/scratch_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_stress {
 namespace {
 
 namespace fs = std::filesystem;
@@ -193,4 +193,4 @@ TEST_F(Stress, finds_a_fault_in_the_climb_that_has_it_and_in_no_other) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_stress

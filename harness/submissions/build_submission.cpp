@@ -5,11 +5,11 @@
 #include <sstream>
 
 #include "harness/submissions/submission_tree.h"
-#include "scenes/text/input_error.h"
-#include "scenes/text/scratch_folder.h"
-#include "scenes/text/utf8.h"
+#include "scenes/base/input_error.h"
+#include "scenes/base/utf8.h"
+#include "scenes/files/scratch_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_submissions {
 namespace {
 
 namespace fs = std::filesystem;
@@ -110,4 +110,4 @@ std::vector<std::string> with_values(const std::vector<std::string>& command,
   return words;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_submissions

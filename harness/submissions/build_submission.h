@@ -10,7 +10,7 @@
 #include "harness/sandbox/sandbox.h"
 #include "harness/submissions/submission.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_submissions {
 
 /// Where a submission's tree is seen, at the build as at a run: paths that are compiled in stay right.
 inline constexpr const char* submission_inside = "/submission";
@@ -45,4 +45,4 @@ std::string said_of(const std::string& subject, const SandboxOutcome& outcome);
 /// The end of a log that is worth keeping.
 std::string log_tail(const ProcessOutcome& process);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_submissions

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace photonproof {
+namespace photonproof::inline harness_submissions {
 
 enum class SubmittedFormat { exr, pfm, hdr, png, bmp, tga, ppm };
 inline constexpr std::array<const char*, 7> submitted_format_names{"exr", "pfm", "hdr", "png", "bmp", "tga", "ppm"};
@@ -31,4 +31,4 @@ struct ImageDeclaration {
   int width = 0, height = 0;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_submissions

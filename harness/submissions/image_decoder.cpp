@@ -12,14 +12,14 @@
 
 #include "harness/submissions/netpbm_file.h"
 #include "harness/submissions/plain_bmp_file.h"
+#include "scenes/base/input_error.h"
+#include "scenes/base/size_text.h"
 #include "scenes/images/display_window.h"
 #include "scenes/images/exr_file.h"
 #include "scenes/images/image_file.h"
 #include "scenes/images/png_file.h"
-#include "scenes/text/input_error.h"
-#include "scenes/text/size_text.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_submissions {
 namespace {
 
 namespace fs = std::filesystem;
@@ -134,4 +134,4 @@ void decode_image(const fs::path& file, SubmittedFormat format, int width, int h
   }
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_submissions

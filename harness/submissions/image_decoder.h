@@ -7,7 +7,7 @@
 
 #include "harness/submissions/image_declaration.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_submissions {
 
 /// Empty when the file's first bytes are those of the format, else "is no BMP file" or "is a PNG file, not BMP".
 std::string what_is_wrong_with_start(const std::filesystem::path& file, SubmittedFormat format);
@@ -18,4 +18,4 @@ std::string what_is_wrong_with_start(const std::filesystem::path& file, Submitte
 void decode_image(const std::filesystem::path& file, SubmittedFormat format, int width, int height,
                   const std::filesystem::path& pixels);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_submissions

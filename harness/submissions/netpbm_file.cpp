@@ -9,10 +9,10 @@
 #include <cstring>
 #include <string_view>
 
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/input_error.h"
+#include "scenes/base/input_error.h"
+#include "scenes/files/atomic_file.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_submissions {
 namespace {
 
 constexpr std::int64_t greatest_size = 1 << 24;
@@ -121,4 +121,4 @@ class NetpbmFile : public ImageFile {
 
 std::unique_ptr<ImageFile> open_netpbm(const std::string& path) { return std::make_unique<NetpbmFile>(path); }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_submissions

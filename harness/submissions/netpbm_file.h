@@ -8,10 +8,10 @@
 
 #include "scenes/images/image_file.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_submissions {
 
 /// P3 and P6 with a greatest value up to 65535, PF and Pf of either byte order. Throws InputError; what is damaged or
 /// missing behind the header shows when rows are read.
 std::unique_ptr<ImageFile> open_netpbm(const std::string& path);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_submissions

@@ -5,10 +5,10 @@
 #include <limits>
 #include <utility>
 
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/input_error.h"
+#include "scenes/base/input_error.h"
+#include "scenes/files/atomic_file.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_submissions {
 namespace {
 
 constexpr std::size_t file_header = 14, info_header = 40;
@@ -74,4 +74,4 @@ std::unique_ptr<ImageFile> open_plain_bmp(const std::string& path) {
   return std::make_unique<PlainBmpFile>(path, std::move(bytes));
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_submissions

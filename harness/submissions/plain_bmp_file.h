@@ -7,10 +7,10 @@
 
 #include "scenes/images/image_file.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_submissions {
 
 /// Null where it is a BMP of another kind. Throws InputError where it is cut off or its header contradicts itself.
 /// Source of the layout: the BITMAPINFOHEADER of Windows' GDI documentation.
 std::unique_ptr<ImageFile> open_plain_bmp(const std::string& path);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_submissions

@@ -4,12 +4,12 @@
 
 #include "harness/submissions/submission_tree.h"
 #include "harness/submissions/submitted_image.h"
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/input_error.h"
-#include "scenes/text/scratch_folder.h"
-#include "scenes/text/shell_text.h"
+#include "scenes/base/input_error.h"
+#include "scenes/base/shell_text.h"
+#include "scenes/files/atomic_file.h"
+#include "scenes/files/scratch_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_submissions {
 namespace {
 
 namespace fs = std::filesystem;
@@ -118,4 +118,4 @@ RunOutcome run_submission(const fs::path& built, const RunRecipe& recipe, const 
   return run;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_submissions

@@ -13,7 +13,7 @@
 #include "harness/submissions/submission.h"
 #include "scenes/images/image.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_submissions {
 
 /// Of a scene in our format, in its folder.
 inline constexpr const char* scene_file_name = "scene.xml";
@@ -61,4 +61,4 @@ RunOutcome run_submission(const std::filesystem::path& built, const RunRecipe& r
                           const ImageDeclaration& declaration, const std::filesystem::path& output_file,
                           const std::filesystem::path& program, const Handling& handling = {});
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_submissions

@@ -7,10 +7,10 @@
 
 #include "harness/sandbox/sandbox.h"
 #include "harness/submissions/submission_tree.h"
-#include "scenes/text/input_error.h"
-#include "scenes/text/utf8.h"
+#include "scenes/base/input_error.h"
+#include "scenes/base/utf8.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_submissions {
 namespace {
 
 namespace fs = std::filesystem;
@@ -121,4 +121,4 @@ void take_in(const Submission& submission, const fs::path& folder, const IntakeL
   }
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_submissions

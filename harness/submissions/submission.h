@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace photonproof {
+namespace photonproof::inline harness_submissions {
 
 struct Submission {
   std::string name;
@@ -40,4 +40,4 @@ struct Handling {
 void take_in(const Submission& submission, const std::filesystem::path& folder, const IntakeLimits& limits = {},
              const Handling& handling = {});
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_submissions

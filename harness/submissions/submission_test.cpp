@@ -6,9 +6,9 @@
 
 #include "harness/sandbox/sandbox.h"
 #include "harness/submissions/submission_tree.h"
-#include "scenes/text/test_folder.h"
+#include "scenes/files/test_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_submissions {
 namespace {
 
 namespace fs = std::filesystem;
@@ -173,4 +173,4 @@ TEST_F(Intake, hard_link_of_a_staff_file_keeps_its_other_name) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_submissions

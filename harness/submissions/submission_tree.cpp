@@ -4,9 +4,9 @@
 #include <system_error>
 #include <vector>
 
-#include "scenes/text/utf8.h"
+#include "scenes/base/utf8.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_submissions {
 namespace {
 
 namespace fs = std::filesystem;
@@ -96,4 +96,4 @@ void link_farm(const fs::path& tree, const fs::path& target, const fs::path& own
   if (!is_last) link_farm(tree / own, target / own, below, farm / own);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_submissions

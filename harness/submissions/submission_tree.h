@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-namespace photonproof {
+namespace photonproof::inline harness_submissions {
 
 /// Empty when the tree has only folders, regular files and links that stay inside, `files` of them at most; else what
 /// is wrong, in a sentence that begins with the name.
@@ -22,4 +22,4 @@ void overwrite_files(const std::filesystem::path& staff, const std::filesystem::
 void link_farm(const std::filesystem::path& tree, const std::filesystem::path& target,
                const std::filesystem::path& own_file, const std::filesystem::path& farm);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_submissions

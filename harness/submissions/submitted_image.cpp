@@ -10,11 +10,11 @@
 
 #include "harness/sandbox/sandbox.h"
 #include "harness/submissions/image_decoder.h"
-#include "scenes/text/input_error.h"
-#include "scenes/text/scratch_folder.h"
-#include "scenes/text/utf8.h"
+#include "scenes/base/input_error.h"
+#include "scenes/base/utf8.h"
+#include "scenes/files/scratch_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_submissions {
 namespace {
 
 namespace fs = std::filesystem;
@@ -136,4 +136,4 @@ SubmittedImage read_submitted_image(const fs::path& file, const std::string& sho
   return result;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_submissions

@@ -9,7 +9,7 @@
 #include "harness/submissions/submission.h"
 #include "scenes/images/image.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_submissions {
 
 struct SubmittedImage {
   std::optional<Image> image;  ///< linear, row 0 on top, without the declared scale
@@ -26,4 +26,4 @@ SubmittedImage read_submitted_image(const std::filesystem::path& file, const std
 /// From numbers as in the file to the image that is meant, in place.
 void undo_declaration(Image& image, const ImageDeclaration& declaration);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_submissions

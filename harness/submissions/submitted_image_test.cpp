@@ -8,9 +8,9 @@
 #include <limits>
 
 #include "harness/sandbox/sandbox.h"
-#include "scenes/text/test_folder.h"
+#include "scenes/files/test_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_submissions {
 namespace {
 
 using namespace std::string_literals;
@@ -185,4 +185,4 @@ TEST_F(SubmittedImageTest, only_regular_files_are_opened) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_submissions

@@ -3,9 +3,9 @@
 #include "harness/suites/assignment_fuzz.h"
 
 #include "harness/grading/assignment.h"
-#include "scenes/text/test_fuzz.h"
+#include "scenes/base/test_fuzz.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_suites {
 
 std::string check_assignment(std::string_view bytes) {
   static const FuzzFolder folder;
@@ -21,7 +21,7 @@ std::string check_assignment(std::string_view bytes) {
   return {};
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_suites
 
 #ifdef PHOTONPROOF_FUZZER
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -4,10 +4,10 @@
 #include <string>
 #include <string_view>
 
-namespace photonproof {
+namespace photonproof::inline harness_suites {
 
 /// Empty when `bytes` are refused with a proper message or read into something that keeps its promises; else what went
 /// wrong.
 std::string check_assignment(std::string_view bytes);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_suites

@@ -1,8 +1,8 @@
 #include "harness/suites/assignment_fuzz.h"
 
-#include "scenes/text/test_corpus.h"
+#include "scenes/base/test_corpus.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_suites {
 namespace {
 
 TEST(assignment_fuzz, corpus_gives_messages_or_assignments) {
@@ -10,4 +10,4 @@ TEST(assignment_fuzz, corpus_gives_messages_or_assignments) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_suites

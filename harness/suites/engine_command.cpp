@@ -4,9 +4,9 @@
 #include <array>
 #include <string_view>
 
-#include "scenes/text/edit_distance.h"
+#include "scenes/base/edit_distance.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_suites {
 namespace {
 
 constexpr const char* budget_placeholder = "{budget}";
@@ -147,4 +147,4 @@ std::vector<std::string> fill_command(const std::vector<std::string>& command, c
   return arguments;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_suites

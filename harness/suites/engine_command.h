@@ -9,7 +9,7 @@
 
 #include "reports/record/results.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_suites {
 
 /// What the placeholders of a template stand for. A version command knows {photonproof} and {suite} only.
 struct CommandValues {
@@ -45,4 +45,4 @@ bool mentions(const std::vector<std::string>& command, const char* placeholder);
 /// wherever the command is started. Precondition: command_problem is empty.
 std::vector<std::string> fill_command(const std::vector<std::string>& command, const CommandValues& values);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_suites

@@ -3,11 +3,11 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/input_error.h"
-#include "scenes/text/utf8.h"
+#include "scenes/base/input_error.h"
+#include "scenes/base/utf8.h"
+#include "scenes/files/atomic_file.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_suites {
 namespace {
 
 using nlohmann::json;
@@ -72,4 +72,4 @@ EngineStats read_engine_stats(const std::filesystem::path& file) {
   return out;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_suites

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace photonproof {
+namespace photonproof::inline harness_suites {
 
 struct EngineStats {
   std::map<std::string, double> phases;  ///< seconds by phase
@@ -26,4 +26,4 @@ struct EngineStats {
 /// stats without a problem. Numbers that are not finite and phases that are negative are left out and named.
 EngineStats read_engine_stats(const std::filesystem::path& file);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_suites

@@ -1,8 +1,8 @@
 #include "harness/suites/engine_stats.h"
 
-#include "scenes/text/test_folder.h"
+#include "scenes/files/test_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_suites {
 namespace {
 
 class StatsFile : public FolderTest {
@@ -52,4 +52,4 @@ TEST_F(StatsFile, folder_in_its_place_is_said) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_suites

@@ -4,9 +4,9 @@
 
 #include "engines_text.h"
 #include "harness/suites/engine_command.h"
-#include "scenes/text/edit_distance.h"
+#include "scenes/base/edit_distance.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_suites {
 namespace {
 
 Trust trust_from_toml(const TomlTable& row) {
@@ -82,4 +82,4 @@ std::vector<Engine> engines_from_toml(const TomlTable& document, const std::vect
   return engines;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_suites

@@ -7,7 +7,7 @@
 
 #include "harness/suites/toml_table.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_suites {
 
 /// How far an engine's image may be believed: its expectation is right, it has a known error that shrinks with the
 /// budget, or we know nothing about it.
@@ -35,4 +35,4 @@ std::vector<Engine> builtin_engines();
 /// placeholders and names that occur twice, among themselves or in `existing`.
 std::vector<Engine> engines_from_toml(const TomlTable& document, const std::vector<Engine>& existing);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_suites

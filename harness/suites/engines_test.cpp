@@ -1,10 +1,10 @@
 #include "harness/suites/engines.h"
 
 #include "harness/suites/engine_command.h"
-#include "scenes/text/shell_text.h"
-#include "scenes/text/test_folder.h"
+#include "scenes/base/shell_text.h"
+#include "scenes/files/test_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_suites {
 namespace {
 
 const Engine& builtin(const std::vector<Engine>& engines, const std::string& name) {
@@ -148,4 +148,4 @@ TEST(Engines, version_commands_know_no_scene) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_suites

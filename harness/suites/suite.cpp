@@ -6,9 +6,9 @@
 #include <set>
 
 #include "harness/suites/suite_rows.h"
-#include "scenes/text/atomic_file.h"
+#include "scenes/files/atomic_file.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_suites {
 namespace {
 
 namespace fs = std::filesystem;
@@ -163,4 +163,4 @@ Suite read_suite(const fs::path& file) {
   return suite;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_suites

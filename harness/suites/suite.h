@@ -12,7 +12,7 @@
 #include "harness/suites/engines.h"
 #include "reports/record/results.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_suites {
 
 struct Limits {
   double seconds = 60;             ///< wall time of one cell
@@ -65,4 +65,4 @@ Suite read_suite(const std::filesystem::path& file);
 /// "spp=64"; empty when the text is not a kind, '=' and a positive number.
 std::optional<Budget> budget_from_text(const std::string& text);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_suites

@@ -7,10 +7,10 @@
 #include "harness/gates/gate_suite.h"
 #include "harness/metrics/metric_rows.h"
 #include "harness/suites/engine_command.h"
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/test_folder.h"
+#include "scenes/files/atomic_file.h"
+#include "scenes/files/test_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_suites {
 namespace {
 
 std::string page() { return read_file(PHOTONPROOF_SOURCE_DIR "/harness/suites/FORMAT.md"); }
@@ -243,4 +243,4 @@ TEST_F(SuiteFormat, the_examples_of_the_page_load) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_suites

@@ -2,9 +2,9 @@
 #include "harness/suites/suite_fuzz.h"
 
 #include "harness/suites/suite.h"
-#include "scenes/text/test_fuzz.h"
+#include "scenes/base/test_fuzz.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_suites {
 
 std::string check_suite(std::string_view bytes) {
   static const FuzzFolder folder;
@@ -20,7 +20,7 @@ std::string check_suite(std::string_view bytes) {
   return {};
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_suites
 
 #ifdef PHOTONPROOF_FUZZER
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -2,7 +2,7 @@
 
 #include <system_error>
 
-namespace photonproof {
+namespace photonproof::inline harness_suites {
 
 int bounded_integer(const TomlTable& table, const std::string& key, std::int64_t least, std::int64_t most) {
   const std::int64_t value = table.integer(key);
@@ -79,4 +79,4 @@ std::optional<std::string> budget_problem(const std::string& text, const Engine&
          did_you_mean(budget->kind, engine.budget_kinds);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_suites

@@ -11,9 +11,9 @@
 
 #include "harness/suites/suite.h"
 #include "harness/suites/toml_table.h"
-#include "scenes/text/edit_distance.h"
+#include "scenes/base/edit_distance.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_suites {
 
 inline constexpr std::size_t max_suite_bytes = std::size_t{1} << 24;
 inline constexpr std::size_t max_scene_file_bytes = std::size_t{1} << 30;  // of an engine's own file of a scene
@@ -88,4 +88,4 @@ auto named_rows(const std::string& one, const std::string& many, const TomlTable
 /// The problem with a budget for an engine, empty when there is none.
 std::optional<std::string> budget_problem(const std::string& text, const Engine& engine);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_suites

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "scenes/text/test_folder.h"
+#include "scenes/files/test_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_suites {
 namespace {
 
 constexpr const char* head = "name = 'tiny'\ntitle = 'Tiny'\n";
@@ -179,4 +179,4 @@ TEST(BudgetText, only_kind_and_positive_amount_is_a_budget) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_suites

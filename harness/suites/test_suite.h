@@ -4,10 +4,10 @@
 #include <limits>
 #include <optional>
 
+#include "scenes/files/test_folder.h"
 #include "scenes/images/image.h"
-#include "scenes/text/test_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_suites {
 
 class FakeSuiteTest : public FolderTest {
  protected:
@@ -109,4 +109,4 @@ esac
 )xml";
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_suites

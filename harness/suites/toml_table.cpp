@@ -5,9 +5,9 @@
 #include <sstream>
 
 #include "harness/suites/toml_library.h"
-#include "scenes/text/edit_distance.h"
+#include "scenes/base/edit_distance.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_suites {
 namespace {
 
 struct Document {
@@ -198,4 +198,4 @@ InputError TomlTable::error(const std::string& message) const {
   return view_->document->error(view_->table->source().begin, message);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_suites

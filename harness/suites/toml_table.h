@@ -9,9 +9,9 @@
 #include <string_view>
 #include <vector>
 
-#include "scenes/text/input_error.h"
+#include "scenes/base/input_error.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_suites {
 
 /// A view of one table of a parsed document; copies see the same table and remember together what was asked for.
 /// Every reading function throws InputError with file:line:col when the key is missing (unless optional) or its value
@@ -52,4 +52,4 @@ class TomlTable {
   std::shared_ptr<View> view_;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_suites

@@ -1,8 +1,8 @@
 #include "harness/suites/toml_table.h"
 
-#include "scenes/text/test_folder.h"
+#include "scenes/files/test_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_suites {
 namespace {
 
 TomlTable parse(const std::string& text) { return TomlTable::parse(text, "t.toml"); }
@@ -87,4 +87,4 @@ TEST(TomlTable, unknown_key_is_refused_with_the_known_ones) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_suites

@@ -5,7 +5,7 @@
 #include "harness/statistics/agreement.h"
 #include "harness/variants/variant.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_variants {
 namespace {
 
 /// A multiple of 12, which every kind can divide.
@@ -54,4 +54,4 @@ std::string check_prediction(const Variant& asked, const SceneDescription& base,
   return why;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_variants

@@ -9,7 +9,7 @@
 
 #include "scenes/description/param_type.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_variants {
 namespace {
 
 /// Asked of `describe` (scenes/description/description.h), it changes the colours and leaves the rest.
@@ -110,4 +110,4 @@ void scale_lamps(SceneDescription& scene, double factor) {
   }
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_variants

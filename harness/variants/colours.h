@@ -5,7 +5,7 @@
 
 #include "scenes/description/description.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_variants {
 
 using ColourChange = std::function<RgbD(const RgbD&)>;
 
@@ -16,4 +16,4 @@ void change_all_colours(SceneDescription& scene, const ColourChange& change);
 /// Of lamps alone, by a factor; lit by a file's image, too. Throws InputError where a lamp's radiance is a texture.
 void scale_lamps(SceneDescription& scene, double factor);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_variants

@@ -3,9 +3,9 @@
 
 #include <cstdint>
 
-#include "scenes/text/splitmix.h"
+#include "scenes/base/splitmix.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_variants {
 
 class VariantDraws {
  public:
@@ -20,4 +20,4 @@ class VariantDraws {
   std::uint64_t start_, count_ = 0;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_variants

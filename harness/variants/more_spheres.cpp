@@ -12,7 +12,7 @@
 #include "harness/variants/plain_objects.h"
 #include "scenes/description/overloaded.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_variants {
 namespace {
 
 struct Bounds {
@@ -175,4 +175,4 @@ std::string add_spheres(SceneDescription& scene, std::uint64_t seed) {
   return std::to_string(added) + " more spheres (" + names + ")";
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_variants

@@ -5,7 +5,7 @@
 
 #include "scenes/description/overloaded.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_variants {
 namespace {
 
 void move_lamp(EmitterDescription& emitter, const Transform& motion) {
@@ -56,4 +56,4 @@ void mirror_in_view(SceneDescription& scene) {
   }
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_variants

@@ -3,7 +3,7 @@
 
 #include "scenes/description/description.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_variants {
 
 /// Turns and moves everything: shapes, lamps, camera. Precondition: `motion` is a rotation and a translation.
 void move_everything(SceneDescription& scene, const Transform& motion);
@@ -12,4 +12,4 @@ void move_everything(SceneDescription& scene, const Transform& motion);
 /// places in the image. Throws InputError where a lamp or texture has no mirror image that a scene could say.
 void mirror_in_view(SceneDescription& scene);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_variants

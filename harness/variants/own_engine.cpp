@@ -5,15 +5,15 @@
 #include <system_error>
 #include <vector>
 
-#include "reference/process/process.h"
+#include "scenes/base/process.h"
 #include "scenes/description/file_names.h"
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/checksum.h"
-#include "scenes/text/file_checksum.h"
-#include "scenes/text/scratch_folder.h"
+#include "scenes/files/atomic_file.h"
+#include "scenes/files/checksum.h"
+#include "scenes/files/file_checksum.h"
+#include "scenes/files/scratch_folder.h"
 #include "scenes/xml/writer.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_variants {
 namespace {
 
 namespace fs = std::filesystem;
@@ -72,4 +72,4 @@ Rendering render_with(const OwnEngine& engine, const SceneDescription& scene, co
   return rendering;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_variants

@@ -11,7 +11,7 @@
 #include "scenes/description/description.h"
 #include "scenes/images/image.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_variants {
 
 struct OwnEngine {
   std::filesystem::path program;                 ///< photonproof
@@ -34,4 +34,4 @@ std::vector<std::string> render_command(const std::filesystem::path& program, co
 /// Linear radiance, with variance. Throws InputError when the program fails.
 Rendering render_with(const OwnEngine& engine, const SceneDescription& scene, const OwnRender& render);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_variants

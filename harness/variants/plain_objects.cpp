@@ -9,10 +9,10 @@
 #include <variant>
 #include <vector>
 
+#include "scenes/base/text_numbers.h"
 #include "scenes/description/overloaded.h"
-#include "scenes/text/text_numbers.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_variants {
 namespace {
 
 [[noreturn]] void cannot_say(const SceneDescription& scene, const SourceLoc& loc, const std::string& what) {
@@ -191,4 +191,4 @@ PlainCamera plain_camera(const SceneDescription& scene, int width, int height) {
           static_cast<int>(std::lround(shift_y))};
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_variants

@@ -8,7 +8,7 @@
 
 #include "scenes/description/description.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_variants {
 
 enum class PlainKind { sphere, rectangle, box, water };
 enum class PlainMaterial { diffuse, mirror, glass, light };
@@ -44,4 +44,4 @@ PlainCamera plain_camera(const SceneDescription& scene, int width, int height);
 /// tan of half the vertical angle of view.
 double vertical_tangent(const PerspectiveDescription& camera, int width, int height);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_variants

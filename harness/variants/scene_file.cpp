@@ -9,9 +9,9 @@
 #include <variant>
 
 #include "harness/variants/plain_objects.h"
-#include "scenes/text/text_numbers.h"
+#include "scenes/base/text_numbers.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_variants {
 namespace {
 
 using kainjow::mustache::data;
@@ -120,4 +120,4 @@ std::string scene_file_text(const SceneDescription& scene, int width, int height
   return text;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_variants

@@ -16,7 +16,7 @@
 
 #include "scenes/description/description.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_variants {
 
 /// Numbers are the shortest decimals; names are letters, digits, '-' and '_', other characters become '_'. Throws
 /// InputError, which names the object, where these words cannot say the scene (a texture, another shape or material, a
@@ -24,4 +24,4 @@ namespace photonproof {
 std::string scene_file_text(const SceneDescription& scene, int width, int height, const std::string& mustache_template,
                             const std::string& template_file);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_variants

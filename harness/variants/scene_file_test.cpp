@@ -10,10 +10,10 @@
 #include <variant>
 
 #include "harness/variants/variant.h"
+#include "scenes/files/test_folder.h"
 #include "scenes/parser/parser.h"
-#include "scenes/text/test_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_variants {
 namespace {
 
 const std::string course_template = R"(size {{width}} {{height}}
@@ -86,4 +86,4 @@ TEST(SceneFile, escapes_nothing_and_lets_no_name_out_of_its_word) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_variants

@@ -4,7 +4,7 @@
 #include <variant>
 #include <vector>
 
-namespace photonproof {
+namespace photonproof::inline harness_variants {
 namespace {
 
 bool is_plain_lamp(const ShapeDescription& shape) {
@@ -50,4 +50,4 @@ void split_a_lamp(SceneDescription& scene, int which, double share, bool along_y
   scene.emitters.push_back(rest);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_variants

@@ -14,9 +14,9 @@
 #include "harness/variants/more_spheres.h"
 #include "harness/variants/motions.h"
 #include "harness/variants/split_lamp.h"
-#include "scenes/text/text_numbers.h"
+#include "scenes/base/text_numbers.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_variants {
 namespace {
 
 using ImageChange = std::function<Image(const Image&)>;
@@ -262,4 +262,4 @@ Variant make_variant(const std::string& kind, std::uint64_t seed, const SceneDes
   return variant;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_variants

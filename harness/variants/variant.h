@@ -23,7 +23,7 @@
 #include "scenes/description/description.h"
 #include "scenes/images/image.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_variants {
 
 struct VariantOptions {
   /// For programs that know boxes and walls along the axes, a camera that looks at its image's middle, and level water:
@@ -70,4 +70,4 @@ struct PredictionCheck {
 std::string check_prediction(const Variant& variant, const SceneDescription& base, const OwnEngine& engine,
                              const VariantOptions& options = {}, const PredictionCheck& check = {});
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_variants

@@ -8,11 +8,11 @@
 #include <string>
 #include <variant>
 
+#include "scenes/files/test_folder.h"
 #include "scenes/parser/parser.h"
-#include "scenes/text/test_folder.h"
 #include "scenes/xml/writer.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_variants {
 namespace {
 
 SceneDescription library_scene(const std::string& name) {
@@ -98,4 +98,4 @@ TEST(Variants, of_a_clamped_base_are_right_once_clamped) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_variants

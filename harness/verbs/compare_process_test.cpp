@@ -7,10 +7,10 @@
 #include <limits>
 
 #include "harness/metrics/test_images.h"
-#include "reference/process/process.h"
-#include "scenes/text/test_folder.h"
+#include "scenes/base/process.h"
+#include "scenes/files/test_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verbs {
 namespace {
 
 class CompareProgram : public FolderTest {
@@ -108,4 +108,4 @@ TEST_F(CompareProgram, needs_memory_for_a_band_of_rows_and_not_for_the_images) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verbs

@@ -8,12 +8,12 @@
 
 #include "reference/engines/engine_run.h"
 #include "reference/engines/not_representable.h"
+#include "scenes/base/input_error.h"
+#include "scenes/base/timer.h"
+#include "scenes/base/utf8.h"
 #include "scenes/description/output_files.h"
-#include "scenes/text/input_error.h"
-#include "scenes/text/timer.h"
-#include "scenes/text/utf8.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verbs {
 namespace fs = std::filesystem;
 
 std::string time_left(double seconds, double done, double left) {
@@ -69,4 +69,4 @@ int interruptibly(const std::function<int()>& run) {
   }
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verbs

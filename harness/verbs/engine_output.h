@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-namespace photonproof {
+namespace photonproof::inline harness_verbs {
 
 /// ", 40 s left", ", 3 min left" or ", 1.5 h left" after `seconds` in which the fraction `done` of the work was done
 /// and `left` remains; empty where too little is done to say.
@@ -27,4 +27,4 @@ constexpr int failed_engine_exit_code = 70;
 /// written, and failed_engine_exit_code when it failed.
 int interruptibly(const std::function<int()>& run);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verbs

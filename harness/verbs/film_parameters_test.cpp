@@ -11,12 +11,12 @@
 #include <memory>
 
 #include "harness/cells/test_program.h"
-#include "reference/process/process.h"
+#include "scenes/base/process.h"
+#include "scenes/files/test_folder.h"
 #include "scenes/images/exr_file.h"
 #include "scenes/images/image.h"
-#include "scenes/text/test_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verbs {
 namespace {
 
 const std::string crop_24x16 =
@@ -270,4 +270,4 @@ TEST_F(FilmParameters, channel_a_leaves_out_lights_that_are_hidden) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verbs

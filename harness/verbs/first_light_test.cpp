@@ -12,10 +12,10 @@
 
 #include "harness/metrics/metrics.h"
 #include "reference/closed_forms/closed_forms.h"
-#include "reference/process/process.h"
-#include "scenes/text/test_folder.h"
+#include "scenes/base/process.h"
+#include "scenes/files/test_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verbs {
 namespace {
 
 const std::string library = PHOTONPROOF_SOURCE_DIR "/scenes/library/";
@@ -177,4 +177,4 @@ TEST_F(FirstLight, threads_do_not_change_a_bit_of_either_engine) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verbs

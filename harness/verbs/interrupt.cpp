@@ -2,7 +2,7 @@
 
 #include <csignal>
 
-namespace photonproof {
+namespace photonproof::inline harness_verbs {
 namespace {
 
 // A signal handler has no parameter to reach anything else through.
@@ -29,4 +29,4 @@ const std::atomic<bool>& interrupt_flag() {
   return interrupted;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verbs

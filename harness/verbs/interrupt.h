@@ -3,10 +3,10 @@
 
 #include <atomic>
 
-namespace photonproof {
+namespace photonproof::inline harness_verbs {
 
 /// Becomes true on SIGINT or SIGTERM. The first call installs the handlers; before it, the signals do what they did.
 /// A second signal of the same kind ends the program at once.
 const std::atomic<bool>& interrupt_flag();
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verbs

@@ -5,7 +5,7 @@
 #include <csignal>
 #include <cstdlib>
 
-namespace photonproof {
+namespace photonproof::inline harness_verbs {
 namespace {
 
 // Each in a process of its own (EXPECT_EXIT forks), since a flag once raised stays up.
@@ -39,4 +39,4 @@ TEST_F(Interrupt, second_signal_ends_the_program) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verbs

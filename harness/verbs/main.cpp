@@ -14,8 +14,8 @@
 
 #include "harness/verbs/verbs.h"
 #include "renderer/core/version.h"
-#include "scenes/text/input_error.h"
-#include "scenes/text/utf8.h"
+#include "scenes/base/input_error.h"
+#include "scenes/base/utf8.h"
 
 namespace {
 

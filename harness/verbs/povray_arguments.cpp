@@ -2,7 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
-namespace photonproof {
+namespace photonproof::inline harness_verbs {
 
 void add_povray_arguments(CLI::App& verb, PovrayArguments& arguments, const std::string& output_help) {
   add_scene_options(verb, arguments.scene);
@@ -19,4 +19,4 @@ void add_povray_arguments(CLI::App& verb, PovrayArguments& arguments, const std:
       ->check(is_seed);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verbs

@@ -6,7 +6,7 @@
 #include "harness/verbs/scene_options.h"
 #include "reference/povray/povray_options.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verbs {
 
 struct PovrayArguments {
   SceneOptions scene;
@@ -17,4 +17,4 @@ struct PovrayArguments {
 /// The scene's options, -o, --grid, --quality, --seed.
 void add_povray_arguments(CLI::App& verb, PovrayArguments& arguments, const std::string& output_help);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verbs

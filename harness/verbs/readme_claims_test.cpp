@@ -11,10 +11,10 @@
 #include <string>
 #include <vector>
 
-#include "reference/process/process.h"
-#include "scenes/text/test_folder.h"
+#include "scenes/base/process.h"
+#include "scenes/files/test_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verbs {
 namespace {
 
 namespace fs = std::filesystem;
@@ -157,4 +157,4 @@ TEST(ReadmeClaims, cheap_ones_are_repeated) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verbs

@@ -7,10 +7,10 @@
 #include <regex>
 
 #include "harness/sandbox/sandbox.h"
-#include "reference/process/process.h"
-#include "scenes/text/test_folder.h"
+#include "scenes/base/process.h"
+#include "scenes/files/test_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verbs {
 namespace {
 
 namespace fs = std::filesystem;
@@ -115,4 +115,4 @@ TEST_F(Walkthrough, class_is_graded_and_told_what_is_wrong) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verbs

@@ -7,7 +7,7 @@
 #include "renderer/core/version.h"
 #include "renderer/passes/view.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verbs {
 
 namespace {
 
@@ -55,4 +55,4 @@ nlohmann::ordered_json stats_json(const RenderArguments& arguments, const Render
           {"plan", plan_json(plan)}};
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verbs

@@ -6,10 +6,10 @@
 #include "harness/verbs/render_run.h"
 #include "renderer/api/render_scene.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verbs {
 
 nlohmann::ordered_json plan_json(const RenderPlan& plan);
 
 nlohmann::ordered_json stats_json(const RenderArguments& arguments, const Rendered& rendered);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verbs

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <variant>
 
-#include "scenes/text/input_error.h"
+#include "scenes/base/input_error.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verbs {
 namespace {
 
 bool lets_light_through(const SceneDescription& scene, BsdfIndex index) {
@@ -65,4 +65,4 @@ const RenderPreset* preset_named(const std::string& name) {
   throw InputError("--preset", "there is no preset '" + name + "'");
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verbs

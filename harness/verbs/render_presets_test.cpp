@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "reference/process/process.h"
-#include "scenes/text/test_folder.h"
+#include "scenes/base/process.h"
+#include "scenes/files/test_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verbs {
 namespace {
 
 class RenderPresetTest : public FolderTest {
@@ -73,4 +73,4 @@ TEST_F(RenderPresetTest, is_one_of_those_that_there_are) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verbs

@@ -10,13 +10,13 @@
 #include "renderer/api/render_identity.h"
 #include "renderer/api/render_scene.h"
 #include "renderer/planning/integrator_name.h"
+#include "scenes/base/input_error.h"
+#include "scenes/base/json_text.h"
+#include "scenes/base/timer.h"
 #include "scenes/description/output_files.h"
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/input_error.h"
-#include "scenes/text/json_text.h"
-#include "scenes/text/timer.h"
+#include "scenes/files/atomic_file.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verbs {
 namespace {
 
 namespace fs = std::filesystem;
@@ -154,4 +154,4 @@ int run_render(const RenderArguments& arguments) {
   return arguments.plan ? print_plan(arguments) : render_to_files(arguments);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verbs

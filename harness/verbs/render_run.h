@@ -8,7 +8,7 @@
 
 #include "harness/verbs/scene_options.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verbs {
 
 struct RenderArguments {
   SceneOptions scene;
@@ -38,4 +38,4 @@ struct RenderArguments {
 /// (partial results kept). Throws InputError.
 int run_render(const RenderArguments& arguments);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verbs

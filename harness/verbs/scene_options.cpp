@@ -7,7 +7,7 @@
 
 #include "scenes/parser/parser.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verbs {
 
 void apply_size(const std::string& size, FilmDescription& film) {
   const char* end = size.data() + size.size();
@@ -82,4 +82,4 @@ SceneDescription load_scene(const SceneOptions& options) {
   return scene;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verbs

@@ -12,7 +12,7 @@ namespace CLI {
 class App;
 }
 
-namespace photonproof {
+namespace photonproof::inline harness_verbs {
 
 struct SceneOptions {
   std::string path;
@@ -42,4 +42,4 @@ std::vector<std::string> scene_arguments(const SceneOptions& options);
 /// Parses the scene; its film has the size asked for. Throws InputError.
 SceneDescription load_scene(const SceneOptions& options);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verbs

@@ -16,12 +16,12 @@
 #include "reports/formats/markdown_report.h"
 #include "reports/page/html_report.h"
 #include "reports/view/verdicts.h"
+#include "scenes/base/input_error.h"
+#include "scenes/base/json_text.h"
+#include "scenes/base/shell_text.h"
 #include "scenes/description/output_files.h"
-#include "scenes/text/input_error.h"
-#include "scenes/text/json_text.h"
-#include "scenes/text/shell_text.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verbs {
 namespace {
 
 namespace fs = std::filesystem;
@@ -244,4 +244,4 @@ void add_bench_verb(CLI::App& program, int& exit_code) {
   verb->callback([arguments, &exit_code] { exit_code = run(*arguments); });
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verbs

@@ -15,10 +15,10 @@
 
 #include "harness/cells/test_program.h"
 #include "harness/suites/test_suite.h"
-#include "reference/process/process.h"
 #include "reports/record/results.h"
+#include "scenes/base/process.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verbs {
 namespace {
 
 class BenchVerb : public FakeSuiteTest {
@@ -255,4 +255,4 @@ TEST_F(BenchVerb, against_says_by_its_exit_code_what_it_found) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verbs

@@ -17,12 +17,12 @@
 #include "harness/pixels/data_windows.h"
 #include "harness/statistics/agreement.h"
 #include "harness/verbs/verbs.h"
+#include "scenes/base/input_error.h"
+#include "scenes/base/text_numbers.h"
+#include "scenes/base/utf8.h"
 #include "scenes/description/output_files.h"
-#include "scenes/text/input_error.h"
-#include "scenes/text/text_numbers.h"
-#include "scenes/text/utf8.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verbs {
 namespace {
 
 constexpr const char* kNoVariance =
@@ -402,4 +402,4 @@ void add_compare_verb(CLI::App& program, int& exit_code) {
   verb->callback([options, &exit_code] { exit_code = run_compare(*options); });
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verbs

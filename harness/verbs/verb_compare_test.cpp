@@ -10,10 +10,10 @@
 #include "harness/metrics/metric_rows.h"
 #include "harness/metrics/test_images.h"
 #include "harness/verbs/verbs.h"
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/input_error.h"
+#include "scenes/base/input_error.h"
+#include "scenes/files/atomic_file.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verbs {
 namespace {
 
 namespace fs = std::filesystem;
@@ -378,4 +378,4 @@ TEST_F(CompareVerb, heat_map_never_replaces_an_image_that_is_read) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verbs

@@ -9,7 +9,7 @@
 #include "harness/submissions/image_decoder.h"
 #include "harness/verbs/verbs.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verbs {
 
 void add_decode_image_verb(CLI::App& program, int&) {
   struct Options {
@@ -31,4 +31,4 @@ void add_decode_image_verb(CLI::App& program, int&) {
   });
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verbs

@@ -13,7 +13,7 @@
 #include "reference/povray/povray_export.h"
 #include "scenes/description/output_files.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verbs {
 namespace {
 
 void print_crop(const FilmDescription& film) {
@@ -75,4 +75,4 @@ void add_export_verb(CLI::App& program, int& exit_code) {
   verb->callback([arguments, &exit_code] { exit_code = refusing_with_3([&] { return run_export(*arguments); }); });
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verbs

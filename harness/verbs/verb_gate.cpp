@@ -20,12 +20,12 @@
 #include "harness/verbs/versions.h"
 #include "reports/formats/exchange_reports.h"
 #include "reports/page/html_report.h"
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/input_error.h"
-#include "scenes/text/json_text.h"
-#include "scenes/text/shell_text.h"
+#include "scenes/base/input_error.h"
+#include "scenes/base/json_text.h"
+#include "scenes/base/shell_text.h"
+#include "scenes/files/atomic_file.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verbs {
 namespace {
 
 namespace fs = std::filesystem;
@@ -286,4 +286,4 @@ void add_gate_verb(CLI::App& program, int& exit_code) {
   verb->callback([arguments, &exit_code] { exit_code = run_gates(*arguments); });
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verbs

@@ -6,10 +6,10 @@
 
 #include "harness/gates/test_gates.h"
 #include "harness/metrics/metrics.h"
-#include "reference/process/process.h"
 #include "reports/record/results.h"
+#include "scenes/base/process.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verbs {
 namespace {
 
 class GateVerb : public FakeGateTest {
@@ -404,4 +404,4 @@ TEST_F(GateVerb, accepting_needs_a_reason_and_keeps_it_with_old_and_new) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verbs

@@ -8,13 +8,13 @@
 #include <memory>
 
 #include "harness/verbs/verbs.h"
+#include "scenes/base/input_error.h"
+#include "scenes/files/atomic_file.h"
 #include "scenes/generators/library_assets.h"
 #include "scenes/generators/many_lights.h"
 #include "scenes/generators/million.h"
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/input_error.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verbs {
 namespace {
 
 namespace fs = std::filesystem;
@@ -111,4 +111,4 @@ void add_generate_verb(CLI::App& program, int& exit_code) {
   assets->callback([arguments, &exit_code] { exit_code = run_assets(*arguments); });
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verbs

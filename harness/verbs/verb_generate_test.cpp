@@ -1,8 +1,8 @@
 // photonproof generate, as a user calls it.
-#include "reference/process/process.h"
-#include "scenes/text/test_folder.h"
+#include "scenes/base/process.h"
+#include "scenes/files/test_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verbs {
 namespace {
 
 class GenerateVerb : public FolderTest {
@@ -47,4 +47,4 @@ TEST_F(GenerateVerb, refuses_other_counts) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verbs

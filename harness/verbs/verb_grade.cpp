@@ -20,13 +20,13 @@
 #include "reports/grades/gradebook.h"
 #include "reports/grades/grades_json.h"
 #include "reports/grades/gradescope.h"
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/input_error.h"
-#include "scenes/text/json_text.h"
-#include "scenes/text/shell_text.h"
-#include "scenes/text/utf8.h"
+#include "scenes/base/input_error.h"
+#include "scenes/base/json_text.h"
+#include "scenes/base/shell_text.h"
+#include "scenes/base/utf8.h"
+#include "scenes/files/atomic_file.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verbs {
 namespace {
 
 namespace fs = std::filesystem;
@@ -161,4 +161,4 @@ void add_grade_verb(CLI::App& program, int& exit_code) {
   verb->callback([arguments, &exit_code] { exit_code = run_grade(*arguments); });
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verbs

@@ -19,18 +19,18 @@
 #include "harness/verbs/verbs.h"
 #include "harness/verbs/versions.h"
 #include "harness/verify/reference_witness.h"
-#include "reference/process/process.h"
 #include "reference/store/reference_store.h"
 #include "renderer/core/version.h"
+#include "scenes/base/input_error.h"
+#include "scenes/base/json_text.h"
+#include "scenes/base/percent_text.h"
+#include "scenes/base/process.h"
+#include "scenes/base/size_text.h"
 #include "scenes/description/output_files.h"
 #include "scenes/description/scene_hash.h"
-#include "scenes/text/checksum.h"
-#include "scenes/text/input_error.h"
-#include "scenes/text/json_text.h"
-#include "scenes/text/percent_text.h"
-#include "scenes/text/size_text.h"
+#include "scenes/files/checksum.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verbs {
 namespace {
 
 namespace fs = std::filesystem;
@@ -377,4 +377,4 @@ void add_reference_verb(CLI::App& program, int& exit_code) {
   verb->callback([arguments, &exit_code] { exit_code = make_reference(*arguments); });
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verbs

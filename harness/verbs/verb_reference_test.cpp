@@ -8,11 +8,11 @@
 #include <cstdlib>
 
 #include "harness/cells/test_program.h"
-#include "reference/process/process.h"
 #include "reference/store/reference_store.h"
-#include "scenes/text/test_folder.h"
+#include "scenes/base/process.h"
+#include "scenes/files/test_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verbs {
 namespace {
 
 namespace fs = std::filesystem;
@@ -318,4 +318,4 @@ TEST_F(ReferenceVerb, what_cannot_be_committed_is_refused_before_it_is_rendered)
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verbs

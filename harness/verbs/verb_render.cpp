@@ -11,7 +11,7 @@
 #include "renderer/integrators/integrator.h"
 #include "renderer/passes/view.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verbs {
 namespace {
 
 void add_method_options(CLI::App& verb, RenderArguments& arguments) {
@@ -106,4 +106,4 @@ void add_render_verb(CLI::App& program, int& exit_code) {
   verb->callback([arguments, &exit_code] { exit_code = run_render(*arguments); });
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verbs

@@ -7,11 +7,11 @@
 #include <csignal>
 
 #include "harness/cells/test_program.h"
-#include "reference/process/process.h"
+#include "scenes/base/process.h"
+#include "scenes/files/test_folder.h"
 #include "scenes/images/image.h"
-#include "scenes/text/test_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verbs {
 namespace {
 
 const std::string library = PHOTONPROOF_SOURCE_DIR "/scenes/library/";
@@ -289,4 +289,4 @@ TEST_F(RenderVerb, checkpoint_of_a_render_at_work_is_not_called_unfinished) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verbs

@@ -12,12 +12,12 @@
 #include "harness/verbs/verbs.h"
 #include "reports/formats/formats.h"
 #include "reports/record/results.h"
+#include "scenes/base/input_error.h"
+#include "scenes/base/json_text.h"
 #include "scenes/description/output_files.h"
-#include "scenes/text/file_checksum.h"
-#include "scenes/text/input_error.h"
-#include "scenes/text/json_text.h"
+#include "scenes/files/file_checksum.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verbs {
 namespace {
 
 namespace fs = std::filesystem;
@@ -117,4 +117,4 @@ void add_report_verb(CLI::App& program, int& exit_code) {
   });
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verbs

@@ -7,11 +7,11 @@
 
 #include "harness/verbs/verbs.h"
 #include "reports/record/results.h"
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/file_checksum.h"
-#include "scenes/text/input_error.h"
+#include "scenes/base/input_error.h"
+#include "scenes/files/atomic_file.h"
+#include "scenes/files/file_checksum.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verbs {
 namespace {
 
 namespace fs = std::filesystem;
@@ -145,4 +145,4 @@ TEST_F(ReportVerb, never_replaces_the_record_it_reports) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verbs

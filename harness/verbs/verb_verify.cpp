@@ -13,10 +13,10 @@
 #include "harness/verbs/verbs.h"
 #include "harness/verify/verify_run.h"
 #include "renderer/core/version.h"
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/shell_text.h"
+#include "scenes/base/shell_text.h"
+#include "scenes/files/atomic_file.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verbs {
 namespace {
 
 namespace fs = std::filesystem;
@@ -125,4 +125,4 @@ void add_verify_verb(CLI::App& program, int& exit_code) {
   verb->callback([arguments, &exit_code] { exit_code = verify(*arguments); });
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verbs

@@ -11,7 +11,7 @@
 
 #include "renderer/core/version.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verbs {
 
 std::map<std::string, std::string> program_versions() {
   return {{"photonproof", version_line()},     {"compiler", "g++ or clang " __VERSION__},
@@ -19,4 +19,4 @@ std::map<std::string, std::string> program_versions() {
           {"OpenEXR", OPENEXR_VERSION_STRING}, {"OpenImageIO", OIIO_VERSION_STRING}};
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verbs

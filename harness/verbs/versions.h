@@ -4,9 +4,9 @@
 #include <map>
 #include <string>
 
-namespace photonproof {
+namespace photonproof::inline harness_verbs {
 
 /// The versions of what can change an image or a timing: this program, its compiler, and its libraries.
 std::map<std::string, std::string> program_versions();
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verbs

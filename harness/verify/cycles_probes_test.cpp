@@ -11,10 +11,10 @@
 #include "harness/verify/probes.h"
 #include "reference/cycles/cycles_engine.h"
 #include "reference/engines/not_representable.h"
-#include "reference/process/process.h"
-#include "scenes/text/scratch_folder.h"
+#include "scenes/base/process.h"
+#include "scenes/files/scratch_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verify {
 namespace {
 
 class CyclesProbes : public testing::TestWithParam<std::size_t> {};
@@ -54,4 +54,4 @@ TEST_P(CyclesProbes, is_the_closed_form) {
 INSTANTIATE_TEST_SUITE_P(All, CyclesProbes, testing::Range<std::size_t>(0, probe_rows().size()), name_of);
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verify

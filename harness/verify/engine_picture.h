@@ -8,7 +8,7 @@
 
 #include "scenes/images/image.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verify {
 
 /// Relative errors that are known and no defect: of the mean over the whole image, and of a block of 8 x 8 pixels
 /// (relative to its mean, or to the channel's where it is darker).
@@ -31,4 +31,4 @@ struct EnginePicture {
   std::vector<std::string> cannot_find;  ///< those of them that are light which no number of its samples finds
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verify

@@ -6,11 +6,11 @@
 #include <string>
 
 #include "harness/metrics/metrics.h"
-#include "reference/process/process.h"
+#include "scenes/base/process.h"
 #include "scenes/description/expect.h"
-#include "scenes/text/test_folder.h"
+#include "scenes/files/test_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verify {
 namespace {
 
 namespace fs = std::filesystem;
@@ -65,4 +65,4 @@ TEST_F(ExposureHeadroom, of_every_library_scene_shows_a_fifth_more_and_less) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verify

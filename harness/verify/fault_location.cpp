@@ -12,10 +12,10 @@
 #include "harness/verify/passes.h"
 #include "harness/verify/picture_fault.h"
 #include "scenes/description/file_names.h"
-#include "scenes/text/atomic_file.h"
+#include "scenes/files/atomic_file.h"
 #include "scenes/xml/writer.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verify {
 namespace {
 
 namespace fs = std::filesystem;
@@ -157,4 +157,4 @@ VerifyFault FaultLocator::locate(const Suspect& odd, const std::vector<Believed>
   return fault;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verify

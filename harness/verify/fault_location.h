@@ -9,7 +9,7 @@
 #include "reports/verify/verify_record.h"
 #include "scenes/description/description.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verify {
 
 /// What is compared.
 struct Suspect {
@@ -45,4 +45,4 @@ class FaultLocator {
 /// first's mean.
 Image signed_difference(const Image& first, const Image& second);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verify

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-namespace photonproof {
+namespace photonproof::inline harness_verify {
 namespace {
 
 class Table {
@@ -99,4 +99,4 @@ OddOnes odd_ones(const std::vector<Witness>& witnesses, const std::vector<Witnes
   return out;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verify

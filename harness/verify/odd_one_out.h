@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace photonproof {
+namespace photonproof::inline harness_verify {
 
 struct Witness {
   std::string name;
@@ -42,4 +42,4 @@ struct OddOnes {
 
 OddOnes odd_ones(const std::vector<Witness>& witnesses, const std::vector<WitnessPair>& pairs);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verify

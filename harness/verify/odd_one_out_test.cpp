@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace photonproof {
+namespace photonproof::inline harness_verify {
 namespace {
 
 using enum PairVerdict;
@@ -93,4 +93,4 @@ TEST(OddOnes, two_may_be_wrong_in_different_ways) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verify

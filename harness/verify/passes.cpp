@@ -7,7 +7,7 @@
 #include "scenes/description/emitter_kinds.h"
 #include "scenes/description/overloaded.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verify {
 namespace {
 
 /// Of direct light: what comes by two reflections is a 32nd of what comes by one.
@@ -186,4 +186,4 @@ std::vector<ScenePass> passes_of(const SceneDescription& scene) {
   return passes;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verify

@@ -7,7 +7,7 @@
 
 #include "scenes/description/description.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verify {
 
 struct ScenePass {
   std::string name;   ///< "direct", "mirror" ...
@@ -28,4 +28,4 @@ struct ScenePass {
 /// What only the whole scene has is in none of them.
 std::vector<ScenePass> passes_of(const SceneDescription& scene);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verify

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 
+#include "scenes/files/test_folder.h"
 #include "scenes/parser/parser.h"
-#include "scenes/text/test_folder.h"
 #include "scenes/xml/writer.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verify {
 namespace {
 
 SceneDescription scene_of(const std::string& content) {
@@ -88,4 +88,4 @@ TEST(Passes, of_every_library_scene_can_be_written_and_read) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verify

@@ -8,7 +8,7 @@
 
 #include "harness/diagnosis/pictures/picture_changes.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verify {
 namespace {
 
 /// What a change leaves of the squared difference where it is the fault; a gain alone leaves as much by chance.
@@ -81,4 +81,4 @@ std::optional<PictureFault> picture_fault(const EnginePicture& right, const Engi
   return shifted(right, odd, before);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verify

@@ -9,7 +9,7 @@
 
 #include "harness/verify/engine_picture.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verify {
 
 struct PictureFault {
   std::string pass;      ///< "camera" or "tone"
@@ -19,4 +19,4 @@ struct PictureFault {
 
 std::optional<PictureFault> picture_fault(const EnginePicture& right, const EnginePicture& odd);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verify

@@ -8,7 +8,7 @@
 
 #include "harness/verify/studio.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verify {
 namespace {
 
 constexpr int kSide = 32;
@@ -90,4 +90,4 @@ TEST(DeclaredError, is_none_of_unbiased_engines_and_what_is_stated_of_others) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verify

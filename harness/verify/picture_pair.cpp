@@ -9,7 +9,7 @@
 #include "harness/metrics/metrics.h"
 #include "harness/statistics/picture_noise.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verify {
 namespace {
 
 /// Nothing at all is known to be less certain than that.
@@ -186,4 +186,4 @@ std::optional<double> would_see_alone(const EnginePicture& picture) {
   return judge_whole(noise_of({picture.rendering, picture.images}).whole, pair_alpha).would_see;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verify

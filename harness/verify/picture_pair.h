@@ -11,9 +11,9 @@
 #include "harness/statistics/gate_statistics.h"
 #include "harness/verify/engine_picture.h"
 #include "reports/record/results.h"
-#include "scenes/meshes/vec.h"
+#include "scenes/base/vec.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verify {
 
 /// By chance a pair of right engines differs with this probability; what differs is looked at again with new samples.
 inline constexpr double pair_alpha = 1e-4;
@@ -53,4 +53,4 @@ PairTest test_against_closed_form(const RgbD& mean, const EnginePicture& picture
 /// What would be seen of the picture's error by one without noise.
 std::optional<double> would_see_alone(const EnginePicture& picture);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verify

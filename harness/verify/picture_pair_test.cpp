@@ -7,7 +7,7 @@
 
 #include "harness/verify/stale_reference.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verify {
 namespace {
 
 constexpr int kWidth = 32, kHeight = 24;
@@ -187,4 +187,4 @@ TEST(StoredReference, that_is_off_in_both_directions_is_another_picture) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verify

@@ -5,7 +5,7 @@
 
 #include "harness/verify/test_verify_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verify {
 namespace {
 
 class PlantedFaults : public VerifyTest {
@@ -115,4 +115,4 @@ TEST_F(PlantedFaults, absorption_per_half_a_unit) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verify

@@ -9,7 +9,7 @@
 #include "reference/closed_forms/closed_forms_lights.h"
 #include "scenes/sky/clear_sky.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verify {
 namespace {
 
 using namespace probe_scenes;
@@ -237,4 +237,4 @@ std::vector<Probe> probes_with_files() {
   };
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verify

@@ -9,7 +9,7 @@
 #include "reference/closed_forms/closed_forms_lights.h"
 #include "reference/closed_forms/closed_forms_media.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verify {
 namespace {
 
 using namespace probe_scenes;
@@ -348,4 +348,4 @@ const std::vector<Probe>& probe_rows() {
   return rows;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verify

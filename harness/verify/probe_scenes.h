@@ -32,9 +32,9 @@ RgbD lit(double irradiance);
 
 }  // namespace photonproof::probe_scenes
 
-namespace photonproof {
+namespace photonproof::inline harness_verify {
 
 /// Lights and textures that are read from files, and the clear sky.
 std::vector<Probe> probes_with_files();
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verify

@@ -9,12 +9,12 @@
 
 #include "harness/cells/cells.h"
 #include "reference/store/reference_store.h"
+#include "scenes/base/input_error.h"
 #include "scenes/description/overloaded.h"
+#include "scenes/files/atomic_file.h"
 #include "scenes/parser/parser.h"
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/input_error.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verify {
 namespace {
 
 namespace fs = std::filesystem;
@@ -255,4 +255,4 @@ std::vector<VerifyProbe> probe_engines(const Studio& studio, const std::vector<V
   return results;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verify

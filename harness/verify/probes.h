@@ -13,7 +13,7 @@
 #include "scenes/description/description.h"
 #include "scenes/images/image.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verify {
 
 /// What a probe's scene names: a text, or an image that is written as EXR.
 struct ProbeFile {
@@ -53,4 +53,4 @@ ProbeFit fit_probe(const Probe& probe, const EnginePicture& picture);
 std::vector<VerifyProbe> probe_engines(const Studio& studio, const std::vector<VerifyEngine>& engines,
                                        const std::vector<std::string>& kinds, const std::vector<VerifyProbe>& known);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verify

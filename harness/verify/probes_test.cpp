@@ -6,10 +6,10 @@
 #include <cmath>
 #include <random>
 
+#include "scenes/files/scratch_folder.h"
 #include "scenes/parser/parser.h"
-#include "scenes/text/scratch_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verify {
 namespace {
 
 const Probe& probe_of(const std::string& what) { return *std::ranges::find(probe_rows(), what, &Probe::what); }
@@ -91,4 +91,4 @@ TEST(Probes, have_names_and_scenes_of_their_own) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verify

@@ -6,7 +6,7 @@
 #include "harness/references/reference_estimator.h"
 #include "harness/verify/verify_engines.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verify {
 
 std::string witness_for(const SceneDescription& scene, const std::string& parent, const std::optional<Expect>& expect,
                         const std::function<std::string(const std::string&)>& refusal) {
@@ -29,4 +29,4 @@ PairTest test_witness(const Rendering& reference, double bias, const Rendering& 
   return test_pair(first, second);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verify

@@ -11,7 +11,7 @@
 #include "scenes/description/description.h"
 #include "scenes/description/expect.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verify {
 
 /// Of the estimators that are unbiased here the one with the least in common with `parent`: it shares no sampling with
 /// it, shows all of the scene's light and is not refused; empty where there is none. `refusal` as choose_estimator's.
@@ -23,4 +23,4 @@ std::string witness_for(const SceneDescription& scene, const std::string& parent
 /// batch share light paths. `bias`: of the reference, as its estimator states it.
 PairTest test_witness(const Rendering& reference, double bias, const Rendering& witness);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verify

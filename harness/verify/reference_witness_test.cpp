@@ -7,7 +7,7 @@
 
 #include "scenes/parser/parser.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verify {
 namespace {
 
 std::string witness_of(const std::string& name, const std::string& parent, const std::string& refused = "") {
@@ -49,4 +49,4 @@ TEST(ReferenceWitness, that_is_off_by_a_percent_disagrees_and_says_what_it_sees)
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verify

@@ -16,10 +16,10 @@
 #include "harness/verify/stale_reference.h"
 #include "reference/store/half_rounding.h"
 #include "reference/store/reference_store.h"
-#include "scenes/text/input_error.h"
-#include "scenes/text/timer.h"
+#include "scenes/base/input_error.h"
+#include "scenes/base/timer.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verify {
 namespace {
 
 std::string listed(const std::vector<std::string>& names) {
@@ -403,4 +403,4 @@ VerifyScene verify_scene(const Studio& studio, const StudioScene& scene, const S
   return SceneJudge(studio, scene, description, probes).judge(engines);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verify

@@ -8,11 +8,11 @@
 #include "reports/verify/verify_record.h"
 #include "scenes/description/description.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verify {
 
 /// What differs is looked at again with new samples before it is said. `probes` decide where nobody else can: of two
 /// that differ, one whose probe of what the scene holds is wrong. Throws VerifyInterrupted.
 VerifyScene verify_scene(const Studio& studio, const StudioScene& scene, const SceneDescription& description,
                          const std::vector<VerifyEngine>& engines, const std::vector<VerifyProbe>& probes);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verify

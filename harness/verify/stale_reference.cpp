@@ -8,7 +8,7 @@
 #include "harness/pixels/image_blocks.h"
 #include "harness/verify/picture_pair.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verify {
 namespace {
 
 /// Of a block and channel: the residual's squares over their variances, once the block's own factor is taken out.
@@ -77,4 +77,4 @@ ReferenceState state_of_reference(const EnginePicture& reference, const EnginePi
   return state;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verify

@@ -5,7 +5,7 @@
 
 #include "harness/verify/engine_picture.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verify {
 
 struct ReferenceState {
   bool is_stale = false;  ///< another scene's or renderer's light, else its pixels are not what its variance says
@@ -17,4 +17,4 @@ struct ReferenceState {
 /// `right`, which engines agree on.
 ReferenceState state_of_reference(const EnginePicture& reference, const EnginePicture& right);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verify

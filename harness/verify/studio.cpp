@@ -14,9 +14,9 @@
 #include "harness/suites/engine_command.h"
 #include "harness/suites/engine_stats.h"
 #include "harness/verify/picture_pair.h"
-#include "scenes/text/size_text.h"
+#include "scenes/base/size_text.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verify {
 namespace {
 
 namespace fs = std::filesystem;
@@ -193,4 +193,4 @@ Shot Studio::shoot(const StudioScene& scene, const VerifyEngine& engine, int ser
   return shoot_samples(scene, engine, series);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verify

@@ -18,7 +18,7 @@
 #include "scenes/description/expect.h"
 #include "scenes/description/film_part.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verify {
 
 struct StudioOptions {
   std::filesystem::path folder;   ///< exists; receives cells/
@@ -79,4 +79,4 @@ EnginePicture pooled_picture(const std::vector<PictureOfSamples>& parts);
 /// than what every picture of a biased engine may be off.
 DeclaredError declared_error(const VerifyEngine& engine, const std::optional<Expect>& expect, double stated_bias);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verify

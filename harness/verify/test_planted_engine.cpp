@@ -10,14 +10,14 @@
 #include <string>
 #include <vector>
 
-#include "reference/process/process.h"
+#include "scenes/base/process.h"
 #include "scenes/description/file_names.h"
+#include "scenes/files/atomic_file.h"
 #include "scenes/images/image.h"
 #include "scenes/parser/parser.h"
-#include "scenes/text/atomic_file.h"
 #include "scenes/xml/writer.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verify {
 namespace {
 
 using Words = std::vector<std::string>;
@@ -109,7 +109,7 @@ int planted(const std::string& fault, Words words) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verify
 
 int main(int argc, char** argv) try {
   if (argc < 3) return 2;

@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "reference/process/process.h"
 #include "reports/verify/verify_record.h"
-#include "scenes/text/test_folder.h"
+#include "scenes/base/process.h"
+#include "scenes/files/test_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verify {
 
 class VerifyTest : public FolderTest {
  protected:
@@ -76,4 +76,4 @@ class VerifyTest : public FolderTest {
   }
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verify

@@ -11,7 +11,7 @@
 #include "harness/verify/test_verify_folder.h"
 #include "reference/store/reference_store.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verify {
 namespace {
 
 namespace fs = std::filesystem;
@@ -277,4 +277,4 @@ TEST_F(VerbVerify, unknown_engine_is_one_error) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verify

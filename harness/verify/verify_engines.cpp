@@ -7,9 +7,9 @@
 #include "harness/gates/independence.h"
 #include "harness/suites/suite_rows.h"
 #include "scenes/description/emitter_kinds.h"
-#include "scenes/text/atomic_file.h"
+#include "scenes/files/atomic_file.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verify {
 namespace {
 
 namespace fs = std::filesystem;
@@ -104,4 +104,4 @@ std::string what_is_not_shown(const std::string& sampling, const SceneDescriptio
   return {};
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verify

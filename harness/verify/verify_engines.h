@@ -10,7 +10,7 @@
 #include "harness/suites/engines.h"
 #include "scenes/description/description.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verify {
 
 struct VerifyEngine {
   Engine row;
@@ -37,4 +37,4 @@ std::vector<VerifyEngine> verify_engines(const EngineChoice& choice);
 /// looks at, nor the far parts of a plane without end under a sky.
 std::string what_is_not_shown(const std::string& sampling, const SceneDescription& scene);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verify

@@ -16,7 +16,7 @@
 #include "harness/verify/studio.h"
 #include "scenes/images/mean_error.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verify {
 namespace {
 
 using namespace noise_kinds;
@@ -173,4 +173,4 @@ TEST(verify_null, an_error_is_found_beside_noise_that_allows_it) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verify

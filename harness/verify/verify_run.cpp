@@ -9,12 +9,12 @@
 #include "harness/verify/probes.h"
 #include "harness/verify/scene_verdict.h"
 #include "reference/store/reference_store.h"
+#include "scenes/base/input_error.h"
+#include "scenes/base/timer.h"
 #include "scenes/description/scene_hash.h"
 #include "scenes/parser/parser.h"
-#include "scenes/text/input_error.h"
-#include "scenes/text/timer.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verify {
 namespace {
 
 namespace fs = std::filesystem;
@@ -134,4 +134,4 @@ VerifyRecord run_verify(VerifyOptions options) {
   return record;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verify

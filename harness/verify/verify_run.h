@@ -11,7 +11,7 @@
 #include "harness/verify/verify_engines.h"
 #include "reports/verify/verify_record.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verify {
 
 struct VerifyOptions {
   StudioOptions studio;  ///< the folder is made and locked by run_verify
@@ -28,4 +28,4 @@ struct VerifyOptions {
 /// that Ctrl-C ended it.
 VerifyRecord run_verify(VerifyOptions options);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verify

@@ -6,7 +6,7 @@
 
 #include "reference/closed_forms/closed_forms_glass.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_closed_forms {
 namespace {
 
 using std::numbers::pi;
@@ -81,4 +81,4 @@ double water_irradiance(const SinusoidalWater& water, double x) {
   return sum_over_solutions(landing, weight, x, x - reach, x + reach, steps);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_closed_forms

@@ -4,7 +4,7 @@
 // the beam's E_0; reflectances without polarisation, the mean of s and p at every interface.
 #pragma once
 
-namespace photonproof {
+namespace photonproof::inline reference_closed_forms {
 
 /// A ball around the origin in a beam along +x, and a screen x = screen, beyond it.
 struct BallLens {
@@ -42,4 +42,4 @@ WaterRay trace_water(const SinusoidalWater& water, double x);
 /// place of x it is T cos(angle) / |dx'/ds|.)
 double water_irradiance(const SinusoidalWater& water, double x);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_closed_forms

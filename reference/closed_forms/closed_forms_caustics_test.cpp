@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "reference/closed_forms/closed_forms_glass.h"
-#include "scenes/meshes/vec.h"
+#include "scenes/base/vec.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_closed_forms {
 namespace {
 
 using std::numbers::pi;
@@ -128,4 +128,4 @@ TEST(ClosedForms, sinusoidal_water_is_a_row_of_lenses) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_closed_forms

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace photonproof {
+namespace photonproof::inline reference_closed_forms {
 
 double furnace(double emission, double albedo) { return emission / (1 - albedo); }
 
@@ -48,4 +48,4 @@ double cube_factor_opposite() { return opposite_rectangles_factor(1, 1, 1); }
 
 double cube_factor_adjacent() { return (1 - cube_factor_opposite()) / 4; }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_closed_forms

@@ -2,7 +2,7 @@
 // Radiosity (radiant exitance) and irradiance in W m^-2, radiance in W m^-2 sr^-1, flux in W; albedo rho in [0,1).
 #pragma once
 
-namespace photonproof {
+namespace photonproof::inline reference_closed_forms {
 
 /// Radiance everywhere inside a closed diffuse surface of albedo rho that emits e: e / (1 - rho).
 double furnace(double emission, double albedo);
@@ -45,4 +45,4 @@ double opposite_rectangles_factor(double a, double b, double c);
 double cube_factor_opposite();
 double cube_factor_adjacent();
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_closed_forms

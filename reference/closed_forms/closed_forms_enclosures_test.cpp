@@ -7,9 +7,9 @@
 #include <functional>
 #include <numbers>
 
-#include "scenes/meshes/vec.h"
+#include "scenes/base/vec.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_closed_forms {
 namespace {
 
 using std::numbers::pi;
@@ -103,4 +103,4 @@ TEST(ClosedForms, cube_faces_see_each_other_as_quadrature_says) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_closed_forms

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace photonproof {
+namespace photonproof::inline reference_closed_forms {
 
 FresnelPair fresnel_reflectance(double angle, double ior) {
   const double sine = std::sin(angle) / ior;
@@ -23,4 +23,4 @@ double slab_transmittance(double F, double a) { return (1 - F) * (1 - F) * a / (
 
 double slab_reflectance(double F, double a) { return F + F * (1 - F) * (1 - F) * a * a / (1 - F * F * a * a); }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_closed_forms

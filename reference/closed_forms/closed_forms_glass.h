@@ -2,7 +2,7 @@
 // angles in radians from the normal. No units: parts of the incident flux.
 #pragma once
 
-namespace photonproof {
+namespace photonproof::inline reference_closed_forms {
 
 /// Reflectance for the electric field perpendicular (s) and parallel (p) to the plane of incidence (Fresnel 1823; Born
 /// and Wolf, section 1.5.3); 1 beyond the critical angle.
@@ -25,4 +25,4 @@ double slab_transmittance(double F, double a = 1);
 /// glass in uniform light is invisible.
 double slab_reflectance(double F, double a = 1);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_closed_forms

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace photonproof {
+namespace photonproof::inline reference_closed_forms {
 namespace {
 
 using std::numbers::pi;
@@ -52,4 +52,4 @@ TEST(ClosedForms, lossless_slab_loses_nothing) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_closed_forms

@@ -7,7 +7,7 @@
 
 #include "scenes/meshes/convex_clip.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_closed_forms {
 
 double irradiance_of_point(double intensity, const Vec3d& light, const SurfacePoint& at) {
   const Vec3d to_light = light - at.position;
@@ -87,4 +87,4 @@ double irradiance_of_parallel_disc(double radiance, double radius, double height
   return 0.5 * std::numbers::pi * radiance * (1 - (a2 + h2 - r2) / std::sqrt(z * z - 4 * a2 * r2));
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_closed_forms

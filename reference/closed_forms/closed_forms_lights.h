@@ -4,9 +4,9 @@
 
 #include <span>
 
-#include "scenes/meshes/vec.h"
+#include "scenes/base/vec.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_closed_forms {
 
 /// A point on a surface with its unit normal; light from behind counts nothing.
 struct SurfacePoint {
@@ -56,4 +56,4 @@ double irradiance_of_uniform_sky(double radiance);
 ///   E = pi L / 2 [1 - (1 + H^2 - R^2) / sqrt(Z^2 - 4 R^2)],  on the axis pi L r^2 / (r^2 + h^2).
 double irradiance_of_parallel_disc(double radiance, double radius, double height, double offset);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_closed_forms

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-namespace photonproof {
+namespace photonproof::inline reference_closed_forms {
 namespace {
 
 using std::numbers::pi;
@@ -156,4 +156,4 @@ TEST(ClosedForms, parallel_disc_is_the_limit_of_polygons) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_closed_forms

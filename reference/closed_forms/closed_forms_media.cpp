@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace photonproof {
+namespace photonproof::inline reference_closed_forms {
 
 double transmittance(double sigma_t, double distance) { return std::exp(-sigma_t * distance); }
 
@@ -15,4 +15,4 @@ double radiance_through(double background, double emission, double sigma_a, doub
   return background * transmittance(sigma_a, distance) + emitted_radiance(emission, sigma_a, distance);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_closed_forms

@@ -2,7 +2,7 @@
 // A medium of albedo 1 in uniform light needs no formula: what scatters out of a ray scatters in, and L stays as it is.
 #pragma once
 
-namespace photonproof {
+namespace photonproof::inline reference_closed_forms {
 
 /// exp(-sigma d) (Bouguer 1729, Lambert 1760, Beer 1852).
 double transmittance(double sigma_t, double distance);
@@ -14,4 +14,4 @@ double emitted_radiance(double emission, double sigma_a, double distance);
 /// What is left of a uniform background behind the medium plus what the medium adds.
 double radiance_through(double background, double emission, double sigma_a, double distance);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_closed_forms

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace photonproof {
+namespace photonproof::inline reference_closed_forms {
 namespace {
 
 /// dL/ds = j - sigma L, by the classical Runge-Kutta method: of order 4, here below 1e-12.
@@ -30,4 +30,4 @@ TEST(ClosedForms, media_solve_the_equation_of_transfer) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_closed_forms

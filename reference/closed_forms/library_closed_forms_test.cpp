@@ -12,7 +12,7 @@
 #include "scenes/description/expect.h"
 #include "scenes/parser/parser.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_closed_forms {
 namespace {
 
 using std::numbers::pi;
@@ -334,4 +334,4 @@ TEST(library_mean, of_water_caustic) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_closed_forms

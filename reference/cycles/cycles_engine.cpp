@@ -8,12 +8,12 @@
 #include <string_view>
 #include <utility>
 
-#include "reference/process/process.h"
+#include "scenes/base/input_error.h"
+#include "scenes/base/process.h"
+#include "scenes/files/scratch_folder.h"
 #include "scenes/images/mean_error.h"
-#include "scenes/text/input_error.h"
-#include "scenes/text/scratch_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_cycles {
 namespace {
 
 namespace fs = std::filesystem;
@@ -181,4 +181,4 @@ CyclesRun render_cycles(const CyclesExport& scene, const CyclesRunOptions& optio
   return run;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_cycles

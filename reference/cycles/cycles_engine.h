@@ -12,7 +12,7 @@
 #include "reference/engines/engine_run.h"
 #include "scenes/images/image.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_cycles {
 
 struct CyclesRunOptions {
   std::optional<double> wall_limit_seconds{};
@@ -44,4 +44,4 @@ CyclesRun render_cycles(const CyclesExport& scene, const CyclesRunOptions& optio
 /// where there is none.
 std::string blender_error(const std::string& console);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_cycles

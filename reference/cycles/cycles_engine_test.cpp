@@ -6,10 +6,10 @@
 #include <atomic>
 #include <filesystem>
 
+#include "scenes/files/test_folder.h"
 #include "scenes/images/mean_error.h"
-#include "scenes/text/test_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_cycles {
 namespace {
 
 namespace fs = std::filesystem;
@@ -151,4 +151,4 @@ TEST_F(CyclesEngine, nothing_is_left_behind) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_cycles

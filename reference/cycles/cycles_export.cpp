@@ -15,11 +15,11 @@
 #include "reference/cycles/cycles_shapes.h"
 #include "reference/cycles/python_text.h"
 #include "reference/engines/lowered_camera.h"
+#include "scenes/base/text_numbers.h"
 #include "scenes/description/emitter_kinds.h"
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/text_numbers.h"
+#include "scenes/files/atomic_file.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_cycles {
 namespace {
 
 constexpr int most_bounces = 1024;  // that Cycles takes
@@ -155,4 +155,4 @@ void write_script(const CyclesExport& scene, const std::filesystem::path& target
   write_file_atomically(target, whole_script(scene));
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_cycles

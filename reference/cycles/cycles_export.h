@@ -10,7 +10,7 @@
 #include "reference/cycles/cycles_script.h"
 #include "scenes/description/description.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_cycles {
 
 struct CyclesExport {
   std::string text;                       ///< the scene's own lines
@@ -33,4 +33,4 @@ std::string whole_script(const CyclesExport& scene);
 /// cannot be written.
 void write_script(const CyclesExport& scene, const std::filesystem::path& target);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_cycles

@@ -8,10 +8,10 @@
 #include <sstream>
 
 #include "scenes/description/expect.h"
+#include "scenes/files/test_folder.h"
 #include "scenes/parser/parser.h"
-#include "scenes/text/test_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_cycles {
 namespace {
 
 const std::string kScenes = PHOTONPROOF_SOURCE_DIR "/scenes/";
@@ -239,4 +239,4 @@ TEST_F(CyclesFiles, images_and_meshes_lie_beside_the_script) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_cycles

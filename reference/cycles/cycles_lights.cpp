@@ -10,10 +10,10 @@
 #include "reference/cycles/cycles_shaders.h"
 #include "reference/cycles/ies_image.h"
 #include "reference/cycles/python_text.h"
+#include "scenes/base/text_numbers.h"
 #include "scenes/description/overloaded.h"
-#include "scenes/text/text_numbers.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_cycles {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
@@ -112,4 +112,4 @@ void write_lights(CyclesScript& script) {
   write_fog(script);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_cycles

@@ -3,9 +3,9 @@
 
 #include "reference/cycles/cycles_script.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_cycles {
 
 /// Throws NotRepresentable for what Blender 3.4 has no equal of.
 void write_lights(CyclesScript& script);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_cycles

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace photonproof {
+namespace photonproof::inline reference_cycles {
 namespace {
 
 constexpr int most_batches = 16, least_samples = 2;
@@ -27,4 +27,4 @@ std::vector<CyclesBatch> cycles_batches(int samples, std::uint64_t seed) {
   return batches;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_cycles

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace photonproof {
+namespace photonproof::inline reference_cycles {
 
 struct CyclesOptions {
   int width = 0;    ///< pixels; 0: the scene's film
@@ -26,4 +26,4 @@ struct CyclesBatch {
 /// that to mean anything. Seeds follow from `seed`, and differ.
 std::vector<CyclesBatch> cycles_batches(int samples, std::uint64_t seed);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_cycles

@@ -5,7 +5,7 @@
 #include "reference/engines/test_refusals.h"
 #include "scenes/parser/parser.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_cycles {
 namespace {
 
 const std::string kLamp = "<emitter type='constant'/>\n";
@@ -136,4 +136,4 @@ TEST(cycles_refuses, textures_that_are_mirrored_beyond_their_edges) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_cycles

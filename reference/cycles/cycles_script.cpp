@@ -4,10 +4,10 @@
 #include <ios>
 #include <utility>
 
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/input_error.h"
+#include "scenes/base/input_error.h"
+#include "scenes/files/atomic_file.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_cycles {
 namespace {
 
 template <class T>
@@ -75,4 +75,4 @@ std::string CyclesScript::file_of(const CyclesFile& mesh) {
   return files_.back().name;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_cycles

@@ -12,7 +12,7 @@
 #include "reference/engines/not_representable.h"
 #include "scenes/description/description.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_cycles {
 
 /// An image, or a mesh: single-precision positions, 32-bit corners of triangles, and where the mesh has them uv and
 /// normals by vertex, in this order and the machine's bytes.
@@ -56,4 +56,4 @@ class CyclesScript {
   std::vector<CyclesFile> files_;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_cycles

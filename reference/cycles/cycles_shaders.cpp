@@ -3,10 +3,10 @@
 #include <type_traits>
 
 #include "reference/cycles/python_text.h"
+#include "scenes/base/text_numbers.h"
 #include "scenes/description/overloaded.h"
-#include "scenes/text/text_numbers.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_cycles {
 namespace {
 
 /// The two rows of to_uv that count, each u, v and what is added.
@@ -202,4 +202,4 @@ CyclesTraits traits_of(const SceneDescription& scene, BsdfIndex index) {
   return traits;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_cycles

@@ -6,7 +6,7 @@
 
 #include "reference/cycles/cycles_script.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_cycles {
 
 /// Of a colour, or of a texture as it is looked up where the surface is met.
 std::string colour_py(CyclesScript& script, const Colour& colour);
@@ -39,4 +39,4 @@ struct CyclesTraits {
 };
 CyclesTraits traits_of(const SceneDescription& scene, BsdfIndex index);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_cycles

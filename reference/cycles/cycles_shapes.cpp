@@ -18,7 +18,7 @@
 #include "reference/engines/heightfield_mesh.h"
 #include "scenes/description/overloaded.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_cycles {
 namespace {
 
 /// A shape where it is: itself, or as an instance puts it.
@@ -290,4 +290,4 @@ class Shapes {
 
 void write_shapes(CyclesScript& script) { Shapes(script).write(); }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_cycles

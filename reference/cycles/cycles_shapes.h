@@ -3,9 +3,9 @@
 
 #include "reference/cycles/cycles_script.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_cycles {
 
 /// The scene's shapes and what they are made of. Throws NotRepresentable.
 void write_shapes(CyclesScript& script);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_cycles

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-namespace photonproof {
+namespace photonproof::inline reference_cycles {
 namespace {
 
 constexpr int around = 360, up = 8 * 180 + 1;
@@ -55,4 +55,4 @@ Image ies_image(const IesProfile& profile) {
   return image;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_cycles

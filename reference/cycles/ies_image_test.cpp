@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace photonproof {
+namespace photonproof::inline reference_cycles {
 namespace {
 
 /// At degrees from the nadir and around.
@@ -31,4 +31,4 @@ TEST(IesImage, quadrants_and_halves_are_mirrored) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_cycles

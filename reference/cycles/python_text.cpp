@@ -1,8 +1,8 @@
 #include "reference/cycles/python_text.h"
 
-#include "scenes/text/text_numbers.h"
+#include "scenes/base/text_numbers.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_cycles {
 
 std::string py_tuple(const std::vector<std::string>& parts) {
   std::string text = "(";
@@ -26,4 +26,4 @@ std::string py_string(std::string_view text) {
   return result + "\"";
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_cycles

@@ -5,10 +5,10 @@
 #include <string_view>
 #include <vector>
 
+#include "scenes/base/vec.h"
 #include "scenes/description/transform.h"
-#include "scenes/meshes/vec.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_cycles {
 
 /// "(x, y, z)", each number the shortest text that reads back as the same double.
 std::string py_tuple(const Vec3d& v);
@@ -19,4 +19,4 @@ std::string py_columns(const Transform& t);
 /// In double quotes, printable ASCII: other bytes become '?'.
 std::string py_string(std::string_view text);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_cycles

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <cstddef>
 
-#include "scenes/text/input_error.h"
+#include "scenes/base/input_error.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_engines {
 
 void report_failure(const EngineProgram& engine, const ProcessOutcome& outcome, const std::string& said) {
   using End = ProcessOutcome::End;
@@ -50,4 +50,4 @@ std::vector<std::string> find_non_finite(const Image& image, const std::string& 
           std::to_string(first / width) + "): " + why};
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_engines

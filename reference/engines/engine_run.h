@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "reference/process/process.h"
+#include "scenes/base/process.h"
 #include "scenes/description/description.h"
 #include "scenes/images/image.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_engines {
 
 /// An engine ran and did not finish with an image: its own message, or the limit that ended it.
 class EngineFailure : public std::runtime_error {
@@ -41,4 +41,4 @@ std::optional<ImagePlace> kept_place(const FilmDescription& film);
 /// A sentence where values are not finite, which ends with `why`; nothing else.
 std::vector<std::string> find_non_finite(const Image& image, const std::string& why);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_engines

@@ -6,7 +6,7 @@
 #include "reference/engines/not_representable.h"
 #include "scenes/generators/gradient_noise.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_engines {
 namespace {
 
 /// Between the centres of four texels of an image that repeats, mean of the channels.
@@ -63,4 +63,4 @@ std::shared_ptr<const TriangleMesh> heightfield_mesh(const SceneDescription& sce
   return mesh;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_engines

@@ -7,7 +7,7 @@
 
 #include "reference/engines/not_representable.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_engines {
 namespace {
 
 /// Of half the image, per pixel of it.
@@ -92,4 +92,4 @@ LoweredCamera lower_camera(const SceneDescription& scene, int width, int height,
   return camera;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_engines

@@ -5,7 +5,7 @@
 
 #include "scenes/description/description.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_engines {
 
 struct LoweredCamera {
   enum class Kind { perspective, thin_lens, orthographic, fisheye } kind = Kind::perspective;
@@ -24,4 +24,4 @@ struct LoweredCamera {
 /// camera's axes are not perpendicular, or when a fisheye's picture is not square.
 LoweredCamera lower_camera(const SceneDescription& scene, int width, int height, int margin, const std::string& engine);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_engines

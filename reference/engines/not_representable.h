@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "scenes/text/input_error.h"
+#include "scenes/base/input_error.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_engines {
 
 /// `summary()` is "file:line:col: error: not representable in ENGINE: why". An InputError, so that code that knows
 /// nothing of engines reports it as bad input; the verbs give it an exit code of its own.
@@ -15,4 +15,4 @@ class NotRepresentable : public InputError {
       : InputError(where, "not representable in " + engine + ": " + why) {}
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_engines

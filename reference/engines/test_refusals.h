@@ -3,10 +3,10 @@
 
 #include <string>
 
+#include "scenes/base/input_error.h"
 #include "scenes/parser/parser.h"
-#include "scenes/text/input_error.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_engines {
 
 // Shapes may name the meshes of this folder.
 inline const std::string kScene = PHOTONPROOF_CORPORA "/ply_corpus/scene.xml";
@@ -30,4 +30,4 @@ std::string refusal_by(const Write& write, const std::string& content, const std
   }
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_engines

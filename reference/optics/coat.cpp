@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-namespace photonproof {
+namespace photonproof::inline reference_optics {
 namespace {
 
 /// Midpoints of as many steps of the cosine: the integrands are smooth but for a square root at grazing.
@@ -122,4 +122,4 @@ std::array<RgbD, coat_powers> crossing_by_powers(const Coat& coat) {
   return result;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_optics

@@ -10,7 +10,7 @@
 
 #include "scenes/description/description.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_optics {
 
 /// Unpolarised reflectance at the boundary to a medium of this index, relative to the one before it; `cosine` of the
 /// angle of incidence, 0 to 1.
@@ -40,4 +40,4 @@ Coat coat_of(const LayeredDescription& lacquer, const RgbD& diffuse, const RgbD&
 constexpr std::size_t coat_powers = 6;
 std::array<RgbD, coat_powers> crossing_by_powers(const Coat& coat);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_optics

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace photonproof {
+namespace photonproof::inline reference_optics {
 namespace {
 
 PlasticDescription plastic_of(double index) {
@@ -66,4 +66,4 @@ TEST(coat, is_a_sum_of_powers_within_a_third_of_a_percent) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_optics

@@ -5,7 +5,7 @@
 #include <random>
 #include <utility>
 
-namespace photonproof {
+namespace photonproof::inline reference_optics {
 namespace {
 
 /// A permutation of 0..n-1. The engine's output is specified by the C++ standard, std::shuffle's use of it is not.
@@ -42,4 +42,4 @@ std::vector<Vec3d> sphere_points(int count, std::uint64_t seed) {
   return points;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_optics

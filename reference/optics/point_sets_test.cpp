@@ -5,7 +5,7 @@
 #include <cmath>
 #include <set>
 
-namespace photonproof {
+namespace photonproof::inline reference_optics {
 namespace {
 
 TEST(square_points, have_one_in_every_cell_and_in_every_column_and_row) {
@@ -67,4 +67,4 @@ TEST(sphere_points, are_unit_vectors_around_the_middle) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_optics

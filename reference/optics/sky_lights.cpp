@@ -7,7 +7,7 @@
 #include "reference/optics/point_sets.h"
 #include "scenes/sky/clear_sky.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_optics {
 namespace {
 
 constexpr double sky_pi = std::numbers::pi;
@@ -156,4 +156,4 @@ std::vector<SkyLight> sun_lights(const SunSkyDescription& sunsky, int side, std:
   return lights;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_optics

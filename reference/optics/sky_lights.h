@@ -8,7 +8,7 @@
 
 #include "scenes/description/description.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_optics {
 
 /// Light that comes from a direction, unit length and world space, with its irradiance on what it meets head on.
 struct SkyLight {
@@ -30,4 +30,4 @@ std::vector<SkyLight> sky_lights(const EnvmapDescription& map, int side, std::ui
 /// side x side lights of the disc of a sunsky's sun; empty when it has set.
 std::vector<SkyLight> sun_lights(const SunSkyDescription& sunsky, int side, std::uint64_t seed);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_optics

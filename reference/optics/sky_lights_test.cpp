@@ -9,7 +9,7 @@
 #include "reference/povray/povray_export.h"
 #include "scenes/parser/parser.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_optics {
 namespace {
 
 EnvmapDescription grey_map(int width, int height, float value) {
@@ -115,4 +115,4 @@ TEST(povray_lamps, that_fill_half_the_sky_of_what_they_light_are_left_to_radiosi
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_optics

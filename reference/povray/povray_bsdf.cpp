@@ -6,7 +6,7 @@
 #include "reference/povray/unrepresentable.h"
 #include "scenes/description/overloaded.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_povray {
 namespace {
 
 ColourRange range_of(const SceneDescription& scene, const BitmapDescription& bitmap, const SourceLoc& loc) {
@@ -191,4 +191,4 @@ bool is_textured(const SceneDescription& scene, const BsdfDescription& side) {
   return diffuse && std::holds_alternative<TextureIndex>(diffuse->reflectance);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_povray

@@ -6,7 +6,7 @@
 #include "reference/optics/coat.h"
 #include "scenes/description/description.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_povray {
 
 /// A colour of a scene, or what its texture is on the whole.
 struct ColourRange {
@@ -40,4 +40,4 @@ std::optional<Coat> coat_on(const SceneDescription& scene, const BsdfDescription
 /// Whether a texture's colours are looked up anywhere in a side.
 bool is_textured(const SceneDescription& scene, const BsdfDescription& side);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_povray

@@ -8,11 +8,11 @@
 
 #include "reference/povray/sdl_text.h"
 #include "reference/povray/unrepresentable.h"
+#include "scenes/base/text_numbers.h"
 #include "scenes/description/overloaded.h"
 #include "scenes/meshes/convex_clip.h"
-#include "scenes/text/text_numbers.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_povray {
 namespace {
 
 /// What may be seen between two distances along `forward`: a pyramid, wider where there is a lens; a box of an
@@ -242,4 +242,4 @@ void apply_clip_planes(const PovCamera& camera, PovScene& scene) {
   }
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_povray

@@ -10,7 +10,7 @@
 #include "reference/engines/lowered_camera.h"
 #include "reference/povray/povray_scene.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_povray {
 
 using PovCamera = LoweredCamera;
 
@@ -31,4 +31,4 @@ double thinnest_lamp(const PovCamera& camera, const PovScene& scene, int width, 
 /// any other surface that a clip plane cuts out of view.
 void apply_clip_planes(const PovCamera& camera, PovScene& scene);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_povray

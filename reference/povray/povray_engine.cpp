@@ -5,11 +5,11 @@
 #include <filesystem>
 
 #include "reference/engines/engine_run.h"
-#include "reference/process/process.h"
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/scratch_folder.h"
+#include "scenes/base/process.h"
+#include "scenes/files/atomic_file.h"
+#include "scenes/files/scratch_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_povray {
 namespace {
 
 namespace fs = std::filesystem;
@@ -171,4 +171,4 @@ PovrayRun render_povray(const PovrayExport& scene, const PovrayRunOptions& optio
   return run;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_povray

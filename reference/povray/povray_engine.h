@@ -11,7 +11,7 @@
 #include "reference/povray/povray_statistics.h"
 #include "scenes/images/image.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_povray {
 
 struct PovrayRunOptions {
   std::optional<double> wall_limit_seconds{};
@@ -45,4 +45,4 @@ Image box_downsample(const Image& image, int grid, double gain);
 /// The variance of that mean, as the spread within each block says. Precondition: grid is at least 2.
 Image variance_of_blocks(const Image& image, int grid, double gain);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_povray

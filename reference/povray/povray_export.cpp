@@ -10,9 +10,9 @@
 #include "reference/povray/povray_lights.h"
 #include "reference/povray/povray_materials.h"
 #include "reference/povray/povray_paths.h"
-#include "scenes/text/atomic_file.h"
+#include "scenes/files/atomic_file.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_povray {
 namespace {
 
 /// POV-Ray's command-line words for rays through the centres of pixels alone.
@@ -199,4 +199,4 @@ PovrayExport export_povray(const SceneDescription& description, const PovrayOpti
   return result;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_povray

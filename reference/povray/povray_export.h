@@ -11,7 +11,7 @@
 #include "reference/povray/sdl_text.h"
 #include "scenes/description/description.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_povray {
 
 struct PovrayExport {
   SdlText sdl;
@@ -36,4 +36,4 @@ void write_sdl(const PovrayExport& scene, const std::filesystem::path& target);
 /// Throws Unrepresentable with the place of what POV-Ray cannot express, InputError for a bad option.
 PovrayExport export_povray(const SceneDescription& scene, const PovrayOptions& options);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_povray

@@ -8,10 +8,10 @@
 
 #include "reference/engines/not_representable.h"
 #include "scenes/description/expect.h"
+#include "scenes/files/atomic_file.h"
 #include "scenes/parser/parser.h"
-#include "scenes/text/atomic_file.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_povray {
 namespace {
 
 const std::string kScenes = PHOTONPROOF_SOURCE_DIR "/scenes/";
@@ -213,4 +213,4 @@ TEST(povray_mesh, is_streamed_to_the_file) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_povray

@@ -6,10 +6,10 @@
 #include "reference/povray/povray_materials.h"
 #include "reference/povray/povray_paths.h"
 #include "reference/povray/povray_pigments.h"
+#include "scenes/base/text_numbers.h"
 #include "scenes/description/overloaded.h"
-#include "scenes/text/text_numbers.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_povray {
 namespace {
 
 // A ray through the common edge of two exactly adjoining polygons can miss both; walls that reach this far past their
@@ -193,4 +193,4 @@ void write_twins(const PovScene& scene, const PovPlan& plan, SdlWriter& out) {
   }
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_povray

@@ -4,7 +4,7 @@
 #include "reference/povray/povray_plan.h"
 #include "reference/povray/sdl_text.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_povray {
 
 /// The surfaces as the camera, mirrors, glass and shadows meet them; `clip` cuts those that the camera's planes cut.
 void write_surfaces(const PovScene& scene, const PovPlan& plan, const std::string& clip, SdlWriter& out);
@@ -17,4 +17,4 @@ bool has_twin(const PovSurface& surface, const PovPlan& plan);
 /// The twins; they belong in a light_group with their own lights.
 void write_twins(const PovScene& scene, const PovPlan& plan, SdlWriter& out);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_povray

@@ -5,9 +5,9 @@
 
 #include "reference/povray/povray_paths.h"
 #include "reference/povray/povray_pigments.h"
-#include "scenes/text/text_numbers.h"
+#include "scenes/base/text_numbers.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_povray {
 namespace {
 
 /// POV-Ray measures reuse by the distance to the camera; what has to be fine enough is the scene's own size.
@@ -72,4 +72,4 @@ void write_header(const PovScene& scene, const PovPlan& plan, SdlWriter& out) {
            "}");
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_povray

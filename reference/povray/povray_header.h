@@ -4,8 +4,8 @@
 #include "reference/povray/povray_plan.h"
 #include "reference/povray/sdl_text.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_povray {
 
 void write_header(const PovScene& scene, const PovPlan& plan, SdlWriter& out);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_povray

@@ -5,7 +5,7 @@
 #include "reference/povray/povray_engine.h"
 #include "scenes/parser/parser.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_povray {
 namespace {
 
 /// A black lamp of radiance 100 that faces an eye 10 away, 1 by `height` pixels of a 16 x 16 picture: at this field of
@@ -52,4 +52,4 @@ TEST(povray_lamps, are_rendered_besides_only_where_they_are_thin_in_the_picture)
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_povray

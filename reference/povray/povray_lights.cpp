@@ -8,10 +8,10 @@
 #include "reference/optics/point_sets.h"
 #include "reference/optics/sky_lights.h"
 #include "reference/povray/povray_shades.h"
+#include "scenes/base/text_numbers.h"
 #include "scenes/description/overloaded.h"
-#include "scenes/text/text_numbers.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_povray {
 namespace {
 
 std::string spot(const Vec3d& position, const Vec3d& normal) {
@@ -234,4 +234,4 @@ void write_lights(const PovScene& scene, const PovPlan& plan, const PovrayLightP
   }
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_povray

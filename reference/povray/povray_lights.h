@@ -6,7 +6,7 @@
 #include "reference/povray/povray_plan.h"
 #include "reference/povray/sdl_text.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_povray {
 
 /// More area lights than this are many: rectangles and balls are one point each then.
 constexpr std::ptrdiff_t kManyLights = 64;
@@ -24,4 +24,4 @@ void write_spot_macro(const PovPlan& plan, SdlWriter& out);
 void write_lights(const PovScene& scene, const PovPlan& plan, const PovrayLightPoints& points, std::uint64_t seed,
                   SdlWriter& out);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_povray

@@ -14,7 +14,7 @@
 #include "scenes/description/overloaded.h"
 #include "scenes/meshes/convex_clip.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_povray {
 namespace {
 
 /// Half the side of the square that stands for a plane, in radii of everything else: the horizon is a thousandth of a
@@ -397,4 +397,4 @@ void Lowering::bound() {
 
 PovScene lower_scene(const SceneDescription& description) { return Lowering(description).run(); }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_povray

@@ -9,9 +9,9 @@
 
 #include "reference/optics/coat.h"
 #include "reference/povray/povray_pigments.h"
-#include "scenes/text/text_numbers.h"
+#include "scenes/base/text_numbers.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_povray {
 namespace {
 
 struct Material {
@@ -306,4 +306,4 @@ std::string back_of(const PovScene& scene, const PovSurface& surface, const PovP
   return " interior_texture{" + black + "}" + interior_of(scene, surface, plan);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_povray

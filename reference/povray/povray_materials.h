@@ -4,7 +4,7 @@
 #include "reference/povray/povray_plan.h"
 #include "reference/povray/sdl_text.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_povray {
 
 /// Declares texture Bsdf_<i> (and Interior_<i> for glass) for each side that a surface has, over the plane of uv where
 /// it is textured, and the textures of backs: Black, of one-sided surfaces, and Clear, of those the near plane cuts
@@ -24,4 +24,4 @@ std::string lamp_texture(const PovScene& scene, const PovSurface& surface, const
 /// What is behind: " interior_texture{...}" of a surface that lets nothing through, and its interior.
 std::string back_of(const PovScene& scene, const PovSurface& surface, const PovPlan& plan);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_povray

@@ -8,7 +8,7 @@
 #include <ostream>
 #include <utility>
 
-namespace photonproof {
+namespace photonproof::inline reference_povray {
 namespace {
 
 /// Text that goes to a stream in large pieces.
@@ -175,4 +175,4 @@ void write_mesh_declaration(const PovMesh& mesh, double scale, std::ostream& str
   out.end_line();
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_povray

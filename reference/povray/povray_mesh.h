@@ -11,7 +11,7 @@
 
 #include "scenes/description/description.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_povray {
 
 struct PovMesh {
   std::shared_ptr<const TriangleMesh> mesh;
@@ -43,4 +43,4 @@ std::vector<Vec3d> vertex_normals(const TriangleMesh& mesh);
 /// what POV-Ray keeps them in.
 void write_mesh_declaration(const PovMesh& mesh, double scale, std::ostream& out);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_povray

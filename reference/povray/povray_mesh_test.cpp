@@ -11,7 +11,7 @@
 #include "scenes/meshes/icosphere.h"
 #include "scenes/parser/parser.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_povray {
 namespace {
 
 MeshDescription described(const TriangleMesh& mesh, bool face_normals) {
@@ -184,4 +184,4 @@ TEST(povray_mesh, of_glass_has_nothing_in_the_box_around_it) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_povray

@@ -2,9 +2,9 @@
 
 #include <string>
 
-#include "scenes/text/input_error.h"
+#include "scenes/base/input_error.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_povray {
 
 // Radiosity halves the rays at each bounce and takes its directions from one low-discrepancy sequence: counts of
 // 3 x 2^k keep the halves balanced. Others cost up to 2 % of the mean of a Cornell box.
@@ -71,4 +71,4 @@ PovrayPreset povray_preset(int quality) {
   }
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_povray

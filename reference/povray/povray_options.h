@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-namespace photonproof {
+namespace photonproof::inline reference_povray {
 
 struct PovrayOptions {
   int width = 0;    ///< pixels; 0: the scene's film
@@ -59,4 +59,4 @@ struct PovrayPreset {
 /// Throws InputError unless `quality` is 1, 2, 3 or 4.
 PovrayPreset povray_preset(int quality);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_povray

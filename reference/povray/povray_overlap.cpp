@@ -9,7 +9,7 @@
 #include "scenes/description/overloaded.h"
 #include "scenes/meshes/convex_clip.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_povray {
 namespace {
 
 // Bodies that rest on one another touch up to rounding; an overlap must be deeper than this fraction of the body.
@@ -140,4 +140,4 @@ void refuse_overlaps_with_glass(const PovScene& scene) {
   }
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_povray

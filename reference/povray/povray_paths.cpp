@@ -5,9 +5,9 @@
 #include <variant>
 
 #include "reference/povray/povray_materials.h"
-#include "scenes/text/text_numbers.h"
+#include "scenes/base/text_numbers.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_povray {
 namespace {
 
 /// Edge of a cell, in POV-Ray's lengths, where the scene's radius is about 64; and of the cells within a cell. Odd
@@ -75,4 +75,4 @@ std::string mortal_material_of(const PovScene& scene, const PovSurface& surface,
   return " " + mortal(*sides.front) + (has_back ? " interior_" + mortal(*sides.back) : back_of(scene, surface, plan));
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_povray

@@ -20,7 +20,7 @@
 #include "reference/povray/povray_plan.h"
 #include "reference/povray/sdl_text.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_povray {
 
 /// "radiosity{...}" of the global settings.
 std::string path_radiosity_sdl(const PovPlan& plan);
@@ -40,4 +40,4 @@ PovCamera with_moved_grid(PovCamera camera, int across, int down, std::uint64_t 
 /// partly clear are as they were.
 std::string mortal_material_of(const PovScene& scene, const PovSurface& surface, const PovPlan& plan);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_povray

@@ -10,7 +10,7 @@
 #include "reference/povray/povray_engine.h"
 #include "scenes/parser/parser.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_povray {
 namespace {
 
 /// A point light of intensity 1 in the middle of a ball of radius 1, seen from within: with an albedo rho the radiance
@@ -207,4 +207,4 @@ TEST(povray_paths, variance_of_blocks_is_that_of_their_mean) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_povray

@@ -8,10 +8,10 @@
 
 #include "reference/optics/sky_lights.h"
 #include "reference/povray/sdl_text.h"
+#include "scenes/base/text_numbers.h"
 #include "scenes/description/overloaded.h"
-#include "scenes/text/text_numbers.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_povray {
 namespace {
 
 std::string file_name(std::size_t texture, const std::string& stem) {
@@ -165,4 +165,4 @@ std::vector<PovFile> image_files(const PovScene& scene, double exposure, const s
   return files;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_povray

@@ -8,7 +8,7 @@
 #include "reference/povray/povray_scene.h"
 #include "scenes/images/image.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_povray {
 
 /// An image that the exported text names, to be written beside it.
 struct PovFile {
@@ -40,4 +40,4 @@ std::string sky_sdl(const PovScene& scene, double exposure, double scale, const 
 /// The files that surfaces and the sky need.
 std::vector<PovFile> image_files(const PovScene& scene, double exposure, const std::string& stem);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_povray

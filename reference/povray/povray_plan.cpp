@@ -11,7 +11,7 @@
 #include "reference/povray/unrepresentable.h"
 #include "scenes/description/overloaded.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_povray {
 namespace {
 
 constexpr int kMostBounces = 20;              // POV-Ray 3.7's limit for recursion_limit
@@ -238,4 +238,4 @@ PovPlan make_plan(const PovScene& scene, const PovrayOptions& options) {
   return plan;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_povray

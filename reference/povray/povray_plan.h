@@ -8,7 +8,7 @@
 #include "reference/povray/povray_options.h"
 #include "reference/povray/povray_scene.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_povray {
 
 struct PovPlan {
   PovrayPreset preset{};
@@ -36,4 +36,4 @@ PovPlan make_plan(const PovScene& scene, const PovrayOptions& options);
 /// Never false when it can.
 bool may_see(const PovSurface& from, const PovSurface& to);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_povray

@@ -6,7 +6,7 @@
 #include "reference/povray/povray_export.h"
 #include "scenes/parser/parser.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_povray {
 namespace {
 
 const std::string kLamp = "<emitter type='point'><point name='position' value='0 5 0'/></emitter>\n";
@@ -224,4 +224,4 @@ TEST(povray_refuses, unknown_quality) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_povray

@@ -4,7 +4,7 @@
 
 #include "scenes/description/overloaded.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_povray {
 namespace {
 
 PovParallelogram flipped(const PovParallelogram& p) { return {p.corner, p.edge_v, p.edge_u}; }
@@ -107,4 +107,4 @@ RgbD mean_radiance(const EmitterDescription& sky) {
   return sum * (map.scale / static_cast<double>(image.pixels()));
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_povray

@@ -13,7 +13,7 @@
 #include "reference/povray/povray_mesh.h"
 #include "scenes/description/description.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_povray {
 
 /// corner + s u + t v; cross(edge_u, edge_v) points to the front, the side a one-sided surface reflects and emits on.
 struct PovParallelogram {
@@ -112,4 +112,4 @@ bool is_sky(const EmitterDescription& emitter);
 /// media that scatter, textures on curved shapes and on lamps that light something.
 PovScene lower_scene(const SceneDescription& description);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_povray

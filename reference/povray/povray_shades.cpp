@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "reference/povray/povray_pigments.h"
-#include "scenes/text/text_numbers.h"
+#include "scenes/base/text_numbers.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_povray {
 namespace {
 
 // In POV-Ray's lengths: small against the scene, which is some 64 wide, and well above what shadow rays forgive.
@@ -84,4 +84,4 @@ std::string ies_shade(const IesLightDescription& light, double scale) {
               light.to_world, scale);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_povray

@@ -5,7 +5,7 @@
 
 #include "scenes/description/description.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_povray {
 
 /// Lets through 1 within the beam, 0 beyond the cut-off, linear in the angle between.
 std::string spot_shade(const SpotLightDescription& light, double scale);
@@ -17,4 +17,4 @@ std::string slide_shade(const SpotLightDescription& light, double greatest, doub
 std::string ies_shade(const IesLightDescription& light, double scale);
 double greatest_candela(const IesProfile& profile);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_povray

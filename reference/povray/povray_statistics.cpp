@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace photonproof {
+namespace photonproof::inline reference_povray {
 namespace {
 
 /// The first number at or after `from`.
@@ -98,4 +98,4 @@ std::string povray_errors(std::string_view console) {
   return result;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_povray

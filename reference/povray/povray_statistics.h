@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace photonproof {
+namespace photonproof::inline reference_povray {
 
 struct PovrayStatistics {
   std::map<std::string, double> phases;      ///< wall seconds: "parse", "bounding", "photon", "radiosity", "trace"
@@ -27,4 +27,4 @@ std::optional<double> povray_progress(std::string_view console);
 /// The lines that say what went wrong ("File 'scene.pov' line 3: Parse Error: ..."), joined; empty when there are none.
 std::string povray_errors(std::string_view console);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_povray

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace photonproof {
+namespace photonproof::inline reference_povray {
 namespace {
 
 // Cut from a +GS file of POV-Ray 3.7.0.10.
@@ -79,4 +79,4 @@ TEST(PovrayStatistics, keeps_the_lines_that_say_what_went_wrong) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_povray

@@ -3,9 +3,9 @@
 #include <cstdio>
 #include <sstream>
 
-#include "scenes/text/text_numbers.h"
+#include "scenes/base/text_numbers.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_povray {
 
 std::string sdl_vector(const Vec3d& v) {
   return "<" + format_number(v.x) + "," + format_number(v.y) + "," + format_number(v.z) + ">";
@@ -59,4 +59,4 @@ void SdlWriter::line(std::string_view sdl) {
   text_.append("\n");
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_povray

@@ -9,9 +9,9 @@
 #include <variant>
 #include <vector>
 
-#include "scenes/meshes/vec.h"
+#include "scenes/base/vec.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_povray {
 
 /// "<x,y,z>", each number the shortest text that reads back as the same double.
 std::string sdl_vector(const Vec3d& v);
@@ -49,4 +49,4 @@ class SdlWriter {
   std::vector<std::string> explanations_;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_povray

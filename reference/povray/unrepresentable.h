@@ -5,11 +5,11 @@
 
 #include "reference/engines/not_representable.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_povray {
 
 class Unrepresentable : public NotRepresentable {
  public:
   Unrepresentable(const std::string& where, const std::string& why) : NotRepresentable("POV-Ray", where, why) {}
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_povray

@@ -4,9 +4,9 @@
 #include <bit>
 #include <cmath>
 
-#include "scenes/text/splitmix.h"
+#include "scenes/base/splitmix.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_store {
 namespace {
 
 // Below 2^-14 halves are 2^-24 apart, above by the exponent; the spacing is a power of two, so that dividing is exact.
@@ -53,4 +53,4 @@ void widen_to_half_rounding(Rendering& rounded) {
   }
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_store

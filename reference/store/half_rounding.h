@@ -11,7 +11,7 @@
 
 #include "scenes/images/image.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_store {
 
 inline constexpr float largest_half = 65504;
 /// The largest variance that rounding a mean so can have: (2^-11 x)^2.
@@ -29,4 +29,4 @@ Rendering rounded_to_halves(const Rendering& rendering);
 /// says that it is certain, and is off by 2^-10 where it was.
 void widen_to_half_rounding(Rendering& rounded);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_store

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace photonproof {
+namespace photonproof::inline reference_store {
 namespace {
 
 Rendering uniform(int side, float value, float variance) {
@@ -70,4 +70,4 @@ TEST(half_rounding, rounded_values_are_as_uncertain_as_rounding_can_make_them) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_store

@@ -8,7 +8,7 @@
 #include "reference/store/reference_store.h"
 #include "scenes/description/expect.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_store {
 namespace {
 
 namespace fs = std::filesystem;
@@ -67,4 +67,4 @@ TEST(LibraryReferences, means_are_the_closed_forms) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_store

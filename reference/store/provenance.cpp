@@ -4,11 +4,11 @@
 #include <nlohmann/json.hpp>
 #include <type_traits>
 
-#include "scenes/text/input_error.h"
-#include "scenes/text/json_text.h"
-#include "scenes/text/percent_text.h"
+#include "scenes/base/input_error.h"
+#include "scenes/base/json_text.h"
+#include "scenes/base/percent_text.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_store {
 namespace {
 
 using nlohmann::ordered_json;
@@ -160,4 +160,4 @@ Provenance parse_provenance(const std::string& text, const std::string& file) {
   return p;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_store

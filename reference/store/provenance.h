@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace photonproof {
+namespace photonproof::inline reference_store {
 
 /// One time that somebody replaced a reference by another, and why.
 struct Acceptance {
@@ -58,4 +58,4 @@ std::string provenance_text(const Provenance& provenance);
 /// cannot be.
 Provenance parse_provenance(const std::string& text, const std::string& file);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_store

@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "scenes/text/test_folder.h"
+#include "scenes/files/test_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_store {
 namespace {
 
 Provenance sample() {
@@ -88,4 +88,4 @@ TEST(Provenance, text_that_is_none_is_refused_by_name) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_store

@@ -7,15 +7,15 @@
 #include <utility>
 
 #include "reference/store/half_rounding.h"
+#include "scenes/base/input_error.h"
+#include "scenes/base/size_text.h"
 #include "scenes/description/film_part.h"
 #include "scenes/description/scene_hash.h"
+#include "scenes/files/atomic_file.h"
+#include "scenes/files/checksum.h"
 #include "scenes/parser/parser.h"
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/checksum.h"
-#include "scenes/text/input_error.h"
-#include "scenes/text/size_text.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_store {
 namespace {
 
 namespace fs = std::filesystem;
@@ -241,4 +241,4 @@ std::string utc_now() {
   return text;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_store

@@ -9,7 +9,7 @@
 #include "reference/store/provenance.h"
 #include "scenes/images/image.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_store {
 
 struct StoredReference {
   Rendering rendering;  ///< the variance is always there, and is that of the mean, rounding to half floats included
@@ -78,4 +78,4 @@ std::string reference_command(const std::filesystem::path& scene_file, int width
 /// "2026-01-31T12:00:00Z"
 std::string utc_now();
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_store

@@ -8,10 +8,10 @@
 #include <utility>
 
 #include "scenes/description/scene_hash.h"
+#include "scenes/files/test_folder.h"
 #include "scenes/parser/parser.h"
-#include "scenes/text/test_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline reference_store {
 namespace {
 
 namespace fs = std::filesystem;
@@ -272,4 +272,4 @@ TEST_F(ReferenceStore, command_can_be_pasted) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline reference_store

@@ -4,10 +4,10 @@
 
 #include "renderer/core/version.h"
 #include "renderer/passes/view.h"
+#include "scenes/base/size_text.h"
 #include "scenes/description/scene_hash.h"
-#include "scenes/text/size_text.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_api {
 namespace {
 
 std::string joined(const std::vector<std::string>& words) {
@@ -37,4 +37,4 @@ RenderIdentity render_identity(const SceneDescription& description, const Render
           {"list of --no-skip", joined(request.no_skip)}};
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_api

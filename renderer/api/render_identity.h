@@ -5,7 +5,7 @@
 #include "renderer/core/checkpoint.h"
 #include "renderer/core/parallel.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_api {
 
 /// Everything that decides the bits of the image, apart from the budget: a checkpoint may be resumed with a larger one.
 RenderIdentity render_identity(const SceneDescription& description, const RenderRequest& request,
@@ -14,4 +14,4 @@ RenderIdentity render_identity(const SceneDescription& description, const Render
 /// "sobol" or "independent".
 const char* sampler_name(SamplerKind sampler);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_api

@@ -10,14 +10,14 @@
 #include "renderer/core/version.h"
 #include "renderer/integrators/check_supported.h"
 #include "renderer/integrators/integrator.h"
+#include "renderer/limits/precision_notes.h"
+#include "renderer/limits/scene_notes.h"
 #include "renderer/scalar/coverage.h"
-#include "renderer/scene/precision_notes.h"
-#include "renderer/scene/scene_notes.h"
+#include "scenes/base/timer.h"
+#include "scenes/files/atomic_file.h"
 #include "scenes/images/mean_error.h"
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/timer.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_api {
 namespace {
 
 IntegratorDescription method_of(const SceneDescription& description, const RenderRequest& request) {
@@ -196,4 +196,4 @@ void remove_checkpoint(const std::filesystem::path& file) {
   std::filesystem::remove(file, ignored);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_api

@@ -12,12 +12,12 @@
 #include <string>
 #include <vector>
 
+#include "renderer/limits/scene_notes.h"
 #include "renderer/passes/render_job.h"
 #include "renderer/planning/plan.h"
-#include "renderer/scene/scene_notes.h"
 #include "scenes/images/image.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_api {
 
 struct RenderRequest {
   std::string integrator{};                 ///< a name of `integrators()`; empty: the scene's own
@@ -64,4 +64,4 @@ RenderPlan plan_scene(const SceneDescription& description, const RenderRequest& 
 /// Removes the file of a checkpoint, and with it what allows to resume.
 void remove_checkpoint(const std::filesystem::path& file);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_api

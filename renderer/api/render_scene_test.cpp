@@ -8,11 +8,11 @@
 
 #include "renderer/integrators/test_scenes.h"
 #include "renderer/planning/test_compiled.h"
+#include "scenes/base/input_error.h"
+#include "scenes/files/test_folder.h"
 #include "scenes/parser/parser.h"
-#include "scenes/text/input_error.h"
-#include "scenes/text/test_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_api {
 namespace {
 
 constexpr const char* scene_text = R"(<scene version="3.0.0">
@@ -163,4 +163,4 @@ TEST_F(RenderScene, a_request_that_cannot_be_done_is_refused_by_name) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_api

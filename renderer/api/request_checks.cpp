@@ -5,10 +5,10 @@
 
 #include "renderer/core/available_memory.h"
 #include "renderer/sensor/film.h"
-#include "scenes/text/input_error.h"
-#include "scenes/text/size_text.h"
+#include "scenes/base/input_error.h"
+#include "scenes/base/size_text.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_api {
 
 Tile film_window(const FilmDescription& film, const std::optional<FilmDescription::Crop>& asked) {
   const FilmDescription::Crop crop = asked.value_or(film.window());
@@ -37,4 +37,4 @@ void check_memory(const SceneDescription& description, const Tile& window, bool 
                        " are free: render it smaller or, by --crop, in parts");
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_api

@@ -6,7 +6,7 @@
 #include "renderer/core/parallel.h"
 #include "scenes/description/description.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_api {
 
 /// The part of the image that is rendered: `asked`, or the film's own crop. Throws InputError at "--crop" when it is
 /// not inside the image.
@@ -16,4 +16,4 @@ Tile film_window(const FilmDescription& film, const std::optional<FilmDescriptio
 /// the film are made for them.
 void check_memory(const SceneDescription& description, const Tile& window, bool checkpoints);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_api

@@ -24,7 +24,7 @@
 #include "renderer/bsdfs/rough_part.h"
 #include "renderer/lanes/kind_list.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_bsdfs {
 
 /// One row a BSDF.
 using BsdfKinds = KindList<DiffuseBsdf, ConductorBsdf, DielectricBsdf, NullBsdf, RoughConductorBsdf, ThinDielectricBsdf,
@@ -65,4 +65,4 @@ inline constexpr std::uint32_t rough_kinds = [] {
   return kinds;
 }();
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_bsdfs

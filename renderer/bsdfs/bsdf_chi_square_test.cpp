@@ -9,7 +9,7 @@
 #include "renderer/core/parallel.h"
 #include "renderer/lanes/test_sphere_cells.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_bsdfs {
 namespace {
 
 using test::compiled;
@@ -114,4 +114,4 @@ TEST(bsdfs, mirrors_have_the_mass_they_say) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_bsdfs

@@ -4,7 +4,7 @@
 #include "renderer/bsdfs/bsdf_sample.h"
 #include "renderer/bsdfs/fresnel.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_bsdfs {
 
 template <class F>
 struct ConductorBsdf {
@@ -25,4 +25,4 @@ struct ConductorBsdf {
   }
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_bsdfs

@@ -4,7 +4,7 @@
 #include "renderer/bsdfs/bsdf_sample.h"
 #include "renderer/bsdfs/fresnel.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_bsdfs {
 
 template <class F>
 struct DielectricBsdf {
@@ -41,4 +41,4 @@ struct DielectricBsdf {
   }
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_bsdfs

@@ -3,9 +3,9 @@
 
 #include "renderer/bsdfs/bsdf_sample.h"
 #include "renderer/lanes/warp.h"
-#include "scenes/text/faults.h"
+#include "scenes/base/faults.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_bsdfs {
 
 template <class F>
 struct DiffuseBsdf {
@@ -23,4 +23,4 @@ struct DiffuseBsdf {
   }
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_bsdfs

@@ -11,7 +11,7 @@
 #include "renderer/bsdfs/test_shading.h"
 #include "renderer/lanes/test_random.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_bsdfs {
 namespace {
 
 using test::compiled;
@@ -341,4 +341,4 @@ TEST(bsdf_laws, rough_ones_lose_what_the_table_says) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_bsdfs

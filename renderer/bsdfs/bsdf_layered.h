@@ -20,7 +20,7 @@
 #include "renderer/bsdfs/bsdf_roughconductor.h"
 #include "renderer/bsdfs/rough_part.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_bsdfs {
 
 /// What Layered asks of a base: its diffuse reflectance, its mirror's at a cosine, and the rest, `glossy`, as a BSDF
 /// with a bound below its reflectance. Parts that a base lacks are never asked for.
@@ -206,4 +206,4 @@ using LayeredRoughConductorBsdf = LayeredBsdf<F, RoughConductorBsdf>;
 template <class F>
 using LayeredPhongBsdf = LayeredBsdf<F, PhongBsdf>;
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_bsdfs

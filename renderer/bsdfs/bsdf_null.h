@@ -3,7 +3,7 @@
 
 #include "renderer/bsdfs/bsdf_sample.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_bsdfs {
 
 template <class F>
 struct NullBsdf {
@@ -20,4 +20,4 @@ struct NullBsdf {
   }
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_bsdfs

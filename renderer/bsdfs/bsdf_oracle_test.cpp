@@ -18,7 +18,7 @@
 #include "scenes/description/named_ior.h"
 #include "scenes/parser/parser.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_bsdfs {
 namespace {
 
 struct Row {
@@ -363,4 +363,4 @@ TEST(bsdf_oracle, named_indices_are_those_of_the_substances) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_bsdfs

@@ -8,7 +8,7 @@
 #include "renderer/bsdfs/rough_part.h"
 #include "renderer/lanes/lane_exp.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_bsdfs {
 
 template <class F>
 struct PhongBsdf {
@@ -74,4 +74,4 @@ struct PhongBsdf {
   F gloss_probability() const { return lobe_probability(mean_channel(raw_specular), mean_channel(raw_diffuse)); }
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_bsdfs

@@ -12,7 +12,7 @@
 #include "renderer/bsdfs/rough_part.h"
 #include "renderer/lanes/warp.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_bsdfs {
 
 template <class F>
 F mean_channel(const Vec3<F>& c) {
@@ -81,4 +81,4 @@ struct PlasticBsdf {
   }
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_bsdfs

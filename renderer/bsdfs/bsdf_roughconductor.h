@@ -7,7 +7,7 @@
 #include "renderer/bsdfs/microfacet.h"
 #include "renderer/bsdfs/rough_part.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_bsdfs {
 
 template <class F>
 struct RoughConductorBsdf {
@@ -55,4 +55,4 @@ struct RoughConductorBsdf {
   }
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_bsdfs

@@ -7,7 +7,7 @@
 #include "renderer/bsdfs/fresnel.h"
 #include "renderer/bsdfs/microfacet.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_bsdfs {
 
 template <class F>
 struct RoughDielectricBsdf {
@@ -89,4 +89,4 @@ struct RoughDielectricBsdf {
   }
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_bsdfs

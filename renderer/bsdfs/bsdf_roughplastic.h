@@ -8,7 +8,7 @@
 #include "renderer/bsdfs/microfacet.h"
 #include "renderer/bsdfs/rough_part.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_bsdfs {
 
 template <class F>
 struct RoughPlasticBsdf {
@@ -76,4 +76,4 @@ struct RoughPlasticBsdf {
   }
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_bsdfs

@@ -3,7 +3,7 @@
 
 #include "renderer/lanes/lane.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_bsdfs {
 
 /// What the history carries: radiance (camera paths) or importance (photons). Refraction scales radiance by the squared
 /// ratio of indices, flux not at all (Veach 1997, section 5.2).
@@ -19,4 +19,4 @@ struct BsdfSample {
   Mask<F> valid;   ///< where false the history is absorbed and the rest is undefined
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_bsdfs

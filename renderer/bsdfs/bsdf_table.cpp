@@ -4,7 +4,7 @@
 
 #include "renderer/bsdfs/compile_bsdf.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_bsdfs {
 namespace {
 
 void refuse_deep_maps(const SceneDescription& description, const std::vector<BsdfNode>& tree) {
@@ -47,4 +47,4 @@ BsdfTable compile_bsdfs(const SceneDescription& description) {
   return table;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_bsdfs

@@ -8,7 +8,7 @@
 #include "renderer/bsdfs/bsdf_tree.h"
 #include "scenes/description/description.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_bsdfs {
 
 struct BsdfTable {
   std::vector<Bsdf> records;   ///< by the description's indices; of those that wrap others there is nothing here
@@ -44,4 +44,4 @@ struct BsdfTable {
 /// Throws InputError at a BSDF that cannot be represented.
 BsdfTable compile_bsdfs(const SceneDescription& description);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_bsdfs

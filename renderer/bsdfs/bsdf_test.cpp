@@ -7,7 +7,7 @@
 #include "renderer/bsdfs/test_shading.h"
 #include "renderer/lanes/test_chi_square.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_bsdfs {
 namespace {
 
 using test::eval;
@@ -128,4 +128,4 @@ TEST(dielectric, radiance_scales_by_the_squared_index_and_comes_back) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_bsdfs

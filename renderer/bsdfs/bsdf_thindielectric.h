@@ -5,9 +5,9 @@
 
 #include "renderer/bsdfs/bsdf_sample.h"
 #include "renderer/bsdfs/fresnel.h"
-#include "scenes/text/faults.h"
+#include "scenes/base/faults.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_bsdfs {
 
 template <class F>
 struct ThinDielectricBsdf {
@@ -37,4 +37,4 @@ struct ThinDielectricBsdf {
   }
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_bsdfs

@@ -1,6 +1,6 @@
 #include "renderer/bsdfs/bsdf_tree.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_bsdfs {
 namespace {
 
 using Kind = BsdfNode::Kind;
@@ -44,4 +44,4 @@ std::vector<BsdfNode> bsdf_tree(const std::vector<BsdfDescription>& bsdfs) {
   return tree;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_bsdfs

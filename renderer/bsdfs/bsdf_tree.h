@@ -9,7 +9,7 @@
 #include "renderer/textures/texture_slot.h"
 #include "scenes/description/description.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_bsdfs {
 
 /// A number, or the texture that gives it.
 struct TexturedNumber {
@@ -51,4 +51,4 @@ void for_each_leaf(const std::vector<BsdfNode>& tree, std::uint32_t bsdf, std::u
   if (node.second != node.first) for_each_leaf(tree, node.second, nothing, visit);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_bsdfs

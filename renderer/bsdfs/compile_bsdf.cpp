@@ -5,10 +5,10 @@
 #include <cstddef>
 
 #include "renderer/bsdfs/interface_tables.h"
+#include "scenes/base/numeric_faults.h"
 #include "scenes/description/overloaded.h"
-#include "scenes/text/numeric_faults.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_bsdfs {
 namespace {
 
 /// Makes one record, collecting the slots of its textures. `word` arguments are offsets in bytes.
@@ -189,4 +189,4 @@ CompiledBsdf compile_bsdf(const SceneDescription& scene, BsdfIndex bsdf) {
   return {record, std::move(compiler.slots)};
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_bsdfs

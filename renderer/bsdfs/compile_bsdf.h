@@ -9,7 +9,7 @@
 #include "renderer/textures/texture_slot.h"
 #include "scenes/description/description.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_bsdfs {
 
 struct CompiledBsdf {
   Bsdf record;
@@ -22,4 +22,4 @@ bool is_anisotropic(const SceneDescription& scene, BsdfIndex bsdf);
 /// Throws InputError where parameters cannot work together or the BSDF is no leaf.
 CompiledBsdf compile_bsdf(const SceneDescription& scene, BsdfIndex bsdf);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_bsdfs

@@ -8,7 +8,7 @@
 
 #include "renderer/bsdfs/test_bsdfs.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_bsdfs {
 namespace {
 
 constexpr TextureIndex texture{7};
@@ -95,4 +95,4 @@ TEST(compile_bsdf, knows_what_is_anisotropic_under_a_lacquer_too) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_bsdfs

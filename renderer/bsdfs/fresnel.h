@@ -3,7 +3,7 @@
 
 #include "renderer/lanes/lane.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_bsdfs {
 
 template <class F>
 struct DielectricFresnel {
@@ -50,4 +50,4 @@ Vec3<F> fresnel_conductor(const F& cos_incident, const Vec3<F>& eta, const Vec3<
           fresnel_conductor(cos_incident, eta.z, k.z)};
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_bsdfs

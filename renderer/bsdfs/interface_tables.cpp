@@ -9,7 +9,7 @@
 #include <tuple>
 #include <vector>
 
-namespace photonproof {
+namespace photonproof::inline renderer_bsdfs {
 namespace {
 
 double fresnel(double cos_incident, double eta) {
@@ -167,4 +167,4 @@ RoughInterface rough_interface(const Microfacets<float>& facets, double eta) {
   return known.of(facets, eta);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_bsdfs

@@ -5,7 +5,7 @@
 
 #include "renderer/bsdfs/bsdf_roughplastic.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_bsdfs {
 
 /// Share of diffuse light that a smooth interface does not reflect: 1 less 2 times the integral of F(cos) cos
 /// exp(-2 depth / cos) over cos in [0,1], the light crossing an absorbing layer on its way to the interface and back.
@@ -25,4 +25,4 @@ double rough_reflectance(const Microfacets<float>& facets, double cos_wo, double
 /// Share of it that they refract to the other side. What a second facet stops is in neither.
 double rough_transmittance(const Microfacets<float>& facets, double cos_wo, double eta);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_bsdfs

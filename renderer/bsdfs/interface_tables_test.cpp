@@ -6,7 +6,7 @@
 
 #include "renderer/bsdfs/bsdf_roughdielectric.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_bsdfs {
 namespace {
 
 Vec3f at_cosine(double c) { return {static_cast<float>(std::sqrt(1 - c * c)), 0, static_cast<float>(c)}; }
@@ -111,4 +111,4 @@ TEST(interface_tables, a_layer_under_an_interface_absorbs_on_both_ways) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_bsdfs

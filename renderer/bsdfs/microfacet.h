@@ -7,7 +7,7 @@
 #include "renderer/lanes/lane_exp.h"
 #include "renderer/lanes/warp.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_bsdfs {
 
 template <class F>
 struct Microfacets {
@@ -188,4 +188,4 @@ Vec3<F> mirrored(const Vec3<F>& v, const Vec3<F>& m) {
   return advance(Vec3<F>(-v), F(2 * dot(v, m)), m);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_bsdfs

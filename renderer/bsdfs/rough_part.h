@@ -7,7 +7,7 @@
 
 #include "renderer/lanes/lane.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_bsdfs {
 
 /// Where roughness begins: microfacets' alpha along the sharper direction, and the exponent of Phong's lobes that are
 /// as wide, alpha^2 = 2 / (exponent + 2) (Walter et al. 2007).
@@ -56,4 +56,4 @@ Mask<F> is_by_rough_part(const Vec3<F>& rough_share, const F& u, Vec3<F>& weight
   return rough;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_bsdfs

@@ -15,7 +15,7 @@
 #include "renderer/bsdfs/bsdf_sample.h"
 #include "renderer/lanes/warp.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_bsdfs {
 
 /// Part of the light that the bumps which tilt a normal do not keep from each other (Estevez, Lecocq and Stein 2019, "A
 /// Microfacet-Based Shadowing Function to Solve the Bump Terminator Problem", eqs. 2 and 3): Smith's for GGX of
@@ -173,4 +173,4 @@ struct ScatteringBsdf {
   F pdf(const Vec3<F>& wo, const Vec3<F>& wi) const { return at.pdf(bsdf, wo, wi, TransportMode::radiance); }
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_bsdfs

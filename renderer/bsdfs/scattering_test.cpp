@@ -15,7 +15,7 @@
 #include "renderer/planning/test_compiled.h"
 #include "renderer/scalar/world.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_bsdfs {
 namespace {
 
 TextureIndex even(SceneDescription& d, const Rgb& rgb) {
@@ -224,4 +224,4 @@ INSTANTIATE_TEST_SUITE_P(normals, BothModes,
                          name_of);
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_bsdfs

@@ -8,7 +8,7 @@
 #include <fstream>
 #include <string>
 
-namespace photonproof {
+namespace photonproof::inline renderer_core {
 namespace {
 
 /// The number a file begins with; "max", the word for no limit, is none.
@@ -65,4 +65,4 @@ std::optional<std::uint64_t> available_memory() {
   return least;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_core

@@ -5,7 +5,7 @@
 #include <istream>
 #include <optional>
 
-namespace photonproof {
+namespace photonproof::inline renderer_core {
 
 /// Bytes: the least that the machine (MemAvailable), the process's control group (versions 1 and 2, of Linux) and its
 /// limit of address space (`ulimit -v`) leave. Nothing where none of them says.
@@ -14,4 +14,4 @@ std::optional<std::uint64_t> available_memory();
 /// The bytes that the line "MemAvailable:   123 kB" of /proc/meminfo says.
 std::optional<std::uint64_t> memory_of_meminfo(std::istream& meminfo);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_core

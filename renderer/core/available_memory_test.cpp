@@ -6,7 +6,7 @@
 
 #include <sstream>
 
-namespace photonproof {
+namespace photonproof::inline renderer_core {
 namespace {
 
 TEST(available_memory, is_what_the_line_of_meminfo_says) {
@@ -32,4 +32,4 @@ TEST(available_memory, is_no_more_than_the_machine_has_nor_than_the_limit_of_add
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_core

@@ -7,10 +7,10 @@
 #include <bit>
 #include <cstring>
 
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/input_error.h"
+#include "scenes/base/input_error.h"
+#include "scenes/files/atomic_file.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_core {
 namespace {
 
 constexpr char magic[] = "photonproof checkpoint 1\n";
@@ -157,4 +157,4 @@ void read_checkpoint(const std::filesystem::path& file, const RenderIdentity& id
   if (reader.bytes_left() > 0) reader.refuse("it holds more than it should");
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_core

@@ -12,10 +12,10 @@
 #include <utility>
 #include <vector>
 
-#include "scenes/text/checksum.h"
-#include "scenes/text/file_claim.h"
+#include "scenes/files/checksum.h"
+#include "scenes/files/file_claim.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_core {
 
 /// What decides the bits of an image, as (what it is called, its value): a checkpoint fits a render of equal identity.
 using RenderIdentity = std::vector<std::pair<std::string, std::string>>;
@@ -100,4 +100,4 @@ void write_checkpoint(const std::filesystem::path& file, const std::string& cont
 void read_checkpoint(const std::filesystem::path& file, const RenderIdentity& identity,
                      const std::function<void(StateReader&)>& state);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_core

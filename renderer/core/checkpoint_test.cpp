@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "scenes/text/test_folder.h"
+#include "scenes/files/test_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_core {
 namespace {
 
 class Checkpoint : public FolderTest {
@@ -150,4 +150,4 @@ TEST(checksum, does_not_depend_on_how_the_bytes_are_cut) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_core

@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-namespace photonproof {
+namespace photonproof::inline renderer_core {
 
 template <class T>
 using OneValue = T;
@@ -22,4 +22,4 @@ consteval std::size_t columns_visited(const Zip& zip) {
   return columns;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_core

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace photonproof {
+namespace photonproof::inline renderer_core {
 
 class DiscreteDistribution {
  public:
@@ -48,4 +48,4 @@ class DiscreteDistribution {
   double total_ = 0;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_core

@@ -12,7 +12,7 @@
 #include <sys/mman.h>
 #endif
 
-namespace photonproof {
+namespace photonproof::inline renderer_core {
 
 template <class T>
 class LargeAllocator {
@@ -59,4 +59,4 @@ class LargeAllocator {
 template <class T>
 using LargeArray = std::vector<T, LargeAllocator<T>>;
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_core

@@ -7,9 +7,9 @@
 
 #include <algorithm>
 
-#include "scenes/text/thread_handoff.h"
+#include "scenes/base/thread_handoff.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_core {
 
 Threads::Threads(int count) : count_(count > 0 ? count : tbb::this_task_arena::max_concurrency()) {}
 
@@ -77,4 +77,4 @@ Tile Tiles::at(std::size_t i) const {
   return {x0, y0, std::min(x0 + size, window_.x1), std::min(y0 + size, window_.y1)};
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_core

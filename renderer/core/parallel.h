@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <functional>
 
-namespace photonproof {
+namespace photonproof::inline renderer_core {
 
 /// A number of worker threads for the loops run inside `run`; 0 asks for every core. More than the machine has is
 /// allowed (the determinism tests use 7).
@@ -50,4 +50,4 @@ class Tiles {
   std::size_t across_, down_;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_core

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace photonproof {
+namespace photonproof::inline renderer_core {
 
 class RadixSort {
  public:
@@ -40,4 +40,4 @@ class RadixSort {
   std::vector<Item> scratch_;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_core

@@ -3,9 +3,9 @@
 
 #include <cstdint>
 
-#include "scenes/meshes/vec.h"
+#include "scenes/base/vec.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_core {
 
 /// Of a shadow segment, how far things are in the way: what a light lies on does not hide it.
 inline constexpr float segment_end = 1 - 0x1p-18f;
@@ -23,4 +23,4 @@ struct Hit {
   bool valid() const { return surface != no_index; }
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_core

@@ -3,10 +3,10 @@
 
 #include <cstdint>
 
-namespace photonproof {
+namespace photonproof::inline renderer_core {
 
 struct RayCounts {
   std::uint64_t camera = 0, bounce = 0, shadow = 0, photon = 0;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_core

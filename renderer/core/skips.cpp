@@ -1,8 +1,8 @@
 #include "renderer/core/skips.h"
 
-#include "scenes/text/input_error.h"
+#include "scenes/base/input_error.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_core {
 
 const std::vector<SkipRow>& skip_table() {
   static const std::vector<SkipRow> table{
@@ -43,4 +43,4 @@ SkipSwitches::SkipSwitches(const std::vector<std::string>& names_switched_off) {
   }
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_core

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace photonproof {
+namespace photonproof::inline renderer_core {
 
 enum class Skip : std::uint32_t {
   bvh,
@@ -47,4 +47,4 @@ class SkipSwitches {
   std::uint32_t off_ = 0;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_core

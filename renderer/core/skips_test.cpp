@@ -8,7 +8,7 @@
 #include "renderer/planning/plan.h"
 #include "renderer/planning/test_compiled.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_core {
 namespace {
 
 Rendering render_without(const SceneDescription& description, const char* integrator,
@@ -179,4 +179,4 @@ TEST(skips, an_unknown_name_is_refused_with_the_known_ones) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_core

@@ -2,10 +2,10 @@
 
 #include "source_hash.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_core {
 
 std::string version_line() {
   return std::string("photonproof ") + PHOTONPROOF_VERSION + " (" + PHOTONPROOF_SOURCE_HASH + ")";
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_core

@@ -12,7 +12,7 @@
 #include "renderer/integrators/test_scenes.h"
 #include "scenes/parser/parser.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_integrators {
 namespace {
 
 constexpr int width = 24, height = 16;
@@ -126,4 +126,4 @@ INSTANTIATE_TEST_SUITE_P(library, ChartScene,
                          });
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_integrators

@@ -4,7 +4,7 @@
 
 #include "scenes/description/emitter_kinds.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_integrators {
 namespace {
 
 const Integrator& row_of(const SceneDescription* description, const IntegratorDescription& method) {
@@ -115,4 +115,4 @@ void check_job(const RenderJob& job, const IntegratorDescription& method) {
   if (!job.isa.empty() && !row.heeds.isa) refuse("--isa", "has no kernels");
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_integrators

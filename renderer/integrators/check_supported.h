@@ -4,7 +4,7 @@
 #include "renderer/integrators/integrator.h"
 #include "scenes/description/description.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_integrators {
 
 /// Throws InputError at the entity of the scene that the integrator of `method` would get wrong, naming one that does
 /// not, or when this program has no such integrator.
@@ -13,4 +13,4 @@ void check_supported(const SceneDescription& description, const IntegratorDescri
 /// Throws InputError naming the option when the job asks for what the integrator does not heed.
 void check_job(const RenderJob& job, const IntegratorDescription& method);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_integrators

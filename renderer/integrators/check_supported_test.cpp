@@ -6,10 +6,10 @@
 #include <map>
 
 #include "renderer/integrators/test_scenes.h"
-#include "renderer/passes/photon_tracing.h"
+#include "renderer/photon_mapping/photon_tracing.h"
 #include "scenes/description/plugin_name.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_integrators {
 namespace {
 
 template <class Action>
@@ -146,4 +146,4 @@ TEST(with_integrator, keeps_what_all_integrators_know) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_integrators

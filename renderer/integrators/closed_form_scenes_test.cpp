@@ -18,7 +18,7 @@
 #include "scenes/description/expect.h"
 #include "scenes/parser/parser.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_integrators {
 namespace {
 
 struct Mean {
@@ -186,4 +186,4 @@ INSTANTIATE_TEST_SUITE_P(library, LossyFurnace,
                          });
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_integrators

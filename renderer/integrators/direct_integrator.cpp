@@ -6,7 +6,7 @@
 #include "renderer/integrators/path_integrator.h"
 #include "renderer/planning/direct_paths.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_integrators {
 
 void plan_direct(const IntegratorDescription& description, Planner& planner) {
   const auto& method = std::get<DirectDescription>(description.method);
@@ -44,4 +44,4 @@ void render_direct(const Scene& scene, const RenderPlan& plan, const RenderJob& 
   stats.counts["samples_per_pixel"] /= static_cast<double>(paths);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_integrators

@@ -6,9 +6,9 @@
 #include "renderer/scene/scene.h"
 #include "renderer/sensor/film.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_integrators {
 
 void plan_direct(const IntegratorDescription& description, Planner& planner);
 void render_direct(const Scene& scene, const RenderPlan& plan, const RenderJob& job, Film& film, RenderStats& stats);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_integrators

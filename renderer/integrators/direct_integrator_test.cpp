@@ -8,7 +8,7 @@
 
 #include "renderer/integrators/test_scenes.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_integrators {
 namespace {
 
 using test::job_with;
@@ -79,4 +79,4 @@ TEST(direct, counts_multiply_the_samples_taken) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_integrators

@@ -9,7 +9,7 @@
 
 #include "renderer/integrators/test_scenes.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_integrators {
 namespace {
 
 constexpr std::size_t by_embree = 0, by_small_kernel = small_scene_limit;
@@ -169,4 +169,4 @@ INSTANTIATE_TEST_SUITE_P(image, ImageOf, testing::Values("path", "photonmapper")
                          [](const auto& integrator) { return std::string(integrator.param); });
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_integrators

@@ -2,17 +2,17 @@
 
 #include <algorithm>
 
+#include "renderer/integrators/bdpt.h"
 #include "renderer/integrators/direct_integrator.h"
+#include "renderer/integrators/light_survey.h"
+#include "renderer/integrators/particle_tracer.h"
 #include "renderer/integrators/path_integrator.h"
-#include "renderer/integrators/photon_mapper.h"
+#include "renderer/integrators/volpath.h"
+#include "renderer/integrators/whitted.h"
 #include "renderer/passes/tile_film.h"
-#include "renderer/scalar/bdpt.h"
-#include "renderer/scalar/light_survey.h"
-#include "renderer/scalar/particle_tracer.h"
-#include "renderer/scalar/volpath.h"
-#include "renderer/scalar/whitted.h"
+#include "renderer/photon_mapping/photon_mapper.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_integrators {
 
 namespace {
 
@@ -147,4 +147,4 @@ void render(const Scene& scene, const RenderPlan& plan, const RenderJob& job, Fi
   find_integrator(plan.integrator)->render(scene, plan, job, film, stats);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_integrators

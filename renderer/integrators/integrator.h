@@ -11,7 +11,7 @@
 #include "renderer/scene/scene.h"
 #include "renderer/sensor/film.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_integrators {
 
 /// The code of ours that integrators run beside what all of them share (CONTRIBUTING, "A batch's life" and "One history
 /// at a time"), as sentences on those that fail together name it.
@@ -68,4 +68,4 @@ void find_lost_light(const Scene& scene, RenderPlan& plan);
 /// not asked for.
 void render(const Scene& scene, const RenderPlan& plan, const RenderJob& job, Film& film, RenderStats& stats);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_integrators

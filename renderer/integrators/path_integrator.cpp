@@ -8,7 +8,7 @@
 #include "renderer/passes/scratch_pool.h"
 #include "renderer/passes/tile_film.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_integrators {
 
 void trace_path_passes(const Scene& scene, const PathSettings& settings, const RenderJob& job, const std::string& phase,
                        Film& film, RenderStats& stats) {
@@ -45,4 +45,4 @@ void render_path(const Scene& scene, const RenderPlan& plan, const RenderJob& jo
                     job, "path tracing", film, stats);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_integrators

@@ -7,7 +7,7 @@
 #include "renderer/scene/scene.h"
 #include "renderer/sensor/film.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_integrators {
 
 /// The passes of the path kernel, with these settings.
 void trace_path_passes(const Scene& scene, const PathSettings& settings, const RenderJob& job, const std::string& phase,
@@ -16,4 +16,4 @@ void trace_path_passes(const Scene& scene, const PathSettings& settings, const R
 void plan_path(const IntegratorDescription& description, Planner& planner);
 void render_path(const Scene& scene, const RenderPlan& plan, const RenderJob& job, Film& film, RenderStats& stats);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_integrators

@@ -8,7 +8,7 @@
 
 #include "renderer/integrators/test_scenes.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_integrators {
 namespace {
 
 using test::job_with;
@@ -109,4 +109,4 @@ TEST(path, interrupt_keeps_the_first_pass) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_integrators

@@ -8,10 +8,10 @@
 #include <numbers>
 #include <string>
 
-#include "renderer/integrators/test_photon_scenes.h"
 #include "renderer/integrators/test_scenes.h"
+#include "renderer/photon_mapping/test_photon_scenes.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_integrators {
 namespace {
 
 using test::add_bsdf;
@@ -176,4 +176,4 @@ TEST(rough_surfaces, the_same_bits_by_any_number_of_threads_and_instruction_sets
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_integrators

@@ -7,14 +7,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "renderer/integrators/bdpt_weights.h"
 #include "renderer/integrators/test_scenes.h"
 #include "renderer/lanes/test_chi_square.h"
 #include "renderer/media/phase.h"
-#include "renderer/scalar/bdpt_weights.h"
 #include "renderer/scalar/world.h"
 #include "scenes/images/mean_error.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_integrators {
 namespace {
 
 using test::job_with;
@@ -373,4 +373,4 @@ TEST(nested_dielectrics, the_lower_priority_gives_way_to_what_it_holds) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_integrators

@@ -12,7 +12,7 @@
 #include "renderer/integrators/test_scenes.h"
 #include "renderer/lanes/test_random.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_integrators {
 namespace {
 
 /// Of harness/oracles/tilted_floor.py: mean over the one square of (1/pi) int cos cos / d^2 over the other, and the
@@ -194,4 +194,4 @@ TEST(twosided_floor, keeps_the_photons_of_its_two_sides_apart) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_integrators

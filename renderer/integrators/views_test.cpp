@@ -16,7 +16,7 @@
 #include "renderer/integrators/test_scenes.h"
 #include "renderer/passes/view.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_integrators {
 namespace {
 
 using test::Rendered;
@@ -345,4 +345,4 @@ TEST(views, are_found_by_their_names) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_integrators

@@ -5,7 +5,7 @@
 #include "renderer/scene/scene_view.h"
 #include "renderer/shapes/aim_cone.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_kernels {
 
 template <class F>
 struct Aimed {
@@ -30,4 +30,4 @@ Aimed<F> aim(const SceneView& scene, const Vec3<F>& p, const F& u_target, const 
   return {line, pdf * (1 / count)};
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_kernels

@@ -3,7 +3,7 @@
 
 #include "renderer/lanes/lane.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_kernels {
 
 /// Valid as long as the BSDF it was made of.
 template <class F>
@@ -24,4 +24,4 @@ AnyBsdf<F> any_bsdf(const Record& bsdf) {
       [](const void* b, const Vec3<F>& wo, const Vec3<F>& wi) { return static_cast<const Record*>(b)->pdf(wo, wi); }};
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_kernels

@@ -15,7 +15,7 @@
 #include "renderer/scene/scene_view.h"
 #include "renderer/scene/surface_detail.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_kernels {
 
 /// A history at a surface, waiting to be shaded.
 template <template <class> class History, class F>
@@ -191,4 +191,4 @@ class BatchKernel {
   std::size_t detail_count_ = 0;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_kernels

@@ -4,7 +4,7 @@
 #include "renderer/kernels/tasks.h"
 #include "renderer/sensor/camera_ray.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_kernels {
 
 /// Paths [first, first + lanes) of the task; lanes beyond the task's last path repeat it.
 template <class F>
@@ -47,4 +47,4 @@ CameraRay<F> camera_rays(const SceneView& scene, const CameraTask& task, std::ui
   return ray;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_kernels

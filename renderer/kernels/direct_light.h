@@ -5,9 +5,9 @@
 #include "renderer/kernels/lights.h"
 #include "renderer/lanes/warp.h"
 #include "renderer/rays/rays.h"
-#include "scenes/text/faults.h"
+#include "scenes/base/faults.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_kernels {
 
 /// Power heuristic, exponent 2 (Veach 1997, section 9.2.4): the weight of a sample of density `pdf` against `other`.
 template <class F>
@@ -45,4 +45,4 @@ Vec3<F> estimate_direct(const SceneView& scene, const SurfaceHit<F>& hit, const 
   return select(visible, Vec3<F>(f * s.radiance * weight), Vec3<F>(F(0.0f)));
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_kernels

@@ -6,7 +6,7 @@
 #include "renderer/kernels/tasks.h"
 #include "renderer/lanes/lane.h"
 
-namespace photonproof::PHOTONPROOF_KERNELS {
+namespace photonproof::inline renderer_kernels::PHOTONPROOF_KERNELS {
 
 #ifdef PHOTONPROOF_SCALAR
 using Lanes = float;
@@ -18,4 +18,4 @@ extern const PathKernelEntry path;
 extern const PhotonKernelEntry photon;
 extern const GatherKernelEntry gather;
 
-}  // namespace photonproof::PHOTONPROOF_KERNELS
+}  // namespace photonproof::inline renderer_kernels::PHOTONPROOF_KERNELS

@@ -4,7 +4,7 @@
 #include "renderer/photons/photon_gather.h"
 #include "renderer/scene/surface_detail.h"
 
-namespace photonproof::PHOTONPROOF_KERNELS {
+namespace photonproof::inline renderer_kernels::PHOTONPROOF_KERNELS {
 
 static void gather_photons(const GatherTask& task) {
   const GatherPoints& points = task.points;
@@ -34,4 +34,4 @@ static void add_gathered(const GatherPoints& points, float* radiance) {
 
 const GatherKernelEntry gather{gather_photons, add_gathered};
 
-}  // namespace photonproof::PHOTONPROOF_KERNELS
+}  // namespace photonproof::inline renderer_kernels::PHOTONPROOF_KERNELS

@@ -7,9 +7,9 @@
 
 #include "renderer/core/columns.h"
 #include "renderer/core/large_array.h"
-#include "scenes/meshes/vec.h"
+#include "scenes/base/vec.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_kernels {
 
 /// A new column is a member and its place in zip_gather_points; only who makes it and who reads it need to know.
 template <template <class> class Column>
@@ -103,4 +103,4 @@ class GatherQueue {
   std::size_t count_ = 0;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_kernels

@@ -4,7 +4,7 @@
 #include "renderer/lanes/lane_records.h"
 #include "renderer/light_choice/scene_lights.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_kernels {
 
 /// Each lane's own light; what other lanes than `lanes` ask is answered by zeros.
 template <class F>
@@ -78,4 +78,4 @@ Mask<F> is_infinite(const GeneralLight<F>& light) {
   return light.is_infinite();
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_kernels

@@ -1,9 +1,9 @@
 #include "renderer/kernels/isa.h"
 
-#include "scenes/text/input_error.h"
-#include "scenes/text/processor.h"
+#include "scenes/base/input_error.h"
+#include "scenes/base/processor.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_kernels {
 
 #define PHOTONPROOF_ENTRIES(name)        \
   namespace name {                       \
@@ -57,4 +57,4 @@ const Kernels& kernels_for(const std::string& isa) {
   throw InputError("--isa", "this processor has no '" + isa + "', it has: " + names);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_kernels

@@ -6,7 +6,7 @@
 
 #include "renderer/kernels/tasks.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_kernels {
 
 /// Those this processor can run, best first; the last is always "scalar", one lane, the definition of the others.
 const std::vector<Kernels>& available_kernels();
@@ -14,4 +14,4 @@ const std::vector<Kernels>& available_kernels();
 /// The kernels of that name; an empty name asks for the best. Throws InputError naming those there are.
 const Kernels& kernels_for(const std::string& isa);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_kernels

@@ -17,7 +17,7 @@
 #include "renderer/rays/small_scene_tables.h"
 #include "renderer/sensor/reconstruction_filter.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_kernels {
 namespace {
 
 using namespace test;
@@ -365,4 +365,4 @@ TEST(lanes, a_small_scenes_rays_meet_the_same_primitives) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_kernels

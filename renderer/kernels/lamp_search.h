@@ -14,7 +14,7 @@
 #include "renderer/kernels/tasks.h"
 #include "renderer/rays/surface_hit.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_kernels {
 
 /// Of an interface that reflects the part `reflected` and asks whether u < reflected: makes u, uniform in [0,1), choose
 /// either lobe with probability 1/2, and returns sqrt(p/q) of the one it chooses. Where there is but one, nothing
@@ -50,4 +50,4 @@ void find_lamps(const LampSearch& search, State& s, const SurfaceHit<F>& hit, co
   }
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_kernels

@@ -7,7 +7,7 @@
 
 #include "renderer/lanes/lane.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_kernels {
 
 /// State<F> offers columns(state, visit): visit(member) for every member that is an F or a UInt<F>, always in the same
 /// order. Memory belongs to the caller.
@@ -48,4 +48,4 @@ class LaneBatch {
   std::size_t size_ = 0;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_kernels

@@ -10,7 +10,7 @@
 #include "renderer/rays/surface_hit.h"
 #include "renderer/scene/scene_view.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_kernels {
 
 inline bool has_general_lights(const SceneView& scene) { return (scene.light_kinds >> general_light_kind & 1u) != 0; }
 
@@ -139,4 +139,4 @@ EnvironmentLook<F> look_at_environment(const SceneView& scene, const Vec3<F>& or
   });
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_kernels

@@ -2,7 +2,7 @@
 
 #include "renderer/kernels/entries.h"
 
-namespace photonproof::PHOTONPROOF_KERNELS {
+namespace photonproof::inline renderer_kernels::PHOTONPROOF_KERNELS {
 
 static void trace_paths(PathTask& task) {
   PathKernel<Lanes>(task).run(task.bounces.count > 0 ? task.bounces.count : task.camera.paths());
@@ -10,4 +10,4 @@ static void trace_paths(PathTask& task) {
 
 const PathKernelEntry path{lane_count<Lanes>, PathKernel<Lanes>::scratch_words, trace_paths};
 
-}  // namespace photonproof::PHOTONPROOF_KERNELS
+}  // namespace photonproof::inline renderer_kernels::PHOTONPROOF_KERNELS

@@ -15,9 +15,9 @@
 #include "renderer/kernels/rough_look_up.h"
 #include "renderer/kernels/tasks.h"
 #include "renderer/lanes/roulette.h"
-#include "scenes/text/faults.h"
+#include "scenes/base/faults.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_kernels {
 
 template <class F>
 struct PathState {
@@ -450,4 +450,4 @@ class PathKernel : public BatchKernel<PathKernel<F>, PathState, TransportMode::r
   const bool bears_bits_;       ///< of final_gather.h and rough_look_up.h
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_kernels

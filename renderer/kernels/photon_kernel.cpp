@@ -2,7 +2,7 @@
 
 #include "renderer/kernels/entries.h"
 
-namespace photonproof::PHOTONPROOF_KERNELS {
+namespace photonproof::inline renderer_kernels::PHOTONPROOF_KERNELS {
 
 static void trace_photons(PhotonTask& task) {
   PhotonKernel<Lanes>(task).run(task.count);
@@ -11,4 +11,4 @@ static void trace_photons(PhotonTask& task) {
 
 const PhotonKernelEntry photon{PhotonKernel<Lanes>::scratch_words, trace_photons};
 
-}  // namespace photonproof::PHOTONPROOF_KERNELS
+}  // namespace photonproof::inline renderer_kernels::PHOTONPROOF_KERNELS

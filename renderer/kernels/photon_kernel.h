@@ -13,7 +13,7 @@
 #include "renderer/photons/rough_photon.h"
 #include "renderer/rays/rays.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_kernels {
 
 template <class F>
 struct PhotonState {
@@ -230,4 +230,4 @@ class PhotonKernel : public BatchKernel<PhotonKernel<F>, PhotonState, TransportM
   PhotonTask& task_;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_kernels

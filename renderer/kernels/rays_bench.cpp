@@ -10,7 +10,7 @@
 #include "renderer/kernels/test_bench_scenes.h"
 #include "renderer/kernels/test_recorded_rays.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_kernels {
 namespace {
 
 constexpr int max_depth = 8;
@@ -130,4 +130,4 @@ int register_all() {
 const int registered = register_all();
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_kernels

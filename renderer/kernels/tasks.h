@@ -10,7 +10,7 @@
 #include "renderer/photons/photon_view.h"
 #include "renderer/scene/scene_view.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_kernels {
 
 /// Camera samples [first_sample, first_sample + samples) of every pixel of a tile, or of some; at most 2^20 of them.
 struct CameraTask {
@@ -191,4 +191,4 @@ struct Kernels {
   GatherKernelEntry gather;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_kernels

@@ -7,7 +7,7 @@
 // the templates in rays/rays.h.
 #include "renderer/rays/rays.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_kernels {
 
 using RecordedLane = stdx::simd<float, stdx::simd_abi::scalar>;
 
@@ -44,7 +44,7 @@ Mask<RecordedLane> occluded(const SceneView& scene, const Vec3<RecordedLane>& or
   return occluded<RecordedLane>(scene, origin, segment, from, target, active);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_kernels
 
 #include "renderer/kernels/path_kernel.h"
 

@@ -3,7 +3,7 @@
 
 #include "renderer/lanes/sampler.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_lanes {
 
 struct Draws {
   SamplerKind kind = SamplerKind::sobol;
@@ -21,4 +21,4 @@ inline Draws draws_of_history(SamplerKind kind, std::uint64_t seed, Stream strea
   return {kind, stream_seed(seed, stream, number >> 32), static_cast<std::uint32_t>(number)};
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_lanes

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <variant>
 
-namespace photonproof {
+namespace photonproof::inline renderer_lanes {
 
 template <template <class> class... Kind>
 struct KindList {
@@ -26,4 +26,4 @@ struct KindList {
   }
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_lanes

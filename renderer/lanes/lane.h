@@ -11,9 +11,9 @@
 #include <cstring>
 #include <type_traits>
 
-#include "scenes/meshes/vec.h"
+#include "scenes/base/vec.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_lanes {
 
 template <class F>
 struct LaneTraits;
@@ -49,13 +49,13 @@ void store_from(const V& v, Word* p) {
   std::memcpy(p, static_cast<const void*>(&v), sizeof v);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_lanes
 
 #ifdef PHOTONPROOF_PACKS
 #include "renderer/lanes/lane_pack.h"
 #endif
 
-namespace photonproof {
+namespace photonproof::inline renderer_lanes {
 
 // --- masks: always those of F, whatever was compared -----------------------------------------------------------------
 
@@ -179,4 +179,4 @@ Record<F> gather_record(const float* base, const UInt<F>& index, std::uint32_t s
   return record;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_lanes

@@ -4,7 +4,7 @@
 
 #include "renderer/lanes/lane.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_lanes {
 
 /// Within 2 ulp; 0 below -87.3, where floats lose digits, and e^88 above 88.
 template <class F>
@@ -80,4 +80,4 @@ F lane_erfinv(const F& x) {
   return x * select(w < 5, near, far);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_lanes

@@ -8,7 +8,7 @@
 #include <limits>
 #include <numbers>
 
-namespace photonproof {
+namespace photonproof::inline renderer_lanes {
 namespace {
 
 /// Largest |f(x) - truth(x)| / |truth(x)| on an even grid.
@@ -73,4 +73,4 @@ TEST(lane_exp, inverse_error_function_comes_back) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_lanes

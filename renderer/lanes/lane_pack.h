@@ -13,7 +13,7 @@
 
 #include "renderer/lanes/lane.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_lanes {
 
 namespace stdx = std::experimental;
 
@@ -223,4 +223,4 @@ template <class A>
 Pack<A> max_component(const Vec3<Pack<A>>& a) {
   return lane_max(a.z, lane_max(a.y, a.x));  // with a NaN what std::max gives
 }
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_lanes

@@ -6,7 +6,7 @@
 
 #include "renderer/lanes/lane.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_lanes {
 
 inline float lane_of(float v, std::size_t) { return v; }
 inline std::uint32_t lane_of(std::uint32_t v, std::size_t) { return v; }
@@ -42,4 +42,4 @@ Answer each_lane(const Mask<F>& lanes, const Ask& one) {
   return answer;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_lanes

@@ -3,7 +3,7 @@
 
 #include "renderer/lanes/lane.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_lanes {
 
 template <class F>
 struct SinCos {
@@ -58,4 +58,4 @@ F angle_between(const Vec3<F>& a, const Vec3<F>& b) {
   return angle_of(F(lane_sqrt(dot(across, across))), F(dot(a, b)));
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_lanes

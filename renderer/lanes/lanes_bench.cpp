@@ -12,7 +12,7 @@
 #include "renderer/lanes/warp.h"
 #include "renderer/planning/test_compiled.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_lanes {
 namespace {
 
 using F = stdx::native_simd<float>;
@@ -75,4 +75,4 @@ BENCHMARK_CAPTURE(shade, gold, ConductorDescription{ComplexIor{{0.14, 0.37, 1.44
 BENCHMARK_CAPTURE(shade, glass, DielectricDescription{});
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_lanes

@@ -8,7 +8,7 @@
 #include "renderer/lanes/test_lane_words.h"
 #include "renderer/lanes/warp.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_lanes {
 namespace {
 
 using namespace test;
@@ -254,4 +254,4 @@ TEST(lanes, fresnel_agrees) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_lanes

@@ -24,7 +24,7 @@
 
 #include "renderer/lanes/lane.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_lanes {
 
 /// For histories of `edges` >= rr_depth edges that have `weight` > 0 relative to their first.
 template <class F>
@@ -36,4 +36,4 @@ F survival_probability(const F& weight, const UInt<F>& edges, int rr_depth) {
   return lane_min(weight, select(is_gentle, F(1 - c / k), F(1.0f)));
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_lanes

@@ -15,7 +15,7 @@
 #include "renderer/integrators/test_scenes.h"
 #include "renderer/lanes/test_chi_square.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_lanes {
 namespace {
 
 using test::job_with;
@@ -176,4 +176,4 @@ TEST(roulette, knows_that_refraction_scales_radiance) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_lanes

@@ -11,7 +11,7 @@
 
 #include "renderer/lanes/lane.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_lanes {
 
 enum class SamplerKind : std::uint32_t { sobol, independent };
 
@@ -122,4 +122,4 @@ UInt<F> pixel_key(const UInt<F>& x, const UInt<F>& y, std::uint32_t seed) {
   return mix_bits(UInt<F>(mix_bits(UInt<F>(y << 16 | x)) + seed));
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_lanes

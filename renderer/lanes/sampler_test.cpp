@@ -13,7 +13,7 @@
 
 #include "renderer/lanes/test_chi_square.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_lanes {
 namespace {
 
 using Point = Vec2<float>;
@@ -252,4 +252,4 @@ TEST(sampler, integrates_without_bias) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_lanes

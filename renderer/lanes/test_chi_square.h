@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "renderer/lanes/test_random.h"
-#include "scenes/meshes/vec.h"
+#include "scenes/base/vec.h"
 
 namespace photonproof::test {
 

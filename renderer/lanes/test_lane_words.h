@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "renderer/lanes/test_lanes.h"
-#include "scenes/meshes/vec.h"
+#include "scenes/base/vec.h"
 
 namespace photonproof::test {
 

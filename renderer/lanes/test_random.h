@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "scenes/meshes/vec.h"
+#include "scenes/base/vec.h"
 
 namespace photonproof::test {
 

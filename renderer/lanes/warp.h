@@ -6,7 +6,7 @@
 
 #include "renderer/lanes/lane_trig.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_lanes {
 
 inline constexpr float pi = std::numbers::pi_v<float>;
 inline constexpr double pi_d = std::numbers::pi;
@@ -76,4 +76,4 @@ Vec3<F> square_to_cone(const Vec2<F>& u, const F& one_minus_cos) {
   return {sin_theta * phi.cos, sin_theta * phi.sin, 1 - drop};
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_lanes

@@ -6,7 +6,7 @@
 
 #include "renderer/lanes/test_chi_square.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_lanes {
 namespace {
 
 TEST(warp, cosine_hemisphere_matches_its_density) {
@@ -52,4 +52,4 @@ TEST(warp, frames_are_orthonormal_and_right_handed_for_any_normal) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_lanes

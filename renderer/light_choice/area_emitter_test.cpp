@@ -7,7 +7,7 @@
 
 #include "renderer/light_choice/test_emitters.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_light_choice {
 namespace {
 
 using test::expect_rgb;
@@ -134,4 +134,4 @@ TEST_F(AreaEmitter, wears_its_texture) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_light_choice

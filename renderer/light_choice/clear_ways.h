@@ -7,7 +7,7 @@
 #include "renderer/lanes/lane.h"
 #include "renderer/shapes/aim_cone.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_light_choice {
 
 struct ClearWays {
   struct Wall {
@@ -43,4 +43,4 @@ PointAhead<F> point_ahead(const ClearWays& ways, const UInt<F>& light, const Aim
   return {ahead, valid};
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_light_choice

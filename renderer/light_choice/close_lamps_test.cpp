@@ -12,7 +12,7 @@
 #include "renderer/lanes/test_random.h"
 #include "renderer/light_choice/test_lights.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_light_choice {
 namespace {
 
 constexpr double half_turn = std::numbers::pi;
@@ -354,4 +354,4 @@ TEST(close_lamps, between_a_luminous_ceiling_and_a_floor_light_adds_up) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_light_choice

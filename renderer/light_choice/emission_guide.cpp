@@ -5,7 +5,7 @@
 
 #include "renderer/lights/light_bounds.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_light_choice {
 namespace {
 
 /// A lamp is huge where its half-extent is more than this many times its distance: below, what is gained by starting
@@ -204,4 +204,4 @@ EmissionPdfs<float> EmissionGuide::pdfs(const Light& light, std::uint32_t index,
   return {static_cast<float>(all), static_cast<float>(joint / all)};
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_light_choice

@@ -26,7 +26,7 @@
 #include "renderer/lights/light.h"
 #include "renderer/shapes/scene_ball.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_light_choice {
 
 /// A start of a light path; what it carries is left to the caller.
 struct GuidedStart {
@@ -70,4 +70,4 @@ class EmissionGuide {
   std::size_t guided_ = 0;                ///< lights with views
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_light_choice

@@ -9,7 +9,7 @@
 
 #include "renderer/light_choice/test_emitters.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_light_choice {
 namespace {
 
 using test::expect_rgb;
@@ -356,4 +356,4 @@ TEST_F(IesParameters, lamp_is_placed_and_turned_by_to_world) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_light_choice

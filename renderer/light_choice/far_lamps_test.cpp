@@ -12,7 +12,7 @@
 #include "renderer/planning/test_compiled.h"
 #include "renderer/scene/find_clear_ways.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_light_choice {
 namespace {
 
 const Vec3d towards_lamp{0.36, 0.8, -0.48};
@@ -138,4 +138,4 @@ TEST(clear_ways, are_outside_of_all_but_a_lamps_own_convex_shape) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_light_choice

@@ -9,7 +9,7 @@
 #include "renderer/integrators/test_scenes.h"
 #include "scenes/parser/parser.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_light_choice {
 namespace {
 
 const std::string lamp_side = "<bsdf type='diffuse'><rgb name='reflectance' value='0.9'/></bsdf>";
@@ -140,4 +140,4 @@ TEST(hidden_lamps, do_not_take_the_camera_beyond_its_far_plane) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_light_choice

@@ -4,7 +4,7 @@
 #include "renderer/lanes/lane.h"
 #include "renderer/light_choice/light_words.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_light_choice {
 
 template <class F>
 struct LightChoice {
@@ -27,4 +27,4 @@ LightChoice<F> choose_by_flux(const LightWords* first, std::uint32_t light_count
   return {slot, gather(&first->probability, chosen), gather(&first->primitive, chosen)};
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_light_choice

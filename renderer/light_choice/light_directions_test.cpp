@@ -9,7 +9,7 @@
 #include "renderer/lanes/test_chi_square.h"
 #include "renderer/light_choice/test_lights.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_light_choice {
 namespace {
 
 using test::DirectionCells;
@@ -81,4 +81,4 @@ TEST(light_directions, to_skies_match_their_density) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_light_choice

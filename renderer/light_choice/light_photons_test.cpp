@@ -8,7 +8,7 @@
 #include "renderer/lanes/test_chi_square.h"
 #include "renderer/light_choice/test_lights.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_light_choice {
 namespace {
 
 using test::DirectionCells;
@@ -169,4 +169,4 @@ TEST(light_photons, from_infinity_that_are_guided_carry_what_enters_everywhere) 
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_light_choice

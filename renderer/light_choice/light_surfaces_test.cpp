@@ -10,7 +10,7 @@
 #include "renderer/light_choice/test_lights.h"
 #include "renderer/light_choice/test_surface_lights.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_light_choice {
 namespace {
 
 using test::Lights;
@@ -234,4 +234,4 @@ INSTANTIATE_TEST_SUITE_P(of, LightSurfaces, testing::ValuesIn(test::settings),
                          [](const auto& test) { return test.param.name; });
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_light_choice

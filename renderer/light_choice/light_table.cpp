@@ -6,7 +6,7 @@
 
 #include "renderer/core/ray.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_light_choice {
 
 std::vector<LightWords> light_table(const std::vector<Light>& lights) {
   const std::size_t count = lights.size();
@@ -65,4 +65,4 @@ std::vector<float> light_records(const std::vector<Light>& lights) {
   return records;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_light_choice

@@ -6,7 +6,7 @@
 #include "renderer/light_choice/light_words.h"
 #include "renderer/lights/light.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_light_choice {
 
 /// One entry a light, an alias table of Vose (1991): slot i, drawn uniformly, keeps light i with probability
 /// alias_threshold and stands for `alias` otherwise. A light's probability is the mean of its share of the flux and
@@ -18,4 +18,4 @@ std::vector<LightWords> light_table(const std::vector<Light>& lights);
 /// The records of lights that kernels sample in lanes, LightKinds::stride floats each; of others there is none.
 std::vector<float> light_records(const std::vector<Light>& lights);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_light_choice

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-namespace photonproof {
+namespace photonproof::inline renderer_light_choice {
 
 struct LightWords {
   std::uint32_t kind;
@@ -14,4 +14,4 @@ struct LightWords {
   static constexpr std::uint32_t stride = 5;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_light_choice

@@ -4,7 +4,7 @@
 
 #include "renderer/lights/light_tree.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_light_choice {
 
 SceneLights::SceneLights(const std::vector<Light>& lights, const std::vector<LightWords>& words, const SceneBall& ball)
     : lights_(lights), words_(words), ball_(ball) {
@@ -161,4 +161,4 @@ bool emission_misses_planes(const std::vector<Surface>& surfaces, const std::vec
   return std::ranges::any_of(surfaces, is_endless) && std::ranges::any_of(lights, is_far);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_light_choice

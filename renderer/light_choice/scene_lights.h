@@ -35,9 +35,11 @@
 #include "renderer/lights/light.h"
 #include "renderer/shapes/surface.h"
 
-namespace photonproof {
-
+namespace photonproof::inline renderer_lights {
 class LightTree;
+}
+
+namespace photonproof::inline renderer_light_choice {
 
 /// A light as seen from a point; pdf is 0 where it shows nothing.
 struct LightSeen : LightSample<float> {
@@ -137,4 +139,4 @@ class SceneLights {
 /// Whether light from infinity falls on a plane without end: light paths do not reach it outside of the ball.
 bool emission_misses_planes(const std::vector<Surface>& surfaces, const std::vector<Light>& lights);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_light_choice

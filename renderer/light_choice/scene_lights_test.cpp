@@ -11,7 +11,7 @@
 #include "renderer/lanes/test_chi_square.h"
 #include "renderer/light_choice/test_lights.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_light_choice {
 namespace {
 
 using test::Lights;
@@ -309,4 +309,4 @@ TEST(scene_lights, nothing_shines_without_lights) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_light_choice

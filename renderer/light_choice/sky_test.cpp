@@ -11,7 +11,7 @@
 #include "scenes/description/spectrum.h"
 #include "scenes/sky/sun_irradiance.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_light_choice {
 namespace {
 
 constexpr double pi_d = std::numbers::pi, degree = pi_d / 180;
@@ -264,4 +264,4 @@ TEST(sun_irradiance, is_as_bright_as_measured) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_light_choice

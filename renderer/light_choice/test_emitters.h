@@ -7,9 +7,9 @@
 #include <numbers>
 
 #include "renderer/integrators/test_scenes.h"
+#include "scenes/files/test_folder.h"
 #include "scenes/images/image.h"
 #include "scenes/parser/parser.h"
-#include "scenes/text/test_folder.h"
 
 namespace photonproof::test {
 

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "scenes/base/faults.h"
 #include "scenes/description/overloaded.h"
-#include "scenes/text/faults.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_lights {
 namespace {
 
 Vec3f axis(const Transform& to_world, const Vec3d& local) { return Vec3f(normalize(to_world.vector(local))); }
@@ -168,4 +168,4 @@ Light compile_light(const EmitterDescription& emitter, const Vec3d& moved, const
   return with_usable_flux(std::visit(Compiler{moved, ball, texture, where}, emitter.light), where);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_lights

@@ -8,7 +8,7 @@
 #include "renderer/shapes/surface.h"
 #include "scenes/description/description.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_lights {
 
 /// The function of uv that a texture of the description is.
 using TextureLookup = std::function<LightTexture(TextureIndex)>;
@@ -22,4 +22,4 @@ Light compile_surface_light(const Surface& surface, const ShapeDescription& shap
 Light compile_light(const EmitterDescription& emitter, const Vec3d& moved, const SceneBall& ball,
                     const TextureLookup& texture, const std::string& where);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_lights

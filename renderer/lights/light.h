@@ -12,7 +12,7 @@
 #include "renderer/lights/light_kinds.h"
 #include "renderer/lights/light_textured_spot.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_lights {
 
 /// A light's index is its kind in the kernels' tables.
 using Light = LightKinds::VariantWith<AreaLight, EnvironmentLight, IesLight, TexturedSpotLight>;
@@ -75,4 +75,4 @@ inline LightPoint<float> with_uv(const Light& light, LightPoint<float> at) {
   return at;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_lights

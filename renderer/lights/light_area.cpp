@@ -7,7 +7,7 @@
 #include "renderer/lights/light_tree.h"
 #include "renderer/shapes/face_normal.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_lights {
 namespace {
 
 /// Mean of a texture over a shape: midpoints of a lattice of equal areas, in double.
@@ -157,4 +157,4 @@ Rgb AreaLight::leaving(const LightPoint<float>& at, const Vec3f& direction) cons
   return dot(at.normal, direction) > 0 ? radiance_at(at.uv) : Rgb(0.0f);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_lights

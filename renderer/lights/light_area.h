@@ -20,7 +20,7 @@
 #include "renderer/shapes/long_face.h"
 #include "renderer/textures/light_texture.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_lights {
 
 class LightTree;
 
@@ -147,4 +147,4 @@ class AreaLight {
   Rgb flux_{0.0f};
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_lights

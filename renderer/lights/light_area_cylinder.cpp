@@ -5,10 +5,10 @@
 #include <variant>
 
 #include "renderer/lanes/warp.h"
+#include "scenes/base/numeric_faults.h"
 #include "scenes/description/description.h"
-#include "scenes/text/numeric_faults.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_lights {
 namespace {
 
 /// A cylinder's points by the angle about the axis from where p is, phi, and the height z above p, along the axis. With
@@ -144,4 +144,4 @@ CylinderShape light_shape(const Cylinder& cylinder, const ShapeDescription& shap
           unit(frame.t), cylinder.radius,        cylinder.inward ? -1.0f : 1.0f};
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_lights

@@ -5,9 +5,11 @@
 #include "renderer/lights/light_sample.h"
 #include "renderer/shapes/surface.h"
 
-namespace photonproof {
-
+namespace photonproof::inline scenes_description {
 struct ShapeDescription;
+}
+
+namespace photonproof::inline renderer_lights {
 
 /// The curved side: base + radius (cos(2 pi u) start + sin(2 pi u) side) + v axis.
 struct CylinderShape {
@@ -27,4 +29,4 @@ struct CylinderShape {
 /// compile_surface_light.
 CylinderShape light_shape(const Cylinder& cylinder, const ShapeDescription& shape, const Transform& to_world);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_lights

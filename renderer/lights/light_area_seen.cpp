@@ -9,7 +9,7 @@
 #include "renderer/lights/light_area.h"
 #include "renderer/lights/light_tree.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_lights {
 namespace {
 
 QuadLight<float> as_light(const QuadShape& s) {
@@ -127,4 +127,4 @@ float MeshShape::pdf_from(const Vec3f& p, const LightPoint<float>& at) const {
   return by_importance_->probability(p, triangle) * pdf_on(triangle, p, at.p - p);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_lights

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace photonproof {
+namespace photonproof::inline renderer_lights {
 namespace {
 
 constexpr float half_turn = pi;
@@ -106,4 +106,4 @@ float LightImportance::at(const Vec3f& p) const {
   return power_ * std::max(angle.cos, slack) / nearest2;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_lights

@@ -7,7 +7,7 @@
 
 #include "renderer/lanes/warp.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_lights {
 
 /// Light leaves in directions within `spread` + `emission` of the axis: normals are within `spread` of it, and light
 /// within `emission` of a normal. Radians.
@@ -49,4 +49,4 @@ class LightImportance {
   float cos_emission_ = -1;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_lights

@@ -4,7 +4,7 @@
 #include "renderer/lanes/warp.h"
 #include "renderer/lights/light_sample.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_lights {
 
 template <class F>
 struct DirectionalLight {
@@ -34,4 +34,4 @@ struct DirectionalLight {
   F disc_area() const { return pi * radius * radius; }
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_lights

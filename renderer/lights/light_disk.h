@@ -7,7 +7,7 @@
 #include "renderer/lights/light_near.h"
 #include "renderer/lights/light_sample.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_lights {
 
 template <class F>
 struct DiskLight {
@@ -63,4 +63,4 @@ struct DiskLight {
   }
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_lights

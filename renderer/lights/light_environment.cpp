@@ -4,7 +4,7 @@
 
 #include "renderer/lanes/warp.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_lights {
 
 EnvironmentLight::EnvironmentLight(Sky sky, const Vec3f& center, float radius)
     : sky_(std::move(sky)), center_(center), radius_(radius) {}
@@ -43,4 +43,4 @@ float EnvironmentLight::pdf_direction(const Vec3f& towards_sky) const {
   return std::visit([&](const auto& sky) { return sky.pdf(towards_sky); }, sky_);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_lights

@@ -9,7 +9,7 @@
 #include "renderer/lights/sky_envmap.h"
 #include "renderer/lights/sky_sun.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_lights {
 
 /// A sky offers, of unit directions towards it in the world's frame:
 ///   radiance(d)   W m^-2 sr^-1
@@ -45,4 +45,4 @@ class EnvironmentLight {
   float radius_;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_lights

@@ -6,7 +6,7 @@
 
 #include "renderer/lanes/warp.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_lights {
 namespace {
 
 constexpr double radians = std::numbers::pi / 180;
@@ -130,4 +130,4 @@ double IesLight::candela_towards(const Vec3f& direction) const {
   return candela(vertical, horizontal);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_lights

@@ -9,7 +9,7 @@
 #include "renderer/lights/light_sample.h"
 #include "scenes/meshes/ies.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_lights {
 
 class IesLight {
  public:
@@ -45,4 +45,4 @@ class IesLight {
   Rgb flux_{0.0f};
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_lights

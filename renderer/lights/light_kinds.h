@@ -22,7 +22,7 @@
 #include "renderer/lights/light_sphere.h"
 #include "renderer/lights/light_spot.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_lights {
 
 /// One row a light.
 using LightKinds = KindList<QuadLight, SphereLight, PointLight, DiskLight, SpotLight, DirectionalLight>;
@@ -31,4 +31,4 @@ using LightKinds = KindList<QuadLight, SphereLight, PointLight, DiskLight, SpotL
 /// about.
 inline constexpr std::uint32_t general_light_kind = LightKinds::count;
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_lights

@@ -16,7 +16,7 @@
 #include "renderer/lanes/lane_trig.h"
 #include "renderer/lights/light_sample.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_lights {
 
 /// A lamp is close where p is within twice its half-extent from its centre: elsewhere no point of it is nearer than its
 /// half-extent, and area sampling is as good and cheaper.
@@ -216,4 +216,4 @@ struct CloseTriangle {
   }
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_lights

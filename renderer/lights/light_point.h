@@ -5,7 +5,7 @@
 #include "renderer/lights/light_bounds.h"
 #include "renderer/lights/light_sample.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_lights {
 
 template <class F>
 struct PointLight {
@@ -28,4 +28,4 @@ struct PointLight {
   LightBounds bounds() const { return round_bounds(position, position); }
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_lights

@@ -6,9 +6,9 @@
 #include "renderer/lights/light_bounds.h"
 #include "renderer/lights/light_near.h"
 #include "renderer/lights/light_sample.h"
-#include "scenes/text/faults.h"
+#include "scenes/base/faults.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_lights {
 
 template <class F>
 struct QuadLight {
@@ -64,4 +64,4 @@ struct QuadLight {
   Vec3<F> point(const Vec2<F>& u) const { return advance(advance(corner, u.x, edge_u), u.y, edge_v); }
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_lights

@@ -3,7 +3,7 @@
 
 #include "renderer/lanes/lane.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_lights {
 
 /// A point of a light.
 template <class F>
@@ -52,6 +52,7 @@ struct EmissionPdfs {
   F first = {}, second = {};
 };
 
+using renderer_lanes::select;  // declarations here would hide it
 template <class M, class F>
 LightPoint<F> select(const M& m, const LightPoint<F>& a, const LightPoint<F>& b) {
   return {select(m, a.p, b.p),
@@ -88,4 +89,4 @@ F reach_beyond(const Vec3<F>& center, const F& radius, const Vec3<F>& p) {
   return 1024 * (radius + length(Vec3<F>(p - center)));
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_lights

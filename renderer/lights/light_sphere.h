@@ -12,7 +12,7 @@
 #include "renderer/lights/light_near.h"
 #include "renderer/lights/light_sample.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_lights {
 
 template <class F>
 struct SphereLight {
@@ -115,4 +115,4 @@ struct SphereLight {
   }
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_lights

@@ -5,7 +5,7 @@
 #include "renderer/lights/light_bounds.h"
 #include "renderer/lights/light_sample.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_lights {
 
 /// 1 within `beam`, 0 beyond `cutoff`, linear in the angle between; half-angles in radians.
 template <class F>
@@ -87,4 +87,4 @@ inline SpotLight<float> spot_light(const Vec3f& position, const Vec3f& axis, con
           static_cast<float>(mean)};
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_lights

@@ -7,7 +7,7 @@
 #include "renderer/kernels/direct_light.h"
 #include "renderer/lanes/test_chi_square.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_lights {
 namespace {
 
 Light square(float half, float height) {
@@ -167,4 +167,4 @@ TEST(cylinder_light, is_sampled_alike_down_to_the_smallest) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_lights

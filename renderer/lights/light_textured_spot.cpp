@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-namespace photonproof {
+namespace photonproof::inline renderer_lights {
 
 TexturedSpotLight::TexturedSpotLight(const SpotLight<float>& spot, const Vec3f& right, const Vec3f& up,
                                      LightTexture texture)
@@ -40,4 +40,4 @@ Rgb TexturedSpotLight::texture_towards(const Vec3f& direction) const {
   return texture_({0.5f + scale * dot(direction, right_), 0.5f + scale * dot(direction, up_)});
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_lights

@@ -5,7 +5,7 @@
 #include "renderer/lights/light_spot.h"
 #include "renderer/textures/light_texture.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_lights {
 
 class TexturedSpotLight {
  public:
@@ -35,4 +35,4 @@ class TexturedSpotLight {
   Rgb flux_{0.0f};
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_lights

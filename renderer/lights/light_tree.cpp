@@ -7,7 +7,7 @@
 
 #include "renderer/core/ray.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_lights {
 namespace {
 
 float component(const Vec3f& v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
@@ -167,4 +167,4 @@ float LightTree::probability(const Vec3f& p, std::uint32_t light) const {
   return probability;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_lights

@@ -10,7 +10,7 @@
 #include "renderer/lights/light.h"
 #include "renderer/lights/light_bounds.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_lights {
 
 class LightTree {
  public:
@@ -49,4 +49,4 @@ class LightTree {
   std::vector<std::uint32_t> leaf_of_;  ///< by light; no_index where it is not in the tree
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_lights

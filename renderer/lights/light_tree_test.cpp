@@ -7,7 +7,7 @@
 #include "renderer/lanes/test_chi_square.h"
 #include "renderer/lanes/warp.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_lights {
 namespace {
 
 using test::Random;
@@ -146,4 +146,4 @@ TEST(light_tree, lamps_in_one_place_do_no_harm) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_lights

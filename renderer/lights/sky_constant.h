@@ -3,7 +3,7 @@
 
 #include "renderer/lanes/warp.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_lights {
 
 struct ConstantSky {
   Rgb value;
@@ -14,4 +14,4 @@ struct ConstantSky {
   Rgb irradiance() const { return value * (4 * pi); }
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_lights

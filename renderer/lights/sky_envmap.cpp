@@ -6,7 +6,7 @@
 #include "renderer/lanes/lane_trig.h"
 #include "renderer/lanes/warp.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_lights {
 namespace {
 
 double magnitude(const Rgb& rgb) { return (std::abs(double{rgb.x}) + std::abs(rgb.y) + std::abs(rgb.z)) / 3; }
@@ -96,4 +96,4 @@ double EnvmapSky::solid_angle(int row) const {
   return (std::cos(row * pi_d / rows()) - std::cos((row + 1) * pi_d / rows())) * 2 * pi_d / width_;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_lights

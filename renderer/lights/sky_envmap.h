@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "renderer/core/discrete_distribution.h"
+#include "scenes/base/vec.h"
 #include "scenes/description/transform.h"
 #include "scenes/images/image.h"
-#include "scenes/meshes/vec.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_lights {
 
 class EnvmapSky {
  public:
@@ -41,4 +41,4 @@ class EnvmapSky {
   Rgb irradiance_;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_lights

@@ -5,7 +5,7 @@
 
 #include "renderer/lanes/warp.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_lights {
 namespace {
 
 /// Of a direction that is drawn about another and turned twice, radians at most.
@@ -88,4 +88,4 @@ float SunSky::pdf(const Vec3f& towards_sky) const {
   return density;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_lights

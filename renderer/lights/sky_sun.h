@@ -5,11 +5,11 @@
 #include <algorithm>
 
 #include "renderer/core/discrete_distribution.h"
+#include "scenes/base/vec.h"
 #include "scenes/description/transform.h"
-#include "scenes/meshes/vec.h"
 #include "scenes/sky/clear_sky.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_lights {
 
 struct SunSkySettings {
   Vec3d sun_direction{0, 0, 1};  ///< local, unit, towards the sun
@@ -50,4 +50,4 @@ class SunSky {
   Rgb irradiance_;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_lights

@@ -1,9 +1,9 @@
 #include "renderer/media/medium.h"
 
 #include "renderer/core/ray.h"
-#include "scenes/text/faults.h"
+#include "scenes/base/faults.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_media {
 namespace {
 
 Medium compile(const HomogeneousDescription& d) {
@@ -50,4 +50,4 @@ SceneMedia compile_media(const SceneDescription& description) {
   return media;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_media

@@ -9,7 +9,7 @@
 #include "renderer/media/phase.h"
 #include "scenes/description/description.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_media {
 
 struct Medium {
   Rgb sigma_t;  ///< extinction per scene unit
@@ -49,4 +49,4 @@ struct SceneMedia {
 };
 SceneMedia compile_media(const SceneDescription& description);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_media

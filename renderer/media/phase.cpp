@@ -2,7 +2,7 @@
 
 #include "renderer/lanes/warp.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_media {
 
 float HenyeyGreenstein::eval(const Vec3f& travel, const Vec3f& wi) const {
   const float spread = 1 + g * g - 2 * g * dot(travel, wi);
@@ -20,4 +20,4 @@ Vec3f HenyeyGreenstein::sample(const Vec3f& travel, const Vec2<float>& u) const 
   return normalize(Frame<float>(travel).to_world({sin_theta * phi.cos, sin_theta * phi.sin, cos_theta}));
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_media

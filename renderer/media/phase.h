@@ -2,9 +2,9 @@
 //   p(cos) = (1 - g^2) / (4 pi (1 + g^2 - 2 g cos)^(3/2)), cos between the directions of travel before and after
 #pragma once
 
-#include "scenes/meshes/vec.h"
+#include "scenes/base/vec.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_media {
 
 struct HenyeyGreenstein {
   float g = 0;  ///< mean cosine; > 0 scatters forward
@@ -14,4 +14,4 @@ struct HenyeyGreenstein {
   Vec3f sample(const Vec3f& travel, const Vec2<float>& u) const;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_media

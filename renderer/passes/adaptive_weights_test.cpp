@@ -13,7 +13,7 @@
 
 #include "renderer/integrators/test_scenes.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_passes {
 namespace {
 
 using test::add_bsdf;
@@ -183,4 +183,4 @@ TEST(adaptive_weights, rough_pixels_with_more_samples_are_as_bright_as_by_paths)
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_passes

@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-namespace photonproof {
+namespace photonproof::inline renderer_passes {
 
 std::string LostLight::text() const {
   std::string share_text;
@@ -16,4 +16,4 @@ std::string LostLight::text() const {
                           : "'" + finders.front() + "' finds it");
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_passes

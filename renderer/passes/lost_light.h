@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace photonproof {
+namespace photonproof::inline renderer_passes {
 
 struct LostLight {
   std::string integrator;              ///< that misses it
@@ -16,4 +16,4 @@ struct LostLight {
   std::string text() const;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_passes

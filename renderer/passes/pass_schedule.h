@@ -6,9 +6,9 @@
 #include <optional>
 #include <utility>
 
-#include "scenes/text/timer.h"
+#include "scenes/base/timer.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_passes {
 
 class PassSchedule {
  public:
@@ -72,4 +72,4 @@ class PassSchedule {
   Timer timer_;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_passes

@@ -7,7 +7,7 @@
 #include "renderer/core/ray_counts.h"
 #include "renderer/passes/render_job.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_passes {
 
 class RayTotals {
  public:
@@ -37,4 +37,4 @@ class RayTotals {
   std::atomic<std::uint64_t> camera_{0}, bounce_{0}, shadow_{0}, photon_{0};
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_passes

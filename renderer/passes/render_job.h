@@ -15,7 +15,7 @@
 #include "renderer/lanes/sampler.h"
 #include "renderer/passes/view.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_passes {
 
 /// What ends a render. Without any, the scene file's sample count does.
 struct RenderBudget {
@@ -55,4 +55,4 @@ struct RenderStats {
   std::string checkpoint_problem;  ///< why the last checkpoint that was due could not be written; empty: it was
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_passes

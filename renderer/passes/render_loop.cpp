@@ -6,9 +6,9 @@
 #include <cstdio>
 #include <cstring>
 
-#include "scenes/text/input_error.h"
+#include "scenes/base/input_error.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_passes {
 namespace {
 
 constexpr double seconds_between_progress = 0.1;
@@ -273,4 +273,4 @@ void RenderLoop::restore(StateReader& in) {
   for (const Kept& kept : kept_) kept.restore(in);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_passes

@@ -28,7 +28,7 @@
 #include "renderer/passes/render_job.h"
 #include "renderer/sensor/film.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_passes {
 
 struct PassPlan {
   std::string phase;          ///< for the progress line
@@ -161,4 +161,4 @@ class RenderLoop {
   std::future<Written> writing_;  ///< the last member: it ends before what it uses
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_passes

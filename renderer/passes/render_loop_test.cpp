@@ -12,10 +12,10 @@
 
 #include "renderer/integrators/test_scenes.h"
 #include "renderer/planning/test_compiled.h"
+#include "scenes/files/test_folder.h"
 #include "scenes/images/mean_error.h"
-#include "scenes/text/test_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_passes {
 namespace {
 
 class Resume : public FolderTest {
@@ -369,4 +369,4 @@ TEST(pass_schedule, knows_the_passes_it_makes) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_passes

@@ -9,7 +9,7 @@
 
 #include "renderer/kernels/tasks.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_passes {
 
 class ScratchPool {
  public:
@@ -43,4 +43,4 @@ class ScratchPool {
   std::vector<std::unique_ptr<std::uint32_t[]>> free_;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_passes

@@ -15,7 +15,7 @@
 #include "renderer/integrators/test_scenes.h"
 #include "scenes/parser/parser.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_passes {
 namespace {
 
 struct Asked {
@@ -90,4 +90,4 @@ INSTANTIATE_TEST_SUITE_P(library, TargetError,
                          });
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_passes

@@ -1,8 +1,8 @@
 #include "renderer/passes/tile_film.h"
 
-#include "scenes/text/faults.h"
+#include "scenes/base/faults.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_passes {
 namespace {
 
 template <class Body>
@@ -47,4 +47,4 @@ void add_means(Film& film, const CameraTask& task, const std::vector<float>& rad
   });
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_passes

@@ -9,7 +9,7 @@
 #include "renderer/passes/render_job.h"
 #include "renderer/sensor/film.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_passes {
 
 inline constexpr Stream camera_stream{1}, extra_sample_stream{9}, shared_look_up_stream{10};
 
@@ -22,4 +22,4 @@ void add_samples(Film& film, const CameraTask& task, const std::vector<float>& r
 /// The same where a pixel's samples are one estimate, since they share what they were made from.
 void add_means(Film& film, const CameraTask& task, const std::vector<float>& radiance);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_passes

@@ -1,8 +1,8 @@
 #include "renderer/passes/view.h"
 
-#include "scenes/text/input_error.h"
+#include "scenes/base/input_error.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_passes {
 
 const std::vector<ViewRow>& view_table() {
   static const std::vector<ViewRow> table{
@@ -37,4 +37,4 @@ View view_named(const std::string& name) {
   throw InputError("--view", "there is no view '" + name + "', expected one of " + names);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_passes

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace photonproof {
+namespace photonproof::inline renderer_passes {
 
 enum class View : std::uint8_t {
   whole,
@@ -41,4 +41,4 @@ inline const ViewRow& view_row(View view) { return view_table()[static_cast<std:
 /// Throws InputError naming the known ones.
 View view_named(const std::string& name);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_passes

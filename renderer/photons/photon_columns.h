@@ -7,9 +7,9 @@
 #include "renderer/core/columns.h"
 #include "renderer/photons/photon_sheet.h"
 #include "renderer/photons/rough_photon.h"
-#include "scenes/meshes/vec.h"
+#include "scenes/base/vec.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_photons {
 
 /// The number of a surface, below bits of what photons and look-ups must have in common: three of which normals maps
 /// show (MappedNormals), and whether they are of a rough part (rough_photon.h).
@@ -62,4 +62,4 @@ inline PhotonColumns<OneValue> row_of(const Photon& photon) {
           photon.surface,   with_edges<float>(photon.sheet, static_cast<std::uint32_t>(photon.edges))};
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_photons

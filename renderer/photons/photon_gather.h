@@ -11,7 +11,7 @@
 #include "renderer/lanes/lane.h"
 #include "renderer/photons/photon_view.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_photons {
 
 struct GatheredFlux {
   Rgb flux{0.0f};  ///< W
@@ -133,4 +133,4 @@ PHOTONPROOF_ALWAYS_INLINE GatheredFlux gather(const PhotonView& map, const Vec3f
   }
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_photons

@@ -12,9 +12,9 @@
 #include <limits>
 
 #include "renderer/lanes/always_inline.h"
-#include "scenes/meshes/vec.h"
+#include "scenes/base/vec.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_photons {
 
 struct PhotonGrid {
   struct Cell {
@@ -69,4 +69,4 @@ struct PhotonGrid {
   }
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_photons

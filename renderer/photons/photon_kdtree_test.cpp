@@ -8,7 +8,7 @@
 #include "renderer/photons/test_photon_clouds.h"
 #include "renderer/photons/test_photon_kdtree.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_photons {
 namespace {
 
 using Neighbour = PhotonKdTree::Neighbour;
@@ -111,4 +111,4 @@ TEST(photon_kdtree, agrees_with_brute_force_at_the_limits_of_floats) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_photons

@@ -7,7 +7,7 @@
 #include "renderer/core/radix_sort.h"
 #include "renderer/photons/photon_sort.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_photons {
 namespace {
 
 constexpr double most_cells_along = 1 << 21;  // a cell's index is exact in floats, its key fits 63 bits
@@ -125,4 +125,4 @@ void PhotonMap::sort_into_occupied_cells(const StagedPhotons& staged, const Thre
   rows_ = PhotonRows(grid_, all.keys, std::move(all.begins), static_cast<std::uint32_t>(count_));
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_photons

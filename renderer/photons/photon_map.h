@@ -11,7 +11,7 @@
 #include "renderer/photons/photon_view.h"
 #include "renderer/photons/photons.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_photons {
 
 struct StagedPhotons;
 
@@ -64,4 +64,4 @@ class PhotonMap {
   StagedPhotons staged_;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_photons

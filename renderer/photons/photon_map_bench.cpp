@@ -22,7 +22,7 @@
 #include "renderer/photons/query_order.h"
 #include "renderer/photons/test_photon_kdtree.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_photons {
 namespace {
 
 constexpr int photons_in_disc = 50;
@@ -322,4 +322,4 @@ void register_all() {
 [[maybe_unused]] const bool registered = (register_all(), true);
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_photons

@@ -11,7 +11,7 @@
 #include "renderer/photons/query_order.h"
 #include "renderer/photons/test_photon_clouds.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_photons {
 namespace {
 
 using Layout = PhotonMap::Layout;
@@ -265,4 +265,4 @@ TEST(photon_map, radius_larger_than_the_scene_finds_everything_in_either_layout)
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_photons

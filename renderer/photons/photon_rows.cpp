@@ -4,7 +4,7 @@
 #include <bit>
 #include <utility>
 
-namespace photonproof {
+namespace photonproof::inline renderer_photons {
 
 PhotonRows::PhotonRows(const PhotonGrid& grid, const std::vector<std::uint64_t>& keys,
                        std::vector<std::uint32_t> begins, std::uint32_t end)
@@ -33,4 +33,4 @@ PhotonRows::PhotonRows(const PhotonGrid& grid, const std::vector<std::uint64_t>&
   }
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_photons

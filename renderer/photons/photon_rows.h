@@ -9,7 +9,7 @@
 #include "renderer/lanes/always_inline.h"
 #include "renderer/photons/photon_grid.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_photons {
 
 /// Pointers into a PhotonRows, for code that holds no containers.
 struct PhotonRowsView {
@@ -103,4 +103,4 @@ class PhotonRows {
   std::vector<std::uint32_t> begins_;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_photons

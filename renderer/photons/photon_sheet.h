@@ -12,7 +12,7 @@
 #include "renderer/lanes/always_inline.h"
 #include "renderer/lanes/lane.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_photons {
 
 /// Bits of a word, from the highest used: path edges (10), from behind (1), normal (20). Never negative as an int.
 struct PhotonSheet {
@@ -90,4 +90,4 @@ inline Vec3f facing_sheet_normal(std::uint32_t word) {
   return (word & PhotonSheet::from_behind) != 0 ? -n : n;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_photons

@@ -13,7 +13,7 @@
 #include "renderer/photons/photon_gather.h"
 #include "renderer/photons/photon_map.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_photons {
 namespace {
 
 constexpr double radian = 180 / 3.14159265358979;
@@ -154,4 +154,4 @@ TEST(photon_sheet, every_instruction_set_gathers_the_same_bits) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_photons

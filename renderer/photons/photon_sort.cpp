@@ -5,7 +5,7 @@
 #include <tuple>
 #include <utility>
 
-namespace photonproof {
+namespace photonproof::inline renderer_photons {
 namespace {
 
 constexpr std::size_t chunk_size = 32768;
@@ -94,4 +94,4 @@ void stage_by_bucket(const Photons& photons, const PhotonGrid& grid, const Threa
   });
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_photons

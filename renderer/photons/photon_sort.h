@@ -11,7 +11,7 @@
 #include "renderer/photons/photon_grid.h"
 #include "renderer/photons/photons.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_photons {
 
 /// A photon on its way through the sort; unlike Photon it costs nothing to create.
 using StagedPhoton = PhotonColumns<OneValue>;
@@ -34,4 +34,4 @@ struct Bounds {
 /// Of at least one photon.
 Bounds bounds_of(const Photons& photons, const Threads& threads);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_photons

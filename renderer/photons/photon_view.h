@@ -10,7 +10,7 @@
 #include "renderer/photons/photon_rows.h"
 #include "renderer/photons/photons.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_photons {
 
 /// Photons in the order of PhotonGrid::key, within a cell in the order of the map's input. Arrays may be read up to
 /// Photons::padding elements past the last photon.
@@ -58,4 +58,4 @@ struct PhotonView : PhotonColumns<ConstPointer> {
   }
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_photons

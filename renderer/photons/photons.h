@@ -7,9 +7,9 @@
 #include "renderer/core/large_array.h"
 #include "renderer/photons/photon_columns.h"
 #include "renderer/photons/photon_sheet.h"
-#include "scenes/meshes/vec.h"
+#include "scenes/base/vec.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_photons {
 
 /// Every array has the same size: 32 bytes a photon. Positions are finite.
 struct Photons : PhotonColumns<LargeArray> {
@@ -40,4 +40,4 @@ struct Photons : PhotonColumns<LargeArray> {
   }
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_photons

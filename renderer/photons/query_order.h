@@ -7,7 +7,7 @@
 #include "renderer/core/radix_sort.h"
 #include "renderer/photons/photon_map.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_photons {
 
 /// The points' numbers in the order of the map's cells; points of one cell keep their order. points[i] has a finite
 /// `p`.
@@ -22,4 +22,4 @@ std::vector<std::uint32_t> cell_order(const PhotonMap& map, const Points& points
   return order;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_photons

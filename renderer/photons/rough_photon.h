@@ -9,7 +9,7 @@
 #include "renderer/lanes/warp.h"
 #include "renderer/photons/photon_sheet.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_photons {
 
 /// In place of flux: three columns of a photon.
 template <class F>
@@ -51,4 +51,4 @@ Vec3<F> direction_of_rough_photon(const RoughPhotonWords<F>& words) {
   return normalize(Vec3<F>{u - lane_copysign(fold, u), v - lane_copysign(fold, v), z});
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_photons

@@ -9,7 +9,7 @@
 #include "renderer/lanes/test_random.h"
 #include "renderer/photons/photon_columns.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_photons {
 namespace {
 
 TEST(rough_photon, keeps_its_direction_to_a_few_thousandths_of_a_degree_and_its_flux_to_half_a_thousandth) {
@@ -50,4 +50,4 @@ TEST(rough_photon, has_its_flux_as_any_other_photon) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_photons

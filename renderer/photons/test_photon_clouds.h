@@ -9,7 +9,7 @@
 #include "renderer/lanes/test_random.h"
 #include "renderer/photons/photons.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_photons {
 
 enum class Cloud { uniform, clumps, power_law, walls, line, one_point };
 
@@ -99,4 +99,4 @@ inline float distance_squared(const Photons& photons, std::size_t i, const Vec3f
   return dx * dx + dy * dy + dz * dz;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_photons

@@ -4,7 +4,7 @@
 #include <bit>
 #include <limits>
 
-namespace photonproof {
+namespace photonproof::inline renderer_photons {
 namespace {
 
 constexpr std::size_t most_in_leaf = 32;  // 16 is slower, 64 no faster
@@ -195,4 +195,4 @@ std::size_t PhotonKdTree::nearest(const Vec3f& p, float max_radius, std::span<Ne
   return candidates.store(out);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_photons

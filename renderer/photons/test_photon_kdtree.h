@@ -14,7 +14,7 @@
 #include "renderer/core/parallel.h"
 #include "renderer/photons/photons.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_photons {
 
 class PhotonKdTree {
  public:
@@ -55,4 +55,4 @@ class PhotonKdTree {
   LargeArray<std::uint32_t> index_;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_photons

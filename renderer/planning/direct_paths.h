@@ -6,7 +6,7 @@
 
 #include "scenes/description/description.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_planning {
 
 /// Paths of the kernel for each camera sample asked for: the larger count of DirectDescription. A path takes one sample
 /// of a light and one of the BSDF, of which a count of 0 leaves one out; so the smaller of two positive counts is
@@ -15,4 +15,4 @@ inline std::int64_t paths_a_sample(const DirectDescription& description) {
   return std::max(description.emitter_samples, description.bsdf_samples);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_planning

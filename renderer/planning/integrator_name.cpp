@@ -5,11 +5,11 @@
 #include <variant>
 #include <vector>
 
+#include "scenes/base/edit_distance.h"
+#include "scenes/base/input_error.h"
 #include "scenes/description/plugin_name.h"
-#include "scenes/text/edit_distance.h"
-#include "scenes/text/input_error.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_planning {
 namespace {
 
 using Method = decltype(IntegratorDescription::method);
@@ -45,4 +45,4 @@ IntegratorDescription with_integrator(const IntegratorDescription& description, 
   return {description.loc, method};
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_planning

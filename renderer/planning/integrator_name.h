@@ -5,7 +5,7 @@
 
 #include "scenes/description/description.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_planning {
 
 /// The name of the integrator a scene file asks for.
 std::string integrator_name(const IntegratorDescription& description);
@@ -13,4 +13,4 @@ std::string integrator_name(const IntegratorDescription& description);
 /// file does not say takes its default. Throws InputError when a scene file may not use `name`.
 IntegratorDescription with_integrator(const IntegratorDescription& description, const std::string& name);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_planning

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace photonproof {
+namespace photonproof::inline renderer_planning {
 namespace {
 
 bool is_delta_turn(char t) { return t == turn::is_thrown || t == turn::goes_straight; }
@@ -66,4 +66,4 @@ constexpr LightFinder finders[] = {
 
 std::span<const LightFinder> light_finders() { return finders; }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_planning

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace photonproof {
+namespace photonproof::inline renderer_planning {
 
 /// The ways in which light leaves what it meets.
 namespace turn {
@@ -34,4 +34,4 @@ struct LightFinder {
 /// One row an integrator, in the order in which they are advised.
 std::span<const LightFinder> light_finders();
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_planning

@@ -4,7 +4,7 @@
 
 #include "renderer/planning/plan_words.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_planning {
 
 bool RenderPlan::skips(Skip skip) const {
   return std::any_of(decisions.begin(), decisions.end(),
@@ -36,4 +36,4 @@ std::string plan_text(const RenderPlan& plan) {
   return text;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_planning

@@ -17,7 +17,7 @@
 #include "renderer/scene/scene_choices.h"
 #include "scenes/description/description.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_planning {
 
 struct PlanStep {
   std::string what, how;
@@ -49,4 +49,4 @@ struct RenderPlan {
 /// For people: a few lines each of what runs, what is skipped and what is not.
 std::string plan_text(const RenderPlan& plan);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_planning

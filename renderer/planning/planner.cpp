@@ -1,6 +1,6 @@
 #include "renderer/planning/planner.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_planning {
 namespace {
 
 std::string primitives(const SceneFacts& facts) { return counted(facts.primitives, "primitive", "primitives"); }
@@ -66,4 +66,4 @@ void Planner::direct_light(bool weighted_by_method) {
            "rays can hit a light that next-event estimation samples too");
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_planning

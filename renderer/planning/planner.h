@@ -9,7 +9,7 @@
 #include "renderer/planning/plan_words.h"
 #include "renderer/planning/scene_facts.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_planning {
 
 /// Up to this many primitives are tested one after the other instead of through Embree. Measured among random
 /// parallelograms (rays_bench.cpp, "threshold"): at 128 the packed kernel is 1.8, 1.4 and 0.9 times as fast with 16, 8
@@ -56,4 +56,4 @@ class Planner {
   const Decision bvh_, bsdf_groups_, surface_detail_, light_choice_, far_lights_, shadow_rays_;  ///< of plan_.scene
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_planning

@@ -6,7 +6,7 @@
 
 #include "renderer/light_choice/scene_lights.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_planning {
 namespace {
 
 /// The lobes of a BSDF share [0,1) among them: its ends give every delta lobe of the kinds there are.
@@ -105,4 +105,4 @@ SceneFacts analyse(const SceneParts& scene) {
   return facts;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_planning

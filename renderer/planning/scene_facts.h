@@ -5,7 +5,7 @@
 
 #include "renderer/scene/scene_parts.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_planning {
 
 struct SceneFacts {
   std::size_t primitives = 0;
@@ -32,4 +32,4 @@ struct SceneFacts {
 /// present.
 SceneFacts analyse(const SceneParts& scene);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_planning

@@ -5,7 +5,7 @@
 
 #include "renderer/core/ray.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_rays {
 
 class Tracer;
 
@@ -42,4 +42,4 @@ struct RayScene {
   const Tracer* tracer = nullptr;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_rays

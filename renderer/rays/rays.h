@@ -4,7 +4,7 @@
 #include "renderer/rays/small_scene.h"
 #include "renderer/rays/trace.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_rays {
 
 template <class F>
 void fill_block(RayBlock& block, const Vec3<F>& origin, const Vec3<F>& direction, const UInt<F>& lamp,
@@ -67,4 +67,4 @@ Mask<F> occluded(const RayScene& scene, const Vec3<F>& origin, const Vec3<F>& se
   return active && equal<F>(words, UInt<F>(1u));
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_rays

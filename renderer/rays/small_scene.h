@@ -8,7 +8,7 @@
 #include "renderer/rays/ray_scene.h"
 #include "renderer/rays/surface_hit.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_rays {
 
 /// Edges are widened by this part of their length, so that no ray slips between two plates that share one.
 inline constexpr float plate_margin = 0x1p-21f;
@@ -146,4 +146,4 @@ Mask<F> occluded_small(const SmallSceneView& scene, const Vec3<F>& origin, const
   return blocked;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_rays

@@ -1,6 +1,6 @@
 #include "renderer/rays/small_scene_tables.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_rays {
 namespace {
 
 /// In double, since what comes out is used for every ray.
@@ -79,4 +79,4 @@ SmallSceneView SmallSceneTables::view() const {
           static_cast<std::uint32_t>(balls_.size())};
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_rays

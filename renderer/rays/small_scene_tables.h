@@ -6,7 +6,7 @@
 #include "renderer/rays/ray_scene.h"
 #include "renderer/shapes/surface.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_rays {
 
 class SmallSceneTables {
  public:
@@ -30,4 +30,4 @@ class SmallSceneTables {
   std::uint32_t parallelograms_ = 0;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_rays

@@ -3,9 +3,9 @@
 
 #include "renderer/core/ray.h"
 #include "renderer/lanes/lane.h"
-#include "scenes/text/numeric_faults.h"
+#include "scenes/base/numeric_faults.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_rays {
 
 template <class F>
 struct SurfaceHit {
@@ -25,4 +25,4 @@ Vec3<F> offset_from(const Vec3<F>& p, const Vec3<F>& normal, const Vec3<F>& dire
   return advance(p, lane_copysign(step, dot(normal, direction)), normal);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_rays

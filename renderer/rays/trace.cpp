@@ -17,9 +17,9 @@
 
 #include "renderer/rays/trace_tables.h"
 #include "renderer/shapes/face_normal.h"
-#include "scenes/text/thread_handoff.h"
+#include "scenes/base/thread_handoff.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_rays {
 namespace {
 
 constexpr unsigned quad_geometry = 0;
@@ -487,4 +487,4 @@ std::size_t Tracer::count_occluded_alone(const std::vector<RayBlock>& rays) cons
   return hits;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_rays

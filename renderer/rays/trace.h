@@ -8,7 +8,7 @@
 #include "renderer/core/ray.h"
 #include "renderer/shapes/surface.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_rays {
 
 /// Rays of a pack of at most `width` lanes.
 struct alignas(64) RayBlock {
@@ -57,4 +57,4 @@ class Tracer {
   std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_rays

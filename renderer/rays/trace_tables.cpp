@@ -4,7 +4,7 @@
 
 #include "scenes/description/overloaded.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_rays {
 
 TraceTables::TraceTables(const std::vector<Surface>& surfaces) {
   const std::vector<std::uint32_t> first_face = lamp_faces(surfaces);
@@ -42,4 +42,4 @@ void TraceTables::add(const MeshInstance& copy, std::uint32_t surface) {
   instance.surface[copy.part] = surface;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_rays

@@ -7,7 +7,7 @@
 
 #include "renderer/shapes/surface.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_rays {
 
 /// Shapes of one kind, each with the index of its surface and, of a lamp, the face as rays name it (ray.h).
 template <class Shape>
@@ -48,4 +48,4 @@ struct TraceTables {
   void add(const MeshInstance& copy, std::uint32_t surface);
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_rays

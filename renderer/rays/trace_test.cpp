@@ -14,7 +14,7 @@
 #include "renderer/planning/test_compiled.h"
 #include "renderer/rays/rays.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_rays {
 namespace {
 
 Surface quad(const Vec3f& corner, const Vec3f& u, const Vec3f& v) {
@@ -462,4 +462,4 @@ TEST(scene_rays, no_history_of_any_kernel_is_lost_in_a_closed_white_scene) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_rays

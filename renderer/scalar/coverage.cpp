@@ -4,7 +4,7 @@
 
 #include "renderer/scalar/world_camera.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_scalar {
 namespace {
 
 constexpr Stream coverage_stream{22};
@@ -73,4 +73,4 @@ std::vector<float> coverage(const Scene& scene, const RenderJob& job, bool hide_
   return share;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_scalar

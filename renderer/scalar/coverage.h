@@ -9,7 +9,7 @@
 #include "renderer/passes/render_job.h"
 #include "renderer/scene/scene.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_scalar {
 
 /// For the window's pixels, row by row, in [0,1]; of as many camera samples as the image has a pixel, at most
 /// `most_coverage_samples`. Rays pass what lets light go straight on (null, the holes of a mask, a pane's transmission)
@@ -18,4 +18,4 @@ std::vector<float> coverage(const Scene& scene, const RenderJob& job, bool hide_
                             std::int64_t samples);
 inline constexpr std::int64_t most_coverage_samples = 1024;
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_scalar

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <string>
 
-namespace photonproof {
+namespace photonproof::inline renderer_scalar {
 namespace {
 
 constexpr std::int64_t passes_wanted = 32;
@@ -119,4 +119,4 @@ void render_splats(const Scene& scene, const RenderJob& job, Stream stream, cons
   }
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_scalar

@@ -9,7 +9,7 @@
 #include "renderer/scene/scene.h"
 #include "renderer/sensor/splats.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_scalar {
 
 /// What the histories of one unit of work count and collect.
 struct ScalarWork {
@@ -33,4 +33,4 @@ void render_samples(const RenderJob& job, Stream stream, const char* phase, Film
 void render_splats(const Scene& scene, const RenderJob& job, Stream stream, const char* phase, Film& film,
                    RenderStats& stats, const std::function<PixelEstimate()>& make_estimate);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_scalar

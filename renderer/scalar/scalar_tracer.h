@@ -5,7 +5,7 @@
 #include "renderer/scalar/world_camera.h"
 #include "renderer/scalar/world_lights.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_scalar {
 
 class ScalarTracer {
  protected:
@@ -57,4 +57,4 @@ class ScalarTracer {
   Surroundings around_camera_;  ///< nothing, where the scene has no media or bodies
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_scalar

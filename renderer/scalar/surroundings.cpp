@@ -4,7 +4,7 @@
 #include <limits>
 #include <variant>
 
-namespace photonproof {
+namespace photonproof::inline renderer_scalar {
 
 const Surroundings::Body* Surroundings::top() const {
   const Body* highest = nullptr;
@@ -174,4 +174,4 @@ bool travel(const World& world, Ray& ray, Surroundings& surroundings, float u_la
   return false;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_scalar

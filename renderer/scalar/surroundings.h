@@ -10,7 +10,7 @@
 #include "renderer/media/medium.h"
 #include "renderer/scalar/world.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_scalar {
 
 /// What a crossing of a surface means.
 struct Crossing {
@@ -75,4 +75,4 @@ Rgb transmittance(const World& world, const SegmentEnd& from, const SegmentEnd& 
 bool travel(const World& world, Ray& ray, Surroundings& surroundings, float u_layer, TransportMode mode,
             Rgb& throughput, Interaction& at);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_scalar

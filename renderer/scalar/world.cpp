@@ -9,7 +9,7 @@
 #include "renderer/scene/surface_detail.h"
 #include "renderer/shapes/shape.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_scalar {
 namespace {
 
 /// BSDFs with a lobe that leaves the direction as it is.
@@ -133,4 +133,4 @@ std::optional<Rgb> straight_through(const Interaction& at, const Vec3f& wo) {
       at.bsdf);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_scalar

@@ -11,7 +11,7 @@
 #include "renderer/lanes/warp.h"
 #include "renderer/scene/scene.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_scalar {
 
 struct Ray {
   Vec3f origin, direction;        ///< direction: unit
@@ -105,4 +105,4 @@ std::optional<Rgb> straight_through(const Interaction& at, const Vec3f& wo);
 
 inline float cosine(const Vec3f& normal, const Vec3f& direction) { return std::abs(dot(normal, direction)); }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_scalar

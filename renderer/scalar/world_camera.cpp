@@ -3,7 +3,7 @@
 #include "renderer/kernels/camera_rays.h"
 #include "renderer/sensor/camera_connection.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_scalar {
 namespace {
 
 /// Drawn from the reconstruction filter, or on the k x k grid that was asked for.
@@ -51,4 +51,4 @@ float WorldCamera::density(const Vec3f& p, const Vec2<float>& u_lens) const {
 
 bool WorldCamera::beyond_far_plane(const Vec3f& p) const { return photonproof::beyond_far_plane<float>(camera_, p); }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_scalar

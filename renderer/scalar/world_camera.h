@@ -6,7 +6,7 @@
 #include "renderer/lanes/draws.h"
 #include "renderer/scalar/world.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_scalar {
 
 /// The camera as seen from a point.
 struct CameraSeen {
@@ -35,4 +35,4 @@ class WorldCamera {
   float rays_;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_scalar

@@ -1,6 +1,6 @@
 #include "renderer/scalar/world_lights.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_scalar {
 
 WorldLights::WorldLights(const World& world)
     : world_(world), lights_(world.scene().scene_lights()), surface_(world.scene().lights.size(), no_index) {
@@ -20,4 +20,4 @@ LightPoint<float> WorldLights::point(const Interaction& met) const {
   return lights_.with_uv(met.light, {met.p, met.ng, {}, met.primitive - first});
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_scalar

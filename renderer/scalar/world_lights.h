@@ -4,7 +4,7 @@
 #include "renderer/light_choice/scene_lights.h"
 #include "renderer/scalar/world.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_scalar {
 
 class WorldLights {
  public:
@@ -25,4 +25,4 @@ class WorldLights {
   std::vector<std::uint32_t> surface_;  ///< of each light
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_scalar

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace photonproof {
+namespace photonproof::inline renderer_scene {
 namespace {
 
 AimTarget ball_around(const Sphere& sphere) { return {Vec3f(sphere.center), static_cast<float>(sphere.radius)}; }
@@ -57,4 +57,4 @@ std::vector<AimTarget> aim_targets(const std::vector<Surface>& surfaces,
   return targets;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_scene

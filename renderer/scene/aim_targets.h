@@ -8,7 +8,7 @@
 #include "renderer/shapes/aim_cone.h"
 #include "renderer/shapes/surface.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_scene {
 
 /// More cones than this cost more to weigh than they save.
 inline constexpr std::size_t most_aim_targets = 16;
@@ -20,4 +20,4 @@ AimTarget ball_around_box(const ShapeBox& box);
 std::vector<AimTarget> aim_targets(const std::vector<Surface>& surfaces,
                                    const std::function<bool(const Surface&)>& is_specular);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_scene

@@ -2,7 +2,7 @@
 
 #include "renderer/scene/aim_targets.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_scene {
 
 ClearWays find_clear_ways(const SceneParts& scene) {
   ClearWays ways;
@@ -34,4 +34,4 @@ ClearWays find_clear_ways(const SceneParts& scene) {
   return ways;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_scene

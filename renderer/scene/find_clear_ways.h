@@ -4,8 +4,8 @@
 #include "renderer/light_choice/clear_ways.h"
 #include "renderer/scene/scene_parts.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_scene {
 
 ClearWays find_clear_ways(const SceneParts& scene);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_scene

@@ -7,7 +7,7 @@
 #include "renderer/rays/surface_hit.h"
 #include "renderer/sensor/camera_ray.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_scene {
 
 namespace {
 
@@ -81,4 +81,4 @@ std::vector<AimTarget> looked_at(const Scene& scene) {
   return balls;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_scene

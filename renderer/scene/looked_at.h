@@ -6,7 +6,7 @@
 #include "renderer/scene/scene.h"
 #include "renderer/shapes/aim_cone.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_scene {
 
 /// Where the rays through the middles of lattice x lattice cells of the image first meet a surface; those that miss are
 /// left out.
@@ -16,4 +16,4 @@ std::vector<Vec3f> points_looked_at(const Scene& scene, int lattice);
 /// image is there.
 std::vector<AimTarget> looked_at(const Scene& scene);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_scene

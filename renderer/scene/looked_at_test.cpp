@@ -7,7 +7,7 @@
 #include "renderer/integrators/test_scenes.h"
 #include "renderer/planning/test_compiled.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_scene {
 namespace {
 
 TEST(looked_at, balls_hold_what_is_seen_straight_and_at_a_slant) {
@@ -34,4 +34,4 @@ TEST(looked_at, balls_hold_what_is_seen_straight_and_at_a_slant) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_scene

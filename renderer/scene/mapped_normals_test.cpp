@@ -11,7 +11,7 @@
 #include "renderer/planning/test_compiled.h"
 #include "renderer/scalar/world.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_scene {
 namespace {
 
 enum class Map { normal_map, bump_map };
@@ -183,4 +183,4 @@ TEST(mapped_normals, of_three_maps_one_over_the_other_are_refused) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_scene

@@ -12,7 +12,7 @@
 #include "renderer/scene/scene_frame.h"
 #include "scenes/generators/terrain.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_scene {
 namespace {
 
 /// The rectangle of two triangles, counter-clockwise seen from +z.
@@ -229,4 +229,4 @@ TEST(mesh_scene, takes_little_memory_a_triangle) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_scene

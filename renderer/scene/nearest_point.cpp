@@ -6,7 +6,7 @@
 
 #include "renderer/shapes/extent.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_scene {
 namespace {
 
 /// Vertices of a mesh with more triangles lie close enough to stand for them.
@@ -89,4 +89,4 @@ void NearestOnMesh::add_to(NearestPoint& nearest, const Transform& to_world) con
     if (!(bounds[i] >= nearest.distance)) add_run(runs_[i]);  // also where what is compared is not a number
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_scene

@@ -5,11 +5,11 @@
 #include <limits>
 #include <vector>
 
+#include "scenes/base/vec.h"
 #include "scenes/description/transform.h"
 #include "scenes/meshes/mesh.h"
-#include "scenes/meshes/vec.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_scene {
 
 /// Of all points that are added the one nearest to `to`, which has to outlive this; NaNs are left out.
 struct NearestPoint {
@@ -44,4 +44,4 @@ class NearestOnMesh {
   std::vector<Run> runs_;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_scene

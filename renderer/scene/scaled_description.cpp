@@ -1,6 +1,6 @@
 #include "renderer/scene/scaled_description.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_scene {
 namespace {
 
 struct CameraScaler {
@@ -45,4 +45,4 @@ SceneDescription scaled(SceneDescription description, double factor) {
   return description;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_scene

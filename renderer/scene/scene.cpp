@@ -11,7 +11,7 @@
 #include "renderer/scene/find_clear_ways.h"
 #include "renderer/scene/looked_at.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_scene {
 namespace {
 
 /// The variants' records one after the other, `List::stride` floats each.
@@ -124,4 +124,4 @@ Hit Scene::intersect(const Vec3f& origin, const Vec3f& direction) const {
   return {hit.surface, hit.p, hit.normal};
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_scene

@@ -14,10 +14,14 @@
 #include "renderer/scene/scene_view.h"
 #include "renderer/scene/surface_detail.h"
 
-namespace photonproof {
-
+namespace photonproof::inline renderer_light_choice {
 class SceneLights;
+}
+namespace photonproof::inline renderer_rays {
 class SmallSceneTables;
+}
+
+namespace photonproof::inline renderer_scene {
 
 /// The parts, and what it takes to send rays among them.
 class Scene : public SceneParts {
@@ -53,4 +57,4 @@ class Scene : public SceneParts {
   SceneView view_;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_scene

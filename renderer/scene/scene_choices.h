@@ -1,7 +1,7 @@
 // What a plan decides about a scene before it is built (planning/planner.cpp has the reasons).
 #pragma once
 
-namespace photonproof {
+namespace photonproof::inline renderer_scene {
 
 /// The defaults leave nothing out.
 struct SceneChoices {
@@ -15,4 +15,4 @@ struct SceneChoices {
   bool light_paths = true;          ///< some start at the lights, and are guided to what the camera sees
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_scene

@@ -12,7 +12,7 @@
 #include "renderer/shapes/surface.h"
 #include "scenes/description/overloaded.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_scene {
 namespace {
 
 /// Of a local square, disc or heightfield; of a box with a third axis. A stretched one's is not exactly the nearest.
@@ -144,4 +144,4 @@ std::optional<SceneFocus> scene_focus(const SceneDescription& description) {
   return SceneFocus{point, weighted_median(parts, [](const Part& part) { return part.size; })};
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_scene

@@ -5,7 +5,7 @@
 
 #include "scenes/description/description.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_scene {
 
 struct SceneFocus {
   Vec3d point;  ///< in the description's coordinates
@@ -17,4 +17,4 @@ struct SceneFocus {
 /// end counts what lies at the camera's feet. Medians, so that no few of a kind decide. Empty without shapes.
 std::optional<SceneFocus> scene_focus(const SceneDescription& description);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_scene

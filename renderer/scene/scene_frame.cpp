@@ -6,10 +6,10 @@
 
 #include "renderer/scene/scene_focus.h"
 #include "renderer/shapes/surface.h"
+#include "scenes/base/numeric_faults.h"
 #include "scenes/description/overloaded.h"
-#include "scenes/text/numeric_faults.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_scene {
 namespace {
 
 /// The mean of the two middle ones of an even number.
@@ -127,4 +127,4 @@ SceneFrame scene_frame(const SceneDescription& description) {
   return frame;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_scene

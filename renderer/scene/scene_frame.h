@@ -7,7 +7,7 @@
 #include "renderer/shapes/extent.h"
 #include "scenes/description/description.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_scene {
 
 /// Around the shape in the world of the description, not always tightly; not usable if it has no end, or is an
 /// instance.
@@ -44,4 +44,4 @@ struct SceneFrame {
 /// precision. The scale is 1 unless the focus is smaller than 2^-22 or larger than 2^22; then it makes it about 1.
 SceneFrame scene_frame(const SceneDescription& description);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_scene

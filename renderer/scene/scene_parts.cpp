@@ -8,7 +8,7 @@
 #include "renderer/scene/scene_shapes.h"
 #include "renderer/shapes/local_geometry.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_scene {
 namespace {
 
 /// What lights look textures up with; they share their owner.
@@ -76,4 +76,4 @@ SceneParts::SceneParts(const SceneDescription& in_its_unit, int width_, int heig
   camera = compile_camera(description.sensor, width, height, frame.moved);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_scene

@@ -16,7 +16,7 @@
 #include "renderer/textures/texture.h"
 #include "scenes/description/description.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_scene {
 
 struct SceneParts {
   /// `width`, `height` override the film's size. Throws InputError at an entity it cannot represent.
@@ -48,4 +48,4 @@ struct SceneParts {
   double scale() const { return frame.scale; }
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_scene

@@ -10,7 +10,7 @@
 #include "renderer/shapes/heightfield.h"
 #include "renderer/shapes/mesh_normals.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_scene {
 namespace {
 
 /// The sides of a cube as Mitsuba parametrises them, each from its corner of uv (0, 0) along the edges where u and v
@@ -243,4 +243,4 @@ void SceneShapes::add_primitive(const PlacedShape<Shape>& made, const ShapeDescr
   uv_frames.push_back(made.uv_frame);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_scene

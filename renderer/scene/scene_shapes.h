@@ -10,7 +10,7 @@
 #include "renderer/textures/texture.h"
 #include "scenes/description/description.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_scene {
 
 class SceneShapes {
  public:
@@ -67,4 +67,4 @@ class SceneShapes {
   std::uint32_t instances_ = 0;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_scene

@@ -15,7 +15,7 @@
 #include "renderer/sensor/film.h"
 #include "scenes/images/mean_error.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_scene {
 namespace {
 
 TEST(scene, cube_normals_point_outward_and_flip) {
@@ -280,4 +280,4 @@ TEST(film, means_of_shared_passes_say_how_certain_the_images_mean_is) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_scene

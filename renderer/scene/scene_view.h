@@ -8,13 +8,18 @@
 #include "renderer/rays/ray_scene.h"
 #include "renderer/sensor/camera_view.h"
 
-namespace photonproof {
-
+namespace photonproof::inline renderer_light_choice {
 class SceneLights;
-struct AimTarget;
 struct ClearWays;
-struct DetailTables;
 struct LightWords;
+}  // namespace photonproof::inline renderer_light_choice
+namespace photonproof::inline renderer_shapes {
+struct AimTarget;
+}
+
+namespace photonproof::inline renderer_scene {
+
+struct DetailTables;
 
 struct SurfaceWords {
   std::uint32_t bsdf_kind, bsdf, light;
@@ -51,4 +56,4 @@ struct SceneView : RayScene {
   CameraView camera;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_scene

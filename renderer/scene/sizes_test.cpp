@@ -5,7 +5,7 @@
 #include <set>
 #include <string>
 
-#include "renderer/integrators/test_photon_scenes.h"
+#include "renderer/photon_mapping/test_photon_scenes.h"
 #include "renderer/planning/test_compiled.h"
 #include "renderer/scene/scene_frame.h"
 #include "renderer/scene/test_sizes.h"
@@ -13,7 +13,7 @@
 #include "scenes/description/plugin_name.h"
 #include "scenes/parser/parser.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_scene {
 namespace {
 
 using std::numbers::pi;
@@ -310,4 +310,4 @@ TEST(long_triangles, keep_the_sides_of_mirrored_instances) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_scene

@@ -7,7 +7,7 @@
 
 #include "renderer/lanes/sampler.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_scene {
 namespace {
 
 /// Component of v across the unit vector n, normalised; any such vector where there is none.
@@ -225,4 +225,4 @@ void detail_at(const SceneView& scene, std::uint32_t surface, std::uint32_t prim
   }
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_scene

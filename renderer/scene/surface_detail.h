@@ -11,7 +11,7 @@
 #include "renderer/shapes/local_geometry.h"
 #include "renderer/textures/texture.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_scene {
 
 /// 32-bit words only: kernels gather them.
 struct SurfaceDetail {
@@ -57,4 +57,4 @@ U surface_number(const U& tagged) {
 void detail_at(const SceneView& scene, std::uint32_t surface, std::uint32_t primitive, const Vec3f& p,
                const Vec3f& normal, const Vec3f& direction, float u, TransportMode mode, SurfaceDetail& detail);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_scene

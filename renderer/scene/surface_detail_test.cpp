@@ -12,7 +12,7 @@
 #include "renderer/planning/test_compiled.h"
 #include "renderer/rays/rays.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_scene {
 namespace {
 
 TextureIndex add_texture(SceneDescription& d, const decltype(TextureDescription::pattern)& pattern) {
@@ -348,4 +348,4 @@ TEST(detail_image, instances_look_as_the_shapes_placed_directly) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_scene

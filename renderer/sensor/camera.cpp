@@ -5,9 +5,9 @@
 #include <numbers>
 
 #include "renderer/sensor/reconstruction_filter.h"
-#include "scenes/text/faults.h"
+#include "scenes/base/faults.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_sensor {
 namespace {
 
 /// Half-angle tangents along x and y for a full angle given along `axis`.
@@ -99,4 +99,4 @@ float pixel_footprint(const CameraView& camera, const Vec3f& p_world) {
   }
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_sensor

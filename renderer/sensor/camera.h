@@ -4,7 +4,7 @@
 #include "renderer/sensor/camera_view.h"
 #include "scenes/description/description.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_sensor {
 
 /// `width`, `height` in pixels: the size of the whole film, which fixes the aspect and so the fields of view. A crop of
 /// it is a window of the same raster. `moved` is added to the camera's position in the world.
@@ -13,4 +13,4 @@ CameraView compile_camera(const SensorDescription& sensor, int width, int height
 /// World height of a pixel at p_world.
 float pixel_footprint(const CameraView& camera, const Vec3f& p_world);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_sensor

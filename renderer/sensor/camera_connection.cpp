@@ -4,7 +4,7 @@
 
 #include "renderer/lanes/warp.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_sensor {
 namespace {
 
 /// Area of a pixel at the distance 1 along the axis; of the orthographic camera anywhere, of a fisheye in radians^2.
@@ -81,4 +81,4 @@ CameraConnection connect_to_camera(const CameraView& camera, const Vec3f& p, con
   return c;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_sensor

@@ -11,7 +11,7 @@
 
 #include "renderer/sensor/camera_view.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_sensor {
 
 struct CameraConnection {
   bool visible = false;  ///< p is before the camera, between the clipping planes and within reach of the film
@@ -25,4 +25,4 @@ struct CameraConnection {
 /// `u_lens` draws the point of the lens; cameras without do not use it.
 CameraConnection connect_to_camera(const CameraView& camera, const Vec3f& p, const Vec2<float>& u_lens);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_sensor

@@ -4,7 +4,7 @@
 #include "renderer/lanes/warp.h"
 #include "renderer/sensor/camera_view.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_sensor {
 
 template <class F>
 struct CameraRay {
@@ -89,4 +89,4 @@ Mask<F> beyond_far_plane(const CameraView& camera, const Vec3<F>& p) {
   return dot(Vec3<F>(p - broadcast<F>(camera.origin)), broadcast<F>(camera.forward)) > camera.far;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_sensor

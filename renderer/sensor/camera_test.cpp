@@ -14,7 +14,7 @@
 #include "renderer/sensor/reconstruction_filter.h"
 #include "renderer/sensor/splats.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_sensor {
 namespace {
 
 using test::Random;
@@ -333,4 +333,4 @@ TEST(filters, a_box_splat_falls_into_the_pixel_that_holds_it) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_sensor

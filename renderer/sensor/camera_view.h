@@ -5,9 +5,9 @@
 #include <array>
 #include <cstdint>
 
-#include "scenes/meshes/vec.h"
+#include "scenes/base/vec.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_sensor {
 
 enum class CameraKind : std::uint32_t { perspective, thin_lens, orthographic, fisheye };
 
@@ -41,4 +41,4 @@ struct CameraView {
   FilterView filter;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_sensor

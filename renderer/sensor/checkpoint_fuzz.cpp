@@ -8,9 +8,9 @@
 
 #include "renderer/core/checkpoint.h"
 #include "renderer/sensor/film.h"
-#include "scenes/text/test_fuzz.h"
+#include "scenes/base/test_fuzz.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_sensor {
 namespace {
 
 constexpr std::string_view first_line = "photonproof checkpoint 1\n";
@@ -69,7 +69,7 @@ std::string check_checkpoint(std::string_view bytes) {
   return again == stored ? "" : "writing what was read gives other bytes";
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_sensor
 
 #ifdef PHOTONPROOF_FUZZER
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

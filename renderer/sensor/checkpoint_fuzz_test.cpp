@@ -1,8 +1,8 @@
 #include "renderer/sensor/checkpoint_fuzz.h"
 
-#include "scenes/text/test_corpus.h"
+#include "scenes/base/test_corpus.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_sensor {
 namespace {
 
 TEST(checkpoint_fuzz, corpus_gives_messages_or_states_that_are_written_as_they_were) {
@@ -10,4 +10,4 @@ TEST(checkpoint_fuzz, corpus_gives_messages_or_states_that_are_written_as_they_w
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_sensor

@@ -7,7 +7,7 @@
 #include "renderer/core/checkpoint.h"
 #include "scenes/images/mean_error.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_sensor {
 
 Film::Film(const Tile& window)
     : window_(window), pixels_(static_cast<std::size_t>(window.width()) * static_cast<std::size_t>(window.height())) {}
@@ -128,4 +128,4 @@ void Film::restore(StateReader& in) {
   before_pass_ = in.value<Pixel>();
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_sensor

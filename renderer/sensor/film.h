@@ -7,13 +7,15 @@
 #include <vector>
 
 #include "renderer/core/parallel.h"
+#include "scenes/base/vec.h"
 #include "scenes/images/image.h"
-#include "scenes/meshes/vec.h"
 
-namespace photonproof {
-
+namespace photonproof::inline renderer_core {
 class StateReader;
 class StateWriter;
+}  // namespace photonproof::inline renderer_core
+
+namespace photonproof::inline renderer_sensor {
 
 /// Whether floats hold the variances of an image's pixels: the square of a radiance that is a float need not be one.
 struct VarianceInFloat {
@@ -110,4 +112,4 @@ class Film {
   double pixels_a_splat_ = 1;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_sensor

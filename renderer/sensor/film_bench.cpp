@@ -4,7 +4,7 @@
 
 #include "renderer/sensor/film.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_sensor {
 namespace {
 
 constexpr int side = 512;
@@ -34,4 +34,4 @@ void film_develop(benchmark::State& state) {
 BENCHMARK(film_develop);
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_sensor

@@ -3,9 +3,9 @@
 #include <iterator>
 #include <numbers>
 
-#include "scenes/text/faults.h"
+#include "scenes/base/faults.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_sensor {
 namespace {
 
 /// As filter_offset (camera_ray.h) draws: the share of samples that are farther than this on one side.
@@ -106,4 +106,4 @@ FilterView compile_filter(const ReconstructionFilter& filter, bool sample_border
   return view;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_sensor

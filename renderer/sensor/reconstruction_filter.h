@@ -8,7 +8,7 @@
 #include "renderer/sensor/camera_view.h"
 #include "scenes/description/description.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_sensor {
 
 /// The filter that light paths are spread by: with one that is narrower than `narrowest_splat` next to none of those
 /// that arrive would count, each for as much more.
@@ -55,4 +55,4 @@ class FilterKernel {
   double inverse_integral_ = 1;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_sensor

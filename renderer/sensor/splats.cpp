@@ -1,6 +1,6 @@
 #include "renderer/sensor/splats.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_sensor {
 
 SplatImage::SplatImage(const Tile& window, const ReconstructionFilter& filter, int film_width, int film_height)
     : SplatImage(window, filter) {
@@ -19,4 +19,4 @@ void SplatImage::add(const Splats& splats) {
     });
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_sensor

@@ -6,9 +6,9 @@
 
 #include "renderer/core/parallel.h"
 #include "renderer/sensor/reconstruction_filter.h"
-#include "scenes/meshes/vec.h"
+#include "scenes/base/vec.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_sensor {
 
 struct Splat {
   Vec2<float> raster;
@@ -44,4 +44,4 @@ class SplatImage {
   std::vector<RgbD> sums_;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_sensor

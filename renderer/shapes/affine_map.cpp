@@ -1,6 +1,6 @@
 #include "renderer/shapes/affine_map.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_shapes {
 
 AffineMap::AffineMap(const Vec3d& axis_x, const Vec3d& axis_y, const Vec3d& axis_z, const Vec3d& at)
     : x(axis_x), y(axis_y), z(axis_z), origin(at) {
@@ -10,4 +10,4 @@ AffineMap::AffineMap(const Vec3d& axis_x, const Vec3d& axis_y, const Vec3d& axis
   to_z = Vec3f(cross(axis_x, axis_y) / determinant);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_shapes

@@ -1,10 +1,10 @@
 // Affine maps in single precision: frames of texture coordinates, placements of instances.
 #pragma once
 
+#include "scenes/base/vec.h"
 #include "scenes/description/transform.h"
-#include "scenes/meshes/vec.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_shapes {
 
 /// An affine map with its inverse, in single precision.
 struct AffineMap {
@@ -24,4 +24,4 @@ struct AffineMap {
   Vec3f normal(const Vec3f& n) const { return to_x * n.x + to_y * n.y + to_z * n.z; }
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_shapes

@@ -6,7 +6,7 @@
 #include "renderer/lanes/lane.h"
 #include "renderer/lanes/warp.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_shapes {
 
 /// A ball that holds what is aimed at.
 struct AimTarget {
@@ -80,4 +80,4 @@ F aimed_pdf(const Vec3<F>& center, const F& radius, const Vec3<F>& p, const Aime
   return select(inside, 1 / (2 * pi * cone.one_minus_cos), F(0.0f));
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_shapes

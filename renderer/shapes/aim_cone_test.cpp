@@ -8,7 +8,7 @@
 #include "renderer/lanes/test_random.h"
 #include "renderer/lanes/warp.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_shapes {
 namespace {
 
 TEST(aim_cone, holds_what_is_drawn_in_it_and_little_else_however_narrow_it_is) {
@@ -43,4 +43,4 @@ TEST(aim_cone, holds_every_direction_from_within_the_ball) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_shapes

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace photonproof {
+namespace photonproof::inline renderer_shapes {
 namespace {
 
 PlanePoint along(const PlanePoint& a, const PlanePoint& b, double t) {
@@ -46,4 +46,4 @@ double polygon_in_circle(std::span<const PlanePoint> polygon, const PlanePoint& 
   return std::abs(area);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_shapes

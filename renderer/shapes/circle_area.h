@@ -5,9 +5,9 @@
 #include <span>
 
 #include "renderer/photons/photon_sheet.h"
-#include "scenes/meshes/vec.h"
+#include "scenes/base/vec.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_shapes {
 
 using PlanePoint = Vec2<double>;  ///< in the plane of a circle about its middle
 
@@ -28,4 +28,4 @@ inline double accepted_versine(double surface_radius, double height) {
   return std::min(1 - double{least_sheet_cosine}, height / surface_radius);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_shapes

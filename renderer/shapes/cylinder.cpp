@@ -11,9 +11,9 @@
 #include "renderer/shapes/extent.h"
 #include "renderer/shapes/shape_place.h"
 #include "renderer/shapes/sphere.h"
-#include "scenes/text/numeric_faults.h"
+#include "scenes/base/numeric_faults.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_shapes {
 namespace {
 
 /// Gauss and Legendre's quadrature of six points: for what has no kink it is exact to 1e-9 here.
@@ -128,4 +128,4 @@ Vec3d nearest_on(const CylinderDescription& description, const Transform& to_wor
   return nearest_on_ball(base + along * share, description.radius * to_world.similarity_scale(), to);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_shapes

@@ -3,9 +3,11 @@
 
 #include "renderer/shapes/shape.h"
 
-namespace photonproof {
-
+namespace photonproof::inline scenes_description {
 struct CylinderDescription;
+}
+
+namespace photonproof::inline renderer_shapes {
 
 /// The points at distance `radius` from the segment base + [0, length] axis; no caps.
 struct Cylinder {
@@ -26,4 +28,4 @@ PlacedShape<Cylinder> placed(const CylinderDescription& description, const Shape
 Extent extent_of(const CylinderDescription& description, const Transform& to_world);
 Vec3d nearest_on(const CylinderDescription& description, const Transform& to_world, const Vec3d& to);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_shapes

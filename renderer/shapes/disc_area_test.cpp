@@ -8,7 +8,7 @@
 #include "renderer/lanes/test_random.h"
 #include "renderer/shapes/surface.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_shapes {
 namespace {
 
 const Quad unit_square{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, 1};
@@ -135,4 +135,4 @@ TEST(disc_area, on_an_ellipse_is_what_counting_finds) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_shapes

@@ -9,7 +9,7 @@
 #include "renderer/shapes/extent.h"
 #include "renderer/shapes/shape_place.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_shapes {
 namespace {
 
 /// Coordinates of q in the basis of two vectors that span its plane, which need not be perpendicular.
@@ -126,4 +126,4 @@ Extent extent_of(const DiskDescription&, const Transform& to_world) {
   return extent;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_shapes

@@ -3,9 +3,11 @@
 
 #include "renderer/shapes/shape.h"
 
-namespace photonproof {
-
+namespace photonproof::inline scenes_description {
 struct DiskDescription;
+}
+
+namespace photonproof::inline renderer_shapes {
 
 /// center + x axis_x + y axis_y for x^2 + y^2 <= 1: an ellipse where the axes are not alike. `normal` as of a
 /// Quad.
@@ -25,4 +27,4 @@ float disc_area(const Disk& disk, const Vec3f& p, float radius);
 PlacedShape<Disk> placed(const DiskDescription& description, const ShapePlace& place);
 Extent extent_of(const DiskDescription& description, const Transform& to_world);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_shapes

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace photonproof {
+namespace photonproof::inline renderer_shapes {
 
 void Extent::add(const Vec3d& p) {
   low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
@@ -29,4 +29,4 @@ void Extent::add_ball(const Transform& to_world, const Vec3d& center, double rad
   add(middle + reach);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_shapes

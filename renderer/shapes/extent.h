@@ -3,10 +3,10 @@
 
 #include <limits>
 
+#include "scenes/base/vec.h"
 #include "scenes/description/transform.h"
-#include "scenes/meshes/vec.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_shapes {
 
 /// A box; empty until something is added.
 struct Extent {
@@ -21,4 +21,4 @@ struct Extent {
   Vec3d middle() const { return (low + high) * 0.5; }
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_shapes

@@ -1,9 +1,9 @@
 // The normal of a triangle whatever its size.
 #pragma once
 
-#include "scenes/meshes/vec.h"
+#include "scenes/base/vec.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_shapes {
 
 /// Unit, on the side that sees the edges counter-clockwise. The square of an area leaves single precision for edges
 /// below 1e-9 and above 1e9: those take double. Undefined for a triangle without area.
@@ -15,4 +15,4 @@ inline Vec3f face_normal(const Vec3f& edge_u, const Vec3f& edge_v) {
   return Vec3f(normalize(cross(Vec3d(edge_u), Vec3d(edge_v))));
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_shapes

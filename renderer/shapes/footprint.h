@@ -12,7 +12,7 @@
 #include "renderer/shapes/quad.h"
 #include "renderer/shapes/sphere.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_shapes {
 
 /// A parallelepiped or a ball, seen from outside.
 struct Solid {
@@ -58,4 +58,4 @@ class Footprint {
   bool front_, back_;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_shapes

@@ -12,7 +12,7 @@
 #include "renderer/planning/test_compiled.h"
 #include "renderer/scene/scene.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_shapes {
 namespace {
 
 /// 4 x 4 about the origin, facing +z.
@@ -119,4 +119,4 @@ TEST(solid, of_a_cube_is_its_transform_applied_to_the_axes) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_shapes

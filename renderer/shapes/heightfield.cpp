@@ -4,7 +4,7 @@
 
 #include "scenes/generators/gradient_noise.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_shapes {
 namespace {
 
 double height(const HeightfieldDescription& d, const Textures& textures, const Vec2<double>& uv) {
@@ -40,4 +40,4 @@ TriangleMesh make_heightfield(const HeightfieldDescription& d, const Textures& t
   return mesh;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_shapes

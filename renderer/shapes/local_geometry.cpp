@@ -4,10 +4,10 @@
 
 #include "renderer/lanes/warp.h"
 #include "renderer/shapes/face_normal.h"
+#include "scenes/base/faults.h"
 #include "scenes/description/overloaded.h"
-#include "scenes/text/faults.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_shapes {
 namespace {
 
 /// `p` in the mesh's own space.
@@ -77,4 +77,4 @@ Tangents any_tangents(const Vec3f& n) {
   return {frame.s, frame.t};
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_shapes

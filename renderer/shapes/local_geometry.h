@@ -4,7 +4,7 @@
 
 #include "renderer/shapes/surface.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_shapes {
 
 /// `frame`: as shape.h has it; meshes need none. `triangle`: of a mesh. `normal`: the geometric one.
 LocalGeometry local_geometry(const Surface& surface, const AffineMap* frame, std::uint32_t triangle, const Vec3f& p,
@@ -20,4 +20,4 @@ struct Tangents {
 };
 Tangents any_tangents(const Vec3f& n);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_shapes

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace photonproof {
+namespace photonproof::inline renderer_shapes {
 
 const LongFace* find_long_face(const LongFaces& faces, std::size_t primitive) {
   if (faces == nullptr) return nullptr;
@@ -59,4 +59,4 @@ ShapeBox box_around(const LongFace& face) {
   return padded_box({held(low.x), held(low.y), held(low.z)}, {held(high.x), held(high.y), held(high.z)});
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_shapes

@@ -6,7 +6,7 @@
 
 #include "renderer/shapes/shape.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_shapes {
 
 /// A parallelogram or triangle that is so much longer than what is looked at that single precision loses the latter:
 /// corner + u edge_u + v edge_v as the description has it, in double.
@@ -34,4 +34,4 @@ double hit_distance(const LongFace& face, const ShapeRay& ray);
 ShapePoint point_on(const LongFace& face, const Vec3d& near);
 ShapeBox box_around(const LongFace& face);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_shapes

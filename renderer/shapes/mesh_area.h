@@ -10,7 +10,7 @@
 #include "renderer/core/parallel.h"
 #include "renderer/shapes/surface.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_shapes {
 
 class MeshArea {
  public:
@@ -65,4 +65,4 @@ class MeshArea {
   std::vector<Node> nodes_;  ///< node k of a level is 2^level + k; the children of n are 2n and 2n + 1
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_shapes

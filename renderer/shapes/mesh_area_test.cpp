@@ -7,12 +7,12 @@
 #include <cmath>
 #include <numbers>
 
-#include "renderer/integrators/test_photon_scenes.h"
 #include "renderer/lanes/test_random.h"
 #include "renderer/lanes/warp.h"
+#include "renderer/photon_mapping/test_photon_scenes.h"
 #include "renderer/shapes/surface.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_shapes {
 namespace {
 
 Mesh compiled(const MeshDescription& description, const Transform& to_world = {}) {
@@ -183,4 +183,4 @@ TEST(mesh_area, is_the_same_by_any_number_of_threads) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_shapes

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace photonproof {
+namespace photonproof::inline renderer_shapes {
 
 std::vector<Vec3f> vertex_normals(const std::vector<TriangleMesh::Triangle>& triangles,
                                   const std::vector<Vec3f>& positions, std::size_t vertex_count) {
@@ -26,4 +26,4 @@ std::vector<Vec3f> vertex_normals(const std::vector<TriangleMesh::Triangle>& tri
   return normals;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_shapes

@@ -4,7 +4,7 @@
 #include "renderer/shapes/extent.h"
 #include "renderer/shapes/shape_place.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_shapes {
 
 double hit_distance(const Plane& plane, const ShapeRay& ray) { return plane_distance(plane.point, plane.normal, ray); }
 
@@ -36,4 +36,4 @@ Vec3d nearest_on(const PlaneDescription&, const Transform& to_world, const Vec3d
   return to + n * (dot(n, to_world.point({0, 0, 0}) - to) / dot(n, n));
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_shapes

@@ -3,9 +3,11 @@
 
 #include "renderer/shapes/shape.h"
 
-namespace photonproof {
-
+namespace photonproof::inline scenes_description {
 struct PlaneDescription;
+}
+
+namespace photonproof::inline renderer_shapes {
 
 /// Every x with normal . (x - point) = 0.
 struct Plane {
@@ -23,4 +25,4 @@ PlacedShape<Plane> placed(const PlaneDescription& description, const ShapePlace&
 Extent extent_of(const PlaneDescription& description, const Transform& to_world);
 Vec3d nearest_on(const PlaneDescription& description, const Transform& to_world, const Vec3d& to);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_shapes

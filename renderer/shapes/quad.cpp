@@ -5,7 +5,7 @@
 
 #include "renderer/shapes/circle_area.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_shapes {
 namespace {
 
 /// Whether p is at least `radius` away from all four edges, as most points are.
@@ -47,4 +47,4 @@ LocalGeometry local_geometry(const Quad&, const AffineMap& frame, const Vec3f& p
   return local_geometry_of_square(frame, p, normal);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_shapes

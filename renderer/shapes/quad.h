@@ -3,7 +3,7 @@
 
 #include "renderer/shapes/shape.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_shapes {
 
 /// corner + u edge_u + v edge_v for u, v in [0,1]; `normal` = edge_u x edge_v, normalised, flipped where the file says.
 struct Quad {
@@ -20,4 +20,4 @@ LocalGeometry local_geometry(const Quad& quad, const AffineMap& frame, const Vec
 /// Exact: the disc in the quad's plane intersected with the parallelogram.
 float disc_area(const Quad& quad, const Vec3f& p, float radius);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_shapes

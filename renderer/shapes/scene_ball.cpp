@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace photonproof {
+namespace photonproof::inline renderer_shapes {
 
 std::vector<ShapeBox> boxes_around(const std::vector<Surface>& surfaces) {
   std::vector<ShapeBox> boxes;
@@ -21,4 +21,4 @@ SceneBall scene_ball(const std::vector<ShapeBox>& boxes) {
   return {(box.low + box.high) * 0.5f, radius};
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_shapes

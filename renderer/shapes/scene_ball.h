@@ -5,7 +5,7 @@
 
 #include "renderer/shapes/surface.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_shapes {
 
 /// A ball that holds a scene.
 struct SceneBall {
@@ -18,4 +18,4 @@ std::vector<ShapeBox> boxes_around(const std::vector<Surface>& surfaces);
 /// Holds all boxes. With none, radius 1 around the origin.
 SceneBall scene_ball(const std::vector<ShapeBox>& boxes);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_shapes

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace photonproof {
+namespace photonproof::inline renderer_shapes {
 
 void ShapeBox::add(const Vec3f& p) { add({p, p}); }
 
@@ -19,4 +19,4 @@ ShapeBox padded_box(const Vec3d& low, const Vec3d& high) {
   return {Vec3f(low - margin), Vec3f(high + margin)};
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_shapes

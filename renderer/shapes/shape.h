@@ -25,9 +25,9 @@
 
 #include "renderer/core/ray.h"
 #include "renderer/shapes/affine_map.h"
-#include "scenes/meshes/vec.h"
+#include "scenes/base/vec.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_shapes {
 
 struct Extent;
 struct ShapePlace;
@@ -90,4 +90,4 @@ inline LocalGeometry local_geometry_of_square(const AffineMap& frame, const Vec3
   return {{local.x, local.y}, frame.x, frame.y, normal};
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_shapes

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace photonproof {
+namespace photonproof::inline renderer_shapes {
 
 void ShapePlace::refuse(const std::string& why) const { throw InputError(scene.where(shape.loc), why); }
 
@@ -24,4 +24,4 @@ AffineMap flat_frame(const Vec3d& origin, const Vec3d& along_u, const Vec3d& alo
   return {along_u, along_v, normalize(cross(along_u, along_v)), origin};
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_shapes

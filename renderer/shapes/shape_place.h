@@ -7,7 +7,7 @@
 #include "renderer/shapes/affine_map.h"
 #include "scenes/description/description.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_shapes {
 
 /// A shape of a description that becomes one primitive.
 struct ShapePlace {
@@ -33,4 +33,4 @@ struct PlacedShape {
 /// The frame of a flat shape: its two edges and, across it, a unit normal.
 AffineMap flat_frame(const Vec3d& origin, const Vec3d& along_u, const Vec3d& along_v);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_shapes

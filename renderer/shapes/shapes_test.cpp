@@ -14,7 +14,7 @@
 #include "renderer/shapes/heightfield.h"
 #include "scenes/meshes/icosphere.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_shapes {
 namespace {
 
 using Shape = decltype(ShapeDescription::geometry);
@@ -317,4 +317,4 @@ TEST(mesh_uv, are_the_files_or_barycentric) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_shapes

@@ -9,9 +9,9 @@
 #include "renderer/shapes/circle_area.h"
 #include "renderer/shapes/extent.h"
 #include "renderer/shapes/shape_place.h"
-#include "scenes/text/numeric_faults.h"
+#include "scenes/base/numeric_faults.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_shapes {
 
 double hit_distance(const Sphere& sphere, const ShapeRay& ray) {
   const Vec3d& d = ray.direction;
@@ -90,4 +90,4 @@ Vec3d nearest_on(const SphereDescription& description, const Transform& to_world
   return nearest_on_ball(to_world.point(description.center), description.radius * to_world.similarity_scale(), to);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_shapes

@@ -3,9 +3,11 @@
 
 #include "renderer/shapes/shape.h"
 
-namespace photonproof {
-
+namespace photonproof::inline scenes_description {
 struct SphereDescription;
+}
+
+namespace photonproof::inline renderer_shapes {
 
 struct Sphere {
   Vec3d
@@ -28,4 +30,4 @@ Vec3d nearest_on(const SphereDescription& description, const Transform& to_world
 /// Of the ball around `center`.
 Vec3d nearest_on_ball(const Vec3d& center, double radius, const Vec3d& to);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_shapes

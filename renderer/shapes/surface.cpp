@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-namespace photonproof {
+namespace photonproof::inline renderer_shapes {
 
 ShapeBox box_around(const Mesh& mesh) {
   ShapeBox box;
@@ -36,4 +36,4 @@ std::vector<std::uint32_t> lamp_faces(const std::vector<Surface>& surfaces) {
   return first;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_shapes

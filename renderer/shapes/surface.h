@@ -16,7 +16,7 @@
 #include "renderer/shapes/sphere.h"
 #include "scenes/meshes/mesh.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_shapes {
 
 struct Mesh {
   std::vector<Vec3f> positions;  ///< world space, with one spare at the end, which Embree's 16-byte reads touch
@@ -68,4 +68,4 @@ struct Surface {
 /// shapes as a whole; no_index where it does not emit.
 std::vector<std::uint32_t> lamp_faces(const std::vector<Surface>& surfaces);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_shapes

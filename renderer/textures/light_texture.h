@@ -3,11 +3,11 @@
 
 #include <functional>
 
-#include "scenes/meshes/vec.h"
+#include "scenes/base/vec.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_textures {
 
 /// Linear Rec.709 colour at uv.
 using LightTexture = std::function<Rgb(const Vec2<float>& uv)>;
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_textures

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scenes/text/numeric_faults.h"
+#include "scenes/base/numeric_faults.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_textures {
 namespace {
 
 float luminance(const Rgb& c) { return 0.212671f * c.x + 0.715160f * c.y + 0.072169f * c.z; }
@@ -130,4 +130,4 @@ std::size_t Textures::bytes() const {
   return total;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_textures

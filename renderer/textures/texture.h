@@ -8,7 +8,7 @@
 #include "renderer/core/ray.h"
 #include "scenes/description/description.h"
 
-namespace photonproof {
+namespace photonproof::inline renderer_textures {
 
 /// The part of a transform that moves uv: columns of the linear part and the translation.
 struct UvTransform {
@@ -73,4 +73,4 @@ class Textures {
   std::vector<std::variant<BitmapTexture, Checkerboard>> textures_;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_textures

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-namespace photonproof {
+namespace photonproof::inline renderer_textures {
 
 struct TextureSlot {
   std::uint32_t texture;  ///< index in SceneDescription::textures
@@ -12,4 +12,4 @@ struct TextureSlot {
   friend bool operator==(const TextureSlot&, const TextureSlot&) = default;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_textures

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace photonproof {
+namespace photonproof::inline renderer_textures {
 namespace {
 
 /// Two columns, two rows of grey: 0 1 over 2 4.
@@ -148,4 +148,4 @@ TEST(texture, as_a_number_is_its_luminance) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline renderer_textures

@@ -6,9 +6,9 @@
 
 #include "reports/formats/exchange_reports.h"
 #include "reports/view/text.h"
-#include "scenes/text/atomic_file.h"
+#include "scenes/files/atomic_file.h"
 
-namespace photonproof {
+namespace photonproof::inline reports_formats {
 namespace {
 
 using nlohmann::json;
@@ -91,4 +91,4 @@ void write_bencher_report(const Results& results, const std::filesystem::path&, 
   write_file_atomically(out, all.dump(2, ' ', false, json::error_handler_t::replace) + "\n");
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reports_formats

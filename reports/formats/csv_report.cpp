@@ -11,9 +11,9 @@
 #include "reports/formats/exchange_reports.h"
 #include "reports/view/text.h"
 #include "reports/view/view.h"
-#include "scenes/text/atomic_file.h"
+#include "scenes/files/atomic_file.h"
 
-namespace photonproof {
+namespace photonproof::inline reports_formats {
 using namespace reports;
 
 namespace {
@@ -136,4 +136,4 @@ void write_csv_report(const Results& results, const std::filesystem::path&, cons
   write_file_atomically(out, table.text());
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reports_formats

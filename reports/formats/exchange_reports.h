@@ -6,7 +6,7 @@
 
 #include "reports/record/results.h"
 
-namespace photonproof {
+namespace photonproof::inline reports_formats {
 
 /// RFC 4180, one number a row: of cells, convergence, gates and changes (csv_report.cpp has the columns).
 void write_csv_report(const Results& results, const std::filesystem::path& results_folder,
@@ -28,4 +28,4 @@ void write_gbench_report(const Results& results, const std::filesystem::path& re
 void write_bencher_report(const Results& results, const std::filesystem::path& results_folder,
                           const std::filesystem::path& out);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reports_formats

@@ -7,11 +7,11 @@
 #include <set>
 #include <sstream>
 
-#include "reference/process/process.h"
 #include "reports/formats/formats.h"
 #include "reports/view/test_sample_results.h"
+#include "scenes/base/process.h"
 
-namespace photonproof {
+namespace photonproof::inline reports_formats {
 namespace {
 
 using namespace reports;
@@ -394,4 +394,4 @@ TEST(ExchangeReports, an_empty_record_is_still_a_file_of_its_kind) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline reports_formats

@@ -5,9 +5,9 @@
 #include "reports/formats/exchange_reports.h"
 #include "reports/formats/markdown_report.h"
 #include "reports/page/html_report.h"
-#include "scenes/text/input_error.h"
+#include "scenes/base/input_error.h"
 
-namespace photonproof {
+namespace photonproof::inline reports_formats {
 
 std::span<const ReportFormat> report_formats() {
   static constexpr ReportFormat formats[] = {
@@ -31,4 +31,4 @@ const ReportFormat& report_format(std::string_view name) {
   throw InputError(std::string(name), "no such report format; there are " + known);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reports_formats

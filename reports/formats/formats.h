@@ -7,7 +7,7 @@
 
 #include "reports/record/results.h"
 
-namespace photonproof {
+namespace photonproof::inline reports_formats {
 
 struct ReportFormat {
   std::string_view name;       ///< as given to --format
@@ -21,4 +21,4 @@ std::span<const ReportFormat> report_formats();
 /// Throws InputError naming the formats there are.
 const ReportFormat& report_format(std::string_view name);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reports_formats

@@ -4,9 +4,9 @@
 
 #include <set>
 
-#include "scenes/text/input_error.h"
+#include "scenes/base/input_error.h"
 
-namespace photonproof {
+namespace photonproof::inline reports_formats {
 namespace {
 
 TEST(Formats, names_and_extensions_are_unique) {
@@ -30,4 +30,4 @@ TEST(Formats, an_unknown_one_names_those_there_are) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline reports_formats

@@ -7,9 +7,9 @@
 #include "reports/formats/exchange_reports.h"
 #include "reports/view/text.h"
 #include "reports/view/view.h"
-#include "scenes/text/atomic_file.h"
+#include "scenes/files/atomic_file.h"
 
-namespace photonproof {
+namespace photonproof::inline reports_formats {
 using namespace reports;
 
 namespace {
@@ -94,4 +94,4 @@ void write_gbench_report(const Results& results, const std::filesystem::path&, c
   write_file_atomically(out, all.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reports_formats

@@ -10,9 +10,9 @@
 #include "reports/formats/exchange_reports.h"
 #include "reports/view/text.h"
 #include "reports/view/view.h"
-#include "scenes/text/atomic_file.h"
+#include "scenes/files/atomic_file.h"
 
-namespace photonproof {
+namespace photonproof::inline reports_formats {
 using namespace reports;
 
 namespace {
@@ -154,4 +154,4 @@ void write_junit_report(const Results& results, const std::filesystem::path&, co
   write_file_atomically(out, text.str());
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reports_formats

@@ -9,9 +9,9 @@
 #include "reports/view/text.h"
 #include "reports/view/verdicts.h"
 #include "reports/view/view.h"
-#include "scenes/text/atomic_file.h"
+#include "scenes/files/atomic_file.h"
 
-namespace photonproof {
+namespace photonproof::inline reports_formats {
 using namespace reports;
 
 namespace {
@@ -110,4 +110,4 @@ void write_latex_report(const Results& results, const std::filesystem::path&, co
   write_file_atomically(out, text);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reports_formats

@@ -12,9 +12,9 @@
 #include "reports/view/text.h"
 #include "reports/view/verdicts.h"
 #include "reports/view/view.h"
-#include "scenes/text/atomic_file.h"
+#include "scenes/files/atomic_file.h"
 
-namespace photonproof {
+namespace photonproof::inline reports_formats {
 using namespace reports;
 
 namespace {
@@ -328,4 +328,4 @@ void write_markdown_report(const Results& results, const fs::path& results_folde
   write_file_atomically(out, Writer(results, results_folder, out).write());
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reports_formats

@@ -4,7 +4,7 @@
 
 #include "reports/view/test_sample_results.h"
 
-namespace photonproof {
+namespace photonproof::inline reports_formats {
 namespace {
 
 using namespace reports;
@@ -68,4 +68,4 @@ TEST(MarkdownReport, runs_without_finished_cells_or_scenes_are_reported) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline reports_formats

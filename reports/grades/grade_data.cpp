@@ -13,7 +13,7 @@
 #include "reports/view/numbers.h"
 #include "reports/view/text.h"
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_grades {
 namespace {
 
 using kainjow::mustache::data;
@@ -225,4 +225,4 @@ void set_page_parts(data& page) {
   set_partial(page, "grade_build", grade_templates::grade_build);
 }
 
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_grades

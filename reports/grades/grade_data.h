@@ -9,7 +9,7 @@
 
 #include "reports/grades/grade_record.h"
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_grades {
 
 /// {class, symbol, verdict} for verdict_chip.mustache.
 kainjow::mustache::data chip_data(const SceneGrade& grade);
@@ -39,4 +39,4 @@ void set_build(kainjow::mustache::data& object, const SubmissionGrade& submissio
 /// Style, script and the partial templates that both pages share.
 void set_page_parts(kainjow::mustache::data& page);
 
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_grades

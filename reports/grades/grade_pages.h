@@ -5,7 +5,7 @@
 
 #include "reports/grades/grade_record.h"
 
-namespace photonproof {
+namespace photonproof::inline reports_grades {
 
 /// One file that needs no other: pictures of public scenes are inside. What it says of hidden scenes, and what not, is
 /// in grade_words.h. Nothing of other submissions, flags, the grading's seed or its command is in it. Pictures are read
@@ -17,4 +17,4 @@ void write_student_page(const Grades& grades, const SubmissionGrade& submission,
 /// Everything, for staff only: thumbnails are inside, larger pictures are links into `folder`, relative to `out`.
 void write_staff_page(const Grades& grades, const std::filesystem::path& folder, const std::filesystem::path& out);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reports_grades

@@ -6,7 +6,7 @@
 #include "reports/grades/test_sample_grades.h"
 #include "reports/page/test_browser.h"
 
-namespace photonproof {
+namespace photonproof::inline reports_grades {
 namespace {
 
 using namespace reports;
@@ -140,4 +140,4 @@ TEST_F(GradePagesInBrowser, a_link_to_a_scene_opens_the_submission_it_is_in) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline reports_grades

@@ -13,7 +13,7 @@
 #include "reports/view/numbers.h"
 #include "reports/view/text.h"
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_grades {
 namespace {
 
 // In SVG units; style.css has the sizes of text.
@@ -245,4 +245,4 @@ std::string class_points_svg(const Grades& grades) {
          svg_line(16, bottom, plot_right, bottom) + "</g>\n<g class=\"labels\">" + labels + "</g></svg>";
 }
 
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_grades

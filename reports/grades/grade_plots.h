@@ -5,7 +5,7 @@
 
 #include "reports/grades/grade_record.h"
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_grades {
 
 /// What a colour and marker stands for in them.
 enum class PlotRole { baseline, own, noise };
@@ -28,4 +28,4 @@ std::string class_speeds_svg(const Grades& grades);
 /// How many submissions have how many points.
 std::string class_points_svg(const Grades& grades);
 
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_grades

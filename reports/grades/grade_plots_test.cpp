@@ -4,7 +4,7 @@
 
 #include "reports/view/test_sample_results.h"
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_grades {
 namespace {
 
 TEST(GradePlots, a_round_has_a_marker_of_each_program_and_a_bar_of_noise) {
@@ -72,4 +72,4 @@ TEST(GradePlots, the_fastest_is_on_top) {
 }
 
 }  // namespace
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_grades

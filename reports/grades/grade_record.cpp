@@ -4,9 +4,9 @@
 #include <array>
 #include <utility>
 
-#include "scenes/text/input_error.h"
+#include "scenes/base/input_error.h"
 
-namespace photonproof {
+namespace photonproof::inline reports_grades {
 namespace {
 
 constexpr std::array<std::pair<SceneVerdict, const char*>, 6> scene_verdicts{{{SceneVerdict::right, "right"},
@@ -75,4 +75,4 @@ std::vector<const SubmissionGrade*> leaderboard(const Grades& grades) {
   return order;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reports_grades

@@ -10,7 +10,7 @@
 
 #include "reports/record/results.h"
 
-namespace photonproof {
+namespace photonproof::inline reports_grades {
 
 inline constexpr int grades_version = 1;
 
@@ -144,4 +144,4 @@ struct Grades {
 /// Best first: points, then speed-up, then name. Pointers into `grades`.
 std::vector<const SubmissionGrade*> leaderboard(const Grades& grades);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reports_grades

@@ -12,7 +12,7 @@
 #include "reports/view/numbers.h"
 #include "reports/view/text.h"
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_grades {
 namespace {
 
 bool is_a_plain_kind(const std::string& kind) {
@@ -181,4 +181,4 @@ std::string log_text(const std::string& log) {
   return text;
 }
 
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_grades

@@ -7,7 +7,7 @@
 
 #include "reports/grades/grade_record.h"
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_grades {
 
 /// "12.5", "40": at most two decimals.
 std::string points_text(double points);
@@ -41,4 +41,4 @@ std::string tier_words(const Grades& grades, const SpeedGrade& speed);
 /// Lines of a program's output, safe to show in <pre>: the last ones of many, and long ones shortened.
 std::string log_text(const std::string& log);
 
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_grades

@@ -3,7 +3,7 @@
 #include "reports/grades/test_sample_grades.h"
 #include "reports/view/test_sample_results.h"
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_grades {
 namespace {
 
 TEST(GradeWords, points_have_no_needless_digits) {
@@ -99,4 +99,4 @@ TEST(GradeWords, how_many_are_right) {
 }
 
 }  // namespace
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_grades

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "reports/view/text.h"
-#include "scenes/text/utf8.h"
+#include "scenes/base/utf8.h"
 
-namespace photonproof {
+namespace photonproof::inline reports_grades {
 namespace {
 
 void add_row(std::string& csv, const std::vector<std::string>& cells) {
@@ -92,4 +92,4 @@ std::string grades_table(const Grades& grades) {
   return table;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reports_grades

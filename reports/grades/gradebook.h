@@ -5,7 +5,7 @@
 
 #include "reports/grades/grade_record.h"
 
-namespace photonproof {
+namespace photonproof::inline reports_grades {
 
 /// RFC 4180, a header first: name, points, correctness, speed, speed-up with its interval, a column a scene, flags and
 /// the first sentence. Order of `grades`.
@@ -19,4 +19,4 @@ std::string right_scenes_text(const SubmissionGrade& grade);
 /// "4.02x (3.98 to 4.06)"; what became of the timing, where there is no number.
 std::string speedup_text(const SpeedGrade& speed);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reports_grades

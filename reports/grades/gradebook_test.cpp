@@ -4,7 +4,7 @@
 
 #include "reports/grades/test_grades.h"
 
-namespace photonproof {
+namespace photonproof::inline reports_grades {
 namespace {
 
 TEST(Gradebook, a_row_a_submission_with_names_quoted_and_formulas_disarmed) {
@@ -38,4 +38,4 @@ TEST(Gradebook, equal_points_are_ranked_by_speed_and_then_by_name) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline reports_grades

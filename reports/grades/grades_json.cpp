@@ -5,9 +5,9 @@
 #include <stdexcept>
 
 #include "reports/record/file_inside.h"
-#include "scenes/text/input_error.h"
+#include "scenes/base/input_error.h"
 
-namespace photonproof {
+namespace photonproof::inline reports_grades {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -300,4 +300,4 @@ Grades grades_from_json(const Json& json, const std::string& file) try {
   throw InputError(file, "is no record of a grading: " + std::string(problem.what()));
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reports_grades

@@ -6,7 +6,7 @@
 
 #include "reports/grades/grade_record.h"
 
-namespace photonproof {
+namespace photonproof::inline reports_grades {
 
 nlohmann::ordered_json run_to_json(const GradedRun& run);
 GradedRun run_from_json(const nlohmann::ordered_json& json);
@@ -16,4 +16,4 @@ nlohmann::ordered_json grades_to_json(const Grades& grades);
 /// Throws InputError, naming `file`, where it is no such document.
 Grades grades_from_json(const nlohmann::ordered_json& json, const std::string& file);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reports_grades

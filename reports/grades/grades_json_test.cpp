@@ -4,9 +4,9 @@
 #include <nlohmann/json.hpp>
 
 #include "reports/grades/test_grades.h"
-#include "scenes/text/test_folder.h"
+#include "scenes/files/test_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline reports_grades {
 namespace {
 
 TEST(GradesJson, reads_back_what_was_written) {
@@ -46,4 +46,4 @@ TEST(GradesJson, a_number_that_is_not_finite_is_never_written) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline reports_grades

@@ -5,9 +5,9 @@
 
 #include "reports/grades/grade_words.h"
 #include "reports/grades/hidden_words.h"
-#include "scenes/text/utf8.h"
+#include "scenes/base/utf8.h"
 
-namespace photonproof {
+namespace photonproof::inline reports_grades {
 namespace {
 
 using Document = nlohmann::ordered_json;
@@ -87,4 +87,4 @@ nlohmann::ordered_json gradescope_results(const Grades& grades, const Submission
   return results;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reports_grades

@@ -7,7 +7,7 @@
 
 #include "reports/grades/grade_record.h"
 
-namespace photonproof {
+namespace photonproof::inline reports_grades {
 
 /// A test a scene and one for speed; hidden scenes tell their verdict and score, nothing of what they show. The
 /// leaderboard has points and, where it was measured, the speed-up.
@@ -17,4 +17,4 @@ nlohmann::ordered_json gradescope_results(const Grades& grades, const Submission
 /// (gradescope.schema.json).
 void validate_gradescope(const nlohmann::ordered_json& document, const std::string& file);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reports_grades

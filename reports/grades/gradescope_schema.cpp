@@ -9,9 +9,9 @@
 
 #include "gradescope_schema_text.h"
 #include "reports/grades/gradescope.h"
-#include "scenes/text/input_error.h"
+#include "scenes/base/input_error.h"
 
-namespace photonproof {
+namespace photonproof::inline reports_grades {
 
 void validate_gradescope(const nlohmann::ordered_json& document, const std::string& file) {
   const nlohmann::json schema_json = nlohmann::json::parse(gradescope_schema_text);
@@ -30,4 +30,4 @@ void validate_gradescope(const nlohmann::ordered_json& document, const std::stri
   throw InputError(file + "#" + pointer.to_string(), "not as Gradescope documents it: " + first.description);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reports_grades

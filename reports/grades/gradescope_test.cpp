@@ -3,9 +3,9 @@
 #include <nlohmann/json.hpp>
 
 #include "reports/grades/test_grades.h"
-#include "scenes/text/test_folder.h"
+#include "scenes/files/test_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline reports_grades {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -72,4 +72,4 @@ TEST(Gradescope, the_leaderboard_has_a_speed_up_where_there_is_one) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline reports_grades

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_grades {
 namespace {
 
 using Words = std::pair<std::string_view, std::string_view>;
@@ -222,4 +222,4 @@ SubmissionGrade as_students_read(const Grades& grades, SubmissionGrade submissio
   return submission;
 }
 
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_grades

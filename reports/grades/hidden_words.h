@@ -10,7 +10,7 @@
 
 #include "reports/grades/grade_record.h"
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_grades {
 
 /// A submission's grade on a hidden scene, as its student may read it.
 struct HiddenWords {
@@ -25,4 +25,4 @@ std::string without_hidden_names(const Grades& grades, const std::string& text);
 /// The submission whose sentences about public scenes and speed name no hidden scene.
 SubmissionGrade as_students_read(const Grades& grades, SubmissionGrade submission);
 
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_grades

@@ -6,7 +6,7 @@
 
 #include "reports/grades/test_sample_grades.h"
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_grades {
 namespace {
 
 class HiddenScene : public testing::Test {
@@ -105,4 +105,4 @@ TEST_F(HiddenScene, names_of_hidden_scenes_leave_a_text_and_nothing_else_does) {
 }
 
 }  // namespace
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_grades

@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_grades {
 namespace {
 
 using Members = std::vector<std::size_t>;  // indices into Grades::submissions, ascending
@@ -75,4 +75,4 @@ std::vector<LikenessGroup> likeness_groups(const Grades& grades) {
   return groups;
 }
 
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_grades

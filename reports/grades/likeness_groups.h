@@ -6,7 +6,7 @@
 
 #include "reports/grades/grade_record.h"
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_grades {
 
 struct LikenessGroup {
   std::vector<std::string> names;  ///< of submissions, at least two, in the record's order
@@ -17,4 +17,4 @@ struct LikenessGroup {
 /// "same-as-other".
 std::vector<LikenessGroup> likeness_groups(const Grades& grades);
 
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_grades

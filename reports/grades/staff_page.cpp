@@ -15,10 +15,9 @@
 #include "reports/view/results_file.h"
 #include "reports/view/text.h"
 #include "reports/view/view.h"
-#include "scenes/text/atomic_file.h"
+#include "scenes/files/atomic_file.h"
 
-namespace photonproof {
-namespace reports {
+namespace photonproof::reports::inline reports_grades {
 namespace {
 
 using kainjow::mustache::data;
@@ -220,10 +219,12 @@ std::string staff_html(const Grades& grades, const fs::path& folder, const fs::p
 }
 
 }  // namespace
-}  // namespace reports
+}  // namespace photonproof::reports::inline reports_grades
+
+namespace photonproof::inline reports_grades {
 
 void write_staff_page(const Grades& grades, const std::filesystem::path& folder, const std::filesystem::path& out) {
   write_file_atomically(out, reports::staff_html(grades, folder, out));
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reports_grades

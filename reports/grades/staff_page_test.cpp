@@ -5,7 +5,7 @@
 #include "reports/grades/test_sample_grades.h"
 #include "reports/view/test_sample_results.h"
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_grades {
 namespace {
 
 class StaffPage : public testing::Test {
@@ -123,4 +123,4 @@ TEST(LikenessGroups, equal_images_and_shared_noise_join_submissions) {
 }
 
 }  // namespace
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_grades

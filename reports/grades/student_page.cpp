@@ -15,10 +15,9 @@
 #include "reports/view/environment.h"
 #include "reports/view/text.h"
 #include "reports/view/view.h"
-#include "scenes/text/atomic_file.h"
+#include "scenes/files/atomic_file.h"
 
-namespace photonproof {
-namespace reports {
+namespace photonproof::reports::inline reports_grades {
 namespace {
 
 using kainjow::mustache::data;
@@ -197,11 +196,13 @@ std::string student_html(const Grades& grades, const SubmissionGrade& submission
 }
 
 }  // namespace
-}  // namespace reports
+}  // namespace photonproof::reports::inline reports_grades
+
+namespace photonproof::inline reports_grades {
 
 void write_student_page(const Grades& grades, const SubmissionGrade& submission, const std::filesystem::path& folder,
                         const std::filesystem::path& out) {
   write_file_atomically(out, reports::student_html(grades, reports::as_students_read(grades, submission), folder));
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reports_grades

@@ -8,7 +8,7 @@
 #include "reports/view/test_sample_results.h"
 #include "reports/view/text.h"
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_grades {
 namespace {
 
 class StudentPage : public testing::Test {
@@ -192,4 +192,4 @@ TEST_F(StudentPage, a_missing_picture_is_said) {
 }
 
 }  // namespace
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_grades

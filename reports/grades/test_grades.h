@@ -4,7 +4,7 @@
 
 #include "reports/grades/grade_record.h"
 
-namespace photonproof {
+namespace photonproof::inline reports_grades {
 
 inline Grades grades_without_submissions() {
   Grades grades;
@@ -75,4 +75,4 @@ inline Grades test_grades() {
   return grades;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reports_grades

@@ -14,7 +14,7 @@
 #include "reports/record/heatmap_magma.h"
 #include "scenes/images/image.h"
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_grades {
 
 using ImageChange = std::function<Image(const Image&)>;
 
@@ -352,4 +352,4 @@ inline Grades sample_grades(const std::filesystem::path& folder, std::map<std::s
   return std::move(sample.grades);
 }
 
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_grades

@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-namespace photonproof {
+namespace photonproof::inline reports_grades {
 namespace {
 
 constexpr std::uint16_t needed_version = 20, made_by_unix = 3 << 8 | 20;
@@ -86,4 +86,4 @@ std::string zip_bytes(const std::vector<ZipMember>& members) {
   return zip;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reports_grades

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace photonproof {
+namespace photonproof::inline reports_grades {
 
 struct ZipMember {
   std::string name;  ///< with '/' between folders
@@ -18,4 +18,4 @@ struct ZipMember {
 /// are relative and distinct.
 std::string zip_bytes(const std::vector<ZipMember>& members);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reports_grades

@@ -1,9 +1,9 @@
 #include "reports/grades/zip_file.h"
 
-#include "reference/process/process.h"
-#include "scenes/text/test_folder.h"
+#include "scenes/base/process.h"
+#include "scenes/files/test_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline reports_grades {
 namespace {
 
 class ZipFile : public FolderTest {};
@@ -26,4 +26,4 @@ TEST_F(ZipFile, the_same_members_are_the_same_bytes) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline reports_grades

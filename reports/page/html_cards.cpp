@@ -6,7 +6,7 @@
 #include "reports/page/viewer_data.h"
 #include "reports/view/text.h"
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_page {
 namespace {
 
 using kainjow::mustache::data;
@@ -104,4 +104,4 @@ Gallery gallery(const View& view, const SceneView& scene, const std::vector<Scen
   return out;
 }
 
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_page

@@ -9,7 +9,7 @@
 
 #include "reports/page/scene_images.h"
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_page {
 
 struct Gallery {
   kainjow::mustache::data cards;  ///< a list, as scene_section.mustache has it
@@ -21,4 +21,4 @@ struct Gallery {
 Gallery gallery(const View& view, const SceneView& scene, const std::vector<SceneImage>& images,
                 const std::filesystem::path& folder, const std::string& scene_id, std::size_t allowance);
 
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_page

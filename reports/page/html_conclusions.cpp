@@ -10,7 +10,7 @@
 #include "reports/view/text.h"
 #include "reports/view/verdicts.h"
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_page {
 namespace {
 
 using kainjow::mustache::data;
@@ -170,4 +170,4 @@ std::string scene_id(const View& view, const std::string& scene) {
   return "scene-" + std::to_string(found - view.scenes.begin() + 1);
 }
 
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_page

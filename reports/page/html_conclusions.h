@@ -8,7 +8,7 @@
 #include "reports/view/conclusions.h"
 #include "reports/view/view.h"
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_page {
 
 /// {verdict, class, symbol}: a chip that is not told by its colour alone.
 void set_verdict(kainjow::mustache::data& object, GateVerdict verdict);
@@ -34,4 +34,4 @@ void set_changes(kainjow::mustache::data& page, const View& view);
 /// The id of a scene's section: "scene-1".
 std::string scene_id(const View& view, const std::string& scene);
 
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_page

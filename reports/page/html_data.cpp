@@ -6,7 +6,7 @@
 #include "reports/view/text.h"
 #include "reports/view/verdicts.h"
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_page {
 
 using kainjow::mustache::data;
 
@@ -72,4 +72,4 @@ std::string seconds_text(const std::optional<double>& seconds) {
 
 data text_or_false(const std::string& text) { return text.empty() ? data(false) : data(printable(text)); }
 
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_page

@@ -9,7 +9,7 @@
 #include "reports/page/picture.h"
 #include "reports/view/view.h"
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_page {
 
 /// {color, shape, name, title, version}: an engine and what swatch_svg.mustache needs.
 kainjow::mustache::data engine_data(const View& view, std::size_t engine);
@@ -38,4 +38,4 @@ std::string seconds_text(const std::optional<double>& seconds);
 /// The text, or false when it is empty, so that a template's section is left out.
 kainjow::mustache::data text_or_false(const std::string& text);
 
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_page

@@ -10,9 +10,9 @@
 #include "reports/view/environment.h"
 #include "reports/view/metric_columns.h"
 #include "reports/view/text.h"
-#include "scenes/text/atomic_file.h"
+#include "scenes/files/atomic_file.h"
 
-namespace photonproof {
+namespace photonproof::inline reports_page {
 using namespace reports;
 
 namespace {
@@ -101,4 +101,4 @@ void write_html_report(const Results& results, const std::filesystem::path& resu
   write_file_atomically(out, rendered_page(templates::page, page));
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reports_page

@@ -6,11 +6,11 @@
 
 #include "reports/record/results.h"
 
-namespace photonproof {
+namespace photonproof::inline reports_page {
 
 /// Pictures are read from `results_folder`; `out` is replaced as a whole. Missing pictures are said on the
 /// page. Throws InputError when `out` cannot be written.
 void write_html_report(const Results& results, const std::filesystem::path& results_folder,
                        const std::filesystem::path& out);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reports_page

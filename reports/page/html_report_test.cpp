@@ -5,9 +5,9 @@
 #include "harness/metrics/heatmap.h"
 #include "reports/record/heatmap_magma.h"
 #include "reports/view/test_sample_results.h"
-#include "scenes/text/input_error.h"
+#include "scenes/base/input_error.h"
 
-namespace photonproof {
+namespace photonproof::inline reports_page {
 namespace {
 
 using namespace reports;
@@ -296,4 +296,4 @@ TEST(HtmlReport, a_file_that_cannot_be_written_is_an_input_error) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline reports_page

@@ -6,7 +6,7 @@
 #include "reports/page/html_report.h"
 #include "reports/page/test_browser.h"
 
-namespace photonproof {
+namespace photonproof::inline reports_page {
 namespace {
 
 using namespace reports;
@@ -98,4 +98,4 @@ TEST_F(HtmlReportInBrowser, the_check_for_messages_sees_them) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline reports_page

@@ -11,7 +11,7 @@
 #include "reports/view/text.h"
 #include "reports/view/verdicts.h"
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_page {
 namespace {
 
 using kainjow::mustache::data;
@@ -93,4 +93,4 @@ data rows_data(const View& view, const SceneView& scene) {
   return rows;
 }
 
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_page

@@ -5,9 +5,9 @@
 
 #include "reports/view/view.h"
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_page {
 
 /// One row a cell, the reference first, each with its remarks and details.
 kainjow::mustache::data rows_data(const View& view, const SceneView& scene);
 
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_page

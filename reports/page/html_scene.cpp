@@ -18,7 +18,7 @@
 #include "reports/view/text.h"
 #include "reports/view/verdicts.h"
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_page {
 namespace {
 
 using kainjow::mustache::data;
@@ -234,4 +234,4 @@ data scene_data(const View& view, const SceneView& scene, const fs::path& folder
   return out;
 }
 
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_page

@@ -7,7 +7,7 @@
 
 #include "reports/view/view.h"
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_page {
 
 /// Pictures are read from `folder`; `id` names the scene's anchor and prefixes ids within its plot.
 kainjow::mustache::data scene_data(const View& view, const SceneView& scene, const std::filesystem::path& folder,
@@ -16,4 +16,4 @@ kainjow::mustache::data scene_data(const View& view, const SceneView& scene, con
 /// The templates inside scene_section.mustache are set.
 void set_scene_partials(kainjow::mustache::data& object);
 
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_page

@@ -4,7 +4,7 @@
 
 #include "reports/view/text.h"
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_page {
 namespace {
 
 using kainjow::mustache::data;
@@ -37,4 +37,4 @@ std::string rendered_page(std::string_view layout, data& page) {
   return html;
 }
 
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_page

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_page {
 
 /// {style, script, script_hash} are set. `sha256` in hexadecimal.
 void set_style_and_script(kainjow::mustache::data& page, const std::string& style, std::string_view script,
@@ -17,4 +17,4 @@ void set_partial(kainjow::mustache::data& page, const std::string& name, std::st
 /// The template with its data. Throws std::logic_error when the template is none.
 std::string rendered_page(std::string_view layout, kainjow::mustache::data& page);
 
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_page

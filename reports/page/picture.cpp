@@ -8,11 +8,11 @@
 #include "reports/view/results_file.h"
 #include "reports/view/temporary_folder.h"
 #include "reports/view/text.h"
+#include "scenes/base/input_error.h"
+#include "scenes/files/atomic_file.h"
 #include "scenes/images/image.h"
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/input_error.h"
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_page {
 namespace {
 
 namespace fs = std::filesystem;
@@ -88,4 +88,4 @@ EmbeddedPicture embed_thumbnail(const fs::path& folder, const std::string& relat
   return picture;
 }
 
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_page

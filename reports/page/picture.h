@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_page {
 
 struct EmbeddedPicture {
   std::string uri;            ///< "data:image/png;base64,..."; empty when there is a problem
@@ -18,4 +18,4 @@ struct EmbeddedPicture {
 /// picture that cannot be shown is a problem to print, not an error.
 EmbeddedPicture embed_thumbnail(const std::filesystem::path& folder, const std::string& relative, int longest_side);
 
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_page

@@ -2,7 +2,7 @@
 
 #include "reports/view/test_sample_results.h"
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_page {
 namespace {
 
 namespace fs = std::filesystem;
@@ -72,4 +72,4 @@ TEST_F(Picture, a_damaged_png_gives_no_thumbnail) {
 }
 
 }  // namespace
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_page

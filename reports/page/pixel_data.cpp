@@ -10,9 +10,9 @@
 #include "reports/view/flip_values.h"
 #include "reports/view/results_file.h"
 #include "reports/view/text.h"
-#include "scenes/text/input_error.h"
+#include "scenes/base/input_error.h"
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_page {
 namespace {
 
 constexpr int steps_an_octave = 256;
@@ -115,4 +115,4 @@ PixelDataSet pixel_data(const std::filesystem::path& folder, const std::vector<P
   }
 }
 
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_page

@@ -14,7 +14,7 @@
 
 #include "scenes/images/image.h"
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_page {
 
 /// The code of a value: 0 for 0 and what rounds to it.
 std::int16_t pixel_code(float value);
@@ -46,4 +46,4 @@ struct PixelDataSet {
 PixelDataSet pixel_data(const std::filesystem::path& folder, const std::vector<PixelSource>& sources, double exposure,
                         std::size_t allowance);
 
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_page

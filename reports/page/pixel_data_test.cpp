@@ -8,7 +8,7 @@
 
 #include "reports/view/test_sample_results.h"
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_page {
 namespace {
 
 /// What the page's script does (templates/viewer_pixels.js).
@@ -130,4 +130,4 @@ TEST_F(PixelDataOfFolder, without_the_exr_the_picture_serves) {
 }
 
 }  // namespace
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_page

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_page {
 
 Image reduced_image(const Image& image, int factor) {
   Image out((image.width + factor - 1) / factor, (image.height + factor - 1) / factor);
@@ -22,4 +22,4 @@ Image reduced_image(const Image& image, int factor) {
   return out;
 }
 
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_page

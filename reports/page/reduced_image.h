@@ -3,9 +3,9 @@
 
 #include "scenes/images/image.h"
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_page {
 
 /// Averages blocks of factor x factor pixels; what is left over at the right and bottom edge joins smaller blocks.
 Image reduced_image(const Image& image, int factor);
 
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_page

@@ -6,7 +6,7 @@
 #include "reports/view/numbers.h"
 #include "reports/view/verdicts.h"
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_page {
 namespace {
 
 SceneImage reference_of(const SceneView& scene) {
@@ -94,4 +94,4 @@ std::optional<std::size_t> image_of_gate(const std::vector<SceneImage>& images, 
   return index([&](const SceneImage& image) { return image.engine == engine_index(view, gate.engine); });
 }
 
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_page

@@ -8,7 +8,7 @@
 
 #include "reports/view/view.h"
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_page {
 
 struct SceneImage {
   std::string title;                            ///< "reference", the engine's or the gate's name
@@ -30,4 +30,4 @@ std::vector<SceneImage> scene_images(const View& view, const SceneView& scene);
 std::optional<std::size_t> image_of_gate(const std::vector<SceneImage>& images, const View& view,
                                          const GateRecord& gate);
 
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_page

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "reference/process/process.h"
 #include "reports/view/test_sample_results.h"
+#include "scenes/base/process.h"
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_page {
 
 struct BrowserOutcome {
   std::string dom;
@@ -106,4 +106,4 @@ frame.onload = async () => {
   return nlohmann::json::parse(text);
 }
 
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_page

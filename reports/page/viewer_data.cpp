@@ -10,7 +10,7 @@
 #include "reports/view/engine_style.h"
 #include "reports/view/text.h"
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_page {
 namespace {
 
 using nlohmann::json;
@@ -102,4 +102,4 @@ std::string viewer_json(const View& view, const SceneView& scene, const std::vec
   return json_in_html(all.dump(-1, ' ', false, json::error_handler_t::replace));
 }
 
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_page

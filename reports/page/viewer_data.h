@@ -7,7 +7,7 @@
 
 #include "reports/page/scene_images.h"
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_page {
 
 /// {"name", "exposure", "width", "height", "reducedBy", "notes": [...],
 ///  "images": [{"title", "caption", "color", "shape", "isReference", "pixels", "flip", "maps": {"flip": id of the
@@ -23,4 +23,4 @@ std::string map_id(const std::string& scene_id, std::size_t image, const std::st
 /// The failing tiles of a scene, worst first; the viewer knows them by their place in this list.
 std::vector<RankedTile> scene_tiles(const SceneView& scene);
 
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_page

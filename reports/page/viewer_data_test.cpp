@@ -4,7 +4,7 @@
 
 #include "reports/view/test_sample_results.h"
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_page {
 namespace {
 
 using nlohmann::json;
@@ -74,4 +74,4 @@ TEST(ViewerData, without_any_image_there_is_no_viewer) {
 }
 
 }  // namespace
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_page

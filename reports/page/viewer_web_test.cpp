@@ -10,7 +10,7 @@
 #include "reports/page/test_browser.h"
 #include "reports/record/heatmap_magma.h"
 
-namespace photonproof {
+namespace photonproof::inline reports_page {
 namespace {
 
 using namespace reports;
@@ -310,4 +310,4 @@ TEST_F(ViewerInBrowser, a_script_that_is_not_the_pages_own_does_not_run) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline reports_page

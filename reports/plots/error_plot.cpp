@@ -8,7 +8,7 @@
 #include "reports/view/conclusions.h"
 #include "reports/view/numbers.h"
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_plots {
 namespace {
 
 bool drawable(const std::optional<double>& value) { return value && std::isfinite(*value) && *value > 0; }
@@ -78,4 +78,4 @@ ErrorPlot error_plot(const View& view, const SceneView& scene) {
   return curves.series.empty() ? plot_of_cells(scene) : curves;
 }
 
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_plots

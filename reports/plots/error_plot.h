@@ -9,7 +9,7 @@
 
 #include "reports/view/view.h"
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_plots {
 
 struct PlotPoint {
   double seconds = 0;
@@ -36,4 +36,4 @@ ErrorPlot error_plot(const View& view, const SceneView& scene);
 /// The drawing as an <svg> element of the page; texts of the record are escaped. Precondition: at least one series.
 std::string error_plot_svg(const ErrorPlot& plot, const std::string& label);
 
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_plots

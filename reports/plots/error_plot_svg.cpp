@@ -9,7 +9,7 @@
 #include "reports/view/numbers.h"
 #include "reports/view/text.h"
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_plots {
 namespace {
 
 // The drawing's box and the frame of the axes inside it, in SVG units; style.css has the sizes of text.
@@ -94,4 +94,4 @@ std::string error_plot_svg(const ErrorPlot& plot, const std::string& label) {
   return out + "</svg>";
 }
 
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_plots

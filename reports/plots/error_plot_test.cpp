@@ -3,7 +3,7 @@
 #include "reports/plots/log_axis.h"
 #include "reports/view/test_sample_results.h"
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_plots {
 namespace {
 
 ErrorPlot plot_of_box(const Results& results) {
@@ -112,4 +112,4 @@ TEST(ErrorPlot, text_of_the_record_is_escaped) {
 }
 
 }  // namespace
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_plots

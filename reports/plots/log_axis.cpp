@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_plots {
 
 LogAxis log_axis(double smallest, double largest) {
   constexpr double margin = 0.06;  // of the axis, on either side of the data
@@ -52,4 +52,4 @@ std::string svg_line(double x1, double y1, double x2, double y2) {
   return fmt::format("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\"/>", x1, y1, x2, y2);
 }
 
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_plots

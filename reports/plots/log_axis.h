@@ -7,7 +7,7 @@
 
 #include "reports/record/results.h"
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_plots {
 
 struct LogAxis {
   double low = 1, high = 10;  ///< both positive
@@ -33,4 +33,4 @@ struct ValueRange {
 /// A straight <path>.
 std::string svg_line(double x1, double y1, double x2, double y2);
 
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_plots

@@ -5,7 +5,7 @@
 #include "reports/record/file_inside.h"
 #include "reports/record/results_json_parts.h"
 
-namespace photonproof {
+namespace photonproof::inline reports_record {
 namespace {
 
 using nlohmann::json;
@@ -277,4 +277,4 @@ void conclusions_from_json(const json& document, Results& results) {
   results.caveats = document.value("caveats", std::vector<std::string>{});
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reports_record

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "scenes/text/input_error.h"
+#include "scenes/base/input_error.h"
 
-namespace photonproof {
+namespace photonproof::inline reports_record {
 namespace {
 
 [[noreturn]] void refuse(const std::string& name) {
@@ -38,4 +38,4 @@ void refuse_links_outside(const std::filesystem::path& folder, const std::map<st
   for (const auto& [role, name] : names) refuse_link_outside(folder, name);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reports_record

@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-namespace photonproof {
+namespace photonproof::inline reports_record {
 
 /// `name`, which a record gives relative to its own folder; empty where there is no file. Throws InputError when the
 /// name is absolute or has a part "..", by which it would lead out of that folder.
@@ -19,4 +19,4 @@ void refuse_link_outside(const std::filesystem::path& folder, const std::string&
 /// All values of a map.
 void refuse_links_outside(const std::filesystem::path& folder, const std::map<std::string, std::string>& names);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reports_record

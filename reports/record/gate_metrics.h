@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-namespace photonproof {
+namespace photonproof::inline reports_record {
 
 inline constexpr const char* agreement_metric = "agreement";
 inline constexpr const char* bias_metric = "bias";
@@ -15,4 +15,4 @@ inline bool weighs_noise(std::string_view metric) {
   return metric == agreement_metric || metric == bias_metric || metric == block_bias_metric;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reports_record

@@ -6,7 +6,7 @@
 #include <array>
 #include <cstdint>
 
-namespace photonproof {
+namespace photonproof::inline reports_record {
 
 // clang-format off
 inline constexpr std::array<std::uint32_t, 256> magma_colours = {
@@ -39,4 +39,4 @@ inline constexpr std::array<std::uint32_t, 256> magma_colours = {
 };
 // clang-format on
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reports_record

@@ -11,10 +11,10 @@
 #include "reports/record/file_inside.h"
 #include "reports/record/results_json.h"
 #include "reports/record/results_schema.h"
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/input_error.h"
+#include "scenes/base/input_error.h"
+#include "scenes/files/atomic_file.h"
 
-namespace photonproof {
+namespace photonproof::inline reports_record {
 namespace {
 
 using nlohmann::json;
@@ -170,4 +170,4 @@ void write_result(const std::string& path, const KeptResult& kept) {
                   ResultsDocument::single_result);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reports_record

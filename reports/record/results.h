@@ -11,7 +11,7 @@
 
 #include "scenes/images/exposure_range.h"
 
-namespace photonproof {
+namespace photonproof::inline reports_record {
 
 inline constexpr int results_schema_version = 1;
 
@@ -83,7 +83,7 @@ struct Result {
   std::vector<MetricValue> metrics;  ///< against the scene's reference; empty for the reference itself
   std::string image;                 ///< EXR, relative to results.json; empty when there is none
   std::string
-      image_checksum{};  ///< of the image's file (scenes/text/file_checksum.h); empty in records of before it was kept
+      image_checksum{};  ///< of the image's file (scenes/files/file_checksum.h); empty in records of before it was kept
   std::map<std::string, std::string> pictures;  ///< PNGs relative to results.json by role: "image", "flip", "error"
   std::map<std::string, double> phases;  ///< seconds by phase as the engine reports them ("render", "photons" ...)
   std::map<std::string, double> counts;  ///< rays, photons ... as the engine reports them
@@ -304,4 +304,4 @@ struct KeptResult {
 KeptResult read_result(const std::string& path);
 void write_result(const std::string& path, const KeptResult& kept);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reports_record

@@ -3,10 +3,10 @@
 #include "reports/record/results_fuzz.h"
 
 #include "reports/record/results.h"
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/test_fuzz.h"
+#include "scenes/base/test_fuzz.h"
+#include "scenes/files/atomic_file.h"
 
-namespace photonproof {
+namespace photonproof::inline reports_record {
 namespace {
 
 /// What is read is written, and what was written is read and written the same.
@@ -35,7 +35,7 @@ std::string check_results(std::string_view bytes) {
   return problem.empty() ? problem_with_record(folder, file, read_result, write_result) : problem;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reports_record
 
 #ifdef PHOTONPROOF_FUZZER
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -5,10 +5,10 @@
 #include <string>
 #include <string_view>
 
-namespace photonproof {
+namespace photonproof::inline reports_record {
 
 /// Empty when `bytes` are refused with a proper message or read into something that keeps its promises; else what went
 /// wrong.
 std::string check_results(std::string_view bytes);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reports_record

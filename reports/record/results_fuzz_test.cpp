@@ -1,8 +1,8 @@
 #include "reports/record/results_fuzz.h"
 
-#include "scenes/text/test_corpus.h"
+#include "scenes/base/test_corpus.h"
 
-namespace photonproof {
+namespace photonproof::inline reports_record {
 namespace {
 
 TEST(results_fuzz, corpus_gives_messages_or_records_that_are_written_as_they_were) {
@@ -10,4 +10,4 @@ TEST(results_fuzz, corpus_gives_messages_or_records_that_are_written_as_they_wer
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline reports_record

@@ -7,7 +7,7 @@
 #include "reports/record/file_inside.h"
 #include "reports/record/results_json_parts.h"
 
-namespace photonproof {
+namespace photonproof::inline reports_record {
 namespace {
 
 using nlohmann::json;
@@ -188,4 +188,4 @@ Results results_from_json(const json& j) {
   return results;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reports_record

@@ -5,7 +5,7 @@
 
 #include "reports/record/results.h"
 
-namespace photonproof {
+namespace photonproof::inline reports_record {
 
 /// Throws std::logic_error on a number that is not finite: JSON has none, and the record must not.
 nlohmann::json results_to_json(const Results& results);
@@ -15,4 +15,4 @@ nlohmann::json result_to_json(const Result& result);
 Results results_from_json(const nlohmann::json& document);
 Result result_from_json(const nlohmann::json& document);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reports_record

@@ -7,7 +7,7 @@
 
 #include "reports/record/results.h"
 
-namespace photonproof {
+namespace photonproof::inline reports_record {
 
 /// The value; std::logic_error when it is not finite.
 double finite(double value, const std::string& what);
@@ -26,4 +26,4 @@ std::optional<T> optional_at(const nlohmann::json& object, const char* key) {
 void conclusions_to_json(const Results& results, nlohmann::json& document);
 void conclusions_from_json(const nlohmann::json& document, Results& results);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reports_record

@@ -11,9 +11,9 @@
 
 #include "reports/record/results.h"
 #include "results_schema_text.h"
-#include "scenes/text/input_error.h"
+#include "scenes/base/input_error.h"
 
-namespace photonproof {
+namespace photonproof::inline reports_record {
 namespace {
 
 using nlohmann::json;
@@ -76,4 +76,4 @@ void validate_document(std::string_view schema_text, const json& document, const
   validate_by(*schema_of(json::parse(schema_text)), document, file, what);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reports_record

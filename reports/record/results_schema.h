@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace photonproof {
+namespace photonproof::inline reports_record {
 
 /// What the file holds: a whole run, or one result {"schema_version": 1, "comparison_key": ..., "result": ...} as a
 /// cell's folder keeps it.
@@ -19,4 +19,4 @@ void validate_results(const nlohmann::json& document, ResultsDocument kind, cons
 void validate_document(std::string_view schema_text, const nlohmann::json& document, const std::string& file,
                        const std::string& what);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reports_record

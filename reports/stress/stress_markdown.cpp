@@ -5,7 +5,7 @@
 
 #include "reports/stress/stress_view.h"
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_stress {
 namespace {
 
 /// What many features climb is told by the lowest of them; the rest a row each.
@@ -97,4 +97,4 @@ std::string stress_markdown(const StressRecord& record) {
   return text;
 }
 
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_stress

@@ -10,10 +10,10 @@
 #include "reports/stress/stress_templates.h"
 #include "reports/stress/stress_view.h"
 #include "reports/view/view.h"
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/utf8.h"
+#include "scenes/base/utf8.h"
+#include "scenes/files/atomic_file.h"
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_stress {
 namespace {
 
 using kainjow::mustache::data;
@@ -206,4 +206,4 @@ void write_stress_page(const StressRecord& record, const std::vector<std::string
   write_file_atomically(out, rendered_page(stress_templates::stress, page));
 }
 
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_stress

@@ -10,11 +10,11 @@
 #include <utility>
 
 #include "reports/record/file_inside.h"
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/input_error.h"
-#include "scenes/text/json_text.h"
+#include "scenes/base/input_error.h"
+#include "scenes/base/json_text.h"
+#include "scenes/files/atomic_file.h"
 
-namespace photonproof {
+namespace photonproof::inline reports_stress {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -231,4 +231,4 @@ std::vector<std::string> steps_back(const StressRecord& old, const StressRecord&
   return sentences;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reports_stress

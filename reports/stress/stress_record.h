@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace photonproof {
+namespace photonproof::inline reports_stress {
 
 enum class RungOutcome {
   right,           ///< the picture is what it has to be
@@ -74,4 +74,4 @@ std::optional<StressRung> rung_from_text(const std::string& text);
 /// Ladders and other heights that either lacks are not compared.
 std::vector<std::string> steps_back(const StressRecord& old, const StressRecord& now);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reports_stress

@@ -3,11 +3,11 @@
 #include <gtest/gtest.h>
 
 #include "reports/stress/stress_view.h"
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/input_error.h"
-#include "scenes/text/scratch_folder.h"
+#include "scenes/base/input_error.h"
+#include "scenes/files/atomic_file.h"
+#include "scenes/files/scratch_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline reports_stress {
 namespace {
 
 StressRecord record_with(const std::vector<RungOutcome>& outcomes) {
@@ -143,4 +143,4 @@ TEST(stress_tables, in_markdown_do_not_take_a_short_ladder_that_is_right_to_its_
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline reports_stress

@@ -7,7 +7,7 @@
 
 #include "reports/stress/stress_view.h"
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_stress {
 
 namespace {
 
@@ -126,4 +126,4 @@ std::string stress_table(const StressRecord& record) {
   return text + stress_totals(record) + "\n";
 }
 
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_stress

@@ -6,7 +6,7 @@
 
 #include "reports/stress/stress_record.h"
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_stress {
 
 /// "15", "15, refused from 20", "9, silently wrong at 12", "all (45)".
 std::string ladder_words(const StressLadder& ladder);
@@ -42,4 +42,4 @@ std::string stress_markdown(const StressRecord& record);
 void write_stress_page(const StressRecord& record, const std::vector<std::string>& worse,
                        const std::filesystem::path& folder, const std::filesystem::path& out);
 
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_stress

@@ -5,12 +5,12 @@
 
 #include "reports/record/results_schema.h"
 #include "reports/verify/verify_record.h"
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/input_error.h"
-#include "scenes/text/json_text.h"
+#include "scenes/base/input_error.h"
+#include "scenes/base/json_text.h"
+#include "scenes/files/atomic_file.h"
 #include "verify_schema_text.h"
 
-namespace photonproof {
+namespace photonproof::inline reports_verify {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -142,4 +142,4 @@ void write_verify_record(const VerifyRecord& record, const std::filesystem::path
   write_file_atomically(file, text);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reports_verify

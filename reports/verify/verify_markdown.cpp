@@ -6,7 +6,7 @@
 
 #include "reports/verify/verify_overview.h"
 
-namespace photonproof {
+namespace photonproof::inline reports_verify {
 
 std::string verify_markdown(const VerifyRecord& record) {
   const VerifyOverview overview = verify_overview(record);
@@ -50,4 +50,4 @@ std::string verify_csv(const VerifyRecord& record) {
   return text;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reports_verify

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <map>
 
-namespace photonproof {
+namespace photonproof::inline reports_verify {
 namespace {
 
 const VerifyPicture* drawn_by(const VerifyScene& scene, const std::string& engine) {
@@ -107,4 +107,4 @@ VerifyOverview verify_overview(const VerifyRecord& record) {
   return overview;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reports_verify

@@ -6,7 +6,7 @@
 
 #include "reports/verify/verify_record.h"
 
-namespace photonproof {
+namespace photonproof::inline reports_verify {
 
 /// One engine's mean relative to the base's, of the channel that is off most, and its ssim: "-0.12 % 0.998 ✗".
 struct OverviewCell {
@@ -33,4 +33,4 @@ inline constexpr const char* verify_overview_words =
     "Each the mean of the image relative to the base's, of the channel that is off most, and ssim. ✗ differs by more "
     "than noise and what is declared explain, ? is not known, – is not rendered.";
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reports_verify

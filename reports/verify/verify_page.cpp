@@ -10,10 +10,10 @@
 #include "reports/verify/verify_overview.h"
 #include "reports/verify/verify_templates.h"
 #include "reports/view/view.h"
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/utf8.h"
+#include "scenes/base/utf8.h"
+#include "scenes/files/atomic_file.h"
 
-namespace photonproof {
+namespace photonproof::inline reports_verify {
 namespace {
 
 using kainjow::mustache::data;
@@ -223,4 +223,4 @@ void write_verify_page(const VerifyRecord& record, const fs::path& folder, const
   write_file_atomically(out, reports::rendered_page(reports::verify_templates::verify, page));
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reports_verify

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace photonproof {
+namespace photonproof::inline reports_verify {
 namespace {
 
 std::string number(const std::optional<double>& value, const char* format) {
@@ -71,4 +71,4 @@ std::string verify_table(const VerifyRecord& record) {
   return text;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reports_verify

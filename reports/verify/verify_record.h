@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace photonproof {
+namespace photonproof::inline reports_verify {
 
 struct VerifyEngineRecord {
   std::string name, title, version;
@@ -118,4 +118,4 @@ std::string verify_csv(const VerifyRecord& record);
 void write_verify_page(const VerifyRecord& record, const std::filesystem::path& folder,
                        const std::filesystem::path& out);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline reports_verify

@@ -4,13 +4,13 @@
 
 #include <limits>
 
+#include "scenes/base/input_error.h"
+#include "scenes/files/atomic_file.h"
+#include "scenes/files/scratch_folder.h"
+#include "scenes/files/test_folder.h"
 #include "scenes/images/image.h"
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/input_error.h"
-#include "scenes/text/scratch_folder.h"
-#include "scenes/text/test_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline reports_verify {
 namespace {
 
 VerifyScene scene_with(const std::string& verdict) {
@@ -168,4 +168,4 @@ TEST(VerifyTables, have_a_row_a_scene_and_one_a_pair) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline reports_verify

@@ -8,9 +8,9 @@
 #include "reports/view/metric_columns.h"
 #include "reports/view/numbers.h"
 #include "reports/view/text.h"
-#include "scenes/text/shell_text.h"
+#include "scenes/base/shell_text.h"
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_view {
 namespace {
 
 void append(std::string& list, const std::string& item) { list += (list.empty() ? "" : ", ") + item; }
@@ -77,4 +77,4 @@ std::string state_text(const EngineOutcome& outcome) {
   return fmt::format("{} of {} {}", total - outcome.finished, total, alike ? to_string(first) : "not finished");
 }
 
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_view

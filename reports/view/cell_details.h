@@ -6,7 +6,7 @@
 
 #include "reports/view/view.h"
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_view {
 
 struct Detail {
   std::string term;                ///< "phases"
@@ -31,4 +31,4 @@ std::string caveats_text(const Result& result);
 /// run".
 std::string state_text(const EngineOutcome& outcome);
 
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_view

@@ -2,7 +2,7 @@
 
 #include "reports/view/test_sample_results.h"
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_view {
 namespace {
 
 std::string detail(const Result& result, const std::string& term) {
@@ -54,4 +54,4 @@ TEST(CellDetails, an_engines_state_counts_its_cells) {
 }
 
 }  // namespace
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_view

@@ -9,7 +9,7 @@
 #include "reports/view/verdicts.h"
 #include "reports/view/view.h"
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_view {
 
 std::string estimate_text(const Estimate& estimate, int digits) {
   std::string text = significant(estimate.value, digits);
@@ -119,4 +119,4 @@ std::vector<std::string> skips_texts(const std::vector<const Result*>& cells,
   return texts;
 }
 
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_view

@@ -6,7 +6,7 @@
 
 #include "reports/record/results.h"
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_view {
 
 /// "0.0125 [0.0110, 0.0140]", or the number alone where no interval is known.
 std::string estimate_text(const Estimate& estimate, int digits = 3);
@@ -42,4 +42,4 @@ PlainTable changes_table(const std::vector<const ChangeRecord*>& changes);
 std::vector<std::string> skips_texts(const std::vector<const Result*>& cells,
                                      const std::vector<const GateRecord*>& gates);
 
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_view

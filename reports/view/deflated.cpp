@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_view {
 
 std::string deflated(const std::string& bytes) {
   uLongf size = compressBound(static_cast<uLong>(bytes.size()));
@@ -17,4 +17,4 @@ std::string deflated(const std::string& bytes) {
   return out;
 }
 
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_view

@@ -3,9 +3,9 @@
 
 #include <string>
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_view {
 
 /// In zlib's format.
 std::string deflated(const std::string& bytes);
 
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_view

@@ -6,7 +6,7 @@
 
 #include <iterator>
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_view {
 
 namespace {
 
@@ -27,4 +27,4 @@ std::string engine_color(std::size_t index) {
   return fmt::format("var(--engine-{}, {})", index % std::size(colors), engine_style(index).color);
 }
 
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_view

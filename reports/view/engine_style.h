@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_view {
 
 struct EngineStyle {
   const char* color;      ///< "#rrggbb"
@@ -18,4 +18,4 @@ EngineStyle engine_style(std::size_t index);
 /// The colour as CSS: a variable, since style.css has lighter ones for dark pages, or else EngineStyle::color.
 std::string engine_color(std::size_t index);
 
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_view

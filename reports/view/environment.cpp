@@ -4,7 +4,7 @@
 
 #include "reports/view/numbers.h"
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_view {
 namespace {
 
 void append_known(std::string& list, const std::string& item) {
@@ -30,4 +30,4 @@ std::string versions_text(const std::map<std::string, std::string>& versions) {
   return text.empty() ? undefined_number : text;
 }
 
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_view

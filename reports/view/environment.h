@@ -6,7 +6,7 @@
 
 #include "reports/record/results.h"
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_view {
 
 /// "Some CPU, 2 cores, 7.7 GiB, Debian 12, Linux 6.1"; what the record does not know is left out.
 std::string host_text(const Host& host);
@@ -14,4 +14,4 @@ std::string host_text(const Host& host);
 /// "embree 3.13.5, oneTBB 2021.8.0", or the dash.
 std::string versions_text(const std::map<std::string, std::string>& versions);
 
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_view

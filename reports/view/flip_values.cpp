@@ -8,9 +8,9 @@
 #include "reports/record/heatmap_magma.h"
 #include "reports/view/deflated.h"
 #include "reports/view/results_file.h"
-#include "scenes/text/input_error.h"
+#include "scenes/base/input_error.h"
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_view {
 namespace {
 
 std::unordered_map<std::uint32_t, float> values_of_colours() {
@@ -53,4 +53,4 @@ std::string packed_flip(const Image& values) {
   return deflated(bytes);
 }
 
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_view

@@ -8,7 +8,7 @@
 #include "reports/record/heatmap_magma.h"
 #include "reports/view/temporary_folder.h"
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_view {
 namespace {
 
 class FlipValues : public testing::Test {
@@ -51,4 +51,4 @@ TEST_F(FlipValues, smooth_maps_take_few_bytes) {
 }
 
 }  // namespace
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_view

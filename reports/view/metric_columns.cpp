@@ -2,7 +2,7 @@
 
 #include "reports/view/numbers.h"
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_view {
 
 std::span<const MetricColumn> metric_columns() {
   constexpr auto three_digits = [](double v) { return significant(v, 3); };
@@ -30,4 +30,4 @@ std::string format_metric(const std::string& metric, double value) {
   return significant(value, 3);
 }
 
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_view

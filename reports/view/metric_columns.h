@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_view {
 
 struct MetricColumn {
   const char* metric;   ///< its name in results.json
@@ -18,4 +18,4 @@ std::span<const MetricColumn> metric_columns();
 /// A metric's number as its column shows it; three significant digits when it has none.
 std::string format_metric(const std::string& metric, double value);
 
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_view

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <string_view>
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_view {
 namespace {
 
 constexpr const char* minus = "−";  // U+2212, as wide as a digit where digits are tabular
@@ -74,4 +74,4 @@ std::string megabytes(std::uint64_t bytes) {
 
 std::string gibibytes(std::uint64_t bytes) { return fixed_decimals(static_cast<double>(bytes) / 0x1p30, 1); }
 
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_view

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_view {
 
 inline constexpr const char* undefined_number = "–";
 
@@ -28,4 +28,4 @@ std::string or_dash(const std::optional<T>& value, Format format) {
   return value ? format(*value) : std::string(undefined_number);
 }
 
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_view

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_view {
 namespace {
 
 TEST(Numbers, significant_shows_three_digits_whatever_the_scale) {
@@ -58,4 +58,4 @@ TEST(Numbers, bytes_are_megabytes_of_a_million) {
 }
 
 }  // namespace
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_view

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_view {
 namespace fs = std::filesystem;
 
 ResultsFile results_file(const fs::path& folder, const std::string& relative) {
@@ -16,4 +16,4 @@ ResultsFile results_file(const fs::path& folder, const std::string& relative) {
   return {path, {}};
 }
 
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_view

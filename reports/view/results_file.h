@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_view {
 
 struct ResultsFile {
   std::filesystem::path path;  ///< canonical; empty when there is a problem
@@ -14,4 +14,4 @@ struct ResultsFile {
 /// `relative` inside `folder`; a name that is empty, missing, or leads out of the folder is a problem.
 ResultsFile results_file(const std::filesystem::path& folder, const std::string& relative);
 
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_view

@@ -14,7 +14,7 @@
 #include "reports/view/temporary_folder.h"
 #include "scenes/images/image.h"
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_view {
 
 inline Result sample_result(const std::string& scene, const std::string& engine, Budget budget, std::uint64_t seed) {
   Result result;
@@ -214,4 +214,4 @@ inline void expect_snapshot(const std::string& name, const std::string& text) {
                                 << around(text, static_cast<std::size_t>(other - text.begin()));
 }
 
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_view

@@ -8,9 +8,9 @@
 #include <iterator>
 #include <utility>
 
-#include "scenes/text/utf8.h"
+#include "scenes/base/utf8.h"
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_view {
 
 std::string printable(std::string_view text) { return harmless(text, " ", "\xEF\xBF\xBD"); }
 
@@ -255,4 +255,4 @@ std::string base64(std::string_view bytes) {
   return out;
 }
 
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_view

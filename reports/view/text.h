@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_view {
 
 /// Valid UTF-8 on one line: a malformed byte and a bidirectional control become U+FFFD, any other control character
 /// (line breaks and tabs among them) a space. Markup is not escaped: that is the template's part.
@@ -39,4 +39,4 @@ std::string url_path(std::string_view path);
 /// RFC 4648 base64 with padding.
 std::string base64(std::string_view bytes);
 
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_view

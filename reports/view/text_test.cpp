@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_view {
 namespace {
 
 TEST(Text, printable_keeps_valid_utf8_and_puts_it_on_one_line) {
@@ -70,4 +70,4 @@ TEST(Text, json_in_a_page_cannot_end_its_element) {
 }
 
 }  // namespace
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_view

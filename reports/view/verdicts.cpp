@@ -8,7 +8,7 @@
 
 #include "reports/view/numbers.h"
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_view {
 namespace {
 
 bool excludes_zero(const Interval& interval) { return interval.low > 0 || interval.high < 0; }
@@ -190,4 +190,4 @@ std::string verdict_lines(const View& view) {
   return text + doubts;
 }
 
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_view

@@ -6,7 +6,7 @@
 
 #include "reports/view/view.h"
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_view {
 
 /// "right within 0.3 %", "biased +0.8 %", "biased in places", "noisy ±5 %", "unknown"; "right (regression only)" where
 /// the reference shares the engine's sampling.
@@ -44,4 +44,4 @@ std::vector<std::string> race_texts(const View& view);
 /// For the console: a line an engine and scene with its largest budget's verdict, error and time, then what marks mean.
 std::string verdict_lines(const View& view);
 
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_view

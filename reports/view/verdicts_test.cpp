@@ -2,7 +2,7 @@
 
 #include "reports/view/test_sample_results.h"
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_view {
 namespace {
 
 CorrectnessRecord record(Correctness verdict, std::optional<Estimate> whole = {},
@@ -58,4 +58,4 @@ TEST(Verdicts, on_the_console_stand_beside_the_error_with_the_doubt_about_the_re
 }
 
 }  // namespace
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_view

@@ -12,7 +12,7 @@
 
 #include "reports/view/numbers.h"
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_view {
 namespace {
 
 template <class Record>
@@ -314,4 +314,4 @@ std::size_t engine_index(const View& view, const std::string& name) {
   return static_cast<std::size_t>(std::ranges::find(view.engines, name, &EngineRecord::name) - view.engines.begin());
 }
 
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_view

@@ -9,7 +9,7 @@
 
 #include "reports/record/results.h"
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_view {
 
 /// What one engine did on one scene.
 struct EngineOutcome {
@@ -107,4 +107,4 @@ std::string verdicts_text(const std::vector<const GateRecord*>& gates);
 /// Index into View::engines of the engine of this name, which the record names somewhere.
 std::size_t engine_index(const View& view, const std::string& name);
 
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_view

@@ -3,7 +3,7 @@
 #include "reports/view/conclusions.h"
 #include "reports/view/test_sample_results.h"
 
-namespace photonproof::reports {
+namespace photonproof::reports::inline reports_view {
 namespace {
 
 TEST(View, cells_are_ordered_by_budget_and_the_largest_finished_one_is_shown) {
@@ -159,4 +159,4 @@ TEST(View, scenes_and_engines_that_only_a_gate_names_are_kept) {
 }
 
 }  // namespace
-}  // namespace photonproof::reports
+}  // namespace photonproof::reports::inline reports_view

@@ -11,7 +11,7 @@
 
 #include "scenes/description/texture_description.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_description {
 
 /// A yes or no without a default: the compiler demands it of each BSDF.
 struct GivenBool {
@@ -379,4 +379,4 @@ concept LeafBsdf = !WrappingBsdf<Description>;
 /// The BSDFs that one nests, in the order of its description.
 std::vector<BsdfIndex> nested_bsdfs(const BsdfDescription& bsdf);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_description

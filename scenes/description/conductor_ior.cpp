@@ -1,6 +1,6 @@
 #include "scenes/description/conductor_ior.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_description {
 namespace {
 
 struct Row {
@@ -100,4 +100,4 @@ std::vector<std::string> conductor_names() {
   return names;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_description

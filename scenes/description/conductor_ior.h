@@ -7,10 +7,10 @@
 
 #include "scenes/description/description.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_description {
 
 /// eta and k of one of Mitsuba's named materials in linear RGB, as its rgb variants see them.
 std::optional<ComplexIor> conductor_named(const std::string& material);
 std::vector<std::string> conductor_names();
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_description

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace photonproof {
+namespace photonproof::inline scenes_description {
 namespace {
 
 struct Nested {
@@ -42,4 +42,4 @@ std::string SceneDescription::where(const SourceLoc& loc) const {
   return file + ":" + std::to_string(loc.line) + ":" + std::to_string(loc.column);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_description

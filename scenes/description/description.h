@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "scenes/base/input_error.h"
 #include "scenes/description/bsdf_description.h"
 #include "scenes/description/integrator_description.h"
 #include "scenes/description/light_description.h"
@@ -15,9 +16,8 @@
 #include "scenes/description/shape_description.h"
 #include "scenes/description/texture_description.h"
 #include "scenes/description/view_description.h"
-#include "scenes/text/input_error.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_description {
 
 struct SceneDescription {
   std::vector<std::string> files;    ///< files read, the scene itself first
@@ -35,4 +35,4 @@ struct SceneDescription {
   std::string where(const SourceLoc& loc) const;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_description

@@ -5,7 +5,7 @@
 
 #include "scenes/description/light_description.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_description {
 
 /// It has one point or one direction: no ray meets it.
 inline bool is_without_size(const EmitterDescription& emitter) {
@@ -27,4 +27,4 @@ inline bool is_infinitely_far(const EmitterDescription& emitter) {
          std::holds_alternative<DirectionalLightDescription>(emitter.light);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_description

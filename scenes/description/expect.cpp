@@ -7,11 +7,11 @@
 #include <cstdint>
 #include <filesystem>
 
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/edit_distance.h"
-#include "scenes/text/input_error.h"
+#include "scenes/base/edit_distance.h"
+#include "scenes/base/input_error.h"
+#include "scenes/files/atomic_file.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_description {
 namespace {
 
 constexpr std::size_t kMaxBytes = std::size_t{1} << 20;
@@ -224,4 +224,4 @@ std::string expect_path_of(const std::string& scene_path) {
   return (std::filesystem::path(scene_path).parent_path() / "expect.toml").string();
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_description

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "scenes/base/vec.h"
 #include "scenes/images/exposure_range.h"
-#include "scenes/meshes/vec.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_description {
 
 struct Analytic {
   std::string formula;       ///< in words and symbols, for reports
@@ -88,4 +88,4 @@ Expect read_expect(const std::string& path);
 /// The expect.toml of a scene file: the same folder's.
 std::string expect_path_of(const std::string& scene_path);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_description

@@ -4,7 +4,7 @@
 #include <variant>
 #include <vector>
 
-namespace photonproof {
+namespace photonproof::inline scenes_description {
 
 void visit_file_names(SceneDescription& scene, const std::function<void(std::string&)>& visit) {
   const auto visit_meshes = [&](std::vector<ShapeDescription>& shapes) {
@@ -29,4 +29,4 @@ SceneDescription with_absolute_files(SceneDescription scene) {
   return scene;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_description

@@ -6,7 +6,7 @@
 
 #include "scenes/description/description.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_description {
 
 /// Calls with each name, as the scene spells it, relative to the folder of `scene.files.front()`; it may be changed.
 void visit_file_names(SceneDescription& scene, const std::function<void(std::string&)>& visit);
@@ -14,4 +14,4 @@ void visit_file_names(SceneDescription& scene, const std::function<void(std::str
 /// The same scene with absolute names, for a copy of its text that lies elsewhere.
 SceneDescription with_absolute_files(SceneDescription scene);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_description

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "scenes/text/size_text.h"
+#include "scenes/base/size_text.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_description {
 namespace {
 
 Image cut(const Image& whole, const FilmPart& part) {
@@ -70,4 +70,4 @@ bool has_part(const std::optional<ImagePlace>& place, int width, int height, con
 
 Rendering read_stored(const std::string& path) { return read_rendering(path, "", ImageWindow::stored); }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_description

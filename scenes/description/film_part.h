@@ -7,7 +7,7 @@
 #include "scenes/description/view_description.h"
 #include "scenes/images/image.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_description {
 
 struct FilmPart {
   ImagePlace place;           ///< its upper left pixel, and the size of the whole film
@@ -33,4 +33,4 @@ bool has_part(const std::optional<ImagePlace>& place, int width, int height, con
 /// The pixels that the file stores: a crop without the black around it. Throws InputError as read_rendering does.
 Rendering read_stored(const std::string& path);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_description

@@ -5,10 +5,10 @@
 #include <initializer_list>
 #include <variant>
 
+#include "scenes/base/input_error.h"
 #include "scenes/description/param_type.h"
-#include "scenes/text/input_error.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_description {
 
 /// What all integrators know. `max_depth` counts path edges as Mitsuba does (1 = emitters only, 2 = direct light); -1
 /// is unlimited.
@@ -181,4 +181,4 @@ void describe(P& p, MomentPlugin&) {
   p.nested("integrator", 1, "an integrator");
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_description

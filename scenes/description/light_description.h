@@ -11,7 +11,7 @@
 #include "scenes/description/texture_description.h"
 #include "scenes/meshes/ies.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_description {
 
 struct PointLightDescription {
   Vec3d position{0, 0, 0};  ///< world space, to_world applied
@@ -195,4 +195,4 @@ struct EmitterDescription {
       light;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_description

@@ -6,7 +6,7 @@
 
 #include "scenes/description/texture_description.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_description {
 
 /// Henyey and Greenstein 1941; g = 0 is isotropic. g > 0 scatters forward.
 struct HenyeyGreensteinDescription {
@@ -53,4 +53,4 @@ struct MediumDescription {
   std::variant<HomogeneousDescription> model;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_description

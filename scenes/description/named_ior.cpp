@@ -3,7 +3,7 @@
 #include <array>
 #include <utility>
 
-namespace photonproof {
+namespace photonproof::inline scenes_description {
 namespace {
 
 /// Mitsuba's names for indices of refraction (its manual, table "ior-table-list"; after Hecht, Optics).
@@ -31,4 +31,4 @@ std::vector<std::string> ior_names() {
   return names;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_description

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-namespace photonproof {
+namespace photonproof::inline scenes_description {
 
 std::optional<double> ior_named(const std::string& material);
 std::vector<std::string> ior_names();
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_description

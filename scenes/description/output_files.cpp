@@ -2,10 +2,10 @@
 
 #include <unistd.h>
 
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/input_error.h"
+#include "scenes/base/input_error.h"
+#include "scenes/files/atomic_file.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_description {
 namespace {
 
 namespace fs = std::filesystem;
@@ -57,4 +57,4 @@ void check_outputs(const std::vector<fs::path>& outputs, const std::vector<Input
   }
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_description

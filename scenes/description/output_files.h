@@ -7,7 +7,7 @@
 
 #include "scenes/description/description.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_description {
 
 struct InputFile {
   std::filesystem::path file;
@@ -23,4 +23,4 @@ void check_outputs(const std::vector<std::filesystem::path>& outputs, const std:
 /// Whether both names lead to one file, which need not exist.
 bool same_file(const std::filesystem::path& a, const std::filesystem::path& b);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_description

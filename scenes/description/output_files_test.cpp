@@ -1,9 +1,9 @@
 #include "scenes/description/output_files.h"
 
+#include "scenes/files/test_folder.h"
 #include "scenes/parser/parser.h"
-#include "scenes/text/test_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_description {
 namespace {
 
 namespace fs = std::filesystem;
@@ -46,4 +46,4 @@ TEST_F(OutputFiles, scene_reads_all_that_it_names) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_description

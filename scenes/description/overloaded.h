@@ -1,7 +1,7 @@
 // One function a kind of a std::variant, for std::visit: a kind that none of them takes does not compile.
 #pragma once
 
-namespace photonproof {
+namespace photonproof::inline scenes_description {
 
 template <class... Functions>
 struct Overloaded : Functions... {
@@ -10,4 +10,4 @@ struct Overloaded : Functions... {
 template <class... Functions>
 Overloaded(Functions...) -> Overloaded<Functions...>;
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_description

@@ -9,7 +9,7 @@
 
 #include "scenes/description/param_type.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_description {
 
 /// What a `describe` calls its plugin. Of integrators' parameters it takes no notice; another plugin's may need a line
 /// here.
@@ -37,4 +37,4 @@ std::vector<const char*> plugin_names(const std::variant<Kinds...>&) {
   return {name_of(Kinds{})...};
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_description

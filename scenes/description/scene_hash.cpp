@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <type_traits>
 
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/checksum.h"
+#include "scenes/files/atomic_file.h"
+#include "scenes/files/checksum.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_description {
 namespace {
 
 class SceneHash {
@@ -71,4 +71,4 @@ std::string scene_hash(const SceneDescription& scene) {
   return hash.hex();
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_description

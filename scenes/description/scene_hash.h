@@ -6,10 +6,10 @@
 
 #include "scenes/description/description.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_description {
 
 /// Hash of what the scene says: the bytes of its XML files, the values given to its $names, and the meshes, images and
 /// profiles that were read. Where the files lie does not matter.
 std::string scene_hash(const SceneDescription& scene);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_description

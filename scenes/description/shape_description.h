@@ -12,7 +12,7 @@
 #include "scenes/description/texture_description.h"
 #include "scenes/meshes/mesh.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_description {
 
 /// Before `to_world`: centre and radius. `to_world` must be a similarity; the normal points outward.
 struct SphereDescription {
@@ -213,4 +213,4 @@ struct ShapeGroupDescription {
   std::vector<ShapeDescription> shapes;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_description

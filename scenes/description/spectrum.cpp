@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-namespace photonproof {
+namespace photonproof::inline scenes_description {
 namespace {
 
 constexpr double kFirst = 360, kLast = 830;  // nm
@@ -108,4 +108,4 @@ RgbD rgb_of_spectrum(const std::vector<SpectrumSample>& samples, SpectrumKind ki
   return {std::max(rgb.x, 0.0), std::max(rgb.y, 0.0), std::max(rgb.z, 0.0)};
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_description

@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "scenes/meshes/vec.h"
+#include "scenes/base/vec.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_description {
 
 struct SpectrumSample {
   double wavelength;  ///< nm
@@ -28,4 +28,4 @@ inline constexpr double cie_y_integral = 106.7502593994140625;
 /// Linear Rec. 709 of CIE XYZ, negative outside of its gamut.
 RgbD rgb_of_xyz(const Vec3d& xyz);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_description

@@ -4,7 +4,7 @@
 
 #include "scenes/description/conductor_ior.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_description {
 namespace {
 
 void expect_near(const RgbD& found, const RgbD& expected, double tolerance) {
@@ -93,4 +93,4 @@ TEST(conductors, are_known_by_mitsubas_names) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_description

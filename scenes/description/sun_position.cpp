@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace photonproof {
+namespace photonproof::inline scenes_description {
 
 Vec3d sun_direction(const PlaceAndTime& when) {
   constexpr double kDegree = std::numbers::pi / 180;
@@ -43,4 +43,4 @@ Vec3d sun_direction(const PlaceAndTime& when) {
   return {-std::cos(azimuth) * std::sin(zenith), -std::sin(azimuth) * std::sin(zenith), std::cos(zenith)};
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_description

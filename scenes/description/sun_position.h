@@ -2,9 +2,9 @@
 // vector", Solar Energy 70(5); good to half a minute of arc from 1999 to 2015.
 #pragma once
 
-#include "scenes/meshes/vec.h"
+#include "scenes/base/vec.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_description {
 
 /// Local time at a place; the defaults are Mitsuba's, an afternoon in Tokyo.
 struct PlaceAndTime {
@@ -18,4 +18,4 @@ struct PlaceAndTime {
 /// Unit vector towards the sun: +x is south, +y west, +z up, as in Mitsuba. Below the horizon z is negative.
 Vec3d sun_direction(const PlaceAndTime& when);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_description

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace photonproof {
+namespace photonproof::inline scenes_description {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
@@ -88,4 +88,4 @@ TEST(sun_position, defaults_are_a_summer_afternoon_in_tokyo) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_description

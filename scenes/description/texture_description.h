@@ -8,13 +8,13 @@
 #include <string>
 #include <variant>
 
+#include "scenes/base/input_error.h"
+#include "scenes/base/vec.h"
 #include "scenes/description/param_type.h"
 #include "scenes/description/transform.h"
 #include "scenes/images/image.h"
-#include "scenes/meshes/vec.h"
-#include "scenes/text/input_error.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_description {
 
 /// A typed index into one of SceneDescription's tables.
 template <class Tag>
@@ -86,4 +86,4 @@ struct TextureDescription {
   std::variant<BitmapDescription, CheckerboardDescription> pattern;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_description

@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-namespace photonproof {
+namespace photonproof::inline scenes_description {
 namespace {
 
 struct SinCos {
@@ -97,4 +97,4 @@ Transform operator*(const Transform& a, const Transform& b) {
   return product;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_description

@@ -4,9 +4,9 @@
 #include <array>
 #include <optional>
 
-#include "scenes/meshes/vec.h"
+#include "scenes/base/vec.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_description {
 
 struct Transform {
   std::array<double, 16> m{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
@@ -29,4 +29,4 @@ struct Transform {
   friend bool operator==(const Transform&, const Transform&) = default;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_description

@@ -5,7 +5,7 @@
 #include <limits>
 #include <random>
 
-namespace photonproof {
+namespace photonproof::inline scenes_description {
 namespace {
 
 void expect_near(const Vec3d& a, const Vec3d& b, double tolerance = 1e-12) {
@@ -99,4 +99,4 @@ TEST(transform, inverse_accepts_very_flat_but_regular_scales) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_description

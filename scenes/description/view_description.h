@@ -7,7 +7,7 @@
 
 #include "scenes/description/texture_description.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_description {
 
 enum class FovAxis { x, y, diagonal, smaller, larger };
 
@@ -186,4 +186,4 @@ void describe(P& p, SamplerPlugin& d) {
   p.integer("sample_count", d.sample_count, 1, 1 << 30, "a pixel");
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_description

@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-namespace photonproof {
+namespace photonproof::inline scenes_generators {
 namespace {
 
 /// 6 t^5 - 15 t^4 + 10 t^3: zero slope and curvature at both ends.
@@ -86,4 +86,4 @@ double ridged_noise(const Vec3d& p, int octaves, std::uint32_t seed) {
   return sum;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_generators

@@ -4,9 +4,9 @@
 
 #include <cstdint>
 
-#include "scenes/meshes/vec.h"
+#include "scenes/base/vec.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_generators {
 
 /// 32 well-mixed bits of four integers.
 std::uint32_t hash_of(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d);
@@ -24,4 +24,4 @@ double fractal_noise(const Vec3d& p, int octaves, std::uint32_t seed);
 /// (Musgrave 1994).
 double ridged_noise(const Vec3d& p, int octaves, std::uint32_t seed);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_generators

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-namespace photonproof {
+namespace photonproof::inline scenes_generators {
 namespace {
 
 Vec3d point(std::uint32_t i) {
@@ -64,4 +64,4 @@ TEST(gradient_noise, hashes_spread_evenly) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_generators

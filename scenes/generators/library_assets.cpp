@@ -5,13 +5,13 @@
 #include <cstdio>
 #include <numbers>
 
+#include "scenes/files/atomic_file.h"
 #include "scenes/generators/gradient_noise.h"
 #include "scenes/images/image.h"
 #include "scenes/meshes/mesh.h"
 #include "scenes/meshes/ply.h"
-#include "scenes/text/atomic_file.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_generators {
 namespace {
 
 namespace fs = std::filesystem;
@@ -213,4 +213,4 @@ const std::vector<LibraryAsset>& library_assets() {
   return assets;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_generators

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace photonproof {
+namespace photonproof::inline scenes_generators {
 
 struct LibraryAsset {
   std::string path;  ///< within the library, "light-ies/lamp.ies"
@@ -18,4 +18,4 @@ struct LibraryAsset {
 /// All of them. `write` throws InputError when the file cannot be written; its folder must exist.
 const std::vector<LibraryAsset>& library_assets();
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_generators

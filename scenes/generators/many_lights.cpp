@@ -6,7 +6,7 @@
 
 #include "scenes/generators/gradient_noise.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_generators {
 namespace {
 
 constexpr const char* kHead =
@@ -125,4 +125,4 @@ std::string many_lights_expect(int lights) {
          " small lights: each is bright near by and nothing further away.\"\nexposure = 0.0\n";
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_generators

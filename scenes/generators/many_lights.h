@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace photonproof {
+namespace photonproof::inline scenes_generators {
 
 constexpr int kFewestLights = 1, kMostLights = 100'000;
 
@@ -14,4 +14,4 @@ std::string many_lights_scene(int lights);
 /// expect.toml beside it.
 std::string many_lights_expect(int lights);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_generators

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scenes/files/atomic_file.h"
 #include "scenes/generators/terrain.h"
 #include "scenes/meshes/ply.h"
-#include "scenes/text/atomic_file.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_generators {
 namespace {
 
 const char* const kGround = "terrain.ply";
@@ -160,4 +160,4 @@ void write_million(const std::filesystem::path& folder, const MillionPlan& plan)
   write_file_atomically(folder / "scene.xml", scene_text(plan));  // last: a scene's meshes are there before it is
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_generators

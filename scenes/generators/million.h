@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace photonproof {
+namespace photonproof::inline scenes_generators {
 
 constexpr std::uint64_t kFewestTriangles = 1'000, kMostTriangles = 10'000'000;
 
@@ -28,4 +28,4 @@ std::vector<std::string> million_files();
 /// InputError when one cannot be written.
 void write_million(const std::filesystem::path& folder, const MillionPlan& plan);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_generators

@@ -5,11 +5,11 @@
 #include <algorithm>
 
 #include "scenes/description/expect.h"
+#include "scenes/files/atomic_file.h"
 #include "scenes/meshes/ply.h"
 #include "scenes/parser/parser.h"
-#include "scenes/text/atomic_file.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_generators {
 namespace {
 
 namespace fs = std::filesystem;
@@ -66,4 +66,4 @@ TEST(million, of_the_library_is_what_the_program_generates) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_generators

@@ -5,7 +5,7 @@
 #include "scenes/generators/gradient_noise.h"
 #include "scenes/meshes/icosphere.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_generators {
 namespace {
 
 enum Seed : std::uint32_t { kHills = 11, kRidges = 101, kPlaces = 1001, kStone = 2001 };
@@ -96,4 +96,4 @@ TriangleMesh make_rocks(std::uint32_t count, int level) {
   return mesh;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_generators

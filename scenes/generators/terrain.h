@@ -6,7 +6,7 @@
 
 #include "scenes/meshes/mesh.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_generators {
 
 constexpr double kTerrainHalfSize = 10;  ///< the ground spans [-10,10]^2 in x and z; y is up
 
@@ -19,4 +19,4 @@ TriangleMesh make_ground(std::uint32_t columns, std::uint32_t rows);
 /// `count` closed bodies of 20 * 4^level triangles each, facing outward, half sunk into the ground.
 TriangleMesh make_rocks(std::uint32_t count, int level);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_generators

@@ -8,7 +8,7 @@
 #include "scenes/meshes/icosphere.h"
 #include "scenes/meshes/test_mesh_checks.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_generators {
 namespace {
 
 TEST(icosphere, is_a_closed_sphere_at_every_level) {
@@ -95,4 +95,4 @@ TEST(terrain, is_the_same_to_the_bit_on_every_machine) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_generators

@@ -4,9 +4,9 @@
 #include <array>
 #include <cctype>
 
-#include "scenes/text/input_error.h"
+#include "scenes/base/input_error.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_images {
 namespace {
 
 constexpr std::array<const char*, 4> names_of_the_whole{"combined", "beauty", "rgba", "rgb"};
@@ -101,4 +101,4 @@ ColourChoice choose_colour(const std::string& path, const std::vector<ImagePart>
                              names_of(all) + "; compare --layer NAME takes one");
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_images

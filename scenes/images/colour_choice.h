@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace photonproof {
+namespace photonproof::inline scenes_images {
 
 /// A part of a file, with the channels that can be read as numbers for every pixel.
 struct ImagePart {
@@ -26,4 +26,4 @@ struct ColourChoice {
 /// file and its layers, when nothing or more than one thing is meant.
 ColourChoice choose_colour(const std::string& path, const std::vector<ImagePart>& parts, const std::string& layer);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_images

@@ -4,9 +4,9 @@
 #include <utility>
 #include <vector>
 
-#include "scenes/text/input_error.h"
+#include "scenes/base/input_error.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_images {
 namespace {
 
 class DisplayWindow : public ImageFile {
@@ -66,4 +66,4 @@ std::unique_ptr<ImageFile> as_displayed(std::unique_ptr<ImageFile> file, const s
   return std::make_unique<DisplayWindow>(std::move(file));
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_images

@@ -2,7 +2,7 @@
 // line.
 #pragma once
 
-namespace photonproof {
+namespace photonproof::inline scenes_images {
 
 /// `count` exposures, evenly spaced from start to stop, in stops.
 struct ExposureRange {
@@ -19,4 +19,4 @@ inline bool is_usable(const ExposureRange& range) {
   return range.start >= -64 && range.stop <= 64 && range.start <= range.stop && range.count >= 1 && range.count <= 100;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_images

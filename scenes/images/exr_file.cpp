@@ -24,11 +24,11 @@
 #include <thread>
 #include <utility>
 
+#include "scenes/base/input_error.h"
 #include "scenes/images/colour_choice.h"
 #include "scenes/images/exr_sizes.h"
-#include "scenes/text/input_error.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_images {
 namespace {
 
 constexpr int greatest_side = 1 << 22, greatest_tile = 1 << 12;
@@ -251,4 +251,4 @@ void write_exr_file(const std::string& path, const std::string& target, const Re
   }
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_images

@@ -7,7 +7,7 @@
 #include "scenes/images/image.h"
 #include "scenes/images/image_file.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_images {
 
 /// Whether the file begins as an EXR does.
 bool is_exr(const std::string& path);
@@ -18,4 +18,4 @@ std::unique_ptr<ImageFile> open_exr(const std::string& path, const std::string& 
 /// Whole sizes are the caller's to check. `target` is the name that errors give to the file. Throws InputError.
 void write_exr_file(const std::string& path, const std::string& target, const Rendering& rendering, ExrColour colour);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_images

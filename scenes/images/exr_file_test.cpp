@@ -23,9 +23,9 @@
 #include <random>
 #include <string>
 
-#include "scenes/text/test_folder.h"
+#include "scenes/files/test_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_images {
 namespace {
 
 class ExrFile : public FolderTest {
@@ -374,4 +374,4 @@ TEST_F(ExrFile, pointer_of_git_lfs_is_named_as_one) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_images

@@ -9,10 +9,10 @@
 #include <string>
 #include <system_error>
 
-#include "scenes/text/input_error.h"
-#include "scenes/text/utf8.h"
+#include "scenes/base/input_error.h"
+#include "scenes/base/utf8.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_images {
 namespace {
 
 constexpr std::size_t longest_name = 255;
@@ -63,4 +63,4 @@ void check_attribute_sizes(const std::string& path) {
   }
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_images

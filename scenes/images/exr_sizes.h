@@ -4,10 +4,10 @@
 
 #include <string>
 
-namespace photonproof {
+namespace photonproof::inline scenes_images {
 
 /// Throws InputError where an attribute's size is negative or goes beyond the end of the file. Whatever else is wrong
 /// with a header is OpenEXR's to say.
 void check_attribute_sizes(const std::string& path);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_images

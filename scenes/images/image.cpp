@@ -7,16 +7,16 @@
 #include <fstream>
 #include <memory>
 
+#include "scenes/base/input_error.h"
+#include "scenes/base/size_text.h"
+#include "scenes/files/atomic_file.h"
 #include "scenes/images/colour_choice.h"
 #include "scenes/images/display_window.h"
 #include "scenes/images/exr_file.h"
 #include "scenes/images/image_file.h"
 #include "scenes/images/png_file.h"
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/input_error.h"
-#include "scenes/text/size_text.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_images {
 namespace {
 
 constexpr std::int64_t kMaxPixels = std::int64_t{1} << 28;
@@ -356,4 +356,4 @@ void write_png(const std::string& path, const Image& image, double exposure) {
   });
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_images

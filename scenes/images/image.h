@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace photonproof {
+namespace photonproof::inline scenes_images {
 
 struct Image {
   int width = 0;
@@ -110,4 +110,4 @@ class PngRows {
 /// 8-bit sRGB PNG of 2^exposure * image, clamped to [0,1]; the same atomic rename.
 void write_png(const std::string& path, const Image& image, double exposure = 0);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_images

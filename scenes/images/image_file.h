@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace photonproof {
+namespace photonproof::inline scenes_images {
 
 struct ImageHeader {
   enum class Samples { floating, bytes, words };
@@ -48,4 +48,4 @@ class ByteImageWriter {
 /// was built.
 std::unique_ptr<ImageFile> open_other_format(const std::string& path);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_images

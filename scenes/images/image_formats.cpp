@@ -2,10 +2,10 @@
 
 #include <OpenImageIO/imageio.h>
 
+#include "scenes/base/input_error.h"
 #include "scenes/images/image_file.h"
-#include "scenes/text/input_error.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_images {
 namespace {
 
 std::string first_line(std::string message) {
@@ -70,7 +70,7 @@ class OpenImageIoFile : public ImageFile {
 };
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_images
 
 extern "C" photonproof::ImageFile* photonproof_open_image(const char* path) {
   return new photonproof::OpenImageIoFile(path);

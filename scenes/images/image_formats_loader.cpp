@@ -2,10 +2,10 @@
 
 #include <filesystem>
 
+#include "scenes/base/input_error.h"
 #include "scenes/images/image_file.h"
-#include "scenes/text/input_error.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_images {
 namespace {
 
 namespace fs = std::filesystem;
@@ -35,4 +35,4 @@ std::unique_ptr<ImageFile> open_other_format(const std::string& path) {
   return std::unique_ptr<ImageFile>(open(path.c_str()));
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_images

@@ -1,8 +1,8 @@
+#include "scenes/base/test_corpus.h"
 #include "scenes/images/exr_fuzz.h"
 #include "scenes/images/png_fuzz.h"
-#include "scenes/text/test_corpus.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_images {
 namespace {
 
 TEST(image_fuzz, exr_corpus_gives_messages_or_rows_that_stay) { check_corpus("exr_corpus", 44, check_exr); }
@@ -10,4 +10,4 @@ TEST(image_fuzz, exr_corpus_gives_messages_or_rows_that_stay) { check_corpus("ex
 TEST(image_fuzz, png_corpus_gives_messages_or_rows_that_stay) { check_corpus("png_corpus", 19, check_png); }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_images

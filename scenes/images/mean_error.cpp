@@ -1,8 +1,8 @@
 #include "scenes/images/mean_error.h"
 
-#include "scenes/text/text_numbers.h"
+#include "scenes/base/text_numbers.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_images {
 namespace {
 
 constexpr const char* key = "photonproof:mean_standard_error_and_passes";
@@ -46,4 +46,4 @@ double pixels_a_splat(const Rendering& rendering) {
   return pixels.value && *pixels.value >= 1 && *pixels.value <= most ? *pixels.value : 1;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_images

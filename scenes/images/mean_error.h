@@ -7,7 +7,7 @@
 
 #include "scenes/images/image.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_images {
 
 struct MeanError {
   std::array<double, 3> standard_error{};  ///< of the mean over all pixels, by channel
@@ -29,4 +29,4 @@ double pixels_a_splat(const Rendering& rendering);
 void store_shared_photons(Rendering& rendering);
 bool shares_photons(const Rendering& rendering);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_images

@@ -11,10 +11,10 @@
 #include <optional>
 #include <utility>
 
-#include "scenes/text/input_error.h"
-#include "scenes/text/text_numbers.h"
+#include "scenes/base/input_error.h"
+#include "scenes/base/text_numbers.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_images {
 namespace {
 
 /// A file, libpng's structures for it, and what libpng says of it. It reports errors by a jump, which must not leave
@@ -219,4 +219,4 @@ std::unique_ptr<ByteImageWriter> create_png(const std::string& path, const std::
   return std::make_unique<PngWriter>(path, target, width, height);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_images

@@ -6,7 +6,7 @@
 
 #include "scenes/images/image_file.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_images {
 
 /// Whether the file begins as a PNG does.
 bool is_png(const std::string& path);
@@ -18,4 +18,4 @@ std::unique_ptr<ImageFile> open_png(const std::string& path);
 /// An 8-bit RGB file of sRGB values. `target` is the name that errors give to the file. Throws InputError.
 std::unique_ptr<ByteImageWriter> create_png(const std::string& path, const std::string& target, int width, int height);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_images

@@ -7,10 +7,10 @@
 
 #include <cstdio>
 
+#include "scenes/files/test_folder.h"
 #include "scenes/images/image.h"
-#include "scenes/text/test_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_images {
 namespace {
 
 class PngFile : public FolderTest {
@@ -94,4 +94,4 @@ TEST_F(PngFile, that_does_not_fit_on_the_disk_is_an_error) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_images

@@ -1,11 +1,11 @@
 // Fuzzes the reader of PNG files. Built with libFuzzer (preset fuzz), and run over png_corpus/ by image_fuzz_test.cpp.
 #include "scenes/images/png_fuzz.h"
 
+#include "scenes/base/test_fuzz.h"
 #include "scenes/images/png_file.h"
 #include "scenes/images/test_image_promises.h"
-#include "scenes/text/test_fuzz.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_images {
 
 std::string check_png(std::string_view bytes) {
   static const FuzzFolder folder;
@@ -13,7 +13,7 @@ std::string check_png(std::string_view bytes) {
   return is_png(file) ? problem_with_image(file) : "";  // others are another library's to read
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_images
 
 #ifdef PHOTONPROOF_FUZZER
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

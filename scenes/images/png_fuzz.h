@@ -4,10 +4,10 @@
 #include <string>
 #include <string_view>
 
-namespace photonproof {
+namespace photonproof::inline scenes_images {
 
 /// Empty when `bytes` are refused with a proper message or read into something that keeps its promises; else what went
 /// wrong.
 std::string check_png(std::string_view bytes);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_images

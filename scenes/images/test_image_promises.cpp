@@ -4,10 +4,10 @@
 #include <cstring>
 #include <vector>
 
+#include "scenes/base/test_fuzz.h"
 #include "scenes/images/image.h"
-#include "scenes/text/test_fuzz.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_images {
 namespace {
 
 constexpr std::size_t most_values = std::size_t{1} << 18;
@@ -48,4 +48,4 @@ std::string problem_with_image(const std::filesystem::path& file) {
   return {};
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_images

@@ -4,10 +4,10 @@
 #include <filesystem>
 #include <string>
 
-namespace photonproof {
+namespace photonproof::inline scenes_images {
 
 /// Empty when the file is refused with a proper message, or its rows are the same read one at a time, from the end and
 /// all at once; else what is wrong. Of large images the first and the last rows are read.
 std::string problem_with_image(const std::filesystem::path& file);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_images

@@ -2,7 +2,7 @@
 
 #include <array>
 
-namespace photonproof {
+namespace photonproof::inline scenes_meshes {
 namespace {
 
 double distance_to_segment(const Vec3d& p, const Vec3d& a, const Vec3d& edge) {
@@ -60,4 +60,4 @@ double distance_to_triangle(const Vec3d& p, const std::array<Vec3d, 3>& triangle
   return std::min({distance_to_segment(p, a, u), distance_to_segment(p, a, v), distance_to_segment(p, b, c - b)});
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_meshes

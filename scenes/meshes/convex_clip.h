@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "scenes/meshes/vec.h"
+#include "scenes/base/vec.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_meshes {
 
 /// The half-space dot(normal, p) <= offset.
 struct HalfSpace {
@@ -28,4 +28,4 @@ double distance_to_parallelogram(const Vec3d& p, const Vec3d& corner, const Vec3
 /// Smallest distance from `p` to the triangle, which may have no area.
 double distance_to_triangle(const Vec3d& p, const std::array<Vec3d, 3>& triangle);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_meshes

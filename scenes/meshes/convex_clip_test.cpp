@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace photonproof {
+namespace photonproof::inline scenes_meshes {
 namespace {
 
 const std::vector<Vec3d> square{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}};
@@ -50,4 +50,4 @@ TEST(ConvexClip, distance_to_a_triangle_without_area_is_to_its_edges) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_meshes

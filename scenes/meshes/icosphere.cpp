@@ -3,7 +3,7 @@
 #include <map>
 #include <utility>
 
-namespace photonproof {
+namespace photonproof::inline scenes_meshes {
 namespace {
 
 using Triangle = TriangleMesh::Triangle;
@@ -54,4 +54,4 @@ Icosphere make_icosphere(int level) {
   return ball;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_meshes

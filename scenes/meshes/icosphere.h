@@ -5,7 +5,7 @@
 
 #include "scenes/meshes/mesh.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_meshes {
 
 struct Icosphere {
   std::vector<Vec3d> directions;                  ///< unit length, 10 * 4^level + 2 of them
@@ -14,4 +14,4 @@ struct Icosphere {
 
 Icosphere make_icosphere(int level);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_meshes

@@ -4,11 +4,11 @@
 #include <charconv>
 #include <cmath>
 
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/text_numbers.h"
-#include "scenes/text/text_position.h"
+#include "scenes/base/text_numbers.h"
+#include "scenes/base/text_position.h"
+#include "scenes/files/atomic_file.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_meshes {
 namespace {
 
 constexpr std::int64_t kMaxAngles = 10'000;
@@ -138,4 +138,4 @@ IesProfile read_ies(const std::string& path) { return parse_ies(read_file(path, 
 
 IesProfile parse_ies(std::string_view text, const std::string& file) { return IesReader(text, file).run(); }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_meshes

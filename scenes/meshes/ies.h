@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace photonproof {
+namespace photonproof::inline scenes_meshes {
 
 /// Candela over a grid of angles, the file's multipliers applied. Symmetry is the file's: horizontal angles end at 0
 /// (rotational), 90 (quadrants), 180 (halves) or 360.
@@ -24,4 +24,4 @@ IesProfile read_ies(const std::string& path);
 /// The same for text already in memory; `file` stands for the file in messages.
 IesProfile parse_ies(std::string_view text, const std::string& file);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_meshes

@@ -10,7 +10,7 @@
 #include "scenes/meshes/ies.h"
 #include "scenes/meshes/test_mesh_promises.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_meshes {
 
 std::string check_ies(std::string_view bytes) {
   IesProfile profile;
@@ -27,7 +27,7 @@ std::string check_ies(std::string_view bytes) {
   return std::all_of(profile.candela.begin(), profile.candela.end(), sound) ? "" : "a bad value";
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_meshes
 
 #ifdef PHOTONPROOF_FUZZER
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "scenes/text/input_error.h"
+#include "scenes/base/input_error.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_meshes {
 namespace {
 
 IesProfile parse(const std::string& text) { return parse_ies(text, "a.ies"); }
@@ -65,4 +65,4 @@ TEST(ies, does_not_believe_a_promise_the_file_cannot_hold) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_meshes

@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "scenes/meshes/vec.h"
+#include "scenes/base/vec.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_meshes {
 
 struct TriangleMesh {
   using Triangle = std::array<std::uint32_t, 3>;
@@ -40,4 +40,4 @@ inline bool has_area(const std::vector<Vec3f>& positions, const TriangleMesh::Tr
   return cross(Vec3d(positions[triangle[1]]) - a, Vec3d(positions[triangle[2]]) - a) != Vec3d(0.0);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_meshes

@@ -8,12 +8,12 @@
 #include <numeric>
 #include <optional>
 
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/input_error.h"
-#include "scenes/text/text_numbers.h"
-#include "scenes/text/text_position.h"
+#include "scenes/base/input_error.h"
+#include "scenes/base/text_numbers.h"
+#include "scenes/base/text_position.h"
+#include "scenes/files/atomic_file.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_meshes {
 namespace {
 
 constexpr std::uint32_t kNone = 0xFFFFFFFF;
@@ -189,4 +189,4 @@ TriangleMesh read_obj(const std::string& path) { return parse_obj(read_file(path
 
 TriangleMesh parse_obj(std::string_view text, const std::string& file) { return ObjReader(text, file).run(); }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_meshes

@@ -7,7 +7,7 @@
 
 #include "scenes/meshes/mesh.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_meshes {
 
 constexpr std::size_t kMaxObjBytes = std::size_t{4} << 30;
 
@@ -21,4 +21,4 @@ TriangleMesh read_obj(const std::string& path);
 /// The same for text already in memory; `file` stands for the file in messages.
 TriangleMesh parse_obj(std::string_view text, const std::string& file);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_meshes

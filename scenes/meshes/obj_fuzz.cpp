@@ -7,7 +7,7 @@
 #include "scenes/meshes/obj.h"
 #include "scenes/meshes/test_mesh_promises.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_meshes {
 
 std::string check_obj(std::string_view bytes) {
   TriangleMesh mesh;
@@ -19,7 +19,7 @@ std::string check_obj(std::string_view bytes) {
   return problem_with(mesh);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_meshes
 
 #ifdef PHOTONPROOF_FUZZER
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "scenes/text/input_error.h"
+#include "scenes/base/input_error.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_meshes {
 namespace {
 
 TriangleMesh parse(const std::string& text) { return parse_obj(text, "a.obj"); }
@@ -88,4 +88,4 @@ TEST(obj, says_what_is_wrong_and_where) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_meshes

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <limits>
 
+#include "scenes/files/atomic_file.h"
 #include "scenes/meshes/ply_layout.h"
 #include "scenes/meshes/ply_values.h"
-#include "scenes/text/atomic_file.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_meshes {
 namespace {
 
 using namespace ply;
@@ -168,4 +168,4 @@ TriangleMesh parse_ply(std::string_view bytes, const std::string& file) { return
 
 TriangleMesh read_ply(const std::string& path) { return parse_ply(read_file(path, kMaxPlyBytes), path); }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_meshes

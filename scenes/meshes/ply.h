@@ -8,7 +8,7 @@
 
 #include "scenes/meshes/mesh.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_meshes {
 
 constexpr std::size_t kMaxPlyBytes = std::size_t{8} << 30;
 
@@ -25,4 +25,4 @@ TriangleMesh parse_ply(std::string_view bytes, const std::string& file);
 /// empty or one a vertex. Throws InputError when it cannot be written.
 void write_ply(const std::filesystem::path& target, const TriangleMesh& mesh);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_meshes

@@ -11,7 +11,7 @@
 #include "scenes/meshes/ply.h"
 #include "scenes/meshes/test_mesh_promises.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_meshes {
 namespace {
 
 std::string problem_with_writing(const TriangleMesh& mesh) {
@@ -36,7 +36,7 @@ std::string check_ply(std::string_view bytes) {
   return problem.empty() ? problem_with_writing(mesh) : problem;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_meshes
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string problem = photonproof::check_ply({reinterpret_cast<const char*>(data), size});

@@ -6,12 +6,12 @@
 #include <string>
 #include <string_view>
 
-namespace photonproof {
+namespace photonproof::inline scenes_meshes {
 
 /// Empty when `bytes` are refused with a proper message, or are a mesh that keeps its promises and survives writing and
 /// reading; else what went wrong.
 std::string check_ply(std::string_view bytes);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_meshes
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);

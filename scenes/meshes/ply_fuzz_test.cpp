@@ -5,9 +5,9 @@
 
 #include <filesystem>
 
-#include "scenes/text/atomic_file.h"
+#include "scenes/files/atomic_file.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_meshes {
 namespace {
 
 namespace fs = std::filesystem;
@@ -25,4 +25,4 @@ TEST(ply_fuzz, corpus_gives_messages_or_meshes_that_survive_writing_also_truncat
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_meshes

@@ -4,9 +4,9 @@
 #include <array>
 #include <utility>
 
-#include "scenes/text/edit_distance.h"
-#include "scenes/text/text_numbers.h"
-#include "scenes/text/text_position.h"
+#include "scenes/base/edit_distance.h"
+#include "scenes/base/text_numbers.h"
+#include "scenes/base/text_position.h"
 
 namespace photonproof::ply {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <initializer_list>
 
-#include "scenes/text/input_error.h"
-#include "scenes/text/text_position.h"
+#include "scenes/base/input_error.h"
+#include "scenes/base/text_position.h"
 
 namespace photonproof::ply {
 namespace {

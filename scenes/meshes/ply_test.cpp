@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/input_error.h"
+#include "scenes/base/input_error.h"
+#include "scenes/files/atomic_file.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_meshes {
 namespace {
 
 const std::string kCorpus = PHOTONPROOF_CORPORA "/ply_corpus/";
@@ -261,4 +261,4 @@ INSTANTIATE_TEST_SUITE_P(
     name_of);
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_meshes

@@ -8,11 +8,11 @@
 #include <string>
 #include <string_view>
 
+#include "scenes/base/input_error.h"
+#include "scenes/base/text_numbers.h"
+#include "scenes/base/text_position.h"
+#include "scenes/base/utf8.h"
 #include "scenes/meshes/ply_header.h"
-#include "scenes/text/input_error.h"
-#include "scenes/text/text_numbers.h"
-#include "scenes/text/text_position.h"
-#include "scenes/text/utf8.h"
 
 namespace photonproof::ply {
 

@@ -3,11 +3,11 @@
 #include <cstring>
 #include <fstream>
 
+#include "scenes/base/input_error.h"
+#include "scenes/files/atomic_file.h"
 #include "scenes/meshes/ply.h"
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/input_error.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_meshes {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "values are written as they are in memory");
@@ -72,4 +72,4 @@ void write_ply(const std::filesystem::path& target, const TriangleMesh& mesh) {
   });
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_meshes

@@ -2,11 +2,11 @@
 
 #include <filesystem>
 
+#include "scenes/base/input_error.h"
+#include "scenes/files/atomic_file.h"
 #include "scenes/meshes/ply.h"
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/input_error.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_meshes {
 namespace {
 
 namespace fs = std::filesystem;
@@ -57,4 +57,4 @@ TEST_F(PlyWriter, says_when_it_cannot_write) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_meshes

@@ -3,11 +3,11 @@
 
 #include <filesystem>
 
+#include "scenes/files/atomic_file.h"
 #include "scenes/meshes/ies_fuzz.h"
 #include "scenes/meshes/obj_fuzz.h"
-#include "scenes/text/atomic_file.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_meshes {
 namespace {
 
 template <class Check>
@@ -27,4 +27,4 @@ TEST(reader_fuzz, obj_corpus_gives_messages_or_sound_meshes) { check_folder("obj
 TEST(reader_fuzz, ies_corpus_gives_messages_or_sound_profiles) { check_folder("ies_corpus", 65, check_ies); }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_meshes

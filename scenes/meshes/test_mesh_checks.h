@@ -8,7 +8,7 @@
 
 #include "scenes/meshes/mesh.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_meshes {
 
 struct EdgeCounts {
   std::size_t inner = 0;   ///< between two triangles that agree on what is the front
@@ -54,4 +54,4 @@ inline std::uint64_t fingerprint(const TriangleMesh& mesh) {
   return hash;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_meshes

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scenes/text/utf8.h"
+#include "scenes/base/utf8.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_meshes {
 
 std::string problem_with(const TriangleMesh& mesh) {
   const std::size_t vertices = mesh.positions.size();
@@ -30,4 +30,4 @@ std::string problem_with(const InputError& error, const std::string& file) {
   return error.summary().rfind(file + ":", 0) != 0 || what.rfind(error.summary(), 0) != 0 ? "a bad message" : "";
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_meshes

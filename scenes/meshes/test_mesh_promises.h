@@ -3,10 +3,10 @@
 
 #include <string>
 
+#include "scenes/base/input_error.h"
 #include "scenes/meshes/mesh.h"
-#include "scenes/text/input_error.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_meshes {
 
 /// Empty when indices and numbers are sound and the mesh is padded; else what is wrong.
 std::string problem_with(const TriangleMesh& mesh);
@@ -14,4 +14,4 @@ std::string problem_with(const TriangleMesh& mesh);
 /// Empty when the message is valid UTF-8 about `file`.
 std::string problem_with(const InputError& error, const std::string& file);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_meshes

@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <iterator>
 
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/edit_distance.h"
-#include "scenes/text/text_numbers.h"
-#include "scenes/text/utf8.h"
+#include "scenes/base/edit_distance.h"
+#include "scenes/base/text_numbers.h"
+#include "scenes/base/utf8.h"
+#include "scenes/files/atomic_file.h"
 
 namespace photonproof::scene_xml {
 namespace {

@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <vector>
 
+#include "scenes/base/test_fuzz.h"
 #include "scenes/parser/parser.h"
 #include "scenes/parser/test_same_scene.h"
-#include "scenes/text/test_fuzz.h"
 #include "scenes/xml/writer.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_parser {
 namespace {
 
 constexpr std::string_view mark = "=== ";
@@ -73,7 +73,7 @@ std::string check_include(std::string_view bytes) {
   }
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_parser
 
 #ifdef PHOTONPROOF_FUZZER
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -1,8 +1,8 @@
 #include "scenes/parser/include_fuzz.h"
 
-#include "scenes/text/test_corpus.h"
+#include "scenes/base/test_corpus.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_parser {
 namespace {
 
 TEST(include_fuzz, corpus_gives_messages_or_scenes_that_survive_writing) {
@@ -10,4 +10,4 @@ TEST(include_fuzz, corpus_gives_messages_or_scenes_that_survive_writing) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_parser

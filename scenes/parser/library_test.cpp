@@ -6,12 +6,12 @@
 #include <numbers>
 
 #include "scenes/description/expect.h"
+#include "scenes/files/atomic_file.h"
 #include "scenes/generators/library_assets.h"
 #include "scenes/generators/many_lights.h"
 #include "scenes/parser/parser.h"
-#include "scenes/text/atomic_file.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_parser {
 namespace {
 
 namespace fs = std::filesystem;
@@ -209,4 +209,4 @@ TEST(library, area_light_has_the_expected_mean) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_parser

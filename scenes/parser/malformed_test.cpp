@@ -7,11 +7,11 @@
 #include <map>
 #include <string>
 
+#include "scenes/base/edit_distance.h"
+#include "scenes/files/atomic_file.h"
 #include "scenes/parser/parser.h"
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/edit_distance.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_parser {
 namespace {
 
 namespace fs = std::filesystem;
@@ -77,4 +77,4 @@ TEST(malformed_scene, is_refused_with_the_whole_expected_message) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_parser

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 
+#include "scenes/base/edit_distance.h"
+#include "scenes/base/text_numbers.h"
 #include "scenes/parser/scene_objects.h"
 #include "scenes/parser/spectrum_value.h"
 #include "scenes/parser/values.h"
-#include "scenes/text/edit_distance.h"
-#include "scenes/text/text_numbers.h"
 
 namespace photonproof::scene_xml {
 namespace {

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <type_traits>
 
+#include "scenes/files/atomic_file.h"
 #include "scenes/parser/expand.h"
 #include "scenes/parser/plugins.h"
 #include "scenes/parser/scene_objects.h"
-#include "scenes/text/atomic_file.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_parser {
 namespace {
 
 using namespace scene_xml;
@@ -135,4 +135,4 @@ SceneDescription parse_scene_text(std::string_view text, const std::string& name
   return scene;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_parser

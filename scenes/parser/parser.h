@@ -7,7 +7,7 @@
 
 #include "scenes/description/description.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_parser {
 
 struct ParseOptions {
   std::map<std::string, std::string> defines;  ///< -D name=value; every one must be used
@@ -20,4 +20,4 @@ SceneDescription parse_scene_file(const std::string& path, const ParseOptions& o
 /// The same for text already in memory; `name` stands for the file in messages, includes resolve against its folder.
 SceneDescription parse_scene_text(std::string_view text, const std::string& name, const ParseOptions& options = {});
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_parser

@@ -6,12 +6,12 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "scenes/base/utf8.h"
 #include "scenes/parser/parser.h"
 #include "scenes/parser/test_same_scene.h"
-#include "scenes/text/utf8.h"
 #include "scenes/xml/writer.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_parser {
 namespace {
 
 // No file exists below it, so that an include can name none.
@@ -54,7 +54,7 @@ std::string check_parser(std::string_view text) {
   return {};
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_parser
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string problem = photonproof::check_parser({reinterpret_cast<const char*>(data), size});

@@ -6,12 +6,12 @@
 #include <string>
 #include <string_view>
 
-namespace photonproof {
+namespace photonproof::inline scenes_parser {
 
 /// Empty when `text` is refused with a proper message, or is a scene that survives writing and reading; else what went
 /// wrong.
 std::string check_parser(std::string_view text);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_parser
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);

@@ -5,9 +5,9 @@
 
 #include <filesystem>
 
-#include "scenes/text/atomic_file.h"
+#include "scenes/files/atomic_file.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_parser {
 namespace {
 
 namespace fs = std::filesystem;
@@ -40,4 +40,4 @@ TEST(parser_fuzz, truncated_library_scenes_do_too) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_parser

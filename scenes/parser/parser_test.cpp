@@ -7,9 +7,9 @@
 #include <ctime>
 #include <string>
 
-#include "scenes/text/input_error.h"
+#include "scenes/base/input_error.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_parser {
 namespace {
 
 /// A scene around `content`: a sensor and a light beside it, so that only `content` matters.
@@ -253,4 +253,4 @@ TEST(parser, many_attributes_take_time_in_proportion) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_parser

@@ -1,7 +1,7 @@
 #include "scenes/parser/plugin_rows.h"
 
+#include "scenes/base/text_numbers.h"
 #include "scenes/description/named_ior.h"
-#include "scenes/text/text_numbers.h"
 
 namespace photonproof::scene_xml {
 namespace {

@@ -7,9 +7,9 @@
 #include <type_traits>
 #include <vector>
 
+#include "scenes/base/edit_distance.h"
 #include "scenes/description/description.h"
 #include "scenes/parser/params.h"
-#include "scenes/text/edit_distance.h"
 
 namespace photonproof::scene_xml {
 

@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "scenes/base/edit_distance.h"
+#include "scenes/base/text_numbers.h"
 #include "scenes/description/description.h"
 #include "scenes/parser/params.h"
 #include "scenes/parser/scene_objects.h"
-#include "scenes/text/edit_distance.h"
-#include "scenes/text/text_numbers.h"
 
 namespace photonproof::scene_xml {
 

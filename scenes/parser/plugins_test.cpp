@@ -6,10 +6,10 @@
 #include <filesystem>
 #include <fstream>
 
+#include "scenes/files/atomic_file.h"
 #include "scenes/parser/parser.h"
-#include "scenes/text/atomic_file.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_parser {
 namespace {
 
 namespace fs = std::filesystem;
@@ -389,4 +389,4 @@ TEST_F(files, of_spectra_hold_a_pair_a_line) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_parser

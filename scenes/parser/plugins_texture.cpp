@@ -1,7 +1,7 @@
 // Mitsuba 3's bitmap and checkerboard.
+#include "scenes/base/faults.h"
 #include "scenes/description/description.h"
 #include "scenes/parser/plugin_reader.h"
-#include "scenes/text/faults.h"
 
 namespace photonproof::scene_xml {
 namespace {

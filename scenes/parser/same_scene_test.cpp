@@ -5,7 +5,7 @@
 
 #include "scenes/parser/test_same_scene.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_parser {
 namespace {
 
 SceneDescription example() {
@@ -65,4 +65,4 @@ TEST(first_difference, names_every_field_that_can_differ) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_parser

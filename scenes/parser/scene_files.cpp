@@ -1,10 +1,10 @@
 #include "scenes/parser/scene_files.h"
 
+#include "scenes/base/text_numbers.h"
+#include "scenes/files/atomic_file.h"
 #include "scenes/meshes/ies.h"
 #include "scenes/meshes/obj.h"
 #include "scenes/meshes/ply.h"
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/text_numbers.h"
 
 namespace photonproof::scene_xml {
 namespace fs = std::filesystem;

@@ -6,10 +6,10 @@
 
 #include <filesystem>
 
+#include "scenes/files/atomic_file.h"
 #include "scenes/meshes/ply.h"
-#include "scenes/text/atomic_file.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_parser {
 namespace {
 
 namespace fs = std::filesystem;
@@ -129,4 +129,4 @@ TEST_F(SceneFiles, refuses_a_link_that_leads_outside) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_parser

@@ -4,8 +4,8 @@
 #include <set>
 
 #include "scenes/description/description.h"
+#include "scenes/files/atomic_file.h"
 #include "scenes/parser/plugin_rows.h"
-#include "scenes/text/atomic_file.h"
 
 namespace photonproof::scene_xml {
 namespace {

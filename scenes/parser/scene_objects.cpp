@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <type_traits>
 
+#include "scenes/base/edit_distance.h"
+#include "scenes/base/text_numbers.h"
 #include "scenes/parser/plugins.h"
-#include "scenes/text/edit_distance.h"
-#include "scenes/text/text_numbers.h"
 
 namespace photonproof::scene_xml {
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "scenes/base/text_numbers.h"
 #include "scenes/parser/scene_objects.h"
 #include "scenes/parser/values.h"
-#include "scenes/text/text_numbers.h"
 
 namespace photonproof::scene_xml {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace photonproof {
+namespace photonproof::inline scenes_parser {
 namespace {
 
 std::string difference(const TextureDescription& a, const TextureDescription& b) {
@@ -75,4 +75,4 @@ std::string first_difference(const SceneDescription& a, const SceneDescription& 
   return a.integrator.method == b.integrator.method ? "" : "integrator.method";
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_parser

@@ -6,9 +6,9 @@
 
 #include "scenes/description/description.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_parser {
 
 /// Empty when the scenes are the same, else the first thing that differs ("shapes[2].to_world").
 std::string first_difference(const SceneDescription& a, const SceneDescription& b);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_parser

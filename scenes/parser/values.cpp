@@ -5,8 +5,8 @@
 #include <cmath>
 #include <optional>
 
-#include "scenes/text/edit_distance.h"
-#include "scenes/text/text_numbers.h"
+#include "scenes/base/edit_distance.h"
+#include "scenes/base/text_numbers.h"
 
 namespace photonproof::scene_xml {
 namespace {

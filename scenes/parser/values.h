@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "scenes/base/vec.h"
 #include "scenes/description/transform.h"
-#include "scenes/meshes/vec.h"
 #include "scenes/xml/xml_source.h"
 
 namespace photonproof::scene_xml {

@@ -7,7 +7,7 @@
 #include "scenes/description/spectrum.h"
 #include "scenes/sky/sun_irradiance.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_sky {
 namespace {
 
 RgbD not_negative(const RgbD& rgb) { return {std::max(rgb.x, 0.0), std::max(rgb.y, 0.0), std::max(rgb.z, 0.0)}; }
@@ -43,4 +43,4 @@ RgbD sun_radiance(double cos_theta_sun, double turbidity, double aperture) {
   return sun_irradiance(height, turbidity) / cone_solid_angle(aperture);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_sky

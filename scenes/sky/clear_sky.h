@@ -5,10 +5,10 @@
 
 #include <vector>
 
-#include "scenes/meshes/vec.h"
+#include "scenes/base/vec.h"
 #include "scenes/sky/sky_hosek_wilkie.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_sky {
 
 class ClearSky {
  public:
@@ -32,4 +32,4 @@ double cone_solid_angle(double full_angle);
 /// Of a disc of this full angle, radians, with the sun's irradiance.
 RgbD sun_radiance(double cos_theta_sun, double turbidity, double aperture);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_sky

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace photonproof {
+namespace photonproof::inline scenes_sky {
 namespace {
 
 using Table = HosekWilkieTable;
@@ -62,4 +62,4 @@ RgbD HosekWilkieSky::rgb(double cos_theta, double cos_gamma) const {
   return {at(channels_[0]), at(channels_[1]), at(channels_[2])};
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_sky

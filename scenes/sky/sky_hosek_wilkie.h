@@ -4,9 +4,9 @@
 
 #include <array>
 
-#include "scenes/meshes/vec.h"
+#include "scenes/base/vec.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_sky {
 
 /// The fit's data for one channel: for ground albedos 0 and 1, for turbidities 1 to 10, six Bezier points along the
 /// cube root of the sun's height.
@@ -35,4 +35,4 @@ class HosekWilkieSky {
   std::array<Channel, 3> channels_;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_sky

@@ -21,7 +21,7 @@
 // OF THIS SOFTWARE, EVEN IF ADVISED OF THE POSSIBILITY OF SUCH DAMAGE.
 #include "scenes/sky/sky_hosek_wilkie.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_sky {
 // clang-format off
 
 const std::array<HosekWilkieTable, 3> hosek_wilkie_tables{{
@@ -457,4 +457,4 @@ const std::array<HosekWilkieTable, 3> hosek_wilkie_tables{{
 }};
 
 // clang-format on
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_sky

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace photonproof {
+namespace photonproof::inline scenes_sky {
 namespace {
 
 /// A place between two of `count` numbers: the lower one, and how far it is to the next.
@@ -28,4 +28,4 @@ RgbD sun_irradiance(double height, double turbidity) {
   return {std::max(sum.x, 0.0), std::max(sum.y, 0.0), std::max(sum.z, 0.0)};
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_sky

@@ -4,9 +4,9 @@
 
 #include <array>
 
-#include "scenes/meshes/vec.h"
+#include "scenes/base/vec.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_sky {
 
 inline constexpr std::size_t sun_turbidities = 10, sun_heights = 30;
 inline constexpr double sun_first_height = 2, sun_height_step = 3;  ///< degrees
@@ -18,4 +18,4 @@ extern const std::array<std::array<double, 3>, sun_turbidities * sun_heights> su
 /// heights, and the same below its first height and above its last. Turbidity from 1 to 10; height in degrees.
 RgbD sun_irradiance(double height, double turbidity);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_sky

@@ -21,7 +21,7 @@
 // OF THIS SOFTWARE, EVEN IF ADVISED OF THE POSSIBILITY OF SUCH DAMAGE.
 #include "scenes/sky/sun_irradiance.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_sky {
 // clang-format off
 
 const std::array<std::array<double, 3>, sun_turbidities * sun_heights> sun_irradiance_table{{
@@ -128,4 +128,4 @@ const std::array<std::array<double, 3>, sun_turbidities * sun_heights> sun_irrad
 }};
 
 // clang-format on
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_sky

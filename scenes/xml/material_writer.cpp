@@ -3,7 +3,7 @@
 #include "scenes/description/description.h"
 #include "scenes/xml/plugin_writer.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_xml {
 void MaterialWriter::write_named() {
   for (const TextureDescription& texture : scene_.textures)
     if (!texture.id.empty()) write(texture, "");
@@ -77,4 +77,4 @@ void MaterialWriter::write_phase(decltype(HomogeneousDescription::phase) phase) 
   xml_.close();
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_xml

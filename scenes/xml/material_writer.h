@@ -6,7 +6,7 @@
 #include "scenes/description/description.h"
 #include "scenes/xml/xml_writer.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_xml {
 
 class MaterialWriter {
  public:
@@ -34,4 +34,4 @@ class MaterialWriter {
   XmlWriter& xml_;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_xml

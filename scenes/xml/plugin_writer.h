@@ -13,7 +13,7 @@
 #include "scenes/xml/material_writer.h"
 #include "scenes/xml/xml_writer.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_xml {
 
 class PluginWriter {
  public:
@@ -118,4 +118,4 @@ class PluginWriter {
   std::string id_, name_;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_xml

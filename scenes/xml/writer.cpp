@@ -6,7 +6,7 @@
 #include "scenes/xml/plugin_writer.h"
 #include "scenes/xml/xml_writer.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_xml {
 namespace {
 
 class Writer {
@@ -84,4 +84,4 @@ class Writer {
 
 std::string write_scene(const SceneDescription& scene) { return Writer(scene).run(); }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_xml

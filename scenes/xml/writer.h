@@ -5,7 +5,7 @@
 
 #include "scenes/description/description.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_xml {
 
 /// The whole scene in one file. A BSDF with an id stands in the scene, one without in each shape that uses it, so the
 /// table of BSDFs reads back the same when it is as the parser makes it: those with an id first, each other one used
@@ -13,4 +13,4 @@ namespace photonproof {
 /// the folder of the scene it was read from.
 std::string write_scene(const SceneDescription& scene);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_xml

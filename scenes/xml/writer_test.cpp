@@ -12,7 +12,7 @@
 #include "scenes/parser/parser.h"
 #include "scenes/parser/test_same_scene.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_xml {
 namespace {
 
 namespace fs = std::filesystem;
@@ -457,4 +457,4 @@ TEST(writer, repeats_a_shared_bsdf_that_has_no_id_in_every_shape) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_xml

@@ -5,9 +5,9 @@
 #include <pugixml.hpp>
 #include <unordered_set>
 
-#include "scenes/text/edit_distance.h"
-#include "scenes/text/text_numbers.h"
-#include "scenes/text/utf8.h"
+#include "scenes/base/edit_distance.h"
+#include "scenes/base/text_numbers.h"
+#include "scenes/base/utf8.h"
 
 namespace photonproof::scene_xml {
 namespace {

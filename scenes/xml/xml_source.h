@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "scenes/text/input_error.h"
+#include "scenes/base/input_error.h"
 
 namespace photonproof::scene_xml {
 

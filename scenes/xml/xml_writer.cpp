@@ -1,8 +1,8 @@
 #include "scenes/xml/xml_writer.h"
 
-#include "scenes/text/text_numbers.h"
+#include "scenes/base/text_numbers.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_xml {
 namespace {
 
 /// For a double-quoted attribute: XML's own characters, white space (which a reader would turn into blanks), and the
@@ -87,4 +87,4 @@ void XmlWriter::transform(const std::string& name, const Transform& t) {
   close();
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_xml

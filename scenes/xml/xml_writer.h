@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
+#include "scenes/base/vec.h"
 #include "scenes/description/transform.h"
-#include "scenes/meshes/vec.h"
 
-namespace photonproof {
+namespace photonproof::inline scenes_xml {
 
 class XmlWriter {
  public:
@@ -46,4 +46,4 @@ class XmlWriter {
   std::vector<std::string> open_;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline scenes_xml

@@ -3,8 +3,8 @@
 #include <cstdio>
 
 #include "renderer/api/render_scene.h"
+#include "scenes/base/input_error.h"
 #include "scenes/parser/parser.h"
-#include "scenes/text/input_error.h"
 
 int main(int argc, char** argv) try {
   using namespace photonproof;

@@ -3,7 +3,7 @@
 #include "harness/diagnosis/pictures/luminance.h"
 #include "harness/diagnosis/pictures/picture_changes.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_diagnosis_pictures {
 
 void ArrangedTotals::encode(std::size_t tone) {
   const auto encoded = [&](const Image& image) {
@@ -32,4 +32,4 @@ double ArrangedTotals::total(std::size_t turn, std::size_t channels, double most
   return comparison_.total_by_rows(rows, most);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_diagnosis_pictures

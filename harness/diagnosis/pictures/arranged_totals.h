@@ -9,7 +9,7 @@
 #include "harness/diagnosis/pictures/comparison.h"
 #include "scenes/images/image.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_diagnosis_pictures {
 
 class ArrangedTotals {
  public:
@@ -28,4 +28,4 @@ class ArrangedTotals {
   float black_ = 0;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_diagnosis_pictures

@@ -8,7 +8,7 @@
 #include "harness/diagnosis/pictures/difference_band.h"
 #include "harness/pixels/middle_of.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_diagnosis_pictures {
 namespace {
 
 constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
@@ -137,4 +137,4 @@ double Comparison::noise_of(const Image& image) const {
   return std::sqrt(double{middle_of(variances(without_ignored(shown_of(image))))});
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_diagnosis_pictures

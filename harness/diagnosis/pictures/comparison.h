@@ -15,7 +15,7 @@
 
 #include "scenes/images/image.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_diagnosis_pictures {
 
 struct Excess {
   double total = 0;           ///< summed over blocks and channels
@@ -81,4 +81,4 @@ class Comparison {
   Excess excess_by_rows(const Rows& rows, double most) const;
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_diagnosis_pictures

@@ -11,7 +11,7 @@
 #include "harness/diagnosis/pictures/arranged_totals.h"
 #include "harness/diagnosis/pictures/picture_changes.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_diagnosis_pictures {
 namespace {
 
 constexpr double kTolerance = 0.08;
@@ -110,4 +110,4 @@ TEST(ArrangedTotals, are_those_of_the_pictures) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_diagnosis_pictures

@@ -6,7 +6,7 @@
 
 #include "harness/diagnosis/pictures/comparison.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_diagnosis_pictures {
 namespace {
 
 constexpr auto side = static_cast<std::size_t>(Comparison::side);
@@ -86,4 +86,4 @@ void DifferenceBand::hold(int first, int end) {
   }
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_diagnosis_pictures

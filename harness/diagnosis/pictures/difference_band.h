@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-namespace photonproof {
+namespace photonproof::inline harness_diagnosis_pictures {
 
 /// Half the mean square of differences of neighbours is the variance of noise that neighbours do not share. Over a row
 /// of blocks, each with a pixel around it.
@@ -58,4 +58,4 @@ class DifferenceBand {
   std::size_t at(int y) const { return static_cast<std::size_t>(y - first_) * row_values_; }
 };
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_diagnosis_pictures

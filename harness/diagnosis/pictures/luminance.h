@@ -1,9 +1,9 @@
 // How bright a pixel looks, where diagnosis asks for one number of it.
 #pragma once
 
-namespace photonproof {
+namespace photonproof::inline harness_diagnosis_pictures {
 
 /// Relative luminance of three linear values with the primaries of sRGB (Rec. ITU-R BT.709).
 inline float luminance_of_pixel(const float* rgb) { return 0.2126f * rgb[0] + 0.7152f * rgb[1] + 0.0722f * rgb[2]; }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_diagnosis_pictures

@@ -8,7 +8,7 @@
 #include "harness/diagnosis/pictures/luminance.h"
 #include "harness/pixels/display.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_diagnosis_pictures {
 namespace {
 
 constexpr TurnRow turn_table[] = {
@@ -218,4 +218,4 @@ Image resized(const Image& image, int width, int height) {
   });
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_diagnosis_pictures

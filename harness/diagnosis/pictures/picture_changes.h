@@ -10,7 +10,7 @@
 
 #include "scenes/images/image.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_diagnosis_pictures {
 
 struct TurnRow {
   const char* kind;
@@ -56,4 +56,4 @@ Image coarse(const Image& image, int side);
 /// To another size, by means over the area of each new pixel, or between pixels where it is enlarged.
 Image resized(const Image& image, int width, int height);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_diagnosis_pictures

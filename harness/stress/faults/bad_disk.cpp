@@ -21,9 +21,9 @@
 #include <cstring>
 #include <thread>
 
-#include "scenes/text/timer.h"
+#include "scenes/base/timer.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_stress_faults {
 namespace {
 
 namespace fs = std::filesystem;
@@ -185,4 +185,4 @@ int run_on_bad_disk(const BadDisk& disk, const std::vector<std::string>& argv) {
   return Supervisor(disk, listener).supervise(child);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_stress_faults

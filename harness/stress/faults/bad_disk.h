@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace photonproof {
+namespace photonproof::inline harness_stress_faults {
 
 struct BadDisk {
   double delay_seconds = 0;                     ///< of every such call
@@ -21,4 +21,4 @@ inline constexpr int no_bad_disk_exit_code = 97;
 /// Runs the command to its end, looked up on PATH; its exit code, or 128 and the signal that ended it.
 int run_on_bad_disk(const BadDisk& disk, const std::vector<std::string>& argv);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_stress_faults

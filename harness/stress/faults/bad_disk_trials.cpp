@@ -3,7 +3,7 @@
 #include "harness/stress/faults/bad_disk.h"
 #include "harness/stress/faults/fault_rows.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_stress_faults {
 namespace {
 
 namespace fs = std::filesystem;
@@ -52,4 +52,4 @@ TrialResult failing_disk_trial(const Trial& trial) {
   return result;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_stress_faults

@@ -4,9 +4,9 @@
 #include <filesystem>
 
 #include "harness/stress/faults/fault_rows.h"
-#include "scenes/text/atomic_file.h"
+#include "scenes/files/atomic_file.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_stress_faults {
 namespace {
 
 namespace fs = std::filesystem;
@@ -73,4 +73,4 @@ TrialResult clock_jumps_trial(const Trial& trial) {
   return result;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_stress_faults

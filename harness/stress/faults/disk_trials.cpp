@@ -8,10 +8,10 @@
 #include <thread>
 
 #include "harness/stress/faults/fault_rows.h"
-#include "reference/process/process.h"
-#include "scenes/text/input_error.h"
+#include "scenes/base/input_error.h"
+#include "scenes/base/process.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_stress_faults {
 namespace {
 
 namespace fs = std::filesystem;
@@ -114,4 +114,4 @@ TrialResult vanishing_disk_trial(const Trial& trial) {
   return result;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_stress_faults

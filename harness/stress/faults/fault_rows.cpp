@@ -1,6 +1,6 @@
 #include "harness/stress/faults/fault_rows.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_stress_faults {
 
 const std::vector<FaultRow>& fault_rows() {
   static const std::vector<FaultRow> rows{
@@ -33,4 +33,4 @@ const std::vector<FaultRow>& fault_rows() {
   return rows;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_stress_faults

@@ -7,7 +7,7 @@
 
 #include "harness/stress/faults/trial.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_stress_faults {
 
 struct FaultRow {
   std::string name;          ///< "kill"
@@ -32,4 +32,4 @@ TrialResult two_runs_trial(const Trial& trial);
 TrialResult clock_jumps_trial(const Trial& trial);
 TrialResult little_memory_trial(const Trial& trial);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_stress_faults

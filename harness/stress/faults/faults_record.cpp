@@ -6,11 +6,11 @@
 #include <nlohmann/json.hpp>
 
 #include "harness/stress/faults/fault_rows.h"
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/input_error.h"
-#include "scenes/text/json_text.h"
+#include "scenes/base/input_error.h"
+#include "scenes/base/json_text.h"
+#include "scenes/files/atomic_file.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_stress_faults {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -133,4 +133,4 @@ FaultsRecord read_faults_record(const std::filesystem::path& file) {
   }
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_stress_faults

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace photonproof {
+namespace photonproof::inline harness_stress_faults {
 
 /// One fault on one work.
 struct FaultOutcome {
@@ -37,4 +37,4 @@ void write_faults_record(const FaultsRecord& record, const std::filesystem::path
 /// Throws InputError where it is no such record.
 FaultsRecord read_faults_record(const std::filesystem::path& file);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_stress_faults

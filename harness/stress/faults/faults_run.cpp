@@ -8,13 +8,13 @@
 #include "harness/cells/host.h"
 #include "harness/stress/faults/fault_rows.h"
 #include "reference/store/reference_store.h"
-#include "scenes/text/checksum.h"
-#include "scenes/text/file_checksum.h"
-#include "scenes/text/input_error.h"
-#include "scenes/text/splitmix.h"
-#include "scenes/text/timer.h"
+#include "scenes/base/input_error.h"
+#include "scenes/base/splitmix.h"
+#include "scenes/base/timer.h"
+#include "scenes/files/checksum.h"
+#include "scenes/files/file_checksum.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_stress_faults {
 namespace {
 
 namespace fs = std::filesystem;
@@ -156,4 +156,4 @@ FaultsRecord run_faults(const FaultsOptions& options) {
   return Faults(options).run();
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_stress_faults

@@ -10,7 +10,7 @@
 
 #include "harness/stress/faults/faults_record.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_stress_faults {
 
 struct FaultsOptions {
   std::filesystem::path folder;   ///< receives everything; what an earlier run of the same program decided counts
@@ -32,4 +32,4 @@ std::vector<std::string> fault_names();
 /// peace. faults.json is written after every trial.
 FaultsRecord run_faults(const FaultsOptions& options);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_stress_faults

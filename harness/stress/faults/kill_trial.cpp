@@ -4,9 +4,9 @@
 #include <thread>
 
 #include "harness/stress/faults/fault_rows.h"
-#include "scenes/text/timer.h"
+#include "scenes/base/timer.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_stress_faults {
 namespace {
 
 constexpr int most_kills = 4;
@@ -53,4 +53,4 @@ TrialResult kill_trial(const Trial& trial) {
   return result;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_stress_faults

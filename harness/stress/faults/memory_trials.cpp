@@ -2,7 +2,7 @@
 
 #include "harness/stress/faults/fault_rows.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_stress_faults {
 namespace {
 
 namespace fs = std::filesystem;
@@ -51,4 +51,4 @@ TrialResult little_memory_trial(const Trial& trial) {
   return result;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_stress_faults

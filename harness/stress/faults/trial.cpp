@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <sstream>
 
-#include "scenes/text/input_error.h"
-#include "scenes/text/splitmix.h"
-#include "scenes/text/timer.h"
+#include "scenes/base/input_error.h"
+#include "scenes/base/splitmix.h"
+#include "scenes/base/timer.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_stress_faults {
 namespace {
 
 namespace fs = std::filesystem;
@@ -100,4 +100,4 @@ std::string what_is_disorderly(const VictimEnd& end) {
   return {};
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_stress_faults

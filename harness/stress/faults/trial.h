@@ -11,7 +11,7 @@
 #include "harness/stress/faults/victim.h"
 #include "harness/stress/faults/work.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_stress_faults {
 
 /// What a work does in peace.
 struct Undisturbed {
@@ -63,4 +63,4 @@ std::string what_differs_when_finished(const Trial& trial, const FinishedParts& 
 /// Of a run that was hurt: empty where it is orderly and, unless it succeeded, says in words what was the matter.
 std::string what_is_disorderly(const VictimEnd& end);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_stress_faults

@@ -7,10 +7,10 @@
 
 #include "harness/stress/faults/fault_rows.h"
 #include "harness/stress/faults/faults_record.h"
-#include "reference/process/process.h"
-#include "scenes/text/test_folder.h"
+#include "scenes/base/process.h"
+#include "scenes/files/test_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_stress_faults {
 namespace {
 
 namespace fs = std::filesystem;
@@ -105,4 +105,4 @@ TEST_F(Faults, refuse_what_they_do_not_know_in_one_line) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_stress_faults

@@ -14,13 +14,13 @@
 #include <system_error>
 #include <thread>
 
-#include "reference/process/process.h"
-#include "scenes/text/input_error.h"
-#include "scenes/text/timer.h"
+#include "scenes/base/input_error.h"
+#include "scenes/base/process.h"
+#include "scenes/base/timer.h"
 
 extern char** environ;
 
-namespace photonproof {
+namespace photonproof::inline harness_stress_faults {
 namespace {
 
 namespace fs = std::filesystem;
@@ -133,4 +133,4 @@ bool runs_with(const std::string& text) {
   return false;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_stress_faults

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace photonproof {
+namespace photonproof::inline harness_stress_faults {
 
 /// How a process ended.
 struct VictimEnd {
@@ -51,4 +51,4 @@ class Victim {
 /// Whether a process of this machine has the text in its command line.
 bool runs_with(const std::string& text);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_stress_faults

@@ -8,15 +8,15 @@
 
 #include "harness/statistics/batch_means.h"
 #include "harness/stress/faults/work_inputs.h"
-#include "reference/process/process.h"
 #include "reference/store/reference_store.h"
 #include "reports/record/results.h"
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/file_checksum.h"
-#include "scenes/text/input_error.h"
-#include "scenes/text/size_text.h"
+#include "scenes/base/input_error.h"
+#include "scenes/base/process.h"
+#include "scenes/base/size_text.h"
+#include "scenes/files/atomic_file.h"
+#include "scenes/files/file_checksum.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_stress_faults {
 namespace {
 
 namespace fs = std::filesystem;
@@ -197,4 +197,4 @@ std::vector<std::string> with_environment(const std::vector<std::string>& variab
   return words;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_stress_faults

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace photonproof {
+namespace photonproof::inline harness_stress_faults {
 
 /// Where a work is done.
 struct WorkPlace {
@@ -43,4 +43,4 @@ std::vector<std::string> finished_twice(const FinishedParts& parts);
 std::vector<std::string> with_environment(const std::vector<std::string>& variables,
                                           const std::vector<std::string>& command);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_stress_faults

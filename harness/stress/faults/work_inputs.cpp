@@ -1,10 +1,10 @@
 #include "harness/stress/faults/work_inputs.h"
 
 #include "harness/stress/stage.h"
-#include "scenes/text/atomic_file.h"
+#include "scenes/files/atomic_file.h"
 #include "scenes/xml/writer.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_stress_faults {
 namespace {
 
 namespace fs = std::filesystem;
@@ -108,4 +108,4 @@ void write_work_inputs(const fs::path& inputs) {
   write_submission(inputs / "pupil", "somebody's, of other bytes");
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_stress_faults

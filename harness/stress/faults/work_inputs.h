@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-namespace photonproof {
+namespace photonproof::inline harness_stress_faults {
 
 /// Pixels of every image but those of `render`.
 inline constexpr int work_width = 16, work_height = 16;
@@ -11,4 +11,4 @@ inline constexpr int work_width = 16, work_height = 16;
 /// All but the scene's reference. The folder exists.
 void write_work_inputs(const std::filesystem::path& inputs);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_stress_faults

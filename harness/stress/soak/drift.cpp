@@ -8,7 +8,7 @@
 
 #include "harness/statistics/student.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_stress_soak {
 namespace {
 
 constexpr double tail = 0.001;
@@ -65,4 +65,4 @@ Drift drift_of(std::span<const double> values, double bound) {
   return drift;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_stress_soak

@@ -11,7 +11,7 @@
 
 #include "reports/record/results.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_stress_soak {
 
 /// flat: growth above the bound would have been seen, and none was; grows: it is certain, and may be above the bound;
 /// unclear: neither can be said.
@@ -31,4 +31,4 @@ inline constexpr std::size_t least_drift_values = 5;
 /// `bound`: a growth a step that is too small to matter. Values are one a step, of equal distance.
 Drift drift_of(std::span<const double> values, double bound);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_stress_soak

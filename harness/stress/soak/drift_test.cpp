@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-namespace photonproof {
+namespace photonproof::inline harness_stress_soak {
 namespace {
 
 using enum DriftVerdict;
@@ -67,4 +67,4 @@ TEST(Drift, that_noise_hides_is_unclear) { EXPECT_GE(called(unclear, 25, 0, 1, 0
 TEST(Drift, is_not_called_of_values_that_only_wander) { EXPECT_LE(called(grows, 40, 0, 1, 0.0001, 0.7), 20); }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_stress_soak

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/json_text.h"
+#include "scenes/base/json_text.h"
+#include "scenes/files/atomic_file.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_stress_soak {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -90,4 +90,4 @@ void write_soak_record(const SoakRecord& record, const std::filesystem::path& fi
   write_file_atomically(file, json_text(json) + "\n");
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_stress_soak

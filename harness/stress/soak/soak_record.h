@@ -8,7 +8,7 @@
 
 #include "harness/stress/soak/drift.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_stress_soak {
 
 /// One quantity over the cycles of a soak.
 struct SoakSeries {
@@ -46,4 +46,4 @@ std::string soak_sentence(const SoakRecord& record);
 
 void write_soak_record(const SoakRecord& record, const std::filesystem::path& file);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_stress_soak

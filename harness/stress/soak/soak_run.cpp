@@ -10,15 +10,15 @@
 #include "harness/cells/host.h"
 #include "harness/cells/side_by_side.h"
 #include "harness/stress/soak/soak_scenes.h"
-#include "reference/process/process.h"
 #include "reference/store/reference_store.h"
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/file_checksum.h"
-#include "scenes/text/input_error.h"
-#include "scenes/text/json_text.h"
-#include "scenes/text/timer.h"
+#include "scenes/base/input_error.h"
+#include "scenes/base/json_text.h"
+#include "scenes/base/process.h"
+#include "scenes/base/timer.h"
+#include "scenes/files/atomic_file.h"
+#include "scenes/files/file_checksum.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_stress_soak {
 namespace {
 
 namespace fs = std::filesystem;
@@ -261,4 +261,4 @@ SoakRecord run_soak(const SoakOptions& options) {
   return Soak(options).run();
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_stress_soak

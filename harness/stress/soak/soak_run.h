@@ -11,7 +11,7 @@
 
 #include "harness/stress/soak/soak_record.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_stress_soak {
 
 /// A way to render: an integrator, or one of its ways.
 struct SoakMethod {
@@ -40,4 +40,4 @@ SoakRecord run_soak(const SoakOptions& options);
 void soak_within(const std::filesystem::path& folder,
                  const std::function<void(const std::vector<std::string>& arguments)>& render);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_stress_soak

@@ -5,10 +5,10 @@
 #include <stdexcept>
 
 #include "harness/stress/stage.h"
-#include "scenes/text/atomic_file.h"
+#include "scenes/files/atomic_file.h"
 #include "scenes/xml/writer.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_stress_soak {
 namespace {
 
 namespace fs = std::filesystem;
@@ -33,4 +33,4 @@ std::vector<SoakScene> write_soak_scenes(const fs::path& folder) {
   return scenes;
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_stress_soak

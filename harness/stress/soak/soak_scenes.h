@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace photonproof {
+namespace photonproof::inline harness_stress_soak {
 
 struct SoakScene {
   std::string name;
@@ -16,4 +16,4 @@ struct SoakScene {
 /// Writes them, with what they need, to a folder that exists.
 std::vector<SoakScene> write_soak_scenes(const std::filesystem::path& folder);
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_stress_soak

@@ -6,11 +6,11 @@
 #include <nlohmann/json.hpp>
 
 #include "harness/stress/soak/soak_run.h"
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/file_checksum.h"
-#include "scenes/text/json_text.h"
+#include "scenes/base/json_text.h"
+#include "scenes/files/atomic_file.h"
+#include "scenes/files/file_checksum.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_stress_soak {
 namespace {
 
 double resident_bytes() {
@@ -55,4 +55,4 @@ void soak_within(const std::filesystem::path& folder,
   write_file_atomically(folder / "within-samples.json", json_text(samples) + "\n");
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_stress_soak

@@ -9,10 +9,10 @@
 
 #include "harness/stress/soak/drift.h"
 #include "harness/stress/soak/soak_run.h"
-#include "reference/process/process.h"
-#include "scenes/text/test_folder.h"
+#include "scenes/base/process.h"
+#include "scenes/files/test_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_stress_soak {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -102,4 +102,4 @@ TEST_F(Soak, refuses_what_it_does_not_know_in_one_line) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_stress_soak

@@ -11,11 +11,11 @@
 #include "harness/verbs/scene_options.h"
 #include "harness/verbs/verbs.h"
 #include "reference/cycles/cycles_engine.h"
+#include "scenes/base/json_text.h"
 #include "scenes/description/output_files.h"
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/json_text.h"
+#include "scenes/files/atomic_file.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verbs_engines {
 namespace {
 
 struct CyclesArguments {
@@ -92,4 +92,4 @@ void add_cycles_verb(CLI::App& program, int& exit_code) {
   });
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verbs_engines

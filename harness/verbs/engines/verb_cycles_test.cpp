@@ -5,11 +5,11 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "reference/process/process.h"
+#include "scenes/base/process.h"
+#include "scenes/files/test_folder.h"
 #include "scenes/images/image.h"
-#include "scenes/text/test_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verbs_engines {
 namespace {
 
 namespace fs = std::filesystem;
@@ -98,4 +98,4 @@ TEST_F(VerbCycles, export_writes_the_script_where_the_name_ends_so) {
 }
 
 }  // namespace
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verbs_engines

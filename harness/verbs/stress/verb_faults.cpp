@@ -13,10 +13,10 @@
 #include "harness/verbs/interrupt.h"
 #include "harness/verbs/verbs.h"
 #include "renderer/core/version.h"
-#include "scenes/text/input_error.h"
-#include "scenes/text/shell_text.h"
+#include "scenes/base/input_error.h"
+#include "scenes/base/shell_text.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verbs_stress {
 namespace {
 
 namespace fs = std::filesystem;
@@ -115,4 +115,4 @@ void add_faults_verb(CLI::App& program, int& exit_code) {
   add_bad_disk_verb(program, exit_code);
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verbs_stress

@@ -14,10 +14,10 @@
 #include "harness/verbs/verbs.h"
 #include "renderer/core/version.h"
 #include "renderer/integrators/integrator.h"
-#include "scenes/text/input_error.h"
-#include "scenes/text/shell_text.h"
+#include "scenes/base/input_error.h"
+#include "scenes/base/shell_text.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verbs_stress {
 namespace {
 
 namespace fs = std::filesystem;
@@ -117,4 +117,4 @@ void add_soak_verb(CLI::App& program, int& exit_code) {
   verb->callback([arguments, &exit_code] { exit_code = soak(*arguments); });
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verbs_stress

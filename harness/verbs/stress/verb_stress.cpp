@@ -16,12 +16,12 @@
 #include "renderer/core/version.h"
 #include "renderer/integrators/integrator.h"
 #include "reports/stress/stress_view.h"
-#include "scenes/text/atomic_file.h"
-#include "scenes/text/input_error.h"
-#include "scenes/text/scratch_folder.h"
-#include "scenes/text/shell_text.h"
+#include "scenes/base/input_error.h"
+#include "scenes/base/shell_text.h"
+#include "scenes/files/atomic_file.h"
+#include "scenes/files/scratch_folder.h"
 
-namespace photonproof {
+namespace photonproof::inline harness_verbs_stress {
 namespace {
 
 namespace fs = std::filesystem;
@@ -146,4 +146,4 @@ void add_stress_verb(CLI::App& program, int& exit_code) {
   verb->callback([arguments, &exit_code] { exit_code = stress(*arguments); });
 }
 
-}  // namespace photonproof
+}  // namespace photonproof::inline harness_verbs_stress

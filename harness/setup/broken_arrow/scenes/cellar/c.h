@@ -1,2 +1,3 @@
 // What a lower room may not.
 #include "scenes/attic/a.h"
+namespace photonproof {

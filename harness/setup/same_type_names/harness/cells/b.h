@@ -1,6 +1,0 @@
-namespace photonproof {
-namespace {
-struct Once {};
-}  // namespace
-class Twice {};
-}  // namespace photonproof

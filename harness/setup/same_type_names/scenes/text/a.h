@@ -1,4 +1,0 @@
-// What type_names.py must refuse.
-namespace photonproof {
-struct Twice {};
-}  // namespace photonproof

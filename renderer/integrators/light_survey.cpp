@@ -1,0 +1,300 @@
+// Camera paths with light sampling at every vertex give the routes of all light but that which a light without size
+// sends into a delta first; light paths joined to the camera give that, too, where a vertex that scatters is seen.
+// Where it is seen in a mirror or through glass neither does: what light paths leave in a cell of space is then taken
+// to be spread over the cell's face, and camera paths that arrive there by deltas alone see it. A route adds to what
+// every integrator misses that cannot find it (light_routes.h).
+
+#include "renderer/integrators/light_survey.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "renderer/lanes/roulette.h"
+#include "renderer/planning/light_routes.h"
+#include "renderer/scalar/scalar_tracer.h"
+
+namespace photonproof::inline renderer_integrators {
+namespace {
+
+constexpr Stream survey_camera_stream{22}, survey_light_stream{23};
+
+/// Paths from either end.
+constexpr std::uint64_t survey_paths = 4096;
+/// Where next to nothing is absorbed paths are long.
+constexpr std::uint32_t most_edges = 256, roulette_from = 4;
+/// A part of the image's light: a smaller loss is below what bounds and references see, and needs no warning.
+constexpr double least_share = 5e-4;
+/// A third in a row changes nothing for any integrator.
+constexpr char twice[] = {turn::scatters, turn::scatters, 0};
+/// Cells along the radius of the scene's ball.
+constexpr float cells_a_radius = 16;
+
+namespace survey_dimension {
+constexpr std::uint32_t in_pixel = 0, lens = 1, light = 2, position = 3, direction = 4;
+constexpr std::uint32_t first_vertex = 8, of_vertex = 6, segment = 0x80000000u;
+enum What : std::uint32_t { layer, lobe, next, light_choice, light_point, roulette };
+constexpr std::uint32_t at_vertex(std::uint32_t edges, What what) { return first_vertex + edges * of_vertex + what; }
+}  // namespace survey_dimension
+
+double brightness(const Rgb& v) { return (double{v.x} + double{v.y} + double{v.z}) / 3; }
+
+/// The part of what leaves a vertex along `wo`, from `wi`, that photons are looked up for.
+double looked_up_share(const Interaction& at, const Vec3f& wo, const Vec3f& wi, const RoughLimit& limit) {
+  const Vec3f wo_local = at.scattering.frame.to_local(wo), wi_local = at.scattering.frame.to_local(wi);
+  return std::visit(
+      [&]<class Record>(const Record& bsdf) -> double {
+        if constexpr (CanBeRough<Record, float>)
+          return bsdf.is_rough(limit) ? brightness(bsdf.rough_share(limit, wo_local, wi_local)) : 0;
+        else
+          return Record::is_lambertian ? 1 : 0;
+      },
+      at.bsdf);
+}
+
+class LightSurvey : ScalarTracer {
+ public:
+  LightSurvey(const Scene& scene, const PathLimits& limits)
+      : ScalarTracer(scene, limits, std::int64_t{scene.width} * scene.height),
+        cell_(lights_->ball().radius / cells_a_radius) {
+    scatters_in_media_ = std::ranges::any_of(scene.media.media, [](const Medium& m) { return m.scatters; });
+  }
+
+  /// Adds what all paths bring.
+  void run() {
+    for (std::uint64_t i = 0; i < survey_paths; ++i) {
+      if (!scatters_in_media_) trace_from_camera(draws_of_history(SamplerKind::sobol, 0, survey_camera_stream, i));
+      if (lights_->count() > 0) trace_from_light(draws_of_history(SamplerKind::sobol, 0, survey_light_stream, i));
+    }
+    add_what_is_seen_of_cells();
+  }
+
+  /// A part of all light; nothing where there is none.
+  std::optional<double> share_lost_by(const LightFinder& finder) const {
+    if (!(whole_ > 0)) return std::nullopt;
+    return lost_[static_cast<std::size_t>(&finder - light_finders().data())] / whole_;
+  }
+  bool scatters_in_media() const { return scatters_in_media_; }
+
+ private:
+  using Cell = std::array<std::int64_t, 4>;
+  /// The light that light paths leave there, and the weight with which camera paths arrive, all by deltas alone.
+  struct Meeting {
+    struct {
+      double thrown = 0, seen = 0;
+    } bent{}, straight{};  ///< by some mirror or glass on the way, or by none
+  };
+
+  void add(bool from_point, const std::string& from_light, double light) {
+    if (!std::isfinite(light) || !(light > 0)) return;
+    whole_ += light;
+    add_to_lost({from_point, from_light}, light);
+  }
+  void add_to_lost(const LightRoute& route, double light) {
+    for (std::size_t i = 0; i < lost_.size(); ++i)
+      if (!light_finders()[i].finds(route)) lost_[i] += light;
+  }
+
+  /// A turn where two directions meet is by the part that photons are looked up for, or by the rest.
+  void add_turn(bool from_point, const std::string& before, const std::string& behind, double looked_up, double light) {
+    add(from_point, before + turn::scatters + behind, light * looked_up);
+    add(from_point, before + turn::glitters + behind, light * (1 - looked_up));
+  }
+
+  Cell cell_at(const Interaction& at) const {
+    const auto along = [&](float x) { return static_cast<std::int64_t>(std::floor(double{x} / double{cell_})); };
+    return {along(at.p.x), along(at.p.y), along(at.p.z), at.surface};
+  }
+
+  char turn_of(const Interaction& at, const Scattered& next, const Vec3f& wo) const {
+    if (next.straight) return turn::goes_straight;
+    if (next.delta) return turn::is_thrown;
+    return looked_up_share(at, wo, next.wi, world_.view().rough_limit) > 0.5 ? turn::scatters : turn::glitters;
+  }
+
+  /// False where roulette ends it.
+  static bool goes_on(const Draws& draws, std::uint32_t edges, float first, Rgb& throughput) {
+    if (!(max_component(throughput) > 0)) return false;
+    if (edges < roulette_from) return true;
+    const float q = std::min(0.95f, max_component(throughput) / first);
+    if (draws.one(survey_dimension::at_vertex(edges, survey_dimension::roulette)) >= q) return false;
+    throughput *= 1 / q;
+    return true;
+  }
+
+  Rgb arriving(const Interaction& at, const Vec3f& back, const SegmentEnd& to, Surroundings around,
+               const Draws& draws) const {
+    around.leave(world_, at, back, to.p - at.p);
+    return transmittance(world_, end_at(at), to, around, {}, draws, survey_dimension::segment);
+  }
+
+  void trace_from_camera(const Draws& draws) {
+    const int width = world_.scene().width, height = world_.scene().height;
+    const Vec2<float> place = draws.two(survey_dimension::light);
+    const int x = std::min(width - 1, static_cast<int>(place.x * static_cast<float>(width)));
+    const int y = std::min(height - 1, static_cast<int>(place.y * static_cast<float>(height)));
+    std::optional<Ray> ray = camera_.ray(x, y, draws, 0, survey_dimension::in_pixel, draws.two(survey_dimension::lens));
+    if (!ray) return;
+    Rgb throughput(1.0f);
+    Surroundings around = around_camera_;
+    bool sampled = false;   // whether light sampling at the vertex before has found this light, too
+    bool by_deltas = true;  // alone, so far
+    std::string turns;      // from the light
+    for (std::uint32_t edges = 1; within(edges) && edges <= most_edges; ++edges) {
+      const auto draw = [&](survey_dimension::What what) { return survey_dimension::at_vertex(edges, what); };
+      Interaction at;
+      if (!travel(world_, *ray, around, draws.one(draw(survey_dimension::layer)), TransportMode::radiance, throughput,
+                  at) ||
+          (edges == 1 && camera_.beyond_far_plane(at.p))) {
+        if (!sampled && shows_lights(edges))
+          add(false, turns, brightness(throughput * lights_->environment_radiance(ray->direction)));
+        return;
+      }
+      const Vec3f wo = -ray->direction;
+      if (at.light != no_index && !sampled && shows_lights(edges))
+        add(false, turns, brightness(throughput * lights_->radiance(at.light, lights_.point(at), wo)));
+      if (!within(edges + 1)) return;
+      if (has_smooth(at.bsdf)) {
+        if (by_deltas && !turns.empty()) {
+          Meeting& here = meetings_[cell_at(at)];
+          (is_bent(turns) ? here.bent : here.straight).seen += brightness(throughput);
+        }
+        add_direct_light(at, wo, throughput, around, turns, draws, edges);
+      }
+      const Scattered next = scatter(at, wo, draws.one(draw(survey_dimension::lobe)),
+                                     draws.two(draw(survey_dimension::next)), TransportMode::radiance);
+      if (!next.valid) return;
+      throughput *= next.weight;
+      if (!goes_on(draws, edges, 1, throughput)) return;
+      if (const char t = turn_of(at, next, wo); t != turn::scatters || !turns.starts_with(twice))
+        turns.insert(turns.begin(), t);
+      sampled = !next.delta;
+      by_deltas = by_deltas && next.delta;
+      around.leave(world_, at, wo, next.wi);
+      ray = world_.leave(at, next.wi);
+    }
+  }
+
+  void add_direct_light(const Interaction& at, const Vec3f& wo, const Rgb& throughput, const Surroundings& around,
+                        const std::string& turns, const Draws& draws, std::uint32_t edges) {
+    const LightSeen seen =
+        lights_->sample(at.p, draws.one(survey_dimension::at_vertex(edges, survey_dimension::light_choice)),
+                        draws.two(survey_dimension::at_vertex(edges, survey_dimension::light_point)));
+    if (!(seen.pdf > 0)) return;
+    const Rgb value = throughput * evaluate(at, wo, seen.wi, TransportMode::radiance) * seen.radiance * (1 / seen.pdf);
+    if (!(max_component(value) > 0)) return;
+    add_turn(seen.is_delta, "", turns, looked_up_share(at, wo, seen.wi, world_.view().rough_limit),
+             brightness(value * arriving(at, wo, lights_.end(seen), around, draws)));
+  }
+
+  /// Follows a light without size, as far as its first surface throws it on.
+  void trace_from_light(const Draws& draws) {
+    const LightStart start = lights_->emit(draws.one(survey_dimension::light), draws.two(survey_dimension::position),
+                                           draws.two(survey_dimension::direction));
+    Rgb throughput = start.flux * arriving_from_infinity(world_, start.is_infinite, outer_);
+    if (scatters_in_media_) whole_ += brightness(start.flux);
+    if (!start.is_delta || !(max_component(throughput) > 0)) return;
+    const float first = max_component(throughput);
+    Ray ray = first_ray(start);
+    Surroundings around = surroundings_at(world_, start.at.p, outer_);
+    std::string turns;
+    for (std::uint32_t edges = 1; within(edges + 1) && edges <= most_edges; ++edges) {
+      const auto draw = [&](survey_dimension::What what) { return survey_dimension::at_vertex(edges, what); };
+      if (is_bent(turns) && is_in_fog(around)) return add_to_fog(turns, throughput);
+      Interaction at;
+      if (!travel(world_, ray, around, draws.one(draw(survey_dimension::layer)), TransportMode::importance, throughput,
+                  at))
+        return;
+      const Vec3f to_light = -ray.direction;
+      if (!turns.empty() && has_smooth(at.bsdf)) {
+        if (scatters_in_media_) return add_to_fog(turns, throughput);
+        if (turns.find_first_of({turn::scatters, turn::glitters}) == std::string::npos) {
+          Meeting& here = meetings_[cell_at(at)];
+          (is_bent(turns) ? here.bent : here.straight).thrown += brightness(throughput);
+        }
+        join_camera(at, to_light, throughput, around, turns, draws, edges);
+      }
+      const Scattered next = scatter(at, to_light, draws.one(draw(survey_dimension::lobe)),
+                                     draws.two(draw(survey_dimension::next)), TransportMode::importance);
+      if (!next.valid || (turns.empty() && !next.delta)) return;
+      throughput *= next.weight;
+      if (!goes_on(draws, edges, first, throughput)) return;
+      if (const char t = turn_of(at, next, to_light); t != turn::scatters || !turns.ends_with(twice)) turns += t;
+      around.leave(world_, at, to_light, next.wi);
+      ray = world_.leave(at, next.wi);
+    }
+  }
+
+  bool shows_lights(std::uint32_t edges) const { return edges > 1 || !limits_.hide_emitters; }
+  static bool is_bent(const std::string& turns) { return turns.find(turn::is_thrown) != std::string::npos; }
+  bool is_in_fog(const Surroundings& around) const {
+    return around.medium() != no_index && world_.scene().media.media[around.medium()].scatters;
+  }
+  /// Where media scatter all of it counts that arrives somewhere: how much the camera sees of it is not known.
+  void add_to_fog(const std::string& turns, const Rgb& throughput) {
+    add_to_lost({true, turns + turn::scatters}, brightness(throughput));
+  }
+
+  void join_camera(const Interaction& at, const Vec3f& to_light, const Rgb& throughput, const Surroundings& around,
+                   const std::string& turns, const Draws& draws, std::uint32_t edges) {
+    const std::optional<CameraSeen> seen =
+        camera_.connect(at.p, draws.two(survey_dimension::at_vertex(edges, survey_dimension::light_point)));
+    if (!seen) return;
+    Interaction other;
+    const Interaction& from_there = world_.seen_from(at, seen->wi, other);
+    const Rgb value = throughput * evaluate(from_there, seen->wi, to_light, TransportMode::importance) * seen->density;
+    if (!(max_component(value) > 0)) return;
+    add_turn(true, turns, "", looked_up_share(from_there, seen->wi, to_light, world_.view().rough_limit),
+             brightness(value * arriving(at, to_light, seen->end, around, draws)));
+  }
+
+  void add_what_is_seen_of_cells() {
+    constexpr double grey = 0.5;
+    const double of_flux = grey / (double{pi} * double{cell_} * double{cell_} * static_cast<double>(survey_paths));
+    for (const auto& [cell, at] : meetings_)
+      for (const auto& [thrown, first] :
+           {std::pair{at.bent.thrown, turn::is_thrown}, {at.straight.thrown, turn::goes_straight}})
+        for (const auto& [seen, last] :
+             {std::pair{at.bent.seen, turn::is_thrown}, {at.straight.seen, turn::goes_straight}})
+          add(true, {first, turn::scatters, last}, seen * thrown * of_flux);
+  }
+
+  float cell_;
+  bool scatters_in_media_ = false;
+  double whole_ = 0;                                                        ///< sum over paths
+  std::vector<double> lost_ = std::vector<double>(light_finders().size());  ///< to each of them
+  std::map<Cell, Meeting> meetings_;
+};
+
+const LightFinder* finder_named(const std::string& integrator) {
+  const auto found = std::ranges::find(light_finders(), integrator, &LightFinder::integrator);
+  return found != light_finders().end() ? &*found : nullptr;
+}
+
+}  // namespace
+
+bool may_lose_light(const SceneFacts& facts, const std::string& integrator) {
+  const LightFinder* finder = finder_named(integrator);
+  return finder != nullptr && facts.lights > 0 && facts.primitives > 0 &&
+         (!finder->needs_point || facts.any_delta_light) && (!finder->needs_delta || facts.any_delta_lobe);
+}
+
+std::optional<LostLight> light_lost_by(const std::string& integrator, const Scene& scene, const PathLimits& limits) {
+  const LightFinder* finder = finder_named(integrator);
+  if (finder == nullptr) return std::nullopt;
+  LightSurvey survey(scene, limits);
+  survey.run();
+  const std::optional<double> share = survey.share_lost_by(*finder);
+  if (!share || *share < least_share) return std::nullopt;
+  LostLight lost{integrator, std::string(finder->misses), survey.scatters_in_media() ? 0 : *share};
+  for (const LightFinder& other : light_finders())
+    if (survey.share_lost_by(other).value_or(0) < least_share) lost.finders.emplace_back(other.integrator);
+  return lost;
+}
+
+}  // namespace photonproof::inline renderer_integrators

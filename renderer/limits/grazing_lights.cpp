@@ -1,0 +1,185 @@
+#include "renderer/limits/grazing_lights.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "renderer/lights/light.h"
+#include "renderer/limits/surface_faces.h"
+
+namespace photonproof::inline renderer_limits {
+namespace {
+
+/// What a number in single precision may be off by, as a part of it.
+constexpr double half_step = 0x1p-24;
+/// Of a cosine: what may be lost without a word.
+constexpr double least_loss = 1e-3;
+
+Extent extent_of_lamp(const LightBounds& bounds) { return {Vec3d(bounds.low), Vec3d(bounds.high)}; }
+
+/// A lamp that is small, and how it grazes the surfaces near it.
+struct LowLamp {
+  Vec3d at;
+  double within;  ///< how far away a surface may be
+  LightBounds bounds;
+  GrazingLight worst;
+};
+
+class LowLamps {
+ public:
+  /// `reach`: how far from the origin most of what is lit lies.
+  explicit LowLamps(double reach) : reach_(reach) {}
+
+  /// Before any surface is looked at.
+  void add(std::size_t light, const LightBounds& bounds) {
+    const Extent lamp = extent_of_lamp(bounds);
+    const Vec3d at = lamp.middle();
+    const double size = largest_coordinate(lamp.high - lamp.low) * 0.5;
+    const double within = half_step * std::numbers::sqrt3 * std::max(largest_coordinate(at), reach_) / least_loss;
+    if (size < within) lamps_.push_back({at, within, bounds, {light, false, 0, 0}});
+  }
+
+  bool empty() const { return lamps_.empty(); }
+
+  PlacesByX<LowLamp> places() { return PlacesByX<LowLamp>(lamps_); }
+
+  void tell(std::vector<GrazingLight>& found) const {
+    for (const LowLamp& lamp : lamps_)
+      if (lamp.worst.rounding > 0) found.push_back(lamp.worst);
+  }
+
+  void compare(LowLamp& lamp, const Vec3d& point, Vec3d normal) const {
+    const Vec3d apart = lamp.at - point;
+    const double height = length(apart), lost = rounding(point, normal);
+    if (!(height > 0) || !(lost > least_loss * height)) return;
+    if (height > lost ? dot(apart, normal) < 0 : dot(Vec3d(lamp.bounds.axis), normal) < 0) normal = -normal;
+    if (!shines_below(lamp.bounds, normal)) return;
+    if (lost / height <= lamp.worst.loss()) return;
+    lamp.worst.height = height;
+    lamp.worst.rounding = lost;
+  }
+
+ private:
+  /// What rounding of both may change of the height of `at` above the plane through `point`: nothing along axes that
+  /// the plane is across and goes through the origin of.
+  double rounding(const Vec3d& point, const Vec3d& normal) const {
+    const auto along = [&](double n, double other, double another, double p) {
+      return std::abs(n) * std::max(std::abs(p), std::hypot(other, another) * reach_);
+    };
+    return half_step * (along(normal.x, normal.y, normal.z, point.x) + along(normal.y, normal.z, normal.x, point.y) +
+                        along(normal.z, normal.x, normal.y, point.z));
+  }
+
+  static bool shines_below(const LightBounds& bounds, const Vec3d& up) {
+    constexpr double slack = 2e-3;
+    return angle_between(bounds.axis, Vec3f(-up)) < pi / 2 + bounds.spread + bounds.emission - slack;
+  }
+
+  double reach_;
+  std::vector<LowLamp> lamps_;
+};
+
+/// Light from one side, and lamps that are so far away that theirs is.
+class GrazingBeams {
+ public:
+  explicit GrazingBeams(double reach) : reach_(reach) {}
+
+  /// Lamps so many times as far away as most of what is lit shine from one side.
+  static constexpr double far_away = 256;
+
+  void add(std::size_t light, const Vec3d& direction) { beams_.push_back({direction, 0, {light, true, 0, 0}}); }
+  bool empty() const { return beams_.empty(); }
+
+  void look_at(const Surface& surface) {
+    const double most_area = far_away * reach_ * reach_;
+    if (const auto* plane = std::get_if<Plane>(&surface.geometry)) compare(plane->normal, most_area);
+    if (const auto* disk = std::get_if<Disk>(&surface.geometry))
+      compare(Vec3d(disk->normal), double{pi} * length(Vec3d(cross(disk->axis_x, disk->axis_y))));
+    constexpr std::size_t most_triangles = 4096;
+    const bool is_copy = std::holds_alternative<MeshInstance>(surface.geometry);
+    if (is_copy && mesh_of(surface.geometry)->triangle_count() > most_triangles) return;
+    for_each_face(surface, [&](const FlatFace& face) {
+      const Vec3d across = cross(face.u, face.v);
+      const double area = length(across);
+      if (area > 0) compare(across * (1 / area), std::min(face.is_triangle ? 0.5 * area : area, most_area));
+    });
+  }
+
+  void tell(std::vector<GrazingLight>& found) const {
+    // Less does not show beside what is lit at larger angles.
+    constexpr double least_share = 0.5;
+    for (const Beam& beam : beams_)
+      if (beam.grazed > 0 && beam.grazed >= least_share * area_) found.push_back(beam.worst);
+  }
+
+ private:
+  struct Beam {
+    Vec3d direction;
+    double grazed;  ///< area of faces
+    GrazingLight worst;
+  };
+
+  void compare(const Vec3d& n, double area) {
+    area_ += area;
+    for (Beam& beam : beams_) {
+      const Vec3d& d = beam.direction;
+      const double sine = std::abs(dot(n, d));
+      if (!(sine > 0)) continue;
+      const double lost = 2 * half_step * (std::abs(n.x * d.x) + std::abs(n.y * d.y) + std::abs(n.z * d.z));
+      if (!(lost > least_loss * sine)) continue;
+      beam.grazed += area;
+      if (lost / sine <= beam.worst.loss()) continue;
+      beam.worst.height = sine;
+      beam.worst.rounding = lost;
+    }
+  }
+
+  double reach_, area_ = 0;
+  std::vector<Beam> beams_;
+};
+
+}  // namespace
+
+std::vector<GrazingLight> grazing_lights(const SceneParts& scene) {
+  // What is lit and seen is about as far from the origin as the shapes or the camera are.
+  const double reach =
+      std::max(2 * double{scene.frame.coordinate_floor}, largest_coordinate(Vec3d(scene.camera.origin)));
+  LowLamps lamps(reach);
+  GrazingBeams beams(reach);
+  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+    if (const auto* beam = std::get_if<DirectionalLight<float>>(&scene.lights[i])) beams.add(i, Vec3d(beam->direction));
+    const std::optional<LightBounds> bounds = light_bounds(scene.lights[i]);
+    if (!bounds) continue;
+    const Extent lamp = extent_of_lamp(*bounds);
+    const Vec3d at = lamp.middle();
+    const double away = length(at);
+    if (away > GrazingBeams::far_away * reach && length(lamp.high - lamp.low) < least_loss * away)
+      beams.add(i, at * (1 / away));
+    else
+      lamps.add(i, *bounds);
+  }
+  std::vector<GrazingLight> found;
+  if (lamps.empty() && beams.empty()) return found;
+  const PlacesByX<LowLamp> places = lamps.places();
+  for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
+    const Surface& surface = scene.surfaces[i];
+    if (surface.light != no_index) continue;  // what it is lit by does not show beside its own light
+    if (!scene.bsdfs.any_leaf(surface.bsdf, [](const Bsdf& leaf, bool) { return has_smooth(leaf); })) continue;
+    places.look_at(surface, scene.boxes[i], [&](LowLamp& lamp, const Vec3d& point, const Vec3d& normal) {
+      lamps.compare(lamp, point, normalize(normal));
+    });
+    if (!beams.empty()) beams.look_at(surface);
+  }
+  lamps.tell(found);
+  beams.tell(found);
+  std::sort(found.begin(), found.end(), [](const GrazingLight& a, const GrazingLight& b) { return a.light < b.light; });
+  for (GrazingLight& light : found) {
+    if (light.from_one_side) continue;
+    light.height /= scene.frame.scale;
+    light.rounding /= scene.frame.scale;
+  }
+  return found;
+}
+
+}  // namespace photonproof::inline renderer_limits

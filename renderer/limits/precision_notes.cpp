@@ -1,0 +1,271 @@
+#include "renderer/limits/precision_notes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <optional>
+
+#include "renderer/limits/close_faces.h"
+#include "renderer/limits/grazing_lights.h"
+#include "renderer/limits/near_lamps.h"
+#include "renderer/scene/scene_focus.h"
+#include "renderer/shapes/cylinder.h"
+#include "renderer/shapes/extent.h"
+#include "renderer/shapes/shape.h"
+#include "renderer/shapes/sphere.h"
+
+namespace photonproof::inline renderer_limits {
+
+std::size_t surfaces_of(const ShapeDescription& shape) {
+  return std::visit([]<class Kind>(const Kind&) -> std::size_t { return Kind::surfaces; }, shape.geometry);
+}
+
+std::vector<SourceLoc> places_of_lights(const SceneDescription& description) {
+  std::vector<SourceLoc> places;
+  for (const ShapeDescription& shape : description.shapes)
+    if (shape.radiance) places.insert(places.end(), surfaces_of(shape), shape.loc);
+  for (const EmitterDescription& emitter : description.emitters) places.push_back(emitter.loc);
+  return places;
+}
+
+namespace {
+
+/// Below so many steps of a direction's coordinates a pixel's samples show it as stripes.
+constexpr double least_steps_a_pixel = 4;
+
+/// Of a film's pixel, about, as seen through the middle of a camera: radians.
+struct PixelAngle {
+  const FilmDescription& film;
+
+  double operator()(const PerspectiveDescription& camera) const {
+    return 2 * std::tan(camera.fov_degrees * std::numbers::pi / 360) / std::max(film.width, film.height);
+  }
+  double operator()(const ThinLensDescription& camera) const { return (*this)(camera.perspective); }
+  double operator()(const FisheyeDescription& camera) const {
+    return camera.fov_degrees * std::numbers::pi / 180 / std::min(film.width, film.height);
+  }
+  double operator()(const OrthographicDescription&) const { return std::numeric_limits<double>::infinity(); }
+};
+
+/// What rays from all over a lens may miss the point in focus by: this part of a pixel. And the most that the tangent
+/// of half a field of view may be, where a step of its outermost directions is a hundredth of their cosine.
+constexpr double part_of_a_pixel = 0.1, widest_tangent = 0.01 / float_step;
+
+void add_camera_notes(const SceneDescription& description, Notes& notes) {
+  const SensorDescription& sensor = description.sensor;
+  const double pixel = std::visit(PixelAngle{sensor.film}, sensor.camera);
+  if (pixel < least_steps_a_pixel * float_step)
+    notes.add(sensor.loc, "a pixel is " + short_number(pixel) +
+                              " radians wide, and directions in single precision are " + short_number(float_step) +
+                              " apart: what is so far away is seen better by an orthographic camera near it");
+  const auto* lens = std::get_if<ThinLensDescription>(&sensor.camera);
+  const auto* pinhole = lens != nullptr ? &lens->perspective : std::get_if<PerspectiveDescription>(&sensor.camera);
+  if (pinhole != nullptr && std::tan(pinhole->fov_degrees * std::numbers::pi / 360) > widest_tangent)
+    notes.add(sensor.loc, "the field of view is " + short_number(180 - pinhole->fov_degrees) +
+                              " degrees below 180, and directions in single precision are " + short_number(float_step) +
+                              " apart: what is seen at its edges may be elsewhere");
+  if (lens == nullptr) return;
+  // Of a direction's components each is rounded by so much of the largest; then it goes as far as the lens is wide.
+  const double slope = std::max(1.0, lens->aperture_radius / lens->focus_distance);
+  const double missed = lens->aperture_radius * slope * float_step, in_focus = pixel * lens->focus_distance;
+  if (missed > part_of_a_pixel * in_focus)
+    notes.add(sensor.loc, "rays through a lens of radius " + short_number(lens->aperture_radius) +
+                              " miss the point in focus by " + short_number(missed) +
+                              " in single precision, and a pixel is " + short_number(in_focus) + " wide there");
+}
+
+/// A cone narrower than so many steps of directions may be missed.
+constexpr double least_steps_a_cone = 16;
+
+void add_cone_notes(const SceneDescription& description, Notes& notes) {
+  for (const EmitterDescription& emitter : description.emitters) {
+    const auto* spot = std::get_if<SpotLightDescription>(&emitter.light);
+    if (spot == nullptr) continue;
+    const double angle = spot->cutoff_degrees * std::numbers::pi / 180;
+    if (angle < least_steps_a_cone * float_step)
+      notes.add(emitter.loc, "the cone is " + short_number(angle) +
+                                 " radians wide, and directions in single precision are " + short_number(float_step) +
+                                 " apart: its light may be missed");
+  }
+}
+
+/// Steps of a walk may be so many steps of its coordinates, and it may have so many before what is known of its
+/// light depends on a few that survive roulette.
+constexpr double least_steps_a_flight = 4, most_scatterings = 1e4;
+
+/// `reach` and `radius` of what it fills: how far its coordinates go, and half of its size; in the frame's unit.
+void add_notes_of_medium(const MediumDescription& medium, double scale, double reach, double radius, Notes& notes) {
+  const auto& fog = std::get<HomogeneousDescription>(medium.model);
+  const auto* lobe = std::get_if<HenyeyGreensteinDescription>(&fog.phase);
+  const double g = lobe != nullptr ? lobe->g : 0;
+  double densest = 0, scatterings = 0;
+  for (const auto& [sigma, albedo] :
+       {std::pair{fog.sigma_t.x, fog.albedo.x}, {fog.sigma_t.y, fog.albedo.y}, {fog.sigma_t.z, fog.albedo.z}}) {
+    if (!(albedo > 0)) continue;
+    const double extinction = sigma * fog.scale / scale, depth = extinction * radius;
+    densest = std::max(densest, extinction);
+    // Of a random walk to the middle, its steps correlated by g; and before it is absorbed.
+    scatterings = std::max(scatterings, std::min(0.5 * depth * depth * (1 - g), 1 / (1 - albedo)));
+  }
+  if (1 < least_steps_a_flight * float_step * reach * densest)
+    notes.add(medium.loc, "light goes " + short_number(1 / densest / scale) + " between its scatterings in '" +
+                              medium.id + "', where coordinates in single precision are " +
+                              short_number(float_step * reach / scale) + " apart: it may get nowhere");
+  else if (scatterings > most_scatterings)
+    notes.add(medium.loc, "light is scattered some " + short_number(scatterings) + " times on its way through '" +
+                              medium.id + "': few paths are followed so far, and the error may be more than they show");
+}
+
+void add_medium_notes(const SceneDescription& description, const SceneParts& scene, Notes& notes) {
+  if (description.media.empty()) return;
+  const double scale = scene.frame.scale;
+  struct Filled {
+    double reach = 0, radius = 0;
+  };
+  std::map<std::uint32_t, Filled> media;
+  const auto add = [&](const MediumIndex& medium, double reach, double radius) {
+    Filled& filled = media[medium.value];
+    filled = {std::max(filled.reach, reach), std::max(filled.radius, radius)};
+  };
+  const ShapeExtents extents(description);
+  for (const ShapeDescription& shape : description.shapes) {
+    if (!shape.interior) continue;
+    const Extent extent = extents.of(shape);
+    if (!extent.is_usable()) continue;
+    const Vec3d low = extent.low * scale + scene.frame.moved, high = extent.high * scale + scene.frame.moved;
+    add(*shape.interior, std::max(largest_coordinate(low), largest_coordinate(high)), 0.5 * length(high - low));
+  }
+  if (description.sensor.medium)
+    add(*description.sensor.medium, double{scene.ball.radius} + largest_coordinate(Vec3d(scene.ball.center)),
+        double{scene.ball.radius});
+  for (const auto& [medium, filled] : media)
+    add_notes_of_medium(description.media[medium], scale, filled.reach, filled.radius, notes);
+}
+
+/// What steps of coordinates may be of what is seen, and those of a lamp, which is far away where it is large.
+constexpr double part_of_what_is_seen = 1e-4, part_of_a_lamp = 0.01;
+/// And what edges may be off by.
+constexpr double part_of_a_view = 1e-3;
+
+void add_place_notes(const SceneDescription& description, const SceneFocus& focus, Notes& notes) {
+  const double place = largest_coordinate(focus.point);
+  if (place * double_step > part_of_what_is_seen * focus.size)
+    notes.add(description.sensor.loc, "what is seen is " + short_number(focus.size) + " large and lies at " +
+                                          short_number(place) + ", where coordinates in double precision are " +
+                                          short_number(place * double_step) + " apart");
+  for (const ShapeDescription& shape : description.shapes) {
+    const auto* ball = std::get_if<SphereDescription>(&shape.geometry);
+    const auto* pillar = std::get_if<CylinderDescription>(&shape.geometry);
+    if ((ball == nullptr && pillar == nullptr) || !shape.radiance) continue;
+    const Extent extent = ball != nullptr ? extent_of(*ball, shape.to_world) : extent_of(*pillar, shape.to_world);
+    const double reach = std::max(largest_coordinate(extent.low), largest_coordinate(extent.high));
+    if (reach * double_step > part_of_a_lamp * focus.size)
+      notes.add(shape.loc, "the lamp reaches to " + short_number(reach) +
+                               ", where coordinates in double precision are " + short_number(reach * double_step) +
+                               " apart: a constant emitter or a disk shines more exactly");
+  }
+}
+
+/// Faces so long that double precision does not know where they end, which is where one looks.
+void add_long_face_notes(const SceneDescription& description, const SceneFocus& focus, const SceneParts& scene,
+                         Notes& notes) {
+  const double size = focus.size * scene.frame.scale;
+  double longest = 0;
+  for (const Surface& surface : scene.surfaces)
+    if (surface.long_faces != nullptr)
+      for (const LongFace& face : *surface.long_faces) {
+        const double edge = std::max(length(face.edge_u), length(face.edge_v));
+        if (edge * long_face_margin > part_of_a_view * std::max(size, rim_distance(face)))
+          longest = std::max(longest, edge);
+      }
+  if (longest > 0)
+    notes.add(description.sensor.loc, "a face is " + short_number(longest / scene.frame.scale) +
+                                          " long and ends near what is seen, which is known to " +
+                                          short_number(longest * long_face_margin / scene.frame.scale) +
+                                          " in double precision");
+}
+
+void add_close_face_notes(const SceneDescription& description, const SceneParts& scene, Notes& notes) {
+  for (const CloseFaces& close : close_faces_of_glass(description, scene.frame))
+    notes.add(description.shapes[close.second].loc,
+              "a face of glass is " + short_number(close.apart) + " from one of the shape at " +
+                  description.where(description.shapes[close.first].loc) + ", and what is less than " +
+                  short_number(close.resolved) + " apart there light may take for one");
+}
+
+/// One for each lamp, or where they are many for the first ones and their number.
+template <class LampFound, class Text>
+void add_notes_of_lamps(const SceneDescription& description, const std::vector<LampFound>& lamps, Notes& notes,
+                        const Text& text) {
+  constexpr std::size_t most = 16;
+  if (lamps.empty()) return;
+  const std::vector<SourceLoc> places = places_of_lights(description);
+  for (std::size_t i = 0; i < lamps.size() && i < most; ++i)
+    notes.add(places[lamps[i].light],
+              text(lamps[i]) +
+                  (i + 1 == most && lamps.size() > most
+                       ? "; it is alike with " + std::to_string(lamps.size() - most) + " more lamps after this one"
+                       : ""));
+}
+
+void add_grazing_notes(const SceneDescription& description, const SceneParts& scene, Notes& notes) {
+  add_notes_of_lamps(description, grazing_lights(scene), notes, [](const GrazingLight& light) {
+    const std::string height = short_number(light.height);
+    return (light.from_one_side ? "the light's angle to a face has the sine " + height
+                                : "the lamp is " + height + " above a surface") +
+           ", which single precision knows to " + short_number(light.rounding) + ": light that grazes it there " +
+           (light.loss() < 1 ? "may be off by " + short_number(100 * light.loss()) + " %" : "is not known");
+  });
+}
+
+void add_hidden_lamp_notes(const SceneDescription& description, const SceneParts& scene, Notes& notes) {
+  add_notes_of_lamps(description, lamps_above_spots(scene, 0), notes, [](const NearLamp&) -> std::string {
+    return "the lamp lies in a surface: integrators differ in whether it lights it";
+  });
+  add_notes_of_lamps(description, lamps_on_surfaces(scene), notes, [](const NearLamp& lamp) {
+    return "the lamp is " + short_number(lamp.height) + " from a surface, and what is less than " +
+           short_number(lamp.resolved) + " apart there rays take for one: either may hide the other";
+  });
+}
+
+/// Fewer camera paths in a spot than these, over the whole image, do not tell pixels and blocks how much they miss.
+constexpr double least_paths_a_spot = 1000;
+
+}  // namespace
+
+void add_precision_notes(const SceneDescription& description, const SceneParts& scene, Notes& notes) {
+  add_camera_notes(description, notes);
+  add_cone_notes(description, notes);
+  add_medium_notes(description, scene, notes);
+  if (const std::optional<SceneFocus> focus = scene_focus(description)) {
+    add_place_notes(description, *focus, notes);
+    add_long_face_notes(description, *focus, scene, notes);
+  }
+  add_close_face_notes(description, scene, notes);
+  add_grazing_notes(description, scene, notes);
+  add_hidden_lamp_notes(description, scene, notes);
+}
+
+std::vector<SceneNote> notes_on_missed_spots(const SceneDescription& description, const SceneParts& scene,
+                                             double camera_paths) {
+  Notes notes(description);
+  const std::optional<SceneFocus> focus = scene_focus(description);
+  if (!focus || !(camera_paths > 0)) return {};
+  // A point's irradiance at r from the foot of its height h falls as (r^2 + h^2)^-1.5: its square as if it were even
+  // over an area of 8 pi h^2.
+  const double area = focus->size * focus->size, spot = 8 * std::numbers::pi;
+  const double highest = std::sqrt(least_paths_a_spot * area / (spot * camera_paths));
+  const std::vector<NearLamp> low = lamps_above_spots(scene, std::min(highest, 0.1 * focus->size));
+  add_notes_of_lamps(description, low, notes, [&](const NearLamp& lamp) {
+    return "the lamp is " + short_number(lamp.height) + " above a surface, which it lights most in a spot that " +
+           short_number(camera_paths * spot * lamp.height * lamp.height / area) + " of " + short_number(camera_paths) +
+           " camera paths meet: the variance may not know what they miss, and integrators that trace light paths, too, "
+           "find it";
+  });
+  return std::move(notes.made);
+}
+
+}  // namespace photonproof::inline renderer_limits

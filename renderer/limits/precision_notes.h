@@ -1,0 +1,23 @@
+// Notes on what is too near, far, narrow or wide for the precision of numbers or for the paths that are traced.
+#pragma once
+
+#include <vector>
+
+#include "renderer/limits/notes.h"
+
+namespace photonproof::inline renderer_limits {
+
+/// Cameras and media first, then places, faces and lamps.
+void add_precision_notes(const SceneDescription& description, const SceneParts& scene, Notes& notes);
+
+/// Of small lamps just above a surface, whose brightest spot so many camera paths may miss: for integrators that find
+/// lamps from the camera's paths alone.
+std::vector<SceneNote> notes_on_missed_spots(const SceneDescription& description, const SceneParts& scene,
+                                             double camera_paths);
+
+/// Of each of the scene's lights: those of the shapes, one a surface, and then the emitters.
+std::vector<SourceLoc> places_of_lights(const SceneDescription& description);
+/// The number of surfaces that a shape becomes, each a light where the shape emits.
+std::size_t surfaces_of(const ShapeDescription& shape);
+
+}  // namespace photonproof::inline renderer_limits

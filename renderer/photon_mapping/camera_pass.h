@@ -1,0 +1,75 @@
+// The camera's half of a pass of the photon mapper: paths to their first diffuse surfaces, and what the maps' photons
+// bring to where they end.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "renderer/passes/render_loop.h"
+#include "renderer/passes/scratch_pool.h"
+#include "renderer/passes/view.h"
+#include "renderer/photon_mapping/irradiance_cache.h"
+#include "renderer/photon_mapping/look_up_area.h"
+#include "renderer/photon_mapping/look_up_bias.h"
+#include "renderer/photon_mapping/photon_maps.h"
+#include "renderer/photon_mapping/pixel_effort.h"
+#include "renderer/photon_mapping/shared_look_ups.h"
+#include "renderer/planning/plan.h"
+
+namespace photonproof::inline renderer_photon_mapping {
+
+class CameraPass {
+ public:
+  /// `areas` is null without maps. Everything must outlive this.
+  CameraPass(const Scene& scene, const PhotonSettings& settings, const RenderPlan& plan, const RenderJob& job,
+             std::vector<MapState*> maps_shown, const LookUpAreas* areas, LookUpBias& bias, PixelEffort& effort);
+  /// From here on takes the light of the global map from it.
+  void use(const IrradianceCache& cache) { cache_ = &cache; }
+
+  /// Adds the tile's estimate of pass number `pass` to the image, to the bias and to the effort, and where the view is
+  /// a number that one to `numbers`.
+  void render(const Tile& tile, std::int64_t pass, RenderLoop& loop, Film& image, Film* numbers);
+
+ private:
+  struct TilePaths;
+  void trace(const CameraTask& camera, TilePaths& paths, RenderLoop& loop);
+  void trace_extra(TilePaths& paths, RenderLoop& loop);
+  void leave_points(PathTask& task, TilePaths& paths) const;
+  void look_up_on_rough(RoughLookUps& rough, TilePaths& paths) const;
+  void add_photons(TilePaths& paths);
+  void add_photons_on_rough(TilePaths& paths);
+  void add_numbers(TilePaths& paths, double seconds, Film& numbers) const;
+  std::vector<Rgb> radii_in_pixels(TilePaths& paths) const;
+  void add_photons_of(MapState& map, const std::vector<PixelPoint>& points, const BlockGrid& blocks, std::uint32_t key,
+                      TilePaths& paths);
+  double pixels_a_radius(const MapState& map) const {
+    return static_cast<double>(map.radii.radius) / static_cast<double>(footprint_);
+  }
+  /// Whether radii differ from place to place.
+  bool narrows(const MapState& map) const { return shares_ && !map.fixed_radius; }
+  float radius_at(const MapState& map, std::size_t pixel, const TilePaths& paths) const;
+  std::vector<float> radii_of(const MapState& map, const std::vector<PixelPoint>& points, const TilePaths& paths) const;
+  void look_up_in(const MapState& map, GatherQueue& queue) const;
+  void look_twice(const MapState& map, const std::vector<PixelPoint>& points, SharedLookUps& shared, TilePaths& paths);
+  void add_lost(const MapState& map, std::uint32_t pixel, const Rgb& lost, const TilePaths& paths);
+
+  const Scene& scene_;
+  const RenderJob& job_;
+  const ViewRow& view_;
+  const bool shares_;  ///< look-ups
+  const IrradianceCache* cache_ = nullptr;
+  const std::vector<MapState*> maps_;
+  MapState* const caustic_;         ///< null: none
+  const MapState* const gathered_;  ///< the global map, one bounce further (final_gather.h); null: none
+  const bool traces_paths_;         ///< beyond the first diffuse surface, in place of a global map
+  const bool goes_on_;              ///< beyond the first diffuse surface, one way or the other
+  const LookUpAreas* const areas_;
+  LookUpBias& bias_;
+  PixelEffort& effort_;
+  const PhotonSettings& settings_;
+  const PathSettings path_settings_;
+  const float footprint_;  ///< of a pixel, at the median of what is seen
+  ScratchPool scratch_;
+};
+
+}  // namespace photonproof::inline renderer_photon_mapping

@@ -1,0 +1,105 @@
+#include "renderer/photon_mapping/covered_area.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <utility>
+#include <variant>
+
+namespace photonproof::inline renderer_photon_mapping {
+namespace {
+
+/// Of the radius squared: what is left of a disc is more, or rounding has left it.
+constexpr double least_left = 1e-4;
+/// Every flat surface is tried with every solid; beyond, scenes are seen from so far that feet are small.
+constexpr std::size_t pairs_worth_testing = 1'000'000;
+
+struct PlacedSolid {
+  Solid solid;
+  std::size_t first = 0, count = 1;  ///< its surfaces
+
+  bool has(std::size_t surface) const { return surface >= first && surface < first + count; }
+};
+
+/// Whether light may come out behind the surface.
+bool lets_light_through(const Bsdf& bsdf) {
+  return std::holds_alternative<DielectricBsdf<float>>(bsdf) ||
+         std::holds_alternative<ThinDielectricBsdf<float>>(bsdf) ||
+         std::holds_alternative<RoughDielectricBsdf<float>>(bsdf) || std::holds_alternative<NullBsdf<float>>(bsdf);
+}
+
+bool is_opaque(const SceneParts& scene, std::size_t surface) {
+  return !scene.bsdfs.any_leaf(scene.surfaces[surface].bsdf,
+                               [](const Bsdf& leaf, bool) { return lets_light_through(leaf); });
+}
+
+/// Taken for one where any corner or the middle of the box around a lamp is inside, or the solid's middle in that box.
+bool holds_lamp(const SceneParts& scene, const Solid& solid) {
+  return std::ranges::any_of(scene.lights, [&](const Light& light) {
+    const std::optional<LightBounds> box = light_bounds(light);
+    if (!box) return false;
+    const Vec3d low(box->low), high(box->high), m = solid.middle;
+    const bool around = m.x > low.x && m.x < high.x && m.y > low.y && m.y < high.y && m.z > low.z && m.z < high.z;
+    if (around || solid.holds((low + high) / 2)) return true;
+    for (int i = 0; i < 8; ++i)
+      if (solid.holds({i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z})) return true;
+    return false;
+  });
+}
+
+std::vector<PlacedSolid> solids_of(const SceneParts& scene) {
+  std::vector<PlacedSolid> solids;
+  const auto add = [&](const std::optional<Solid>& solid, std::size_t first, std::size_t count) {
+    if (solid && is_opaque(scene, first) && !holds_lamp(scene, *solid)) solids.push_back({*solid, first, count});
+  };
+  for (const std::size_t first : scene.cubes) {
+    std::array<const Quad*, 6> sides{};
+    for (std::size_t i = 0; i < 6; ++i) sides[i] = std::get_if<Quad>(&scene.surfaces[first + i].geometry);
+    add(Solid::of_cube(sides), first, 6);
+  }
+  for (std::size_t i = 0; i < scene.surfaces.size(); ++i)
+    if (const auto* ball = std::get_if<Sphere>(&scene.surfaces[i].geometry)) add(Solid::of_ball(*ball), i, 1);
+  return solids;
+}
+
+std::optional<Footprint> footprint(const Solid& solid, const Geometry& flat) {
+  if (const auto* quad = std::get_if<Quad>(&flat)) return Footprint::of(solid, *quad);
+  if (const auto* plane = std::get_if<renderer_shapes::Plane>(&flat)) return Footprint::of(solid, *plane);
+  return std::nullopt;
+}
+
+/// What two cover together must count once: of those that overlap the larger is left.
+void keep_apart(std::vector<Footprint>& footprints) {
+  std::ranges::stable_sort(footprints, std::ranges::greater{}, [](const Footprint& f) { return f.area(); });
+  std::vector<Footprint> apart;
+  for (const Footprint& f : footprints)
+    if (std::ranges::none_of(apart, [&](const Footprint& larger) { return f.overlaps(larger); })) apart.push_back(f);
+  footprints = std::move(apart);
+}
+
+}  // namespace
+
+CoveredAreas::CoveredAreas(const SceneParts& scene) : front_(scene.surfaces.size()), back_(scene.surfaces.size()) {
+  const std::vector<PlacedSolid> solids = solids_of(scene);
+  if (solids.size() * scene.surfaces.size() > pairs_worth_testing) return;
+  for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
+    for (const PlacedSolid& placed : solids) {
+      if (placed.has(i)) continue;
+      const std::optional<Footprint> found = footprint(placed.solid, scene.surfaces[i].geometry);
+      if (!found) continue;
+      if (found->covers(false)) front_[i].push_back(*found);
+      if (found->covers(true)) back_[i].push_back(*found);
+    }
+    keep_apart(front_[i]);
+    keep_apart(back_[i]);
+  }
+}
+
+float CoveredAreas::left_of(const std::vector<Footprint>& covered, float area, const GatherPoint& point, float radius) {
+  double left = static_cast<double>(area);
+  const double least = least_left * static_cast<double>(radius) * static_cast<double>(radius);
+  for (const Footprint& f : covered) left -= f.in_disc(Vec3d(point.p), static_cast<double>(radius));
+  return left > least ? static_cast<float>(left) : 0.0f;
+}
+
+}  // namespace photonproof::inline renderer_photon_mapping

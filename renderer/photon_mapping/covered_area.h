@@ -1,0 +1,32 @@
+// What solids that stand on flat surfaces, or are sunk in them, cover of them (footprint.h), for photon look-ups.
+// Solids are cubes and spheres that let no light through and have no lamp inside: no photon lands in their footprints.
+#pragma once
+
+#include <vector>
+
+#include "renderer/kernels/tasks.h"
+#include "renderer/photons/photon_sheet.h"
+#include "renderer/scene/scene_parts.h"
+#include "renderer/scene/surface_detail.h"
+#include "renderer/shapes/footprint.h"
+
+namespace photonproof::inline renderer_photon_mapping {
+
+class CoveredAreas {
+ public:
+  explicit CoveredAreas(const SceneParts& scene);
+
+  /// Of an area of the point's surface within the radius, what is not covered; 0 where rounding leaves next to nothing.
+  float left_of(float area, const GatherPoint& point, float radius) const {
+    const bool behind = (point.sheet & PhotonSheet::from_behind) != 0;
+    const std::vector<Footprint>& covered = (behind ? back_ : front_)[surface_number(point.surface)];
+    return covered.empty() ? area : left_of(covered, area, point, radius);
+  }
+
+ private:
+  static float left_of(const std::vector<Footprint>& covered, float area, const GatherPoint& point, float radius);
+
+  std::vector<std::vector<Footprint>> front_, back_;  ///< by surface and its side; none overlaps another
+};
+
+}  // namespace photonproof::inline renderer_photon_mapping

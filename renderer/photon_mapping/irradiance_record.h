@@ -1,0 +1,49 @@
+// What is known of the irradiance around a point: its value and how it changes as the surface turns and moves (Ward and
+// Heckbert 1992), from rays that stratify the hemisphere by cosine.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "scenes/base/vec.h"
+
+namespace photonproof::inline renderer_photon_mapping {
+
+/// M x N cells of equal projected solid angle: polar strata outside, azimuthal ones inside.
+struct HemisphereGrid {
+  int polar = 1, azimuthal = 1;
+  std::size_t cells() const { return static_cast<std::size_t>(polar) * static_cast<std::size_t>(azimuthal); }
+  /// Unit, z up, through the cell at (u, v) in [0,1)^2 of it.
+  Vec3f direction(std::size_t cell, float u, float v) const;
+};
+
+/// About so many cells, azimuthal ones pi times as many as polar ones: cells are about as wide as high.
+HemisphereGrid hemisphere_grid(std::size_t cells);
+
+/// A ray of each cell: the radiance that it found, and how far away; infinite where it met nothing.
+struct HemisphereRays {
+  std::vector<Rgb> radiance;
+  std::vector<float> distance;
+};
+
+struct IrradianceRecord {
+  Vec3f p, n;
+  Rgb irradiance{0.0f};
+  float radius = 0;               ///< harmonic mean of the distances, bounded
+  std::array<Vec3f, 3> turned{};  ///< per channel: (n x n') . turned is the change from n to n'
+  std::array<Vec3f, 3> moved{};   ///< per channel: (p' - p) . moved
+
+  /// What it says of a point near it.
+  Rgb at(const Vec3f& to, const Vec3f& normal) const;
+};
+
+/// `least_distance` bounds how steeply irradiance can change.
+IrradianceRecord make_record(const Vec3f& p, const Vec3f& n, const HemisphereGrid& grid, const HemisphereRays& rays,
+                             float least_distance);
+
+/// The frame that `direction`s of the grid are in for records of this normal: x and y of it.
+std::array<Vec3f, 2> record_axes(const Vec3f& n);
+
+}  // namespace photonproof::inline renderer_photon_mapping

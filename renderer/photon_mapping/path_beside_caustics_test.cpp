@@ -1,0 +1,104 @@
+// The photon mapper where path tracing finds light between diffuse surfaces, with and without a caustic map beside it,
+// against closed forms and the path tracer, which finds caustics by rays that meet the lamp. That the views add up is
+// in views_test.cpp.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "renderer/integrators/test_scenes.h"
+
+namespace photonproof::inline renderer_photon_mapping {
+namespace {
+
+using test::job_with;
+using test::render;
+
+SceneDescription traced_on(const SceneDescription& scene) { return test::with_indirect(scene, IndirectLight::path); }
+
+TEST(path_beside_caustics, depth_counts_every_edge) {
+  // Emission and k - 1 bounces of albedo 1/2: 1, 1.5, 1.75, 1.875, and 2 in the end.
+  const double expected[] = {1, 1.5, 1.75, 1.875, 2};
+  for (int depth = 1; depth <= 5; ++depth) {
+    SceneDescription scene = test::furnace(0.5, 1, 16);
+    scene.integrator.method = PathDescription{depth < 5 ? depth : -1, 24, false};
+    const auto out = render(traced_on(scene), "photonmapper", job_with(64));
+    EXPECT_NEAR(test::image_mean(out.image.mean), expected[depth - 1], 0.001 * expected[depth - 1]) << depth;
+    EXPECT_EQ(out.stats.counts.count("photons_emitted_global"), 0);
+  }
+}
+
+/// Means of the image and of its lower half, of some seeds.
+struct Means {
+  double image = 0, lower = 0, image_error = 0, lower_error = 0;
+};
+Means means_of(const SceneDescription& scene, const char* integrator, std::int64_t spp) {
+  constexpr int seeds = 8;
+  std::vector<double> image, lower;
+  for (int seed = 1; seed <= seeds; ++seed) {
+    RenderJob job = job_with(spp, 100'000, static_cast<std::uint64_t>(seed));
+    job.budget.photons.reset();
+    const Image mean = render(scene, integrator, job).image.mean;
+    image.push_back(test::image_mean(mean));
+    lower.push_back(test::block_mean(mean, 0, mean.height / 2, mean.width, mean.height / 2));
+  }
+  const auto summary = [](const std::vector<double>& of, double& mean, double& error) {
+    double squares = 0;
+    for (const double v : of) mean += v / seeds;
+    for (const double v : of) squares += (v - mean) * (v - mean);
+    error = std::sqrt(squares / (seeds - 1) / seeds);
+  };
+  Means means;
+  summary(image, means.image, means.image_error);
+  summary(lower, means.lower, means.lower_error);
+  return means;
+}
+
+/// Within 4 standard errors of the difference, which are under `most` of the mean. A caustic that is counted twice or
+/// not at all is 2 % of the room's light, and 6 % of that of its lower half.
+void expect_agreement(const SceneDescription& scene, double most) {
+  const Means path = means_of(scene, "path", 512), other = means_of(traced_on(scene), "photonmapper", 128);
+  const auto expect = [&](double a, double b, double a_error, double b_error, const char* what) {
+    const double error = std::hypot(a_error, b_error);
+    std::printf("%s: %+.3f %%, standard error %.3f %%\n", what, 100 * (b / a - 1), 100 * error / a);
+    EXPECT_LT(error, most * a) << what;
+    EXPECT_NEAR(b, a, 4 * error) << what;
+  };
+  expect(path.image, other.image, path.image_error, other.image_error, "image");
+  expect(path.lower, other.lower, path.lower_error, other.lower_error, "lower half");
+}
+
+/// The lamp unseen: its few bright pixels would carry most of the mean's noise.
+SceneDescription room_without_lamp(bool with_balls) {
+  SceneDescription scene = test::room(32, with_balls);
+  scene.integrator.method = PathDescription{-1, 5, true};
+  return scene;
+}
+
+TEST(path_beside_caustics, rooms_have_the_path_tracers_mean) {
+  expect_agreement(room_without_lamp(false), 0.001);
+  expect_agreement(room_without_lamp(true), 0.006);
+}
+
+TEST(path_beside_caustics, a_room_under_a_sky_has_the_path_tracers_mean) {
+  // Bounces meet the sky, which light samples find, too; the mirror shows it unweighted, the glass throws it.
+  SceneDescription scene = room_without_lamp(true);
+  scene.shapes.erase(scene.shapes.begin() + 2);  // the ceiling
+  scene.emitters.push_back({{}, "", ConstantLightDescription{RgbD{0.5, 0.7, 1}}});
+  expect_agreement(scene, 0.004);
+}
+
+TEST(path_beside_caustics, same_seed_gives_the_same_bits_at_1_2_and_7_threads) {
+  for (const bool with_balls : {false, true})
+    test::expect_same_bits_at_any_threads(traced_on(test::room(40, with_balls)), "photonmapper", job_with(8, 30'000));
+}
+
+TEST(path_beside_caustics, v3_and_v4_give_the_same_bits) {
+  test::expect_instruction_sets_agree(traced_on(test::room(24, true)), "photonmapper", job_with(8, 30'000));
+}
+
+}  // namespace
+}  // namespace photonproof::inline renderer_photon_mapping

@@ -1,0 +1,340 @@
+// Photon mapping (Jensen 1996, 2001) with fixed-radius density estimation at the first diffuse hit of a camera path:
+//   L = Le + direct (next-event estimation) + rho/pi (sum of caustic fluxes / A_c + sum of global fluxes / A_g)
+// where A is the area of that part of the surface whose photons the look-up counts (photon_sheet.h, look_up_area.h). On
+// the way there, at rough parts of BSDFs, caustic photons are looked up by their directions (rough_look_up.h):
+//   L += sum of f(direction) x flux / A_c
+// The render is cut into passes, each with photons and camera samples of its own: the mean is the same, look-ups are
+// cheaper, and the passes' spread gives an honest variance that includes the photons' noise (not the bias of the
+// radius). A view (view.h) shows a part of that light, or how it was found.
+
+#include "renderer/photon_mapping/photon_mapper.h"
+
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "renderer/light_choice/scene_lights.h"
+#include "renderer/passes/render_loop.h"
+#include "renderer/passes/view.h"
+#include "renderer/photon_mapping/cache_prepass.h"
+#include "renderer/photon_mapping/camera_pass.h"
+#include "renderer/photon_mapping/camera_pilot.h"
+#include "renderer/photon_mapping/indirect_choice.h"
+#include "renderer/photon_mapping/irradiance_cache.h"
+#include "renderer/photon_mapping/look_up_area.h"
+#include "renderer/photon_mapping/look_up_bias.h"
+#include "renderer/photon_mapping/photon_dots.h"
+#include "renderer/photon_mapping/photon_maps.h"
+#include "renderer/photon_mapping/pixel_effort.h"
+#include "renderer/scene/aim_targets.h"
+#include "scenes/base/input_error.h"
+
+namespace photonproof::inline renderer_photon_mapping {
+namespace {
+
+constexpr const char* not_shown = "the view does not show it";
+
+/// Decides on a map; `needed` by the scene, where paths are long enough for one.
+void plan_map(Planner& planner, Skip skip, const char* name, const std::string& photons, bool shown, int max_depth,
+              bool needed, const char* why_not_needed, const char* why_needed) {
+  // The shortest path through a map has two edges of the light's and one of the camera's.
+  const bool deep_enough = max_depth < 0 || max_depth >= 3;
+  const char* why = !shown                        ? not_shown
+                    : !deep_enough                ? "paths of max_depth edges are too short for it"
+                    : !needed                     ? why_not_needed
+                    : planner.facts().lights == 0 ? "no light"
+                                                  : nullptr;
+  if (!planner.decide(skip, why != nullptr, why != nullptr ? why : "", why_needed)) planner.run(name, photons);
+}
+
+/// For the view of its records.
+void check_cache_is_there(const Planner& planner) {
+  for (const RenderPlan::Decision& d : planner.plan().decisions)
+    if (d.skip == Skip::global_map && d.skipped)
+      throw InputError("--view", "there are no cache-records to show, since there is no global photon map: " + d.why);
+}
+
+/// How many a map gets, and within which radius they are looked up.
+std::string photons_words(const PhotonSettings& settings, const RenderJob& job, std::int64_t by_scene, double radius) {
+  const auto of = [](std::int64_t n) { return counted(static_cast<std::size_t>(n), "photon", "photons"); };
+  const std::int64_t total = job.budget.photons.value_or(by_scene);
+  std::string words = settings.textbook ? of(settings.textbook->photons_a_pass) + " in every pass"
+                      : total > 0       ? of(total) + " emitted"
+                                        : "a photon for four camera samples";
+  if (job.view == View::photons) return words;
+  char number[32];
+  std::snprintf(number, sizeof number, "%g", radius);
+  if (settings.textbook) {
+    words += radius > 0 ? std::string(", at first within ") + number : ", at first within the radius that a pilot says";
+    std::snprintf(number, sizeof number, "%g", settings.textbook->alpha);
+    return words + ", which shrinks with alpha " + number;
+  }
+  if (radius > 0) return words + ", looked up within " + number;
+  return words + ", looked up within the radius whose bias and noise are least together, as earlier passes show them";
+}
+
+/// How far they go.
+std::string camera_paths_words(const PhotonSettings& settings, bool any_global_map) {
+  if (settings.indirect == IndirectLight::gather && any_global_map)
+    return "one bounce further than their first diffuse surface (final gather), or two where that ends nearer than "
+           "photons are looked up; there photons of both maps are looked up, at the surfaces before caustic ones";
+  if (settings.indirect == IndirectLight::cache && any_global_map) {
+    char number[32];
+    std::snprintf(number, sizeof number, "%g", settings.cache_error);
+    return "to their first diffuse surface, between points of an irradiance cache that is made beforehand (" +
+           counted(static_cast<std::size_t>(settings.gather_rays), "ray", "rays") + " a point, error up to " + number +
+           "): what it has wrong does not fall with more samples";
+  }
+  if (settings.indirect == IndirectLight::path)
+    return "on by path tracing; caustic photons are looked up at their first two diffuse surfaces";
+  std::string words = "to their first diffuse surface, where photons are looked up";
+  if (!settings.textbook) words += ", once for all samples of a pixel that end alike";
+  if (settings.indirect == IndirectLight::automatic && any_global_map)
+    words += "; or on by path tracing without a global map, if a pilot of " + std::to_string(pilot_camera_paths) +
+             " of them says that it is sooner as near to the image";
+  return words;
+}
+
+/// Whether pixels get numbers of samples of their own.
+bool steers_samples(const PhotonSettings& settings, const ViewRow& view, const RenderJob& job) {
+  return !settings.textbook && view.made_from_all() && job.grid == 0;
+}
+
+void plan_camera_pilot(Planner& planner) {
+  const SceneFacts& facts = planner.facts();
+  const char* why = !facts.any_delta_bsdf                                ? "no mirror and no smooth glass"
+                    : !facts.lights_can_be_hit && !facts.any_environment ? "rays meet no light"
+                                                                         : nullptr;
+  if (!planner.decide(Skip::camera_pilot, why != nullptr, why != nullptr ? why : "",
+                      "mirrors or smooth glass may show lamps"))
+    planner.run(
+        "camera pilot",
+        "samples beforehand, of no image, find the pixels where a lamp is rarely met by mirrors or through glass");
+}
+
+void plan_camera_paths(Planner& planner, const PhotonSettings& settings, const ViewRow& view) {
+  planner.run("camera paths", camera_paths_words(settings, !planner.plan().skips(Skip::global_map)) + "; " +
+                                  depth_words(settings.limits.max_depth));
+  if (steers_samples(settings, view, planner.job())) {
+    planner.run("more camera paths", "up to 64 times as many in pixels whose earlier passes disagree");
+    plan_camera_pilot(planner);
+  }
+  if (planner.facts().any_rough && !planner.plan().skips(Skip::caustic_map))
+    planner.run("on rough surfaces", "caustic photons are looked up by the directions they came from");
+  if (planner.facts().any_environment && view.direct_light)
+    planner.run("one more ray", "from where photons are looked up to the environment, which light samples find, too");
+  planner.batches();
+  const bool lit = view.direct_light || (view.global_map && settings.looks_further());
+  if (lit || !planner.decide(Skip::direct_light, true, not_shown, "")) planner.direct_light(true);
+}
+
+PassPlan plan_passes(const PhotonSettings& settings, const PhotonMaps& maps) {
+  return {.phase = "photon mapping",
+          .longest = settings.textbook ? 1 : 64,
+          .parts = settings.parts_of_samples,
+          .budget = maps.totals() + ", indirect light by " + word_of(settings.indirect)};  // all passes follow from it
+}
+
+/// Those of the maps whose light is shown, where camera paths go on also that of caustics that diffuse surfaces throw
+/// back: the plan may want others, too (--no-skip).
+std::vector<MapState*> shown_by(const ViewRow& view, IndirectLight indirect, std::vector<MapState*> maps) {
+  const bool later_caustics = indirect == IndirectLight::gather || indirect == IndirectLight::path;
+  std::erase_if(maps, [&](const MapState* map) {
+    return map->kind == PhotonKind::caustic ? !view.caustic_map && !later_caustics : !view.global_map;
+  });
+  return maps;
+}
+
+void keep(RenderLoop& loop, PhotonMaps& maps) {
+  for (MapState* map : {&maps.global, &maps.caustic}) {
+    loop.keep_between_passes(map->counts);
+    loop.keep_between_passes(map->radii);
+    loop.keep(map->look_ups);
+    loop.keep(map->found);
+  }
+}
+
+/// Where the settings leave it open; says what maps miss, where they are the way.
+void choose_way(const PhotonSource& source, PhotonMaps& maps, const RenderPlan& plan, const Tile& window,
+                PhotonSettings& settings, RenderStats& stats) {
+  const bool automatic = settings.indirect == IndirectLight::automatic;
+  if (automatic) settings.indirect = IndirectLight::map;
+  if (!maps.global.wanted) return;
+  if (automatic) {
+    const IndirectChoice choice = choose_indirect(source, maps, plan, window, stats);
+    settings.indirect = choice.indirect;
+    // As many samples as all before, so that passes end where Sobol points are even: 7 % less time to an error on lens.
+    if (settings.indirect == IndirectLight::path) settings.parts_of_samples = 1;
+    maps.caustic.wanted = maps.caustic.wanted && choice.caustic_map;
+    stats.choices.push_back(choice.why);
+  }
+  if (settings.indirect != IndirectLight::path && emission_misses_planes(source.scene.surfaces, source.scene.lights))
+    stats.losses.emplace_back(light_that_maps_miss);
+}
+
+/// Whether an irradiance cache, which has photons of its own, finds what a global map would. Where that or path tracing
+/// does, no such map is wanted.
+bool takes_cache(const PhotonSettings& settings, PhotonMaps& maps) {
+  const bool caches = settings.indirect == IndirectLight::cache && maps.global.wanted;
+  if (caches || settings.indirect == IndirectLight::path) maps.global.wanted = false;
+  return caches;
+}
+
+/// What passes learn of the image.
+struct Lessons {
+  const Film& image;
+  const std::vector<MapState*> maps;  ///< looked up
+  LookUpBias bias;
+  PixelEffort effort;
+  PassHalves halves{};
+  std::optional<CheckedCache> checked{};
+
+  Lessons(const Film& of, const std::vector<MapState*>& looked_up)
+      : image(of), maps(looked_up), bias(of.window()), effort(of.window()) {}
+
+  double bias_of_cache() const { return checked ? checked->error.squared_bias(image) : 0; }
+  double squared_bias() const {
+    if (maps.empty()) return bias_of_cache();
+    return bias.evidence(image, LookUpBias::all_maps, halves).squared_bias() + bias_of_cache();
+  }
+  /// What no more samples cure.
+  double lasting_bias(const PhotonSettings& settings) const { return bias_of_cache() + bias_of_fixed_radii(settings); }
+  double bias_of_fixed_radii(const PhotonSettings& settings) const {
+    double sum = 0;
+    for (const MapState* map : maps)
+      if (map->fixed_radius && !settings.textbook)
+        sum += bias.evidence(image, static_cast<int>(map->kind), halves).squared_bias();
+    return sum;
+  }
+  std::string lasting_bias_of(const PhotonSettings& settings) const {
+    const std::string fixed = "the radii that the scene fixes have";
+    if (!checked) return fixed;
+    return bias_of_fixed_radii(settings) > 0 ? "the irradiance cache and " + fixed : "the irradiance cache has";
+  }
+
+  void keep(RenderLoop& loop) {
+    loop.keep_between_passes(halves);
+    loop.keep(bias.pixels());
+    loop.keep(bias.narrowings());
+    loop.keep(effort.pixels());
+    loop.keep(effort.decided());
+  }
+
+  /// Of a pass of `samples` decides the radii of the next one.
+  void choose_radii(const PhotonSettings& settings, double samples) {
+    halves.add_pass(samples);
+    if (maps.empty()) return;
+    bias.narrow(image, halves);
+    const double after_next = halves.all_samples() * (1 + 1.0 / static_cast<double>(settings.parts_of_samples));
+    for (MapState* map : maps) {
+      map->radii.add_pass(samples, map->pass_photons);
+      const LookUpBias::Evidence evidence = bias.evidence(image, static_cast<int>(map->kind), halves);
+      choose_next_radius(*map, settings, evidence, halves, after_next);
+    }
+  }
+};
+
+}  // namespace
+
+void plan_photon_mapper(const IntegratorDescription& description, Planner& planner) {
+  const RenderJob& job = planner.job();
+  const ViewRow& view = view_row(job.view);
+  const PhotonSettings settings(description, job);
+  const int max_depth = settings.limits.max_depth;
+  const SceneFacts& facts = planner.facts();
+  const bool any_specular = facts.specular_surfaces > 0;
+  if (view.view != View::whole) planner.run("view", std::string(view.name) + ": " + view.shows);
+  plan_map(planner, Skip::global_map, "global photon map",
+           photons_words(settings, job, settings.global_photons, settings.global_radius), view.global_map, max_depth,
+           facts.diffuse_interreflection && settings.indirect != IndirectLight::path,
+           !facts.any_diffuse              ? "no diffuse surface reflects"
+           : facts.diffuse_interreflection ? "path tracing finds its light, as asked for"
+                                           : "no two diffuse surfaces see each other",
+           "light goes from diffuse surface to diffuse surface");
+  if (view.view == View::cache_records) check_cache_is_there(planner);
+  const bool caustics_shown = view.caustic_map || (view.global_map && settings.looks_further());
+  plan_map(planner, Skip::caustic_map, "caustic photon map",
+           photons_words(settings, job, settings.caustic_photons, settings.caustic_radius), caustics_shown, max_depth,
+           (any_specular && facts.any_diffuse) || (facts.any_sharp && facts.any_rough),
+           any_specular ? "no diffuse or rough surface reflects" : "no specular surface",
+           facts.any_diffuse ? "specular surfaces throw light on diffuse ones"
+                             : "mirrors, glass or sharp highlights throw light on rough surfaces");
+  if (!planner.plan().skips(Skip::caustic_map)) {
+    const std::string surfaces = counted(facts.specular_surfaces, "specular surface", "specular surfaces");
+    planner.decide(Skip::stray_photons, any_specular && facts.specular_surfaces <= most_aim_targets,
+                   surfaces + " to aim at",
+                   surfaces + ", at most " + std::to_string(most_aim_targets) + " can be aimed at");
+  }
+  if (view.view == View::photons) {
+    planner.run("dots", "a shadow ray from every stored photon to the camera, no camera paths");
+    planner.batches();
+  } else {
+    plan_camera_paths(planner, settings, view);
+  }
+  if (planner.plan().skips(Skip::global_map) && planner.plan().skips(Skip::caustic_map)) planner.no_light_paths();
+}
+
+void render_photon_mapper(const Scene& scene, const RenderPlan& plan, const RenderJob& job, Film& film,
+                          RenderStats& stats) {
+  const ViewRow& view = view_row(plan.view);
+  PhotonSettings settings(plan.method, job);
+  const Threads threads(job.threads);
+  const PhotonSource source{scene, settings, job, threads};
+  PhotonMaps maps(plan, source);
+  choose_way(source, maps, plan, film.window(), settings, stats);
+  PassPlan passes = plan_passes(settings, maps);
+  if (plan.view == View::photons) return render_photon_dots(source, maps, passes, film, stats);
+  const bool caches = takes_cache(settings, maps);
+  maps.choose_first_radii(source, stats);
+  const std::vector<MapState*> wanted = maps.wanted();
+  std::optional<LookUpAreas> areas;
+  if (!wanted.empty() || caches) {
+    const PhaseTimer phase(stats.phases["build"]);
+    areas.emplace(scene, threads);
+  }
+
+  std::optional<Film> unseen;  // the image whose making is shown
+  if (view.is_number()) unseen.emplace(film.window());
+  Film& image = unseen ? *unseen : film;
+  Lessons lessons(image, wanted);
+  passes.squared_bias = [&] { return lessons.squared_bias(); };
+  passes.lasting_bias = [&] { return lessons.lasting_bias(settings); };
+  passes.lasting_bias_of = [&] { return lessons.lasting_bias_of(settings); };
+  RenderLoop loop(job, threads, image, stats, passes);
+  if (unseen) loop.keep(film);
+  keep(loop, maps);
+  lessons.keep(loop);
+  CameraPass camera(scene, settings, plan, job, shown_by(view, settings.indirect, wanted), areas ? &*areas : nullptr,
+                    lessons.bias, lessons.effort);
+  if (steers_samples(settings, view, job) && !plan.skips(Skip::camera_pilot)) {
+    run_camera_pilot(scene, camera_path_settings(settings, plan), job, threads, image.window(), lessons.effort, stats);
+    lessons.effort.choose();
+  }
+  if (caches) {
+    lessons.checked.emplace(make_irradiance_cache(plan, source, *areas, film.window(), stats));
+    camera.use(lessons.checked->cache);
+  }
+  while (loop.next()) {
+    for (MapState* map : wanted) {
+      map->tests = areas->tests(map->radii.radius);
+      map->pass_photons = static_cast<double>(refill(*map, source, loop.first(), loop.first() + loop.samples(), stats));
+    }
+    const PhaseTimer phase(stats.phases["render"]);
+    loop.for_each_tile([&](const Tile& tile) {
+      camera.render(tile, lessons.halves.pass_count(), loop, image, unseen ? &film : nullptr);
+    });
+    if (loop.broken_off()) continue;
+    const auto samples = static_cast<double>(loop.samples());
+    image.end_shared_pass(samples);
+    if (unseen) film.end_shared_pass(samples);
+    if (steers_samples(settings, view, job)) lessons.effort.choose();
+    lessons.choose_radii(settings, samples);
+  }
+  maps.store_counts(scene, lessons.halves.pass_count(), stats);
+  if (lessons.checked) stats.counts["relative_bias_cache"] = std::sqrt(lessons.bias_of_cache());
+}
+
+}  // namespace photonproof::inline renderer_photon_mapping

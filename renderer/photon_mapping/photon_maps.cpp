@@ -1,0 +1,308 @@
+#include "renderer/photon_mapping/photon_maps.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "renderer/photon_mapping/photon_radius.h"
+#include "renderer/photons/query_order.h"
+#include "scenes/base/faults.h"
+#include "scenes/base/timer.h"
+
+namespace photonproof::inline renderer_photon_mapping {
+namespace {
+
+constexpr double photons_a_camera_path = 0.25;          // for each map: look-ups and paths take about as long then
+constexpr std::int64_t fewest_photons_a_pass = 16'384;  // small images want their mean, too
+constexpr std::uint64_t pilot_photons = 20'000;
+constexpr double guessed_for = 1e6;  // photons, of MapState::photons_in_disc
+
+/// Of look-ups one bounce further, whose noise is averaged over many directions and whose bias is not. Of the radius
+/// that is best for them the passes' evidence says little: directions are most of its noise.
+constexpr double gathered_photons_in_disc = 100;
+
+/// Of fewer passes than this in either half the evidence is too little.
+constexpr std::int64_t least_evidence = 2;
+/// From pass to pass a radius changes no more than this.
+constexpr double most_shrinking = 0.75, most_growing = 1.25;
+/// Of the guess, that a radius never leaves.
+constexpr double widest = 4, narrowest = 1.0 / 16;
+
+/// Fewer in a disc than this, and the spread that is seen may miss the few that carry the light.
+constexpr double few_photons_in_disc = 10;
+/// A map of fewer that are also a smaller share of those emitted says that hardly any light goes that way, not that it
+/// goes elsewhere; of fewer emitted nothing is known.
+constexpr std::uint64_t few_photons_in_map = 1000;
+constexpr double small_share = 0.01;
+/// Of what the image shows across, a radius that blurs all shades of light.
+constexpr double wide_part = 0.25;
+
+void choose_first_radius(MapState& map, double asked, const PhotonSource& source, RayTotals& totals) {
+  float& radius = map.radii.radius;
+  radius = static_cast<float>(asked * source.scene.scale());
+  map.fixed_radius = radius > 0;
+  if (!map.wanted || map.fixed_radius) return;
+  const PhotonRun pilot{map.kind, pilot_stream, source.job.seed, 0, pilot_photons, -1, map.aimed};
+  radius = guess_radius(source.scene, pilot, static_cast<std::uint64_t>(guessed_for), map.photons_in_disc,
+                        {source.job.kernels(), source.job.sampler}, source.threads, totals);
+  // A map whose pilot stores nothing is small enough for any radius.
+  if (radius <= 0) radius = 4 * std::max(median_pixel_footprint(source.scene), 1e-6f);
+  map.radii.first_photons = std::max(map.a_sample, static_cast<double>(map.least));
+  radius *= static_cast<float>(shrunk(map.radii.first_photons / guessed_for));
+  map.radii.first_radius = static_cast<double>(radius);
+}
+
+/// How many photons passes have.
+void choose_photons(MapState& map, std::int64_t by_scene, const PhotonSource& source) {
+  if (source.settings.textbook) {
+    map.a_sample = static_cast<double>(source.settings.textbook->photons_a_pass);
+    return;
+  }
+  const RenderBudget& budget = source.job.budget;
+  const std::int64_t total = budget.photons.value_or(by_scene);
+  if (total > 0) {
+    map.a_sample = static_cast<double>(total) / static_cast<double>(budget.spp.value_or(source.job.sample_count));
+    return;
+  }
+  const CameraView& camera = source.scene.view().camera;
+  const double pixels = 1 / (static_cast<double>(camera.inverse_width) * static_cast<double>(camera.inverse_height));
+  map.a_sample = photons_a_camera_path * pixels;
+  map.least = fewest_photons_a_pass;
+}
+
+void store_counts_of(const MapState& state, double scale, std::int64_t passes, RenderStats& stats) {
+  if (!state.wanted) return;
+  const std::string name = state.name;
+  stats.counts["photons_emitted_" + name] = static_cast<double>(state.counts.emitted);
+  stats.counts["photons_stored_" + name] = static_cast<double>(state.counts.stored);
+  stats.counts["rays_photon"] += static_cast<double>(state.counts.rays);
+  if (state.radii.radius <= 0) return;  // nothing was looked up
+  stats.counts["radius_" + name] = static_cast<double>(state.radii.radius) / scale;
+  stats.counts["photons_in_disc_" + name] = state.in_disc(passes);
+}
+
+/// Where the scene asks for it, and both radii that the bias is learned from are too wide to see it.
+void say_if_wide(const MapState& map, const Scene& scene, RenderStats& stats) {
+  const CameraView& camera = scene.view().camera;
+  const double pixels = 1 / double{std::min(camera.inverse_width, camera.inverse_height)};
+  const double across = pixels * double{median_pixel_footprint(scene)}, radius = double{map.radii.radius};
+  if (map.look_ups == 0 || !map.fixed_radius || !(radius > wide_part * across)) return;
+  char text[200];
+  std::snprintf(text, sizeof text,
+                "%s photons are looked up within %.3g, and what the image shows is some %.3g across: all shades of "
+                "their light are blurred",
+                map.name, radius / scene.scale(), across / scene.scale());
+  stats.losses.emplace_back(text);
+}
+
+/// Of the map that holds the light of every surface; caustics are nowhere but in places.
+void say_if_few_arrive(const MapState& global, std::int64_t passes, RenderStats& stats) {
+  const double in_disc = global.in_disc(passes);
+  const bool few_emitted = global.counts.emitted < few_photons_in_map;
+  const double share = static_cast<double>(global.counts.stored) / static_cast<double>(global.counts.emitted);
+  const bool matters = global.counts.stored >= few_photons_in_map || share > small_share;
+  const bool few_in_disc = global.look_ups > 0 && matters && in_disc < few_photons_in_disc;
+  if (!few_emitted && !few_in_disc) return;
+  char text[160];
+  std::snprintf(
+      text, sizeof text,
+      "of %.3g photon%s %.2g are in the disc of a look-up: too few arrive where the camera looks for the error "
+      "to be known",
+      static_cast<double>(global.counts.emitted), global.counts.emitted == 1 ? "" : "s", in_disc);
+  stats.losses.emplace_back(text);
+}
+
+/// Caustics are where their photons are, and most look-ups find none: of a radius that is given, what is around photons
+/// tells whether it is too narrow. One that is chosen here follows their density.
+void say_if_narrow(const MapState& caustic, const Scene& scene, RenderStats& stats) {
+  if (!caustic.fixed_radius || caustic.look_ups == 0 || caustic.counts.stored == 0 ||
+      caustic.counts.around_one >= few_photons_in_disc)
+    return;
+  char text[200];
+  std::snprintf(
+      text, sizeof text,
+      "of %.3g caustic photons %.2g are within %.3g of one of them: caustics are noise whose error is not known",
+      static_cast<double>(caustic.counts.stored), caustic.counts.around_one,
+      double{caustic.radii.radius} / scene.scale());
+  stats.losses.emplace_back(text);
+}
+
+/// Photons that a pass can emit on this machine: where each is stored twice on average, the two maps and the sort of
+/// one take this much of it.
+std::uint64_t most_photons_in_a_pass() {
+  constexpr std::uint64_t bytes = 2 * (2 * 32 + 34);
+  const auto memory =
+      static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<std::uint64_t>(sysconf(_SC_PAGE_SIZE));
+  return std::min<std::uint64_t>(memory / bytes, std::uint64_t{1} << 30);
+}
+
+/// Photons of a map for the pass that takes samples [first, last). Throws InputError when they would not fit in memory.
+std::uint64_t photons_for_pass(const MapState& state, const RenderJob& job, std::int64_t first, std::int64_t last) {
+  const auto until = [&](std::int64_t s) { return static_cast<std::int64_t>(state.a_sample * static_cast<double>(s)); };
+  const auto count = static_cast<std::uint64_t>(std::max<std::int64_t>(state.least, until(last) - until(first)));
+  if (count > most_photons_in_a_pass())
+    throw InputError(job.budget.photons ? "--photons" : job.integrator_place,
+                     (job.budget.photons ? std::string() : std::string(state.name) + "_photons: ") +
+                         std::to_string(count) + " in one pass are more than " +
+                         std::to_string(most_photons_in_a_pass()) +
+                         ", what this machine's memory holds; more samples a pixel make more passes");
+  return count;
+}
+
+}  // namespace
+
+PhotonSettings::PhotonSettings(const IntegratorDescription& description, const RenderJob& job)
+    : limits(description.limits()) {
+  if (const auto* photons = std::get_if<PhotonMapperDescription>(&description.method)) {
+    global_photons = photons->global_photons;
+    caustic_photons = photons->caustic_photons;
+    global_radius = photons->global_radius;
+    caustic_radius = photons->caustic_radius;
+    const ViewRow& view = view_row(job.view);
+    const bool asks_for_maps = job.budget.photons || global_photons > 0 || caustic_photons > 0 || global_radius > 0 ||
+                               caustic_radius > 0 || !view.made_from_all();
+    if (view.global_map && view.view != View::photons) indirect = photons->indirect;
+    if (indirect == IndirectLight::automatic && asks_for_maps) indirect = IndirectLight::map;
+    if (view.view == View::cache_records) indirect = IndirectLight::cache;
+    cache_error = photons->cache_error;
+    gather_rays = photons->gather_rays;
+  } else {
+    const auto& sppm = std::get<SppmDescription>(description.method);
+    textbook = Textbook{sppm.photons, sppm.alpha};
+    global_radius = caustic_radius = sppm.radius;
+  }
+}
+
+void choose_next_radius(MapState& map, const PhotonSettings& settings, const LookUpBias::Evidence& evidence,
+                        const PassHalves& halves, double all_samples) {
+  RadiusHistory& radii = map.radii;
+  const double now = static_cast<double>(radii.radius);
+  double next = now;
+  if (settings.textbook) {
+    const auto passes = static_cast<double>(halves.pass_count());
+    next = now * std::sqrt((passes + settings.textbook->alpha) / (passes + 1));
+  } else if (!map.fixed_radius) {
+    const double photons = radii.worth() * all_samples / halves.all_samples();
+    const double guess = radii.first_radius * shrunk(photons / radii.first_photons);
+    next = guess;
+    const bool gathered = settings.indirect == IndirectLight::gather && map.kind == PhotonKind::global;
+    if (halves.passes[1] >= least_evidence && !gathered) {
+      next = std::clamp(radii.best(evidence, all_samples), most_shrinking * now, most_growing * now);
+      next = std::clamp(next, narrowest * guess, widest * guess);
+    }
+  }
+  radii.radius = static_cast<float>(next);
+}
+
+double shrunk(double times) { return std::pow(times, -1.0 / 6); }
+
+int most_edges(const PhotonSettings& settings) {
+  return settings.limits.max_depth >= 0 ? settings.limits.max_depth : std::numeric_limits<int>::max();
+}
+
+void look_up(const MapState& map, const PhotonSettings& settings, const LookUpAreas& areas,
+             const GatherKernelEntry& kernels, GatherQueue& queue) {
+  const GatherPoints points = queue.view();
+  const std::vector<std::uint32_t> order = cell_order(map.map, queue);
+  kernels.gather({map.map.view(), most_edges(settings), points, order.data(), map.tests.data()});
+  areas.fill(queue);
+}
+
+PathSettings camera_path_settings(const PhotonSettings& settings, const RenderPlan& plan) {
+  const PathLimits& limits = settings.limits;
+  return {limits.max_depth, limits.rr_depth, limits.hide_emitters,
+          plan.skips(Skip::direct_light) ? DirectLight::hits_only
+          : plan.skips(Skip::mis)        ? DirectLight::unweighted
+                                         : DirectLight::weighted};
+}
+
+bool looks_at_environment(const Scene& scene, const PathSettings& settings) {
+  return scene.view().environment != no_index && settings.direct_light != DirectLight::hits_only;
+}
+
+AtDiffuse at_diffuse_of_maps(const Scene& scene, const PathSettings& settings) {
+  return looks_at_environment(scene, settings) ? AtDiffuse::leave_gather_point_and_look : AtDiffuse::leave_gather_point;
+}
+
+bool splits_rough_parts(const Scene& scene, AtDiffuse at_diffuse) {
+  return at_diffuse != AtDiffuse::go_on && (scene.view().bsdf_kinds & rough_kinds) != 0;
+}
+
+PhotonMaps::PhotonMaps(const RenderPlan& plan, const PhotonSource& source) {
+  global.wanted = !plan.skips(Skip::global_map);
+  if (source.settings.indirect == IndirectLight::gather || source.settings.indirect == IndirectLight::cache)
+    global.photons_in_disc = gathered_photons_in_disc;
+  choose_photons(global, source.settings.global_photons, source);
+  caustic.wanted = !plan.skips(Skip::caustic_map);
+  caustic.aimed = plan.skips(Skip::stray_photons);
+  choose_photons(caustic, source.settings.caustic_photons, source);
+}
+
+void PhotonMaps::choose_first_radii(const PhotonSource& source, RenderStats& stats) {
+  const PhaseTimer phase(stats.phases["pilot"]);
+  RayTotals pilot_rays;
+  choose_first_radius(global, source.settings.global_radius, source, pilot_rays);
+  choose_first_radius(caustic, source.settings.caustic_radius, source, pilot_rays);
+  pilot_rays.store(stats);
+}
+
+std::vector<MapState*> PhotonMaps::wanted() {
+  std::vector<MapState*> maps;
+  for (MapState* map : {&caustic, &global})
+    if (map->wanted) maps.push_back(map);
+  return maps;
+}
+
+std::string PhotonMaps::totals() const {
+  char text[96];
+  std::snprintf(text, sizeof text, "%.9g global and %.9g caustic photons a sample", global.a_sample, caustic.a_sample);
+  return text;
+}
+
+void PhotonMaps::store_counts(const Scene& scene, std::int64_t passes, RenderStats& stats) const {
+  stats.counts["passes"] = static_cast<double>(passes);
+  store_counts_of(global, scene.scale(), passes, stats);
+  store_counts_of(caustic, scene.scale(), passes, stats);
+  say_what_is_lost(scene, passes, stats);
+}
+
+void PhotonMaps::say_what_is_lost(const Scene& scene, std::int64_t passes, RenderStats& stats) const {
+  for (const MapState* map : {&global, &caustic})
+    if (map->wanted) say_if_wide(*map, scene, stats);
+  if (global.wanted) say_if_few_arrive(global, passes, stats);
+  if (caustic.wanted) say_if_narrow(caustic, scene, stats);
+}
+
+Photons emit_photons(MapState& map, const PhotonSource& source, std::int64_t first, std::int64_t last,
+                     RenderStats& stats) {
+  const std::uint64_t count = photons_for_pass(map, source.job, first, last);
+  const PhaseTimer phase(stats.phases[std::string("photons_") + map.name]);
+  const int max_edges = source.settings.limits.max_depth >= 0 ? source.settings.limits.max_depth - 1 : -1;
+  const std::uint64_t traced = has_fault(Fault::half_photons) ? (count + 1) / 2 : count;
+  const std::uint64_t seed = has_fault(Fault::same_photons) ? 1 : source.job.seed;
+  RayTotals rays;
+  Photons photons =
+      trace_photons(source.scene, {map.kind, map.stream, seed, map.counts.emitted, traced, max_edges, map.aimed},
+                    {source.job.kernels(), source.job.sampler}, source.threads, rays);
+  map.counts.rays += rays.counts().photon;
+  map.counts.emitted += count;
+  map.counts.stored += photons.size();
+  return photons;
+}
+
+std::uint64_t refill(MapState& map, const PhotonSource& source, std::int64_t first, std::int64_t last,
+                     RenderStats& stats) {
+  const std::uint64_t emitted_before = map.counts.emitted;
+  Photons photons = emit_photons(map, source, first, last, stats);
+  const PhaseTimer phase(stats.phases["build"]);
+  const bool may_be_narrow = map.kind == PhotonKind::caustic && map.fixed_radius;
+  if (may_be_narrow && map.counts.around_one < few_photons_in_disc)
+    map.counts.around_one += photons_around_one(photons, map.radii.radius, source.threads);
+  map.map.build(std::move(photons), map.radii.radius, source.threads);
+  return map.counts.emitted - emitted_before;
+}
+
+}  // namespace photonproof::inline renderer_photon_mapping

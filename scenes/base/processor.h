@@ -1,0 +1,24 @@
+// Which instruction sets this processor has: the one place that asks. What is compiled for several of them takes the
+// best by it (renderer/kernels/isa.cpp, harness/pixels/pixel_loops_isa.cpp).
+#pragma once
+
+namespace photonproof::inline scenes_base {
+
+#if defined(__x86_64__)
+/// 4, 3 or 2, of x86-64-v4, v3 or v2, which is what everything is compiled for.
+inline int x86_64_level() {
+  __builtin_cpu_init();
+#if defined(__clang__)  // knows features, not levels (the fuzzers are built by it)
+  const bool v3 = __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0 &&
+                  __builtin_cpu_supports("bmi") != 0 && __builtin_cpu_supports("bmi2") != 0;
+  const bool v4 = __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512bw") != 0 &&
+                  __builtin_cpu_supports("avx512cd") != 0 && __builtin_cpu_supports("avx512dq") != 0 &&
+                  __builtin_cpu_supports("avx512vl") != 0;
+#else
+  const bool v3 = __builtin_cpu_supports("x86-64-v3") != 0, v4 = __builtin_cpu_supports("x86-64-v4") != 0;
+#endif
+  return v3 && v4 ? 4 : v3 ? 3 : 2;
+}
+#endif
+
+}  // namespace photonproof::inline scenes_base

@@ -1,0 +1,27 @@
+// Says of a folder that its maker is still there, to whoever would tidy up what is left behind. A process's number does
+// not tell that: in another namespace of processes, as of a container with the same /tmp, it may belong to nobody.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <utility>
+
+namespace photonproof::inline scenes_files {
+
+class FolderHold {
+ public:
+  /// Empty where another process has it, or the folder is gone. Where the file system knows no locks, everybody has it.
+  static std::optional<FolderHold> take(const std::filesystem::path& folder);
+  FolderHold(FolderHold&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
+  FolderHold& operator=(FolderHold&& other) noexcept {
+    std::swap(descriptor_, other.descriptor_);
+    return *this;
+  }
+  ~FolderHold();
+
+ private:
+  explicit FolderHold(int descriptor) : descriptor_(descriptor) {}
+  int descriptor_ = -1;
+};
+
+}  // namespace photonproof::inline scenes_files
