@@ -8,8 +8,8 @@
 #include <numbers>
 #include <string>
 
+#include "renderer/integrators/test_photon_scenes.h"
 #include "renderer/integrators/test_scenes.h"
-#include "renderer/photon_mapping/test_photon_scenes.h"
 
 namespace photonproof::inline renderer_integrators {
 namespace {

@@ -5,7 +5,7 @@
 #include <set>
 #include <string>
 
-#include "renderer/photon_mapping/test_photon_scenes.h"
+#include "renderer/integrators/test_photon_scenes.h"
 #include "renderer/planning/test_compiled.h"
 #include "renderer/scene/scene_frame.h"
 #include "renderer/scene/test_sizes.h"

@@ -24,14 +24,14 @@
 #include <numbers>
 
 #include "renderer/integrators/check_supported.h"
+#include "renderer/integrators/test_photon_scenes.h"
 #include "renderer/integrators/test_scenes.h"
 #include "renderer/kernels/camera_rays.h"
 #include "renderer/lanes/test_chi_square.h"
-#include "renderer/photon_mapping/test_photon_scenes.h"
 #include "renderer/planning/test_compiled.h"
 #include "scenes/parser/parser.h"
 
-namespace photonproof::inline renderer_photon_mapping {
+namespace photonproof::inline renderer_integrators {
 namespace {
 
 constexpr int seeds = 24;
@@ -339,4 +339,4 @@ TEST(photon_agreement, of_the_slab_is_within_one_percent_at_every_radius) {
 }
 
 }  // namespace
-}  // namespace photonproof::inline renderer_photon_mapping
+}  // namespace photonproof::inline renderer_integrators

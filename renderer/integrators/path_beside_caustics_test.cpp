@@ -11,7 +11,7 @@
 
 #include "renderer/integrators/test_scenes.h"
 
-namespace photonproof::inline renderer_photon_mapping {
+namespace photonproof::inline renderer_integrators {
 namespace {
 
 using test::job_with;
@@ -101,4 +101,4 @@ TEST(path_beside_caustics, v3_and_v4_give_the_same_bits) {
 }
 
 }  // namespace
-}  // namespace photonproof::inline renderer_photon_mapping
+}  // namespace photonproof::inline renderer_integrators
