@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# Builds the program and lets it endure: a thousand renders in one folder, a thousand kills, and every other fault.
+# Builds the program and its trials, then runs them: a thousand renders in one folder, a thousand kills, every other fault.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 source harness/setup/packages.sh
 # shellcheck disable=SC2086,SC2154
 install_packages $build_packages faketime
 quietly build/configure.log cmake --preset release
-quietly build/build.log cmake --build build/release --target photonproof
-build/release/bin/photonproof soak -o out/soak
-build/release/bin/photonproof faults -o out/faults
+quietly build/build.log cmake --build build/release --target photonproof_trials
+build/release/bin/photonproof-trials soak -o out/soak
+build/release/bin/photonproof-trials faults -o out/faults

@@ -49,9 +49,9 @@ not_by_thread="$not_by_address|Faults.find|PlantedFaults.(index_of|caustic)|Benc
 run_quickly() {
   local program=$1 folder=$2 log=$3
   # Soaks for one cycle, whose growth is not known then (3).
-  watched "$log" "$program" soak --renders 1 -o "$folder/soak" || [ $? = 3 ]
+  watched "$log" "$program-trials" soak --renders 1 -o "$folder/soak" || [ $? = 3 ]
   mkdir -p "$folder/faults"
-  watched "$log" "$program" faults --kills 4 --only "kill, bench" -o "$folder/faults"
+  watched "$log" "$program-trials" faults --kills 4 --only "kill, bench" -o "$folder/faults"
   watched "$log" "$program" gate "$folder/faults/inputs/gates.toml" -o "$folder/gate" --fresh
   watched "$log" "$program" bench "$folder/faults/inputs/bench.toml" -o "$folder/bench"
   watched "$log" "$program" report "$folder/bench/results.json" --format markdown,csv,latex,junit,gbench,bencher
@@ -67,7 +67,7 @@ for kind in "${kinds[@]}"; do
   case $kind in address) preset=asan ;; thread) preset=tsan ;; *) echo "no sanitizer '$kind'" >&2 && exit 2 ;; esac
   quietly "build/$preset.configure.log" cmake --preset "$preset" -DPHOTONPROOF_UNITY=ON \
     -DPHOTONPROOF_TESTS="$([ -n "$quick" ] && echo OFF || echo ON)"
-  quietly "build/$preset.build.log" cmake --build "build/$preset" ${quick:+--target photonproof}
+  quietly "build/$preset.build.log" cmake --build "build/$preset" ${quick:+--target photonproof_trials}
   runs=build/$preset/runs
   rm -rf "$runs"
   mkdir -p "$runs"

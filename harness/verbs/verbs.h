@@ -1,4 +1,5 @@
-// One row a verb of the program. Each verb is a file verb_<name>.cpp with its options and its callback.
+// One row a verb of the program. Each verb is a file verb_<name>.cpp with its options and its callback. `run_program`
+// is the main function of all programs with verbs.
 #pragma once
 
 namespace CLI {
@@ -20,6 +21,10 @@ void add_report_verb(CLI::App& program, int& exit_code);
 void add_verify_verb(CLI::App& program, int& exit_code);
 void add_decode_image_verb(CLI::App& program, int& exit_code);
 
+/// Parses the arguments and runs the verb. Returns the process's exit code: what the verb's callback left in
+/// `exit_code`; 2 for bad input, bad usage or too little memory; 70 for a defect of ours. Errors go to standard error.
+int run_program(CLI::App& program, int argc, char** argv, const int& exit_code);
+
 }  // namespace photonproof::inline harness_verbs
 
 namespace photonproof::inline harness_verbs_engines {
@@ -29,6 +34,4 @@ void add_cycles_verb(CLI::App& program, int& exit_code);
 
 namespace photonproof::inline harness_verbs_stress {
 void add_stress_verb(CLI::App& program, int& exit_code);
-void add_soak_verb(CLI::App& program, int& exit_code);
-void add_faults_verb(CLI::App& program, int& exit_code);
 }  // namespace photonproof::inline harness_verbs_stress

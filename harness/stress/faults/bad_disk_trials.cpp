@@ -10,7 +10,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* delay = "0.002";  // seconds a call
 
-/// By the verb that verb_faults.cpp hides.
+/// By the subcommand that faults_trial.cpp hides.
 std::vector<std::string> on_bad_disk(const std::vector<std::string>& options, const std::vector<std::string>& command) {
   std::vector<std::string> words{fs::read_symlink("/proc/self/exe").string(), "on-bad-disk"};
   words.insert(words.end(), options.begin(), options.end());

@@ -214,7 +214,7 @@ class Soak {
     };
     const FolderSize before = size_of(images_);
     const ProcessOutcome outcome =
-        run_process({options_.program.string(), "soak", "--within", options_.folder.string()}, how);
+        run_process({options_.within.string(), "soak", "--within", options_.folder.string()}, how);
     record_.interrupted = is_interrupted();
     if (record_.interrupted) return;
     if (!outcome.ok()) {

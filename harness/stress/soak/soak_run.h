@@ -22,6 +22,7 @@ struct SoakMethod {
 struct SoakOptions {
   std::filesystem::path folder;   ///< receives everything; what another run left in its images is removed first
   std::filesystem::path program;  ///< photonproof
+  std::filesystem::path within;   ///< photonproof-trials, of the same build, which renders within one process
   std::vector<SoakMethod> methods;
   std::uint64_t renders = 1000;  ///< by processes at least, rounded up to whole cycles, and as many within one
   double memory_bound = 4096;    ///< bytes a render

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 class Faults : public FolderTest {
  protected:
   ProcessOutcome faults(const std::vector<std::string>& more) const {
-    std::vector<std::string> argv{PHOTONPROOF_BINARY, "faults", "-o", folder_ / "out", "--quick"};
+    std::vector<std::string> argv{PHOTONPROOF_TRIALS, "faults", "-o", folder_ / "out", "--quick"};
     argv.insert(argv.end(), more.begin(), more.end());
     return run_process(argv, {.wall_limit_seconds = 200});
   }

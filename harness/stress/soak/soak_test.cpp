@@ -21,8 +21,7 @@ class Soak : public FolderTest {
  protected:
   /// `more` befalls every render after it: $n is its number, $image its EXR.
   ProcessOutcome soak_with(const std::string& more, const std::string& renders = "24") const {
-    put("program", "#!/bin/sh\n[ \"$1\" = render ] || exec " PHOTONPROOF_BINARY " \"$@\"\n" PHOTONPROOF_BINARY
-                   " \"$@\" || exit $?\nimage=$4\necho >>" +
+    put("program", "#!/bin/sh\n" PHOTONPROOF_BINARY " \"$@\" || exit $?\nimage=$4\necho >>" +
                        (folder_ / "calls").string() + "\nn=$(wc -l <" + (folder_ / "calls").string() + ")\n" + more +
                        "\n");
     std::filesystem::permissions(folder_ / "program", std::filesystem::perms::owner_all);
@@ -30,7 +29,7 @@ class Soak : public FolderTest {
                  renders});
   }
   ProcessOutcome soak(const std::vector<std::string>& more) const {
-    std::vector<std::string> argv{PHOTONPROOF_BINARY, "soak", "-o", folder_ / "out"};
+    std::vector<std::string> argv{PHOTONPROOF_TRIALS, "soak", "-o", folder_ / "out"};
     argv.insert(argv.end(), more.begin(), more.end());
     return run_process(argv, {.wall_limit_seconds = 120});
   }
@@ -90,6 +89,18 @@ TEST_F(Soak, within_one_process_sees_what_is_not_given_back) {
   EXPECT_EQ(drift.verdict, DriftVerdict::grows);
   EXPECT_NEAR(drift.slope, 20000, 1000);  // two renders a cycle
   EXPECT_FALSE(samples.contains("other_bits"));
+}
+
+// Users are offered what is about their engines.
+TEST_F(Soak, is_no_verb_of_the_program) {
+  for (const char* trial : {"soak", "faults"}) {
+    const ProcessOutcome outcome = run_process({PHOTONPROOF_BINARY, trial, "-o", folder_ / "out"});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_EQ(outcome.standard_error, "'" + std::string(trial) + "' is no verb; --help lists them\n");
+    EXPECT_EQ(outcome.standard_output, "");
+    const ProcessOutcome help = run_process({PHOTONPROOF_BINARY, "--help"});
+    EXPECT_EQ(help.standard_output.find(trial), std::string::npos) << help.standard_output;
+  }
 }
 
 TEST_F(Soak, refuses_what_it_does_not_know_in_one_line) {

@@ -1,4 +1,5 @@
-// photonproof soak: a thousand renders in one folder; memory, files and disk stay as they are, and so do the images.
+// photonproof-trials soak: a thousand renders in one folder; memory, files and disk stay as they are, and so do the
+// images.
 
 #include <unistd.h>
 
@@ -10,6 +11,7 @@
 #include <stdexcept>
 
 #include "harness/stress/soak/soak_run.h"
+#include "harness/trials/trials.h"
 #include "harness/verbs/interrupt.h"
 #include "harness/verbs/verbs.h"
 #include "renderer/core/version.h"
@@ -17,7 +19,7 @@
 #include "scenes/base/input_error.h"
 #include "scenes/base/shell_text.h"
 
-namespace photonproof::inline harness_verbs_stress {
+namespace photonproof::inline harness_trials {
 namespace {
 
 namespace fs = std::filesystem;
@@ -46,13 +48,13 @@ SoakOptions soak_options(const SoakArguments& arguments) {
     throw InputError("--integrator", "'" + arguments.integrator + "' is no integrator");
   SoakOptions options;
   options.folder = arguments.output;
-  options.program = arguments.program.empty() ? fs::read_symlink("/proc/self/exe") : fs::path(arguments.program);
-  if (!fs::exists(options.program)) throw InputError("--program", "there is no '" + arguments.program + "'");
+  options.program = program_on_trial(arguments.program);
+  options.within = fs::read_symlink("/proc/self/exe");
   options.methods = soak_methods(arguments.integrator);
   options.renders = arguments.renders;
   options.memory_bound = arguments.bound;
   options.version = version_line();
-  std::vector<std::string> command{"photonproof", "soak", "--renders", std::to_string(arguments.renders)};
+  std::vector<std::string> command{"photonproof-trials", "soak", "--renders", std::to_string(arguments.renders)};
   if (!arguments.integrator.empty()) command.insert(command.end(), {"--integrator", arguments.integrator});
   command.insert(command.end(), {"-o", arguments.output});
   options.command = shell_line(command);
@@ -66,7 +68,7 @@ SoakOptions soak_options(const SoakArguments& arguments) {
   return options;
 }
 
-/// The verb itself, as a command line would have it.
+/// `render` in this process, as a command line would have it.
 void render_here(const std::vector<std::string>& arguments) {
   if (interrupt_flag()) throw InputError("soak", "was interrupted");
   CLI::App program{"photonproof"};
@@ -95,7 +97,7 @@ int soak(const SoakArguments& arguments) {
 
 }  // namespace
 
-void add_soak_verb(CLI::App& program, int& exit_code) {
+void add_soak_trial(CLI::App& program, int& exit_code) {
   auto arguments = std::make_shared<SoakArguments>();
   CLI::App* verb = program.add_subcommand(
       "soak",
@@ -111,10 +113,11 @@ void add_soak_verb(CLI::App& program, int& exit_code) {
       ->check(CLI::Range(1.0, 1e9))
       ->capture_default_str();
   verb->add_option("--integrator", arguments->integrator, "this one alone (default: all)");
-  verb->add_option("--program", arguments->program, "another build of photonproof to soak (default: this one)");
+  verb->add_option("--program", arguments->program,
+                   "what renders by processes (default: the photonproof beside this program)");
   verb->add_option("--within", arguments->within, "(of soak itself) render within one process what lies there")
       ->group("");
   verb->callback([arguments, &exit_code] { exit_code = soak(*arguments); });
 }
 
-}  // namespace photonproof::inline harness_verbs_stress
+}  // namespace photonproof::inline harness_trials

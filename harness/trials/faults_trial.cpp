@@ -1,5 +1,5 @@
-// photonproof faults: kills, bad disks, company, clocks and little memory befall small works, which must come to the
-// same in the end.
+// photonproof-trials faults: kills, bad disks, company, clocks and little memory befall small works, which must come to
+// the same in the end.
 
 #include <unistd.h>
 
@@ -10,13 +10,13 @@
 
 #include "harness/stress/faults/bad_disk.h"
 #include "harness/stress/faults/faults_run.h"
+#include "harness/trials/trials.h"
 #include "harness/verbs/interrupt.h"
-#include "harness/verbs/verbs.h"
 #include "renderer/core/version.h"
 #include "scenes/base/input_error.h"
 #include "scenes/base/shell_text.h"
 
-namespace photonproof::inline harness_verbs_stress {
+namespace photonproof::inline harness_trials {
 namespace {
 
 namespace fs = std::filesystem;
@@ -33,15 +33,14 @@ struct FaultsArguments {
 FaultsOptions faults_options(const FaultsArguments& arguments) {
   FaultsOptions options;
   options.folder = arguments.output;
-  options.program = arguments.program.empty() ? fs::read_symlink("/proc/self/exe") : fs::path(arguments.program);
-  if (!fs::exists(options.program)) throw InputError("--program", "there is no '" + arguments.program + "'");
+  options.program = program_on_trial(arguments.program);
   options.quick = arguments.quick;
   options.kills = arguments.kills.value_or(arguments.quick ? quick_kills : FaultsOptions{}.kills);
   options.only = arguments.only;
   options.seed = arguments.seed;
   options.version = version_line();
-  std::vector<std::string> command{
-      "photonproof", "faults", "--kills", std::to_string(options.kills), "--seed", std::to_string(options.seed)};
+  std::vector<std::string> command{"photonproof-trials",          "faults", "--kills",
+                                   std::to_string(options.kills), "--seed", std::to_string(options.seed)};
   if (!arguments.only.empty()) command.insert(command.end(), {"--only", arguments.only});
   if (arguments.quick) command.emplace_back("--quick");
   command.insert(command.end(), {"-o", arguments.output});
@@ -77,7 +76,7 @@ int faults(const FaultsArguments& arguments) {
   return record.fails() ? 1 : 0;
 }
 
-void add_bad_disk_verb(CLI::App& program, int& exit_code) {
+void add_bad_disk_trial(CLI::App& program, int& exit_code) {
   struct Arguments {
     BadDisk disk;
     std::vector<std::string> command;
@@ -94,7 +93,7 @@ void add_bad_disk_verb(CLI::App& program, int& exit_code) {
 
 }  // namespace
 
-void add_faults_verb(CLI::App& program, int& exit_code) {
+void add_faults_trial(CLI::App& program, int& exit_code) {
   auto arguments = std::make_shared<FaultsArguments>();
   CLI::App* verb = program.add_subcommand(
       "faults",
@@ -109,10 +108,11 @@ void add_faults_verb(CLI::App& program, int& exit_code) {
   verb->add_flag("--quick", arguments->quick, "one trial of every other fault on every work");
   verb->add_option("--only", arguments->only, "only faults on works whose name contains this; --list has the names");
   verb->add_option("--seed", arguments->seed, "decides every moment")->check(CLI::Range(1, 1'000'000'000));
-  verb->add_option("--program", arguments->program, "another build of photonproof to try (default: this one)");
+  verb->add_option("--program", arguments->program,
+                   "another program to try (default: the photonproof beside this one)");
   verb->add_flag("--list", arguments->list, "print the names of the faults and end");
   verb->callback([arguments, &exit_code] { exit_code = faults(*arguments); });
-  add_bad_disk_verb(program, exit_code);
+  add_bad_disk_trial(program, exit_code);
 }
 
-}  // namespace photonproof::inline harness_verbs_stress
+}  // namespace photonproof::inline harness_trials
