@@ -97,7 +97,7 @@ std::string error_words(const std::optional<double>& error);
 /// known; 130 interrupted.
 int exit_code_of(const VerifyRecord& record);
 
-/// Both hold the record against the schema: InputError "FILE#POINTER" where it breaks it.
+/// Both throw InputError "FILE#POINTER" at a value that cannot be.
 VerifyRecord read_verify_record(const std::filesystem::path& file);
 void write_verify_record(const VerifyRecord& record, const std::filesystem::path& file);
 std::string verify_record_text(const VerifyRecord& record);

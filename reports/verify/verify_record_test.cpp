@@ -4,11 +4,13 @@
 
 #include <limits>
 
+#include "reports/verify/verify_fields.h"
 #include "scenes/base/input_error.h"
 #include "scenes/files/atomic_file.h"
 #include "scenes/files/scratch_folder.h"
 #include "scenes/files/test_folder.h"
 #include "scenes/images/image.h"
+#include "scenes/records/test_record.h"
 
 namespace photonproof::inline reports_verify {
 namespace {
@@ -71,6 +73,11 @@ TEST(VerifyRecord, that_breaks_the_schema_is_one_error_with_its_place) {
   EXPECT_NE(error.find("#/scenes/0/verdict"), std::string::npos) << error;
   write_file_atomically(file, "{");
   EXPECT_THROW(read_verify_record(file), InputError);
+}
+
+TEST(VerifyRecord, has_the_schema_that_is_printed) {
+  expect_schema_in<VerifyRecord>("reports/verify/verify.schema.json");
+  expect_reader_agrees_with_schema(record_with("differ"));
 }
 
 TEST(VerifyRecord, number_that_is_not_finite_is_left_out) {
