@@ -9,14 +9,16 @@
 #include "harness/cells/test_program.h"
 #include "harness/grading/test_course.h"
 #include "reports/grades/grades_json.h"
-#include "reports/grades/gradescope.h"
 #include "scenes/base/process.h"
 #include "scenes/images/image.h"
+#include "scenes/records/test_schema_check.h"
 
 namespace photonproof::inline harness_grading {
 namespace {
 
 namespace fs = std::filesystem;
+
+const std::string gradescope_schema = read_file(PHOTONPROOF_SOURCE_DIR "/reports/grades/gradescope.schema.json");
 
 class GradeVerb : public CourseTest {
  protected:
@@ -61,7 +63,7 @@ TEST_F(GradeVerb, a_right_and_quick_submission_has_its_points) {
   EXPECT_EQ(honest.speed.points, 20) << honest.speed.sentence;
   EXPECT_TRUE(has("out/gradebook.csv"));
   EXPECT_TRUE(has("out/" + honest.scenes[0].pictures.at("flip")));
-  validate_gradescope(nlohmann::ordered_json::parse(get("out/" + honest.folder + "/results.json")), "results.json");
+  EXPECT_EQ(schema_problem(gradescope_schema, get("out/" + honest.folder + "/results.json")), "");
   EXPECT_NE(outcome.standard_output.find("honest"), std::string::npos);
   ASSERT_EQ(all.caveats.size(), 1u);
   EXPECT_EQ(all.caveats[0], "submissions ran without a sandbox (--no-sandbox)");
@@ -346,7 +348,7 @@ TEST_F(GradeVerb, the_autograder_has_what_gradescope_asks_for) {
        "bin/photonproof assignment/*/render; cp -r ../../submission ..; AUTOGRADER=$0 ./run_autograder",
        place});
   ASSERT_EQ(run.exit_code, 0) << run.standard_error;
-  validate_gradescope(nlohmann::ordered_json::parse(get("autograder/results/results.json")), "results.json");
+  EXPECT_EQ(schema_problem(gradescope_schema, get("autograder/results/results.json")), "");
   EXPECT_NE(get("autograder/source/setup.sh").find("apt-get install"), std::string::npos);
 }
 

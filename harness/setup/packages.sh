@@ -2,10 +2,10 @@
 
 # What the program needs to be built and to run.
 build_packages="g++ cmake ninja-build pkg-config libembree-dev libopenimageio-dev libopenexr-dev libpng-dev libtbb-dev libpugixml-dev
-  libtomlplusplus-dev nlohmann-json3-dev libvalijson-dev libcli11-dev libfmt-dev libboost-dev libkainjow-mustache-dev
+  libtomlplusplus-dev nlohmann-json3-dev libcli11-dev libfmt-dev libboost-dev libkainjow-mustache-dev
   zlib1g-dev povray bubblewrap libarchive-tools git mount"
 # What the tests need on top.
-check_packages="libgtest-dev libgmock-dev libboost-math-dev clang-format chromium libxml2-utils shellcheck python3-yaml
+check_packages="libgtest-dev libgmock-dev libvalijson-dev libboost-math-dev clang-format chromium libxml2-utils shellcheck python3-yaml
   universal-ctags zstd xz-utils bzip2"
 
 # What ./run --with-cycles installs: a second unbiased engine to compare with. Nothing needs it.

@@ -1,62 +1,13 @@
 #include "reports/grades/grade_record.h"
 
 #include <algorithm>
-#include <array>
-#include <utility>
 
-#include "scenes/base/input_error.h"
+#include "reports/grades/grade_fields.h"
 
 namespace photonproof::inline reports_grades {
-namespace {
-
-constexpr std::array<std::pair<SceneVerdict, const char*>, 6> scene_verdicts{{{SceneVerdict::right, "right"},
-                                                                              {SceneVerdict::borderline, "borderline"},
-                                                                              {SceneVerdict::wrong, "wrong"},
-                                                                              {SceneVerdict::failed, "failed"},
-                                                                              {SceneVerdict::unused, "unused"},
-                                                                              {SceneVerdict::skipped, "skipped"}}};
-
-}  // namespace
-
-std::string to_string(SceneVerdict verdict) {
-  for (const auto& [value, name] : scene_verdicts)
-    if (value == verdict) return name;
-  return "unknown";
-}
-
-SceneVerdict scene_verdict_from(const std::string& name) {
-  for (const auto& [value, known] : scene_verdicts)
-    if (name == known) return value;
-  throw InputError("verdict", "'" + name + "' is none");
-}
-
-std::string to_string(GradedCheck::Side side) {
-  switch (side) {
-    case GradedCheck::Side::inside:
-      return "inside";
-    case GradedCheck::Side::outside:
-      return "outside";
-    case GradedCheck::Side::undecided:
-      break;
-  }
-  return "undecided";
-}
-
-std::string to_string(SpeedGrade::State state) {
-  switch (state) {
-    case SpeedGrade::State::none:
-      return "not measured";
-    case SpeedGrade::State::not_right:
-      return "not right";
-    case SpeedGrade::State::measured:
-      return "measured";
-    case SpeedGrade::State::too_noisy:
-      return "too noisy";
-    case SpeedGrade::State::changed:
-      break;
-  }
-  return "other images when timed";
-}
+std::string to_string(SceneVerdict verdict) { return word_of(verdict); }
+std::string to_string(GradedCheck::Side side) { return word_of(side); }
+std::string to_string(SpeedGrade::State state) { return word_of(state); }
 
 const SceneGrade* SubmissionGrade::scene(const std::string& scene_name) const {
   const auto found = std::ranges::find(scenes, scene_name, &SceneGrade::scene);

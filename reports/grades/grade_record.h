@@ -62,7 +62,6 @@ struct GradedFinding {
 /// scene does not count; skipped: not graded in this run.
 enum class SceneVerdict { right, borderline, wrong, failed, unused, skipped };
 std::string to_string(SceneVerdict verdict);
-SceneVerdict scene_verdict_from(const std::string& name);
 
 struct SceneGrade {
   std::string scene;

@@ -9,6 +9,7 @@
 namespace photonproof::inline reports_grades {
 
 nlohmann::ordered_json run_to_json(const GradedRun& run);
+/// Throws InputError where it is none.
 GradedRun run_from_json(const nlohmann::ordered_json& json);
 
 /// Throws std::logic_error on a number that is not finite.

@@ -3,8 +3,10 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "reports/grades/grade_fields.h"
 #include "reports/grades/test_grades.h"
 #include "scenes/files/test_folder.h"
+#include "scenes/records/test_record.h"
 
 namespace photonproof::inline reports_grades {
 namespace {
@@ -20,10 +22,16 @@ TEST(GradesJson, reads_back_what_was_written) {
   EXPECT_EQ(back.submissions[2].speed.speedup.interval->low, 3.9);
 }
 
+TEST(GradesJson, has_the_schema_that_is_printed) {
+  expect_schema_in<Grades>("reports/grades/grades.schema.json");
+  expect_reader_agrees_with_schema(test_grades());
+}
+
 TEST(GradesJson, a_document_of_another_version_is_refused) {
   nlohmann::ordered_json json = grades_to_json(test_grades());
   json["grades_version"] = 99;
-  EXPECT_EQ(input_error_of([&] { grades_from_json(json, "g.json"); }), "g.json: error: is of another version than 1");
+  EXPECT_EQ(input_error_of([&] { grades_from_json(json, "g.json"); }),
+            "g.json: error: has grades_version 99; this program reads 1");
 }
 
 TEST(GradesJson, images_outside_of_the_record_s_folder_are_refused) {

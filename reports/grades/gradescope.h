@@ -9,12 +9,8 @@
 
 namespace photonproof::inline reports_grades {
 
-/// A test a scene and one for speed; hidden scenes tell their verdict and score, nothing of what they show. The
-/// leaderboard has points and, where it was measured, the speed-up.
+/// By gradescope.schema.json, as tests check. A test a scene and one for speed; hidden scenes tell their verdict and
+/// score, nothing of what they show. The leaderboard has points and, where it was measured, the speed-up.
 nlohmann::ordered_json gradescope_results(const Grades& grades, const SubmissionGrade& submission);
-
-/// Throws InputError "<file>#<JSON pointer>" at the first place that is not as Gradescope documents it
-/// (gradescope.schema.json).
-void validate_gradescope(const nlohmann::ordered_json& document, const std::string& file);
 
 }  // namespace photonproof::inline reports_grades

@@ -2,6 +2,8 @@
 // only.
 #pragma once
 
+#include <cstdint>
+
 #include "reports/grades/grade_record.h"
 
 namespace photonproof::inline reports_grades {
@@ -10,6 +12,7 @@ inline Grades grades_without_submissions() {
   Grades grades;
   grades.assignment = "fake";
   grades.title = "Fake course";
+  grades.host = {"Some CPU", "Debian 12", "6.1", 2, std::uint64_t{8} << 30};
   grades.correctness_points = 40;
   grades.speed_points = 60;
   grades.speed_rule = "20 points from 2x, 60 from 20x";

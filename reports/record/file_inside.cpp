@@ -20,11 +20,6 @@ std::string file_inside(std::string name) {
   return name;
 }
 
-std::map<std::string, std::string> files_inside(std::map<std::string, std::string> names) {
-  for (auto& [role, name] : names) name = file_inside(std::move(name));
-  return names;
-}
-
 void refuse_link_outside(const std::filesystem::path& folder, const std::string& name) {
   if (name.empty()) return;
   std::error_code loop;  // of links that end nowhere
@@ -36,6 +31,13 @@ void refuse_link_outside(const std::filesystem::path& folder, const std::string&
 
 void refuse_links_outside(const std::filesystem::path& folder, const std::map<std::string, std::string>& names) {
   for (const auto& [role, name] : names) refuse_link_outside(folder, name);
+}
+
+void refuse_files_outside(const std::vector<std::string>& names, const std::optional<std::filesystem::path>& folder) {
+  for (const std::string& name : names) {
+    file_inside(name);
+    if (folder) refuse_link_outside(*folder, name);
+  }
 }
 
 }  // namespace photonproof::inline reports_record

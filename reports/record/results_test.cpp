@@ -7,7 +7,9 @@
 #include <fstream>
 #include <limits>
 
+#include "reports/record/results_fields.h"
 #include "scenes/files/test_folder.h"
+#include "scenes/records/test_record.h"
 
 namespace photonproof::inline reports_record {
 namespace {
@@ -179,6 +181,30 @@ TEST_F(ResultsFile, round_trip_keeps_every_conclusion) {
   EXPECT_EQ(read.caveats, written.caveats);
 }
 
+TEST_F(ResultsFile, has_the_schema_that_is_printed) {
+  expect_schema_in<Results>("reports/record/results.schema.json");
+  expect_reader_agrees_with_schema(example_with_conclusions());
+  expect_reader_agrees_with_schema(KeptResult{full_result(), "beef"});
+}
+
+TEST_F(ResultsFile, key_that_is_not_known_is_named) {
+  write_results(path_, example());
+  replace("\"os\": ", "\"os \": \"\", \"os\": ");
+  EXPECT_EQ(error_on_read(), path_ + "#/host: error: has 'os ', which is not known");
+}
+
+// Records of version 0.1 have one target a curve.
+TEST_F(ResultsFile, older_target_of_a_curve_is_read) {
+  Results results = example_with_conclusions();
+  results.convergence[0].targets.clear();
+  write_results(path_, results);
+  replace("\"slope\": ", "\"target_relmse\": 0.01, \"seconds_to_target\": {\"value\": 3}, \"slope\": ");
+  const Results read = read_results(path_);
+  ASSERT_EQ(read.convergence[0].targets.size(), 1u);
+  EXPECT_EQ(read.convergence[0].targets[0].relmse, 0.01);
+  EXPECT_EQ(read.convergence[0].targets[0].seconds->value, 3);
+}
+
 TEST_F(ResultsFile, round_trip_keeps_every_field) {
   const Results written = example();
   write_results(path_, written);
@@ -220,11 +246,7 @@ TEST_F(ResultsFile, single_result_round_trips_too) {
 
 TEST_F(ResultsFile, single_result_is_not_taken_for_a_run) {
   write_result(path_, {full_result(), "beef"});
-  EXPECT_EQ(error_on_read(),
-            path_ +
-                "#: error: not by the schema of results, version 1: Object contains a property that could not be "
-                "validated using 'properties' or 'additionalProperties' constraints: 'comparison_key'. "
-                "Found: {\"comparison_key\":\"beef\",\"result\":{\"caveats\":[\"host was b...");
+  EXPECT_EQ(error_on_read(), path_ + ": error: has no 'suite'");
 }
 
 TEST_F(ResultsFile, every_status_has_a_name_that_reads_back) {
@@ -276,8 +298,8 @@ TEST_F(ResultsFile, wrong_type_is_named_by_its_pointer) {
   write_results(path_, example());
   replace("\"status\": \"timeout\"", "\"status\": \"fine\"");
   EXPECT_EQ(error_on_read(), path_ +
-                                 "#/results/1/status: error: not by the schema of results, version 1: Failed to "
-                                 "match against any enum values. Found: \"fine\"");
+                                 "#/results/1/status: error: is \"fine\", expected one of \"ok\", \"timeout\", "
+                                 "\"crash\", \"bad_image\", \"unsupported\", \"not_started\"");
 }
 
 // A record from elsewhere could otherwise put any image of this machine on a page that is published.
@@ -320,16 +342,13 @@ TEST_F(ResultsFile, links_that_lead_out_of_the_record_s_folder_are_refused) {
 TEST_F(ResultsFile, missing_field_is_named) {
   write_results(path_, example());
   replace("\"key\": \"ffff\",", "");
-  const std::string error = error_on_read();
-  EXPECT_TRUE(error.starts_with(path_ + "#/results/1: error: not by the schema of results, version 1: Missing required "
-                                        "property 'key'. Found: {"))
-      << error;
+  EXPECT_EQ(error_on_read(), path_ + "#/results/1: error: has no 'key'");
 }
 
 TEST_F(ResultsFile, negative_seed_is_refused) {
   write_results(path_, example());
   replace("\"seed\": 7", "\"seed\": -7");
-  EXPECT_TRUE(error_on_read().starts_with(path_ + "#/results/0/cell/seed: error: ")) << error_on_read();
+  EXPECT_EQ(error_on_read(), path_ + "#/results/0/cell/seed: error: is -7, expected a whole number of at least 0");
 }
 
 TEST_F(ResultsFile, same_cell_twice_is_refused) {
@@ -363,7 +382,9 @@ TEST_F(ResultsFile, garbage_is_named_with_the_place) {
 
 TEST_F(ResultsFile, other_json_is_no_results_file) {
   put("[1, 2]");
-  EXPECT_EQ(error_on_read(), path_ + ": error: not a results file: it has no schema_version");
+  EXPECT_EQ(error_on_read(), path_ + ": error: is [1,2], expected an object");
+  put("{}");
+  EXPECT_EQ(error_on_read(), path_ + ": error: is no record of photonproof results: it has no schema_version");
 }
 
 TEST_F(ResultsFile, other_version_is_told_apart_from_corruption) {

@@ -3,74 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <nlohmann/json.hpp>
 #include <set>
-#include <utility>
 
 #include "reports/record/file_inside.h"
-#include "scenes/base/input_error.h"
+#include "reports/stress/stress_fields.h"
 #include "scenes/base/json_text.h"
 #include "scenes/files/atomic_file.h"
+#include "scenes/records/record_reader.h"
+#include "scenes/records/record_writer.h"
 
 namespace photonproof::inline reports_stress {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-constexpr std::array<std::pair<RungOutcome, const char*>, 6> outcome_words{
-    {{RungOutcome::right, "right"},
-     {RungOutcome::degraded, "degraded"},
-     {RungOutcome::refused, "refused"},
-     {RungOutcome::undecided, "undecided"},
-     {RungOutcome::silently_wrong, "silently wrong"},
-     {RungOutcome::crashed, "crashed"}}};
-
-Json rung_json(const StressRung& rung) {
-  Json json = {{"height", rung.height},
-               {"outcome", to_string(rung.outcome)},
-               {"sentence", rung.sentence},
-               {"seconds", rung.seconds}};
-  if (rung.would_see) json["would_see"] = *rung.would_see;
-  if (!rung.picture.empty()) json["picture"] = rung.picture;
-  if (!rung.expected.empty()) json["expected"] = rung.expected;
-  return json;
-}
-
-StressRung rung_of(const Json& json) {
-  StressRung rung;
-  rung.height = json.at("height");
-  rung.outcome = rung_outcome_from(json.at("outcome"));
-  rung.sentence = json.at("sentence");
-  rung.seconds = json.at("seconds");
-  if (json.contains("would_see")) rung.would_see = json["would_see"].get<double>();
-  rung.picture = file_inside(json.value("picture", ""));
-  rung.expected = file_inside(json.value("expected", ""));
-  return rung;
-}
-
-Json stress_ladder_json(const StressLadder& ladder) {
-  Json json = {{"feature", ladder.feature}, {"climb", ladder.climb},   {"engine", ladder.engine},
-               {"measure", ladder.measure}, {"wanted", ladder.wanted}, {"rungs", Json::array()}};
-  if (!ladder.not_climbed.empty()) json["not_climbed"] = ladder.not_climbed;
-  if (const auto right = ladder.right_up_to()) json["right_up_to"] = *right;
-  if (const StressRung* broken = ladder.breakdown()) json["breakdown"] = broken->height;
-  for (const StressRung& rung : ladder.rungs) json["rungs"].push_back(rung_json(rung));
-  return json;
-}
-
-StressLadder stress_ladder_of(const Json& json) {
-  StressLadder ladder;
-  ladder.feature = json.at("feature");
-  ladder.climb = json.at("climb");
-  ladder.engine = json.at("engine");
-  ladder.measure = json.at("measure");
-  ladder.wanted = json.at("wanted");
-  ladder.not_climbed = json.value("not_climbed", "");
-  for (const Json& rung : json.at("rungs")) ladder.rungs.push_back(rung_of(rung));
-  return ladder;
-}
 
 int rank(RungOutcome outcome) {
   switch (outcome) {
@@ -87,17 +30,7 @@ int rank(RungOutcome outcome) {
 
 }  // namespace
 
-std::string to_string(RungOutcome outcome) {
-  for (const auto& [value, word] : outcome_words)
-    if (value == outcome) return word;
-  return "";
-}
-
-RungOutcome rung_outcome_from(const std::string& text) {
-  for (const auto& [value, word] : outcome_words)
-    if (text == word) return value;
-  throw InputError("outcome", "'" + text + "' is none of a rung");
-}
+std::string to_string(RungOutcome outcome) { return word_of(outcome); }
 
 const StressRung* StressLadder::breakdown() const {
   for (const StressRung& rung : rungs)
@@ -127,55 +60,26 @@ std::size_t StressRecord::count(RungOutcome outcome) const {
   return n;
 }
 
-std::string rung_text(const StressRung& rung) { return json_text(rung_json(rung)) + "\n"; }
+std::string rung_text(const StressRung& rung) { return json_text(record_json(rung)) + "\n"; }
 
-std::optional<StressRung> rung_from_text(const std::string& text) {
-  try {
-    return rung_of(Json::parse(text));
-  } catch (const std::exception&) {
-    return std::nullopt;
-  }
+std::optional<StressRung> rung_from_text(const std::string& text) try {
+  RecordSource source{"rung"};
+  StressRung rung = read_record<StressRung>(parse_record(text, source.file), source);
+  refuse_files_outside(source.files);
+  return rung;
+} catch (const InputError&) {
+  return std::nullopt;
 }
 
 void write_stress_record(const StressRecord& record, const std::filesystem::path& file) {
-  Json json = {{"schema_version", record.schema_version},
-               {"created", record.created},
-               {"program", record.program},
-               {"checksum", record.checksum},
-               {"host", record.host},
-               {"command", record.command},
-               {"quick", record.quick},
-               {"interrupted", record.interrupted},
-               {"seconds", record.seconds},
-               {"ladders", Json::array()}};
-  for (const StressLadder& ladder : record.ladders) json["ladders"].push_back(stress_ladder_json(ladder));
-  write_file_atomically(file, json_text(json) + "\n");
+  write_file_atomically(file, json_text(record_json(record)) + "\n");
 }
 
 StressRecord read_stress_record(const std::filesystem::path& file) {
-  const std::string text = read_file(file);
-  try {
-    const Json json = Json::parse(text);
-    StressRecord record;
-    record.schema_version = json.at("schema_version");
-    if (record.schema_version != 1) throw InputError(file.string(), "is a stress record of another schema than 1");
-    record.created = json.at("created");
-    record.program = json.at("program");
-    record.checksum = json.at("checksum");
-    record.host = json.at("host");
-    record.command = json.at("command");
-    record.quick = json.at("quick");
-    record.interrupted = json.at("interrupted");
-    record.seconds = json.at("seconds");
-    for (const Json& ladder : json.at("ladders")) record.ladders.push_back(stress_ladder_of(ladder));
-    const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
-    for (const StressLadder& ladder : record.ladders)
-      for (const StressRung& rung : ladder.rungs)
-        for (const std::string& name : {rung.picture, rung.expected}) refuse_link_outside(folder, name);
-    return record;
-  } catch (const nlohmann::json::exception&) {
-    throw InputError(file.string(), "is no record of photonproof stress");
-  }
+  RecordSource source{file.string()};
+  StressRecord record = read_record<StressRecord>(parse_record(read_file(file), source.file), source);
+  refuse_files_outside(source.files, std::filesystem::absolute(file).parent_path());
+  return record;
 }
 
 namespace {

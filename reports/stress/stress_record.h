@@ -17,7 +17,6 @@ enum class RungOutcome {
   crashed          ///< no picture and no clear error, or no end
 };
 std::string to_string(RungOutcome outcome);
-RungOutcome rung_outcome_from(const std::string& text);
 /// The only two that fail.
 inline bool is_failure(RungOutcome outcome) {
   return outcome == RungOutcome::silently_wrong || outcome == RungOutcome::crashed;
@@ -48,7 +47,6 @@ struct StressLadder {
 };
 
 struct StressRecord {
-  int schema_version = 1;
   std::string created;   ///< UTC, ISO 8601
   std::string program;   ///< its version
   std::string checksum;  ///< of the program's file

@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include "reports/stress/stress_fields.h"
 #include "reports/stress/stress_view.h"
 #include "scenes/base/input_error.h"
 #include "scenes/files/atomic_file.h"
 #include "scenes/files/scratch_folder.h"
+#include "scenes/records/test_record.h"
 
 namespace photonproof::inline reports_stress {
 namespace {
@@ -44,6 +46,11 @@ TEST(stress_records, read_back_as_they_were_written) {
   EXPECT_EQ(read.ladders[0].rungs[1].would_see, 0.01);
   EXPECT_EQ(read.command, "photonproof stress -o out");
   EXPECT_TRUE(read.fails());
+}
+
+TEST(stress_records, have_the_schema_that_is_printed) {
+  expect_schema_in<StressRecord>("reports/stress/stress.schema.json");
+  expect_reader_agrees_with_schema(record_with({right, degraded, silently_wrong}));
 }
 
 TEST(stress_records, that_are_none_are_one_error) {

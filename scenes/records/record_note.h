@@ -36,7 +36,7 @@ namespace photonproof::inline scenes_records {
 
 using RecordJson = nlohmann::ordered_json;
 
-/// What holds of a member beyond its type. Numbers in lists and maps have the limits, too.
+/// Conditions on a member beyond its type. Numbers in lists and maps have the limits, too.
 struct RecordNote {
   const char* says = "";                           ///< for people, in the schema
   std::optional<double> least{}, above{}, most{};  ///< limits of a number

@@ -27,7 +27,7 @@ struct RecordPlace {
   }
 };
 
-/// What is read, and the names of files in it.
+/// The file that is read, and the names of files found in it.
 struct RecordSource {
   std::string file;
   std::vector<std::string> files{};

@@ -128,7 +128,7 @@ class RecordSchema {
   RecordJson object_ = RecordJson::object(), properties_ = RecordJson::object(), required_ = RecordJson::array();
 };
 
-/// What fits a line of 120 characters stands on one.
+/// Text of the JSON, in which an object or list that fits a line of 120 characters stands on one.
 inline std::string wrapped_json(const RecordJson& json, std::size_t indent, std::size_t before) {
   const std::string line = json.dump();
   if (!json.is_structured() || indent + before + line.size() <= 119) return line;
