@@ -3,36 +3,64 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
+#include <iterator>
 
 #include "harness/stress/faults/fault_rows.h"
-#include "scenes/base/input_error.h"
 #include "scenes/base/json_text.h"
 #include "scenes/files/atomic_file.h"
+#include "scenes/records/record_reader.h"
+#include "scenes/records/record_writer.h"
 
 namespace photonproof::inline harness_stress_faults {
-namespace {
 
-using Json = nlohmann::ordered_json;
-
-Json outcome_json(const FaultOutcome& outcome) {
-  Json json = {{"work", outcome.work},     {"asked", outcome.asked},         {"count", outcome.count},
-               {"trials", outcome.trials}, {"broken", outcome.broken_count}, {"first_broken", outcome.broken}};
-  if (!outcome.not_tried.empty()) json["not_tried"] = outcome.not_tried;
-  return json;
+template <class V>
+void describe(V& v, FaultOutcome& r) {
+  v.record("work");
+  v.field("work", r.work);
+  v.field("asked", r.asked);
+  v.field("count", r.count);
+  v.field("trials", r.trials);
+  v.field("broken", r.broken_count);
+  v.field("first_broken", r.broken);
+  v.maybe("not_tried", r.not_tried);
 }
 
-FaultOutcome outcome_of(const std::string& fault, const Json& json) {
-  FaultOutcome outcome;
-  outcome.fault = fault;
-  outcome.work = json.at("work");
-  outcome.asked = json.at("asked");
-  outcome.count = json.at("count");
-  outcome.trials = json.at("trials");
-  outcome.broken_count = json.at("broken");
-  outcome.broken = json.at("first_broken").get<std::vector<std::string>>();
-  outcome.not_tried = json.value("not_tried", "");
-  return outcome;
+namespace {
+
+/// A fault's row and what came of its works, as the record groups them.
+struct FaultGroup {
+  std::string name, done, must_hold;
+  std::vector<FaultOutcome> works{};
+};
+
+struct FaultsDocument {
+  FaultsRecord record;
+  std::vector<FaultGroup> faults{};
+};
+
+template <class V>
+void describe(V& v, FaultGroup& r) {
+  v.record("fault");
+  v.field("name", r.name);
+  v.field("done", r.done);
+  v.field("must_hold", r.must_hold);
+  v.field("works", r.works);
+}
+
+template <class V>
+void describe(V& v, FaultsDocument& r) {
+  v.record("photonproof faults");
+  v.version("schema_version", 1);
+  v.field("created", r.record.created);
+  v.field("program", r.record.program);
+  v.field("checksum", r.record.checksum);
+  v.field("command", r.record.command);
+  v.field("host", r.record.host);
+  v.field("seed", r.record.seed);
+  v.derived("verdict", std::string(r.record.fails() ? "failed" : "held"));
+  v.field("interrupted", r.record.interrupted);
+  v.field("seconds", r.record.seconds);
+  v.field("faults", r.faults);
 }
 
 /// What all works of a row came to.
@@ -92,45 +120,25 @@ std::string faults_table(const FaultsRecord& record) {
 }
 
 void write_faults_record(const FaultsRecord& record, const std::filesystem::path& file) {
-  Json json = {{"schema_version", 1},
-               {"created", record.created},
-               {"program", record.program},
-               {"checksum", record.checksum},
-               {"command", record.command},
-               {"host", record.host},
-               {"seed", record.seed},
-               {"verdict", record.fails() ? "failed" : "held"},
-               {"interrupted", record.interrupted},
-               {"seconds", record.seconds},
-               {"faults", Json::array()}};
+  FaultsDocument document{record};
   for (const FaultRow& row : fault_rows()) {
-    Json rows = Json::array();
-    for (const FaultOutcome& outcome : record.outcomes)
-      if (outcome.fault == row.name) rows.push_back(outcome_json(outcome));
-    if (rows.empty()) continue;
-    json["faults"].push_back({{"name", row.name}, {"done", row.done}, {"must_hold", row.must_hold}, {"works", rows}});
+    FaultGroup group{row.name, row.done, row.must_hold};
+    std::ranges::copy_if(record.outcomes, std::back_inserter(group.works),
+                         [&](const FaultOutcome& outcome) { return outcome.fault == row.name; });
+    if (!group.works.empty()) document.faults.push_back(std::move(group));
   }
-  write_file_atomically(file, json_text(json) + "\n");
+  write_file_atomically(file, json_text(record_json(document)) + "\n");
 }
 
 FaultsRecord read_faults_record(const std::filesystem::path& file) {
-  const Json json = Json::parse(read_file(file), nullptr, false);
-  try {
-    FaultsRecord record;
-    record.created = json.at("created");
-    record.program = json.at("program");
-    record.checksum = json.at("checksum");
-    record.command = json.at("command");
-    record.host = json.at("host");
-    record.seed = json.at("seed");
-    record.seconds = json.at("seconds");
-    record.interrupted = json.at("interrupted");
-    for (const Json& row : json.at("faults"))
-      for (const Json& work : row.at("works")) record.outcomes.push_back(outcome_of(row.at("name"), work));
-    return record;
-  } catch (const Json::exception&) {
-    throw InputError(file.string(), "is no record of faults");
-  }
+  RecordSource source{file.string()};
+  auto document = read_record<FaultsDocument>(parse_record(read_file(file), source.file), source);
+  for (const FaultGroup& group : document.faults)
+    for (FaultOutcome outcome : group.works) {
+      outcome.fault = group.name;
+      document.record.outcomes.push_back(std::move(outcome));
+    }
+  return document.record;
 }
 
 }  // namespace photonproof::inline harness_stress_faults

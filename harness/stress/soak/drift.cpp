@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "harness/statistics/student.h"
+#include "harness/stress/soak/soak_fields.h"
 
 namespace photonproof::inline harness_stress_soak {
 namespace {
@@ -28,17 +29,7 @@ DriftVerdict verdict_of(const Drift& drift, double bound) {
 
 }  // namespace
 
-std::string to_string(DriftVerdict verdict) {
-  switch (verdict) {
-    case DriftVerdict::flat:
-      return "flat";
-    case DriftVerdict::grows:
-      return "grows";
-    case DriftVerdict::unclear:
-      break;
-  }
-  return "unclear";
-}
+std::string to_string(DriftVerdict verdict) { return word_of(verdict); }
 
 Drift drift_of(std::span<const double> values, double bound) {
   Drift drift;
