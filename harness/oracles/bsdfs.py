@@ -1,9 +1,9 @@
-"""Expected values of every BSDF of scenes/FORMAT.md, from the published formulas: writes bsdfs_expected.tsv, which
+"""Expected values of every BSDF of scenes/FORMAT.md, from the published formulas: prints bsdfs_expected.tsv, which
 renderer/bsdfs/bsdf_oracle_test.cpp reads.
 
-    python3 harness/oracles/bsdfs.py        (standard library only; about half a minute)
+    python3 harness/oracles/bsdfs.py > harness/oracles/bsdfs_expected.tsv      (standard library only; half a minute)
 
-Needed only to make the table again; neither the build nor the tests run it. It shares nothing with the renderer, not
+nightly.sh holds the table against it. It shares nothing with the renderer, not
 even the form of the formulas: Fresnel by complex arithmetic for metals and glass alike, facets by their distribution of
 slopes (Heitz 2014), refraction with the half vector of Walter et al. 2007 written with both indices, averages over the
 facets by their area instead of the visible ones. Directions are (degrees from the normal, degrees of azimuth); "o" is
@@ -16,7 +16,7 @@ Lafortune, Willems 1994: Using the Modified Phong Reflectance Model for Physical
 Diffusing Suspensions (tables of the diffuse reflectance of an interface).
 """
 import math
-import os
+import sys
 
 from interfaces import Facets, check_facets, diffuse_reflectance, direction, dot, fresnel, reflection_shape, refracted
 from interfaces import simpson, unit
@@ -431,22 +431,21 @@ def rows(kind, p, b):
 
 def main():
     check_facets()
-    path = os.path.join(os.path.dirname(os.path.abspath(__file__)), "bsdfs_expected.tsv")
-    with open(path, "w") as out:
-        out.write("# By bsdfs.py. A case has the XML of a BSDF; below it, at angles in degrees (from the normal, "
-                  "azimuth):\n"
-                  "# eval: wo wi, f. pdf: wo wi, of sampling. mirror: wo, share mirrored. albedo: wo, share of red "
-                  "that eval scatters.\n"
-                  "# reflection, refraction: wo, direction, probability, weight of radiance, of importance, index\n"
-                  "# entered / left.\n")
-        for kind, p, *base in CASES:
-            p_numbers = {k: NAMED.get(v, v) if isinstance(v, str) else v for k, v in p.items()}
-            if base:
-                b, text = Layered(p_numbers, KINDS[base[0]], base[1]), xml(kind, p, xml(*base))
-            else:
-                b, text = KINDS[kind](p_numbers), xml(kind, p)
-            out.write("case\t" + text + "\n")
-            out.writelines(line + "\n" for line in rows(kind, p, b))
+    out = sys.stdout
+    out.write("# By bsdfs.py. A case has the XML of a BSDF; below it, at angles in degrees (from the normal, "
+              "azimuth):\n"
+              "# eval: wo wi, f. pdf: wo wi, of sampling. mirror: wo, share mirrored. albedo: wo, share of red "
+              "that eval scatters.\n"
+              "# reflection, refraction: wo, direction, probability, weight of radiance, of importance, index\n"
+              "# entered / left.\n")
+    for kind, p, *base in CASES:
+        p_numbers = {k: NAMED.get(v, v) if isinstance(v, str) else v for k, v in p.items()}
+        if base:
+            b, text = Layered(p_numbers, KINDS[base[0]], base[1]), xml(kind, p, xml(*base))
+        else:
+            b, text = KINDS[kind](p_numbers), xml(kind, p)
+        out.write("case\t" + text + "\n")
+        out.writelines(line + "\n" for line in rows(kind, p, b))
 
 
 if __name__ == "__main__":

@@ -6,7 +6,7 @@
 
 PYTHON has the packages mitsuba and numpy. The variant is llvm_ad_rgb where LLVM is found (DRJIT_LIBLLVM_PATH may name it),
 else scalar_rgb. Finished scenes are kept in the output folder under what they follow from (text, program, Mitsuba, samples);
-a second run goes on after them. `--only REGEX` renders a part, `--list` prints names. Run by hand; no test runs it.
+a second run goes on after them. `--only REGEX` renders a part, `--list` prints names. nightly.sh runs it, coarsely.
 
 Each program renders a scene with several seeds, so that the standard errors come from independent images; samples double
 until the mean is known to --error percent or --most samples are reached. A line of the table has

@@ -149,7 +149,8 @@ def write_expected():
     for turbidity, height in SUNS:
         towards = direction(90 - height, 0)
         value = radiance(towards, turbidity=float(turbidity), sky_scale=0.0, sun_direction=towards, sun_aperture=20.0)
-        print(f"      {{{turbidity}, {height}, {words([x * disc for x in value])}}},")
+        # A blue below 0 counts as none.
+        print(f"      {{{turbidity}, {height}, {words([max(x * disc, 0) for x in value])}}},")
     # Sums over all numbers, plain and with weights 1, 2, 3, ... modulo 101 by place: any digit shows.
     for shape, mean in sky_tables():
         sums = [(math.fsum(a.flat), math.fsum(x * (i % 101 + 1) for i, x in enumerate(a.flat))) for a in (shape, mean)]

@@ -70,7 +70,6 @@ def main():
     jd = julian_day(2003, 10, 17) + (12.5 + 30 / 3600 + 7) / 24
     zenith, azimuth = seen_from(39.742476, -105.1786, jd, 67)
     assert abs(zenith - (90 - 39.872046)) < 0.01 and abs(azimuth - 194.34024) < 0.01, (zenith, azimuth)
-    print("NREL's", zenith, azimuth)
     for latitude, longitude, zone, year, month, day, hour, minute, second, delta_t in CASES:
         jd = julian_day(year, month, day) + (hour - zone + minute / 60 + second / 3600) / 24
         zenith, azimuth = seen_from(latitude, longitude, jd, delta_t)
