@@ -33,11 +33,14 @@ struct AtSurface {
   }
 };
 
-/// Self offers refill(history, first, lanes), which says which of the lanes begin a history,
-/// meet_surfaces(history, active) and shade<Kind>(at_surface, active). `History` is the state between surfaces, `mode`
-/// what histories carry.
-template <class Self, template <class> class History, TransportMode mode, class F>
-class BatchKernel {
+/// Histories under way, and services that do not depend on who follows them. `History` is the state between surfaces,
+/// `mode` what histories carry.
+template <template <class> class History, TransportMode mode, class F>
+class BatchQueues {
+ protected:
+  using Value = F;
+  template <class G>
+  using StateOf = History<G>;
   template <class G>
   using Waiting = AtSurface<History, G>;
   using Batch = LaneBatch<History, F>;
@@ -48,39 +51,8 @@ class BatchKernel {
  public:
   static constexpr std::size_t scratch_words = 2 * Batch::words(capacity) + BsdfKinds::count * Queue::words(capacity);
 
-  /// Follows `count` histories to their ends.
-  void run(std::uint32_t count) {
-    std::uint32_t started = 0;
-    while (started < count || next_.size() > 0) {
-      std::swap(current_, next_);
-      next_.clear();
-      while (started < count && current_.size() + width <= capacity) {
-        const std::uint32_t lanes = std::min(static_cast<std::uint32_t>(width), count - started);
-        History<F> state;
-        const Mask<F> begins = self().refill(state, started, first_lanes<F>(lanes));
-        current_.append(state, begins);
-        started += lanes;
-      }
-      for (Queue& queue : queues_) queue.clear();
-      detail_count_ = 0;
-      for (std::size_t row = 0; row < current_.size(); row += width) {
-        History<F> state;
-        current_.load_rows(row, state);
-        self().meet_surfaces(state, first_lanes<F>(current_.size() - row));
-      }
-      BsdfKinds::for_each([&]<template <class> class Kind>(std::uint32_t kind) {
-        const Queue& queue = queues_[kind];
-        for (std::size_t row = 0; row < queue.size(); row += width) {
-          Waiting<F> state;
-          queue.load_rows(row, state);
-          self().template shade<Kind>(state, first_lanes<F>(queue.size() - row));
-        }
-      });
-    }
-  }
-
  protected:
-  BatchKernel(const SceneView& scene, std::uint32_t* scratch)
+  BatchQueues(const SceneView& scene, std::uint32_t* scratch)
       : scene_(scene),
         current_(scratch, capacity),
         next_(scratch + Batch::words(capacity), capacity),
@@ -142,10 +114,19 @@ class BatchKernel {
     return {gather_record<Kind, F>(base.record, valid, SurfaceDetail::stride), scattering};
   }
 
+  /// Empties the queues before a round.
+  void begin_round() {
+    std::swap(current_, next_);
+    next_.clear();
+    for (Queue& queue : queues_) queue.clear();
+    detail_count_ = 0;
+  }
+
   const SceneView& scene_;
+  Batch current_, next_;
+  std::array<Queue, BsdfKinds::count> queues_;  ///< by BSDF kind
 
  private:
-  Self& self() { return static_cast<Self&>(*this); }
   template <std::size_t... kind>
   static std::array<Queue, sizeof...(kind)> make_queues(std::uint32_t* memory, std::index_sequence<kind...>) {
     return {Queue(memory + kind * Queue::words(capacity), capacity)...};
@@ -185,10 +166,56 @@ class BatchKernel {
     return kinds;
   }
 
-  Batch current_, next_;
-  std::array<Queue, BsdfKinds::count> queues_;   ///< by BSDF kind
   std::array<SurfaceDetail, capacity> details_;  ///< of the round's waiting lanes, in detailed scenes
   std::size_t detail_count_ = 0;
+};
+
+/// Follows histories to their ends. `Steps` is a BatchQueues or derives from one. Self offers
+/// refill(history, first, lanes), which says which of the lanes begin a history, meet_surfaces(history, active) and
+/// shade<Kind>(at_surface, active).
+template <class Self, class Steps>
+class BatchKernel : public Steps {
+  using F = typename Steps::Value;
+  using State = typename Steps::template StateOf<F>;
+  using Waiting = typename Steps::template Waiting<F>;
+  using Steps::width;
+
+ public:
+  /// Follows `count` histories to their ends.
+  void run(std::uint32_t count) {
+    std::uint32_t started = 0;
+    while (started < count || next_.size() > 0) {
+      Steps::begin_round();
+      while (started < count && current_.size() + width <= capacity) {
+        const std::uint32_t lanes = std::min(static_cast<std::uint32_t>(width), count - started);
+        State state;
+        const Mask<F> begins = self().refill(state, started, first_lanes<F>(lanes));
+        current_.append(state, begins);
+        started += lanes;
+      }
+      for (std::size_t row = 0; row < current_.size(); row += width) {
+        State state;
+        current_.load_rows(row, state);
+        self().meet_surfaces(state, first_lanes<F>(current_.size() - row));
+      }
+      BsdfKinds::for_each([&]<template <class> class Kind>(std::uint32_t kind) {
+        const auto& queue = queues_[kind];
+        for (std::size_t row = 0; row < queue.size(); row += width) {
+          Waiting state;
+          queue.load_rows(row, state);
+          self().template shade<Kind>(state, first_lanes<F>(queue.size() - row));
+        }
+      });
+    }
+  }
+
+ protected:
+  using Steps::Steps;
+
+ private:
+  Self& self() { return static_cast<Self&>(*this); }
+
+  using Steps::current_, Steps::next_, Steps::queues_, Steps::capacity;
 };
 
 }  // namespace photonproof::inline renderer_kernels

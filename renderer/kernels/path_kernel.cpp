@@ -5,9 +5,9 @@
 namespace photonproof::inline renderer_kernels::PHOTONPROOF_KERNELS {
 
 static void trace_paths(PathTask& task) {
-  PathKernel<Lanes>(task).run(task.bounces.count > 0 ? task.bounces.count : task.camera.paths());
+  with_policy(task.policy, [&]<class Policy>(Policy) { trace_by_policy<Policy, Lanes>(task); });
 }
 
-const PathKernelEntry path{lane_count<Lanes>, PathKernel<Lanes>::scratch_words, trace_paths};
+const PathKernelEntry path{lane_count<Lanes>, PathSteps<Lanes>::scratch_words, trace_paths};
 
 }  // namespace photonproof::inline renderer_kernels::PHOTONPROOF_KERNELS

@@ -36,8 +36,8 @@ struct PhotonState {
 };
 
 template <class F>
-class PhotonKernel : public BatchKernel<PhotonKernel<F>, PhotonState, TransportMode::importance, F> {
-  using Base = BatchKernel<PhotonKernel<F>, PhotonState, TransportMode::importance, F>;
+class PhotonKernel : public BatchKernel<PhotonKernel<F>, BatchQueues<PhotonState, TransportMode::importance, F>> {
+  using Base = BatchKernel<PhotonKernel<F>, BatchQueues<PhotonState, TransportMode::importance, F>>;
   using U = UInt<F>;
   static constexpr std::uint32_t diffusely = 1, specularly = 2, roughly = 4;  // in PhotonState::bounced
   static constexpr std::uint32_t emission_dimensions = 3;                     // position, direction, light

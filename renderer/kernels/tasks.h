@@ -57,14 +57,16 @@ struct PathSettings {
   bool shows_behind_straight = !hide_emitters;
 };
 
-/// What a camera path does at a Lambertian surface.
-enum class AtDiffuse {
-  go_on,
-  leave_gather_point,           ///< and end
-  leave_gather_point_and_look,  ///< for light that next-event estimation finds, too, with one more ray, and end
-  final_gather,                 ///< final_gather.h
-  final_gather_and_look,        ///< for light that next-event estimation finds, too, with every bounce
-  go_on_beside_caustic_map      ///< final_gather.h: the first vertex leaves a caustic point, the second a gather point
+/// Which paths the path kernel follows: one row a policy type (path_policies.h).
+enum class PathPolicy {
+  path_tracing,        ///< PathTracing
+  gather_pass,         ///< GatherPass<false>
+  gather_pass_looks,   ///< GatherPass<true>
+  final_gather,        ///< FinalGatherPass<false>
+  final_gather_looks,  ///< FinalGatherPass<true>
+  beside_caustic_map,  ///< PathsBesideCaustics
+  pilot_pass,          ///< PilotPass
+  cache_rays           ///< CacheRays
 };
 
 /// Paths that begin at Lambertian surfaces as final gathers' bounces do, in columns; arrays may be read a pack past
@@ -109,12 +111,11 @@ struct RoughLookUps {
 
 struct PathTask {
   const SceneView* scene = nullptr;
-  CameraTask camera;  ///< without `bounces`
-  BouncesView bounces{};
+  CameraTask camera;      ///< where paths start, except CacheRays
+  BouncesView bounces{};  ///< where CacheRays start
   PathSettings settings;
-  AtDiffuse at_diffuse = AtDiffuse::go_on;
-  bool is_pilot = false;             ///< lamp_search.h, where `radiance` has another meaning
-  LampSearch search{};               ///< of a pilot
+  PathPolicy policy = PathPolicy::path_tracing;
+  LampSearch search{};               ///< of a PilotPass, which gives `radiance` another meaning (lamp_search.h)
   float* radiance = nullptr;         ///< 3 a path, in the task's order of paths
   std::uint32_t* scratch = nullptr;  ///< PathKernelEntry::scratch words
   GatherPoints points{};             ///< of a GatherQueue with room for one a path, where paths leave them

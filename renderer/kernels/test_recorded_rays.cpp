@@ -57,7 +57,7 @@ std::size_t RecordedRays::count(const std::vector<RayBlock>& blocks) const {
 }
 
 RecordedRays record_rays(const Scene& scene, int samples, int max_depth) {
-  using Kernel = PathKernel<RecordedLane>;
+  using Kernel = PathKernel<RecordedLane, PathTracing>;
   RecordedRays rays;
   recording = &rays;
   for (int y = 0; y < scene.height; y += 16) {

@@ -96,7 +96,7 @@ class CacheMaker {
 GatherQueue CacheMaker::ends_of(const CameraTask& camera) {
   PathTask task{.scene = &source_.scene.view(), .camera = camera, .settings = settings_};
   task.settings.direct_light = DirectLight::hits_only;
-  task.at_diffuse = AtDiffuse::leave_gather_point;
+  task.policy = PathPolicy::gather_pass;
   std::vector<float> radiance(3 * std::size_t{camera.paths()});
   GatherQueue queue(camera.paths());
   task.radiance = radiance.data();
@@ -193,7 +193,7 @@ HemisphereRays CacheMaker::gather(const HemisphereGrid& grid, const Vec3f& p, co
                   keys.data(),
                   indices.data(),
                   rays.distance.data()};
-  task.at_diffuse = AtDiffuse::final_gather;
+  task.policy = PathPolicy::cache_rays;
   task.radiance = radiance.data();
   task.points = queue.view();
   task.caustic_points = caustic_queue.view();

@@ -109,15 +109,15 @@ void CameraPass::leave_points(PathTask& task, TilePaths& paths) const {
     queue.reserve(points);
     return queue.view();
   };
-  task.at_diffuse = at_diffuse_of_maps(scene_, task.settings);
+  task.policy = policy_of_maps(scene_, task.settings);
   if (gathered_ != nullptr) {
-    task.at_diffuse = task.at_diffuse == AtDiffuse::leave_gather_point_and_look ? AtDiffuse::final_gather_and_look
-                                                                                : AtDiffuse::final_gather;
+    task.policy =
+        task.policy == PathPolicy::gather_pass_looks ? PathPolicy::final_gather_looks : PathPolicy::final_gather;
     task.near_hit = gathered_->radii.radius;
   }
   const bool caustics = caustic_ != nullptr;
   if (traces_paths_)
-    task.at_diffuse = caustics || task.settings.indirect_only ? AtDiffuse::go_on_beside_caustic_map : AtDiffuse::go_on;
+    task.policy = caustics || task.settings.indirect_only ? PathPolicy::beside_caustic_map : PathPolicy::path_tracing;
   if (caustics || !traces_paths_) task.points = room(paths.queue, count);
   if (!goes_on_ || !caustics) return;
   task.caustic_points = room(paths.caustic_queue, caustic_points_a_path * count);
@@ -152,7 +152,7 @@ void CameraPass::trace(const CameraTask& camera, TilePaths& paths, RenderLoop& l
                 .radiance = paths.radiance.data() + 3 * first};
   leave_points(task, paths);
   const std::size_t rough_points = paths.rough.size();
-  task.rough.by_photons = splits_rough_parts(scene_, task.at_diffuse);
+  task.rough.by_photons = splits_rough_parts(scene_, task.policy);
   if (task.rough.by_photons) {
     paths.radius_of_path.clear();
     if (caustic_ != nullptr)

@@ -144,8 +144,7 @@ void Pilot::trace(CameraTask camera, Stream stream, float within, Traced& traced
   PathTask task{.scene = &scene_.view(),
                 .camera = camera,
                 .settings = settings_,
-                .at_diffuse = AtDiffuse::leave_gather_point,
-                .is_pilot = true,
+                .policy = PathPolicy::pilot_pass,
                 .search = {lamps_.data(), lamps_.size(), within},
                 .radiance = traced.radiance.data(),
                 .points = traced.points.view()};

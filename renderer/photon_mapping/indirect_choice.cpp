@@ -125,14 +125,13 @@ class PilotTracer {
         scratch_(source.job.kernels().path) {}
 
   /// The same samples whatever is done at diffuse surfaces.
-  PilotImage trace(AtDiffuse at_diffuse) {
+  PilotImage trace(PathPolicy policy) {
     const auto width = static_cast<std::size_t>(window_.width()), rows = static_cast<std::size_t>(rows_);
     PilotImage image;
     image.pixels.resize(width * rows);
     RayTotals totals;
-    source_.threads.for_each(rows, [&](std::size_t row) {
-      trace_row(static_cast<int>(row), at_diffuse, &image.pixels[row * width], totals);
-    });
+    source_.threads.for_each(
+        rows, [&](std::size_t row) { trace_row(static_cast<int>(row), policy, &image.pixels[row * width], totals); });
     const RayCounts rays = totals.counts();
     image.rays_a_sample = static_cast<double>(rays.camera + rays.bounce + rays.shadow) /
                           static_cast<double>(image.pixels.size() * samples_a_pixel);
@@ -140,19 +139,19 @@ class PilotTracer {
   }
 
  private:
-  void trace_row(int row, AtDiffuse at_diffuse, Sample* pixels, RayTotals& totals) {
+  void trace_row(int row, PathPolicy policy, Sample* pixels, RayTotals& totals) {
     const int y = window_.y0 + (2 * row + 1) * window_.height() / (2 * rows_);
     PathTask task{.scene = &source_.scene.view(),
                   .camera = camera_task(source_.job, {window_.x0, y, window_.x1, y + 1}, 0, samples_a_pixel),
                   .settings = settings_,
-                  .at_diffuse = at_diffuse};
+                  .policy = policy};
     task.camera.seed = stream_seed(source_.job.seed, indirect_pilot_stream);
     task.camera.grid = 0;
     std::vector<float> radiance(3 * std::size_t{task.camera.paths()});
     GatherQueue left(task.camera.paths());
     task.radiance = radiance.data();
-    if (at_diffuse != AtDiffuse::go_on_beside_caustic_map) task.points = left.view();
-    task.rough.by_photons = splits_rough_parts(source_.scene, at_diffuse);
+    if (policy != PathPolicy::beside_caustic_map) task.points = left.view();
+    task.rough.by_photons = splits_rough_parts(source_.scene, policy);
     scratch_.trace(task);
     totals.add(task.counts);
     for (std::size_t i = 0; i < task.camera.paths(); ++i) {
@@ -223,11 +222,11 @@ IndirectChoice choose_indirect(const PhotonSource& source, const PhotonMaps& map
   const PathSettings settings = camera_path_settings(source.settings, plan);
   PilotTracer tracer(source, settings, window);
   const bool caustics = maps.caustic.wanted;
-  const PilotImage direct = tracer.trace(at_diffuse_of_maps(source.scene, settings));
-  const PilotImage beside = tracer.trace(caustics ? AtDiffuse::go_on_beside_caustic_map : AtDiffuse::go_on);
+  const PilotImage direct = tracer.trace(policy_of_maps(source.scene, settings));
+  const PilotImage beside = tracer.trace(caustics ? PathPolicy::beside_caustic_map : PathPolicy::path_tracing);
   std::optional<PilotImage> alone;
   if (caustics && brightest_light(source.scene, source.job.seed) < bright * mean_of(beside))
-    alone = tracer.trace(AtDiffuse::go_on);
+    alone = tracer.trace(PathPolicy::path_tracing);
 
   const double ray = plan.scene.small && !plan.scene.detailed ? ray_in_small_scene : ray_elsewhere;
   const CameraView& camera = source.scene.view().camera;

@@ -223,12 +223,12 @@ bool looks_at_environment(const Scene& scene, const PathSettings& settings) {
   return scene.view().environment != no_index && settings.direct_light != DirectLight::hits_only;
 }
 
-AtDiffuse at_diffuse_of_maps(const Scene& scene, const PathSettings& settings) {
-  return looks_at_environment(scene, settings) ? AtDiffuse::leave_gather_point_and_look : AtDiffuse::leave_gather_point;
+PathPolicy policy_of_maps(const Scene& scene, const PathSettings& settings) {
+  return looks_at_environment(scene, settings) ? PathPolicy::gather_pass_looks : PathPolicy::gather_pass;
 }
 
-bool splits_rough_parts(const Scene& scene, AtDiffuse at_diffuse) {
-  return at_diffuse != AtDiffuse::go_on && (scene.view().bsdf_kinds & rough_kinds) != 0;
+bool splits_rough_parts(const Scene& scene, PathPolicy policy) {
+  return policy != PathPolicy::path_tracing && (scene.view().bsdf_kinds & rough_kinds) != 0;
 }
 
 PhotonMaps::PhotonMaps(const RenderPlan& plan, const PhotonSource& source) {

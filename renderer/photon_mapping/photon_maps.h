@@ -138,10 +138,10 @@ void look_up(const MapState& map, const PhotonSettings& settings, const LookUpAr
 /// Of camera paths to where photons are looked up.
 PathSettings camera_path_settings(const PhotonSettings& settings, const RenderPlan& plan);
 
-/// What they do at diffuse surfaces where photons are looked up there.
-AtDiffuse at_diffuse_of_maps(const Scene& scene, const PathSettings& settings);
+/// Which paths the camera pass follows where photons are looked up at the first diffuse surface.
+PathPolicy policy_of_maps(const Scene& scene, const PathSettings& settings);
 /// Whether rough parts of other surfaces see caustics by photons, too.
-bool splits_rough_parts(const Scene& scene, AtDiffuse at_diffuse);
+bool splits_rough_parts(const Scene& scene, PathPolicy policy);
 /// Whether paths that end where photons are looked up trace one more ray.
 bool looks_at_environment(const Scene& scene, const PathSettings& settings);
 
