@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "harness/diagnosis/seen_objects.h"
+#include "scenes/description/overloaded.h"
 
 namespace photonproof::inline harness_diagnosis {
 namespace {
@@ -263,10 +264,14 @@ class Mistakes {
 
 bool is_body(const SceneDescription& scene, const ShapeDescription& shape) {
   if (shape.radiance) return false;
-  if (std::holds_alternative<HeightfieldDescription>(shape.geometry)) return false;
-  if (std::holds_alternative<RectangleDescription>(shape.geometry)) return look_of(scene, shape) != Look::diffuse;
-  return !std::holds_alternative<PlaneDescription>(shape.geometry) &&
-         !std::holds_alternative<InstanceDescription>(shape.geometry);
+  return std::visit(
+      Overloaded{[](const SphereDescription&) { return true; }, [](const CubeDescription&) { return true; },
+                 [](const DiskDescription&) { return true; }, [](const CylinderDescription&) { return true; },
+                 [](const MeshDescription&) { return true; },
+                 [&](const RectangleDescription&) { return look_of(scene, shape) != Look::diffuse; },
+                 [](const HeightfieldDescription&) { return false; }, [](const PlaneDescription&) { return false; },
+                 [](const InstanceDescription&) { return false; }},
+      shape.geometry);
 }
 
 SceneDescription without_bodies(const SceneDescription& scene) {

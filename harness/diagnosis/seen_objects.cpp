@@ -149,7 +149,15 @@ Look look_of(const SceneDescription& scene, const ShapeDescription& shape) {
                                  front.bsdf = sides.front;
                                  return look_of(scene, front);
                                },
-                               [](const auto&) { return Look::other; }},
+                               [](const RoughConductorDescription&) { return Look::other; },
+                               [](const ThinDielectricDescription&) { return Look::other; },
+                               [](const RoughDielectricDescription&) { return Look::other; },
+                               [](const PlasticDescription&) { return Look::other; },
+                               [](const RoughPlasticDescription&) { return Look::other; },
+                               [](const PhongDescription&) { return Look::other; },
+                               [](const LayeredDescription&) { return Look::other; },
+                               [](const NullDescription&) { return Look::other; },
+                               [](const WrappingBsdf auto&) { return Look::other; }},
                     scene.bsdfs[shape.bsdf.value].model);
 }
 

@@ -1,7 +1,6 @@
 #include "harness/verify/passes.h"
 
 #include <algorithm>
-#include <type_traits>
 #include <utility>
 
 #include "scenes/description/emitter_kinds.h"
@@ -101,20 +100,14 @@ class PassMaker {
                    [&](const RoughDielectricDescription& d) { return body(d); },
                    [&](const BumpMapDescription& d) { return kept_.textures ? Model(d) : nested(d.nested); },
                    [&](const NormalMapDescription& d) { return kept_.textures ? Model(d) : nested(d.nested); },
-                   [](const auto& d) { return Model(d); }},
+                   [](const NullDescription& d) { return Model(d); },
+                   [](const WrappingBsdf auto& d) { return Model(d); }},
         bsdf.model);
   }
 
   /// Of the scene as it was: whether the surface itself would be seen rather than what it mirrors or lets through.
   bool is_scenery(BsdfIndex index) const {
-    const Model& model = scene_.bsdfs[index.value].model;
-    const auto is = [&]<class... Kinds>(std::type_identity<Kinds>...) {
-      return (std::holds_alternative<Kinds>(model) || ...);
-    };
-    if (is(std::type_identity<ConductorDescription>(), std::type_identity<RoughConductorDescription>(),
-           std::type_identity<DielectricDescription>(), std::type_identity<ThinDielectricDescription>(),
-           std::type_identity<RoughDielectricDescription>(), std::type_identity<NullDescription>()))
-      return false;
+    if (traits_of(scene_.bsdfs[index.value]).shows_others) return false;
     return std::ranges::all_of(nested_bsdfs(scene_.bsdfs[index.value]),
                                [&](BsdfIndex inner) { return is_scenery(inner); });
   }
@@ -154,7 +147,8 @@ Holds what_is_in(const SceneDescription& scene) {
                           [&](const RoughConductorDescription&) { holds.mirrors = true; },
                           [&](const DielectricDescription&) { holds.glass = true; },
                           [&](const ThinDielectricDescription&) { holds.glass = true; },
-                          [&](const RoughDielectricDescription&) { holds.glass = true; }, [](const auto&) {}},
+                          [&](const RoughDielectricDescription&) { holds.glass = true; }, [](const NullDescription&) {},
+                          [](const WrappingBsdf auto&) {}},
                bsdf.model);
   holds.textures = !scene.textures.empty();
   holds.media = !scene.media.empty();

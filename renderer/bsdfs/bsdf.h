@@ -1,12 +1,12 @@
 // The closed set of BSDFs. Each lives in bsdf_<name>.h as a struct of floats (or packs) with eval, pdf and sample; this
 // header lists them. Directions are unit, in the local frame (z = normal), and point away from the surface; wo is where
 // the history came from, wi where it goes. The cosine is never inside `eval`. A kind may have Dirac and other lobes:
-// eval and pdf know the others only, pdf with the probability that `sample` chooses them. Two constants say what
+// eval and pdf know the others only, pdf with the probability that `sample` chooses them. Three constants say what
 // estimators need to know of a kind:
 //   has_smooth     eval is not always 0: light sampling can reach it
 //   is_lambertian  eval does not depend on the directions above the surface and is 0 behind it: photons of any
-//   direction
-//                  count alike
+//                  direction count alike
+//   lets_light_through   light may come out behind the surface
 #pragma once
 
 #include "renderer/bsdfs/bsdf_conductor.h"
@@ -40,6 +40,9 @@ inline bool has_smooth(const Bsdf& bsdf) {
 }
 inline bool is_lambertian(const Bsdf& bsdf) {
   return std::visit([](const auto& b) { return b.is_lambertian; }, bsdf);
+}
+inline bool lets_light_through(const Bsdf& bsdf) {
+  return std::visit([](const auto& b) { return b.lets_light_through; }, bsdf);
 }
 /// Whether photons may be looked up for a part of it by their directions (rough_part.h), textures or not.
 inline bool can_be_rough(const Bsdf& bsdf) {

@@ -10,6 +10,7 @@ template <class F>
 struct ConductorBsdf {
   static constexpr bool has_smooth = false;
   static constexpr bool is_lambertian = false;
+  static constexpr bool lets_light_through = false;
   Vec3<F> reflectance;
   F has_ior{0.0f};  ///< 1 or 0
   Vec3<F> eta, k;

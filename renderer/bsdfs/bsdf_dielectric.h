@@ -10,6 +10,7 @@ template <class F>
 struct DielectricBsdf {
   static constexpr bool has_smooth = false;
   static constexpr bool is_lambertian = false;
+  static constexpr bool lets_light_through = true;
   F eta;  ///< interior ior / exterior ior
   Vec3<F> reflectance, transmittance;
 

@@ -11,6 +11,7 @@ template <class F>
 struct DiffuseBsdf {
   static constexpr bool has_smooth = true;
   static constexpr bool is_lambertian = true;
+  static constexpr bool lets_light_through = false;
   Vec3<F> reflectance;
 
   Vec3<F> eval(const Vec3<F>& wo, const Vec3<F>& wi) const {

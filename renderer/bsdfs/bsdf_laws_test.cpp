@@ -97,6 +97,31 @@ TEST(bsdf_laws, lambertian_ones_are_the_same_in_front_and_black_behind) {
   expect_lambertian_where_they_say_so(static_cast<const Bsdf*>(nullptr));
 }
 
+/// Whether some sample of records of the kind, seen from both sides, leaves on the other side.
+template <class Kind>
+bool scatters_behind() {
+  test::Random random(19);
+  bool behind = false;
+  for (int record = 0; record < 50; ++record) {
+    Kind kind{};
+    test::randomise(kind, random);
+    const Bsdf bsdf = kind;
+    for (const Vec3f& wo : test::test_directions(true))
+      for (int i = 0; i < 20; ++i) {
+        const float u_lobe = random.next();
+        const auto drawn = test::sample(bsdf, wo, u_lobe, random.next2(), TransportMode::importance);
+        behind = behind || (drawn && drawn->wi_local.z * wo.z < 0);
+      }
+  }
+  return behind;
+}
+
+TEST(bsdf_laws, light_comes_out_behind_those_that_say_so_alone) {
+  BsdfKinds::for_each([]<template <class> class Kind>(std::uint32_t kind) {
+    EXPECT_EQ(scatters_behind<Kind<float>>(), Kind<float>::lets_light_through) << "BSDF " << kind;
+  });
+}
+
 TEST(bsdf_laws, nothing_makes_energy) {
   // Not even Beckmann's with Walter's approximation of its shadowing, which may be 0.35 % above the exact one: where
   // it is, more than that is lost to the shadowing of the other direction.

@@ -69,6 +69,7 @@ struct LayeredBsdf {
   using Parts = LayeredBase<Base<F>>;
   static constexpr bool has_smooth = Parts::has_diffuse || Parts::has_glossy;
   static constexpr bool is_lambertian = false;
+  static constexpr bool lets_light_through = false;
   Base<F> base;         ///< first, so that its words are where they are without a lacquer
   F eta;                ///< ior of the lacquer / ior above it
   Vec3<F> depth;        ///< sigma_a x thickness

@@ -9,6 +9,7 @@ template <class F>
 struct NullBsdf {
   static constexpr bool has_smooth = false;
   static constexpr bool is_lambertian = false;
+  static constexpr bool lets_light_through = true;
   Vec3<F> transmittance{F(1.0f)};
 
   Vec3<F> eval(const Vec3<F>&, const Vec3<F>&) const { return Vec3<F>(F(0.0f)); }

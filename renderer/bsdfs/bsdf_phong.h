@@ -14,6 +14,7 @@ template <class F>
 struct PhongBsdf {
   static constexpr bool has_smooth = true;
   static constexpr bool is_lambertian = false;
+  static constexpr bool lets_light_through = false;
   F raw_exponent;
   Vec3<F> raw_diffuse, raw_specular;
 

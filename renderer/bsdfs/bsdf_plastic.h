@@ -40,6 +40,7 @@ template <class F>
 struct PlasticBsdf {
   static constexpr bool has_smooth = true;
   static constexpr bool is_lambertian = false;
+  static constexpr bool lets_light_through = false;
   F eta;          ///< ior of the plastic / ior above it
   F lost_inside;  ///< of diffuse light from below, what the interface does not send back
   F nonlinear;    ///< 1 or 0

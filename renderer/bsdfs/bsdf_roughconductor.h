@@ -13,6 +13,7 @@ template <class F>
 struct RoughConductorBsdf {
   static constexpr bool has_smooth = true;
   static constexpr bool is_lambertian = false;
+  static constexpr bool lets_light_through = false;
   Microfacets<F> facets;
   Vec3<F> reflectance;
   F has_ior{0.0f};  ///< 1 or 0

@@ -13,6 +13,7 @@ template <class F>
 struct RoughDielectricBsdf {
   static constexpr bool has_smooth = true;
   static constexpr bool is_lambertian = false;
+  static constexpr bool lets_light_through = true;
   Microfacets<F> facets;
   F eta;  ///< interior ior / exterior ior, not 1
   Vec3<F> reflectance, transmittance;

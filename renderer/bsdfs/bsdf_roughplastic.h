@@ -14,6 +14,7 @@ template <class F>
 struct RoughPlasticBsdf {
   static constexpr bool has_smooth = true;
   static constexpr bool is_lambertian = false;
+  static constexpr bool lets_light_through = false;
   static constexpr std::size_t coefficients = 16;
   Microfacets<F> facets;
   F eta;          ///< ior of the plastic / ior above it

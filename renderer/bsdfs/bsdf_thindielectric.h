@@ -13,6 +13,7 @@ template <class F>
 struct ThinDielectricBsdf {
   static constexpr bool has_smooth = false;
   static constexpr bool is_lambertian = false;
+  static constexpr bool lets_light_through = true;
   F eta;  ///< ior of the pane / ior around it
   Vec3<F> reflectance, transmittance;
 

@@ -6,6 +6,8 @@
 #include <utility>
 #include <variant>
 
+#include "scenes/description/overloaded.h"
+
 namespace photonproof::inline renderer_photon_mapping {
 namespace {
 
@@ -20,13 +22,6 @@ struct PlacedSolid {
 
   bool has(std::size_t surface) const { return surface >= first && surface < first + count; }
 };
-
-/// Whether light may come out behind the surface.
-bool lets_light_through(const Bsdf& bsdf) {
-  return std::holds_alternative<DielectricBsdf<float>>(bsdf) ||
-         std::holds_alternative<ThinDielectricBsdf<float>>(bsdf) ||
-         std::holds_alternative<RoughDielectricBsdf<float>>(bsdf) || std::holds_alternative<NullBsdf<float>>(bsdf);
-}
 
 bool is_opaque(const SceneParts& scene, std::size_t surface) {
   return !scene.bsdfs.any_leaf(scene.surfaces[surface].bsdf,
@@ -47,6 +42,16 @@ bool holds_lamp(const SceneParts& scene, const Solid& solid) {
   });
 }
 
+/// A shape that is solid by itself. Cubes are six surfaces.
+std::optional<Solid> solid_of(const Geometry& geometry) {
+  using Found = std::optional<Solid>;
+  return std::visit(Overloaded{[](const Sphere& ball) -> Found { return Solid::of_ball(ball); },
+                               [](const Quad&) { return Found(); }, [](const Plane&) { return Found(); },
+                               [](const Disk&) { return Found(); }, [](const Cylinder&) { return Found(); },
+                               [](const Mesh&) { return Found(); }, [](const MeshInstance&) { return Found(); }},
+                    geometry);
+}
+
 std::vector<PlacedSolid> solids_of(const SceneParts& scene) {
   std::vector<PlacedSolid> solids;
   const auto add = [&](const std::optional<Solid>& solid, std::size_t first, std::size_t count) {
@@ -57,15 +62,19 @@ std::vector<PlacedSolid> solids_of(const SceneParts& scene) {
     for (std::size_t i = 0; i < 6; ++i) sides[i] = std::get_if<Quad>(&scene.surfaces[first + i].geometry);
     add(Solid::of_cube(sides), first, 6);
   }
-  for (std::size_t i = 0; i < scene.surfaces.size(); ++i)
-    if (const auto* ball = std::get_if<Sphere>(&scene.surfaces[i].geometry)) add(Solid::of_ball(*ball), i, 1);
+  for (std::size_t i = 0; i < scene.surfaces.size(); ++i) add(solid_of(scene.surfaces[i].geometry), i, 1);
   return solids;
 }
 
-std::optional<Footprint> footprint(const Solid& solid, const Geometry& flat) {
-  if (const auto* quad = std::get_if<Quad>(&flat)) return Footprint::of(solid, *quad);
-  if (const auto* plane = std::get_if<renderer_shapes::Plane>(&flat)) return Footprint::of(solid, *plane);
-  return std::nullopt;
+/// What the solid covers of a flat surface; nothing of others, whose look-ups count all of their discs.
+std::optional<Footprint> footprint(const Solid& solid, const Geometry& geometry) {
+  using Found = std::optional<Footprint>;
+  return std::visit(
+      Overloaded{[&](const Quad& quad) { return Footprint::of(solid, quad); },
+                 [&](const renderer_shapes::Plane& plane) { return Footprint::of(solid, plane); }, [](const Disk&) { return Found(); },
+                 [](const Sphere&) { return Found(); }, [](const Cylinder&) { return Found(); },
+                 [](const Mesh&) { return Found(); }, [](const MeshInstance&) { return Found(); }},
+      geometry);
 }
 
 /// What two cover together must count once: of those that overlap the larger is left.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <variant>
 
 #include "renderer/light_choice/scene_lights.h"
 
@@ -24,8 +25,14 @@ bool has_delta_lobe(const Bsdf& bsdf) {
 /// A textured reflectance counts as one that is not black everywhere.
 bool reflects_diffusely(const SceneParts& scene, const Surface& surface) {
   return scene.bsdfs.any_leaf(surface.bsdf, [](const Bsdf& leaf, bool textured) {
-    const auto* diffuse = std::get_if<DiffuseBsdf<float>>(&leaf);
-    return diffuse != nullptr && (textured || max_component(diffuse->reflectance) > 0);
+    return std::visit(
+        [&]<class Record>(const Record& record) {
+          if constexpr (Record::is_lambertian)
+            return textured || max_component(record.reflectance) > 0;
+          else
+            return false;
+        },
+        leaf);
   });
 }
 

@@ -94,7 +94,7 @@ void follow(const World& world, Ray ray, float length_left, Surroundings& surrou
 bool is_end(const World& world, const Interaction& met, const SegmentEnd& end, const Vec3f& direction, bool is_close) {
   if (met.surface != end.surface) return false;
   const Geometry& geometry = world.scene().surfaces[met.surface].geometry;
-  const bool is_round = std::holds_alternative<Sphere>(geometry) || std::holds_alternative<Cylinder>(geometry);
+  const bool is_round = std::visit([](const auto& shape) { return shape.is_round; }, geometry);
   return is_close || (is_round && dot(met.ng, direction) < 0 && dot(end.normal, direction) < 0);
 }
 

@@ -14,6 +14,7 @@ struct Cylinder {
   Vec3d base, axis;  ///< axis is unit; in double, as of a sphere
   double length, radius;
   bool inward;  ///< the normal points to the axis
+  static constexpr bool is_round = true;
   float curvature_radius() const { return static_cast<float>(radius); }
   bool sees_itself(bool both_sides) const { return inward || both_sides; }
 };

@@ -14,6 +14,7 @@ namespace photonproof::inline renderer_shapes {
 struct Disk {
   Vec3f center, axis_x, axis_y;
   Vec3f normal;
+  static constexpr bool is_round = false;
   float curvature_radius() const { return flat_curvature; }
   bool sees_itself(bool) const { return false; }
 };

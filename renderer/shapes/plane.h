@@ -12,6 +12,7 @@ namespace photonproof::inline renderer_shapes {
 /// Every x with normal . (x - point) = 0.
 struct Plane {
   Vec3d point, normal;  ///< unit
+  static constexpr bool is_round = false;
   float curvature_radius() const { return flat_curvature; }
   bool sees_itself(bool) const { return false; }
 };

@@ -11,6 +11,7 @@ struct Quad {
   Vec3f normal;
   float area;
 
+  static constexpr bool is_round = false;
   float curvature_radius() const { return flat_curvature; }
   bool sees_itself(bool) const { return false; }
 };

@@ -10,6 +10,7 @@
 //                                 radius that pass the sheet's test (photon_sheet.h). Dividing by it instead of the
 //                                 full disc removes most of the darkening along edges
 //   curvature_radius()            the least radius of curvature; infinite where it is flat
+//   is_round                      whether it is curved so that a ray meets its front once
 //   sees_itself(both_sides)       whether light that leaves its front, or both sides, can meet it again
 //   placed(description, place)    what the description's shape is in the compiled scene
 //   extent_of(description, to_world), nearest_on(description, to_world, to)   the box around it and its point nearest

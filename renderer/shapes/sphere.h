@@ -14,6 +14,7 @@ struct Sphere {
       center;  ///< in double, as the radius: of a floor as large as a planet single precision keeps no part that shows
   double radius;
   bool inward;  ///< the normal points to the centre
+  static constexpr bool is_round = true;
   float curvature_radius() const { return static_cast<float>(radius); }
   bool sees_itself(bool both_sides) const { return inward || both_sides; }
 };

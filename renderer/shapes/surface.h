@@ -27,6 +27,7 @@ struct Mesh {
 
   std::size_t triangle_count() const { return source->triangles.size(); }
   Vec3f corner(std::size_t triangle, std::size_t k) const { return positions[source->triangles[triangle][k]]; }
+  static constexpr bool is_round = false;
   float curvature_radius() const { return 0; }
   bool sees_itself(bool) const { return true; }
 };
@@ -38,6 +39,7 @@ struct MeshInstance {
   std::shared_ptr<const AffineMap> placement;  ///< of all meshes of the instance
   std::uint32_t instance = 0;                  ///< number of the instance in the scene
   std::uint32_t group = 0, part = 0;           ///< the group, and which of its meshes
+  static constexpr bool is_round = false;
   float curvature_radius() const { return 0; }
   bool sees_itself(bool) const { return true; }
 };

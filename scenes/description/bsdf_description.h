@@ -9,16 +9,10 @@
 #include <variant>
 #include <vector>
 
+#include "scenes/description/given_bool.h"
 #include "scenes/description/texture_description.h"
 
 namespace photonproof::inline scenes_description {
-
-/// A yes or no without a default: the compiler demands it of each BSDF.
-struct GivenBool {
-  constexpr GivenBool(bool given) : value(given) {}
-  constexpr operator bool() const { return value; }
-  bool value;
-};
 
 /// Facts of a kind of BSDF that decide elsewhere, whatever it nests.
 struct BsdfTraits {
@@ -28,6 +22,7 @@ struct BsdfTraits {
   /// Gathers light into caustics that matter. Plastic and lacquer do not: their base dims what their thin gloss could
   /// focus.
   GivenBool focuses;
+  GivenBool shows_others;  ///< a camera sees what it mirrors or lets through, rather than the surface itself
 };
 
 struct ComplexIor {
@@ -39,7 +34,8 @@ enum class MicrofacetDistribution { beckmann, ggx };
 
 /// Lambertian, one-sided: black from behind (the side its normal does not point to).
 struct DiffuseDescription {
-  static constexpr BsdfTraits traits{.transmits = false, .specular = false, .refracts = false, .focuses = false};
+  static constexpr BsdfTraits traits{
+      .transmits = false, .specular = false, .refracts = false, .focuses = false, .shows_others = false};
   Colour reflectance = RgbD(0.5);
   friend bool operator==(const DiffuseDescription&, const DiffuseDescription&) = default;
 };
@@ -52,7 +48,8 @@ void describe(P& p, DiffuseDescription& d) {
 
 /// Smooth conductor, one-sided. Without `ior` it reflects `specular_reflectance` at every angle (material "none").
 struct ConductorDescription {
-  static constexpr BsdfTraits traits{.transmits = false, .specular = true, .refracts = false, .focuses = true};
+  static constexpr BsdfTraits traits{
+      .transmits = false, .specular = true, .refracts = false, .focuses = true, .shows_others = true};
   std::optional<ComplexIor> ior;
   Colour specular_reflectance = RgbD(1.0);
   friend bool operator==(const ConductorDescription&, const ConductorDescription&) = default;
@@ -71,7 +68,8 @@ void describe(P& p, ConductorDescription& d) {
 }
 
 struct RoughConductorDescription {
-  static constexpr BsdfTraits traits{.transmits = false, .specular = false, .refracts = false, .focuses = true};
+  static constexpr BsdfTraits traits{
+      .transmits = false, .specular = false, .refracts = false, .focuses = true, .shows_others = true};
   MicrofacetDistribution distribution = MicrofacetDistribution::beckmann;
   Scalar alpha_u = 0.1, alpha_v = 0.1;  ///< roughness along the tangents dp/du and dp/dv
   bool sample_visible = true;
@@ -99,7 +97,8 @@ void describe(P& p, RoughConductorDescription& d) {
 
 /// Smooth dielectric; the normal points to the exterior.
 struct DielectricDescription {
-  static constexpr BsdfTraits traits{.transmits = true, .specular = true, .refracts = true, .focuses = true};
+  static constexpr BsdfTraits traits{
+      .transmits = true, .specular = true, .refracts = true, .focuses = true, .shows_others = true};
   double int_ior = 1.5046;    // bk7
   double ext_ior = 1.000277;  // air
   Colour specular_reflectance = RgbD(1.0);
@@ -132,7 +131,8 @@ void describe(P& p, DielectricDescription& d) {
 
 /// A pane: both interfaces at once, without the sideways shift.
 struct ThinDielectricDescription {
-  static constexpr BsdfTraits traits{.transmits = true, .specular = true, .refracts = false, .focuses = true};
+  static constexpr BsdfTraits traits{
+      .transmits = true, .specular = true, .refracts = false, .focuses = true, .shows_others = true};
   double int_ior = 1.5046, ext_ior = 1.000277;
   Colour specular_reflectance = RgbD(1.0), specular_transmittance = RgbD(1.0);
   friend bool operator==(const ThinDielectricDescription&, const ThinDielectricDescription&) = default;
@@ -147,7 +147,8 @@ void describe(P& p, ThinDielectricDescription& d) {
 }
 
 struct RoughDielectricDescription {
-  static constexpr BsdfTraits traits{.transmits = true, .specular = false, .refracts = true, .focuses = true};
+  static constexpr BsdfTraits traits{
+      .transmits = true, .specular = false, .refracts = true, .focuses = true, .shows_others = true};
   MicrofacetDistribution distribution = MicrofacetDistribution::beckmann;
   Scalar alpha_u = 0.1, alpha_v = 0.1;
   bool sample_visible = true;
@@ -168,7 +169,8 @@ void describe(P& p, RoughDielectricDescription& d) {
 
 /// Diffuse below a smooth dielectric boundary.
 struct PlasticDescription {
-  static constexpr BsdfTraits traits{.transmits = false, .specular = true, .refracts = false, .focuses = false};
+  static constexpr BsdfTraits traits{
+      .transmits = false, .specular = true, .refracts = false, .focuses = false, .shows_others = false};
   Colour diffuse_reflectance = RgbD(0.5), specular_reflectance = RgbD(1.0);
   double int_ior = 1.49, ext_ior = 1.000277;  // polypropylene, air
   bool nonlinear = false;                     ///< colours shift with every internal reflection
@@ -190,7 +192,8 @@ void describe(P& p, PlasticDescription& d) {
 }
 
 struct RoughPlasticDescription {
-  static constexpr BsdfTraits traits{.transmits = false, .specular = false, .refracts = false, .focuses = false};
+  static constexpr BsdfTraits traits{
+      .transmits = false, .specular = false, .refracts = false, .focuses = false, .shows_others = false};
   MicrofacetDistribution distribution = MicrofacetDistribution::beckmann;
   double alpha = 0.1;
   bool sample_visible = true;
@@ -210,7 +213,8 @@ void describe(P& p, RoughPlasticDescription& d) {
 
 /// Modified Phong (Lafortune and Willems 1994), parameters of Mitsuba 0.6.
 struct PhongDescription {
-  static constexpr BsdfTraits traits{.transmits = false, .specular = false, .refracts = false, .focuses = false};
+  static constexpr BsdfTraits traits{
+      .transmits = false, .specular = false, .refracts = false, .focuses = false, .shows_others = false};
   Scalar exponent = 30.0;
   Colour diffuse_reflectance = RgbD(0.5), specular_reflectance = RgbD(0.2);
   /// Names and colours that may add up to 1; where they add up to more they are rendered divided by their sum.
@@ -230,7 +234,8 @@ void describe(P& p, PhongDescription& d) {
 
 /// Extension: a clear or tinted lacquer over any opaque reflecting BSDF.
 struct LayeredDescription {
-  static constexpr BsdfTraits traits{.transmits = false, .specular = true, .refracts = false, .focuses = false};
+  static constexpr BsdfTraits traits{
+      .transmits = false, .specular = true, .refracts = false, .focuses = false, .shows_others = false};
   BsdfIndex base;
   double int_ior = 1.5046, ext_ior = 1.000277;  ///< of the lacquer and of what is above it
   RgbD sigma_a{0.0};                            ///< absorption of the lacquer, per scene unit
@@ -250,7 +255,8 @@ void describe(P& p, LayeredDescription& d) {
 }
 
 struct TwoSidedDescription {
-  static constexpr BsdfTraits traits{.transmits = false, .specular = false, .refracts = false, .focuses = false};
+  static constexpr BsdfTraits traits{
+      .transmits = false, .specular = false, .refracts = false, .focuses = false, .shows_others = false};
   BsdfIndex front, back;
   friend bool operator==(const TwoSidedDescription&, const TwoSidedDescription&) = default;
 };
@@ -263,7 +269,8 @@ void describe(P& p, TwoSidedDescription& d) {
 
 /// `nested` where the surface is there, nothing where it is not.
 struct MaskDescription {
-  static constexpr BsdfTraits traits{.transmits = true, .specular = false, .refracts = false, .focuses = false};
+  static constexpr BsdfTraits traits{
+      .transmits = true, .specular = false, .refracts = false, .focuses = false, .shows_others = false};
   Scalar opacity = 0.5;
   BsdfIndex nested;
   friend bool operator==(const MaskDescription&, const MaskDescription&) = default;
@@ -278,7 +285,8 @@ void describe(P& p, MaskDescription& d) {
 
 /// first x (1 - weight) + second x weight.
 struct BlendDescription {
-  static constexpr BsdfTraits traits{.transmits = false, .specular = false, .refracts = false, .focuses = false};
+  static constexpr BsdfTraits traits{
+      .transmits = false, .specular = false, .refracts = false, .focuses = false, .shows_others = false};
   Scalar weight = 0.5;
   BsdfIndex first, second;
   friend bool operator==(const BlendDescription&, const BlendDescription&) = default;
@@ -294,7 +302,8 @@ void describe(P& p, BlendDescription& d) {
 
 /// No surface: a border between media.
 struct NullDescription {
-  static constexpr BsdfTraits traits{.transmits = true, .specular = false, .refracts = false, .focuses = false};
+  static constexpr BsdfTraits traits{
+      .transmits = true, .specular = false, .refracts = false, .focuses = false, .shows_others = true};
   friend bool operator==(const NullDescription&, const NullDescription&) = default;
 };
 
@@ -312,7 +321,8 @@ struct MappedNormalsDescription {
 
 /// Displaces the shading normal by the gradient of a height texture, `scale` times.
 struct BumpMapDescription {
-  static constexpr BsdfTraits traits{.transmits = false, .specular = false, .refracts = false, .focuses = false};
+  static constexpr BsdfTraits traits{
+      .transmits = false, .specular = false, .refracts = false, .focuses = false, .shows_others = false};
   TextureIndex height;
   double scale = 1;
   BsdfIndex nested;
@@ -337,7 +347,8 @@ void describe(P& p, BumpMapDescription& d) {
 
 /// Shading normals from a raw texture, n = 2 rgb - 1 in the frame of dp/du.
 struct NormalMapDescription {
-  static constexpr BsdfTraits traits{.transmits = false, .specular = false, .refracts = false, .focuses = false};
+  static constexpr BsdfTraits traits{
+      .transmits = false, .specular = false, .refracts = false, .focuses = false, .shows_others = false};
   TextureIndex normals;
   BsdfIndex nested;
   MappedNormalsDescription normal_options{};

@@ -7,24 +7,17 @@
 
 namespace photonproof::inline scenes_description {
 
-/// It has one point or one direction: no ray meets it.
-inline bool is_without_size(const EmitterDescription& emitter) {
-  return std::holds_alternative<PointLightDescription>(emitter.light) ||
-         std::holds_alternative<SpotLightDescription>(emitter.light) ||
-         std::holds_alternative<DirectionalLightDescription>(emitter.light) ||
-         std::holds_alternative<IesLightDescription>(emitter.light);
+inline EmitterTraits traits_of(const EmitterDescription& emitter) {
+  return std::visit([]<class Light>(const Light&) { return Light::traits; }, emitter.light);
 }
+
+/// It has one point or one direction: no ray meets it.
+inline bool is_without_size(const EmitterDescription& emitter) { return traits_of(emitter).without_size; }
 
 /// Its light comes from all around, and is given by direction.
-inline bool surrounds(const EmitterDescription& emitter) {
-  return std::holds_alternative<ConstantLightDescription>(emitter.light) ||
-         std::holds_alternative<EnvmapDescription>(emitter.light);
-}
+inline bool surrounds(const EmitterDescription& emitter) { return traits_of(emitter).surrounds; }
 
 /// Its light comes from beyond the scene.
-inline bool is_infinitely_far(const EmitterDescription& emitter) {
-  return surrounds(emitter) || std::holds_alternative<SunSkyDescription>(emitter.light) ||
-         std::holds_alternative<DirectionalLightDescription>(emitter.light);
-}
+inline bool is_infinitely_far(const EmitterDescription& emitter) { return traits_of(emitter).infinitely_far; }
 
 }  // namespace photonproof::inline scenes_description

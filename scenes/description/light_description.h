@@ -7,13 +7,22 @@
 #include <string>
 #include <variant>
 
+#include "scenes/description/given_bool.h"
 #include "scenes/description/sun_position.h"
 #include "scenes/description/texture_description.h"
 #include "scenes/meshes/ies.h"
 
 namespace photonproof::inline scenes_description {
 
+/// Facts of a kind of emitter that decide elsewhere.
+struct EmitterTraits {
+  GivenBool without_size;    ///< it has one point or one direction: no ray meets it
+  GivenBool surrounds;       ///< its light comes from all around, and is given by direction
+  GivenBool infinitely_far;  ///< its light comes from beyond the scene
+};
+
 struct PointLightDescription {
+  static constexpr EmitterTraits traits{.without_size = true, .surrounds = false, .infinitely_far = false};
   Vec3d position{0, 0, 0};  ///< world space, to_world applied
   RgbD intensity{1.0};
   bool is_dark() const { return intensity == RgbD(0.0); }
@@ -35,6 +44,7 @@ void describe(P& p, PointLightDescription& d) {
 /// Shines along local +z: in full within the beam, falling linearly with the angle to nothing at the cut-off. `texture`
 /// is projected through the cut-off cone's square.
 struct SpotLightDescription {
+  static constexpr EmitterTraits traits{.without_size = true, .surrounds = false, .infinitely_far = false};
   Transform to_world;
   RgbD intensity{1.0};
   double cutoff_degrees = 20;  ///< half angle
@@ -61,6 +71,7 @@ void describe(P& p, SpotLightDescription& d) {
 }
 
 struct DirectionalLightDescription {
+  static constexpr EmitterTraits traits{.without_size = true, .surrounds = false, .infinitely_far = true};
   Vec3d direction{0, 0, 1};  ///< world space, unit: where the light travels
   RgbD irradiance{1.0};      ///< on a surface that faces it
   bool is_dark() const { return irradiance == RgbD(0.0); }
@@ -77,6 +88,7 @@ void describe(P& p, DirectionalLightDescription& d) {
 }
 
 struct ConstantLightDescription {
+  static constexpr EmitterTraits traits{.without_size = false, .surrounds = true, .infinitely_far = true};
   RgbD radiance{1.0};
   bool is_dark() const { return radiance == RgbD(0.0); }
   void scale_lengths(double) {}
@@ -92,6 +104,7 @@ void describe(P& p, ConstantLightDescription& d) {
 /// Latitude-longitude image of the radiance from all around: +y up, the middle of the image towards local +z, +x to the
 /// left of it, as in Mitsuba.
 struct EnvmapDescription {
+  static constexpr EmitterTraits traits{.without_size = false, .surrounds = true, .infinitely_far = true};
   std::string filename;
   std::shared_ptr<const Image> image;  ///< never null
   double scale = 1;
@@ -127,6 +140,7 @@ void describe(P& p, PlaceAndTime& d) {
 
 /// Sun and clear sky; local +z is up, as in Mitsuba's sunsky. The parser turns place and time into the direction.
 struct SunSkyDescription {
+  static constexpr EmitterTraits traits{.without_size = false, .surrounds = false, .infinitely_far = true};
   Vec3d sun_direction{0, 0, 1};  ///< local, unit, towards the sun
   double turbidity = 3;
   RgbD albedo{0.3};  ///< of the ground
@@ -154,6 +168,7 @@ void describe(P& p, SunSkyDescription& d) {
 /// Extension: a point light with the measured distribution of an IES LM-63 file. The luminaire's nadir is local -z, its
 /// C0 plane local +x. Candela count as W sr^-1, times `intensity`.
 struct IesLightDescription {
+  static constexpr EmitterTraits traits{.without_size = true, .surrounds = false, .infinitely_far = false};
   std::string filename;
   std::shared_ptr<const IesProfile> profile;  ///< never null
   RgbD intensity{1.0};
