@@ -2,6 +2,7 @@
 #pragma once
 
 #include "renderer/kernels/lane_batch.h"
+#include "renderer/lanes/always_inline.h"
 #include "scenes/base/vec.h"
 
 namespace photonproof::inline renderer_kernels {
@@ -21,7 +22,7 @@ struct PathState {
 
   static constexpr std::size_t column_count = 20;
   template <class Self, class Visit>
-  static void columns(Self& s, Visit&& visit) {
+  PHOTONPROOF_ALWAYS_INLINE static void columns(Self& s, Visit&& visit) {
     const auto visit3 = [&](auto& v) { visit(v.x), visit(v.y), visit(v.z); };
     visit3(s.origin), visit3(s.direction), visit3(s.throughput), visit3(s.radiance);
     visit(s.bsdf_pdf), visit(s.refraction_scale);
