@@ -131,6 +131,48 @@ bool is_an_object(const Patch& patch, const SceneKnowledge& knowledge) {
   return false;
 }
 
+/// A surface that only indirect light reaches may be black because that light is missing.
+bool is_lit_indirectly(std::size_t mark, const SceneKnowledge& knowledge) {
+  double sum = 0, count = 0;
+  for (const FeatureProbe& probe : knowledge.light.get().probes)
+    for (std::size_t i = 0; i < probe.weight.size() && probe.feature == "indirect"; ++i)
+      if (knowledge.seen[i] == mark) {
+        sum += double{probe.weight[i]};
+        count += 1;
+      }
+  return sum > 0.9 * count;
+}
+
+/// Objects that are black wherever they are seen, as the reference's are not: a fact that needs no hypothesis. Where
+/// most of the scene is black, something else is wrong.
+void find_black_objects(const Image& image, const SceneKnowledge& knowledge, Breakage& breakage) {
+  if (knowledge.seen.size() != image.pixels()) return;
+  std::vector<Finding> findings;
+  std::vector<std::uint8_t> ignored = breakage.ignored;
+  for (std::size_t mark = 1; mark <= knowledge.landmarks.size(); ++mark) {
+    double all = 0, black = 0, expected = 0;
+    std::vector<double> weight(image.pixels());
+    for (std::size_t i = 0; i < image.pixels(); ++i) {
+      if (knowledge.seen[i] != mark || breakage.ignored[i]) continue;
+      weight[i] = 1;
+      all += 1;
+      black += is_black(image, i) ? 1 : 0;
+      expected += std::min(1.0f, luminance_of_pixel(&knowledge.reference.rgb[3 * i]));
+    }
+    constexpr double least_pixels = 12, least_share = 0.85;  // an edge's pixels show what lies beside
+    if (all < least_pixels || black < least_share * all || expected < 0.06 * all) continue;
+    if (is_lit_indirectly(mark, knowledge)) continue;
+    findings.push_back({"object-black", "the " + knowledge.landmarks[mark - 1].name + " is black",
+                        "its normal points the wrong way, no light reaches it, or rays end there",
+                        region_of(weight, image.width, image.height), all / static_cast<double>(weight.size())});
+    for (std::size_t i = 0; i < image.pixels(); ++i)
+      if (weight[i] > 0) ignored[i] = 1;
+  }
+  if (2 * findings.size() >= knowledge.landmarks.size()) return;
+  breakage.findings.insert(breakage.findings.end(), findings.begin(), findings.end());
+  breakage.ignored = std::move(ignored);
+}
+
 std::string words_of(const Patch& patch, const Image& image) {
   const int width = patch.x1 - patch.x0 + 1, height = patch.y1 - patch.y0 + 1;
   if (width == image.width) {
@@ -149,6 +191,17 @@ std::string words_of(const Patch& patch, const Image& image) {
          part_of_image((patch.x0 + patch.x1 + 1) / 2.0, (patch.y0 + patch.y1 + 1) / 2.0, image.width, image.height);
 }
 
+/// Bars of one width at opposite sides: they lie beside the scene, in a view that is too wide, and were rendered.
+bool is_frame(const std::vector<Patch>& holes, const Image& image) {
+  for (const Patch& a : holes)
+    for (const Patch& b : holes) {
+      const bool beside = a.x0 == 0 && b.x1 == image.width - 1 && std::abs(a.x1 - (image.width - 1 - b.x0)) <= 1;
+      const bool above = a.y0 == 0 && b.y1 == image.height - 1 && std::abs(a.y1 - (image.height - 1 - b.y0)) <= 1;
+      if (&a != &b && (beside || above)) return true;
+    }
+  return false;
+}
+
 void find_holes(const Image& image, const SceneKnowledge& knowledge, Breakage& breakage) {
   std::vector<Patch> holes;
   std::size_t pixels = 0;
@@ -162,7 +215,7 @@ void find_holes(const Image& image, const SceneKnowledge& knowledge, Breakage& b
     pixels += patch.pixels.size();
     holes.push_back(std::move(patch));
   }
-  if (holes.empty()) return;
+  if (holes.empty() || is_frame(holes, image)) return;
   std::sort(holes.begin(), holes.end(),
             [](const Patch& a, const Patch& b) { return a.pixels.size() > b.pixels.size(); });
   const Patch& largest = holes.front();
@@ -191,45 +244,40 @@ float middle_of_neighbours(const Image& image, int x, int y, const std::vector<s
   return middle_of(std::move(around));
 }
 
-/// Single pixels that are far darker or brighter than those around them, where the reference's are not.
-void find_specks(const Image& image, const SceneKnowledge& knowledge, Breakage& breakage) {
-  std::vector<double> dark(image.pixels()), bright(image.pixels());
+/// Within two pixels, so that an edge that lies elsewhere is no firefly.
+float brightest_near(const Image& image, int x, int y) {
+  float most = 0;
+  for (int ny = std::max(0, y - 2); ny <= std::min(image.height - 1, y + 2); ++ny)
+    for (int nx = std::max(0, x - 2); nx <= std::min(image.width - 1, x + 2); ++nx)
+      most = std::max(most, std::min(1.0f, luminance_of_pixel(image.pixel(nx, ny))));
+  return most;
+}
+
+/// Single pixels that are far brighter than those around them, where the reference's are not.
+void find_fireflies(const Image& image, const SceneKnowledge& knowledge, Breakage& breakage) {
+  std::vector<double> bright(image.pixels());
   std::vector<float> spread;
   for (int y = 0; y < image.height; ++y)
     for (int x = 0; x < image.width; ++x) {
       const std::size_t i = pixel_index(x, y, image.width);
       if (breakage.ignored[i]) continue;
-      const float* p = image.pixel(x, y);
-      const float* r = knowledge.reference.pixel(x, y);
-      const float value = std::min(1.0f, luminance_of_pixel(p));
+      const float value = std::min(1.0f, luminance_of_pixel(image.pixel(x, y)));
       const float around = middle_of_neighbours(image, x, y, breakage.ignored);
-      const float expected = std::min(1.0f, luminance_of_pixel(r));
-      const float expected_around = middle_of_neighbours(knowledge.reference, x, y, breakage.ignored);
       if (around > 0.02f) spread.push_back(std::abs(value - around) / around);
-      if (value < 0.35f * around && expected > 0.6f * expected_around && around > 0.04f) dark[i] = 1;
-      if (value > 2 * around + 0.1f && expected < 1.4f * expected_around + 0.05f) bright[i] = 1;
+      if (value > 2 * around + 0.1f && value > 1.4f * brightest_near(knowledge.reference, x, y) + 0.05f) bright[i] = 1;
     }
   if (spread.empty()) return;
   const double usual = middle_of(std::move(spread));  // half of all pixels differ less from their neighbours
-  const auto share_of_specks = [&](const std::vector<double>& specks) {
-    return static_cast<double>(std::count(specks.begin(), specks.end(), 1.0)) / static_cast<double>(specks.size());
-  };
-  const double darks = share_of_specks(dark), brights = share_of_specks(bright);
-  const auto at = [&](const std::vector<double>& specks) {
-    const std::string place = place_of(specks, image.width, image.height, knowledge);
-    return place.empty() ? "" : " " + place;
-  };
-  if (darks > 0.006 && darks > 3 * brights && usual < 0.1)
-    breakage.findings.push_back({"dark-specks",
-                                 "dark specks" + at(dark) + " on " + percent_text_of(darks) + " of the pixels",
-                                 "surfaces shadow themselves: rays start without an offset (epsilon)",
-                                 region_of(dark, image.width, image.height), darks});
-  if (brights > 0.004 && usual < 0.15)
-    breakage.findings.push_back({"fireflies", "single pixels far too bright" + at(bright) + " (fireflies)",
-                                 "rare paths with a huge weight: a density near zero, or caustics met by chance",
-                                 region_of(bright, image.width, image.height), brights});
-  for (std::size_t i = 0; i < dark.size(); ++i)
-    if (dark[i] + bright[i] > 0 && (darks > 0.006 || brights > 0.004) && usual < 0.15) breakage.ignored[i] = 1;
+  const double share =
+      static_cast<double>(std::count(bright.begin(), bright.end(), 1.0)) / static_cast<double>(bright.size());
+  if (share <= 0.004 || usual >= 0.15) return;
+  const std::string place = place_of(bright, image.width, image.height, knowledge);
+  breakage.findings.push_back({"fireflies",
+                               "single pixels far too bright" + (place.empty() ? "" : " " + place) + " (fireflies)",
+                               "rare paths with a huge weight: a density near zero, or caustics met by chance",
+                               region_of(bright, image.width, image.height), share});
+  for (std::size_t i = 0; i < bright.size(); ++i)
+    if (bright[i] > 0) breakage.ignored[i] = 1;
 }
 
 /// Clamped, and rounded as bytes are.
@@ -281,7 +329,8 @@ void find_coarse(const Image& image, const SceneKnowledge& knowledge, Breakage& 
   const Image expected = as_shown(knowledge.reference);
   for (int side = 16; side >= 2; --side) {
     const CoarseSquares found = coarse_squares(image, expected, side, 0);
-    if (found.share() < (side > 2 ? 0.1 : 0.2)) continue;
+    constexpr double least_share = 0.25;  // few levels of grey make squares alike, too
+    if (found.share() < least_share) continue;
     if (found.share() < 2 * coarse_squares(image, expected, side, side / 2).share() + 0.05) continue;
     const bool everywhere = found.share() > 0.9;
     const std::string words = std::to_string(side);
@@ -313,9 +362,10 @@ Breakage find_breakage(const Image& submitted, const SceneKnowledge& knowledge) 
   if (breakage.hopeless) return breakage;
   if (std::optional<Finding> lines = find_lines(submitted, knowledge.reference, breakage.ignored))
     breakage.findings.push_back(*lines);
+  find_black_objects(submitted, knowledge, breakage);
   find_holes(submitted, knowledge, breakage);
   find_coarse(submitted, knowledge, breakage);
-  find_specks(submitted, knowledge, breakage);
+  find_fireflies(submitted, knowledge, breakage);
   return breakage;
 }
 

@@ -7,14 +7,12 @@
 #include <utility>
 
 #include "harness/diagnosis/breakage.h"
-#include "harness/diagnosis/common_causes.h"
 #include "harness/diagnosis/dark_lamps.h"
 #include "harness/diagnosis/faint.h"
 #include "harness/diagnosis/guess.h"
 #include "harness/diagnosis/pictures/comparison.h"
 #include "harness/diagnosis/pictures/picture_changes.h"
 #include "harness/diagnosis/places.h"
-#include "harness/diagnosis/self_shadowing.h"
 #include "harness/diagnosis/whole_picture.h"
 
 namespace photonproof::inline harness_diagnosis {
@@ -64,11 +62,11 @@ class Search {
   Search(const Image& submitted, const SceneKnowledge& knowledge, const Comparison& comparison, double patience)
       : submitted_(submitted), knowledge_(knowledge), comparison_(comparison), patience_(patience) {
     guess_.light = knowledge.reference;
-    at_first_ = comparison.excess(predicted(guess_, comparison.white()));
-    before_ = left_ = at_first_.total;
+    at_first_ = comparison.excess(predicted(guess_, comparison_.white()));
+    left_ = at_first_.total;
   }
 
-  double at_first() const { return before_; }
+  double at_first() const { return left_; }
   /// Below this nothing stands out of noise.
   /// Pictures with so much noise that clamping takes from it are darker than they should be.
   double least() const {
@@ -76,131 +74,95 @@ class Search {
     return patience_ * size * (0.004 + 5 * std::max(0.0, comparison_.noise() - 0.015));
   }
 
+  /// One explanation, or that there is none; empty where nothing stands out of noise.
   std::vector<Finding> run() {
-    std::vector<Finding> findings;
-    constexpr int most = 6;
-    for (int round = 0; round < most && left_ > least() && (round == 0 || unexplained() > least()); ++round) {
-      const std::vector<Candidate> candidates = candidates_of(round == 0);
-      const Candidate* best = clearest_of(candidates);
-      if (!best || best->left * best->handicap > 0.8 * left_) break;
-      const std::string other = alternative(candidates, *best);
-      accept(*best, findings);
-      if (!other.empty()) findings.back().cause += "; or " + other;
-    }
-    if (findings.empty() && patience_ == 1) findings = faint();
-    if (left_ > std::max(2 * least(), 0.25 * before_))
-      findings.push_back(what_is_left());
-    else if (!findings.empty())
-      say_distorted_bodies(guess_, knowledge_, comparison_, findings);
-    return findings;
+    if (left_ <= least()) return patience_ == 1 ? faint() : std::vector<Finding>{};
+    const std::vector<Candidate> candidates = candidates_now();
+    const std::optional<Candidate> best = convincing(candidates);
+    return best ? explained_by(*best) : std::vector{unexplained(excess_weight())};
   }
 
-  /// At most one.
+  /// A mistake that blocks do not show is found all the same, but never named: several look alike so near to noise.
   std::vector<Finding> faint() {
     if (!could_hide_a_mistake(guess_, knowledge_, comparison_)) return {};
     guess_.light = unclamped(knowledge_);
-    return accepted(faint_mistake(guess_, knowledge_, comparison_));
+    return unnamed(faint_mistake(guess_, knowledge_, comparison_));
   }
-  std::vector<Finding> pattern() { return accepted(faint_pattern(guess_, knowledge_, comparison_)); }
+  std::vector<Finding> pattern() { return unnamed(faint_pattern(guess_, knowledge_, comparison_)); }
 
  private:
-  const Candidate* best_of(const std::vector<Candidate>& candidates) const {
-    const Candidate* best = nullptr;
-    for (const Candidate& candidate : candidates)
-      if (!best || score(candidate) < score(*best)) best = &candidate;
-    return best;
-  }
-
-  /// The best; or, where several explain nearly all within the tolerance, one that is far nearer than it in units of
-  /// noise: a picture that is brighter where it should be is also brighter as a whole.
-  const Candidate* clearest_of(const std::vector<Candidate>& candidates) const {
-    const Candidate* best = best_of(candidates);
-    constexpr double far_nearer = 0.5;
-    if (!best || best->left > nearly_all * left_) return best;
-    const auto mismatch = [&](const Candidate& c) {
-      return c.handicap * comparison_.mismatch(predicted(c.guess, comparison_.white()));
-    };
-    double least_mismatch = far_nearer * mismatch(*best);
-    for (const Candidate& candidate : candidates) {
-      if (candidate.left > nearly_all * left_) continue;
-      const double now = mismatch(candidate);
-      if (now >= least_mismatch) continue;
-      least_mismatch = now;
-      best = &candidate;
-    }
-    return best;
-  }
-
-  bool explain_all(const std::vector<Candidate>& candidates) const {
-    const Candidate* best = best_of(candidates);
-    return best && best->left < std::max(least(), 0.02 * before_);
-  }
-
-  /// What the light is made of, and how mistakes look, is rendered only where cheaper hypotheses leave something.
-  std::vector<Candidate> candidates_of(bool first_round) {
+  /// What the light is made of, and how mistakes look, is rendered only where no turned picture explains everything.
+  std::vector<Candidate> candidates_now() {
     std::vector<Candidate> candidates;
-    add_arrangements(guess_, comparison_, left_, first_round, candidates);
-    if (first_round) {
-      if (explain_all(candidates)) {  // within the tolerance, as another brightness may
-        add_brightness(guess_, comparison_, left_, candidates);
-        return candidates;
-      }
-      guess_.light = unclamped(knowledge_);
-      candidates.clear();
-      add_arrangements(guess_, comparison_, left_, true, candidates);
-    }
+    add_arrangements(guess_, comparison_, left_, true, candidates);
+    const bool turned = std::any_of(candidates.begin(), candidates.end(), [&](const Candidate& c) {
+      return c.guess.turn + c.guess.channels > 0 && c.left < std::max(least(), 0.02 * left_);
+    });
+    if (turned) return candidates;
+    guess_.light = unclamped(knowledge_);
+    candidates.clear();
+    add_arrangements(guess_, comparison_, left_, true, candidates);
     add_brightness(guess_, comparison_, left_, candidates);
     add_views(guess_, comparison_, left_, candidates);
     add_light_candidates(guess_, knowledge_, comparison_, candidates);
-    add_missing_objects(guess_, knowledge_, comparison_, candidates);
-    add_self_shadowing(guess_, knowledge_, comparison_, candidates);
     const Excess excess = comparison_.excess(predicted(guess_, comparison_.white()));
     add_what_ifs(guess_, knowledge_, comparison_, excess, false, candidates);
-    constexpr double poorly = 0.4;
-    if (const Candidate* best = best_of(candidates); best && best->left < poorly * left_) return candidates;
-    add_wrong_bodies(guess_, knowledge_, comparison_, excess, candidates);
     add_what_ifs(guess_, knowledge_, comparison_, excess, true, candidates);
     return candidates;
   }
 
-  double score(const Candidate& c) const { return (c.left + 0.002 * before_) * c.handicap; }
+  struct Fit {
+    const Candidate* candidate;
+    double mismatch;
+  };
 
-  /// What explains the picture as well as the best does, is said with its cause.
-  std::string alternative(const std::vector<Candidate>& candidates, const Candidate& best) const {
-    const Candidate* other = nullptr;
+  /// The candidate that is nearest in units of noise, if it explains nearly all and no other comes near it.
+  std::optional<Candidate> convincing(const std::vector<Candidate>& candidates) const {
+    std::vector<Fit> fits;
     for (const Candidate& c : candidates)
-      if (c.handicap < 1.13 && c.said.size() == 1 && c.said[0].sentence != best.said[0].sentence &&
-          c.said[0].kind != best.said[0].kind && c.left < std::max(1.5 * best.left, best.left + 0.03 * left_) &&
-          (!other || score(c) < score(*other)))
-        other = &c;
-    return other && best.said.size() == 1 ? other->said[0].sentence : "";
+      if (c.left * c.handicap <= 2 * nearly_all * left_)
+        fits.push_back({&c, c.handicap * comparison_.mismatch(predicted(c.guess, comparison_.white()))});
+    const auto best =
+        std::min_element(fits.begin(), fits.end(), [](const Fit& a, const Fit& b) { return a.mismatch < b.mismatch; });
+    if (best == fits.end() || best->mismatch > most_mismatch) return std::nullopt;
+    if (best->candidate->left * best->candidate->handicap > nearly_all * left_) return std::nullopt;
+    const bool has_rival = std::any_of(fits.begin(), fits.end(), [&](const Fit& other) {
+      return other.mismatch < rival * best->mismatch && !says_all_of(*other.candidate, *best->candidate);
+    });
+    if (has_rival) return std::nullopt;
+    return *best->candidate;
   }
 
-  std::vector<Finding> accepted(std::optional<Candidate> faint) {
-    std::vector<Finding> findings;
-    if (!faint) return findings;
-    faint->left = std::min(left_, comparison_.total(predicted(faint->guess, comparison_.white())));
-    accept(*faint, findings);
-    return findings;
+  /// Whether a candidate says no less than another: that is no rival, but the same with something added.
+  static bool says_all_of(const Candidate& candidate, const Candidate& other) {
+    return std::all_of(other.said.begin(), other.said.end(), [&](const Finding& wanted) {
+      return std::any_of(candidate.said.begin(), candidate.said.end(), [&](const Finding& said) {
+        return said.kind == wanted.kind && (!other.local || said.sentence == wanted.sentence);
+      });
+    });
   }
 
-  void accept(const Candidate& best, std::vector<Finding>& findings) {
-    // What several changes explain together is shared evenly.
-    const double share = (left_ - best.left) / std::max(before_, 1e-9) / static_cast<double>(best.said.size());
+  std::vector<Finding> unnamed(const std::optional<Candidate>& faint) const {
+    if (!faint) return {};
+    Finding finding = unexplained(difference(guess_.light, faint->guess.light));
+    finding.explained = 0;
+    return {finding};
+  }
+
+  std::vector<Finding> explained_by(const Candidate& best) const {
+    std::vector<Finding> findings = best.said;
     const std::vector<double> weight = difference(guess_.light, best.guess.light);
-    for (Finding finding : best.said) {
-      finding.explained = std::max(finding.explained, share);
+    for (Finding& finding : findings) {
+      // What several changes explain together is shared evenly.
+      finding.explained = (left_ - best.left) / left_ / static_cast<double>(best.said.size());
       finding.where = {0, 0, comparison_.width(), comparison_.height()};
       if (best.placed) {
-        const std::string place =
-            best.place.empty() ? place_of(weight, comparison_.width(), comparison_.height(), knowledge_) : best.place;
+        const std::string place = place_of(weight, comparison_.width(), comparison_.height(), knowledge_);
         if (!place.empty()) finding.sentence += " " + place;
       }
       if (best.local) finding.where = region_of(weight, comparison_.width(), comparison_.height());
-      findings.push_back(std::move(finding));
     }
-    guess_ = best.guess;
-    left_ = best.left;
+    return findings;
   }
 
   std::vector<double> difference(const Image& a, const Image& b) const {
@@ -212,49 +174,43 @@ class Search {
     return weight;
   }
 
-  /// Nothing known explains it: where, and whether it is too dark or too bright.
-  Finding what_is_left() const {
-    const Image guess = predicted(guess_, comparison_.white());
-    const Excess excess = comparison_.excess(guess);
+  /// A pixel: what its block differs by beyond noise.
+  std::vector<double> excess_weight() const {
     std::vector<double> weight(submitted_.pixels());
+    const std::size_t width = static_cast<std::size_t>(submitted_.width);
+    for (std::size_t i = 0; i < weight.size(); ++i)
+      if (comparison_.counts(i))
+        weight[i] = at_first_.block[i / width / Comparison::side * static_cast<std::size_t>(comparison_.across()) +
+                                    i % width / Comparison::side];
+    return weight;
+  }
+
+  /// Where the picture differs, and whether it is too dark or too bright there: both are measured.
+  Finding unexplained(const std::vector<double>& weight) const {
+    const Image expected = predicted(guess_, comparison_.white());
     double brighter = 0, all = 0;
-    for (std::size_t i = 0; i < weight.size(); ++i) {
-      const int x = static_cast<int>(i % static_cast<std::size_t>(submitted_.width)),
-                y = static_cast<int>(i / static_cast<std::size_t>(submitted_.width));
-      const double block =
-          excess.block[static_cast<std::size_t>(y / Comparison::side * comparison_.across() + x / Comparison::side)];
-      if (block <= 0 || !comparison_.counts(i)) continue;
-      weight[i] = block;
-      for (std::size_t c = 0; c < 3; ++c) {
-        const double d = comparison_.shown(submitted_.rgb[3 * i + c]) - comparison_.shown(guess.rgb[3 * i + c]);
-        if (!std::isfinite(d)) continue;
-        brighter += d * block;
-        all += std::abs(d) * block;
-      }
+    for (std::size_t i = 0; i < expected.rgb.size(); ++i) {
+      const double d = comparison_.shown(submitted_.rgb[i]) - comparison_.shown(expected.rgb[i]);
+      if (!comparison_.counts(i / 3) || !std::isfinite(d)) continue;
+      brighter += d * weight[i / 3];
+      all += std::abs(d) * weight[i / 3];
     }
-    std::string sentence = "the image differs";
-    if (brighter > 0.7 * all) sentence = "the image is too bright";
-    if (brighter < -0.7 * all) sentence = "the image is too dark";
+    std::string seen = brighter > 0.7 * all ? "too bright" : brighter < -0.7 * all ? "too dark" : "";
     const std::string place = place_of(weight, submitted_.width, submitted_.height, knowledge_);
-    if (!place.empty()) sentence += " " + place;
-    return {"differs", sentence, "", region_of(weight, submitted_.width, submitted_.height), left_ / before_};
+    if (!place.empty()) seen += (seen.empty() ? "" : " ") + place;
+    return {"differs", "differs here, not explained" + (seen.empty() ? "" : ": " + seen), "",
+            region_of(weight, submitted_.width, submitted_.height), 1};
   }
 
-  /// What is left, block by block less a 25th of what there was at first: as much may be wrong with the explanation.
-  double unexplained() const {
-    const Excess now = comparison_.excess(predicted(guess_, comparison_.white()));
-    double sum = 0;
-    for (std::size_t i = 0; i < now.block.size(); ++i) sum += std::max(0.0, now.block[i] - 0.04 * at_first_.block[i]);
-    return sum;
-  }
-
+  static constexpr double rival = 1.4;
+  static constexpr double most_mismatch = 3;
   const Image& submitted_;
   const SceneKnowledge& knowledge_;
   const Comparison& comparison_;
   double patience_;
   Guess guess_;
   Excess at_first_;
-  double before_ = 0, left_ = 0;
+  double left_ = 0;  ///< by the guess
 };
 
 }  // namespace
@@ -271,12 +227,11 @@ std::vector<Finding> diagnose(const Image& submitted, const SceneKnowledge& know
   if (search.at_first() > search.least())
     if (std::optional<Finding> other = other_scene(comparison, knowledge, search.at_first())) return {*other};
   findings = search.run();
-  if (findings.empty())
+  if (findings.empty() && breakage.findings.empty())
     if (std::optional<Finding> lamps = find_dark_lamps(submitted, knowledge)) findings.push_back(*lamps);
-  if (std::optional<Finding> noise = find_noise(comparison, knowledge)) findings.push_back(*noise);
-  std::stable_sort(findings.begin(), findings.end(),
-                   [](const Finding& a, const Finding& b) { return a.explained > b.explained; });
-  join_common_causes(knowledge, findings);
+  // Noise explains a picture only where nothing else is wrong with it.
+  if (findings.empty() && breakage.findings.empty())
+    if (std::optional<Finding> noise = find_noise(comparison, knowledge)) findings.push_back(*noise);
   const bool other_view = std::any_of(findings.begin(), findings.end(), [](const Finding& f) {
     return (f.kind == "shifted" || f.kind == "field-of-view") && f.explained > 0.3;
   });

@@ -1,8 +1,8 @@
-// What is wrong with a picture, in sentences that whoever wrote the program understands: what, where, and the likely
-// cause. The picture is compared with the reference; hypotheses then compete for the difference by how much of its
-// square they account for. Each is a change of the expected picture: turned over, another gamma, a feature's light left
-// out, or the picture of a scene with the mistake built in (knowledge.h). The best is applied, and the search goes on
-// with what is left, so that several mistakes are found together.
+// What is wrong with a picture, in sentences that whoever wrote the program understands: what, where, and a possible
+// cause. The picture is compared with the reference; hypotheses then compete for the difference. Each is a change of
+// the expected picture: turned over, another gamma, a feature's light left out, or the picture of a scene with the
+// mistake built in (knowledge.h). A hypothesis becomes a sentence only if it explains nearly all of the difference,
+// fits it about as well as noise allows, and no other comes near it. Otherwise the finding is "differs".
 #pragma once
 
 #include <cstdint>
@@ -76,23 +76,22 @@ struct SceneKnowledge {
 };
 
 struct Finding {
-  std::string kind;      ///< "upside-down", "black-lines", "gamma-missing", "caustic-missing" ...
+  std::string kind;      ///< "upside-down", "black-lines", "caustic-missing" ...; "differs": not explained
   std::string sentence;  ///< "caustic missing below the glass sphere"
   std::string cause;     ///< "no photons are shot at it, or none are looked up"; may be empty
   PixelRegion where;
   double explained = 0;  ///< share of the squared error that it accounts for
 };
 
-/// The most explaining first; empty where nothing stands out of the noise and the tolerance. The submitted picture is
-/// linear, top row first. Never throws for what a picture holds: another size and values that are not finite are
-/// findings, too. What the knowledge has not rendered yet is rendered when it is needed, and throws InputError where
-/// that fails.
+/// What is broken first, then at most one explanation, or "differs" with its place; empty where nothing stands out of
+/// the noise and the tolerance. The submitted picture is linear, top row first. Never throws for what a picture holds:
+/// another size and values that are not finite are findings, too. Renders what it needs of the knowledge, and throws
+/// InputError where that fails.
 std::vector<Finding> diagnose(const Image& submitted, const SceneKnowledge& knowledge);
 
-/// Of a picture whose differences no bound minds: a mistake in a fine pattern, as of waves, or in what one body looks
-/// like, that is there in full and far above noise (faint.h). Broad changes are not looked for: what records of an
-/// irradiance cache are off by may look like them. As above; nothing is said of pictures of another size, or with
-/// values that are not finite. At most one.
+/// "differs" for a picture that is within its bounds, where a mistake in a fine pattern, as of waves, or in the look of
+/// one body is there in full and far above noise (faint.h). Broad changes are not looked for: errors of an irradiance
+/// cache look like them. Empty for pictures of another size, or with values that are not finite. At most one.
 std::vector<Finding> find_hidden_mistake(const Image& submitted, const SceneKnowledge& knowledge);
 
 }  // namespace photonproof::inline harness_diagnosis

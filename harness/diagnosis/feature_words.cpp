@@ -6,26 +6,15 @@
 namespace photonproof::inline harness_diagnosis {
 
 Finding words_of_feature(const std::string& feature, double factor) {
-  const bool caustic = feature == "caustic", direct = feature == "direct", later = feature == "later bounces";
-  const std::string name = caustic  ? "caustic"
-                           : direct ? "direct light"
-                           : later  ? "light after the second bounce"
-                                    : "indirect light";
+  const bool caustic = feature == "caustic", direct = feature == "direct";
+  const std::string name = caustic ? "caustic" : direct ? "direct light" : "indirect light";
   // Where no caustic photons are, global ones and rays of the gather still bring some light through glass.
   if (factor < (caustic ? 0.3 : 0.15)) {
     const char* why = caustic  ? "no caustic photons are shot or looked up"
                       : direct ? "lamps are not sampled, or every shadow ray is blocked"
-                      : later  ? "light bounces once only: depth ends too early, or photons are not reflected on"
                                : "no global photons are shot or gathered";
     return {feature + "-missing", name + " missing", why, {}, 0};
   }
-  if (later)
-    return {"bounce-energy",
-            factor_text(factor) + "\u00d7 energy after the second bounce",
-            factor < 1 ? "photons or paths lose power at each bounce, or the cache blurs it away"
-                       : "power is not reduced by the surfaces' colours at each bounce",
-            {},
-            0};
   if (std::abs(factor - 2) < 0.2)
     return {feature + "-twice",
             name + " counted twice",

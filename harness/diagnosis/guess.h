@@ -36,7 +36,6 @@ struct Candidate {
   double handicap = 1;             ///< above 1 for what has numbers to fit
   std::vector<Finding> said = {};  ///< kind, sentence and cause, for each change that it makes
   bool placed = false;             ///< where it differs is to be said
-  std::string place = {};          ///< if not by what differs
   bool local = false;              ///< it concerns the part of the picture that differs
 };
 
@@ -58,16 +57,6 @@ void add_light_candidates(const Guess& guess, const SceneKnowledge& knowledge, c
 /// they change no others: the rest is not rendered. Rare ones, or the others.
 void add_what_ifs(const Guess& guess, const SceneKnowledge& knowledge, const Comparison& comparison,
                   const Excess& excess, bool rare, std::vector<Candidate>& candidates);
-/// Objects in whose place what lies around them is seen.
-void add_missing_objects(const Guess& guess, const SceneKnowledge& knowledge, const Comparison& comparison,
-                         std::vector<Candidate>& candidates);
-/// What is seen of one body is wrong in a way that no other candidate is: the picture's own pixels are taken there.
-void add_wrong_bodies(const Guess& guess, const SceneKnowledge& knowledge, const Comparison& comparison,
-                      const Excess& excess, std::vector<Candidate>& candidates);
-/// Mirrors and glass that no finding names and that show something else than the guess, wherever it is as bright.
-void say_distorted_bodies(const Guess& guess, const SceneKnowledge& knowledge, const Comparison& comparison,
-                          std::vector<Finding>& findings);
-
 /// "the image is shifted by 3 pixels right".
 Finding words_of_shift(double x, double y);
 

@@ -17,11 +17,6 @@
 namespace photonproof::inline harness_diagnosis {
 namespace {
 
-Image not_negative(Image image) {
-  for (float& v : image.rgb) v = std::max(0.0f, v);
-  return image;
-}
-
 class KnowledgeMaker {
  public:
   KnowledgeMaker(const SceneDescription& scene, const Rendering& reference, const OwnEngine& engine,
@@ -138,11 +133,9 @@ class KnowledgeMaker {
   }
 
   void add_features(SceneLight& light) {
-    const Image caustic = view_of("caustics", -1), indirect = view_of("global", -1), first = view_of("global", 3);
-    const Image later = not_negative(change_of(indirect, first));
+    const Image caustic = view_of("caustics", -1), indirect = view_of("global", -1);
     add_probe(light, "caustic", caustic);
     add_probe(light, "indirect", indirect);
-    add_probe(light, "later bounces", later);
     direct_ = direct_light(scene_);
     // Lamps themselves are no direct light that could be lost with it.
     for (std::size_t i = 0; i < points_.size(); ++i)

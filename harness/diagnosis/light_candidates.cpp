@@ -45,12 +45,10 @@ class LightCandidates {
       best.guess.used.push_back(probe.feature);
       best.said = {words_of_feature(probe.feature, 1 + amount)};
       best.handicap = std::abs(amount + 1) < 0.1 || std::abs(amount - 1) < 0.1 ? 1.0 : 1.08;
-      if (probe.feature == "later bounces") best.handicap *= 1.03;
       best.placed = probe.feature == "caustic";
       best.local = true;
       candidates_.push_back(std::move(best));
     }
-    add_colourless_indirect();
     add_ambient();
   }
 
@@ -64,29 +62,6 @@ class LightCandidates {
         add_what_if(what_if);
   }
 
-  /// Each object's light times a factor of each channel, as the picture has it; only while the picture is not turned
-  /// and its values are linear.
-  void add_objects() {
-    if (knowledge_.seen.size() != guess_.light.pixels() || guess_.turn + guess_.channels + guess_.tone != 0) return;
-    const Image now = predicted(guess_, comparison_.white());
-    for (std::size_t mark = 0; mark < knowledge_.landmarks.size(); ++mark) {
-      const Landmark& landmark = knowledge_.landmarks[mark];
-      if (guess_.has("object " + landmark.name)) continue;
-      double submitted[3] = {}, expected[3] = {}, count = 0;
-      for (std::size_t i = 0; i < now.pixels(); ++i) {
-        if (knowledge_.seen[i] != mark + 1 || !comparison_.counts(i)) continue;
-        count += 1;
-        for (std::size_t c = 0; c < 3; ++c) {
-          submitted[c] += std::min(comparison_.white(), double{comparison_.submitted().rgb[3 * i + c]});
-          if (std::isfinite(now.rgb[3 * i + c]))
-            expected[c] += std::min(comparison_.white(), double{now.rgb[3 * i + c]});
-        }
-      }
-      if (count < 12) continue;
-      add_object(mark, submitted, expected, count);
-    }
-  }
-
  private:
   void add_what_if(const WhatIf& what_if) {
     const Image& model = knowledge_.model();
@@ -97,7 +72,7 @@ class LightCandidates {
       candidate.guess = with_light(difference, amount);
       candidate.guess.used.push_back(what_if.kind + what_if.landmark);
       candidate.left = left_of(candidate.guess);
-      candidate.handicap = (amount == 1 ? 1 : 1.25) * handicap_of(what_if.kind);
+      candidate.handicap = amount == 1 ? 1 : 1.25;
       candidate.said = {{what_if.kind, what_if.sentence, what_if.cause, {}, 0}};
       candidate.local = true;
       candidates_.push_back(std::move(candidate));
@@ -122,12 +97,6 @@ class LightCandidates {
     return all > 0 ? sum / all : 0;
   }
 
-  /// Of mistakes that look like a more likely one: glass with its indices exchanged reflects nearly everything, and
-  /// where a mirror is of glass what lies behind it is seen, as where it is missing.
-  static double handicap_of(const std::string& kind) {
-    return kind == "walls-swapped" ? 1.2 : kind == "glass-mirror" ? 1.12 : kind == "mirror-glass" ? 1.1 : 1;
-  }
-
   double left_of(const Guess& guess) const { return comparison_.total(predicted(guess, comparison_.white())); }
 
   Guess with_light(const Image& light, double amount) const {
@@ -137,97 +106,31 @@ class LightCandidates {
     return other;
   }
 
-  void add_colourless_indirect() {
-    for (const FeatureProbe& probe : light_.probes) {
-      if (probe.feature != "indirect" || guess_.has("colourless")) continue;
-      Image change = probe.light;
-      for (std::size_t i = 0; i < change.pixels(); ++i) {
-        float* p = &change.rgb[3 * i];
-        const float grey = (p[0] + p[1] + p[2]) / 3;
-        for (std::size_t c = 0; c < 3; ++c) p[c] = grey - p[c];
-      }
-      Candidate candidate;
-      candidate.guess = with_light(change, 1);
-      candidate.guess.used.push_back("colourless");
-      candidate.left = left_of(candidate.guess);
-      candidate.handicap = 1.05;
-      candidate.said = {{"bleeding-missing",
-                         "indirect light has no colour: walls do not bleed",
-                         "photons keep the lamp's colour when they bounce",
-                         {},
-                         0}};
-      candidates_.push_back(std::move(candidate));
-    }
-  }
-
   void add_ambient() {
     if (guess_.has("ambient")) return;
-    for (const double level : {0.03, 0.06, 0.12, 0.25}) {
-      Candidate candidate;
-      candidate.guess = guess_;
-      for (float& v : candidate.guess.light.rgb) v += static_cast<float>(level * comparison_.white());
-      candidate.guess.used.push_back("ambient");
-      candidate.left = left_of(candidate.guess);
-      candidate.handicap = 1.1;
-      candidate.said = {
-          {"ambient", "everything is brighter by the same amount", "a constant ambient term is added", {}, 0}};
-      candidates_.push_back(std::move(candidate));
-    }
+    Candidate best;
+    best.left = 1e30;
+    double level = 0;
+    const auto look = [&](double x) {
+      Guess other = guess_;
+      for (float& v : other.light.rgb) v += static_cast<float>(x * comparison_.white());
+      const double left = left_of(other);
+      if (left >= best.left) return;
+      best.left = left;
+      best.guess = std::move(other);
+      level = x;
+    };
+    for (const double x : {0.02, 0.04, 0.08, 0.16, 0.32}) look(x);
+    const double coarse = level;
+    for (const double by : {0.7, 0.8, 0.9, 1.1, 1.25, 1.4}) look(coarse * by);
+    if (level < least_ambient) return;
+    best.guess.used.push_back("ambient");
+    best.handicap = 1.1;
+    best.said = {{"ambient", "everything is brighter by the same amount", "a constant ambient term is added", {}, 0}};
+    candidates_.push_back(std::move(best));
   }
 
-  void add_object(std::size_t mark, const double (&submitted)[3], const double (&expected)[3], double count) {
-    double factor[3], least = 1e30, most = 0;
-    for (std::size_t c = 0; c < 3; ++c) {
-      factor[c] = submitted[c] / std::max(expected[c], 0.004 * count);
-      least = std::min(least, factor[c]);
-      most = std::max(most, factor[c]);
-    }
-    if (least > 0.88 && most < 1.14) return;
-    const Landmark& landmark = knowledge_.landmarks[mark];
-    Candidate candidate;
-    candidate.guess = guess_;
-    for (std::size_t i = 0; i < knowledge_.seen.size(); ++i)
-      if (knowledge_.seen[i] == mark + 1)
-        for (std::size_t c = 0; c < 3; ++c) candidate.guess.light.rgb[3 * i + c] *= static_cast<float>(factor[c]);
-    candidate.guess.used.push_back("object " + landmark.name);
-    candidate.left = left_of(candidate.guess);
-    candidate.handicap = 1.3;
-    candidate.local = true;
-    const std::string name = "the " + landmark.name;
-    Finding said{"object-brightness", "", "", {}, 0};
-    if (most < 0.95 && most >= 0.05 && caustic_share(mark) > 0.3) {
-      said = {"caustic-missing-on",
-              "part of the caustics on " + name + " is missing: it is too dark",
-              "light that mirrors, glass or water send there is left out, or stored elsewhere",
-              {},
-              0};
-    } else if (most < 0.05) {
-      said = {"object-black", name + " is black", "its normal points the wrong way, or nothing lights it", {}, 0};
-    } else if (most > 1.25 * least && most - least > 0.15) {
-      said = {"object-colour", name + " has the wrong colour", "its reflectance is not what the scene says", {}, 0};
-    } else {
-      const double mean = (factor[0] + factor[1] + factor[2]) / 3;
-      said.sentence = name + " is " + factor_text(mean) + " times as bright as it should be";
-      said.cause = "its reflectance, or the light that it gets, is wrong";
-    }
-    candidate.said = {said};
-    candidates_.push_back(std::move(candidate));
-  }
-
-  /// Of an object's light.
-  double caustic_share(std::size_t mark) const {
-    double sum = 0, count = 0;
-    for (const FeatureProbe& probe : light_.probes) {
-      if (probe.feature != "caustic" || guess_.has(probe.feature)) continue;
-      for (std::size_t i = 0; i < knowledge_.seen.size(); ++i)
-        if (knowledge_.seen[i] == mark + 1) {
-          sum += probe.weight[i];
-          count += 1;
-        }
-    }
-    return sum / std::max(1.0, count);
-  }
-
+  static constexpr double least_ambient = 0.03;  ///< of white: less is like lighter shadows
   const Guess& guess_;
   const SceneKnowledge& knowledge_;
   const Comparison& comparison_;
@@ -242,7 +145,6 @@ void add_light_candidates(const Guess& guess, const SceneKnowledge& knowledge, c
   LightCandidates add(guess, knowledge, comparison, candidates);
   add.add_features();
   add.add_formulas();
-  add.add_objects();
 }
 
 void add_what_ifs(const Guess& guess, const SceneKnowledge& knowledge, const Comparison& comparison,

@@ -70,8 +70,6 @@ class Mistakes {
              "no reflected ray is traced, or depth ends before it", i, DiffuseDescription{RgbD(0.0)});
     add_seen("mirror-diffuse", name + " is matt: it shows no reflection", "it is shaded as a diffuse surface", i,
              DiffuseDescription{RgbD(0.7)});
-    add_seen("mirror-glass", name + " looks like glass", "materials are mixed up", i,
-             DielectricDescription{.int_ior = 1.5, .ext_ior = 1});
     add_seen("mirror-untinted", name + " is too bright: what it shows is not tinted", "its colour is not multiplied in",
              i, ConductorDescription{});
   }
@@ -101,8 +99,6 @@ class Mistakes {
     std::swap(swapped.int_ior, swapped.ext_ior);
     add_seen("glass-inside-out", name + " refracts the wrong way",
              "the indices of inside and outside are exchanged: eta is inverted, or the normal is", i, swapped);
-    add_seen("glass-mirror", name + " only reflects, like a mirror", "the refracted ray is never taken", i,
-             ConductorDescription{});
   }
 
   void add_water(std::size_t i) {

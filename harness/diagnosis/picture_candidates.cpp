@@ -93,33 +93,6 @@ class PictureCandidates {
     push_zoom(best, left);
   }
 
-  /// Rows that show what other rows should, as when threads share where they are.
-  void add_copied_rows() {
-    if (guess_.turn + guess_.channels + guess_.tone != 0 || comparison_.height() < 16) return;
-    const Image now = predicted(guess_, comparison_.white());
-    const int height = comparison_.height();
-    const std::vector<float> expected = comparison_.shown_of(now);
-    std::vector<double> far_nearer;  // than the row that should be there
-    for (int y = 0; y < height; ++y) far_nearer.push_back(0.4 * row_distance(expected, y, y));
-    RowRun best;
-    for (int by = 3 - height; by <= height - 3; ++by)
-      if (std::abs(by) >= 3) best = std::max(best, longest_run(expected, far_nearer, by));
-    if (best.rows < 3 || best.rows > height * 3 / 4) return;
-    Guess other = guess_;
-    const std::size_t row = static_cast<std::size_t>(now.width) * 3;
-    for (int y = best.first; y < best.first + best.rows; ++y)
-      std::copy_n(guess_.light.rgb.begin() + static_cast<std::ptrdiff_t>(row) * (y + best.by), row,
-                  other.light.rgb.begin() + static_cast<std::ptrdiff_t>(row) * y);
-    const auto rows = [&](int first) { return std::to_string(first + 1) + " to " + std::to_string(first + best.rows); };
-    push(other, 1.1,
-         {"rows-copied",
-          "rows " + rows(best.first) + " repeat rows " + rows(best.first + best.by),
-          "work is divided wrongly, or threads write a variable that they share (a race)",
-          {},
-          0},
-         true);
-  }
-
   /// Pixels that were stored in rows of another length than they are read in, from the first row on or from the last.
   void add_strides() {
     if (guess_.turn + guess_.channels + guess_.tone != 0 || comparison_.height() < 16) return;
@@ -149,37 +122,6 @@ class PictureCandidates {
   }
 
  private:
-  struct RowRun {
-    int rows = 0, first = 0, by = 0;
-    bool operator<(const RowRun& other) const { return rows < other.rows; }
-  };
-
-  /// Of the submitted row y from an expected one, a value; not summed to the end where it is more than `most`.
-  double row_distance(const std::vector<float>& expected, int y, int other, double most = INFINITY) const {
-    const std::size_t values = 3 * static_cast<std::size_t>(comparison_.width());
-    const float* const row = &comparison_.shown_of_submitted()[static_cast<std::size_t>(y) * values];
-    const float* const from = &expected[static_cast<std::size_t>(other) * values];
-    double sum = 0;
-    for (std::size_t i = 0; i < values && sum <= most * static_cast<double>(values); ++i) {
-      const double d = double{row[i]} - double{from[i]};
-      if (std::isfinite(d)) sum += d * d;
-    }
-    return sum / static_cast<double>(values);
-  }
-
-  /// Of rows that are far nearer to what is expected this many rows below.
-  RowRun longest_run(const std::vector<float>& expected, const std::vector<double>& far_nearer, int by) const {
-    RowRun best, run{0, 0, by};
-    for (int y = std::max(0, -by); y < comparison_.height() - std::max(0, by); ++y) {
-      const double most = far_nearer[static_cast<std::size_t>(y)];
-      const bool elsewhere = row_distance(expected, y, y + by, most) < most;
-      if (elsewhere && run.rows++ == 0) run.first = y;
-      if (!elsewhere) run.rows = 0;
-      best = std::max(best, run);
-    }
-    return best;
-  }
-
   /// What is no use is not pushed.
   void push(const Guess& guess, double handicap, const Finding& finding, bool local = false) {
     constexpr double useless = 2;  // times what is left without it
@@ -284,7 +226,6 @@ void add_arrangements(const Guess& guess, const Comparison& comparison, double l
                       std::vector<Candidate>& candidates) {
   PictureCandidates add(guess, comparison, left, candidates);
   add.add_combinations(first_round);
-  add.add_copied_rows();
   if (first_round) add.add_strides();
 }
 

@@ -78,6 +78,7 @@ class StudentMistakes : public testing::Test {
     const std::vector<Finding> findings = diagnose(as_bytes(image), known());
     ASSERT_FALSE(findings.empty()) << kind;
     EXPECT_EQ(findings.front().kind, kind) << text_of(findings);
+    EXPECT_EQ(findings.size(), 1u) << text_of(findings);
     EXPECT_THAT(findings.front().sentence, testing::HasSubstr(part)) << text_of(findings);
   }
 };
@@ -118,7 +119,7 @@ TEST_F(StudentMistakes, glass_without_fresnel_reflects_nothing) {
                  glass.specular_transmittance = RgbD(0.95);  // all goes through, but for the glass's colour
                  set_material(scene, "glass", glass);
                }),
-               "glass-without-reflection", "the glass sphere reflects nothing");
+               "differs", "not explained");
 }
 
 TEST_F(StudentMistakes, a_lamp_that_is_drawn_from_in_one_quarter_is_told_from_hard_shadows) {
@@ -169,59 +170,23 @@ TEST_F(StudentMistakes, all_that_is_missing_is_one_sentence) {
   EXPECT_EQ(findings.front().sentence, "the mirror sphere and the glass sphere are missing") << text_of(findings);
 }
 
-TEST_F(StudentMistakes, blotches_that_lose_light_are_acne_and_less_light_everywhere_is_not) {
-  // 3 of 10 squares of 3 x 3 pixels on floor and ceiling lose half of their light.
-  Image blotched = right();
-  for (std::size_t i = 0; i < blotched.pixels(); ++i) {
-    const std::size_t square = i % side_ / 3 + 1000 * (i / side_ / 3);
-    if ((sees(i, "floor") || sees(i, "ceiling")) && splitmix64(5, square) % 10 < 3)
-      for (std::size_t c = 0; c < 3; ++c) blotched.rgb[3 * i + c] *= 0.5f;
-  }
-  expect_first(blotched, "self-shadowing", "acne");
-  Image darker = right();
-  for (std::size_t i = 0; i < darker.pixels(); ++i)
-    if (sees(i, "floor") || sees(i, "ceiling"))
-      for (std::size_t c = 0; c < 3; ++c) darker.rgb[3 * i + c] *= 0.8f;
-  for (const Finding& finding : diagnose(as_bytes(darker), known())) EXPECT_NE(finding.kind, "self-shadowing");
-}
-
-TEST_F(StudentMistakes, what_no_usual_mistake_explains_of_a_body_is_said_of_it) {
+TEST_F(StudentMistakes, what_nothing_explains_is_shown_and_not_named) {
   Image image = right();
   // Colours of nothing in the room, in squares of 4 x 4 pixels.
   for (std::size_t i = 0; i < image.pixels(); ++i)
     if (sees(i, "mirror sphere"))
       for (std::size_t c = 0; c < 3; ++c)
         image.rgb[3 * i + c] = static_cast<float>(splitmix64(c, i % side_ / 4 + 1000 * (i / side_ / 4)) % 1000) / 1000;
-  std::vector<std::string> sentences;
-  for (const Finding& finding : diagnose(as_bytes(image), known())) sentences.push_back(finding.sentence);
-  EXPECT_THAT(sentences, testing::Contains("what the mirror sphere shows is wrong"));
-  EXPECT_THAT(sentences, testing::Each(testing::HasSubstr("mirror sphere")));
+  expect_first(image, "differs", "differs here, not explained");
+  EXPECT_THAT(diagnose(as_bytes(image), known()).front().sentence, testing::HasSubstr("mirror sphere"));
 }
 
-TEST_F(StudentMistakes, what_is_wrong_with_all_spheres_is_said_of_them_together) {
-  const Image wrong = with([](SceneDescription& scene) {
-    set_material(scene, "mirror", DiffuseDescription{RgbD(0.7)});
-    set_material(scene, "glass", DiffuseDescription{RgbD(0.7)});
-  });
-  Image image = right();
+TEST_F(StudentMistakes, two_mistakes_at_once_are_not_taken_for_one) {
+  Image image = with([](SceneDescription& scene) { set_material(scene, "mirror", DiffuseDescription{RgbD(0.7)}); });
   for (std::size_t i = 0; i < image.pixels(); ++i)
-    if (sees(i, "sphere")) std::copy_n(&wrong.rgb[3 * i], 3, &image.rgb[3 * i]);
-  expect_first(image, "spheres-wrong", "what the spheres show is wrong");
-}
-
-TEST_F(StudentMistakes, a_mirror_that_shows_something_else_counts_beside_glass_that_is_black) {
-  const Image image = with([](SceneDescription& scene) {
-    DielectricDescription black = glass_of(scene);
-    black.specular_transmittance = RgbD(0.0);
-    set_material(scene, "glass", black);
-  });
-  // Means of blocks stay.
-  Image other = image;
-  for (std::size_t i = 0; i < other.pixels(); ++i)
-    for (std::size_t c = 0; c < 3 && sees(i, "mirror sphere"); ++c)
-      other.rgb[3 * i + c] *= i % side_ % 4 < 2 ? 1.5f : 0.5f;
-  expect_first(image, "glass-black", "the glass sphere is black");
-  expect_first(other, "spheres-wrong", "what the spheres show is wrong");
+    if (sees(i, "left wall"))
+      for (std::size_t c = 0; c < 3; ++c) image.rgb[3 * i + c] *= 0.5f;
+  expect_first(image, "differs", "differs here, not explained");
 }
 
 TEST_F(StudentMistakes, guesses_that_know_nothing_explain_nothing) {

@@ -81,12 +81,22 @@ std::vector<Finding> SceneFindings::mistakes_in(const SceneWorkGrade& work, std:
 
 void SceneFindings::add(std::size_t scene, SceneWorkGrade& work) {
   if (work.grade.verdict == SceneVerdict::failed || work.images.empty() || !references_[scene]) return;
-  for (const Finding& finding : mistakes_in(work, scene))
+  std::vector<Finding> findings = mistakes_in(work, scene);
+  // The page then shows the picture of what differs, and claims nothing.
+  if (findings.empty() && work.grade.verdict == SceneVerdict::wrong)
+    findings.push_back({"differs",
+                        "differs here, not explained",
+                        "",
+                        {0, 0, work.images.front().width, work.images.front().height},
+                        0});
+  for (const Finding& finding : findings)
     work.grade.findings.push_back({finding.kind, finding.sentence, finding.cause, finding.where.x, finding.where.y,
                                    finding.where.width, finding.where.height, finding.explained});
   if (work.grade.verdict == SceneVerdict::wrong || work.grade.findings.empty()) return;
   work.grade.verdict = SceneVerdict::wrong;
-  work.grade.sentence = "within the bounds, or hidden by noise, but " + work.grade.findings.front().sentence;
+  const GradedFinding& first = work.grade.findings.front();
+  const std::string subject = first.kind == "differs" ? "it " : "";
+  work.grade.sentence = "within the bounds, or hidden by noise, but " + subject + first.sentence;
 }
 
 }  // namespace photonproof::inline harness_grading

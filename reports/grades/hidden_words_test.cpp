@@ -54,7 +54,7 @@ TEST_F(HiddenScene, several_mistakes_are_told_once_each) {
   grade.findings = {{"glass-opaque", "", "", 0, 0, 0, 0, 1},
                     {"noise", "", "", 0, 0, 0, 0, 1},
                     {"object-missing", "", "", 0, 0, 0, 0, 1},
-                    {"differs", "the image differs on the cube", "", 0, 0, 0, 0, 1}};
+                    {"differs", "differs here, not explained: on the cube", "", 0, 0, 0, 0, 1}};
   EXPECT_EQ(words().sentence, std::string(of_content) + "; noisy");
   EXPECT_EQ(words().causes.size(), 2u);
 }
