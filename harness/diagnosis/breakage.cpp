@@ -131,48 +131,6 @@ bool is_an_object(const Patch& patch, const SceneKnowledge& knowledge) {
   return false;
 }
 
-/// A surface that only indirect light reaches may be black because that light is missing.
-bool is_lit_indirectly(std::size_t mark, const SceneKnowledge& knowledge) {
-  double sum = 0, count = 0;
-  for (const FeatureProbe& probe : knowledge.light.get().probes)
-    for (std::size_t i = 0; i < probe.weight.size() && probe.feature == "indirect"; ++i)
-      if (knowledge.seen[i] == mark) {
-        sum += double{probe.weight[i]};
-        count += 1;
-      }
-  return sum > 0.9 * count;
-}
-
-/// Objects that are black wherever they are seen, as the reference's are not: a fact that needs no hypothesis. Where
-/// most of the scene is black, something else is wrong.
-void find_black_objects(const Image& image, const SceneKnowledge& knowledge, Breakage& breakage) {
-  if (knowledge.seen.size() != image.pixels()) return;
-  std::vector<Finding> findings;
-  std::vector<std::uint8_t> ignored = breakage.ignored;
-  for (std::size_t mark = 1; mark <= knowledge.landmarks.size(); ++mark) {
-    double all = 0, black = 0, expected = 0;
-    std::vector<double> weight(image.pixels());
-    for (std::size_t i = 0; i < image.pixels(); ++i) {
-      if (knowledge.seen[i] != mark || breakage.ignored[i]) continue;
-      weight[i] = 1;
-      all += 1;
-      black += is_black(image, i) ? 1 : 0;
-      expected += std::min(1.0f, luminance_of_pixel(&knowledge.reference.rgb[3 * i]));
-    }
-    constexpr double least_pixels = 12, least_share = 0.85;  // an edge's pixels show what lies beside
-    if (all < least_pixels || black < least_share * all || expected < 0.06 * all) continue;
-    if (is_lit_indirectly(mark, knowledge)) continue;
-    findings.push_back({"object-black", "the " + knowledge.landmarks[mark - 1].name + " is black",
-                        "its normal points the wrong way, no light reaches it, or rays end there",
-                        region_of(weight, image.width, image.height), all / static_cast<double>(weight.size())});
-    for (std::size_t i = 0; i < image.pixels(); ++i)
-      if (weight[i] > 0) ignored[i] = 1;
-  }
-  if (2 * findings.size() >= knowledge.landmarks.size()) return;
-  breakage.findings.insert(breakage.findings.end(), findings.begin(), findings.end());
-  breakage.ignored = std::move(ignored);
-}
-
 std::string words_of(const Patch& patch, const Image& image) {
   const int width = patch.x1 - patch.x0 + 1, height = patch.y1 - patch.y0 + 1;
   if (width == image.width) {
@@ -253,7 +211,7 @@ float brightest_near(const Image& image, int x, int y) {
   return most;
 }
 
-/// Single pixels that are far brighter than those around them, where the reference's are not.
+/// Single pixels that are far brighter than those around them, where the reference's are not: left out, and not named.
 void find_fireflies(const Image& image, const SceneKnowledge& knowledge, Breakage& breakage) {
   std::vector<double> bright(image.pixels());
   std::vector<float> spread;
@@ -271,11 +229,7 @@ void find_fireflies(const Image& image, const SceneKnowledge& knowledge, Breakag
   const double share =
       static_cast<double>(std::count(bright.begin(), bright.end(), 1.0)) / static_cast<double>(bright.size());
   if (share <= 0.004 || usual >= 0.15) return;
-  const std::string place = place_of(bright, image.width, image.height, knowledge);
-  breakage.findings.push_back({"fireflies",
-                               "single pixels far too bright" + (place.empty() ? "" : " " + place) + " (fireflies)",
-                               "rare paths with a huge weight: a density near zero, or caustics met by chance",
-                               region_of(bright, image.width, image.height), share});
+  breakage.has_fireflies = true;
   for (std::size_t i = 0; i < bright.size(); ++i)
     if (bright[i] > 0) breakage.ignored[i] = 1;
 }
@@ -362,7 +316,6 @@ Breakage find_breakage(const Image& submitted, const SceneKnowledge& knowledge) 
   if (breakage.hopeless) return breakage;
   if (std::optional<Finding> lines = find_lines(submitted, knowledge.reference, breakage.ignored))
     breakage.findings.push_back(*lines);
-  find_black_objects(submitted, knowledge, breakage);
   find_holes(submitted, knowledge, breakage);
   find_coarse(submitted, knowledge, breakage);
   find_fireflies(submitted, knowledge, breakage);

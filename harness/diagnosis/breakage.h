@@ -12,6 +12,7 @@ namespace photonproof::inline harness_diagnosis {
 struct Breakage {
   std::vector<Finding> findings;
   std::vector<std::uint8_t> ignored;  ///< a pixel: 1 where it is broken
+  bool has_fireflies = false;         ///< among what is ignored
   bool hopeless = false;              ///< there is nothing to compare
 };
 

@@ -94,14 +94,14 @@ class Search {
   /// What the light is made of, and how mistakes look, is rendered only where no turned picture explains everything.
   std::vector<Candidate> candidates_now() {
     std::vector<Candidate> candidates;
-    add_arrangements(guess_, comparison_, left_, true, candidates);
+    add_arrangements(guess_, comparison_, left_, candidates);
     const bool turned = std::any_of(candidates.begin(), candidates.end(), [&](const Candidate& c) {
       return c.guess.turn + c.guess.channels > 0 && c.left < std::max(least(), 0.02 * left_);
     });
     if (turned) return candidates;
     guess_.light = unclamped(knowledge_);
     candidates.clear();
-    add_arrangements(guess_, comparison_, left_, true, candidates);
+    add_arrangements(guess_, comparison_, left_, candidates);
     add_brightness(guess_, comparison_, left_, candidates);
     add_views(guess_, comparison_, left_, candidates);
     add_light_candidates(guess_, knowledge_, comparison_, candidates);
@@ -221,9 +221,8 @@ std::vector<Finding> diagnose(const Image& submitted, const SceneKnowledge& know
   Breakage breakage = find_breakage(submitted, knowledge);
   if (breakage.hopeless) return breakage.findings;
   const Comparison comparison(submitted, knowledge.white, knowledge.tolerance, breakage.ignored);
-  const bool fireflies = std::any_of(breakage.findings.begin(), breakage.findings.end(),
-                                     [](const Finding& f) { return f.kind == "fireflies"; });
-  Search search(submitted, knowledge, comparison, fireflies ? 6 : 1);  // they take their light from what is compared
+  Search search(submitted, knowledge, comparison,
+                breakage.has_fireflies ? 6 : 1);  // they take their light from what is compared
   if (search.at_first() > search.least())
     if (std::optional<Finding> other = other_scene(comparison, knowledge, search.at_first())) return {*other};
   findings = search.run();

@@ -213,7 +213,7 @@ const std::vector<Defect>& light_defects() {
 const std::vector<Defect>& object_defects() {
   using K = SceneKnowledge;
   static const std::vector<Defect> defects{
-      {"mirror_black", "course-1", "mirror-black", "mirror sphere",
+      {"mirror_black", "course-1", "differs", "mirror sphere",
        [](const Image&, const K&) {
          return changed("course-1", [](SceneDescription& s) { set_bsdf(s, "mirror", DiffuseDescription{RgbD(0.0)}); });
        }},
@@ -289,7 +289,7 @@ Image with_black(Image image, const SceneKnowledge& knowledge, const std::string
 const std::vector<Defect>& other_defects() {
   using K = SceneKnowledge;
   static const std::vector<Defect> defects{
-      {"upside_down_gamma", "course-1", "upside-down|gamma-applied", "",
+      {"upside_down_gamma", "course-1", "differs", "",
        [](const Image& i, const K&) { return tone(turn(i, "upside-down"), "gamma-applied"); }},
       {"bgr_no_indirect", "cornell-spheres", "differs|channels-swapped|indirect-missing", "",
        [](const Image& i, const K& k) { return with_channels(plus(i, probe(k, "indirect"), -1), channel_rows()[1]); }},
@@ -305,7 +305,7 @@ const std::vector<Defect>& other_defects() {
            set_bsdf(s, "mirror", ConductorDescription{.ior = {}, .specular_reflectance = RgbD(0.9, 0.5, 0.2)});
          });
        }},
-      {"back_wall_black", "course-1", "object-black", "back wall",
+      {"back_wall_black", "course-1", "differs", "back wall",
        [](const Image& i, const K& k) { return with_black(i, k, "back wall"); }},
       {"weak_glass", "cornell-spheres", "differs", "glass sphere",
        [](const Image&, const K&) {

@@ -43,9 +43,9 @@ struct Candidate {
 inline constexpr double nearly_all = 0.15;
 
 /// All changes of one thing. Of whole pictures (picture_changes.h), without what the scene's light is made of: turned,
-/// channels, tone, rows of another place; in the first round also turned, channels and tone together.
+/// channels, tone, rows of another length.
 /// `left`: by the guess. Those that leave more are not all among the candidates.
-void add_arrangements(const Guess& guess, const Comparison& comparison, double left, bool first_round,
+void add_arrangements(const Guess& guess, const Comparison& comparison, double left,
                       std::vector<Candidate>& candidates);
 /// Another brightness; another view, or less sharp. As above.
 void add_brightness(const Guess& guess, const Comparison& comparison, double left, std::vector<Candidate>& candidates);

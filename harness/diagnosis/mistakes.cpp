@@ -66,8 +66,6 @@ class Mistakes {
 
   void add_mirror(std::size_t i) {
     const std::string name = "the " + names_[i];
-    add_seen("mirror-black", name + " is black: it reflects nothing",
-             "no reflected ray is traced, or depth ends before it", i, DiffuseDescription{RgbD(0.0)});
     add_seen("mirror-diffuse", name + " is matt: it shows no reflection", "it is shaded as a diffuse surface", i,
              DiffuseDescription{RgbD(0.7)});
     add_seen("mirror-untinted", name + " is too bright: what it shows is not tinted", "its colour is not multiplied in",

@@ -19,8 +19,8 @@ class PictureCandidates {
 
   /// Turned, with other channels, other values, and all of it at once. Of a thousand those are kept that explain nearly
   /// all, and of those that change as many things the best.
-  void add_combinations(bool first_round) {
-    std::vector<Combination> combinations = combinations_now(first_round);
+  void add_combinations() {
+    std::vector<Combination> combinations = combinations_now();
     const Image picture = predicted(arranged(0, 0, 0), comparison_.white());
     ArrangedTotals totals(picture, comparison_);
     for (std::size_t tone = 0; tone < tone_rows().size(); ++tone) {
@@ -135,18 +135,17 @@ class PictureCandidates {
     double left;
   };
 
-  std::vector<Combination> combinations_now(bool first_round) const {
+  std::vector<Combination> combinations_now() const {
     std::vector<Combination> combinations;
     for (std::size_t turn = 0; turn < turn_rows().size(); ++turn) {
       if (turn_rows()[turn].swaps_sides && comparison_.width() != comparison_.height()) continue;
-      if (!first_round && turn != guess_.turn && guess_.turn != 0) continue;
       for (std::size_t channels = 0; channels < channel_rows().size(); ++channels)
         for (std::size_t tone = 0; tone < tone_rows().size(); ++tone) {
           const std::size_t changed =
               std::size_t{turn != guess_.turn} + (channels != guess_.channels) + (tone != guess_.tone);
           const bool says =
               is_said(turn, guess_.turn) || is_said(channels, guess_.channels) || is_said(tone, guess_.tone);
-          if (says && (first_round || changed == 1)) combinations.push_back({turn, channels, tone, changed, left_});
+          if (says && changed == 1) combinations.push_back({turn, channels, tone, changed, left_});
         }
     }
     return combinations;
@@ -222,11 +221,11 @@ class PictureCandidates {
 
 }  // namespace
 
-void add_arrangements(const Guess& guess, const Comparison& comparison, double left, bool first_round,
+void add_arrangements(const Guess& guess, const Comparison& comparison, double left,
                       std::vector<Candidate>& candidates) {
   PictureCandidates add(guess, comparison, left, candidates);
-  add.add_combinations(first_round);
-  if (first_round) add.add_strides();
+  add.add_combinations();
+  add.add_strides();
 }
 
 void add_brightness(const Guess& guess, const Comparison& comparison, double left, std::vector<Candidate>& candidates) {
