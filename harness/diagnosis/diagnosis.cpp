@@ -234,9 +234,8 @@ std::vector<Finding> diagnose(const Image& submitted, const SceneKnowledge& know
   const bool other_view = std::any_of(findings.begin(), findings.end(), [](const Finding& f) {
     return (f.kind == "shifted" || f.kind == "field-of-view") && f.explained > 0.3;
   });
-  // A narrow black strip then is what lies beside the scene.
-  if (other_view)
-    std::erase_if(breakage.findings, [](const Finding& f) { return f.kind == "unrendered" && f.explained < 0.12; });
+  // A black strip then is what lies beside the scene.
+  if (other_view) std::erase_if(breakage.findings, [](const Finding& f) { return f.kind == "unrendered"; });
   // Enlarged pixels look shifted and blurred by themselves.
   const bool coarse = std::any_of(breakage.findings.begin(), breakage.findings.end(),
                                   [](const Finding& f) { return f.kind == "coarse"; });
