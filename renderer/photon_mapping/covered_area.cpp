@@ -45,11 +45,12 @@ bool holds_lamp(const SceneParts& scene, const Solid& solid) {
 /// A shape that is solid by itself. Cubes are six surfaces.
 std::optional<Solid> solid_of(const Geometry& geometry) {
   using Found = std::optional<Solid>;
-  return std::visit(Overloaded{[](const Sphere& ball) -> Found { return Solid::of_ball(ball); },
-                               [](const Quad&) { return Found(); }, [](const Plane&) { return Found(); },
-                               [](const Disk&) { return Found(); }, [](const Cylinder&) { return Found(); },
-                               [](const Mesh&) { return Found(); }, [](const MeshInstance&) { return Found(); }},
-                    geometry);
+  return std::visit(
+      Overloaded{[](const Sphere& ball) -> Found { return Solid::of_ball(ball); }, [](const Quad&) { return Found(); },
+                 [](const renderer_shapes::Plane&) { return Found(); }, [](const Disk&) { return Found(); },
+                 [](const Cylinder&) { return Found(); }, [](const Mesh&) { return Found(); },
+                 [](const MeshInstance&) { return Found(); }},
+      geometry);
 }
 
 std::vector<PlacedSolid> solids_of(const SceneParts& scene) {
@@ -69,12 +70,12 @@ std::vector<PlacedSolid> solids_of(const SceneParts& scene) {
 /// What the solid covers of a flat surface; nothing of others, whose look-ups count all of their discs.
 std::optional<Footprint> footprint(const Solid& solid, const Geometry& geometry) {
   using Found = std::optional<Footprint>;
-  return std::visit(
-      Overloaded{[&](const Quad& quad) { return Footprint::of(solid, quad); },
-                 [&](const renderer_shapes::Plane& plane) { return Footprint::of(solid, plane); }, [](const Disk&) { return Found(); },
-                 [](const Sphere&) { return Found(); }, [](const Cylinder&) { return Found(); },
-                 [](const Mesh&) { return Found(); }, [](const MeshInstance&) { return Found(); }},
-      geometry);
+  return std::visit(Overloaded{[&](const Quad& quad) { return Footprint::of(solid, quad); },
+                               [&](const renderer_shapes::Plane& plane) { return Footprint::of(solid, plane); },
+                               [](const Disk&) { return Found(); }, [](const Sphere&) { return Found(); },
+                               [](const Cylinder&) { return Found(); }, [](const Mesh&) { return Found(); },
+                               [](const MeshInstance&) { return Found(); }},
+                    geometry);
 }
 
 /// What two cover together must count once: of those that overlap the larger is left.

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "renderer/integrators/test_photon_scenes.h"
 #include "renderer/lanes/test_random.h"
 #include "renderer/lanes/warp.h"
-#include "renderer/integrators/test_photon_scenes.h"
 #include "renderer/shapes/surface.h"
 
 namespace photonproof::inline renderer_shapes {
